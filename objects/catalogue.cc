@@ -158,9 +158,10 @@ std::shared_ptr<const GraspObject> LoadMeshObject(const fs::path& path, double s
   for (Eigen::Vector3d& p : drawn.vertices) p *= scale;
   UsableMesh usable = MakeUsable(drawn, PartsApart::kMeant);
   if (!usable.report.problems.empty()) {
-    throw Error(ErrorKind::kFormat, fmt::format("the mesh \"{}\" (in m, times {:g}) cannot be used:\n",
-                                                path.string(), scale) +
-                                        FormatProblems(usable.report));
+    throw Error(
+        ErrorKind::kFormat,
+        fmt::format("the mesh \"{}\" (in m, times {:g}) cannot be used:\n", path.string(), scale) +
+            FormatProblems(usable.report));
   }
   auto object = std::make_shared<GraspObject>();
   object->id = object->name = path.stem().string();

@@ -129,9 +129,11 @@ void AddCampaign(const fs::path& folder, const CampaignProgress& progress, Folde
   status.is_finished &= progress.num_finished >= progress.num_scenes;
 }
 
-void AddSearch(const fs::path& folder, const SearchProgress& progress, FolderStatus& status) {
+/** @param unit  of what its journal keeps: "evaluation". */
+void AddSearch(const fs::path& folder, const SearchProgress& progress, const std::string& unit,
+               FolderStatus& status) {
   status.text = folder.string() + ": " + (progress.is_finished ? "" : "not ") + "finished, " +
-                FormatCount(progress.num_answers, "evaluation") + " kept" +
+                FormatCount(progress.num_answers, unit) + " kept" +
                 (progress.age ? ", the last " + FormatFixed(*progress.age, 0) + " s ago" : "") +
                 "\n";
   status.json = {{"answers", progress.num_answers},
@@ -152,8 +154,9 @@ FolderStatus ReadFolderStatus(const fs::path& folder, double stale_after, Status
     const CampaignProgress progress = ReadCampaignProgress(folder, stale_after, index_use);
     status.json = MakeStatusJson(progress);
     AddCampaign(folder, progress, status);
-  } else if (kind == &kSceneStore || kind == &kDevelopmentStore) {
-    AddSearch(folder, ReadSearchProgress(folder), status);
+  } else if (kind == &kSceneStore || kind == &kDevelopmentStore || kind == &kJudgedGraspStore) {
+    AddSearch(folder, ReadSearchProgress(folder),
+              kind == &kJudgedGraspStore ? "verdict" : "evaluation", status);
   } else {
     const SessionProgress progress = ReadProgress(folder, stale_after, index_use);
     status.json = MakeStatusJson(progress);

@@ -7,8 +7,11 @@
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "datasets/campaign/campaign_store.h"
+#include "datasets/judged_grasps/judged_summary.h"
 #include "datasets/session/session_store.h"
 #include "reports/campaign/campaign_report.h"
+#include "reports/grasps_page.h"
+#include "reports/page/write_page.h"
 #include "reports/session_report.h"
 #include "workbench/terminal/terminal.h"
 #include "workbench/trace_session.h"
@@ -72,6 +75,15 @@ fs::path WriteResultPage(const fs::path& folder, const fs::path& place, OnDamage
     const Campaign campaign = LoadCampaign(folder, on_damage);
     ReportDamage(campaign.damage);
     return WriteCampaignReport(place, campaign).lexically_relative(place);
+  }
+  if (HasJudgedGrasps(folder)) {
+    refuse_views("no session");
+    ReportDamage(VerifyStore(folder, on_damage).damages);
+    const Json config = LoadGraspConfig(folder);
+    const std::vector<JudgedGrasp> judged = LoadJudgedGrasps(folder);
+    return WriteReportPage(
+               place, MakeGraspsPage(config, judged, SummariseJudged(judged, FindLimits(config))))
+        .lexically_relative(place);
   }
   const std::optional<Manifest> manifest = FindManifest(folder);
   if (!HasSession(folder) && !(manifest && manifest->kind == kSessionStore.name)) {

@@ -103,7 +103,8 @@ void ImplicitWorld::AddArm(const WorldCommand& command) {
   };
   const int base = dynamics_.num_dofs();
   for (int k = 0; k < 3; ++k) {
-    add(base + k, config_.arm_angular_stiffness, turned[k], command.w_WH[k], config_.arm_moment_limit);
+    add(base + k, config_.arm_angular_stiffness, turned[k], command.w_WH[k],
+        config_.arm_moment_limit);
   }
   for (int k = 0; k < 3; ++k) {
     add(base + 3 + k, config_.arm_stiffness, moved[k], command.v_WH[k], config_.arm_force_limit);

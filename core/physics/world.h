@@ -41,7 +41,7 @@ Pose CalcPalmPose(const Hand& hand, const WorldState& state);
 
 /** What the hand is asked for at the end of a step. */
 struct WorldCommand {
-  Eigen::VectorXd q;             ///< drive commands (num_joints) [rad]
+  Eigen::VectorXd q;  ///< drive commands (num_joints) [rad]
   Pose X_WH = Pose::Identity();
   Eigen::Vector3d v_WH = Eigen::Vector3d::Zero();
   /** Where the commanded pose turns [rad/s]; a backend without (compliant_world.h) takes a rotation

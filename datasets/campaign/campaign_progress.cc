@@ -61,8 +61,9 @@ SearchProgress ReadSearchProgress(const fs::path& folder) {
   progress.damages = FindLostBytes(folder);
   const std::vector<ManifestFile> files = FindManifest(folder).value_or(Manifest()).files;
   progress.is_finished =  // a result counts when it is sealed
-      std::any_of(files.begin(), files.end(),
-                  [](const ManifestFile& file) { return file.path == "result.json"; });
+      std::any_of(files.begin(), files.end(), [](const ManifestFile& file) {
+        return file.path == "result.json" || file.path == "grasps.csv";
+      });
   if (!fs::exists(journal)) return progress;
   progress.age = CalcAge(journal);
   ForEachLineOfFile(journal, [&](const FileLine& line) {

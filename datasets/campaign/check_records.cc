@@ -1,6 +1,7 @@
 #include "datasets/campaign/check_records.h"
 
 #include "core/base/error.h"
+#include "datasets/judged_grasps/grasp_store.h"
 #include "datasets/scene/development_store.h"
 #include "datasets/scene/evaluation_journal.h"
 #include "datasets/session/session_store.h"
@@ -61,6 +62,8 @@ Diagnostics CheckRecords(const fs::path& folder, StoreState& state) {
       ListMatches(folder, {"journal.jsonl", "scenes/*/journal.jsonl", "comparison/*/*.jsonl"});
   if (kind == &kDevelopmentStore) {
     CheckAnswers<DevelopmentRecord>(folder, searches, state, findings);
+  } else if (kind == &kJudgedGraspStore) {
+    CheckAnswers<JudgedGrasp>(folder, searches, state, findings);
   } else if (kind != &kSessionStore) {
     CheckAnswers<EvaluationRecord>(folder, searches, state, findings);
   }

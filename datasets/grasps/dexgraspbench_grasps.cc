@@ -155,8 +155,8 @@ std::vector<Pose> FindObjectPoses(const GraspDict& dict, const SceneObject& scen
   return poses;
 }
 
-std::vector<ForeignGrasp> Read(std::string_view bytes, const std::string& file,
-                               const GraspReadOptions& options) {
+std::vector<ForeignGrasp> ReadDexgraspbench(std::string_view bytes, const std::string& file,
+                                            const GraspReadOptions& options) {
   const Pickle pickle = ReadNpy(bytes, file);
   const PickleValue& root = Unwrap(*pickle.root);
   if (root.kind != PickleValue::Kind::kDict) {
@@ -221,7 +221,7 @@ std::vector<ForeignGrasp> Read(std::string_view bytes, const std::string& file,
   return grasps;
 }
 
-bool Recognises(std::string_view bytes) {
+bool RecognisesDexgraspbench(std::string_view bytes) {
   return !bytes.empty() && (bytes.front() == '\x93' || bytes.front() == '\x80') &&
          bytes.find("grasp_qpos") != std::string_view::npos;
 }
@@ -229,8 +229,8 @@ bool Recognises(std::string_view bytes) {
 }  // namespace
 
 GraspFormat MakeDexgraspbenchGraspFormat() {
-  return {"dexgraspbench", "DexGraspBench, BODex, Dexonomy: .npy of the Shadow Hand", Recognises,
-          Read};
+  return {"dexgraspbench", "DexGraspBench, BODex, Dexonomy: .npy of the Shadow Hand",
+          RecognisesDexgraspbench, ReadDexgraspbench};
 }
 
 }  // namespace graspbench

@@ -28,6 +28,15 @@ std::vector<fs::path> ListFiles(const std::string& path) {
   return files;
 }
 
+void OpenHand(const GraspReadOptions& options, ForeignGrasp& grasp) {
+  std::vector<double> positions;
+  for (const auto& [name, position] : options.open_joints) {
+    grasp.joint_names.push_back(name);
+    positions.push_back(position);
+  }
+  for (GraspStage& stage : grasp.stages) stage.joints = positions;
+}
+
 }  // namespace
 
 const std::vector<GraspFormat>& ListGraspFormats() {
@@ -68,6 +77,7 @@ std::vector<ForeignGrasp> ParseGrasps(std::string_view bytes, const std::string&
     grasps[i].source = name;
     grasps[i].index = static_cast<int>(i);
     grasps[i].format = found.id;
+    if (grasps[i].joint_names.empty()) OpenHand(options, grasps[i]);
   }
   return grasps;
 }

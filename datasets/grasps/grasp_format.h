@@ -6,6 +6,7 @@ The formats of foreign grasps: one file `<id>_grasps.cc` and one line of grasp_f
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "datasets/grasps/foreign_grasp.h"
@@ -18,6 +19,8 @@ struct GraspReadOptions {
   std::string object_frame;              ///< name of the frame in which poses are given
   std::vector<std::string> joint_names;  ///< of a file that lists positions without names
   std::optional<double> scale;           ///< of the object's mesh
+  /** Positions of an open hand, for files that state none [rad], of a prismatic joint [m]. */
+  std::vector<std::pair<std::string, double>> open_joints;
 };
 
 struct GraspFormat {

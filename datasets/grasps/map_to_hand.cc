@@ -104,8 +104,9 @@ class UnstatedJoints {
     }
     if (!missing.empty()) {
       throw Error(ErrorKind::kFormat,
-                  fmt::format("{}: the file states no position of {}, which the hand {} has",
-                              grasp.source, missing, hand.id));
+                  fmt::format("{}: the file states no position of {}, which the hand {} has{}",
+                              grasp.source, missing, hand.id,
+                              stated.empty() ? "; give those of the open hand by --open" : ""));
     }
     if (!wrist.empty()) assumptions_.push_back("joints of the wrist at 0: " + wrist);
     if (!coupled.empty()) assumptions_.push_back("joints that follow their coupling: " + coupled);

@@ -34,6 +34,8 @@ const std::vector<CsvColumn<JudgedGrasp>>& ListColumns() {
        [](J j) { return Json(j.result.touching); }},
       {"grip_force_n", "number", "N", "sum of normal forces then",
        [](J j) { return JsonNumber(j.result.grip_force); }},
+      {"epsilon", "number", "", "of these contacts, ferrari-canny; 0: no force closure",
+       [](J j) { return JsonNumber(j.result.epsilon); }},
       {"closing_shift_m", "number", "m", "of the object until then",
        [](J j) { return JsonNumber(j.result.closing_shift); }},
       {"num_stood", "integer", "", "pushes or lifts that it stood",

@@ -49,9 +49,9 @@ double CalcMargin(const JudgedGrasp& judged, double max_shift, double max_turn_d
 JudgedSummary SummariseJudged(const std::vector<JudgedGrasp>& judged,
                               const std::map<std::string, std::pair<double, double>>& limits) {
   JudgedSummary summary;
-  std::map<std::string, std::map<GraspKey, bool>> verdicts;       // by profile
-  std::map<std::string, std::map<std::string, int>> stages;       // by profile
-  std::map<std::string, std::pair<int, int>> disturbed;           // passed, all
+  std::map<std::string, std::map<GraspKey, bool>> verdicts;  // by profile
+  std::map<std::string, std::map<std::string, int>> stages;  // by profile
+  std::map<std::string, std::pair<int, int>> disturbed;      // passed, all
   std::vector<std::pair<double, const JudgedGrasp*>> margins;
   for (const JudgedGrasp& one : judged) {
     if (one.jitter > 0) continue;

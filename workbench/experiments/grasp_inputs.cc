@@ -48,7 +48,7 @@ std::vector<bool> FindAsked(const Hand& hand, const std::vector<GraspInput>& gra
     is_asked[static_cast<size_t>(joint)] =
         std::any_of(grasps.begin(), grasps.end(), [&](const GraspInput& input) {
           return std::any_of(input.stages.begin(), input.stages.end(),
-                             [&](const StageCommand& stage) { return stage.q[joint] != 0.0; });
+                             [&](const ScriptedStage& stage) { return stage.q[joint] != 0.0; });
         });
   }
   return is_asked;
@@ -146,7 +146,8 @@ GraspInputs LoadGraspInputs(GraspCollection collection, const std::string& hand,
   for (ForeignGrasp& grasp : collection.grasps) {
     GraspInput input;
     try {
-      for (const HandStage& stage : MapToHand(grasp, *inputs.hand).stages) {
+      const HandGrasp mapped = MapToHand(grasp, *inputs.hand);
+      for (const HandStage& stage : mapped.stages) {
         input.stages.push_back({stage.name, stage.X_OH, stage.q});
       }
     } catch (const Error& error) {
@@ -179,10 +180,10 @@ GraspInputs LoadGraspInputs(GraspCollection collection, const std::string& hand,
 
 FreeSpaceResult JudgeGraspInput(const GraspInputs& inputs, const GraspInput& input,
                                 const FreeSpaceProfile& profile, int jitter) {
-  std::vector<StageCommand> stages = input.stages;
+  std::vector<ScriptedStage> stages = input.stages;
   if (jitter > 0) {
     const Pose X_HD = DrawDisturbance(input.grasp, jitter);
-    for (StageCommand& stage : stages) stage.X_OH = stage.X_OH * X_HD;
+    for (ScriptedStage& stage : stages) stage.X_OH = stage.X_OH * X_HD;
   }
   const ProfiledScene scene = MakeProfiledScene(
       MakeProfiledHand(*inputs.hand, profile, inputs.is_asked),

@@ -17,7 +17,7 @@ namespace graspbench {
 
 struct GraspInput {
   ForeignGrasp grasp;
-  std::vector<StageCommand> stages;
+  std::vector<ScriptedStage> stages;
   std::shared_ptr<const GraspObject> object;  ///< its mesh in the grasp's scale
 };
 

@@ -8,6 +8,9 @@
 
 #include "core/base/error.h"
 #include "core/physics/implicit_world.h"
+#include "core/quality/epsilon_fast.h"
+#include "core/quality/wrench_space.h"
+#include "core/trial/measures/stability_meter.h"
 
 namespace graspbench {
 namespace {
@@ -16,30 +19,31 @@ using Eigen::Vector3d;
 
 constexpr char kPalm[] = "palm";
 
-struct Motion {
+struct ObjectMotion {
   double shift, turn_deg;
 };
 
-Motion CalcMotion(const Pose& before, const Pose& after) {
+ObjectMotion CalcMotion(const Pose& before, const Pose& after) {
   const Eigen::AngleAxisd turn(Eigen::Matrix3d(before.linear().transpose() * after.linear()));
   return {(after.translation() - before.translation()).norm(), DegFromRad(turn.angle())};
 }
 
 /** A world that has gone through some of the way; a copy goes on from the same instant. */
-class Course {
+class FreeSpaceCourse {
  public:
-  Course(const ProfiledScene& scene, const FreeSpaceProfile& profile)
+  FreeSpaceCourse(const ProfiledScene& scene, const FreeSpaceProfile& profile)
       : scene_(scene),
         profile_(profile),
         is_lift_(RowFromName(kProfileTests, profile.test, "test").value == ProfileTest::kLift),
         world_(MakeWorld()) {}
 
+  const World& world() const { return *world_; }
   bool is_lift() const { return is_lift_; }
   bool is_finite() const { return report_.is_finite; }
   const StepReport& report() const { return report_; }
   int num_steps() const { return num_steps_; }
   int num_unconverged() const { return num_unconverged_; }
-  Motion CalcMoved(double height = 0.0) const {
+  ObjectMotion CalcMoved(double height = 0.0) const {
     Pose start = scene_.X_WO;
     start.pretranslate(Vector3d(0.0, 0.0, height));
     return CalcMotion(start, world_->CalcObjectPose());
@@ -54,16 +58,14 @@ class Course {
           const Eigen::VectorXd& q1, double duration) {
     const int num_steps = std::max(1, static_cast<int>(std::lround(duration / profile_.sim.step)));
     const int updates = profile_.stage_updates > 0 ? profile_.stage_updates : num_steps;
-    const Eigen::AngleAxisd turn(
-        Eigen::Matrix3d(X_WH0.linear().transpose() * X_WH1.linear()));
+    const Eigen::AngleAxisd turn(Eigen::Matrix3d(X_WH0.linear().transpose() * X_WH1.linear()));
     const Vector3d moved = X_WH1.translation() - X_WH0.translation();
     for (int step = 0; step < num_steps && report_.is_finite; ++step) {
       const double share = static_cast<double>(step * updates / num_steps + 1) / updates;
       command_.q = q0 + share * (q1 - q0);
-      command_.X_WH =
-          MakePose(X_WH0.linear() *
-                       Eigen::AngleAxisd(share * turn.angle(), turn.axis()).toRotationMatrix(),
-                   X_WH0.translation() + share * moved);
+      command_.X_WH = MakePose(
+          X_WH0.linear() * Eigen::AngleAxisd(share * turn.angle(), turn.axis()).toRotationMatrix(),
+          X_WH0.translation() + share * moved);
       if (profile_.stage_updates == 0) {
         command_.v_WH = moved / duration;
         command_.w_WH = X_WH0.linear() * turn.axis() * (turn.angle() / duration);
@@ -79,7 +81,7 @@ class Course {
   }
 
   /** What the hand is asked for at a stage: under middle-first one drive bends both joints. */
-  Eigen::VectorXd MakeCommand(const StageCommand& stage) const {
+  Eigen::VectorXd MakeCommand(const ScriptedStage& stage) const {
     Eigen::VectorXd q = stage.q;
     if (scene_.hand->coupling != CouplingRule::kMiddleFirst) return q;
     for (size_t j = 0; j < scene_.hand->joints.size(); ++j) {
@@ -125,7 +127,8 @@ class Course {
 struct Overlaps {
   double object = 0.0, self = 0.0;
 };
-Overlaps FindOverlaps(const ProfiledScene& scene, const StageCommand& stage, const SimConfig& sim) {
+Overlaps FindOverlaps(const ProfiledScene& scene, const ScriptedStage& stage,
+                      const SimConfig& sim) {
   HandDynamics dynamics(*scene.hand);
   Collider collider(*scene.hand, *scene.object, sim, TablePresence::kNone);
   dynamics.UpdatePositions(scene.X_WO * stage.X_OH, stage.q);
@@ -138,6 +141,22 @@ Overlaps FindOverlaps(const ProfiledScene& scene, const StageCommand& stage, con
     deepest = std::max(deepest, contact.depth);
   }
   return overlaps;
+}
+
+double CalcEpsilon(const World& world, double radius) {
+  const WorldState& state = world.state();
+  const Eigen::Matrix3d R_OW = state.R_WO.transpose();
+  std::vector<HandContact> touching;
+  world.FindHandContacts(touching);
+  std::vector<GraspContact> contacts;
+  for (const HandContact& contact : touching) {
+    contacts.push_back({R_OW * (contact.p_WC - state.p_WOcm), (R_OW * contact.nhat_W).normalized(),
+                        contact.mu, contact.mu * contact.torsion_radius, std::nullopt});
+  }
+  if (contacts.size() < 2) return 0.0;
+  WrenchSpace space;
+  space.torque_scale = radius;
+  return CalcEpsilonBounds(CalcConeWrenches(contacts, space).wrenches).lower;
 }
 
 std::string ListTouching(const Hand& hand, const std::vector<bool>& link_touches) {
@@ -164,7 +183,7 @@ class FreeSpaceRun {
 
   FreeSpaceResult Run() {
     if (!scene_.refusal.empty()) return Fail("limits", scene_.refusal);
-    const StageCommand& second = scene_.stages[std::min<size_t>(1, scene_.stages.size() - 1)];
+    const ScriptedStage& second = scene_.stages[std::min<size_t>(1, scene_.stages.size() - 1)];
     result_.start_penetration = FindOverlaps(scene_, scene_.stages.front(), profile_.sim).object;
     result_.self_penetration = FindOverlaps(scene_, second, profile_.sim).self;
     if (result_.start_penetration > profile_.max_start_penetration) {
@@ -191,54 +210,54 @@ class FreeSpaceRun {
     Fail(stage, "the simulation gave up: positions or speeds left all bounds");
     return false;
   }
-  void Count(const Course& course, int steps_before, int unconverged_before) {
+  void Count(const FreeSpaceCourse& course, int steps_before, int unconverged_before) {
     result_.num_steps += course.num_steps() - steps_before;
     result_.num_unconverged += course.num_unconverged() - unconverged_before;
   }
 
   bool Close() {
     for (size_t s = 0; s + 1 < scene_.stages.size(); ++s) {
-      const StageCommand &from = scene_.stages[s], &to = scene_.stages[s + 1];
+      const ScriptedStage &from = scene_.stages[s], &to = scene_.stages[s + 1];
       course_.Go(scene_.X_WO * from.X_OH, course_.MakeCommand(from), scene_.X_WO * to.X_OH,
                  course_.MakeCommand(to), profile_.stage_time);
       if (!course_.is_finite()) return FailNumerically(to.name);
     }
     // A grasp of one stage is held as it stands.
     if (scene_.stages.size() == 1) {
-      const StageCommand& only = scene_.stages.front();
+      const ScriptedStage& only = scene_.stages.front();
       course_.Go(scene_.X_WO * only.X_OH, course_.MakeCommand(only), scene_.X_WO * only.X_OH,
                  course_.MakeCommand(only), profile_.stage_time);
       if (!course_.is_finite()) return FailNumerically(only.name);
     }
     Count(course_, 0, 0);
-    const Motion closing = course_.CalcMoved();
+    const ObjectMotion closing = course_.CalcMoved();
     result_.closing_shift = closing.shift;
     result_.closing_turn_deg = closing.turn_deg;
     result_.touching = ListTouching(*scene_.hand, course_.report().link_touches_object);
     result_.grip_force = course_.report().grip_force;
+    result_.epsilon = CalcEpsilon(course_.world(), CalcObjectRadius(*scene_.object));
     return true;
   }
 
-  bool IsBeyond(const Motion& moved) const {
+  bool IsBeyond(const ObjectMotion& moved) const {
     return moved.shift >= profile_.max_shift || moved.turn_deg >= profile_.max_turn_deg;
   }
   /** What is kept of a look; false: it has moved too far. */
-  bool Look(const Motion& moved, const std::string& stage, double time) {
+  bool Look(const ObjectMotion& moved, const std::string& stage, double time) {
     result_.worst_shift = std::max(result_.worst_shift, moved.shift);
     result_.worst_turn_deg = std::max(result_.worst_turn_deg, moved.turn_deg);
     if (!IsBeyond(moved)) return true;
-    const bool was_before = !course_.is_lift() &&
-                            IsBeyond({result_.closing_shift, result_.closing_turn_deg});
-    const std::string how =
-        moved.shift >= profile_.max_shift
-            ? fmt::format("moved {:.1f} mm, the limit is {:g} mm", MmFromM(moved.shift),
-                          MmFromM(profile_.max_shift))
-            : fmt::format("turned {:.1f} degrees, the limit is {:g}", moved.turn_deg,
-                          profile_.max_turn_deg);
+    const bool was_before =
+        !course_.is_lift() && IsBeyond({result_.closing_shift, result_.closing_turn_deg});
+    const std::string how = moved.shift >= profile_.max_shift
+                                ? fmt::format("moved {:.1f} mm, the limit is {:g} mm",
+                                              MmFromM(moved.shift), MmFromM(profile_.max_shift))
+                                : fmt::format("turned {:.1f} degrees, the limit is {:g}",
+                                              moved.turn_deg, profile_.max_turn_deg);
     const std::string touched =
-        result_.touching.empty() ? "nothing touched it after the " + scene_.stages.back().name
-                                 : result_.touching + " touched it after the " +
-                                       scene_.stages.back().name;
+        result_.touching.empty()
+            ? "nothing touched it after the " + scene_.stages.back().name
+            : result_.touching + " touched it after the " + scene_.stages.back().name;
     Fail(was_before ? scene_.stages.back().name : stage,
          (was_before ? "closing the hand pushed the object away: it has "
                      : fmt::format("{:.1f} s into the {} the object has ", time, stage)) +
@@ -250,17 +269,17 @@ class FreeSpaceRun {
     for (int push = 0; push < 6; ++push) {
       const double sign = push % 2 == 0 ? -1.0 : 1.0;
       const std::string stage = std::string("push ") + (sign < 0.0 ? "-" : "+") + "xyz"[push / 2];
-      Course pushed = course_;
+      FreeSpaceCourse pushed = course_;
       const int steps = pushed.num_steps(), unconverged = pushed.num_unconverged();
       pushed.Push(sign * profile_.acceleration * Vector3d::Unit(push / 2));
       bool stands = true;
-      const int num_looks = std::max(
-          1, static_cast<int>(std::lround(profile_.test_time / profile_.check_interval)));
+      const int num_looks =
+          std::max(1, static_cast<int>(std::lround(profile_.test_time / profile_.check_interval)));
       for (int look = 1; stands && look <= num_looks; ++look) {
         pushed.Wait(profile_.test_time / num_looks);
-        stands = pushed.is_finite() ? Look(pushed.CalcMoved(), stage,
-                                           look * profile_.test_time / num_looks)
-                                    : FailNumerically(stage);
+        stands = pushed.is_finite()
+                     ? Look(pushed.CalcMoved(), stage, look * profile_.test_time / num_looks)
+                     : FailNumerically(stage);
       }
       Count(pushed, steps, unconverged);
       if (!stands) return false;
@@ -270,7 +289,7 @@ class FreeSpaceRun {
   }
 
   bool Lift() {
-    const StageCommand& last = scene_.stages.back();
+    const ScriptedStage& last = scene_.stages.back();
     const Pose X_WH = scene_.X_WO * last.X_OH;
     Pose lifted = X_WH;
     lifted.pretranslate(Vector3d(0.0, 0.0, profile_.lift_height));
@@ -286,7 +305,7 @@ class FreeSpaceRun {
 
   const ProfiledScene& scene_;
   const FreeSpaceProfile& profile_;
-  Course course_;
+  FreeSpaceCourse course_;
   FreeSpaceResult result_;
 };
 

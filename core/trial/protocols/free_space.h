@@ -24,19 +24,22 @@ namespace graspbench {
 
 struct FreeSpaceResult {
   bool passed = false;
-  std::string failed_stage;  ///< "limits", "start", a stage, "push +x", "lift"; empty: passed
-  std::string reason;        ///< one sentence for a person; empty: passed
-  bool is_numerical = false;  ///< the simulation gave up, which tells nothing of the grasp
-  double start_penetration = 0.0;     ///< of hand and object at the first stage [m]
-  double self_penetration = 0.0;      ///< of the hand in itself at the second stage [m]
-  std::string touching;               ///< digits on the object after the last stage: "TH FF palm"
-  double grip_force = 0.0;            ///< sum of normal forces then [N]
-  double closing_shift = 0.0;         ///< of the object until then [m]
+  std::string failed_stage;        ///< "limits", "start", a stage, "push +x", "lift"; empty: passed
+  std::string reason;              ///< one sentence for a person; empty: passed
+  bool is_numerical = false;       ///< the simulation gave up, which tells nothing of the grasp
+  double start_penetration = 0.0;  ///< of hand and object at the first stage [m]
+  double self_penetration = 0.0;   ///< of the hand in itself at the second stage [m]
+  std::string touching;            ///< digits on the object after the last stage: "TH FF palm"
+  double grip_force = 0.0;         ///< sum of normal forces then [N]
+  /** Ferrari and Canny's, of these contacts (core/quality: convention ferrari-canny, moments by the
+  largest distance of the surface from the centre of mass); 0: no force closure. */
+  double epsilon = 0.0;
+  double closing_shift = 0.0;  ///< of the object until then [m]
   double closing_turn_deg = 0.0;
-  int num_stood = 0;                  ///< pushes, of 6, or lifts, of 1
-  double worst_shift = 0.0;           ///< of all looks [m]
+  int num_stood = 0;         ///< pushes, of 6, or lifts, of 1
+  double worst_shift = 0.0;  ///< of all looks [m]
   double worst_turn_deg = 0.0;
-  int num_unconverged = 0;            ///< steps
+  int num_unconverged = 0;  ///< steps
   int num_steps = 0;
 
   template <class V>
@@ -50,6 +53,7 @@ struct FreeSpaceResult {
     field("self_penetration_m", &R::self_penetration);
     field("touching", &R::touching);
     field("grip_force_n", &R::grip_force);
+    field("epsilon", &R::epsilon);
     field("closing_shift_m", &R::closing_shift);
     field("closing_turn_deg", &R::closing_turn_deg);
     field("num_stood", &R::num_stood);

@@ -103,16 +103,16 @@ std::shared_ptr<const GraspObject> MakeProfiledObject(const GraspObject& object,
 
 ProfiledScene MakeProfiledScene(std::shared_ptr<const Hand> hand,
                                 std::shared_ptr<const GraspObject> object, const Pose& X_WO,
-                                std::vector<StageCommand> stages, const FreeSpaceProfile& profile) {
+                                std::vector<ScriptedStage> stages,
+                                const FreeSpaceProfile& profile) {
   ProfiledScene scene{std::move(hand), std::move(object), X_WO, std::move(stages), ""};
   const BeyondLimits beyond =
       RowFromName(kBeyondLimits, profile.drives.beyond_limits, "rule for limits").value;
-  for (StageCommand& stage : scene.stages) {
+  for (ScriptedStage& stage : scene.stages) {
     for (size_t j = 0; j < scene.hand->joints.size(); ++j) {
       const HandJoint& joint = scene.hand->joints[j];
       double& q = stage.q[static_cast<Eigen::Index>(j)];
-      const bool is_beyond =
-          q < joint.lower - kLimitTolerance || q > joint.upper + kLimitTolerance;
+      const bool is_beyond = q < joint.lower - kLimitTolerance || q > joint.upper + kLimitTolerance;
       if (is_beyond && beyond == BeyondLimits::kRefuse && scene.refusal.empty()) {
         scene.refusal = DescribeViolation(joint, stage.name, q);
       }

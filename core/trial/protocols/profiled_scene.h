@@ -14,17 +14,17 @@ Hand and object as a profile has them, and the stages of a grasp that the hand g
 namespace graspbench {
 
 /** What the hand is asked for at one stage of a grasp. */
-struct StageCommand {
-  std::string name;             ///< "pregrasp", "grasp", "squeeze"
+struct ScriptedStage {
+  std::string name;  ///< "pregrasp", "grasp", "squeeze"
   Pose X_OH = Pose::Identity();
-  Eigen::VectorXd q;            ///< (num_joints), followers too [rad], [m]
+  Eigen::VectorXd q;  ///< (num_joints), followers too [rad], [m]
 };
 
 struct ProfiledScene {
   std::shared_ptr<const Hand> hand;
   std::shared_ptr<const GraspObject> object;
   Pose X_WO = Pose::Identity();
-  std::vector<StageCommand> stages;
+  std::vector<ScriptedStage> stages;
   std::string refusal;  ///< why the profile takes no such grasp; empty: it does
 };
 
@@ -40,6 +40,6 @@ std::shared_ptr<const GraspObject> MakeProfiledObject(const GraspObject& object,
 /** @param hand, object  of MakeProfiledHand and MakeProfiledObject. @pre a stage at least. */
 ProfiledScene MakeProfiledScene(std::shared_ptr<const Hand> hand,
                                 std::shared_ptr<const GraspObject> object, const Pose& X_WO,
-                                std::vector<StageCommand> stages, const FreeSpaceProfile& profile);
+                                std::vector<ScriptedStage> stages, const FreeSpaceProfile& profile);
 
 }  // namespace graspbench

@@ -9,8 +9,8 @@
 namespace graspbench {
 namespace {
 
-JudgedGrasp MakeJudged(int index, const std::string& profile, bool passed, bool label,
-                       double shift, int jitter = 0) {
+JudgedGrasp MakeJudged(int index, const std::string& profile, bool passed, bool label, double shift,
+                       int jitter = 0) {
   JudgedGrasp judged;
   judged.source = "a.npy";
   judged.index = index;
@@ -36,10 +36,10 @@ TEST(JudgedSummary, KappaOfAKnownTable) {
 
 TEST(JudgedSummary, CountsByProfile) {
   const std::vector<JudgedGrasp> judged = {
-      MakeJudged(0, "a", true, true, 0.01),       MakeJudged(0, "b", false, true, 0.06),
-      MakeJudged(1, "a", true, false, 0.049),     MakeJudged(1, "b", true, false, 0.02),
-      MakeJudged(2, "a", false, false, 0.3),      MakeJudged(2, "b", false, false, 0.3),
-      MakeJudged(0, "a", true, true, 0.01, 1),    MakeJudged(0, "a", false, true, 0.2, 2),
+      MakeJudged(0, "a", true, true, 0.01),    MakeJudged(0, "b", false, true, 0.06),
+      MakeJudged(1, "a", true, false, 0.049),  MakeJudged(1, "b", true, false, 0.02),
+      MakeJudged(2, "a", false, false, 0.3),   MakeJudged(2, "b", false, false, 0.3),
+      MakeJudged(0, "a", true, true, 0.01, 1), MakeJudged(0, "a", false, true, 0.2, 2),
       MakeJudged(2, "a", true, false, 0.01, 1)};  // of a failure: not counted
   const JudgedSummary summary = SummariseJudged(judged, kLimits);
   EXPECT_EQ(summary.num_grasps, 3);
@@ -62,8 +62,7 @@ TEST(JudgedSummary, CountsByProfile) {
 
 TEST(JudgedSummary, LimitsComeFromTheFrozenProfiles) {
   const Json config = {
-      {"profiles",
-       {{{"name", "a"}, {"values", {{"max_shift_m", 0.3}, {"max_turn_deg", 90.0}}}}}}};
+      {"profiles", {{{"name", "a"}, {"values", {{"max_shift_m", 0.3}, {"max_turn_deg", 90.0}}}}}}};
   EXPECT_EQ(FindLimits(config).at("a"), std::make_pair(0.3, 90.0));
   EXPECT_THROW(FindLimits(Json::object()), Error);
 }

@@ -27,16 +27,16 @@ TEST(ProfileFile, ShippedProfilesNameTheirSource) {
     EXPECT_FALSE(profile.about.empty()) << profile.name;
     EXPECT_FALSE(profile.source.empty()) << profile.name;
   }
-  EXPECT_EQ(names.count("own") + names.count("dexgraspbench-fc") +
-                names.count("dexgraspbench-tabletop"),
-            3u);
+  EXPECT_EQ(
+      names.count("own") + names.count("dexgraspbench-fc") + names.count("dexgraspbench-tabletop"),
+      3u);
 }
 
 // A later default must not change what somebody means by a name.
 TEST(ProfileFile, ShippedProfilesWriteEveryKey) {
   for (const FreeSpaceProfile& profile : ListProfiles()) {
-    const YAML::Node root = YAML::Load(
-        ReadFile(FindDataRoot() / "datasets" / "profiles" / (profile.name + ".yaml")));
+    const YAML::Node root =
+        YAML::Load(ReadFile(FindDataRoot() / "datasets" / "profiles" / (profile.name + ".yaml")));
     for (const std::string& key : ListConfigKeys(profile)) {
       EXPECT_GT(FindConfigLine(root, key), 0) << profile.name << " lacks " << key;
     }

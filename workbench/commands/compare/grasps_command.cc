@@ -4,8 +4,10 @@
 
 #include "core/base/text/text.h"
 #include "core/hand/load_hand.h"
+#include "datasets/grasps/write_grasps.h"
 #include "workbench/commands/command.h"
 #include "workbench/commands/options/foreign_grasp_options.h"
+#include "workbench/experiments/output_folder.h"
 #include "workbench/tables/foreign_grasp_tables.h"
 
 namespace graspbench {
@@ -38,13 +40,36 @@ ExitCode ShowGrasps(const InfoRequest& request) {
   return collection.unread.empty() && unmapped.empty() ? kExitOk : kExitBadInput;
 }
 
+struct ConvertRequest {
+  ForeignGraspOptions grasps;
+  std::string format;
+  std::string out;
+};
+
+void ConvertGrasps(const ConvertRequest& request) {
+  CheckOutputFile(request.out);
+  const GraspCollection collection = request.grasps.Read();
+  // Half a conversion would pass for a whole one.
+  if (!collection.unread.empty()) {
+    throw Error(ErrorKind::kFormat, "nothing was written: " + collection.unread.front().reason);
+  }
+  const WrittenGrasps written = WriteGrasps(collection.grasps, request.format);
+  WriteOutputFile(request.out, written.bytes);
+  for (const std::string& loss : written.losses) {
+    PrintMessage("warning: " + request.format + " has no place for " + loss);
+  }
+  PrintResult(request.out + ": " +
+              FormatCount(static_cast<int64_t>(collection.grasps.size()), "grasp") + "\n");
+}
+
 }  // namespace
 
 void AddGraspsCommand(CLI::App& program, ExitCode& exit_code) {
-  CLI::App& group = AddSubcommand(program, "grasps", "Read grasps that others made.",
+  CLI::App& group = AddSubcommand(program, "grasps", "Read and convert grasps that others made.",
                                   "  graspbench grasps info downloaded/\n"
                                   "  graspbench grasps info mug.npy --hand shadow");
   group.require_subcommand(1);
+
   const auto request = std::make_shared<InfoRequest>();
   CLI::App& info = AddSubcommand(
       group, "info", "Say what files of grasps hold, and which could not be read.",
@@ -56,6 +81,18 @@ void AddGraspsCommand(CLI::App& program, ExitCode& exit_code) {
       ->option_text("HAND");
   AddJsonOption(info, request->json);
   info.callback([request, &exit_code] { exit_code = ShowGrasps(*request); });
+
+  const auto conversion = std::make_shared<ConvertRequest>();
+  CLI::App& convert =
+      AddSubcommand(group, "convert", "Write grasps as a file of another tool.",
+                    "  graspbench grasps convert mug.npy --to isaac --out mug.yaml\n"
+                    "  graspbench grasps convert downloaded/mug/ --to dexgraspbench --out mug.npy");
+  conversion->grasps.AddTo(convert);
+  convert.add_option("--to", conversion->format, "one of " + ListNames(ListWrittenFormats()))
+      ->required()
+      ->option_text("NAME");
+  convert.add_option("--out", conversion->out, "new file")->required()->option_text("FILE");
+  convert.callback([conversion] { ConvertGrasps(*conversion); });
 }
 
 }  // namespace graspbench

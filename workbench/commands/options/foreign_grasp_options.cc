@@ -29,6 +29,12 @@ void ForeignGraspOptions::AddTo(CLI::App& command) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->option_text("NAME,..");
+  command
+      .add_option("--open", open_joints_,
+                  "joints of the open hand in radians and metres, where the files state none")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->option_text("NAME=NUMBER,..");
   command.add_option("--scale", scale_, "of the object's mesh, instead of what the files say")
       ->check(CLI::PositiveNumber)
       ->option_text("NUMBER");
@@ -37,6 +43,14 @@ void ForeignGraspOptions::AddTo(CLI::App& command) {
 GraspCollection ForeignGraspOptions::Read() const {
   GraspReadOptions options = read_;
   if (scale_ > 0.0) options.scale = scale_;
+  for (const std::string& joint : open_joints_) {
+    const size_t sign = joint.rfind('=');
+    double position = 0.0;
+    if (sign == std::string::npos || !CLI::detail::lexical_cast(joint.substr(sign + 1), position)) {
+      throw Error(ErrorKind::kUsage, "--open \"" + joint + "\": expected NAME=NUMBER");
+    }
+    options.open_joints.emplace_back(joint.substr(0, sign), position);
+  }
   return ReadGraspCollection(paths_, format_, options);
 }
 

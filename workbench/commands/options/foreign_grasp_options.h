@@ -23,7 +23,8 @@ class ForeignGraspOptions {
   std::vector<std::string> paths_;
   std::string format_ = "auto";
   GraspReadOptions read_;
-  double scale_ = 0.0;  ///< 0: not given
+  double scale_ = 0.0;                    ///< 0: not given
+  std::vector<std::string> open_joints_;  ///< "NAME=POSITION"
 };
 
 }  // namespace graspbench

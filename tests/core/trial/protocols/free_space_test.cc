@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kForce = 1.0;      // of each finger [N]
+constexpr double kForce = 1.0;       // of each finger [N]
 constexpr double kHalfWidth = 0.03;  // of the block, along x [m]
 constexpr double kMass = 0.1;
 constexpr double kStiffness = 20.0;  // of the drives [N m/rad]
@@ -24,7 +24,7 @@ struct Pinch {
   FreeSpaceProfile profile;
   Hand hand = MakeSqueezeHand(2, kHalfWidth, kForce, 0.0);
   GraspObject object = MakeBlock(kMass);
-  std::vector<StageCommand> stages;
+  std::vector<ScriptedStage> stages;
 
   Pinch() {
     SoftenFingers();
@@ -57,9 +57,9 @@ struct Pinch {
 
   FreeSpaceResult Run() const {
     const std::vector<bool> is_asked(hand.joints.size(), true);
-    const ProfiledScene scene = MakeProfiledScene(
-        MakeProfiledHand(hand, profile, is_asked), MakeProfiledObject(object, profile),
-        Pose::Identity(), stages, profile);
+    const ProfiledScene scene =
+        MakeProfiledScene(MakeProfiledHand(hand, profile, is_asked),
+                          MakeProfiledObject(object, profile), Pose::Identity(), stages, profile);
     return RunFreeSpace(scene, profile);
   }
 };
@@ -76,6 +76,7 @@ TEST(FreeSpace, HoldsWhatTwoContactsCanHold) {
     EXPECT_TRUE(below.passed) << below.reason;
     EXPECT_EQ(below.num_stood, 6);
     EXPECT_NEAR(below.grip_force, 2.0 * kForce, 0.02 * kForce);
+    EXPECT_GT(below.epsilon, 0.0) << "two soft pads close";
     pinch.profile.acceleration = 1.05 * most;
     const FreeSpaceResult above = pinch.Run();
     EXPECT_FALSE(above.passed);
@@ -99,10 +100,11 @@ TEST(FreeSpace, AloneAnObjectFliesWithThePush) {
 
 TEST(FreeSpace, AnEmptyHandFailsInTheFirstPush) {
   Pinch pinch;
-  for (StageCommand& stage : pinch.stages) stage.X_OH = MakePose(Vector3d(0.0, 0.0, 10.0));
+  for (ScriptedStage& stage : pinch.stages) stage.X_OH = MakePose(Vector3d(0.0, 0.0, 10.0));
   const FreeSpaceResult result = pinch.Run();
   EXPECT_FALSE(result.passed);
   EXPECT_EQ(result.failed_stage, "push -x");
+  EXPECT_EQ(result.epsilon, 0.0);
   EXPECT_NE(result.reason.find("nothing touched it"), std::string::npos) << result.reason;
 }
 
@@ -130,7 +132,7 @@ TEST(FreeSpace, OpeningAfterTheGraspLetsGo) {
 
 TEST(FreeSpace, StartPenetrationIsAResult) {
   Pinch pinch;
-  for (StageCommand& stage : pinch.stages) stage.X_OH.translation().x() = 0.012;
+  for (ScriptedStage& stage : pinch.stages) stage.X_OH.translation().x() = 0.012;
   const FreeSpaceResult result = pinch.Run();
   EXPECT_EQ(result.failed_stage, "start") << result.reason;
   EXPECT_NEAR(result.start_penetration, 0.012, 5e-4);
@@ -147,7 +149,7 @@ TEST(FreeSpace, TheRootTurnsBetweenStages) {
     pinch.profile.acceleration = 1.0;
     pinch.profile.surfaces.friction = 0.8;
     const double turn = RadFromDeg(12.0);
-    StageCommand turned = pinch.stages.back();
+    ScriptedStage turned = pinch.stages.back();
     turned.name = "turn";
     turned.X_OH = MakePose(Vector3d(0.02, 0.0, 0.0)) *
                   Pose(Eigen::AngleAxisd(turn, Vector3d::UnitX())) * turned.X_OH;
@@ -166,10 +168,10 @@ TEST(FreeSpace, LiftsFromATable) {
   pinch.profile.test_time = pinch.profile.check_interval = 0.4;
   pinch.profile.surfaces.friction = 0.8;  // 1.6 N above a weight of 1 N
   const auto run = [&] {
-    ProfiledScene scene = MakeProfiledScene(
-        MakeProfiledHand(pinch.hand, pinch.profile, {true, true}),
-        MakeProfiledObject(pinch.object, pinch.profile), MakePose(Vector3d(0.0, 0.0, 0.01)),
-        pinch.stages, pinch.profile);
+    ProfiledScene scene =
+        MakeProfiledScene(MakeProfiledHand(pinch.hand, pinch.profile, {true, true}),
+                          MakeProfiledObject(pinch.object, pinch.profile),
+                          MakePose(Vector3d(0.0, 0.0, 0.01)), pinch.stages, pinch.profile);
     return RunFreeSpace(scene, pinch.profile);
   };
   const FreeSpaceResult held = run();

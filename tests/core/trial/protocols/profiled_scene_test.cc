@@ -67,7 +67,7 @@ TEST(ProfiledScene, TheObjectGetsMassAndFriction) {
 TEST(ProfiledScene, AStageThatBendsTheDistalJointMoreIsEvened) {
   const auto hand = std::make_shared<const Hand>(LoadHand("shadow"));
   const auto object = std::make_shared<const GraspObject>(MakeBlock(0.1));
-  StageCommand stage{"grasp", Pose::Identity(), Eigen::VectorXd::Zero(hand->num_joints())};
+  ScriptedStage stage{"grasp", Pose::Identity(), Eigen::VectorXd::Zero(hand->num_joints())};
   stage.q[hand->FindJoint("FFJ1")] = 0.8;
   stage.q[hand->FindJoint("FFJ2")] = 0.6;
   stage.q[hand->FindJoint("MFJ1")] = 0.2;
