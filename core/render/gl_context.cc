@@ -7,9 +7,11 @@
 
 #include <array>
 #include <cstdlib>
+#include <filesystem>
 #include <mutex>
 
 #include "core/base/error.h"
+#include "core/base/files/files.h"
 #include "core/render/scene.h"
 
 namespace graspbench {
@@ -26,6 +28,19 @@ Function FindSymbol(void* handle, const char* name, const std::string& library) 
                                              "libosmesa6");
   }
   return reinterpret_cast<Function>(symbol);
+}
+
+/** Mesa keeps compiled shaders, half a second of work, in a folder that only this user can write: it
+runs what it finds there. Without one it compiles them every time. A user's own setting wins. */
+void KeepShaders() {
+  if (std::getenv("MESA_SHADER_CACHE_DIR") || std::getenv("MESA_SHADER_CACHE_DISABLE")) return;
+  try {
+    const std::filesystem::path folder = FindCacheRoot() / "shaders";
+    MakePrivateFolder(folder);
+    setenv("MESA_SHADER_CACHE_DIR", folder.c_str(), /*overwrite=*/0);
+  } catch (const Error&) {
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", /*overwrite=*/0);
+  }
 }
 
 }  // namespace
@@ -55,9 +70,8 @@ struct GlContext::Library {
 };
 
 GlContext::GlContext(const std::string& library) : library_(std::make_unique<Library>()) {
-  // Mesa would keep compiled shaders in the user's cache folder. A user's own setting wins.
   static std::once_flag once;
-  std::call_once(once, [] { setenv("MESA_SHADER_CACHE_DISABLE", "true", /*overwrite=*/0); });
+  std::call_once(once, KeepShaders);
 
   // Never closed: Mesa's threads and exit handlers live as long as the program.
   void* handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);

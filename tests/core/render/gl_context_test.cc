@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <iterator>
+
 #include "core/base/error.h"
+#include "core/render/scene.h"
 
 namespace graspbench {
 namespace {
@@ -28,6 +33,30 @@ TEST(GlContextTest, RefusesALibraryThatIsNotOsMesa) {
   EXPECT_EQ(FindMessage("libpng16.so.16"),
             "\"libpng16.so.16\" has no function OSMesaCreateContextAttribs; expected OSMesa 22 of "
             "the Debian package libosmesa6");
+}
+
+// In a process of its own: Mesa looks for its folder once.
+TEST(GlContextTest, CompiledShadersAreKeptInAPrivateFolder) {
+  namespace fs = std::filesystem;
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const fs::path cache = fs::path(testing::TempDir()) / "graspbench_kept_shaders";
+  fs::remove_all(cache);
+  EXPECT_EXIT(
+      {
+        unsetenv("MESA_SHADER_CACHE_DIR");
+        unsetenv("MESA_SHADER_CACHE_DISABLE");
+        setenv("XDG_CACHE_HOME", cache.c_str(), 1);
+        Renderer(64, 48).Render(Scene(), Camera());
+        std::exit(0);
+      },
+      testing::ExitedWithCode(0), "");
+  const fs::path folder = cache / "graspbench" / "shaders";
+  ASSERT_TRUE(fs::is_directory(folder));
+  EXPECT_EQ(fs::status(folder).permissions() & fs::perms::all, fs::perms::owner_all);
+  const auto num_files =
+      std::distance(fs::recursive_directory_iterator(folder), fs::recursive_directory_iterator());
+  EXPECT_GT(num_files, 1);
+  fs::remove_all(cache);
 }
 
 TEST(GlContextTest, TwoContextsLiveSideBySide) {
