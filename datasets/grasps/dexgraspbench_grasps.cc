@@ -201,6 +201,7 @@ std::vector<ForeignGrasp> ReadDexgraspbench(std::string_view bytes, const std::s
     if (!labels.empty()) grasp.label = labels[at] != 0.0;
     const Pose X_OW =
         X_WOs.empty() ? Pose::Identity() : X_WOs[X_WOs.size() == 1 ? 0 : at].inverse();
+    grasp.X_WO = SettlePose(X_OW.inverse());
     for (size_t s = 0; s < rows.size(); ++s) {
       const int64_t first = s == 0 && is_way ? 0 : i;
       const int64_t last = s == 0 && is_way ? rows[0].num_rows - 1 : i;

@@ -28,6 +28,7 @@ struct ForeignGrasp {
   std::vector<std::string> joint_names;  ///< of the file's hand, in the file's order
   std::string object;                    ///< the file's path or name of the mesh
   double scale = 1.0;                    ///< of the mesh as drawn
+  Pose X_WO = Pose::Identity();          ///< in the file's world
   std::vector<GraspStage> stages;        ///< at least one
   std::optional<bool> label;             ///< the file's own verdict
   std::vector<std::string> assumptions;  ///< what the file does not say and was taken for granted

@@ -17,7 +17,7 @@ TEST(WriteGrasps, DexgraspbenchComesBackBitByBit) {
   for (const char* name : {"good_bodex.npy", "good_dexonomy.npy", "good_fortran.npy"}) {
     const std::vector<ForeignGrasp> grasps = ReadGraspCase("dexgraspbench", name);
     const WrittenGrasps written = WriteGrasps(grasps, "dexgraspbench");
-    EXPECT_TRUE(written.losses.empty());
+    EXPECT_EQ(written.losses.size(), grasps[0].X_WO.translation().isZero() ? 0u : 1u);
     const std::vector<ForeignGrasp> again = ParseGrasps(written.bytes, name, "auto", {});
     ASSERT_EQ(again.size(), grasps.size());
     for (size_t i = 0; i < grasps.size(); ++i) {
