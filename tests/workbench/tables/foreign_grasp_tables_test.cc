@@ -26,8 +26,8 @@ TEST(ForeignGraspTables, SaysWhatIsThereAndWhatIsNot) {
   collection.grasps = {MakeGrasp(0.1, true), MakeGrasp(0.2, false), MakeGrasp(0.1, std::nullopt)};
   collection.unread = {{"b.npy", "b.npy is empty"}};
   EXPECT_EQ(FormatGraspCollection(collection),
-            "format  hand  object  grasps  scale       stages  labels\n"
-            "made    -     mug          3  0.1 to 0.2  grasp   1 pass, 1 fail\n"
+            "format  hand        object  grasps  scale       stages  labels\n"
+            "made    not stated  mug          3  0.1 to 0.2  grasp   1 pass, 1 fail\n"
             "\n"
             "assumed for 3 grasps: the mesh is drawn in metres\n"
             "2 of 3 files read, 3 grasps\n"
