@@ -1,5 +1,5 @@
-// What the good files hold, format by format; their numbers are written in the files, or were given to
-// numpy.
+// What the good files hold, format by format; their numbers are written in the files, or were given
+// to numpy.
 #include <gtest/gtest.h>
 
 #include "core/hand/load_hand.h"

@@ -1,5 +1,5 @@
-// Every file that must be refused, with the words that say why and where. Those of .npy were written by
-// numpy 1.24 or by Python's pickle and then damaged.
+// Every file that must be refused, with the words that say why and where. Those of .npy were
+// written by numpy 1.24 or by Python's pickle and then damaged.
 #include <gtest/gtest.h>
 
 #include <filesystem>
