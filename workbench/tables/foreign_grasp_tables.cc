@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
-#include "core/base/text/range_text.h"
+#include "core/base/error.h"
 #include "core/base/text/text.h"
 #include "datasets/grasps/map_to_hand.h"
 #include "datasets/grasps/pose_numbers.h"
