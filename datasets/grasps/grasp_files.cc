@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
@@ -89,7 +90,9 @@ std::vector<ForeignGrasp> ReadGrasps(const std::string& path, const std::string&
 
 GraspCollection ReadGraspCollection(const std::vector<std::string>& paths,
                                     const std::string& format, const GraspReadOptions& options) {
+  if (format != "auto") FindGraspFormat(format, "", "");
   GraspCollection collection;
+  std::optional<Error> missing_option;
   for (const std::string& path : paths) {
     for (const fs::path& file : ListFiles(path)) {
       ++collection.num_files;
@@ -101,11 +104,12 @@ GraspCollection ReadGraspCollection(const std::vector<std::string>& paths,
           collection.grasps.push_back(std::move(grasp));
         }
       } catch (const Error& error) {
-        if (error.kind() == ErrorKind::kUsage) throw;
         collection.unread.push_back({name, error.what()});
+        if (error.kind() == ErrorKind::kUsage && !missing_option) missing_option = error;
       }
     }
   }
+  if (collection.grasps.empty() && missing_option) throw Error(*missing_option);
   return collection;
 }
 

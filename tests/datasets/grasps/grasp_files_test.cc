@@ -61,6 +61,20 @@ TEST_F(GraspFiles, OptionsAndPathsThatAreWrongStopAtOnce) {
             std::string::npos);
 }
 
+TEST_F(GraspFiles, AFileThatNeedsAnOptionDoesNotHideTheOthers) {
+  fs::copy(FindGraspCase("isaac", "good_sim.yaml"), folder_ / "a" / "0.yaml");
+  // Alone it is the user's fault, among others the file's.
+  EXPECT_NE(FindGraspError([&] {
+              ReadGraspCollection({(folder_ / "a").string()}, "auto");
+            }).find("--hand-frame"),
+            std::string::npos);
+  Copy("good_bodex.npy", "b/0.npy");
+  const GraspCollection collection = ReadGraspCollection({folder_.string()}, "auto");
+  EXPECT_EQ(collection.grasps.size(), 1u);
+  ASSERT_EQ(collection.unread.size(), 1u);
+  EXPECT_NE(collection.unread[0].reason.find("--hand-frame"), std::string::npos);
+}
+
 TEST_F(GraspFiles, EveryFormatIsKnownByItsContent) {
   GraspReadOptions options;
   options.hand_frame = "hand";
