@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <system_error>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
@@ -19,11 +20,14 @@ std::vector<fs::path> ListFiles(const std::string& path) {
   }
   if (!fs::is_directory(path)) return {path};
   std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path)) {
-    if (!entry.is_directory() && entry.path().filename().string().front() != '.') {
-      files.push_back(entry.path());
+  std::error_code fault;
+  fs::recursive_directory_iterator entry(path, fault);
+  for (const fs::recursive_directory_iterator end; !fault && entry != end; entry.increment(fault)) {
+    if (!entry->is_directory() && entry->path().filename().string().front() != '.') {
+      files.push_back(entry->path());
     }
   }
+  if (fault) throw Error(ErrorKind::kIo, path + " cannot be listed: " + fault.message());
   if (files.empty()) throw Error(ErrorKind::kNotFound, path + " is a folder without files");
   std::sort(files.begin(), files.end());
   return files;
