@@ -83,9 +83,9 @@ class ObjectLoader {
       if (++count <= kMostNamed) names += "\n  " + (name.empty() ? "(no name)" : name);
     }
     throw Error(ErrorKind::kNotFound,
-                FormatCount(static_cast<int>(missing_.size()), "object") +
-                    " of these grasps found in \"" + (folder_.empty() ? "." : folder_.string()) +
-                    "\" as no mesh:" + names +
+                "no mesh in \"" + (folder_.empty() ? "." : folder_.string()) + "\" for " +
+                    FormatCount(static_cast<int>(missing_.size()), "object") +
+                    " of these grasps:" + names +
                     "\nname the folder with --objects; a grasp's object is looked for there by "
                     "its whole path and by every end of it");
   }
