@@ -10,6 +10,7 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/hand/load_hand.h"
+#include "core/trial/chain_limit.h"
 #include "core/trial/protocols/profiled_scene.h"
 #include "datasets/grasps/map_to_hand.h"
 #include "objects/catalogue.h"
@@ -141,6 +142,7 @@ GraspInputs LoadGraspInputs(GraspCollection collection, const std::string& hand,
                             const fs::path& folder) {
   GraspInputs inputs;
   inputs.hand = std::make_shared<const Hand>(LoadHand(hand));
+  DemandShortChains(*inputs.hand);
   inputs.unread = std::move(collection.unread);
   ObjectLoader objects(folder);
   for (ForeignGrasp& grasp : collection.grasps) {

@@ -36,7 +36,7 @@ std::filesystem::path FindObjectMesh(const std::filesystem::path& folder, const 
 
 /** @param hand  by id or folder.   @param objects  folder of the meshes; empty: the current one.
 @throws Error(kNotFound) listing objects without a mesh; Error(kFormat) when no grasp is left, or a
-mesh cannot be used; as LoadHand. */
+mesh cannot be used; as LoadHand, DemandShortChains. */
 GraspInputs LoadGraspInputs(GraspCollection collection, const std::string& hand,
                             const std::filesystem::path& objects);
 
