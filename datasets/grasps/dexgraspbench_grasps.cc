@@ -1,5 +1,6 @@
-// DexGraspBench (BODex, Dexonomy, DexLearn): a dictionary of numpy arrays, saved by np.save. Sources:
-// README and src/task of DexGraspBench (evaluation, convert_format), dexonomy/op (gen_grasp, eval_data).
+// DexGraspBench (BODex, Dexonomy, DexLearn): a dictionary of numpy arrays, saved by np.save.
+// Sources: README and src/task of DexGraspBench (evaluation, convert_format), dexonomy/op
+// (gen_grasp, eval_data).
 
 #include <fmt/core.h>
 

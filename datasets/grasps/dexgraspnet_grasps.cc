@@ -1,6 +1,7 @@
-// DexGraspNet: a list of dictionaries, one a grasp, saved by np.save; the file's name is the object's.
-// Source: README and grasp_generation of PKU-EPIC/DexGraspNet. Its joints count from 0 where the
-// maker's count from 1 (shadow_layout.h): the record keeps the file's names, and mapping translates.
+// DexGraspNet: a list of dictionaries, one a grasp, saved by np.save; the file's name is the
+// object's. Source: README and grasp_generation of PKU-EPIC/DexGraspNet. Its joints count from 0
+// where the maker's count from 1 (shadow_layout.h): the record keeps the file's names, and mapping
+// translates.
 
 #include <fmt/core.h>
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
+#include <system_error>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
@@ -18,11 +20,14 @@ std::vector<fs::path> ListFiles(const std::string& path) {
   }
   if (!fs::is_directory(path)) return {path};
   std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path)) {
-    if (!entry.is_directory() && entry.path().filename().string().front() != '.') {
-      files.push_back(entry.path());
+  std::error_code fault;
+  fs::recursive_directory_iterator entry(path, fault);
+  for (const fs::recursive_directory_iterator end; !fault && entry != end; entry.increment(fault)) {
+    if (!entry->is_directory() && entry->path().filename().string().front() != '.') {
+      files.push_back(entry->path());
     }
   }
+  if (fault) throw Error(ErrorKind::kIo, path + " cannot be listed: " + fault.message());
   if (files.empty()) throw Error(ErrorKind::kNotFound, path + " is a folder without files");
   std::sort(files.begin(), files.end());
   return files;
@@ -89,7 +94,9 @@ std::vector<ForeignGrasp> ReadGrasps(const std::string& path, const std::string&
 
 GraspCollection ReadGraspCollection(const std::vector<std::string>& paths,
                                     const std::string& format, const GraspReadOptions& options) {
+  if (format != "auto") FindGraspFormat(format, "", "");
   GraspCollection collection;
+  std::optional<Error> missing_option;
   for (const std::string& path : paths) {
     for (const fs::path& file : ListFiles(path)) {
       ++collection.num_files;
@@ -101,11 +108,12 @@ GraspCollection ReadGraspCollection(const std::vector<std::string>& paths,
           collection.grasps.push_back(std::move(grasp));
         }
       } catch (const Error& error) {
-        if (error.kind() == ErrorKind::kUsage) throw;
         collection.unread.push_back({name, error.what()});
+        if (error.kind() == ErrorKind::kUsage && !missing_option) missing_option = error;
       }
     }
   }
+  if (collection.grasps.empty() && missing_option) throw Error(*missing_option);
   return collection;
 }
 

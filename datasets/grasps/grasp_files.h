@@ -38,8 +38,9 @@ struct GraspCollection {
 
 /** All grasps of files and folders. ForeignGrasp::source of a file below a folder is its path from
 there: two folders may each have a 0.npy. Files whose name begins with a point are no grasps.
-@throws Error(kNotFound) for a path that is not there or a folder without files, Error(kUsage) for
-an unknown format or a missing option. */
+@throws Error(kNotFound) for a path that is not there or a folder without files, Error(kIo) for a
+folder that cannot be listed, Error(kUsage) for an unknown format, and for a missing option where
+that leaves no grasp at all. */
 GraspCollection ReadGraspCollection(const std::vector<std::string>& paths,
                                     const std::string& format,
                                     const GraspReadOptions& options = {});

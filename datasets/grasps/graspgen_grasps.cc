@@ -1,5 +1,5 @@
-// GraspGen: JSON of one object, poses of a gripper's base as 4 x 4 matrices, with verdicts; joints are
-// the gripper's own affair. Source: docs of NVlabs/GraspGen, "GRASP_DATASET_FORMAT".
+// GraspGen: JSON of one object, poses of a gripper's base as 4 x 4 matrices, with verdicts; joints
+// are the gripper's own affair. Source: docs of NVlabs/GraspGen, "GRASP_DATASET_FORMAT".
 
 #include <fmt/core.h>
 

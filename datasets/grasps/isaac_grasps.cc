@@ -1,6 +1,6 @@
-// isaac_grasp 1.0: YAML of one gripper and one object. Sources: the documentation of Isaac Sim's grasp
-// editor (object_frame_link, gripper_frame_link) and of Isaac ROS (object_frame, gripper_frame), which
-// warns against relying on the frames.
+// isaac_grasp 1.0: YAML of one gripper and one object. Sources: the documentation of Isaac Sim's
+// grasp editor (object_frame_link, gripper_frame_link) and of Isaac ROS (object_frame,
+// gripper_frame), which warns against relying on the frames.
 
 #include <cmath>
 

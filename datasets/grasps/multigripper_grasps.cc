@@ -1,5 +1,5 @@
-// MultiGripperGrasp: JSON of one gripper and one object, joints without names. Source: the data format
-// in the manual of IRVLUTD/isaac_sim_grasping.
+// MultiGripperGrasp: JSON of one gripper and one object, joints without names. Source: the data
+// format in the manual of IRVLUTD/isaac_sim_grasping.
 
 #include <fmt/core.h>
 

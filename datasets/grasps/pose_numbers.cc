@@ -2,60 +2,65 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "core/base/error.h"
 
 namespace graspbench {
 namespace {
 
-Pose FromUnit(const double* numbers) {
-  const Eigen::Quaterniond q(numbers[3], numbers[4], numbers[5], numbers[6]);
-  return MakePose(q.normalized().toRotationMatrix(), {numbers[0], numbers[1], numbers[2]});
+/** Far above the rounding of a quaternion that is taken out of a matrix, far below what matters. */
+constexpr double kGrid = 0x1p-46;
+/** Numbers that differ by less count as equally large: rounding must not choose among them. */
+constexpr double kSameSize = 1e-9;
+
+/** w x y z of the settled rotation. */
+Eigen::Vector4d SettleQuaternion(Eigen::Vector4d q) {
+  q.normalize();
+  Eigen::Index largest = 0;
+  while (std::abs(q[largest]) < q.cwiseAbs().maxCoeff() - kSameSize) ++largest;
+  if (q[largest] < 0.0) q = -q;
+  double rest = 1.0;
+  for (Eigen::Index i = 0; i < 4; ++i) {
+    if (i == largest) continue;
+    q[i] = std::round(q[i] / kGrid) * kGrid + 0.0;
+    rest -= q[i] * q[i];
+  }
+  q[largest] = std::sqrt(rest);
+  return q;
 }
 
-bool AreSame(const Pose& a, const Pose& b) { return a.matrix() == b.matrix(); }
+Pose MakeSettledPose(const Eigen::Vector4d& q, const Eigen::Vector3d& p) {
+  const Eigen::Vector4d settled = SettleQuaternion(q);
+  return MakePose(
+      Eigen::Quaterniond(settled[0], settled[1], settled[2], settled[3]).toRotationMatrix(), p);
+}
 
-bool IsBefore(const Pose& a, const Pose& b) {
-  const Eigen::Matrix4d m = a.matrix(), n = b.matrix();
-  return std::lexicographical_compare(m.data(), m.data() + 16, n.data(), n.data() + 16);
+Eigen::Vector4d QuaternionOf(const Pose& X) {
+  const Eigen::Quaterniond q(X.linear());
+  return {q.w(), q.x(), q.y(), q.z()};
 }
 
 }  // namespace
 
 Pose PoseFromNumbers(const double* numbers, const std::string& where) {
-  const double length = Eigen::Quaterniond(numbers[3], numbers[4], numbers[5], numbers[6]).norm();
+  const Eigen::Vector4d q(numbers[3], numbers[4], numbers[5], numbers[6]);
+  const double length = q.norm();
   if (!(std::abs(length - 1.0) <= kQuaternionTolerance)) {
     throw Error(ErrorKind::kRange,
                 fmt::format("{}: the quaternion has the length {:.6g}, expected 1 to within {}; "
                             "its order is w x y z",
                             where, length, kQuaternionTolerance));
   }
-  return SettlePose(FromUnit(numbers));
+  return MakeSettledPose(q, {numbers[0], numbers[1], numbers[2]});
 }
 
 std::array<double, 7> NumbersFromPose(const Pose& X) {
-  Eigen::Quaterniond q(X.linear());
-  q.normalize();
-  if (q.w() < 0.0) q.coeffs() = -q.coeffs();
+  const Eigen::Vector4d q = SettleQuaternion(QuaternionOf(X));
   const Eigen::Vector3d p = X.translation();
-  return {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()};
+  return {p.x(), p.y(), p.z(), q[0], q[1], q[2], q[3]};
 }
 
-Pose SettlePose(const Pose& X) {
-  constexpr int kMaxRounds = 64;  // a few are usual
-  std::vector<Pose> seen = {X};
-  for (int round = 0; round < kMaxRounds; ++round) {
-    const Pose next = FromUnit(NumbersFromPose(seen.back()).data());
-    for (size_t i = 0; i < seen.size(); ++i) {
-      if (!AreSame(seen[i], next)) continue;
-      return *std::min_element(seen.begin() + static_cast<std::ptrdiff_t>(i), seen.end(), IsBefore);
-    }
-    seen.push_back(next);
-  }
-  return seen.back();
-}
+Pose SettlePose(const Pose& X) { return MakeSettledPose(QuaternionOf(X), X.translation()); }
 
 }  // namespace graspbench

@@ -16,12 +16,12 @@ inline constexpr double kQuaternionTolerance = 1e-3;
 @throws Error(kRange) for a quaternion that is none; the result is a settled pose. */
 Pose PoseFromNumbers(const double* numbers, const std::string& where);
 
-/** The other way: w is not negative. */
+/** The other way, of the settled pose: its largest number of w x y z is positive. */
 std::array<double, 7> NumbersFromPose(const Pose& X);
 
-/** The pose, or one that differs from it by rounding, which comes back bit by bit when it is
-written as seven numbers and read again: the end of writing and reading over and over, and where
-that goes in a circle the first of the circle in the order of its numbers. */
+/** The pose, turned by at most some 1e-14 rad, so that it comes back bit by bit when it is written
+as seven numbers and read again: three numbers of its quaternion are multiples of 2^-46, the fourth,
+a largest one, follows from them. */
 Pose SettlePose(const Pose& X);
 
 }  // namespace graspbench

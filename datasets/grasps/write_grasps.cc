@@ -132,11 +132,12 @@ WrittenGrasps WriteDexgraspbench(const std::vector<ForeignGrasp>& grasps) {
   }
   std::vector<double> scales, labels;
   WrittenGrasps written;
-  bool has_ways = false;
+  bool has_ways = false, stands = false;
   for (const ForeignGrasp& grasp : grasps) {
     scales.push_back(grasp.scale);
     if (grasp.label) labels.push_back(*grasp.label ? 1.0 : 0.0);
     has_ways = has_ways || grasp.stages.size() > 3;
+    stands = stands || grasp.X_WO.matrix() != Pose::Identity().matrix();
   }
   const std::vector<uint64_t> count =
       is_one ? std::vector<uint64_t>{} : std::vector<uint64_t>{grasps.size()};
@@ -146,6 +147,7 @@ WrittenGrasps WriteDexgraspbench(const std::vector<ForeignGrasp>& grasps) {
   } else if (!labels.empty()) {
     written.losses.push_back("verdicts: some of the grasps have none");
   }
+  if (stands) written.losses.push_back("the object's pose in the world: it is put at the origin");
   if (has_ways) written.losses.push_back("stages between pregrasp and grasp");
   written.bytes = MakeNpy(dict + "u");
   return written;
@@ -190,6 +192,9 @@ WrittenGrasps WriteIsaac(const std::vector<ForeignGrasp>& grasps) {
     }
     for (const GraspStage& other : grasp.stages) {
       if (other.name != "grasp" && other.name != "pregrasp") losses.insert("stage " + other.name);
+    }
+    if (grasp.X_WO.matrix() != Pose::Identity().matrix()) {
+      losses.insert("the object's pose in the world");
     }
     if (grasp.scale != 1.0) {
       losses.insert("the mesh's scale " + FormatNumber(grasp.scale) + ": give it by --scale");

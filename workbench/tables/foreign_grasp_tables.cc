@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
-#include "core/base/text/range_text.h"
+#include "core/base/error.h"
 #include "core/base/text/text.h"
 #include "datasets/grasps/map_to_hand.h"
 #include "datasets/grasps/pose_numbers.h"
@@ -55,8 +54,8 @@ std::string FormatGraspCollection(const GraspCollection& collection) {
     std::vector<double> scales;
     for (const ForeignGrasp* grasp : grasps) scales.push_back(grasp->scale);
     const auto [low, high] = std::minmax_element(scales.begin(), scales.end());
-    table.AddRow({key[0], key[1].empty() ? "-" : key[1], key[2].empty() ? "-" : key[2],
-                  std::to_string(grasps.size()),
+    table.AddRow({key[0], key[1].empty() ? "not stated" : key[1],
+                  key[2].empty() ? "not stated" : key[2], std::to_string(grasps.size()),
                   *low == *high ? FormatSignificant(*low, 4)
                                 : FormatSignificant(*low, 4) + " to " + FormatSignificant(*high, 4),
                   key[3], DescribeLabels(grasps)});

@@ -2,7 +2,6 @@
 /** @file
 What files of grasps that others made hold, for people and as JSON. */
 
-#include <optional>
 #include <string>
 #include <vector>
 

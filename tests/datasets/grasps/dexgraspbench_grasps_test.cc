@@ -30,6 +30,7 @@ TEST(DexgraspbenchGrasps, OneGraspOfBodex) {
   EXPECT_EQ(stage.joints[2], stage.joints[3]);  // BODex couples J1 to J2
   EXPECT_EQ(stage.joints[21], 0.1371411234140396);
   // The object stands at (0.1, 0.2, 0.3), unturned.
+  EXPECT_EQ(grasp.X_WO.translation(), Eigen::Vector3d(0.1f, 0.2f, 0.3f));
   EXPECT_NEAR(stage.X_OR.translation().x(), -0.1525757610797882 - 0.1f, 1e-15);
   EXPECT_NEAR(stage.X_OR.translation().z(), -0.14954501390457153 - 0.3f, 1e-15);
 }

@@ -1,6 +1,7 @@
 #include "workbench/commands/options/foreign_grasp_options.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 
 #include "workbench/commands/command.h"
 
@@ -46,7 +47,8 @@ GraspCollection ForeignGraspOptions::Read() const {
   for (const std::string& joint : open_joints_) {
     const size_t sign = joint.rfind('=');
     double position = 0.0;
-    if (sign == std::string::npos || !CLI::detail::lexical_cast(joint.substr(sign + 1), position)) {
+    if (sign == std::string::npos || !CLI::detail::lexical_cast(joint.substr(sign + 1), position) ||
+        !std::isfinite(position)) {
       throw Error(ErrorKind::kUsage, "--open \"" + joint + "\": expected NAME=NUMBER");
     }
     options.open_joints.emplace_back(joint.substr(0, sign), position);

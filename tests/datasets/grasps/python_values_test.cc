@@ -1,0 +1,75 @@
+#include "datasets/grasps/python_values.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/datasets/grasps/grasp_cases.h"
+
+namespace graspbench {
+namespace {
+
+PickleValue MakeArray(char type, int64_t size, const PickleValue& bytes,
+                      std::vector<int64_t> shape) {
+  PickleValue array;
+  array.kind = PickleValue::Kind::kArray;
+  array.type = type;
+  array.element_size = size;
+  array.shape = std::move(shape);
+  array.data = &bytes;
+  return array;
+}
+
+PickleValue MakeBytes(const std::string& bytes) {
+  PickleValue value;
+  value.kind = PickleValue::Kind::kBytes;
+  value.text = bytes;
+  return value;
+}
+
+TEST(PythonValues, TypesOfNumber) {
+  const PickleValue bytes = MakeBytes(std::string("\x00\xbc\x00\x7c\x01\x00\x00\x80", 8));
+  // Halves after IEEE 754: -1, infinity (refused), the least one, -0.
+  const NumberTable one = ReadNumbers(MakeArray('f', 2, bytes, {1}), "x");
+  EXPECT_EQ(one.numbers[0], -1.0);
+  EXPECT_NE(FindGraspError([&] {
+              ReadNumbers(MakeArray('f', 2, bytes, {2}), "x");
+            }).find("x: number 2 is not finite"),
+            std::string::npos);
+  const PickleValue least = MakeBytes(std::string("\x01\x00", 2));
+  EXPECT_EQ(ReadNumbers(MakeArray('f', 2, least, {}), "x").numbers[0], std::ldexp(1.0, -24));
+  const PickleValue integer = MakeBytes("\xfe\xff\xff\xff");
+  EXPECT_EQ(ReadNumber(MakeArray('i', 4, integer, {}), "x"), -2);
+  EXPECT_EQ(ReadNumber(MakeArray('u', 4, integer, {}), "x"), 4294967294.0);
+  EXPECT_EQ(ReadNumber(MakeArray('b', 1, integer, {}), "x"), 1);
+}
+
+TEST(PythonValues, RowsMustBeOfOneLength) {
+  PickleValue number, row, list;
+  number.kind = PickleValue::Kind::kNumber;
+  row.kind = list.kind = PickleValue::Kind::kList;
+  row.items = {&number, &number};
+  PickleValue longer = row;
+  longer.items.push_back(&number);
+  list.items = {&row, &longer};
+  EXPECT_NE(FindGraspError([&] { ReadNumbers(list, "x"); }).find("rows of 2 and of 3 numbers"),
+            std::string::npos);
+  list.items = {&row, &row};
+  const NumberTable table = ReadNumbers(list, "x");
+  EXPECT_EQ(table.num_rows, 2);
+  EXPECT_EQ(table.num_columns, 2);
+  list.items = {&number, &row};
+  EXPECT_NE(FindGraspError([&] { ReadNumbers(list, "x"); }).find("expected numbers"),
+            std::string::npos);
+}
+
+TEST(PythonValues, TheLastOfTwoEqualKeysCounts) {
+  PickleValue key, first, last, dict;
+  key.kind = PickleValue::Kind::kText;
+  key.text = "a";
+  dict.kind = PickleValue::Kind::kDict;
+  dict.items = {&key, &first, &key, &last};
+  EXPECT_EQ(FindItem(dict, "a"), &last);
+  EXPECT_EQ(FindItem(dict, "b"), nullptr);
+}
+
+}  // namespace
+}  // namespace graspbench

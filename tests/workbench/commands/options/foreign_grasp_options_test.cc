@@ -1,0 +1,42 @@
+#include "workbench/commands/options/foreign_grasp_options.h"
+
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+
+#include "core/base/error.h"
+#include "core/base/files/files.h"
+
+namespace graspbench {
+namespace {
+
+GraspCollection ReadWith(const std::string& words) {
+  CLI::App app;
+  ForeignGraspOptions options;
+  options.AddTo(app);
+  app.parse((FindDataRoot() / "tests/fuzz/cases/grasps_graspgen/good_poses.json").string() + " " +
+            words);
+  return options.Read();
+}
+
+TEST(ForeignGraspOptions, GiveWhatTheFileDoesNotSay) {
+  const GraspCollection collection =
+      ReadWith("--hand-frame base --open left=0.04,right=-1e-3 --scale 2 --format graspgen");
+  ASSERT_EQ(collection.grasps.size(), 2u);
+  const ForeignGrasp& grasp = collection.grasps[0];
+  EXPECT_EQ(grasp.root_link, "base");
+  EXPECT_EQ(grasp.joint_names, (std::vector<std::string>{"left", "right"}));
+  EXPECT_EQ(grasp.stages[0].joints, (std::vector<double>{0.04, -1e-3}));
+  EXPECT_EQ(grasp.scale, 2.0);
+  EXPECT_EQ(ReadWith("--hand-frame base").grasps[0].scale, 0.5);
+}
+
+TEST(ForeignGraspOptions, RefuseWhatIsNoPosition) {
+  for (const char* words : {"--open left", "--open left=wide", "--open left=nan"}) {
+    EXPECT_THROW(ReadWith(std::string("--hand-frame base ") + words), Error) << words;
+  }
+  EXPECT_THROW(ReadWith("--hand-frame base --scale 0"), CLI::ValidationError);
+}
+
+}  // namespace
+}  // namespace graspbench
