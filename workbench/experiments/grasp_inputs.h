@@ -29,8 +29,8 @@ struct GraspInputs {
   Json description;                ///< hashes of all of it, without names of places
 };
 
-/** The mesh that a file means by `name`, below `folder`: the path itself or any end of it, as a file,
-with an ending of a mesh, or a folder with mesh/simplified.obj, simplified.obj or mesh.obj.
+/** The mesh that a file means by `name`, below `folder`: the path itself or any end of it, as a
+file, with an ending of a mesh, or a folder with mesh/simplified.obj, simplified.obj or mesh.obj.
 @returns empty: there is none. */
 std::filesystem::path FindObjectMesh(const std::filesystem::path& folder, const std::string& name);
 
