@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
-#include <set>
 
 #include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/physics/implicit_world.h"
 #include "core/physics/simbody/compare_with_simbody.h"
 #include "core/physics/simbody/simbody_model.h"
+#include "core/trial/chain_limit.h"
 #include "core/trial/compliant_trial.h"
 #include "core/trial/delayed_digit.h"
 #include "core/trial/judge/disturbance.h"
@@ -90,22 +90,7 @@ std::unique_ptr<World> TrialRunner::Impl::MakeWorld(const SimConfig& config,
 TrialRunner::TrialRunner(std::shared_ptr<const Hand> hand,
                          std::shared_ptr<const GraspObject> object)
     : impl_(std::make_unique<Impl>(std::move(hand), std::move(object))) {
-  const HandDynamics dynamics(*impl_->hand);
-  for (size_t link = 0; link < impl_->hand->links.size(); ++link) {
-    const std::vector<int>& chain = dynamics.chain(static_cast<int>(link));
-    std::set<int> dofs;
-    for (int joint : chain) {
-      dynamics.ForEachSpeed(joint, [&](int dof, double) { dofs.insert(dof); });
-    }
-    const size_t length = std::max(chain.size(), dofs.size());
-    if (length > ContactPoint::kMaxChain) {
-      throw Error(ErrorKind::kUnsupported,
-                  "hand \"" + impl_->hand->id + "\" has " + std::to_string(length) +
-                      " joints between its root and link \"" + impl_->hand->links[link].name +
-                      "\"; the simulation takes at most " +
-                      std::to_string(ContactPoint::kMaxChain));
-    }
-  }
+  DemandShortChains(*impl_->hand);
 }
 
 TrialRunner::~TrialRunner() = default;

@@ -120,7 +120,7 @@ const StoreKind kDevelopmentStore = {
     /*lines=*/
     {{{"journal.jsonl"}, {"request", "stage", "id", "trials"}, "", "request", "result.json"}}};
 const StoreKind kJudgedGraspStore = {
-    /*name=*/"judged grasps",
+    /*name=*/"grasp judgement",
     /*file=*/"grasps.json",
     /*schema=*/1,
     /*oldest_schema=*/1,

@@ -18,7 +18,8 @@ const FileKeys& ListProfileKeys();
 @throws Error(kFormat) listing every key that is unknown, out of range or no word it takes. */
 FreeSpaceProfile ParseProfile(const std::string& text, const std::string& file);
 
-/** Of the profiles that come with the program, sorted by name. @throws as ParseProfile; Error(kIo). */
+/** Of the profiles that come with the program, sorted by name.
+@throws as ParseProfile; Error(kIo). */
 std::vector<FreeSpaceProfile> ListProfiles();
 
 /** @param name_or_path  a shipped one's name, or a file. @throws Error(kNotFound) with suggestions;

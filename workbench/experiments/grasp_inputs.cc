@@ -10,6 +10,7 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/hand/load_hand.h"
+#include "core/trial/chain_limit.h"
 #include "core/trial/protocols/profiled_scene.h"
 #include "datasets/grasps/map_to_hand.h"
 #include "objects/catalogue.h"
@@ -83,9 +84,9 @@ class ObjectLoader {
       if (++count <= kMostNamed) names += "\n  " + (name.empty() ? "(no name)" : name);
     }
     throw Error(ErrorKind::kNotFound,
-                FormatCount(static_cast<int>(missing_.size()), "object") +
-                    " of these grasps found in \"" + (folder_.empty() ? "." : folder_.string()) +
-                    "\" as no mesh:" + names +
+                "no mesh in \"" + (folder_.empty() ? "." : folder_.string()) + "\" for " +
+                    FormatCount(static_cast<int>(missing_.size()), "object") +
+                    " of these grasps:" + names +
                     "\nname the folder with --objects; a grasp's object is looked for there by "
                     "its whole path and by every end of it");
   }
@@ -141,6 +142,7 @@ GraspInputs LoadGraspInputs(GraspCollection collection, const std::string& hand,
                             const fs::path& folder) {
   GraspInputs inputs;
   inputs.hand = std::make_shared<const Hand>(LoadHand(hand));
+  DemandShortChains(*inputs.hand);
   inputs.unread = std::move(collection.unread);
   ObjectLoader objects(folder);
   for (ForeignGrasp& grasp : collection.grasps) {

@@ -29,14 +29,14 @@ struct GraspInputs {
   Json description;                ///< hashes of all of it, without names of places
 };
 
-/** The mesh that a file means by `name`, below `folder`: the path itself or any end of it, as a file,
-with an ending of a mesh, or a folder with mesh/simplified.obj, simplified.obj or mesh.obj.
+/** The mesh that a file means by `name`, below `folder`: the path itself or any end of it, as a
+file, with an ending of a mesh, or a folder with mesh/simplified.obj, simplified.obj or mesh.obj.
 @returns empty: there is none. */
 std::filesystem::path FindObjectMesh(const std::filesystem::path& folder, const std::string& name);
 
 /** @param hand  by id or folder.   @param objects  folder of the meshes; empty: the current one.
 @throws Error(kNotFound) listing objects without a mesh; Error(kFormat) when no grasp is left, or a
-mesh cannot be used; as LoadHand. */
+mesh cannot be used; as LoadHand, DemandShortChains. */
 GraspInputs LoadGraspInputs(GraspCollection collection, const std::string& hand,
                             const std::filesystem::path& objects);
 

@@ -10,6 +10,7 @@
 #include "core/physics/implicit_world.h"
 #include "core/quality/epsilon_fast.h"
 #include "core/quality/wrench_space.h"
+#include "core/trial/chain_limit.h"
 #include "core/trial/measures/stability_meter.h"
 
 namespace graspbench {
@@ -313,6 +314,7 @@ class FreeSpaceRun {
 
 FreeSpaceResult RunFreeSpace(const ProfiledScene& scene, const FreeSpaceProfile& profile) {
   try {
+    DemandShortChains(*scene.hand);
     return FreeSpaceRun(scene, profile).Run();
   } catch (const std::bad_alloc&) {  // of the machine, not of the grasp
     throw;

@@ -10,8 +10,8 @@ Where the profile updates commands n times a stage, they jump: root and drives a
 pose at (k + 1)/n of the way during the k-th part. The root turns along the shortest way at an even
 rate, the joints go straight.
 
-Source: DexGraspBench (Chen, Ke and Wang 2025), src/task/eval_func/{base, fc_mocap, tabletop_mocap}.py
-of its main branch, read 2026-11; there each push repeats the stages, which is the same instant. */
+Source: DexGraspBench (Chen, Ke and Wang 2025), src/task/eval_func/{base, fc_mocap,
+tabletop_mocap}.py of its main branch, read 2026-11; there each push repeats the stages, which is the same instant. */
 
 #include <string>
 #include <vector>

@@ -38,7 +38,7 @@ void ExpectSameKeys(const FileKeys& read, const FileKeys& rows) {
 }
 
 TEST(FileFormatsTest, EveryKeyHasAMeaning) {
-  ASSERT_EQ(ListFileFormats().size(), 8u);
+  ASSERT_EQ(ListFileFormats().size(), 9u);
   for (const FileFormat& format : ListFileFormats()) {
     EXPECT_FALSE(format.keys.empty()) << format.name;
     for (const FileKey& key : format.keys) EXPECT_NE(key.meaning, "") << format.name << key.key;

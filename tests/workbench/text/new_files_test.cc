@@ -24,7 +24,8 @@ TEST_P(NewFilesTest, PassTheirCheck) {
   EXPECT_NO_THROW(CheckNewFiles(GetParam(), folder_.string()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, NewFilesTest, testing::Values("session", "object", "hand", "study"),
+INSTANTIATE_TEST_SUITE_P(Kinds, NewFilesTest,
+                         testing::Values("session", "object", "hand", "study", "profile"),
                          [](const auto& kind) { return std::string(kind.param); });
 
 // What is written out is what holds without the file.

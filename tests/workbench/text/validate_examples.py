@@ -19,6 +19,7 @@ EXAMPLES = {
     "tactile.yaml": "core/hand/models/*/tactile.yaml",
     "session.yaml": "datasets/presets/*.yaml",
     "study.yaml": "human_study/examples/*/study.yaml",
+    "profile.yaml": "datasets/profiles/*.yaml",
     "pipeline.yaml": "datasets/pipelines/*[!n].yaml",  # but for small_session.yaml
     "grasp.yaml": "tests/datasets/stores/v*/optimisation/new-pregrasp.yaml",
 }

@@ -40,6 +40,10 @@ std::string FindNextCommand(const NewOptions& options) {
     return "run --hand " + QuoteForShell(options.hand) + " --grasp " +
            QuoteForShell(folder + "/grasp.yaml");
   }
+  if (kind == "profile") {
+    return "grasps judge FILES --profile " + QuoteForShell(folder + "/profile.yaml") +
+           " --out judged";
+  }
   return "study run " + QuoteForShell(folder + "/study.yaml") + " --out results/study";
 }
 
