@@ -44,8 +44,8 @@ std::shared_ptr<const GraspObject> LoadObject(const std::string& id_or_path,
                                               FieldUse field_use = FieldUse::kNow);
 
 /** A mesh alone as a thing to grasp, for those who state mass and friction themselves: O is the
-frame in which it is drawn, in metres times `scale`; it is homogeneous, of 1000 kg/m^3, without friction,
-and may consist of bodies apart. Mended and cached as others.
+frame in which it is drawn, in metres times `scale`; it is homogeneous, of 1000 kg/m^3, without
+friction, and may consist of bodies apart. Mended and cached as others.
 @throws as LoadMesh(); Error(kFormat) listing what makes it unusable. */
 std::shared_ptr<const GraspObject> LoadMeshObject(const std::filesystem::path& mesh, double scale);
 

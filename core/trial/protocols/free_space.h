@@ -11,7 +11,8 @@ pose at (k + 1)/n of the way during the k-th part. The root turns along the shor
 rate, the joints go straight.
 
 Source: DexGraspBench (Chen, Ke and Wang 2025), src/task/eval_func/{base, fc_mocap,
-tabletop_mocap}.py of its main branch, read 2026-11; there each push repeats the stages, which is the same instant. */
+tabletop_mocap}.py of its main branch, read 2026-11; there each push repeats the stages, which is
+the same instant. */
 
 #include <string>
 #include <vector>
