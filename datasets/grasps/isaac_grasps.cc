@@ -104,12 +104,14 @@ void ReadIsaacGrasp(const YAML::Node& node, const std::string& file, const std::
   const std::optional<Pose> X_OR = ReadPose(map, file, where, problems);
   std::vector<double> positions;
   const YAML::Node joints = map.Child("cspace_position");
-  const bool has_joints = !joints.IsNull() && ReadJoints(joints, file, where + ", cspace_position",
-                                                         problems, grasp.joint_names, positions);
+  // A key without a value is there, but no map of joints.
+  const bool has_joints =
+      map.Has("cspace_position") &&
+      ReadJoints(joints, file, where + ", cspace_position", problems, grasp.joint_names, positions);
   const YAML::Node pregrasp = map.Child("pregrasp_cspace_position", Needed::kNo);
   map.FinishKnownKeys();
   if (!X_OR || !has_joints) return;
-  if (!pregrasp.IsNull()) {
+  if (map.Has("pregrasp_cspace_position")) {
     std::vector<std::string> names;
     std::vector<double> unsorted;
     if (!ReadJoints(pregrasp, file, where + ", pregrasp_cspace_position", problems, names,

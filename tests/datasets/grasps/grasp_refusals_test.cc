@@ -90,6 +90,8 @@ TEST(GraspRefusals, Isaac) {
        {"bad_norm.yaml", ":11: error: grasp grasp_0: the quaternion has the length"},
        {"bad_joint.yaml", ":16: error: grasp grasp_0: pregrasp_cspace_position is of other"},
        {"bad_nan.yaml", ":10: error: grasp grasp_0, position: expected"},
+       {"bad_null_joints.yaml", "grasp grasp_1, cspace_position: expected a map of joints"},
+       {"bad_null_pregrasp.yaml", "grasp_0, pregrasp_cspace_position: expected a map of joints"},
        {"bad_no_joints.yaml", "the key \"cspace_position\" is missing"},
        {"bad_position.yaml", ":20: error: grasp grasp_1, position: expected"},
        {"bad_no_grasps.yaml", "the key \"grasps\" is missing"},
