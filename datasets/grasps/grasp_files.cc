@@ -18,12 +18,14 @@ std::vector<fs::path> ListFiles(const std::string& path) {
   if (!fs::exists(path)) {
     throw Error(ErrorKind::kNotFound, path + ": there is no such file or folder");
   }
-  if (!fs::is_directory(path)) return {path};
+  std::error_code broken;
+  if (!fs::is_directory(path, broken)) return {path};
   std::vector<fs::path> files;
   std::error_code fault;
   fs::recursive_directory_iterator entry(path, fault);
   for (const fs::recursive_directory_iterator end; !fault && entry != end; entry.increment(fault)) {
-    if (!entry->is_directory() && entry->path().filename().string().front() != '.') {
+    std::error_code none;  // of a link that leads nowhere; reading it says so
+    if (!entry->is_directory(none) && entry->path().filename().string().front() != '.') {
       files.push_back(entry->path());
     }
   }
@@ -100,8 +102,9 @@ GraspCollection ReadGraspCollection(const std::vector<std::string>& paths,
   for (const std::string& path : paths) {
     for (const fs::path& file : ListFiles(path)) {
       ++collection.num_files;
-      const std::string name = fs::is_directory(path) ? fs::relative(file, path).generic_string()
-                                                      : file.filename().string();
+      const std::string name = fs::is_directory(path)
+                                   ? file.lexically_relative(path).generic_string()
+                                   : file.filename().string();
       try {
         for (ForeignGrasp& grasp : ReadGrasps(file.string(), format, options)) {
           grasp.source = name;

@@ -11,6 +11,7 @@
 namespace graspbench {
 namespace {
 
+constexpr double kFullTurn = 6.2832;           // [rad]
 constexpr double kMaxShadowDifference = 1e-3;  // [m]
 
 /** "rh_FFJ4" ends in "FFJ4" behind a separator. */
@@ -168,6 +169,15 @@ void CheckShadow(const ForeignGrasp& grasp, const Hand& hand) {
   }
 }
 
+void DemandRadians(const ForeignGrasp& grasp, const GraspStage& stage, const HandJoint& joint,
+                   double position) {
+  if (joint.is_prismatic || std::abs(position) <= kFullTurn) return;
+  throw Error(ErrorKind::kRange,
+              fmt::format("{}: stage {} has {} at {:g} rad, more than a full turn; positions are "
+                          "in radians, these look like degrees",
+                          grasp.source, stage.name, joint.name, position));
+}
+
 }  // namespace
 
 HandGrasp MapToHand(const ForeignGrasp& grasp, const Hand& hand) {
@@ -187,8 +197,11 @@ HandGrasp MapToHand(const ForeignGrasp& grasp, const Hand& hand) {
                               stage.name, stage.joints.size(), joints.size()));
     }
     Eigen::VectorXd q = Eigen::VectorXd::Zero(hand.num_joints());
-    for (size_t i = 0; i < joints.size(); ++i)
+    for (size_t i = 0; i < joints.size(); ++i) {
+      DemandRadians(grasp, stage, hand.joints[static_cast<size_t>(joints[i].index)],
+                    stage.joints[i]);
       q[joints[i].index] = joints[i].sign * stage.joints[i];
+    }
     unstated.Fill(q);
     mapped.stages.push_back({stage.name, stage.X_OR * CalcLinkPose(hand, q, root).inverse(), q});
   }

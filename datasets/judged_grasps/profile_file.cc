@@ -31,6 +31,10 @@ Problems FindProblems(const FreeSpaceProfile& profile) {
   CheckWord(kBeyondLimits, "drives.beyond_limits", profile.drives.beyond_limits, problems);
   CheckWord(kOwnOrGiven, "surfaces.pads", profile.surfaces.pads, problems);
   CheckWord(kProfileTests, "test", profile.test, problems);
+  if (profile.sim.gravity != 0.0) {
+    problems.emplace_back("sim.gravity_m_per_s2",
+                          "expected 0: acceleration_m_per_s2 says what acts on the object");
+  }
   return problems;
 }
 
@@ -117,7 +121,17 @@ FreeSpaceProfile LoadProfile(const std::string& name_or_path) {
     if (profile.name == name_or_path) return profile;
     names.push_back(profile.name);
   }
-  if (fs::exists(name_or_path)) return ParseProfile(ReadFile(name_or_path), name_or_path);
+  if (fs::exists(name_or_path)) {
+    FreeSpaceProfile profile = ParseProfile(ReadFile(name_or_path), name_or_path);
+    for (const FreeSpaceProfile& shipped : ListProfiles()) {
+      if (shipped.name != profile.name || ConfigToJson(shipped) == ConfigToJson(profile)) continue;
+      throw Error(ErrorKind::kUsage, name_or_path + " is named as the shipped profile \"" +
+                                         shipped.name +
+                                         "\" and has other values; rename the "
+                                         "file, for a verdict names its profile");
+    }
+    return profile;
+  }
   throw Error(ErrorKind::kNotFound, "no profile and no file \"" + name_or_path + "\"" +
                                         SuggestNames(name_or_path, names));
 }

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/hash.h"
 #include "core/base/random.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
@@ -22,7 +23,6 @@ namespace {
 
 constexpr double kJitterShift = 0.001;           // [m]
 constexpr double kJitterTurn = RadFromDeg(1.0);  // [rad]
-constexpr size_t kMostNamed = 10;                // in a message
 
 bool IsFile(const fs::path& path) {
   std::error_code none;
@@ -59,36 +59,19 @@ class ObjectLoader {
  public:
   explicit ObjectLoader(fs::path folder) : folder_(std::move(folder)) {}
 
-  /** Null: there is no such mesh. */
+  /** @throws Error(kNotFound) when there is no such mesh, kFormat, kRange when it is of no use. */
   std::shared_ptr<const GraspObject> Load(const std::string& name, double scale) {
     const auto key = std::make_pair(name, scale);
+    if (const auto found = refused_.find(key); found != refused_.end()) throw Error(found->second);
     if (const auto found = loaded_.find(key); found != loaded_.end()) return found->second;
-    const fs::path mesh = FindObjectMesh(folder_, name);
-    std::shared_ptr<const GraspObject> object;
-    if (!mesh.empty()) {
-      object = LoadMeshObject(mesh, scale);
-    } else if (const auto ids = ListObjects();
-               scale == 1.0 && std::find(ids.begin(), ids.end(), name) != ids.end()) {
-      object = LoadObject(name);
+    try {
+      return loaded_[key] = Find(name, scale);
+    } catch (const Error& error) {
+      loaded_.erase(key);
+      if (ExitCodeOf(error.kind()) == kExitEnvironment) throw;  // of the machine, not of the mesh
+      refused_.emplace(key, error);
+      throw;
     }
-    if (!object) missing_.insert(name);
-    loaded_[key] = object;
-    return object;
-  }
-
-  void DemandAll() const {
-    if (missing_.empty()) return;
-    std::string names;
-    size_t count = 0;
-    for (const std::string& name : missing_) {
-      if (++count <= kMostNamed) names += "\n  " + (name.empty() ? "(no name)" : name);
-    }
-    throw Error(ErrorKind::kNotFound,
-                "no mesh in \"" + (folder_.empty() ? "." : folder_.string()) + "\" for " +
-                    FormatCount(static_cast<int>(missing_.size()), "object") +
-                    " of these grasps:" + names +
-                    "\nname the folder with --objects; a grasp's object is looked for there by "
-                    "its whole path and by every end of it");
   }
 
   Json Describe() const {
@@ -103,11 +86,37 @@ class ObjectLoader {
  private:
   fs::path folder_;
   std::map<std::pair<std::string, double>, std::shared_ptr<const GraspObject>> loaded_;
-  std::set<std::string> missing_;
+  std::map<std::pair<std::string, double>, Error> refused_;
+
+  std::shared_ptr<const GraspObject> Find(const std::string& name, double scale) const {
+    const fs::path mesh = FindObjectMesh(folder_, name);
+    if (!mesh.empty()) return LoadMeshObject(mesh, scale);
+    const std::vector<std::string> ids = ListObjects();
+    if (scale == 1.0 && std::find(ids.begin(), ids.end(), name) != ids.end()) {
+      return LoadObject(name);
+    }
+    throw Error(ErrorKind::kNotFound,
+                "no mesh for \"" + name + "\" in \"" + (folder_.empty() ? "." : folder_.string()) +
+                    "\", where it is looked for by its whole path and by every end of it; name "
+                    "the folder with --objects");
+  }
 };
 
 std::string NameGrasp(const ForeignGrasp& grasp) {
   return grasp.source + ", grasp " + std::to_string(grasp.index);
+}
+
+/** Of all that a verdict depends on. */
+std::string HashGrasp(const GraspInput& input) {
+  const auto list = [](const auto& matrix) {
+    return std::vector<double>(matrix.data(), matrix.data() + matrix.size());
+  };
+  Json json = {input.grasp.object, input.grasp.scale, list(input.grasp.X_WO.matrix()),
+               input.grasp.label ? Json(*input.grasp.label) : Json()};
+  for (const ScriptedStage& stage : input.stages) {
+    json.push_back({stage.name, list(stage.X_OH.matrix()), list(stage.q)});
+  }
+  return CalcHashHex(FormatJson(json));
 }
 
 Eigen::Vector3d DrawDirection(RandomStream& random) {
@@ -145,22 +154,31 @@ GraspInputs LoadGraspInputs(GraspCollection collection, const std::string& hand,
   DemandShortChains(*inputs.hand);
   inputs.unread = std::move(collection.unread);
   ObjectLoader objects(folder);
+  std::set<std::pair<std::string, int>> names;
   for (ForeignGrasp& grasp : collection.grasps) {
+    if (!names.emplace(grasp.source, grasp.index).second) {
+      throw Error(ErrorKind::kUsage, "two grasps are named \"" + NameGrasp(grasp) +
+                                         "\"; give every file once, and files of one name by the "
+                                         "folder that holds their folders");
+    }
     GraspInput input;
     try {
+      if (grasp.stages.size() == 1 && grasp.stages.front().name == "pregrasp") {
+        throw Error(ErrorKind::kFormat, "the file states the open hand alone, not how it closes");
+      }
       const HandGrasp mapped = MapToHand(grasp, *inputs.hand);
       for (const HandStage& stage : mapped.stages) {
         input.stages.push_back({stage.name, stage.X_OH, stage.q});
       }
+      input.object = objects.Load(grasp.object, grasp.scale);
     } catch (const Error& error) {
+      if (ExitCodeOf(error.kind()) == kExitEnvironment) throw;
       inputs.unread.push_back({NameGrasp(grasp), error.what()});
       continue;
     }
-    input.object = objects.Load(grasp.object, grasp.scale);
     input.grasp = std::move(grasp);
     inputs.grasps.push_back(std::move(input));
   }
-  objects.DemandAll();
   if (inputs.grasps.empty()) {
     std::string reasons;
     for (const UnreadFile& file : inputs.unread) {
@@ -171,7 +189,7 @@ GraspInputs LoadGraspInputs(GraspCollection collection, const std::string& hand,
   inputs.is_asked = FindAsked(*inputs.hand, inputs.grasps);
   Json grasps = Json::array();
   for (const GraspInput& input : inputs.grasps) {
-    grasps.push_back({input.grasp.source, input.grasp.index});
+    grasps.push_back({input.grasp.source, input.grasp.index, HashGrasp(input)});
   }
   inputs.description = {{"hand", inputs.hand->id},
                         {"hand_content", inputs.hand->content_hash},

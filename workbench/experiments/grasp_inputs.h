@@ -35,8 +35,9 @@ file, with an ending of a mesh, or a folder with mesh/simplified.obj, simplified
 std::filesystem::path FindObjectMesh(const std::filesystem::path& folder, const std::string& name);
 
 /** @param hand  by id or folder.   @param objects  folder of the meshes; empty: the current one.
-@throws Error(kNotFound) listing objects without a mesh; Error(kFormat) when no grasp is left, or a
-mesh cannot be used; as LoadHand, DemandShortChains. */
+A grasp whose mesh is missing or of no use is not judged, with the reason.
+@throws Error(kUsage) for two grasps of one name; Error(kFormat) when no grasp is left; as LoadHand,
+DemandShortChains. */
 GraspInputs LoadGraspInputs(GraspCollection collection, const std::string& hand,
                             const std::filesystem::path& objects);
 

@@ -86,7 +86,15 @@ Json DescribeRequest(const JudgeGraspsRequest& request, const GraspInputs& input
 bool JudgeGrasps(const JudgeGraspsRequest& request, const GraspInputs& inputs, Observer& observer,
                  const std::atomic<bool>& stop) {
   std::vector<FreeSpaceProfile> profiles;
-  for (const std::string& name : request.profiles) profiles.push_back(LoadProfile(name));
+  for (const std::string& name : request.profiles) {
+    profiles.push_back(LoadProfile(name));
+    for (size_t i = 0; i + 1 < profiles.size(); ++i) {
+      if (profiles[i].name != profiles.back().name) continue;
+      throw Error(ErrorKind::kUsage, "two profiles are named \"" + profiles[i].name +
+                                         "\"; name each once, or rename a file, for a verdict "
+                                         "names its profile");
+    }
+  }
   PrepareFolder(request.out, DescribeRequest(request, inputs, profiles));
   RunRecorder recorder(request.out, request.num_workers, observer);
   const Tasks tasks(inputs, profiles, request.jitter);

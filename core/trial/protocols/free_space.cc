@@ -160,6 +160,14 @@ double CalcEpsilon(const World& world, double radius) {
   return CalcEpsilonBounds(CalcConeWrenches(contacts, space).wrenches).lower;
 }
 
+double FindDepthInTable(const ProfiledScene& scene) {
+  double lowest = 0.0;
+  for (const Vector3d& p_OV : scene.object->mesh.vertices) {
+    lowest = std::min(lowest, (scene.X_WO * p_OV).z());
+  }
+  return -lowest;
+}
+
 std::string ListTouching(const Hand& hand, const std::vector<bool>& link_touches) {
   std::vector<bool> touches(hand.digits.size(), false);
   bool palm_touches = false;
@@ -192,6 +200,13 @@ class FreeSpaceRun {
                   fmt::format("at {} the hand is {:.1f} mm deep in the object, more than {:g} mm",
                               scene_.stages.front().name, MmFromM(result_.start_penetration),
                               MmFromM(profile_.max_start_penetration)));
+    }
+    const double in_table = course_.is_lift() ? FindDepthInTable(scene_) : 0.0;
+    if (in_table > profile_.max_start_penetration) {
+      return Fail("start",
+                  fmt::format("the object is {:.1f} mm deep in the table, the file's z = 0, "
+                              "more than {:g} mm",
+                              MmFromM(in_table), MmFromM(profile_.max_start_penetration)));
     }
     course_.Begin();
     if (course_.is_lift()) course_.Push({0.0, 0.0, -profile_.acceleration});
@@ -255,13 +270,14 @@ class FreeSpaceRun {
                                               MmFromM(moved.shift), MmFromM(profile_.max_shift))
                                 : fmt::format("turned {:.1f} degrees, the limit is {:g}",
                                               moved.turn_deg, profile_.max_turn_deg);
+    const bool is_missed = result_.touching.empty();
+    const std::string& last = scene_.stages.back().name;
     const std::string touched =
-        result_.touching.empty()
-            ? "nothing touched it after the " + scene_.stages.back().name
-            : result_.touching + " touched it after the " + scene_.stages.back().name;
-    Fail(was_before ? scene_.stages.back().name : stage,
-         (was_before ? "closing the hand pushed the object away: it has "
-                     : fmt::format("{:.1f} s into the {} the object has ", time, stage)) +
+        (is_missed ? "nothing" : result_.touching) + " touched it after the " + last;
+    Fail(was_before || is_missed ? last : stage,
+         (was_before  ? "closing the hand moved the object away: it has "
+          : is_missed ? "the hand does not reach the object, which in the " + stage + " has "
+                      : fmt::format("{:.1f} s into the {} the object has ", time, stage)) +
              how + "; " + touched);
     return false;
   }

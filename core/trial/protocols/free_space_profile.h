@@ -83,6 +83,13 @@ struct ProfileSurfaces {
   }
 };
 
+/** Nothing falls by itself: a push or a lift says what acts on the object. */
+inline SimConfig MakeFreeSpaceSim() {
+  SimConfig sim;
+  sim.gravity = 0.0;
+  return sim;
+}
+
 struct FreeSpaceProfile {
   std::string name;  ///< of its file; no key
   std::string about, source;
@@ -100,7 +107,7 @@ struct FreeSpaceProfile {
   double max_start_penetration = 0.01;     ///< of hand and object at the first stage [m]
   double max_shift = 0.05;                 ///< of the object [m]
   double max_turn_deg = 15.0;
-  SimConfig sim;
+  SimConfig sim = MakeFreeSpaceSim();
 
   template <class V>
   void Visit(V&& v) {

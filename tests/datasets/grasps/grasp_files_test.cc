@@ -75,6 +75,15 @@ TEST_F(GraspFiles, AFileThatNeedsAnOptionDoesNotHideTheOthers) {
   EXPECT_NE(collection.unread[0].reason.find("--hand-frame"), std::string::npos);
 }
 
+TEST_F(GraspFiles, ALinkToItselfIsAFileThatCannotBeRead) {
+  Copy("good_bodex.npy", "a/0.npy");
+  fs::create_symlink("loop", folder_ / "loop");
+  const GraspCollection collection = ReadGraspCollection({folder_.string()}, "auto");
+  EXPECT_EQ(collection.grasps.size(), 1u);
+  ASSERT_EQ(collection.unread.size(), 1u);
+  EXPECT_EQ(collection.unread[0].name, "loop");
+}
+
 TEST_F(GraspFiles, EveryFormatIsKnownByItsContent) {
   GraspReadOptions options;
   options.hand_frame = "hand";

@@ -50,6 +50,15 @@ TEST(MapToHand, RefusesAHandWithOtherJoints) {
       std::string::npos);
 }
 
+TEST(MapToHand, RefusesDegrees) {
+  ForeignGrasp grasp = ReadGraspCase("dexgraspbench", "good_bodex.npy")[0];
+  grasp.stages[1].joints[2] = 42.0;
+  EXPECT_NE(FindGraspError([&] {
+              MapToHand(grasp, LoadHand("shadow"));
+            }).find("FFJ2 at 42 rad, more than a full turn"),
+            std::string::npos);
+}
+
 TEST(MapToHand, RefusesAHandOfOtherSize) {
   Hand hand = LoadHand("shadow");
   const ForeignGrasp grasp = ReadGraspCase("dexgraspbench", "good_bodex.npy")[0];

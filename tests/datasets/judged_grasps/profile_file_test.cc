@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <set>
 
 #include "core/base/config.h"
@@ -60,7 +61,6 @@ TEST(ProfileFile, OwnHoldsTheDefaults) {
   FreeSpaceProfile own = LoadProfile("own");
   own.about = own.source = "";
   FreeSpaceProfile defaults;
-  defaults.sim.gravity = 0.0;
   defaults.sim.steady_step_factor = 1;
   EXPECT_EQ(FindConfigDifferences(own, defaults), std::vector<std::string>());
 }
@@ -72,6 +72,29 @@ TEST(ProfileFile, FaultsAreNamedWithTheirLine) {
   EXPECT_NE(FindFault("drives: {law: hers}\n").find("expected own, given"), std::string::npos);
   EXPECT_EQ(FindFault("about: mine\n"), "");
   EXPECT_THROW(LoadProfile("dexgraspbenhc-fc"), Error);
+}
+
+TEST(ProfileFile, NothingFallsByItself) {
+  EXPECT_EQ(ParseProfile("about: mine\n", "mine.yaml").sim.gravity, 0.0);
+  EXPECT_NE(FindFault("sim: {gravity_m_per_s2: 9.81}\n").find("acceleration_m_per_s2 says"),
+            std::string::npos);
+}
+
+TEST(ProfileFile, AFileDoesNotPassForAShippedProfile) {
+  const std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / "profile_file_test";
+  MakeFolder(folder);
+  const std::string own = (folder / "own.yaml").string();
+  WriteFile(own, "surfaces: {friction: 0}\n");
+  try {
+    LoadProfile(own);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kUsage);
+  }
+  WriteFile(own, ReadFile(FindDataRoot() / "datasets" / "profiles" / "own.yaml"));
+  EXPECT_EQ(LoadProfile(own).name, "own");
+  std::filesystem::remove_all(folder);
 }
 
 TEST(ProfileFile, EveryKeyHasAMeaning) {

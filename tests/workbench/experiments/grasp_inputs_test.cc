@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
+#include "core/hand/load_hand.h"
 #include "core/shape/obj_file.h"
 #include "core/shape/primitives.h"
 #include "tests/datasets/session/fake_session.h"
@@ -52,6 +53,63 @@ TEST(GraspInputs, WhatTheHandCannotDoIsNamed) {
     EXPECT_NE(std::string(error.what()).find("a.npy, grasp 0"), std::string::npos) << error.what();
     EXPECT_NE(std::string(error.what()).find("FFJ9"), std::string::npos) << error.what();
   }
+}
+
+/** Of the Shadow Hand, with all its joints at 0. */
+ForeignGrasp MakeOpen(const Hand& hand, int index, const std::string& object) {
+  ForeignGrasp grasp = MakeForeign(object);
+  grasp.index = index;
+  grasp.joint_names.clear();
+  for (const HandJoint& joint : hand.joints) grasp.joint_names.push_back(joint.name);
+  grasp.stages[0].joints.assign(hand.joints.size(), 0.0);
+  return grasp;
+}
+
+TEST(GraspInputs, WhatAVerdictDependsOnIsInTheDescription) {
+  const TemporaryFolder folder;
+  WriteFile(folder.path() / "cube.obj", FormatObj(MakeRoundedBox({1.0, 1.0, 1.0}, 0.0), 1.0));
+  const Hand hand = LoadHand("shadow");
+  const auto describe = [&](const ForeignGrasp& grasp) {
+    GraspCollection collection;
+    collection.grasps = {grasp};
+    return FormatJson(LoadGraspInputs(collection, "shadow", folder.path()).description);
+  };
+  const ForeignGrasp grasp = MakeOpen(hand, 0, "cube");
+  ForeignGrasp moved = grasp, bent = grasp, labelled = grasp;
+  moved.stages[0].X_OR.translation().x() += 1e-9;
+  bent.stages[0].joints.back() += 1e-9;
+  labelled.label = false;
+  EXPECT_EQ(describe(grasp), describe(grasp));
+  for (const ForeignGrasp& other : {moved, bent, labelled}) {
+    EXPECT_NE(describe(other), describe(grasp));
+  }
+}
+
+TEST(GraspInputs, AMeshThatIsOfNoUseDoesNotStopTheOthers) {
+  const TemporaryFolder folder;
+  WriteFile(folder.path() / "cube.obj", FormatObj(MakeRoundedBox({1.0, 1.0, 1.0}, 0.0), 1.0));
+  WriteFile(folder.path() / "open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const Hand hand = LoadHand("shadow");
+  GraspCollection collection;
+  collection.grasps = {MakeOpen(hand, 0, "open"), MakeOpen(hand, 1, "cube"),
+                       MakeOpen(hand, 2, "nowhere")};
+  collection.grasps.push_back(MakeOpen(hand, 3, "cube"));
+  collection.grasps.back().stages[0].name = "pregrasp";
+  const GraspInputs inputs = LoadGraspInputs(collection, "shadow", folder.path());
+  ASSERT_EQ(inputs.grasps.size(), 1u);
+  EXPECT_EQ(inputs.grasps[0].grasp.index, 1);
+  ASSERT_EQ(inputs.unread.size(), 3u);
+  EXPECT_NE(inputs.unread[1].reason.find("no mesh for \"nowhere\""), std::string::npos);
+  EXPECT_NE(inputs.unread[2].reason.find("not how it closes"), std::string::npos);
+}
+
+TEST(GraspInputs, TwoGraspsOfOneNameAreRefused) {
+  const TemporaryFolder folder;
+  WriteFile(folder.path() / "cube.obj", FormatObj(MakeRoundedBox({1.0, 1.0, 1.0}, 0.0), 1.0));
+  const Hand hand = LoadHand("shadow");
+  GraspCollection collection;
+  collection.grasps = {MakeOpen(hand, 0, "cube"), MakeOpen(hand, 0, "cube")};
+  EXPECT_THROW(LoadGraspInputs(collection, "shadow", folder.path()), Error);
 }
 
 // 1 mm and 1 degree: the verdict of a firm grasp stays, the course does not.

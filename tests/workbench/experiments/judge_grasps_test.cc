@@ -55,7 +55,7 @@ TEST(JudgeGrasps, VerdictsAreThoseOfMechanics) {
   EXPECT_TRUE(judged[0].result.passed) << judged[0].result.reason;
   EXPECT_FALSE(judged[1].result.passed);
   EXPECT_EQ(judged[1].result.failed_stage, "push -y") << judged[1].result.reason;
-  EXPECT_EQ(judged[2].result.failed_stage, "push -x") << judged[2].result.reason;
+  EXPECT_EQ(judged[2].result.failed_stage, "squeeze") << judged[2].result.reason;
   EXPECT_EQ(judged[2].result.touching, "");
   EXPECT_EQ(judged[0].label, "success");
   const JudgedSummary summary = SummariseJudged(judged, FindLimits(LoadGraspConfig(request.out)));

@@ -56,11 +56,20 @@ Json MakeJson(const JudgedSummary& summary) {
   return profiles;
 }
 
-void Judge(const JudgeGraspsOptions& options) {
-  const GraspInputs inputs = LoadGraspInputs(options.grasps.Read(), options.hand, options.objects);
-  for (const UnreadFile& file : inputs.unread) {
-    PrintMessage("warning: not judged: " + file.name + ": " + file.reason);
+void PrintUnread(const std::vector<UnreadFile>& unread) {
+  constexpr size_t kMostPrinted = 10;
+  for (size_t i = 0; i < unread.size() && i < kMostPrinted; ++i) {
+    PrintMessage("warning: not judged: " + unread[i].name + ": " + unread[i].reason);
   }
+  if (unread.size() <= kMostPrinted) return;
+  PrintMessage("warning: " + std::to_string(unread.size() - kMostPrinted) +
+               " more are not judged; the report names them");
+}
+
+/** Files or grasps that could not be judged do not stop the others, but scripts shall see them. */
+ExitCode Judge(const JudgeGraspsOptions& options) {
+  const GraspInputs inputs = LoadGraspInputs(options.grasps.Read(), options.hand, options.objects);
+  PrintUnread(inputs.unread);
   const JudgeGraspsRequest& request = options.request;
   const std::atomic<bool>& stop = CatchInterrupts();
   TerminalObserver observer(
@@ -79,20 +88,23 @@ void Judge(const JudgeGraspsOptions& options) {
   const JudgedSummary summary = SummariseJudged(judged, FindLimits(config));
   const std::filesystem::path report =
       WriteReportPage(request.out, MakeGraspsPage(config, judged, summary));
+  const ExitCode exit_code = inputs.unread.empty() ? kExitOk : kExitBadInput;
   if (options.json) {
-    return PrintJson({{"folder", request.out.string()},
-                      {"report", report.string()},
-                      {"grasps", inputs.grasps.size()},
-                      {"not_judged", inputs.unread.size()},
-                      {"profiles", MakeJson(summary)}});
+    PrintJson({{"folder", request.out.string()},
+               {"report", report.string()},
+               {"grasps", inputs.grasps.size()},
+               {"not_judged", inputs.unread.size()},
+               {"profiles", MakeJson(summary)}});
+    return exit_code;
   }
   PrintResult(FormatSummary(summary) + "\ntable    " + (request.out / "grasps.csv").string() +
               "\nreport   " + report.string() + "\n");
+  return exit_code;
 }
 
 }  // namespace
 
-void AddGraspsJudgeCommand(CLI::App& program, ExitCode&) {
+void AddGraspsJudgeCommand(CLI::App& program, ExitCode& exit_code) {
   const auto options = std::make_shared<JudgeGraspsOptions>();
   CLI::App& command = AddSubcommand(
       *program.get_subcommand("grasps"), "judge", "Judge grasps that others made under profiles.",
@@ -123,7 +135,7 @@ void AddGraspsJudgeCommand(CLI::App& program, ExitCode&) {
       ->required()
       ->option_text("DIR");
   AddJsonOption(command, options->json);
-  command.callback([options] { Judge(*options); });
+  command.callback([options, &exit_code] { exit_code = Judge(*options); });
 }
 
 }  // namespace graspbench

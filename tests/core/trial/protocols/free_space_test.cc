@@ -98,12 +98,12 @@ TEST(FreeSpace, AloneAnObjectFliesWithThePush) {
   EXPECT_EQ(result.closing_shift, 0.0) << "without a push it rests";
 }
 
-TEST(FreeSpace, AnEmptyHandFailsInTheFirstPush) {
+TEST(FreeSpace, AHandThatMissesTheObjectFailsWhereItShouldHoldIt) {
   Pinch pinch;
   for (ScriptedStage& stage : pinch.stages) stage.X_OH = MakePose(Vector3d(0.0, 0.0, 10.0));
   const FreeSpaceResult result = pinch.Run();
   EXPECT_FALSE(result.passed);
-  EXPECT_EQ(result.failed_stage, "push -x");
+  EXPECT_EQ(result.failed_stage, "squeeze");
   EXPECT_EQ(result.epsilon, 0.0);
   EXPECT_NE(result.reason.find("nothing touched it"), std::string::npos) << result.reason;
 }
@@ -127,7 +127,7 @@ TEST(FreeSpace, OpeningAfterTheGraspLetsGo) {
   const FreeSpaceResult result = pinch.Run();
   EXPECT_FALSE(result.passed);
   EXPECT_EQ(result.touching, "");
-  EXPECT_EQ(result.failed_stage, "push -x") << result.reason;
+  EXPECT_EQ(result.failed_stage, "squeeze") << result.reason;
 }
 
 TEST(FreeSpace, StartPenetrationIsAResult) {
@@ -167,11 +167,12 @@ TEST(FreeSpace, LiftsFromATable) {
   pinch.profile.acceleration = 10.0;
   pinch.profile.test_time = pinch.profile.check_interval = 0.4;
   pinch.profile.surfaces.friction = 0.8;  // 1.6 N above a weight of 1 N
+  double height = 0.01;
   const auto run = [&] {
     ProfiledScene scene =
         MakeProfiledScene(MakeProfiledHand(pinch.hand, pinch.profile, {true, true}),
                           MakeProfiledObject(pinch.object, pinch.profile),
-                          MakePose(Vector3d(0.0, 0.0, 0.01)), pinch.stages, pinch.profile);
+                          MakePose(Vector3d(0.0, 0.0, height)), pinch.stages, pinch.profile);
     return RunFreeSpace(scene, pinch.profile);
   };
   const FreeSpaceResult held = run();
@@ -181,6 +182,10 @@ TEST(FreeSpace, LiftsFromATable) {
   const FreeSpaceResult lost = run();
   EXPECT_EQ(lost.failed_stage, "lift") << lost.reason;
   EXPECT_NEAR(lost.worst_shift, pinch.profile.lift_height, 0.01) << "it stayed where it was";
+  height = -0.005;
+  const FreeSpaceResult sunk = run();
+  EXPECT_EQ(sunk.failed_stage, "start") << "the table would throw it out";
+  EXPECT_NE(sunk.reason.find("15.0 mm deep in the table"), std::string::npos) << sunk.reason;
 }
 
 TEST(FreeSpace, RefusesBeyondLimitsOnlyWhereTheProfileSaysSo) {
