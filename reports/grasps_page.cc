@@ -182,14 +182,16 @@ std::string MakeGraspsPage(const Json& config, const std::vector<JudgedGrasp>& j
       {"success", "Success", &DrawSuccess},
       {"agreement", "Agreement with the files", &DrawAgreement},
       {"transitions", "From profile to profile", &DrawTransitions},
-      {"failures", "Failures", &DrawFailures},
+      {"failed", "Failures", &DrawFailures},
       {"nearest", "Nearest the border", &DrawNearest},
       {"unread", "Not judged", &DrawUnread},
       {"profiles", "Profiles", &DrawProfiles},
       {"methods", "Methods", &DrawGraspsMethods}};
-  PageFrame frame = {"Grasps of others",
-                     FormatCount(summary.num_grasps, "grasp") + " under " +
-                         FormatCount(static_cast<int>(summary.profiles.size()), "profile")};
+  std::string subtitle = FormatCount(summary.num_grasps, "grasp") + " under " +
+                         FormatCount(static_cast<int>(summary.profiles.size()), "profile");
+  const size_t num_unread = config.value("unread", Json::array()).size();
+  if (num_unread > 0) subtitle += ", " + std::to_string(num_unread) + " not judged";
+  PageFrame frame = {"Grasps of others", subtitle};
   frame.commands = {"graspbench grasps judge FILES --objects DIR --out ANOTHER"};
   frame.facts = {{"Hand", config.value("hand", "")},
                  {"Hash of the configuration", CalcHashHex(FormatJson(config))}};

@@ -35,6 +35,16 @@ std::vector<fs::path> ListFiles(const std::string& path) {
   return files;
 }
 
+/** Results name a file as its folder does, wherever that lies. */
+std::string NameInside(std::string reason, const fs::path& file, const std::string& name) {
+  const std::string path = file.string();
+  for (size_t at = reason.find(path); at != std::string::npos; at = reason.find(path, at)) {
+    reason.replace(at, path.size(), name);
+    at += name.size();
+  }
+  return reason;
+}
+
 void OpenHand(const GraspReadOptions& options, ForeignGrasp& grasp) {
   std::vector<double> positions;
   for (const auto& [name, position] : options.open_joints) {
@@ -111,7 +121,7 @@ GraspCollection ReadGraspCollection(const std::vector<std::string>& paths,
           collection.grasps.push_back(std::move(grasp));
         }
       } catch (const Error& error) {
-        collection.unread.push_back({name, error.what()});
+        collection.unread.push_back({name, NameInside(error.what(), file, name)});
         if (error.kind() == ErrorKind::kUsage && !missing_option) missing_option = error;
       }
     }

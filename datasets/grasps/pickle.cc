@@ -50,10 +50,10 @@ class PickleMachine {
 
   std::string_view Take(uint64_t count) {
     if (count > bytes_.size() - at_) {
-      Fail(fmt::format("{} are announced, {} left; the file is truncated or damaged",
-                       FormatCount(static_cast<int64_t>(std::min<uint64_t>(count, INT64_MAX)),
-                                   "byte is", "bytes"),
-                       bytes_.size() - at_));
+      Fail(fmt::format(
+          "{} announced, {} left; the file is truncated or damaged",
+          FormatCount(static_cast<int64_t>(std::min<uint64_t>(count, INT64_MAX)), "byte", "bytes"),
+          bytes_.size() - at_));
     }
     const std::string_view taken = bytes_.substr(at_, count);
     at_ += count;

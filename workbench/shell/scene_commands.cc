@@ -287,7 +287,7 @@ void ChangeSetting(Shell& shell, const ShellArguments& arguments) {
   if (known.empty()) {
     throw Error(ErrorKind::kUsage, "no setting has \"" + key + "\" in its name" +
                                        SuggestNames(key, ListSettingKeys(choice.config)) +
-                                       "; set lists them");
+                                       " (set lists them)");
   }
   if (arguments.size() < 2) return PrintResult(known);
   ApplySetting(key + "=" + TakeUnitOff(key, arguments[1]), choice.config);

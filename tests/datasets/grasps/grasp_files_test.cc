@@ -82,6 +82,8 @@ TEST_F(GraspFiles, ALinkToItselfIsAFileThatCannotBeRead) {
   EXPECT_EQ(collection.grasps.size(), 1u);
   ASSERT_EQ(collection.unread.size(), 1u);
   EXPECT_EQ(collection.unread[0].name, "loop");
+  EXPECT_EQ(collection.unread[0].reason.find(folder_.string()), std::string::npos)
+      << "a result holds no path of a machine: " << collection.unread[0].reason;
 }
 
 TEST_F(GraspFiles, EveryFormatIsKnownByItsContent) {

@@ -65,7 +65,7 @@ TEST(GraspRefusals, Dexgraspbench) {
        {"bad_empty.npy", "is empty"},
        {"bad_plain_array.npy", "an array of plain numbers; expected a dictionary"},
        {"bad_shape_lies.npy", "an array of 30 elements (8 bytes each) has 232 bytes"},
-       {"bad_size_lies.npy", "2147483647 bytes are announced"},
+       {"bad_size_lies.npy", "2147483647 bytes announced"},
        {"bad_header_lies.npy", "byte 8: a header of 65535 bytes"},
        {"bad_cycle.npy", "grasp_qpos is a list, expected numbers"},
        {"bad_set.npy", "operation 0x8f, which plain values"},

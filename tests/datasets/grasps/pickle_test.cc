@@ -79,7 +79,7 @@ TEST(Pickle, SizesThatLie) {
   EXPECT_TRUE(Has(ErrorOf(std::string("\x80\x04\x8d\xff\xff\xff\xff\xff\xff\xff\xff"
                                       "a.",
                                       13)),
-                  "are announced, 2 left"));
+                  "announced, 2 left"));
   // An array of 3 numbers of 8 bytes in 5 bytes.
   const std::string dtype = std::string("cnumpy\ndtype\nX\x02\0\0\0f8\x89\x88\x87R", 24);
   const std::string start(
