@@ -21,13 +21,13 @@ std::string MakeSessionReport(const Session& session, const SessionSummary& summ
                               const SessionViews& views) {
   const ReportData data = {session,     summary,  models,     pictures,
                            sensitivity, numerics, thresholds, views.body};
-  const std::string subtitle = FormatCount(static_cast<int>(summary.hands.size()), "hand") + ", " +
-                               FormatCount(static_cast<int>(summary.objects.size()), "object") +
-                               ", " + FormatCount(static_cast<int>(summary.cells.size()), "condition") +
-                               ", " + std::to_string(summary.total.finished) + " of " +
-                               FormatCount(summary.total.planned, "planned trial") +
-                               " finished, seed " + std::to_string(session.config.seed) +
-                               DescribeDamage(session.damage);
+  const std::string subtitle =
+      FormatCount(static_cast<int>(summary.hands.size()), "hand") + ", " +
+      FormatCount(static_cast<int>(summary.objects.size()), "object") + ", " +
+      FormatCount(static_cast<int>(summary.cells.size()), "condition") + ", " +
+      std::to_string(summary.total.finished) + " of " +
+      FormatCount(summary.total.planned, "planned trial") + " finished, seed " +
+      std::to_string(session.config.seed) + DescribeDamage(session.damage);
   PageFrame frame = {"Grasp benchmark session", subtitle};
   frame.commands = {"graspbench run DIR/session.json --out ANOTHER", "graspbench report DIR"};
   frame.facts = {

@@ -4,6 +4,7 @@
 #include <GL/osmesa.h>
 #include <dlfcn.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 
 #include <array>
 #include <cstdlib>
@@ -31,16 +32,21 @@ Function FindSymbol(void* handle, const char* name, const std::string& library) 
 }
 
 /** Mesa keeps compiled shaders, half a second of work, in a folder that only this user can write: it
-runs what it finds there. Without one it compiles them every time. A user's own setting wins. */
+runs what it finds there. Without one it compiles them every time, also where address space is
+limited, of which keeping takes some 60 MB. A user's own setting wins. */
 void KeepShaders() {
   if (std::getenv("MESA_SHADER_CACHE_DIR") || std::getenv("MESA_SHADER_CACHE_DISABLE")) return;
   try {
-    const std::filesystem::path folder = FindCacheRoot() / "shaders";
-    MakePrivateFolder(folder);
-    setenv("MESA_SHADER_CACHE_DIR", folder.c_str(), /*overwrite=*/0);
-  } catch (const Error&) {
-    setenv("MESA_SHADER_CACHE_DISABLE", "true", /*overwrite=*/0);
+    rlimit space{};
+    if (::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur == RLIM_INFINITY) {
+      const std::filesystem::path folder = FindCacheRoot() / "shaders";
+      MakePrivateFolder(folder);
+      setenv("MESA_SHADER_CACHE_DIR", folder.c_str(), /*overwrite=*/0);
+      return;
+    }
+  } catch (const Error&) {  // no folder: as without room
   }
+  setenv("MESA_SHADER_CACHE_DISABLE", "true", /*overwrite=*/0);
 }
 
 }  // namespace

@@ -49,7 +49,8 @@ const ShellCommand& FindCommand(const std::string& given) {
   if (beginnings.size() == 1) return *beginnings.front();
   if (beginnings.empty()) {
     throw Error(ErrorKind::kUsage, "unknown command \"" + given + "\"" +
-                                       SuggestNames(given, ListCommandNames()) + " (help lists them)");
+                                       SuggestNames(given, ListCommandNames()) +
+                                       " (help lists them)");
   }
   std::string text;
   for (const ShellCommand* command : beginnings) {
