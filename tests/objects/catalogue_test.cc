@@ -124,7 +124,7 @@ TEST_F(CatalogueTest, AWrongSizeAndACentreOfMassOutsideAreRefused) {
 
 TEST_F(CatalogueTest, UnknownNamesAndBareMeshesAreExplained) {
   EXPECT_EQ(FindMessage("tenis_ball", ErrorKind::kNotFound)
-                .find("no object and no folder \"tenis_ball\"; did you mean \"tennis_ball\"? "),
+                .find("no object and no folder \"tenis_ball\"; did you mean \"tennis_ball\"?"),
             0u);
   Write(kYaml, box_);
   EXPECT_NE(FindMessage((folder_ / "box.obj").string(), ErrorKind::kUsage)

@@ -16,7 +16,8 @@ TEST(MapResult, TellsWhatWasPlantedInEveryForm) {
   ASSERT_NE(cell, nullptr);
   EXPECT_NEAR(cell->estimate, -1.0 / 3.0, 1e-12) << "all lost by 0.3 s";
   EXPECT_EQ(cell->changed.size(), 3u);
-  ASSERT_EQ(result.findings().size(), 1u);
+  ASSERT_EQ(result.findings().size(), 3u) << "over all regions, by region, by object";
+  EXPECT_NE(result.findings()[2].find("By object"), std::string::npos);
   EXPECT_EQ(result.findings()[0].rfind("tum: matters.", 0), 0u) << result.findings()[0];
   const Json json = ToJson(result);
   EXPECT_EQ(json["parts"][0]["id"], "success");
