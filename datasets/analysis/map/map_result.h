@@ -35,7 +35,8 @@ MapResult LoadMap(const Session& session);
 /** map.csv: a row for each cell of every part; map_objects.csv: a row for each object. */
 std::vector<ExportTable> MakeMapTables(const MapResult& result);
 
-/** {findings: [..], parts: [{id, trials, planned, factors, cells}], objects: [..], natural: {HAND: ..}}. */
+/** {findings: [..], parts: [{id, trials, planned, factors, cells}], objects: [..],
+natural: {HAND: ..}}. */
 Json ToJson(const MapResult& result);
 
 }  // namespace graspbench
