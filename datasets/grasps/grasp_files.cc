@@ -35,16 +35,6 @@ std::vector<fs::path> ListFiles(const std::string& path) {
   return files;
 }
 
-/** Results name a file as its folder does, wherever that lies. */
-std::string NameInside(std::string reason, const fs::path& file, const std::string& name) {
-  const std::string path = file.string();
-  for (size_t at = reason.find(path); at != std::string::npos; at = reason.find(path, at)) {
-    reason.replace(at, path.size(), name);
-    at += name.size();
-  }
-  return reason;
-}
-
 void OpenHand(const GraspReadOptions& options, ForeignGrasp& grasp) {
   std::vector<double> positions;
   for (const auto& [name, position] : options.open_joints) {
@@ -55,6 +45,16 @@ void OpenHand(const GraspReadOptions& options, ForeignGrasp& grasp) {
 }
 
 }  // namespace
+
+std::string NameInside(std::string reason, const std::filesystem::path& file,
+                       const std::string& name) {
+  const std::string path = file.string();
+  for (size_t at = reason.find(path); at != std::string::npos; at = reason.find(path, at)) {
+    reason.replace(at, path.size(), name);
+    at += name.size();
+  }
+  return reason;
+}
 
 const std::vector<GraspFormat>& ListGraspFormats() {
   static const std::vector<GraspFormat> formats = {

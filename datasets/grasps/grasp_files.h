@@ -2,6 +2,7 @@
 /** @file
 Files of grasps that somebody else made: one file, or all that a folder holds. */
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -44,5 +45,9 @@ that leaves no grasp at all. */
 GraspCollection ReadGraspCollection(const std::vector<std::string>& paths,
                                     const std::string& format,
                                     const GraspReadOptions& options = {});
+
+/** A reason that names a file by `name`, as its folder does: results hold no path of a machine. */
+std::string NameInside(std::string reason, const std::filesystem::path& file,
+                       const std::string& name);
 
 }  // namespace graspbench

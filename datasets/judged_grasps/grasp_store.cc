@@ -42,7 +42,7 @@ const std::vector<CsvColumn<JudgedGrasp>>& ListColumns() {
        [](J j) { return Json(j.result.num_stood); }},
       {"worst_shift_m", "number", "m", "of the object, in all looks",
        [](J j) { return JsonNumber(j.result.worst_shift); }},
-      {"worst_turn_deg", "number", "deg", "likewise",
+      {"worst_turn_deg", "number", "deg", "turn of the object, in all looks",
        [](J j) { return JsonNumber(j.result.worst_turn_deg); }}};
   return columns;
 }

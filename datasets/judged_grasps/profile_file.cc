@@ -77,7 +77,7 @@ const FileKeys& ListProfileKeys() {
         {"lift_height_m", "", "of a lift", 0, 1},
         {"max_start_penetration_m", "", "of hand and object at the first stage", 0, 0.1},
         {"max_shift_m", "", "of the object from where it began", kAboveZero, 10},
-        {"max_turn_deg", "", "likewise", kAboveZero, 360}};
+        {"max_turn_deg", "", "of the object from how it began", kAboveZero, 360}};
     for (const FileKey& row : ListSessionKeys()) {
       if (row.key.rfind("sim.", 0) == 0) rows.push_back(row);
     }

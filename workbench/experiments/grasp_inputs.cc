@@ -69,8 +69,12 @@ class ObjectLoader {
     } catch (const Error& error) {
       loaded_.erase(key);
       if (ExitCodeOf(error.kind()) == kExitEnvironment) throw;  // of the machine, not of the mesh
-      refused_.emplace(key, error);
-      throw;
+      const fs::path mesh = FindObjectMesh(folder_, name);
+      const std::string inside = mesh.lexically_relative(folder_).generic_string();
+      const Error named(error.kind(),
+                        mesh.empty() ? error.what() : NameInside(error.what(), mesh, inside));
+      refused_.emplace(key, named);
+      throw named;
     }
   }
 
@@ -96,9 +100,9 @@ class ObjectLoader {
       return LoadObject(name);
     }
     throw Error(ErrorKind::kNotFound,
-                "no mesh for \"" + name + "\" in \"" + (folder_.empty() ? "." : folder_.string()) +
-                    "\", where it is looked for by its whole path and by every end of it; name "
-                    "the folder with --objects");
+                "no mesh for \"" + name +
+                    "\" in the folder of --objects, where it is looked for by its whole path and "
+                    "by every end of it");
   }
 };
 

@@ -99,6 +99,11 @@ TEST(GraspInputs, AMeshThatIsOfNoUseDoesNotStopTheOthers) {
   ASSERT_EQ(inputs.grasps.size(), 1u);
   EXPECT_EQ(inputs.grasps[0].grasp.index, 1);
   ASSERT_EQ(inputs.unread.size(), 3u);
+  for (const UnreadFile& file : inputs.unread) {
+    EXPECT_EQ(file.reason.find(folder.path().string()), std::string::npos)
+        << "a result holds no path of a machine: " << file.reason;
+  }
+  EXPECT_NE(inputs.unread[0].reason.find("open.obj"), std::string::npos);
   EXPECT_NE(inputs.unread[1].reason.find("no mesh for \"nowhere\""), std::string::npos);
   EXPECT_NE(inputs.unread[2].reason.find("not how it closes"), std::string::npos);
 }
