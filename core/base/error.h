@@ -50,7 +50,8 @@ enum ExitCode : int {
 ExitCode ExitCodeOf(ErrorKind kind);
 
 /** "; did you mean "mug"? Known: a, b, c" for a misspelt name; at most 24 names are listed,
-none where more than 8 stand beside a suggestion. The suggestion is left out when nothing known is within a third of the name's length in edits. */
+none where more than 8 stand beside a suggestion. The suggestion is left out when nothing known is
+within a third of the name's length in edits. */
 std::string SuggestNames(std::string_view misspelt, const std::vector<std::string>& known);
 
 namespace internal {
