@@ -121,10 +121,12 @@ class OutputContract : public testing::TestWithParam<WritingCommand> {
     std::string line = Replace(GetParam().line, "IN", (top_ / "in").string());
     line = Replace(line, "OUT", out);
     const std::string log = top_.string() + ".log";
+    // What one line prepares of a mesh serves the next, in another process.
+    const std::string cache =
+        fs::path(GRASPBENCH_PROGRAM).replace_filename("contract_cache").string();
     const int status = std::system(
         ("cd '" + top_.string() + "' && HOME='" + (top_ / "home").string() + "' XDG_CACHE_HOME='" +
-         testing::TempDir() + "/contract_cache' '" GRASPBENCH_PROGRAM "' " + line + " >'" + log +
-         "' 2>&1 </dev/null")
+         cache + "' '" GRASPBENCH_PROGRAM "' " + line + " >'" + log + "' 2>&1 </dev/null")
             .c_str());
     printed_ = ReadFile(log);
     fs::remove(log);

@@ -8,13 +8,13 @@
 namespace graspbench {
 namespace {
 
-const std::filesystem::path kFolder = testing::TempDir();
+std::filesystem::path Folder() { return testing::TempDir(); }
 
 TEST(SaveRecording, C3dAndTsvComeBackWithTheSamePositions) {
   const Recording original = MakeSyntheticRecording(40, 3);
   for (const char* name : {"copy.c3d", "copy.tsv"}) {
-    SaveRecording(kFolder / name, original);
-    const Recording read = LoadRecording(kFolder / name);
+    SaveRecording(Folder() / name, original);
+    const Recording read = LoadRecording(Folder() / name);
     ASSERT_EQ(read.points.size(), 3u) << name;
     EXPECT_EQ(read.rate, 100.0);
     EXPECT_EQ(read.first_frame, 5);
@@ -41,8 +41,8 @@ TEST(SaveRecording, CsvIsInMetresWithTheStateOfEverySample) {
   recording.points[0].Append(100.5, 0.0, -2.0);
   recording.points[0].Append(NAN, 0.0, 0.0);
   SetLengthUnit(recording, "mm", "test");
-  SaveRecording(kFolder / "plain.csv", recording);
-  EXPECT_EQ(ReadFile(kFolder / "plain.csv"),
+  SaveRecording(Folder() / "plain.csv", recording);
+  EXPECT_EQ(ReadFile(Folder() / "plain.csv"),
             "frame,time_s,tip_ left_x_m,tip_ left_y_m,tip_ left_z_m,tip_ left_state\n"
             "7,0.12,0.1005,0,-0.002,measured\n8,0.14,,,,invalid\n");
 }
@@ -52,12 +52,12 @@ TEST(SaveRecording, NoLabelIsRunByASpreadsheet) {
            {"=1+2", "_1+2"}, {"-5", "_5"}, {"@cmd", "_cmd"}, {"'=x", "_=x"}, {"R+", "R+"}}) {
     Recording recording = MakeSyntheticRecording(2, 1);
     recording.points[0].label = label;
-    SaveRecording(kFolder / "label.csv", recording);
-    EXPECT_EQ(ReadFile(kFolder / "label.csv").substr(0, 14 + kept.size()),
+    SaveRecording(Folder() / "label.csv", recording);
+    EXPECT_EQ(ReadFile(Folder() / "label.csv").substr(0, 14 + kept.size()),
               "frame,time_s," + kept + "_")
         << label;
-    SaveRecording(kFolder / "label.tsv", recording);
-    EXPECT_EQ(LoadRecording(kFolder / "label.tsv").points[0].label, kept);
+    SaveRecording(Folder() / "label.tsv", recording);
+    EXPECT_EQ(LoadRecording(Folder() / "label.tsv").points[0].label, kept);
   }
 }
 
@@ -66,8 +66,8 @@ TEST(SaveRecording, WhatIsNoPositionIsLeftOutAndCounted) {
   recording.points[1].unit = "deg";
   recording.points[1].metres_per_unit = NAN;
   for (const char* name : {"positions.c3d", "positions.tsv"}) {
-    EXPECT_EQ(SaveRecording(kFolder / name, recording), 1u);
-    const Recording read = LoadRecording(kFolder / name);
+    EXPECT_EQ(SaveRecording(Folder() / name, recording), 1u);
+    const Recording read = LoadRecording(Folder() / name);
     ASSERT_EQ(read.points.size(), 2u);
     EXPECT_EQ(read.points[1].label, "P3");
     EXPECT_EQ(read.points[1].xyz[0], recording.points[2].xyz[0]);
@@ -78,7 +78,7 @@ TEST(SaveRecording, RefusalsSayWhatToDo) {
   Recording recording = MakeSyntheticRecording(4, 1);
   const auto fault = [&](const char* name) -> std::string {
     try {
-      SaveRecording(kFolder / name, recording);
+      SaveRecording(Folder() / name, recording);
     } catch (const Error& error) {
       return error.what();
     }

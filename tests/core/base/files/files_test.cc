@@ -13,24 +13,24 @@
 namespace graspbench {
 namespace {
 
-const std::filesystem::path kTemporary = testing::TempDir();
+std::filesystem::path Temporary() { return testing::TempDir(); }
 
 TEST(Files, WriteThenReadGivesTheSameBytes) {
   const std::string bytes("a\0b\r\n\xff", 6);
-  WriteFileAtomically(kTemporary / "bytes", bytes);
-  EXPECT_EQ(ReadFile(kTemporary / "bytes"), bytes);
+  WriteFileAtomically(Temporary() / "bytes", bytes);
+  EXPECT_EQ(ReadFile(Temporary() / "bytes"), bytes);
 }
 
 TEST(Files, AFileWrittenWithoutWaitingIsReplacedWhole) {
-  const std::filesystem::path path = kTemporary / "quick";
+  const std::filesystem::path path = Temporary() / "quick";
   WriteFile(path, "a longer text");
   WriteFile(path, "short");
   EXPECT_EQ(ReadFile(path), "short");
-  EXPECT_NO_THROW(SyncFileSystem(kTemporary));
+  EXPECT_NO_THROW(SyncFileSystem(Temporary()));
 }
 
 TEST(Files, APartOfAKilledProcessIsRemovedAndThatOfALivingOneIsNot) {
-  const std::filesystem::path folder = kTemporary / "parts";
+  const std::filesystem::path folder = Temporary() / "parts";
   std::filesystem::remove_all(folder);
   MakeFolder(folder);
   const std::string path = (folder / "results").string();
@@ -70,7 +70,7 @@ TEST(Files, AMissingFileIsNamed) {
   }
 }
 
-TEST(Files, AFolderIsNotAFile) { EXPECT_THROW(ReadFile(kTemporary), Error); }
+TEST(Files, AFolderIsNotAFile) { EXPECT_THROW(ReadFile(Temporary()), Error); }
 
 TEST(Files, AnUnwritablePlaceGivesTheSystemsReason) {
   for (const auto write : {WriteFile, WriteFileAtomically}) {
@@ -85,7 +85,7 @@ TEST(Files, AnUnwritablePlaceGivesTheSystemsReason) {
 }
 
 TEST(Files, DevicesAndPipesAreNoFiles) {
-  const std::filesystem::path pipe = kTemporary / "pipe";
+  const std::filesystem::path pipe = Temporary() / "pipe";
   std::filesystem::remove(pipe);
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   for (const std::string& path : {pipe.string(), std::string("/dev/zero")}) {
@@ -115,7 +115,7 @@ TEST(Files, TheCacheHasAHome) {
 }
 
 TEST(Files, PrivateFoldersAreTheirOwnersAlone) {
-  const std::filesystem::path folder = kTemporary / "private" / "inner";
+  const std::filesystem::path folder = Temporary() / "private" / "inner";
   MakePrivateFolder(folder);
   EXPECT_TRUE(IsPrivateFolder(folder));
   EXPECT_EQ(std::filesystem::status(folder).permissions(), std::filesystem::perms::owner_all);
@@ -132,12 +132,12 @@ TEST(Files, PrivateFoldersAreTheirOwnersAlone) {
 }
 
 TEST(Files, MakesAndSyncsFolders) {
-  MakeFolder(kTemporary / "a" / "b");
-  MakeFolder(kTemporary / "a" / "b");
-  SyncFolder(kTemporary / "a");
-  EXPECT_TRUE(std::filesystem::is_directory(kTemporary / "a" / "b"));
+  MakeFolder(Temporary() / "a" / "b");
+  MakeFolder(Temporary() / "a" / "b");
+  SyncFolder(Temporary() / "a");
+  EXPECT_TRUE(std::filesystem::is_directory(Temporary() / "a" / "b"));
   try {
-    SyncFolder(kTemporary / "a" / "none");
+    SyncFolder(Temporary() / "a" / "none");
     FAIL();
   } catch (const Error& e) {
     EXPECT_EQ(e.kind(), ErrorKind::kIo);
