@@ -83,7 +83,7 @@ Html DrawAssumptions(const DrawnGrasp& drawn) {
 
 Html DrawMethods(const DrawnGrasp& drawn) {
   return MakeMethodsText(
-      {"A grasp of " + drawn.data.object->name + " was judged with graspbench " +
+      {"A grasp of " + drawn.data.object_name + " was judged with graspbench " +
        std::string(program_version()) + " on the " + drawn.data.hand->name + " under the profile " +
        drawn.data.profile.name +
        ": the hand began around the object at the first stage, was driven through the others, and "
@@ -96,7 +96,7 @@ Html DrawMethods(const DrawnGrasp& drawn) {
 std::string MakeGraspPage(const GraspPageData& data) {
   TrialViews views;
   DrawnGrasp drawn = {data, {}};
-  const std::string scene = data.hand->name + ", " + data.object->name;
+  const std::string scene = data.hand->name + ", " + data.object_name;
   drawn.course = views.Add({data.hand, data.object, MakeTraced(data.traced), "view", scene});
   drawn.course += views.MakeModels();
   static const std::vector<PageSection<DrawnGrasp>> sections = {

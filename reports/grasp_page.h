@@ -12,7 +12,8 @@ of its stages and of the push or lift that decides, what was measured, the profi
 namespace graspbench {
 
 struct GraspPageData {
-  std::string name;  ///< "mug.npy, grasp 3"
+  std::string name;         ///< "mug.npy, grasp 3"
+  std::string object_name;  ///< as the file has it
   std::shared_ptr<const Hand> hand;
   std::shared_ptr<const GraspObject> object;
   FreeSpaceProfile profile;

@@ -30,6 +30,7 @@ Problems FindProblems(const FreeSpaceProfile& profile) {
   CheckWord(kOwnOrGiven, "drives.law", profile.drives.law, problems);
   CheckWord(kBeyondLimits, "drives.beyond_limits", profile.drives.beyond_limits, problems);
   CheckWord(kOwnOrGiven, "surfaces.pads", profile.surfaces.pads, problems);
+  CheckWord(kStageChoices, "closing.stages", profile.closing.stages, problems);
   CheckWord(kClosingRules, "closing.to", profile.closing.to, problems);
   CheckWord(kProfileTests, "test", profile.test, problems);
   if (profile.sim.gravity != 0.0) {
@@ -52,7 +53,7 @@ const FileKeys& ListProfileKeys() {
         {"drives.stiffness_nm_per_rad", "", "of a given drive", 0, 1e4},
         {"drives.damping_nms_per_rad", "", "of a given drive, with that of its joint", 0, 1e3},
         {"drives.friction_nm", "", "of a given drive, sticking and sliding", 0, 10},
-        {"drives.torque_limit_nm", "", "of a given drive", kAboveZero, 1e3},
+        {"drives.torque_limit_nm", "", "of a given drive; 0: the hand's own", 0, 1e3},
         {"drives.free_distal", "",
          "joints that a finger's middle joint moves along have a drive of their own"},
         {"drives.beyond_limits", "",
@@ -63,6 +64,9 @@ const FileKeys& ListProfileKeys() {
         {"surfaces.torsion_radius_m", "",
          "resists spin up to friction times normal force times this; of given pads", 0, 0.1},
         {"surfaces.friction", "", "of hand and object, and of the hand with itself", 0, 5},
+        {"closing.stages", "",
+         "those of the grasp that the hand goes through: all; first, to close from the open hand; "
+         "grasp, to begin at it"},
         {"closing.to", "",
          "what the joints are asked for after the last stage: stated, as it says; press, beyond it "
          "where a link touches; limits, closed as far as they go"},

@@ -34,6 +34,15 @@ inline constexpr BeyondLimitsRow kBeyondLimits[] = {{BeyondLimits::kRefuse, "ref
                                                     {BeyondLimits::kClip, "clip"},
                                                     {BeyondLimits::kIgnore, "ignore"}};
 
+/** Which of a grasp's stages the hand goes through. */
+enum class StageChoice { kAll, kFirst, kGrasp };
+struct StageChoiceRow {
+  StageChoice value;
+  const char* name;
+};
+inline constexpr StageChoiceRow kStageChoices[] = {
+    {StageChoice::kAll, "all"}, {StageChoice::kFirst, "first"}, {StageChoice::kGrasp, "grasp"}};
+
 /** What the joints are asked for after the last stage (closing_stage.h). */
 enum class ClosingRule { kStated, kPress, kLimits };
 struct ClosingRuleRow {
@@ -64,7 +73,7 @@ struct ProfileDrives {
   double stiffness = 5.0;     ///< [N m/rad]
   double damping = 0.05;      ///< [N m s/rad]
   double friction = 0.01;     ///< [N m]
-  double torque_limit = 3.0;  ///< [N m]
+  double torque_limit = 3.0;  ///< 0: the hand's own [N m]
   ///@}
   bool free_distal = false;  ///< joints that follow another have a drive of their own
   std::string beyond_limits = "clip";
@@ -95,6 +104,7 @@ struct ProfileSurfaces {
 };
 
 struct ProfileClosing {
+  std::string stages = "all";  ///< grasp: that of this name, else the last
   std::string to = "stated";
   double press = 1.0;          ///< of joints, by the distance a point would move [rad/m]
   double press_reach = 0.001;  ///< of points that press: their distance from the object [m]
@@ -103,6 +113,7 @@ struct ProfileClosing {
 
   template <class V>
   void Visit(V&& v) {
+    v("stages", stages);
     v("to", to);
     v("press_rad_per_m", press);
     v("press_reach_m", press_reach);

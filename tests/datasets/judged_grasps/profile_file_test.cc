@@ -83,6 +83,7 @@ TEST(ProfileFile, MultiGripperGraspAsPublished) {
   EXPECT_EQ(fall.stage_time, 0.7);
   const FreeSpaceProfile axes = LoadProfile("multigripper-axes");
   EXPECT_EQ(axes.test, "pushes");
+  EXPECT_FALSE(axes.closing.object_is_held);
   EXPECT_EQ(axes.acceleration, 0.5);
   EXPECT_EQ(axes.test_time, 0.5);
   EXPECT_EQ(axes.max_shift, 0.02);

@@ -27,6 +27,7 @@ void Show(const ShowGraspOptions& options) {
   const GraspInput& input = FindGraspInput(inputs, options.number);
   GraspPageData data;
   data.name = NameGrasp(input.grasp);
+  data.object_name = input.grasp.object;
   data.hand = inputs.hand;
   data.object = input.object;
   data.profile = profile;
