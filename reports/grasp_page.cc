@@ -56,6 +56,7 @@ Html DrawMeasures(const DrawnGrasp& drawn) {
   };
   add("Hand in the object at the start [mm]", FormatFixed(MmFromM(result.start_penetration), 2));
   add("Hand in itself at the second stage [mm]", FormatFixed(MmFromM(result.self_penetration), 2));
+  add("Joints asked beyond their limits", std::to_string(result.num_beyond_limits));
   add("Touching after the last stage", result.touching);
   add("Grip then, sum of normal forces [N]", FormatFixed(result.grip_force, 2));
   add("Epsilon then, ferrari-canny", FormatFixed(result.epsilon, 4));

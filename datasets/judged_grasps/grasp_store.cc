@@ -26,6 +26,8 @@ const std::vector<CsvColumn<JudgedGrasp>>& ListColumns() {
       {"failed_stage", "string", "", "where it failed",
        [](J j) { return Json(j.result.failed_stage); }},
       {"reason", "string", "", "why", [](J j) { return Json(j.result.reason); }},
+      {"num_beyond_limits", "integer", "", "joints that a stage asks for more than their limits",
+       [](J j) { return Json(j.result.num_beyond_limits); }},
       {"start_penetration_m", "number", "m", "of hand and object at the first stage",
        [](J j) { return JsonNumber(j.result.start_penetration); }},
       {"self_penetration_m", "number", "m", "of the hand in itself at the second stage",

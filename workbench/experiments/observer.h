@@ -42,7 +42,7 @@ inline constexpr StageRow kStages[] = {
     {StageKind::kComparison, "comparison", "search", "searches", "run", "evaluations", false},
     {StageKind::kDevelopment, "development", "grasp", "grasps", "develop", "trials", false},
     {StageKind::kReplay, "replay", "trial", "trials", "replay", "trials", true},
-    {StageKind::kGrasps, "grasps", "verdict", "verdicts", "find", "verdicts", true}};
+    {StageKind::kGrasps, "grasps", "verdict", "verdicts", "find", "verdicts", false}};
 
 /** A part of an experiment with a progress of its own. */
 struct Stage {

@@ -85,6 +85,7 @@ class FreeSpaceRun {
   }
 
   FreeSpaceResult Run() {
+    result_.num_beyond_limits = scene_.num_beyond_limits;
     if (!scene_.refusal.empty()) return Fail("limits", scene_.refusal);
     const ScriptedStage& second = scene_.stages[std::min<size_t>(1, scene_.stages.size() - 1)];
     result_.start_penetration = FindOverlaps(scene_, scene_.stages.front(), profile_.sim).object;

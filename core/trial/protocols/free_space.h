@@ -34,6 +34,7 @@ struct FreeSpaceResult {
   std::string failed_stage;        ///< "limits", "start", a stage, "push +x", "lift"; empty: passed
   std::string reason;              ///< one sentence for a person; empty: passed
   bool is_numerical = false;       ///< the simulation gave up, which tells nothing of the grasp
+  int num_beyond_limits = 0;       ///< joints that a stage asks for more than their limits
   double start_penetration = 0.0;  ///< of hand and object at the first stage [m]
   double self_penetration = 0.0;   ///< of the hand in itself at the second stage [m]
   std::string touching;            ///< digits on the object after the last stage: "TH FF palm"
@@ -62,6 +63,7 @@ struct FreeSpaceResult {
     field("failed_stage", &R::failed_stage);
     field("reason", &R::reason);
     field("is_numerical", &R::is_numerical);
+    field("num_beyond_limits", &R::num_beyond_limits);
     field("start_penetration_m", &R::start_penetration);
     field("self_penetration_m", &R::self_penetration);
     field("touching", &R::touching);

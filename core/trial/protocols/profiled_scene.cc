@@ -121,15 +121,21 @@ ProfiledScene MakeProfiledScene(std::shared_ptr<const Hand> hand,
                                 std::shared_ptr<const GraspObject> object, const Pose& X_WO,
                                 std::vector<ScriptedStage> stages,
                                 const FreeSpaceProfile& profile) {
-  ProfiledScene scene{std::move(hand), std::move(object), X_WO,
-                      ChooseStages(std::move(stages), profile.closing.stages), ""};
+  ProfiledScene scene{std::move(hand),
+                      std::move(object),
+                      X_WO,
+                      ChooseStages(std::move(stages), profile.closing.stages),
+                      0,
+                      ""};
   const BeyondLimits beyond =
       RowFromName(kBeyondLimits, profile.drives.beyond_limits, "rule for limits").value;
+  std::vector<bool> is_joint_beyond(scene.hand->joints.size(), false);
   for (ScriptedStage& stage : scene.stages) {
     for (size_t j = 0; j < scene.hand->joints.size(); ++j) {
       const HandJoint& joint = scene.hand->joints[j];
       double& q = stage.q[static_cast<Eigen::Index>(j)];
       const bool is_beyond = q < joint.lower - kLimitTolerance || q > joint.upper + kLimitTolerance;
+      if (is_beyond) is_joint_beyond[j] = true;
       if (is_beyond && beyond == BeyondLimits::kRefuse && scene.refusal.empty()) {
         scene.refusal = DescribeViolation(joint, stage.name, q);
       }
@@ -137,6 +143,8 @@ ProfiledScene MakeProfiledScene(std::shared_ptr<const Hand> hand,
     }
     ApplyMiddleFirst(*scene.hand, stage.q);
   }
+  scene.num_beyond_limits =
+      static_cast<int>(std::count(is_joint_beyond.begin(), is_joint_beyond.end(), true));
   return scene;
 }
 

@@ -25,7 +25,8 @@ struct ProfiledScene {
   std::shared_ptr<const GraspObject> object;
   Pose X_WO = Pose::Identity();
   std::vector<ScriptedStage> stages;
-  std::string refusal;  ///< why the profile takes no such grasp; empty: it does
+  int num_beyond_limits = 0;  ///< joints that a stage asks for more than their limits
+  std::string refusal;        ///< why the profile takes no such grasp; empty: it does
 };
 
 /** The hand with the profile's drives and surfaces. @param is_asked  by joint: the stages say where

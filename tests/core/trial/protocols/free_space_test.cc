@@ -194,10 +194,13 @@ TEST(FreeSpace, RefusesBeyondLimitsOnlyWhereTheProfileSaysSo) {
   pinch.profile.drives.beyond_limits = "refuse";
   const FreeSpaceResult result = pinch.Run();
   EXPECT_EQ(result.failed_stage, "limits");
+  EXPECT_EQ(result.num_beyond_limits, 1);
   EXPECT_NE(result.reason.find(pinch.hand.joints[0].name), std::string::npos) << result.reason;
   for (const char* rule : {"clip", "ignore"}) {
     pinch.profile.drives.beyond_limits = rule;
-    EXPECT_NE(pinch.Run().failed_stage, "limits");
+    const FreeSpaceResult other = pinch.Run();
+    EXPECT_NE(other.failed_stage, "limits");
+    EXPECT_EQ(other.num_beyond_limits, 1) << "counted, whatever the rule";
   }
 }
 
