@@ -105,7 +105,9 @@ std::vector<JudgedGrasp> LoadJudgedGrasps(const fs::path& folder) {
 }
 
 void FinishJudgedGrasps(const fs::path& folder, const std::vector<JudgedGrasp>& judged) {
-  WriteDerived(kJudgedGraspStore, folder, {{kGraspTable, FormatCsv(ListColumns(), judged)}});
+  WriteDerived(kJudgedGraspStore, folder,
+               {{kGraspTable, FormatCsv(ListColumns(), judged)},
+                {"grasps.schema.json", FormatJson(MakeTableSchema(ListColumns(), ""), 2) + "\n"}});
 }
 
 }  // namespace graspbench

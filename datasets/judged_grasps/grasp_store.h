@@ -5,7 +5,7 @@ Grasps that others made, judged under profiles: the folder of `graspbench grasps
     grasps.json     frozen: files with their hashes, hand, objects, profiles in full, jitter
     manifest.json   hashes of all of it (manifest.h)
     journal.jsonl   a line for each task, in their order
-    grasps.csv      the same as a table, when all are judged
+    grasps.csv      the same as a table, when all are judged; grasps.schema.json: its dictionary
     report/         the page
 
 A task is one grasp, with one disturbance of its root, under one profile. The journal is written in
