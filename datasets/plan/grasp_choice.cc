@@ -38,11 +38,11 @@ bool CanTake(const SessionInputs& inputs, const SessionHand& hand, const Grasp& 
   return prediction.reaches() && prediction.is_clear();
 }
 
-/** Larger is better. That a grasp can take the object comes first, then that its development found
-it to hold what it had not met, then contacts. */
-std::array<int, 3> RankGrasp(const Grasp& grasp, const GraspPrediction& prediction) {
+/** Larger is better. That a grasp reaches the object comes first, then that its development found it
+to hold what it had not met, then that it comes clear of it, then contacts. */
+std::array<int, 4> RankGrasp(const Grasp& grasp, const GraspPrediction& prediction) {
   constexpr double kLeastHeldShare = 0.5;
-  return {2 * prediction.reaches() + prediction.is_clear(), !(grasp.held_share < kLeastHeldShare),
+  return {prediction.reaches(), !(grasp.held_share < kLeastHeldShare), prediction.is_clear(),
           prediction.Rank()};
 }
 
@@ -53,12 +53,12 @@ const Grasp& FindBestGrasp(const SessionInputs& inputs, const SessionHand& hand,
     if (const Grasp* grasp = FindGrasp(hand, *object, named->second)) return *grasp;
   }
   const Grasp* best = nullptr;
-  std::array<int, 3> best_rank = {-1, 0, 0};
+  std::array<int, 4> best_rank = {-1, 0, 0, 0};
   for (const std::string& id : object->grasp_order) {
     const Grasp* grasp = FindGrasp(hand, *object, id);
     if (!grasp) continue;
     if (grasp->placement) return *grasp;
-    const std::array<int, 3> rank =
+    const std::array<int, 4> rank =
         RankGrasp(*grasp, FitOnce(inputs, hand, *grasp, object).prediction);
     if (rank <= best_rank) continue;
     best = grasp;

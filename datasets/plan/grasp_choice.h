@@ -26,8 +26,9 @@ Grasp FindFitted(const SessionInputs& inputs, const SessionHand& hand, const Gra
                  const std::shared_ptr<const GraspObject>& object);
 
 /** As MakePlan says (session_plan.h). "best" is what the object names for this hand, else of
-those that can take it by prediction one that held half of the shapes that its development had not
-met (Grasp::held_share), else any, the highest rank and then the first in the object's order. */
+those that reach it by prediction one that held half of the shapes that its development had not met
+(Grasp::held_share), else any; then one that comes clear of it, the highest rank and the first in
+the object's order. */
 std::vector<const Grasp*> FindGrasps(const SessionConfig& config, const SessionInputs& inputs,
                                      const SessionHand& hand,
                                      const std::shared_ptr<const GraspObject>& object);

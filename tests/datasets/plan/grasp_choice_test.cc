@@ -131,6 +131,24 @@ TEST(GraspChoice, WhatDidNotHoldInDevelopmentComesLast) {
   EXPECT_EQ(best(), "g4");
 }
 
+// Nor is it taken for coming clear of an object, where another reaches it and is known to hold.
+TEST(GraspChoice, HoldingInDevelopmentCountsMoreThanRoom) {
+  auto beam = MakeBlock("beam", 0.06);
+  beam->approach = Approach::kAbove;
+  SessionInputs inputs = MakeInputsOf({beam});
+  const auto best = [&] {
+    return FindGrasps(SessionConfig(), inputs, inputs.hands[0], inputs.objects[0]).at(0)->id;
+  };
+  ASSERT_EQ(best(), "g1");
+  for (Grasp& grasp : inputs.hands[0].grasps) grasp.held_share = grasp.id == "g4" ? 0.9 : 0.0;
+  const Grasp& pinch = *FindGrasp(inputs.hands[0], *beam, "g4");
+  ASSERT_TRUE(PredictGrasp(*inputs.hands[0].hand,
+                           FindFitted(inputs, inputs.hands[0], pinch, inputs.objects[0]),
+                           *CompleteObject(inputs.objects[0]))
+                  .reaches());
+  EXPECT_EQ(best(), "g4");
+}
+
 TEST(GraspChoice, WhatTheObjectNamesStaysAsItIs) {
   auto slab = MakeBlock("slab", 0.2);
   slab->best_grasp["mine"] = "g1";
