@@ -12,9 +12,10 @@
 namespace graspbench {
 namespace {
 
+constexpr double kBold = 1.15;  // heads are so much wider
+
 /** Of a head, which is bold. */
 double CalcHeadWidth(const std::string& text) {
-  constexpr double kBold = 1.15;
   return kBold * (CalcLabelWidth({text}) - kPlotGap);
 }
 
@@ -112,7 +113,6 @@ Html DrawRateBars(const RateBars& plot) {
     texts.push_back(bar.text);
   }
   // The numbers stand below the labels, where a phone shows them, too.
-  constexpr double kBold = 1.15;  // labels of totals are so much wider
   const double left = std::max(kBold * CalcLabelWidth(labels), CalcLabelWidth(texts)) + kPlotGap;
   const double bottom = kRow * static_cast<double>(plot.bars.size());
   Html content;
@@ -138,11 +138,13 @@ Html DrawRateBars(const RateBars& plot) {
 }
 
 Html DrawStackedBars(const StackedBars& plot) {
-  constexpr double kRow = 22.0, kBar = 18.0, kPlot = 460.0, kTextNeeds = 30.0, kLegendRow = 20.0;
-  constexpr size_t kLegendColumns = 3;
-  std::vector<std::string> labels;
-  for (const StackedBars::Row& row : plot.rows) labels.push_back(row.label);
-  const double left = CalcLabelWidth(labels) + kPlotGap;
+  constexpr double kRow = 22.0, kBar = 18.0, kPlot = 720.0, kTextNeeds = 30.0, kLegendRow = 20.0;
+  constexpr size_t kLegendColumns = 4;
+  std::vector<std::string> labels, totals;
+  for (const StackedBars::Row& row : plot.rows) {
+    (row.is_total ? totals : labels).push_back(row.label);
+  }
+  const double left = std::max(CalcLabelWidth(labels), kBold * CalcLabelWidth(totals)) + kPlotGap;
   const double width = left + kPlot;
   Html content;
   for (size_t k = 0; k < plot.classes.size(); ++k) {
@@ -161,7 +163,8 @@ Html DrawStackedBars(const StackedBars& plot) {
     const StackedBars::Row& row = plot.rows[r];
     GRASPBENCH_DEMAND(row.counts.size() == plot.classes.size(), row.label);
     const double y = top + kRow * static_cast<double>(r);
-    content += MaybeLink(row.anchor, Label("end", left - kPlotGap, y + kRow / 2.0, row.label));
+    content += MaybeLink(row.anchor, Label(row.is_total ? "end head" : "end", left - kPlotGap,
+                                           y + kRow / 2.0, row.label));
     int total = 0;
     for (int count : row.counts) total += count;
     double x = left;

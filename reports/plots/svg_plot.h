@@ -56,6 +56,7 @@ struct StackedBars {
     std::string label;
     std::string anchor;       ///< where the label leads; empty: nowhere
     std::vector<int> counts;  ///< (classes)
+    bool is_total = false;    ///< heads the rows below it
   };
   PlotText text;
   std::vector<Class> classes;  ///< at most 8: the style sheet has as many fills

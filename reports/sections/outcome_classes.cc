@@ -8,19 +8,13 @@ namespace graspbench {
 namespace {
 
 StackedBars::Row MakeRow(const std::string& label, const std::string& anchor, const Tally& tally) {
-  return {label, anchor, {tally.outcomes.begin(), tally.outcomes.end()}};
+  return {label, anchor, {tally.outcomes.begin(), tally.outcomes.end()}, false};
 }
 
-Html DrawHand(const std::string& hand, const ReportData& data) {
-  const std::string name = data.models.NameOfHand(hand);
-  StackedBars plot;
-  plot.text.title = "Outcomes with the " + name;
-  plot.text.description =
-      "One bar per condition with a failure, divided by outcome; the same counts stand in the "
-      "table of all conditions.";
-  for (Outcome outcome : ListOutcomes())
-    plot.classes.push_back({WordsOf(outcome), CodeOf(outcome)});
-  plot.rows.push_back(MakeRow("all objects", {}, data.summary.TallyOf(hand)));
+/** The hand as a whole, then its conditions with a failure; returns how many are left out. */
+int AddHand(const std::string& hand, const ReportData& data, StackedBars& plot) {
+  plot.rows.push_back(MakeRow(data.models.NameOfHand(hand), {}, data.summary.TallyOf(hand)));
+  plot.rows.back().is_total = true;
   int num_without = 0;
   for (const CellSummary& cell : data.summary.cells) {
     if (cell.hand != hand) continue;
@@ -31,21 +25,28 @@ Html DrawHand(const std::string& hand, const ReportData& data) {
     plot.rows.push_back(
         MakeRow(data.models.NameOfObject(cell.object) + " " + cell.grasp, cell.key, cell.tally));
   }
-  const std::string left_out = num_without == 0
-                                   ? ""
-                                   : " Not drawn: " + FormatCount(num_without, "condition") +
-                                         " in which every finished trial succeeded.";
-  return MakeFigure("Outcomes of all finished trials with the " + name + "." + left_out,
-                    "one class of failure over many objects (the strategy's fault) against "
-                    "one object failing in many ways (the object's).",
-                    MakeScroll(plot.text.title, DrawStackedBars(plot)));
+  return num_without;
 }
 
 Html DrawOutcomeClasses(const ReportData& data) {
   if (data.summary.cells.empty()) return MakeParagraph("There is nothing to show.");
-  Html html;
-  for (const std::string& hand : data.summary.hands) html += DrawHand(hand, data);
-  return html;
+  StackedBars plot;
+  plot.text.title = "Outcomes";
+  plot.text.description =
+      "One bar per hand and one per condition with a failure, divided by outcome; the same counts "
+      "stand in the table of all conditions.";
+  for (Outcome outcome : ListOutcomes())
+    plot.classes.push_back({WordsOf(outcome), CodeOf(outcome)});
+  int num_without = 0;
+  for (const std::string& hand : data.summary.hands) num_without += AddHand(hand, data, plot);
+  const std::string left_out = num_without == 0
+                                   ? ""
+                                   : " Not drawn: " + FormatCount(num_without, "condition") +
+                                         " in which every finished trial succeeded.";
+  return MakeFigure("Outcomes of all finished trials, by hand and condition." + left_out,
+                    "one class of failure over many objects (the strategy's fault) against "
+                    "one object failing in many ways (the object's).",
+                    MakeScroll(plot.text.title, DrawStackedBars(plot)));
 }
 
 }  // namespace
