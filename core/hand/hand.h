@@ -72,6 +72,9 @@ struct JointDrive {
   double friction_static = 0.0;   ///< torque at which a joint at rest breaks loose [N m]
   double friction_dynamic = 0.0;  ///< that which brakes it then, at most the other [N m]
   ///@}
+  /** Armature: inertia of the rotor as the joint feels it through its gear. It resists the
+  acceleration of what the drive moves, and nothing else: a turning hand does not turn it. */
+  double armature = 0.0;  ///< [kg m^2]
 };
 
 struct HandJoint {

@@ -42,6 +42,8 @@ ContactMaterial CombineSurfaces(const SurfaceMaterial& a, const SurfaceMaterial&
   pair.friction_dynamic = CombineFriction(a.friction_dynamic, b.friction_dynamic);
   pair.torsion_radius = Combine(a.torsion_radius, b.torsion_radius, 0.0,
                                 [](double r_a, double r_b) { return std::min(r_a, r_b); });
+  pair.relaxation_time = Combine(a.relaxation_time, b.relaxation_time, kContactRelaxationTime,
+                                 [](double t_a, double t_b) { return std::max(t_a, t_b); });
   if (a.pad.youngs_modulus > 0.0 || b.pad.youngs_modulus > 0.0) {
     pair.pad = CombinePads(a.pad, b.pad);
     // A pad's patch resists spin by its size, up to what the other side allows.

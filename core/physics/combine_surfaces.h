@@ -7,6 +7,7 @@ The constants of a contact from the surfaces of its two sides: one rule for ever
     given on both sides   as springs in series, k = kA kB / (kA + kB)
                           mu = 2 muA muB / (muA + muB)
                           r = the smaller: the smaller patch of contact
+                          tau = the longer one; given on no side kContactRelaxationTime
 
 A soft pad stands in series with that spring, and its patch gives the torsion radius, if a side says
 one at most that (pad_contact.h).

@@ -9,7 +9,7 @@ namespace {
 
 /** Damping of bristles as a time over their stiffness; a pad loses along as it does across [s]. */
 double CalcDampingTime(const ContactPoint& contact) {
-  return contact.hertz > 0.0 ? kContactRelaxationTime : 1e-3;
+  return contact.hertz > 0.0 ? contact.material.relaxation_time : 1e-3;
 }
 /** Static friction is back after this time without sliding [s]. */
 constexpr double kRestTime = 0.02;
@@ -73,7 +73,7 @@ ContactForces CalcContactForces(const ContactPoint& contact, const ContactRates&
   const ContactMaterial& material = contact.material;
   const double vn = rates[kNormalRow];
   const double ahead = std::max(contact.depth, 0.0) -
-                       (h + kContactRelaxationTime) * (vn - std::min(contact.depth, 0.0) / h);
+                       (h + material.relaxation_time) * (vn - std::min(contact.depth, 0.0) / h);
   if (ahead > 0.0) {
     if (contact.hertz > 0.0) {
       const PadCompression pad =
@@ -102,7 +102,7 @@ ContactGains CalcContactGains(const ContactPoint& contact, const ContactRates& r
                               const ContactForces& forces, double h) {
   ContactGains result;
   const ContactMaterial& material = contact.material;
-  result.normal = forces.normal_slope * (h + kContactRelaxationTime);
+  result.normal = forces.normal_slope * (h + material.relaxation_time);
   if (!contact.memory) return result;
 
   const double r = material.torsion_radius;

@@ -12,8 +12,9 @@ and depth x0 the penetration at its middle:
     friction   (ft, m/r) = -clip(kt (s + h vt) + ct vt, mu fn)
                with s = (bristle, r phi) and vt = (tangential speed, r wn)
 
-Contacts are inelastic. tau = 10 ms is their relaxation time: a contact is a spring with damping
-k tau beside it, which can only push. A mass m that meets n of them comes back with
+Contacts are inelastic. tau is their relaxation time, 10 ms unless a surface has its own: a contact
+is a spring with damping k tau beside it, which can only push. A mass m that meets n of them comes
+back with
 exp(-z / sqrt(z^2 - 1) ln((z + sqrt(z^2 - 1)) / (z - sqrt(z^2 - 1)))) of its speed, where
 z = tau sqrt(n k / m) / 2 (Schwager and Poeschel 2007): with 0.005 for 50 g and 0.04 for 0.5 kg, more
 than any thing of the catalogue, on one point. With tau = 8 ms that would be 0.06. Approach is felt
@@ -37,7 +38,7 @@ resistance, wear, adhesion. */
 
 namespace graspbench {
 
-inline constexpr double kContactRelaxationTime = 0.01;  ///< tau [s]
+inline constexpr double kContactRelaxationTime = 0.01;  ///< tau where no surface has one [s]
 
 /** Constants of one pair of surfaces. */
 struct ContactMaterial {
@@ -47,6 +48,7 @@ struct ContactMaterial {
   double friction_dynamic = 0.0;
   double torsion_radius = 0.0;  ///< r [m]; 0 = no resistance to spin; of a pad the largest
   PadMaterial pad = {};         ///< of one or both sides
+  double relaxation_time = kContactRelaxationTime;  ///< tau [s]
 };
 
 /** What a contact remembers from step to step. */

@@ -229,6 +229,7 @@ void ImplicitWorld::UpdateDynamics() {
     dynamics_.UpdatePositions(middle_.X_WH, middle_.q);
     dynamics_.CalcMassMatrix(problem_.M.topLeftCorner(object, object));
   }
+  AddArmatures(problem_.M);
   problem_.M.block<3, 3>(object, object) = middle_.R_WO * mass_.I_OOcm * middle_.R_WO.transpose();
   problem_.M.block<3, 3>(object + 3, object + 3) = mass_.mass * Matrix3d::Identity();
 }

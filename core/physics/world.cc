@@ -48,10 +48,18 @@ Eigen::VectorXd World::CalcHandSpeeds() const {
   return u;
 }
 
+void World::AddArmatures(Eigen::MatrixXd& M) const {
+  for (int dof = 0; dof < dynamics_.num_dofs(); ++dof) {
+    if (dynamics_.is_deviation(dof)) continue;
+    M(dof, dof) += hand_->joints[dynamics_.joint_of_dof(dof)].drive.armature;
+  }
+}
+
 double World::CalcKineticEnergy() {
   dynamics_.UpdatePositions(state_.X_WH, state_.q);
   Eigen::MatrixXd M(dynamics_.num_speeds(), dynamics_.num_speeds());
   dynamics_.CalcMassMatrix(M);
+  AddArmatures(M);
   const Eigen::VectorXd u = CalcHandSpeeds();
   const Eigen::Vector3d w_O = state_.R_WO.transpose() * state_.w_WO;
   return 0.5 *

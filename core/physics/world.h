@@ -140,6 +140,9 @@ class World {
   World(const Hand& hand, const GraspObject& object, const SimConfig& config, TablePresence table);
   World(const World&) = default;
 
+  /** Adds the drives' armatures to the hand's mass matrix (num_speeds x num_speeds at least). */
+  void AddArmatures(Eigen::MatrixXd& M) const;
+
   /** What Reset does in every backend. */
   void ResetScene(const WorldState& state);
 

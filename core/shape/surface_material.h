@@ -32,6 +32,7 @@ struct SurfaceMaterial {
   double stiffness = kUnset;         ///< k, normal, per contact point [N/m]
   double torsion_radius = kUnset;    ///< r: resists spin up to mu fn r [m]
   SoftPad pad = {};                  ///< of links of a hand: hand.yaml
+  double relaxation_time = kUnset;   ///< tau of core/physics/contact.h; no key of a file [s]
 
   /** v(key in files, value, least, most). */
   template <class V>

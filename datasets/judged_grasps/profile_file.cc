@@ -53,6 +53,7 @@ const FileKeys& ListProfileKeys() {
         {"drives.stiffness_nm_per_rad", "", "of a given drive", 0, 1e4},
         {"drives.damping_nms_per_rad", "", "of a given drive, with that of its joint", 0, 1e3},
         {"drives.friction_nm", "", "of a given drive, sticking and sliding", 0, 10},
+        {"drives.armature_kg_m2", "", "of a given drive: its rotor, as the joint feels it", 0, 1},
         {"drives.torque_limit_nm", "", "of a given drive; 0: the hand's own", 0, 1e3},
         {"drives.free_distal", "",
          "joints that a finger's middle joint moves along have a drive of their own"},
@@ -63,6 +64,8 @@ const FileKeys& ListProfileKeys() {
         {"surfaces.pads", "", "own: the hand's soft pads; given: bare links with this torsion"},
         {"surfaces.torsion_radius_m", "",
          "resists spin up to friction times normal force times this; of given pads", 0, 0.1},
+        {"surfaces.relaxation_time_s", "",
+         "damping of a contact over its stiffness; of given pads", 0.001, 1},
         {"surfaces.friction", "", "of hand and object, and of the hand with itself", 0, 5},
         {"closing.stages", "",
          "those of the grasp that the hand goes through: all; first, to close from the open hand; "

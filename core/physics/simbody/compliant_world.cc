@@ -482,7 +482,7 @@ bool CanMoveCompliantly(const GraspObject& object) { return FindSphereRadius(obj
 bool CanMoveCompliantly(const Hand& hand) {
   return std::all_of(hand.joints.begin(), hand.joints.end(), [](const HandJoint& joint) {
     return joint.drive.hysteresis_width == 0.0 && joint.drive.friction_static == 0.0 &&
-           joint.coupling_compliance == 0.0;
+           joint.drive.armature == 0.0 && joint.coupling_compliance == 0.0;
   });
 }
 

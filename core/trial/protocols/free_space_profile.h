@@ -6,11 +6,12 @@ A profile: how somebody judges a grasp of the free hand, every value of it. One 
 A profile says which drives and surfaces the hand has, how the object is made, how the hand goes
 through the stages of a grasp, what is done to the object then, and what it must stand. What a
 profile does not say is as everywhere here: contact law, collision shapes, mass of the links. Not
-modelled: armature of the drives, tendons that pull two joints at once. */
+modelled: tendons that pull two joints at once. */
 
 #include <string>
 
 #include "core/base/enum_table.h"
+#include "core/physics/contact.h"
 #include "core/physics/sim_config.h"
 
 namespace graspbench {
@@ -73,6 +74,7 @@ struct ProfileDrives {
   double stiffness = 5.0;     ///< [N m/rad]
   double damping = 0.05;      ///< [N m s/rad]
   double friction = 0.01;     ///< [N m]
+  double armature = 0.0;      ///< [kg m^2]
   double torque_limit = 3.0;  ///< 0: the hand's own [N m]
   ///@}
   bool free_distal = false;  ///< joints that follow another have a drive of their own
@@ -84,6 +86,7 @@ struct ProfileDrives {
     v("stiffness_nm_per_rad", stiffness);
     v("damping_nms_per_rad", damping);
     v("friction_nm", friction);
+    v("armature_kg_m2", armature);
     v("torque_limit_nm", torque_limit);
     v("free_distal", free_distal);
     v("beyond_limits", beyond_limits);
@@ -93,12 +96,14 @@ struct ProfileDrives {
 struct ProfileSurfaces {
   std::string pads = "own";  ///< soft pads and torsion: those of the hand, or bare links with this:
   double torsion_radius = 0.0;  ///< resists spin up to mu fn r [m]
-  double friction = 0.5;        ///< of hand and object, of hand and hand, sliding too
+  double relaxation_time = kContactRelaxationTime;  ///< of bare links [s]
+  double friction = 0.5;  ///< of hand and object, of hand and hand, sliding too
 
   template <class V>
   void Visit(V&& v) {
     v("pads", pads);
     v("torsion_radius_m", torsion_radius);
+    v("relaxation_time_s", relaxation_time);
     v("friction", friction);
   }
 };

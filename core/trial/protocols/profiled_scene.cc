@@ -29,6 +29,7 @@ JointDrive MakeGivenDrive(const ProfileDrives& given, const JointDrive& own) {
   drive.damping = given.damping;
   drive.torque_limit = given.torque_limit > 0.0 ? given.torque_limit : own.torque_limit;
   drive.friction_static = drive.friction_dynamic = given.friction;
+  drive.armature = given.armature;
   return drive;
 }
 
@@ -96,6 +97,7 @@ std::shared_ptr<const Hand> MakeProfiledHand(const Hand& hand, const FreeSpacePr
     for (HandLink& link : profiled->links) {
       link.surface = SurfaceMaterial();
       link.surface.torsion_radius = profile.surfaces.torsion_radius;
+      link.surface.relaxation_time = profile.surfaces.relaxation_time;
     }
   }
   for (HandLink& link : profiled->links) {  // the object's and the session's hold

@@ -41,6 +41,20 @@ TEST(CombineSurfaces, TwoSidesAreSpringsInSeries) {
   EXPECT_DOUBLE_EQ(mirrored.stiffness, pair.stiffness);
 }
 
+TEST(CombineSurfaces, TheLongerRelaxationTimeHolds) {
+  SurfaceMaterial slow, quick;
+  slow.relaxation_time = 0.024;
+  quick.relaxation_time = 0.005;
+  const auto combine = [](const SurfaceMaterial& a, const SurfaceMaterial& b) {
+    return CombineSurfaces(a, b, SimConfig()).relaxation_time;
+  };
+  EXPECT_EQ(combine({}, {}), kContactRelaxationTime);
+  EXPECT_EQ(combine(quick, {}), 0.005);
+  EXPECT_EQ(combine({}, slow), 0.024);
+  EXPECT_EQ(combine(quick, slow), 0.024);
+  EXPECT_EQ(combine(MakeSelfSurface(slow, SimConfig()), {}), 0.024);
+}
+
 TEST(CombineSurfaces, TheHandHasFrictionAgainstItself) {
   const SimConfig config;
   SurfaceMaterial rubber;

@@ -43,6 +43,21 @@ void ExpectGainsAreDerivatives(const ContactPoint& contact, const ContactRates& 
   }
 }
 
+// k (x - (h + tau) v), in which tau is the pair's.
+TEST(CalcContactForces, DampsByThePairsRelaxationTime) {
+  ContactMemory memory;
+  for (const double tau : {kContactRelaxationTime, 0.024}) {
+    ContactPoint contact = MakeContact(2e-4, 0.0, memory);
+    contact.material.relaxation_time = tau;
+    for (const double speed : {-0.02, 0.0, 0.004}) {
+      const ContactRates rates = {speed, 0.0, 0.0, 0.0};
+      EXPECT_NEAR(CalcContactForces(contact, rates, kStep).force[kNormalRow],
+                  5e4 * (2e-4 - (kStep + tau) * speed), 1e-9);
+      ExpectGainsAreDerivatives(contact, rates);
+    }
+  }
+}
+
 TEST(CalcContactForces, GainsAreTheDerivativesOfTheForces) {
   ContactMemory memory;
   int num_sticking = 0, num_sliding = 0;

@@ -36,6 +36,64 @@ TEST(ImplicitWorld, AnExternalLoadDoesItsWork) {
   EXPECT_EQ(body.state().v_WOcm.norm(), 0.0);
 }
 
+/** A rod of 50 mm on a spring of 2 N m/rad, drawn aside by 0.2 rad. */
+class SwingingRod : public SmallWorld {
+ public:
+  static constexpr double kInertia = 0.05 * 0.05 * 0.05 / 3.0;  // of 50 g about its end
+  static constexpr double kStiffness = 2.0;
+  explicit SwingingRod(double armature)
+      : SmallWorld(MakeRod(armature), MakeBlock(1e-9), MakeConfig()) {
+    start().gravity_W.setZero();
+    start().p_WOcm = Vector3d(5.0, 0.0, 0.01);
+    start().X_WH = MakePose(Vector3d(0.0, 0.0, 1.0));
+    start().q[0] = 0.2;
+    Reset(Eigen::VectorXd::Zero(1));
+  }
+
+ private:
+  static Hand MakeRod(double armature) {
+    Hand hand = MakeBareHand();
+    AddRodLink(hand, 0, Pose::Identity(), Vector3d::UnitX(), 0.05, 0.05);
+    hand.joints[0].drive = {kStiffness, 0.0, 10.0};
+    hand.joints[0].drive.armature = armature;
+    return hand;
+  }
+  static SimConfig MakeConfig() {
+    SimConfig config;
+    config.step = 1e-4;
+    return config;
+  }
+};
+
+// The rotor swings along: the period is that of both inertias, and the energy stays.
+TEST(ImplicitWorld, AnArmatureSwingsWithItsJoint) {
+  for (const double armature : {0.0, 2e-4}) {
+    SwingingRod rod(armature);
+    const double quarter =
+        0.5 * M_PI * std::sqrt((rod.kInertia + armature) / rod.kStiffness);
+    rod.Run(quarter);
+    const double speed = 0.2 * std::sqrt(rod.kStiffness / (rod.kInertia + armature));
+    EXPECT_NEAR(rod.state().q[0], 0.0, 1e-4 * speed) << armature;
+    EXPECT_NEAR(rod.state().u[0], -speed, 1e-3 * speed) << armature;
+    EXPECT_NEAR(rod.world().CalcKineticEnergy(), 0.5 * rod.kStiffness * 0.04, 1e-5) << armature;
+    EXPECT_LT(std::abs(rod.world().CalcEnergyResidual()), 1e-6) << armature;
+  }
+}
+
+// It turns with the joint alone.
+TEST(ImplicitWorld, AnArmatureDoesNotTurnWithTheHand) {
+  double energy[2];
+  for (const int has_armature : {0, 1}) {
+    SwingingRod rod(2e-4 * has_armature);
+    rod.start().w_WH = Vector3d(3.0, 2.0, 1.0);
+    rod.start().u.setZero();
+    rod.Reset();
+    energy[has_armature] = rod.world().CalcKineticEnergy();
+  }
+  EXPECT_GT(energy[0], 0.0);
+  EXPECT_EQ(energy[0], energy[1]);
+}
+
 /** A squeezed prism that turns and slips between two fingers, on its way down. */
 class SlippingScene : public SmallWorld {
  public:

@@ -12,8 +12,10 @@ FreeSpaceProfile MakeGiven() {
   FreeSpaceProfile profile;
   profile.drives.law = "given";
   profile.drives.free_distal = true;
+  profile.drives.armature = 2e-4;
   profile.surfaces.pads = "given";
   profile.surfaces.torsion_radius = 0.03;
+  profile.surfaces.relaxation_time = 0.024;
   profile.surfaces.friction = 0.6;
   profile.mass = 0.2;
   return profile;
@@ -29,14 +31,17 @@ TEST(ProfiledScene, GivenDrivesMoveEveryJointOfItsOwn) {
     EXPECT_EQ(joint.coupled_to, -1) << joint.name;
     if (joint.name == "WRJ1") {
       EXPECT_EQ(joint.drive.stiffness, profile.sim.arm_angular_stiffness);
+      EXPECT_EQ(joint.drive.armature, 0.0);
       continue;
     }
     EXPECT_EQ(joint.drive.stiffness, profile.drives.stiffness) << joint.name;
     EXPECT_EQ(joint.drive.torque_limit, profile.drives.torque_limit) << joint.name;
     EXPECT_EQ(joint.drive.friction_static, profile.drives.friction) << joint.name;
+    EXPECT_EQ(joint.drive.armature, profile.drives.armature) << joint.name;
   }
   for (const HandLink& link : profiled->links) {
     EXPECT_EQ(link.surface.torsion_radius, 0.03);
+    EXPECT_EQ(link.surface.relaxation_time, 0.024);
     EXPECT_EQ(link.surface.pad.youngs_modulus, 0.0);
   }
 }
