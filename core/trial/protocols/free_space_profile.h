@@ -95,7 +95,7 @@ struct ProfileDrives {
 
 struct ProfileSurfaces {
   std::string pads = "own";  ///< soft pads and torsion: those of the hand, or bare links with this:
-  double torsion_radius = 0.0;  ///< resists spin up to mu fn r [m]
+  double torsion_radius = 0.0;                      ///< resists spin up to mu fn r [m]
   double relaxation_time = kContactRelaxationTime;  ///< of bare links [s]
   double friction = 0.5;  ///< of hand and object, of hand and hand, sliding too
 
