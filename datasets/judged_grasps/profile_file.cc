@@ -64,8 +64,8 @@ const FileKeys& ListProfileKeys() {
         {"surfaces.pads", "", "own: the hand's soft pads; given: bare links with this torsion"},
         {"surfaces.torsion_radius_m", "",
          "resists spin up to friction times normal force times this; of given pads", 0, 0.1},
-        {"surfaces.relaxation_time_s", "",
-         "damping of a contact over its stiffness; of given pads", 0.001, 1},
+        {"surfaces.relaxation_time_s", "", "damping of a contact over its stiffness; of given pads",
+         0.001, 1},
         {"surfaces.friction", "", "of hand and object, and of the hand with itself", 0, 5},
         {"closing.stages", "",
          "those of the grasp that the hand goes through: all; first, to close from the open hand; "

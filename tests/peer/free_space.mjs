@@ -4,9 +4,10 @@
 //     graspbench run --hand shadow --trials 3 --out results/shadow
 //     node tests/peer/free_space.mjs build/release/graspbench results/shadow OUT --grasps 100
 //
-// The same: stages, updates, drives (kp 5, 3 N m, 0.05 N m s/rad, 0.01 N m), every joint with its own,
-// friction 0.6 and 0.02 m, 4 ms, mass, pushes, looks, limits. As DexGraspBench has it and graspbench not:
-// armature, the weld that moves the root, MuJoCo's soft contacts, capsules and convex parts.
+// The same: stages, updates, drives (kp 5, 3 N m, 0.05 N m s/rad, 0.01 N m, armature), every joint with
+// its own, friction 0.6 and 0.02 m, 4 ms, mass, pushes, looks, limits. As DexGraspBench has it and
+// graspbench in its own way: the weld that moves the root, soft contacts whose stiffness grows with depth
+// and mass and whose friction creeps; capsules and convex parts.
 
 import {execFileSync} from 'node:child_process';
 import {readFileSync, mkdirSync} from 'node:fs';

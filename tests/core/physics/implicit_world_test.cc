@@ -69,8 +69,7 @@ class SwingingRod : public SmallWorld {
 TEST(ImplicitWorld, AnArmatureSwingsWithItsJoint) {
   for (const double armature : {0.0, 2e-4}) {
     SwingingRod rod(armature);
-    const double quarter =
-        0.5 * M_PI * std::sqrt((rod.kInertia + armature) / rod.kStiffness);
+    const double quarter = 0.5 * M_PI * std::sqrt((rod.kInertia + armature) / rod.kStiffness);
     rod.Run(quarter);
     const double speed = 0.2 * std::sqrt(rod.kStiffness / (rod.kInertia + armature));
     EXPECT_NEAR(rod.state().q[0], 0.0, 1e-4 * speed) << armature;

@@ -60,7 +60,6 @@ TEST(ProfileFile, DexGraspBenchAsPublished) {
 TEST(ProfileFile, DexGraspNetAsPublished) {
   const FreeSpaceProfile profile = LoadProfile("dexgraspnet");
   EXPECT_EQ(profile.drives.stiffness, 1000.0);
-  EXPECT_EQ(profile.drives.damping, 0.0);
   EXPECT_EQ(profile.surfaces.friction, 3.0);
   EXPECT_EQ(profile.mass, 0.0);
   EXPECT_EQ(profile.density, 500.0);
