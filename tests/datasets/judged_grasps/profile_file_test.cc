@@ -65,7 +65,7 @@ TEST(ProfileFile, DexGraspNetAsPublished) {
   EXPECT_EQ(profile.density, 500.0);
   EXPECT_EQ(profile.acceleration, 9.8);
   EXPECT_NEAR(profile.test_time, 100.0 / 60.0, 1e-5);
-  EXPECT_NEAR(2.0 * profile.sim.step, 1.0 / 60.0, 1e-7);
+  EXPECT_NEAR(8.0 * profile.sim.step, 1.0 / 60.0, 1e-7);
   EXPECT_EQ(profile.max_start_penetration, 0.001);
   EXPECT_TRUE(profile.must_touch);
   EXPECT_EQ(profile.closing.to, "press");
