@@ -21,6 +21,7 @@ namespace graspbench {
 
 enum class MeshFault {
   kEmpty,         ///< no triangle at all
+  kTooMany,       ///< more triangles than kMaxUsableTriangles
   kNotFinite,     ///< a coordinate is NaN or infinite
   kSize,          ///< larger or smaller than anything a hand can grasp: a wrong unit
   kDuplicate,     ///< the same triangle twice
@@ -57,6 +58,10 @@ struct MeshReport {
 /** Extents of things to grasp [m]. */
 inline constexpr double kMinMeshExtent = 0.002;
 inline constexpr double kMaxMeshExtent = 1.0;
+
+/** Of a million its check took 20 s of processor time, its distance field four minutes; the largest
+scans of things to grasp that are published (YCB) have 524,288. */
+inline constexpr int kMaxUsableTriangles = 600'000;
 
 /** A part that cuts through itself is tolerated when less than this share of its volume is counted
 wrongly. */
