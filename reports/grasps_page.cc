@@ -26,7 +26,7 @@ std::string FormatNumber(double value, int decimals) {
 }
 
 std::string NameOf(const JudgedGrasp& judged) {
-  return judged.source + ", " + std::to_string(judged.index);
+  return judged.source + ", grasp " + std::to_string(judged.index);
 }
 
 Html DrawSuccess(const GraspsView& view) {
@@ -100,6 +100,8 @@ Html DrawGraspTable(const std::string& caption, const std::vector<const JudgedGr
                         {"Turned [deg]", kNumber},
                         {"Deep at start [mm]", kNumber},
                         {"Grip [N]", kNumber, "after the last stage"},
+                        {"Breaking load [N]", kNumber,
+                         "largest push stood along all six axes; -: not sought, or none"},
                         {"Touching"},
                         {"Why", Align::kProse}});
   for (const JudgedGrasp* judged : grasps) {
@@ -111,6 +113,7 @@ Html DrawGraspTable(const std::string& caption, const std::vector<const JudgedGr
                   Text(FormatNumber(result.worst_turn_deg, 1)),
                   Text(FormatNumber(MmFromM(result.start_penetration), 1)),
                   Text(FormatNumber(result.grip_force, 1)),
+                  Text(result.breaking_load > 0.0 ? FormatNumber(result.breaking_load, 2) : "-"),
                   Text(result.touching.empty() ? "-" : result.touching), Text(result.reason)});
   }
   return table.ToHtml();
@@ -169,8 +172,9 @@ Html DrawGraspsMethods(const GraspsView& view) {
       {"Grasps were judged with graspbench " + std::string(program_version()) + " on the hand " +
        view.config.value("hand", "") +
        ". The hand began around the object at the first stage of each grasp and was driven through "
-       "the others; then the object was pushed along six directions, from the same instant each, "
-       "or lifted, as the profile says. A verdict holds under its profile alone. Agreement is "
+       "the others; then the object was pushed, along six directions from the same instant each or "
+       "out of the palm, or lifted, as the profile says. A verdict holds under its profile alone. "
+       "Agreement is "
        "Cohen's kappa, intervals are Wilson's at 95 %."});
 }
 

@@ -16,7 +16,7 @@ namespace graspbench {
 /** What a file does not say, or what must not be taken from it. */
 struct GraspReadOptions {
   std::string hand_frame;                ///< link of the hand whose pose the file gives
-  std::string object_frame;              ///< name of the frame in which poses are given
+  std::string object_frame;              ///< "mesh": poses are given in it; empty: not said
   std::vector<std::string> joint_names;  ///< of a file that lists positions without names
   std::optional<double> scale;           ///< of the object's mesh
   /** Positions of an open hand, for files that state none [rad], of a prismatic joint [m]. */

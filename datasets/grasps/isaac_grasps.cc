@@ -13,6 +13,8 @@
 namespace graspbench {
 namespace {
 
+constexpr char kMeshFrame[] = "mesh";
+
 /** The text of a key in either spelling; empty: neither is there. */
 std::string ReadFrame(YamlMap& map, const std::string& key) {
   std::string frame;
@@ -35,6 +37,11 @@ void DemandFrames(const std::string& file, const std::string& hand_frame,
   demand(options.hand_frame, "--hand-frame LINK of the hand", hand_frame);
   demand(options.object_frame, "--object-frame mesh where poses are given in the frame of the mesh",
          object_frame);
+  if (options.object_frame == kMeshFrame) return;
+  throw Error(ErrorKind::kUsage, "--object-frame \"" + options.object_frame +
+                                     "\": expected mesh, for poses in the frame of the object's "
+                                     "mesh; those of another frame would have to be converted "
+                                     "first");
 }
 
 /** Names and positions of a map of joints. */
@@ -154,7 +161,7 @@ std::vector<ForeignGrasp> ReadIsaac(std::string_view bytes, const std::string& f
       grasp.object = object_frame;
       grasp.scale = options.scale.value_or(1.0);
       if (!options.scale) grasp.assumptions.push_back("the mesh is drawn in metres, scale 1");
-      grasp.assumptions.push_back("the frame \"" + options.object_frame + "\" is that of the mesh");
+      grasp.assumptions.push_back("poses are given in the frame of the mesh");
       const std::string name = entry.first.IsScalar() ? entry.first.Scalar() : "?";
       ReadIsaacGrasp(entry.second, file, "grasp " + name, problems, grasp);
       made.push_back(std::move(grasp));

@@ -38,6 +38,12 @@ const std::vector<CsvColumn<JudgedGrasp>>& ListColumns() {
        [](J j) { return JsonNumber(j.result.epsilon); }},
       {"closing_shift_m", "number", "m", "of the object until then",
        [](J j) { return JsonNumber(j.result.closing_shift); }},
+      {"breaking_load_n", "number", "N",
+       "largest push stood along all six axes, to 5 %; 0: not sought, or none",
+       [](J j) { return JsonNumber(j.result.breaking_load); }},
+      {"breaks_along", "string", "",
+       "the push along which more breaks it; empty with a load: 16 times the profile's did not",
+       [](J j) { return Json(j.result.breaks_along); }},
       {"num_stood", "integer", "", "pushes or lifts that it stood",
        [](J j) { return Json(j.result.num_stood); }},
       {"worst_shift_m", "number", "m", "of the object, in all looks",
@@ -97,7 +103,7 @@ std::vector<JudgedGrasp> LoadJudgedGrasps(const fs::path& folder) {
 }
 
 void FinishJudgedGrasps(const fs::path& folder, const std::vector<JudgedGrasp>& judged) {
-  WriteDerived(kJudgedGraspStore, folder, {{"grasps.csv", FormatCsv(ListColumns(), judged)}});
+  WriteDerived(kJudgedGraspStore, folder, {{kGraspTable, FormatCsv(ListColumns(), judged)}});
 }
 
 }  // namespace graspbench

@@ -71,6 +71,7 @@ Json LoadGraspConfig(const std::filesystem::path& folder);
 /** All that is judged, verified. @throws as LoadFrozen. */
 std::vector<JudgedGrasp> LoadJudgedGrasps(const std::filesystem::path& folder);
 
+inline constexpr char kGraspTable[] = "grasps.csv";
 /** Writes grasps.csv and seals the store. @throws Error(kIo). */
 void FinishJudgedGrasps(const std::filesystem::path& folder,
                         const std::vector<JudgedGrasp>& judged);

@@ -30,6 +30,8 @@ Problems FindProblems(const FreeSpaceProfile& profile) {
   CheckWord(kOwnOrGiven, "drives.law", profile.drives.law, problems);
   CheckWord(kBeyondLimits, "drives.beyond_limits", profile.drives.beyond_limits, problems);
   CheckWord(kOwnOrGiven, "surfaces.pads", profile.surfaces.pads, problems);
+  CheckWord(kStageChoices, "closing.stages", profile.closing.stages, problems);
+  CheckWord(kClosingRules, "closing.to", profile.closing.to, problems);
   CheckWord(kProfileTests, "test", profile.test, problems);
   if (profile.sim.gravity != 0.0) {
     problems.emplace_back("sim.gravity_m_per_s2",
@@ -51,7 +53,7 @@ const FileKeys& ListProfileKeys() {
         {"drives.stiffness_nm_per_rad", "", "of a given drive", 0, 1e4},
         {"drives.damping_nms_per_rad", "", "of a given drive, with that of its joint", 0, 1e3},
         {"drives.friction_nm", "", "of a given drive, sticking and sliding", 0, 10},
-        {"drives.torque_limit_nm", "", "of a given drive", kAboveZero, 1e3},
+        {"drives.torque_limit_nm", "", "of a given drive; 0: the hand's own", 0, 1e3},
         {"drives.free_distal", "",
          "joints that a finger's middle joint moves along have a drive of their own"},
         {"drives.beyond_limits", "",
@@ -62,14 +64,29 @@ const FileKeys& ListProfileKeys() {
         {"surfaces.torsion_radius_m", "",
          "resists spin up to friction times normal force times this; of given pads", 0, 0.1},
         {"surfaces.friction", "", "of hand and object, and of the hand with itself", 0, 5},
+        {"closing.stages", "",
+         "those of the grasp that the hand goes through: all; first, to close from the open hand; "
+         "grasp, to begin at it"},
+        {"closing.to", "",
+         "what the joints are asked for after the last stage: stated, as it says; press, beyond it "
+         "where a link touches; limits, closed as far as they go"},
+        {"closing.press_rad_per_m", "",
+         "of press: so much of each joint by how far it moves a touching point into the object", 0,
+         100},
+        {"closing.press_reach_m", "",
+         "of press: the points that touch are nearer to the surface than this", 0, 0.05},
+        {"closing.object_is_held", "",
+         "until two of digits and palm touch it, the object is put back after each step; where "
+         "that never comes, the grasp fails"},
         {"object_mass_kg", "", "0: by the density", 0, 100},
         {"object_density_kg_per_m3", "", "of the mesh's volume, where the mass is 0", kAboveZero,
          3e4},
-        {"stage_time_s", "", "from one stage of the grasp to the next", 0.01, 60},
+        {"stage_time_s", "", "from one stage of the grasp to the next", 0.001, 60},
         {"stage_updates", "", "the commands change so often in a stage; 0: in every step", 0,
          10000},
         {"test", "",
-         "pushes: six, along the axes of the file's world; lift: from a table at its z = 0"},
+         "pushes: six, along the axes of the file's world; fall: one, out of the palm along its "
+         "normal; lift: from a table at the world's z = 0"},
         {"acceleration_m_per_s2", "",
          "times the object's mass: the push, or the weight of a lift from the start", 0, 1000},
         {"test_time_s", "", "of each push, or of the lift", 0.01, 60},
@@ -77,7 +94,10 @@ const FileKeys& ListProfileKeys() {
         {"lift_height_m", "", "of a lift", 0, 1},
         {"max_start_penetration_m", "", "of hand and object at the first stage", 0, 0.1},
         {"max_shift_m", "", "of the object from where it began", kAboveZero, 10},
-        {"max_turn_deg", "", "of the object from how it began", kAboveZero, 360}};
+        {"max_turn_deg", "", "of the object from how it began", kAboveZero, 360},
+        {"must_touch", "", "in the last look the hand touches the object"},
+        {"finds_breaking_load", "",
+         "of pushes: also the largest that the grasp stands along all six axes, to 5 %"}};
     for (const FileKey& row : ListSessionKeys()) {
       if (row.key.rfind("sim.", 0) == 0) rows.push_back(row);
     }
@@ -116,14 +136,15 @@ std::vector<FreeSpaceProfile> ListProfiles() {
 }
 
 FreeSpaceProfile LoadProfile(const std::string& name_or_path) {
+  const std::vector<FreeSpaceProfile> known = ListProfiles();
   std::vector<std::string> names;
-  for (const FreeSpaceProfile& profile : ListProfiles()) {
+  for (const FreeSpaceProfile& profile : known) {
     if (profile.name == name_or_path) return profile;
     names.push_back(profile.name);
   }
   if (fs::exists(name_or_path)) {
     FreeSpaceProfile profile = ParseProfile(ReadFile(name_or_path), name_or_path);
-    for (const FreeSpaceProfile& shipped : ListProfiles()) {
+    for (const FreeSpaceProfile& shipped : known) {
       if (shipped.name != profile.name || ConfigToJson(shipped) == ConfigToJson(profile)) continue;
       throw Error(ErrorKind::kUsage, name_or_path + " is named as the shipped profile \"" +
                                          shipped.name +
@@ -134,6 +155,21 @@ FreeSpaceProfile LoadProfile(const std::string& name_or_path) {
   }
   throw Error(ErrorKind::kNotFound, "no profile and no file \"" + name_or_path + "\"" +
                                         SuggestNames(name_or_path, names));
+}
+
+std::vector<FreeSpaceProfile> LoadProfiles(const std::vector<std::string>& names_or_paths) {
+  std::vector<FreeSpaceProfile> profiles;
+  for (const std::string& name : names_or_paths) {
+    FreeSpaceProfile profile = LoadProfile(name);
+    for (const FreeSpaceProfile& other : profiles) {
+      if (other.name != profile.name) continue;
+      throw Error(ErrorKind::kUsage, "two profiles are named \"" + profile.name +
+                                         "\"; name each once, or rename a file, for a verdict "
+                                         "names its profile");
+    }
+    profiles.push_back(std::move(profile));
+  }
+  return profiles;
 }
 
 }  // namespace graspbench

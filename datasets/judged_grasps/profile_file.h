@@ -26,4 +26,7 @@ std::vector<FreeSpaceProfile> ListProfiles();
 as ParseProfile. */
 FreeSpaceProfile LoadProfile(const std::string& name_or_path);
 
+/** @throws as LoadProfile; Error(kUsage) when two have one name. */
+std::vector<FreeSpaceProfile> LoadProfiles(const std::vector<std::string>& names_or_paths);
+
 }  // namespace graspbench

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kPlotInterval = 0.03;  // finer would not be seen [s]
 constexpr size_t kMaxCurves = 8;        // of a plot
-constexpr const char* kTimeAxis = "time since the start of placing [s]";
+constexpr const char* kTimeAxis = "time since the start [s]";
 
 std::vector<const TraceInstant*> ChooseShownInstants(const std::vector<TraceInstant>& trace) {
   std::vector<const TraceInstant*> shown;

@@ -28,7 +28,7 @@ TEST(GraspsPage, ShowsVerdictsWithTheirProfileAndReason) {
       MakeGraspsPage(kConfig, judged, SummariseJudged(judged, FindLimits(kConfig)));
   EXPECT_NE(page.find("9.5 to 90.5"), std::string::npos) << "Wilson's interval of 1 of 2";
   EXPECT_NE(page.find("0.2 s into the push -y the object has moved 51.0 mm"), std::string::npos);
-  EXPECT_NE(page.find("a.npy, 1"), std::string::npos);
+  EXPECT_NE(page.find("a.npy, grasp 1"), std::string::npos);
   EXPECT_NE(page.find("unknown joint &lt;X&gt;"), std::string::npos);
 }
 

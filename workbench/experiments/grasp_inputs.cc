@@ -29,15 +29,24 @@ bool IsFile(const fs::path& path) {
   return fs::is_regular_file(path, none);
 }
 
-fs::path FindMeshAt(const fs::path& place) {
-  if (IsFile(place)) return place;
+fs::path FindMeshAt(const fs::path& folder, const fs::path& end) {
+  std::vector<fs::path> candidates = {end};
   for (const char* ending : {".obj", ".stl", ".ply", ".glb", ".gltf"}) {
-    if (IsFile(place.string() + ending)) return place.string() + ending;
+    candidates.push_back(end.string() + ending);
   }
   for (const char* inside : {"mesh/simplified.obj", "simplified.obj", "mesh.obj"}) {
-    if (IsFile(place / inside)) return place / inside;
+    candidates.push_back(end / inside);
   }
-  return {};
+  std::vector<fs::path> found;
+  for (const fs::path& candidate : candidates) {
+    if (IsFile(folder / candidate)) found.push_back(candidate);
+  }
+  if (found.size() > 1) {
+    throw Error(ErrorKind::kFormat, "both " + found[0].generic_string() + " and " +
+                                        found[1].generic_string() +
+                                        " are meant by its name; leave one of them");
+  }
+  return found.empty() ? fs::path() : folder / found.front();
 }
 
 /** Joints of the wrist that no stage moves are not the file's. */
@@ -69,12 +78,8 @@ class ObjectLoader {
     } catch (const Error& error) {
       loaded_.erase(key);
       if (ExitCodeOf(error.kind()) == kExitEnvironment) throw;  // of the machine, not of the mesh
-      const fs::path mesh = FindObjectMesh(folder_, name);
-      const std::string inside = mesh.lexically_relative(folder_).generic_string();
-      const Error named(error.kind(),
-                        mesh.empty() ? error.what() : NameInside(error.what(), mesh, inside));
-      refused_.emplace(key, named);
-      throw named;
+      refused_.emplace(key, error);
+      throw;
     }
   }
 
@@ -92,9 +97,19 @@ class ObjectLoader {
   std::map<std::pair<std::string, double>, std::shared_ptr<const GraspObject>> loaded_;
   std::map<std::pair<std::string, double>, Error> refused_;
 
+  /** What is wrong with it is said without the machine's path. */
+  std::shared_ptr<const GraspObject> LoadMesh(const fs::path& mesh, double scale) const {
+    try {
+      return LoadMeshObject(mesh, scale);
+    } catch (const Error& error) {
+      const std::string inside = mesh.lexically_relative(folder_).generic_string();
+      throw Error(error.kind(), NameInside(error.what(), mesh, inside));
+    }
+  }
+
   std::shared_ptr<const GraspObject> Find(const std::string& name, double scale) const {
     const fs::path mesh = FindObjectMesh(folder_, name);
-    if (!mesh.empty()) return LoadMeshObject(mesh, scale);
+    if (!mesh.empty()) return LoadMesh(mesh, scale);
     const std::vector<std::string> ids = ListObjects();
     if (scale == 1.0 && std::find(ids.begin(), ids.end(), name) != ids.end()) {
       return LoadObject(name);
@@ -105,10 +120,6 @@ class ObjectLoader {
                     "by every end of it");
   }
 };
-
-std::string NameGrasp(const ForeignGrasp& grasp) {
-  return grasp.source + ", grasp " + std::to_string(grasp.index);
-}
 
 /** Of all that a verdict depends on. */
 std::string HashGrasp(const GraspInput& input) {
@@ -144,15 +155,20 @@ fs::path FindObjectMesh(const fs::path& folder, const std::string& name) {
     if (part != "/" && part != ".." && !part.empty()) parts.push_back(part);
   }
   for (size_t first = 0; first < parts.size(); ++first) {
-    fs::path place = folder;
-    for (size_t i = first; i < parts.size(); ++i) place /= parts[i];
-    if (const fs::path mesh = FindMeshAt(place); !mesh.empty()) return mesh;
+    fs::path end;
+    for (size_t i = first; i < parts.size(); ++i) end /= parts[i];
+    if (const fs::path mesh = FindMeshAt(folder, end); !mesh.empty()) return mesh;
   }
   return {};
 }
 
 GraspInputs LoadGraspInputs(GraspCollection collection, const std::string& hand,
-                            const fs::path& folder) {
+                            const fs::path& folder, const std::vector<FreeSpaceProfile>& profiles) {
+  const bool is_closed_by_profiles =
+      std::all_of(profiles.begin(), profiles.end(), [](const FreeSpaceProfile& profile) {
+        return RowFromName(kClosingRules, profile.closing.to, "rule for closing").value ==
+               ClosingRule::kLimits;
+      });
   GraspInputs inputs;
   inputs.hand = std::make_shared<const Hand>(LoadHand(hand));
   DemandShortChains(*inputs.hand);
@@ -167,8 +183,11 @@ GraspInputs LoadGraspInputs(GraspCollection collection, const std::string& hand,
     }
     GraspInput input;
     try {
-      if (grasp.stages.size() == 1 && grasp.stages.front().name == "pregrasp") {
-        throw Error(ErrorKind::kFormat, "the file states the open hand alone, not how it closes");
+      if (grasp.stages.size() == 1 && grasp.stages.front().name == "pregrasp" &&
+          !is_closed_by_profiles) {
+        throw Error(ErrorKind::kFormat,
+                    "the file states the open hand alone, not how it closes; a profile that closes "
+                    "it judges it alone (closing.to: limits, as in multigripper)");
       }
       const HandGrasp mapped = MapToHand(grasp, *inputs.hand);
       for (const HandStage& stage : mapped.stages) {
@@ -202,17 +221,34 @@ GraspInputs LoadGraspInputs(GraspCollection collection, const std::string& hand,
   return inputs;
 }
 
-FreeSpaceResult JudgeGraspInput(const GraspInputs& inputs, const GraspInput& input,
-                                const FreeSpaceProfile& profile, int jitter) {
+std::string NameGrasp(const ForeignGrasp& grasp) {
+  return grasp.source + ", grasp " + std::to_string(grasp.index);
+}
+
+const GraspInput& FindGraspInput(const GraspInputs& inputs, int number) {
+  if (number >= 0 && number < static_cast<int>(inputs.grasps.size())) {
+    return inputs.grasps[static_cast<size_t>(number)];
+  }
+  throw Error(ErrorKind::kUsage, "--grasp " + std::to_string(number) + ": there are " +
+                                     FormatCount(static_cast<int>(inputs.grasps.size()), "grasp") +
+                                     " that can be judged, from 0 on");
+}
+
+ProfiledScene MakeInputScene(const GraspInputs& inputs, const GraspInput& input,
+                             const FreeSpaceProfile& profile, int jitter) {
   std::vector<ScriptedStage> stages = input.stages;
   if (jitter > 0) {
     const Pose X_HD = DrawDisturbance(input.grasp, jitter);
     for (ScriptedStage& stage : stages) stage.X_OH = stage.X_OH * X_HD;
   }
-  const ProfiledScene scene = MakeProfiledScene(
-      MakeProfiledHand(*inputs.hand, profile, inputs.is_asked),
-      MakeProfiledObject(*input.object, profile), input.grasp.X_WO, std::move(stages), profile);
-  return RunFreeSpace(scene, profile);
+  return MakeProfiledScene(MakeProfiledHand(*inputs.hand, profile, inputs.is_asked),
+                           MakeProfiledObject(*input.object, profile), input.grasp.X_WO,
+                           std::move(stages), profile);
+}
+
+FreeSpaceResult JudgeGraspInput(const GraspInputs& inputs, const GraspInput& input,
+                                const FreeSpaceProfile& profile, int jitter) {
+  return RunFreeSpace(MakeInputScene(inputs, input, profile, jitter), profile);
 }
 
 }  // namespace graspbench

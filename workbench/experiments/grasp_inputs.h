@@ -31,18 +31,30 @@ struct GraspInputs {
 
 /** The mesh that a file means by `name`, below `folder`: the path itself or any end of it, as a
 file, with an ending of a mesh, or a folder with mesh/simplified.obj, simplified.obj or mesh.obj.
-@returns empty: there is none. */
+The longest end that there is counts. @returns empty: there is none.
+@throws Error(kFormat) when more than one mesh is meant by it. */
 std::filesystem::path FindObjectMesh(const std::filesystem::path& folder, const std::string& name);
 
 /** @param hand  by id or folder.   @param objects  folder of the meshes; empty: the current one.
-A grasp whose mesh is missing or of no use is not judged, with the reason.
+A grasp whose mesh is missing or of no use is not judged, nor one that states the open hand alone
+where a profile does not close it; with the reason.
 @throws Error(kUsage) for two grasps of one name; Error(kFormat) when no grasp is left; as LoadHand,
 DemandShortChains. */
 GraspInputs LoadGraspInputs(GraspCollection collection, const std::string& hand,
-                            const std::filesystem::path& objects);
+                            const std::filesystem::path& objects,
+                            const std::vector<FreeSpaceProfile>& profiles);
 
-/** The grasp under a profile. @param jitter  0: as it is; else its root is disturbed at all stages
+/** "mug.npy, grasp 3", the same in every message and page. */
+std::string NameGrasp(const ForeignGrasp& grasp);
+
+/** @throws Error(kUsage) when there is no such grasp. */
+const GraspInput& FindGraspInput(const GraspInputs& inputs, int number);
+
+/** Hand, object and stages under a profile. @param jitter  0: as it is; else its root is disturbed at all stages
 by 1 mm and 1 degree in directions drawn from this number. */
+ProfiledScene MakeInputScene(const GraspInputs& inputs, const GraspInput& input,
+                             const FreeSpaceProfile& profile, int jitter = 0);
+
 FreeSpaceResult JudgeGraspInput(const GraspInputs& inputs, const GraspInput& input,
                                 const FreeSpaceProfile& profile, int jitter = 0);
 

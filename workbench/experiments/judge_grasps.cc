@@ -1,10 +1,10 @@
 #include "workbench/experiments/judge_grasps.h"
 
 #include <algorithm>
+#include <map>
 
 #include "core/base/config.h"
 #include "core/base/error.h"
-#include "datasets/judged_grasps/profile_file.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/experiments/pool/worker_pool.h"
 #include "workbench/experiments/run_record.h"
@@ -16,6 +16,7 @@ namespace {
 
 /** So many tasks a worker are judged before their lines are written, in order. */
 constexpr int kBatch = 16;
+constexpr char kShardKey[] = "shard";
 
 std::string NameLabel(const std::optional<bool>& label) {
   return !label ? "" : *label ? "success" : "failure";
@@ -28,9 +29,8 @@ class Tasks {
       : inputs_(inputs), profiles_(profiles), num_variants_(static_cast<size_t>(jitter) + 1) {}
 
   size_t size() const { return inputs_.grasps.size() * num_variants_ * profiles_.size(); }
-  const GraspInput& InputOf(size_t task) const {
-    return inputs_.grasps[task / (num_variants_ * profiles_.size())];
-  }
+  size_t GraspOf(size_t task) const { return task / (num_variants_ * profiles_.size()); }
+  const GraspInput& InputOf(size_t task) const { return inputs_.grasps[GraspOf(task)]; }
   JudgedGrasp Judge(size_t task) const {
     const GraspInput& input = InputOf(task);
     const FreeSpaceProfile& profile = profiles_[task % profiles_.size()];
@@ -67,12 +67,12 @@ void PrepareFolder(const fs::path& folder, const Json& config) {
 
 }  // namespace
 
-Json DescribeRequest(const JudgeGraspsRequest& request, const GraspInputs& inputs,
-                     const std::vector<FreeSpaceProfile>& profiles) {
+Json DescribeRequest(const JudgeGraspsRequest& request, const GraspInputs& inputs) {
   Json config = inputs.description;
   config["jitter"] = request.jitter;
+  if (request.shard.count > 1) config[kShardKey] = FormatShard(request.shard);
   config["profiles"] = Json::array();
-  for (const FreeSpaceProfile& profile : profiles) {
+  for (const FreeSpaceProfile& profile : request.profiles) {
     config["profiles"].push_back({{"name", profile.name}, {"values", ConfigToJson(profile)}});
   }
   Json unread = Json::array();
@@ -85,25 +85,18 @@ Json DescribeRequest(const JudgeGraspsRequest& request, const GraspInputs& input
 
 bool JudgeGrasps(const JudgeGraspsRequest& request, const GraspInputs& inputs, Observer& observer,
                  const std::atomic<bool>& stop) {
-  std::vector<FreeSpaceProfile> profiles;
-  for (const std::string& name : request.profiles) {
-    profiles.push_back(LoadProfile(name));
-    for (size_t i = 0; i + 1 < profiles.size(); ++i) {
-      if (profiles[i].name != profiles.back().name) continue;
-      throw Error(ErrorKind::kUsage, "two profiles are named \"" + profiles[i].name +
-                                         "\"; name each once, or rename a file, for a verdict "
-                                         "names its profile");
-    }
-  }
-  PrepareFolder(request.out, DescribeRequest(request, inputs, profiles));
+  PrepareFolder(request.out, DescribeRequest(request, inputs));
   RunRecorder recorder(request.out, request.num_workers, observer);
-  const Tasks tasks(inputs, profiles, request.jitter);
+  const Tasks tasks(inputs, request.profiles, request.jitter);
   GraspJournal journal(request.out / "journal.jsonl");
   std::vector<size_t> left;
+  size_t num_own = 0;
   for (size_t task = 0; task < tasks.size(); ++task) {
+    if (!IsCardOf(tasks.GraspOf(task), request.shard)) continue;
+    ++num_own;
     if (!journal.Find(static_cast<int>(task))) left.push_back(task);
   }
-  Stage stage = MakeStage(StageKind::kGrasps, tasks.size());
+  Stage stage = MakeStage(StageKind::kGrasps, num_own);
   stage.num_left = stage.num_trials = static_cast<int>(left.size());
   recorder.BeginStage(stage);
   StatusBoard board(request.num_workers);
@@ -139,6 +132,51 @@ bool JudgeGrasps(const JudgeGraspsRequest& request, const GraspInputs& inputs, O
   SealStore(kJudgedGraspStore, request.out);
   if (is_complete) FinishJudgedGrasps(request.out, LoadJudgedGrasps(request.out));
   return is_complete;
+}
+
+void MergeJudgedGrasps(const std::vector<fs::path>& parts, const fs::path& out) {
+  Json whole;
+  std::map<int, fs::path> folders;  // by the shard's number
+  std::vector<JudgedGrasp> judged;
+  int num_shards = 0;
+  for (const fs::path& part : parts) {
+    Json config = LoadGraspConfig(part);
+    if (!config.contains(kShardKey)) {
+      throw Error(ErrorKind::kUsage, "\"" + part.string() + "\" is no shard: it holds all grasps");
+    }
+    const Shard shard = ParseShard(config.at(kShardKey).get<std::string>());
+    config.erase(kShardKey);
+    if (whole.is_null()) whole = config;
+    if (config != whole || (num_shards > 0 && shard.count != num_shards)) {
+      throw Error(ErrorKind::kUsage, "\"" + part.string() + "\" and \"" + parts[0].string() +
+                                         "\" are shards of different requests");
+    }
+    num_shards = shard.count;
+    if (!folders.emplace(shard.number, part).second) {
+      throw Error(ErrorKind::kUsage, "\"" + part.string() + "\" and \"" +
+                                         folders.at(shard.number).string() + "\" are both shard " +
+                                         FormatShard(shard));
+    }
+    if (!fs::exists(part / kGraspTable)) {
+      throw Error(ErrorKind::kUsage, "shard " + FormatShard(shard) + " in \"" + part.string() +
+                                         "\" is not finished; its command again goes on");
+    }
+    for (JudgedGrasp& one : LoadJudgedGrasps(part)) judged.push_back(std::move(one));
+  }
+  for (int number = 1; number <= num_shards; ++number) {
+    if (folders.count(number) > 0) continue;
+    throw Error(ErrorKind::kUsage, "shard " + FormatShard({number, num_shards}) + " is missing");
+  }
+  std::sort(judged.begin(), judged.end(),
+            [](const JudgedGrasp& a, const JudgedGrasp& b) { return a.request < b.request; });
+  if (HasJudgedGrasps(out)) {
+    throw Error(ErrorKind::kUsage, "\"" + out.string() +
+                                       "\" holds judged grasps already; choose "
+                                       "another folder with --out");
+  }
+  PrepareFolder(out, whole);
+  GraspJournal(out / "journal.jsonl").Append(judged);
+  FinishJudgedGrasps(out, LoadJudgedGrasps(out));
 }
 
 }  // namespace graspbench

@@ -8,26 +8,34 @@ request again continues what was stopped, to the same bytes whatever the number 
 #include <vector>
 
 #include "datasets/judged_grasps/grasp_store.h"
+#include "datasets/shards/shard.h"
 #include "workbench/experiments/grasp_inputs.h"
 #include "workbench/experiments/observer.h"
 
 namespace graspbench {
 
 struct JudgeGraspsRequest {
-  std::vector<std::string> profiles = {"dexgraspbench-fc"};  ///< by name or file
+  std::vector<FreeSpaceProfile> profiles;
   int jitter = 0;  ///< disturbances of each grasp besides itself
+  Shard shard;     ///< of the grasps, dealt in turn
   std::filesystem::path out;
   int num_workers = 1;
 };
 
 /** The frozen configuration of the request: inputs and profiles in full. */
-Json DescribeRequest(const JudgeGraspsRequest& request, const GraspInputs& inputs,
-                     const std::vector<FreeSpaceProfile>& profiles);
+Json DescribeRequest(const JudgeGraspsRequest& request, const GraspInputs& inputs);
 
 /** @returns whether nothing is left; then the table is written.
 @throws Error(kUsage) when the folder holds something else or was begun with another request;
-as LoadProfile; kIo. */
+kIo. */
 bool JudgeGrasps(const JudgeGraspsRequest& request, const GraspInputs& inputs, Observer& observer,
                  const std::atomic<bool>& stop);
+
+/** One folder of all shards of a request, each in a folder of its own: journal and table are those
+of a run that was never dealt.
+@throws Error(kUsage) naming the shards that are missing, doubled or not finished, or what differs
+between two folders; as LoadJudgedGrasps. */
+void MergeJudgedGrasps(const std::vector<std::filesystem::path>& parts,
+                       const std::filesystem::path& out);
 
 }  // namespace graspbench

@@ -1,127 +1,31 @@
 #include "core/trial/protocols/free_space.h"
 
 #include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <new>
 
 #include "core/base/error.h"
-#include "core/physics/implicit_world.h"
 #include "core/quality/epsilon_fast.h"
 #include "core/quality/wrench_space.h"
 #include "core/trial/chain_limit.h"
 #include "core/trial/measures/stability_meter.h"
+#include "core/trial/protocols/closing_stage.h"
+#include "core/trial/protocols/free_space_course.h"
 
 namespace graspbench {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr char kPalm[] = "palm";
+/** Of the search for the breaking load: its bounds over the profile's push, and its precision. */
+constexpr double kLeastLoad = 1.0 / 64.0, kMostLoad = 16.0, kLoadPrecision = 1.05;
 
-struct ObjectMotion {
-  double shift, turn_deg;
-};
-
-ObjectMotion CalcMotion(const Pose& before, const Pose& after) {
-  const Eigen::AngleAxisd turn(Eigen::Matrix3d(before.linear().transpose() * after.linear()));
-  return {(after.translation() - before.translation()).norm(), DegFromRad(turn.angle())};
-}
-
-/** A world that has gone through some of the way; a copy goes on from the same instant. */
-class FreeSpaceCourse {
- public:
-  FreeSpaceCourse(const ProfiledScene& scene, const FreeSpaceProfile& profile)
-      : scene_(scene),
-        profile_(profile),
-        is_lift_(RowFromName(kProfileTests, profile.test, "test").value == ProfileTest::kLift),
-        world_(MakeWorld()) {}
-
-  const World& world() const { return *world_; }
-  bool is_lift() const { return is_lift_; }
-  bool is_finite() const { return report_.is_finite; }
-  const StepReport& report() const { return report_; }
-  int num_steps() const { return num_steps_; }
-  int num_unconverged() const { return num_unconverged_; }
-  ObjectMotion CalcMoved(double height = 0.0) const {
-    Pose start = scene_.X_WO;
-    start.pretranslate(Vector3d(0.0, 0.0, height));
-    return CalcMotion(start, world_->CalcObjectPose());
-  }
-
-  void Push(const Vector3d& acceleration_W) {
-    world_->SetExternalLoad(world_->mass_properties().mass * acceleration_W, Vector3d::Zero());
-  }
-
-  /** From one pose and posture to another, as the profile updates commands. */
-  void Go(const Pose& X_WH0, const Eigen::VectorXd& q0, const Pose& X_WH1,
-          const Eigen::VectorXd& q1, double duration) {
-    const int num_steps = std::max(1, static_cast<int>(std::lround(duration / profile_.sim.step)));
-    const int updates = profile_.stage_updates > 0 ? profile_.stage_updates : num_steps;
-    const Eigen::AngleAxisd turn(Eigen::Matrix3d(X_WH0.linear().transpose() * X_WH1.linear()));
-    const Vector3d moved = X_WH1.translation() - X_WH0.translation();
-    for (int step = 0; step < num_steps && report_.is_finite; ++step) {
-      const double share = static_cast<double>(step * updates / num_steps + 1) / updates;
-      command_.q = q0 + share * (q1 - q0);
-      command_.X_WH = MakePose(
-          X_WH0.linear() * Eigen::AngleAxisd(share * turn.angle(), turn.axis()).toRotationMatrix(),
-          X_WH0.translation() + share * moved);
-      if (profile_.stage_updates == 0) {
-        command_.v_WH = moved / duration;
-        command_.w_WH = X_WH0.linear() * turn.axis() * (turn.angle() / duration);
-      }
-      Step();
-    }
-    command_.v_WH = command_.w_WH = Vector3d::Zero();
-  }
-
-  void Wait(double duration) {
-    const int num_steps = std::max(1, static_cast<int>(std::lround(duration / profile_.sim.step)));
-    for (int step = 0; step < num_steps && report_.is_finite; ++step) Step();
-  }
-
-  /** What the hand is asked for at a stage: under middle-first one drive bends both joints. */
-  Eigen::VectorXd MakeCommand(const ScriptedStage& stage) const {
-    Eigen::VectorXd q = stage.q;
-    if (scene_.hand->coupling != CouplingRule::kMiddleFirst) return q;
-    for (size_t j = 0; j < scene_.hand->joints.size(); ++j) {
-      const HandJoint& joint = scene_.hand->joints[j];
-      if (joint.coupled_to < 0 || joint.is_mimic) continue;
-      q[joint.coupled_to] += stage.q[static_cast<Eigen::Index>(j)];
-    }
-    return q;
-  }
-
-  void Begin() {
-    WorldState state;
-    state.gravity_W = MakeGravity(profile_.sim);
-    state.X_WH = scene_.X_WO * scene_.stages.front().X_OH;
-    state.q = scene_.stages.front().q;
-    state.u = Eigen::VectorXd::Zero(world_->dynamics().num_dofs());
-    state.R_WO = scene_.X_WO.linear();
-    state.p_WOcm = scene_.X_WO * scene_.object->mass_properties.p_OOcm;
-    world_->Reset(state);
-  }
-
- private:
-  WorldCopy MakeWorld() const {
-    return WorldCopy(ImplicitWorld(*scene_.hand, *scene_.object, profile_.sim,
-                                   is_lift_ ? TablePresence::kPresent : TablePresence::kNone));
-  }
-  void Step() {
-    report_ = world_->Step(command_);
-    ++num_steps_;
-    num_unconverged_ += !report_.converged;
-  }
-
-  const ProfiledScene& scene_;
-  const FreeSpaceProfile& profile_;
-  bool is_lift_;
-  WorldCopy world_;
-  WorldCommand command_;
-  StepReport report_;
-  int num_steps_ = 0, num_unconverged_ = 0;
+struct Push {
+  std::string stage;  ///< "push -x", "fall"
+  Vector3d axis_W;    ///< unit
 };
 
 /** Deepest overlaps at a stage: with the object, and of the hand with itself [m]. */
@@ -168,27 +72,17 @@ double FindDepthInTable(const ProfiledScene& scene) {
   return -lowest;
 }
 
-std::string ListTouching(const Hand& hand, const std::vector<bool>& link_touches) {
-  std::vector<bool> touches(hand.digits.size(), false);
-  bool palm_touches = false;
-  for (size_t link = 0; link < link_touches.size(); ++link) {
-    if (!link_touches[link]) continue;
-    const int digit = hand.FindDigitOfLink(static_cast<int>(link));
-    digit < 0 ? palm_touches = true : touches[static_cast<size_t>(digit)] = true;
-  }
-  std::string names;
-  const auto add = [&](const std::string& name) { names += (names.empty() ? "" : " ") + name; };
-  for (size_t d = 0; d < touches.size(); ++d) {
-    if (touches[d]) add(hand.digits[d].id);
-  }
-  if (palm_touches) add(kPalm);
-  return names;
-}
-
 class FreeSpaceRun {
  public:
-  FreeSpaceRun(const ProfiledScene& scene, const FreeSpaceProfile& profile)
-      : scene_(scene), profile_(profile), course_(scene, profile) {}
+  /** @param trace_interval  0: no trace is kept [s] */
+  FreeSpaceRun(const ProfiledScene& scene, const FreeSpaceProfile& profile,
+               double trace_interval = 0.0)
+      : scene_(scene), profile_(profile), course_(scene, profile, trace_interval) {}
+
+  /** Of the push that decides, or of that which moved the object most. */
+  std::vector<TraceInstant> TakeTrace() {
+    return shown_.empty() ? course_.TakeTrace() : std::move(shown_);
+  }
 
   FreeSpaceResult Run() {
     if (!scene_.refusal.empty()) return Fail("limits", scene_.refusal);
@@ -211,7 +105,10 @@ class FreeSpaceRun {
     course_.Begin();
     if (course_.is_lift()) course_.Push({0.0, 0.0, -profile_.acceleration});
     if (!Close()) return result_;
-    if (course_.is_lift() ? Lift() : PushAll()) result_.passed = true;
+    result_.passed = course_.is_lift() ? Lift() : PushAll();
+    if (profile_.finds_breaking_load && !course_.is_lift() && !result_.touching.empty()) {
+      FindBreakingLoad();
+    }
     return result_;
   }
 
@@ -232,27 +129,44 @@ class FreeSpaceRun {
   }
 
   bool Close() {
+    course_.SetPhase(Phase::kClosure);
     for (size_t s = 0; s + 1 < scene_.stages.size(); ++s) {
       const ScriptedStage &from = scene_.stages[s], &to = scene_.stages[s + 1];
       course_.Go(scene_.X_WO * from.X_OH, course_.MakeCommand(from), scene_.X_WO * to.X_OH,
                  course_.MakeCommand(to), profile_.stage_time);
       if (!course_.is_finite()) return FailNumerically(to.name);
     }
-    // A grasp of one stage is held as it stands.
-    if (scene_.stages.size() == 1) {
-      const ScriptedStage& only = scene_.stages.front();
-      course_.Go(scene_.X_WO * only.X_OH, course_.MakeCommand(only), scene_.X_WO * only.X_OH,
-                 course_.MakeCommand(only), profile_.stage_time);
-      if (!course_.is_finite()) return FailNumerically(only.name);
-    }
+    const bool is_closed = CloseBeyond();
     Count(course_, 0, 0);
+    if (!is_closed) return false;
     const ObjectMotion closing = course_.CalcMoved();
     result_.closing_shift = closing.shift;
     result_.closing_turn_deg = closing.turn_deg;
-    result_.touching = ListTouching(*scene_.hand, course_.report().link_touches_object);
+    result_.touching = fmt::format("{}", fmt::join(course_.ListTouching(), " "));
     result_.grip_force = course_.report().grip_force;
     result_.epsilon = CalcEpsilon(course_.world(), CalcObjectRadius(*scene_.object));
     return true;
+  }
+
+  /** Past the last stage; a grasp of one stage is held at least as it stands. */
+  bool CloseBeyond() {
+    const ScriptedStage& last = scene_.stages.back();
+    ScriptedStage closed = last;
+    closed.q = CalcClosingCommand(scene_, profile_);
+    const Pose X_WH = scene_.X_WO * last.X_OH;
+    if (profile_.closing.object_is_held) {
+      if (course_.CloseOnHeld(X_WH, course_.MakeCommand(closed), profile_.stage_time)) return true;
+      if (!course_.is_finite()) return FailNumerically(last.name);
+      Fail(last.name, fmt::format("closing for {:g} s on the held object, {} touched it, where two "
+                                  "must",
+                                  profile_.stage_time,
+                                  course_.ListTouching().empty() ? "nothing" : "one part alone"));
+      return false;
+    }
+    if (closed.q == last.q && scene_.stages.size() > 1) return true;
+    course_.Go(X_WH, course_.MakeCommand(last), X_WH, course_.MakeCommand(closed),
+               profile_.stage_time);
+    return course_.is_finite() || FailNumerically(last.name);
   }
 
   bool IsBeyond(const ObjectMotion& moved) const {
@@ -281,28 +195,87 @@ class FreeSpaceRun {
              how + "; " + touched);
     return false;
   }
+  bool DemandTouch(const FreeSpaceCourse& course, const std::string& stage) {
+    if (!profile_.must_touch || !course.ListTouching().empty()) return true;
+    const double shift = course.CalcMoved(course.is_lift() ? profile_.lift_height : 0.0).shift;
+    Fail(stage,
+         fmt::format("nothing touches the object at the end of the {}: it has moved {:.1f} mm",
+                     stage, MmFromM(shift)));
+    return false;
+  }
 
-  bool PushAll() {
+  std::vector<Push> ListPushes() const {
+    if (RowFromName(kProfileTests, profile_.test, "test").value == ProfileTest::kFall) {
+      const Pose X_WH = scene_.X_WO * scene_.stages.back().X_OH;
+      return {{"fall", X_WH.linear() * scene_.hand->palm_normal.normalized()}};
+    }
+    std::vector<Push> pushes;
     for (int push = 0; push < 6; ++push) {
       const double sign = push % 2 == 0 ? -1.0 : 1.0;
-      const std::string stage = std::string("push ") + (sign < 0.0 ? "-" : "+") + "xyz"[push / 2];
-      FreeSpaceCourse pushed = course_;
-      const int steps = pushed.num_steps(), unconverged = pushed.num_unconverged();
-      pushed.Push(sign * profile_.acceleration * Vector3d::Unit(push / 2));
-      bool stands = true;
-      const int num_looks =
-          std::max(1, static_cast<int>(std::lround(profile_.test_time / profile_.check_interval)));
-      for (int look = 1; stands && look <= num_looks; ++look) {
-        pushed.Wait(profile_.test_time / num_looks);
-        stands = pushed.is_finite()
-                     ? Look(pushed.CalcMoved(), stage, look * profile_.test_time / num_looks)
-                     : FailNumerically(stage);
-      }
-      Count(pushed, steps, unconverged);
-      if (!stands) return false;
+      pushes.push_back({std::string("push ") + (sign < 0.0 ? "-" : "+") + "xyz"[push / 2],
+                        sign * Vector3d::Unit(push / 2)});
+    }
+    return pushes;
+  }
+
+  bool StandPush(const Push& push, double acceleration) {
+    FreeSpaceCourse pushed = course_;
+    const int steps = pushed.num_steps(), unconverged = pushed.num_unconverged();
+    pushed.SetPhase(Phase::kHold);
+    pushed.Push(acceleration * push.axis_W);
+    const double worst_before = result_.worst_shift;
+    bool stands = true;
+    const int num_looks =
+        std::max(1, static_cast<int>(std::lround(profile_.test_time / profile_.check_interval)));
+    for (int look = 1; stands && look <= num_looks; ++look) {
+      pushed.Wait(profile_.test_time / num_looks);
+      stands = pushed.is_finite()
+                   ? Look(pushed.CalcMoved(), push.stage, look * profile_.test_time / num_looks)
+                   : FailNumerically(push.stage);
+    }
+    stands = stands && DemandTouch(pushed, push.stage);
+    Count(pushed, steps, unconverged);
+    if (course_.is_traced() && (!stands || result_.worst_shift > worst_before)) {
+      shown_ = pushed.TakeTrace();
+    }
+    return stands;
+  }
+
+  bool PushAll() {
+    for (const Push& push : ListPushes()) {
+      if (!StandPush(push, profile_.acceleration)) return false;
       ++result_.num_stood;
     }
     return true;
+  }
+
+  void FindBreakingLoad() {
+    const double mass = scene_.object->mass_properties.mass;
+    double most = kMostLoad * profile_.acceleration;
+    std::string breaks_along;
+    for (const Push& push : ListPushes()) {
+      const auto stands = [&](double acceleration) {
+        FreeSpaceRun other = *this;  // which keeps what it finds to itself, but for the steps
+        const bool stood = other.StandPush(push, acceleration);
+        result_.num_steps = other.result_.num_steps;
+        result_.num_unconverged = other.result_.num_unconverged;
+        return stood;
+      };
+      if (most == 0.0 || stands(most)) continue;
+      breaks_along = push.stage;
+      double least = kLeastLoad * profile_.acceleration;
+      if (least >= most || !stands(least)) {
+        most = 0.0;
+        continue;
+      }
+      while (most > kLoadPrecision * least) {
+        const double middle = std::sqrt(least * most);
+        (stands(middle) ? least : most) = middle;
+      }
+      most = least;
+    }
+    result_.breaking_load = mass * most;
+    result_.breaks_along = breaks_along;
   }
 
   bool Lift() {
@@ -311,11 +284,13 @@ class FreeSpaceRun {
     Pose lifted = X_WH;
     lifted.pretranslate(Vector3d(0.0, 0.0, profile_.lift_height));
     const int steps = course_.num_steps(), unconverged = course_.num_unconverged();
+    course_.SetPhase(Phase::kLiftOff);
     course_.Go(X_WH, course_.MakeCommand(last), lifted, course_.MakeCommand(last),
                profile_.test_time);
     Count(course_, steps, unconverged);
     if (!course_.is_finite()) return FailNumerically("lift");
     if (!Look(course_.CalcMoved(profile_.lift_height), "lift", profile_.test_time)) return false;
+    if (!DemandTouch(course_, "lift")) return false;
     result_.num_stood = 1;
     return true;
   }
@@ -323,24 +298,42 @@ class FreeSpaceRun {
   const ProfiledScene& scene_;
   const FreeSpaceProfile& profile_;
   FreeSpaceCourse course_;
+  std::vector<TraceInstant> shown_;
   FreeSpaceResult result_;
 };
 
 }  // namespace
 
-FreeSpaceResult RunFreeSpace(const ProfiledScene& scene, const FreeSpaceProfile& profile) {
+namespace {
+
+TracedFreeSpace Run(const ProfiledScene& scene, const FreeSpaceProfile& profile,
+                    double trace_interval) {
+  TracedFreeSpace traced;
   try {
     DemandShortChains(*scene.hand);
-    return FreeSpaceRun(scene, profile).Run();
+    FreeSpaceRun run(scene, profile, trace_interval);
+    traced.result = run.Run();
+    traced.trace = run.TakeTrace();
   } catch (const std::bad_alloc&) {  // of the machine, not of the grasp
     throw;
   } catch (const std::exception& e) {
-    FreeSpaceResult result;
-    result.is_numerical = true;
-    result.failed_stage = "start";
-    result.reason = e.what();
-    return result;
+    traced.result = FreeSpaceResult();
+    traced.result.is_numerical = true;
+    traced.result.failed_stage = "start";
+    traced.result.reason = e.what();
   }
+  return traced;
+}
+
+}  // namespace
+
+FreeSpaceResult RunFreeSpace(const ProfiledScene& scene, const FreeSpaceProfile& profile) {
+  return Run(scene, profile, 0.0).result;
+}
+
+TracedFreeSpace TraceFreeSpace(const ProfiledScene& scene, const FreeSpaceProfile& profile,
+                               double interval) {
+  return Run(scene, profile, interval);
 }
 
 }  // namespace graspbench

@@ -1,10 +1,15 @@
 #pragma once
 /** @file
 A grasp in free space: hand and object begin where the first stage has them, the object at rest; the
-hand goes through its stages; then, from that instant each time, the object is pushed along each of
-the six half axes of W with its mass times the profile's acceleration, or the hand lifts it from a
-table. The grasp passes when in every look the object has moved less than the profile's limits from
-where it was at the start (of a lift: raised with it). The first push that it does not stand decides.
+hand goes through its stages, and closes beyond the last where the profile says so
+(closing_stage.h); then, from that instant each time, the object is pushed along each of
+the six half axes of W with its mass times the profile's acceleration; or once, out of the palm; or
+the hand lifts it from a table. The grasp passes when in every look the object has moved less than
+the profile's limits from where it was at the start (of a lift: raised with it), and, where the
+profile says so, is touched in the last. The first push that it does not stand decides.
+
+The breaking load is the largest push that it stands along each of the six, found by bisection with
+whole pushes, so what decides is the same: 0.05 relative, from 1/64 to 16 times the profile's.
 
 Where the profile updates commands n times a stage, they jump: root and drives are asked for the
 pose at (k + 1)/n of the way during the k-th part. The root turns along the shortest way at an even
@@ -20,6 +25,7 @@ the same instant. */
 #include "core/base/text/record_fields.h"
 #include "core/base/units.h"
 #include "core/trial/protocols/profiled_scene.h"
+#include "core/trial/trial_trace.h"
 
 namespace graspbench {
 
@@ -37,6 +43,12 @@ struct FreeSpaceResult {
   double epsilon = 0.0;
   double closing_shift = 0.0;  ///< of the object until then [m]
   double closing_turn_deg = 0.0;
+  /** Largest push that the grasp stands along all six axes, to 5 % below, and the one along which
+  more breaks it [N]; empty: none within 16 times the profile's. 0: not sought, or none stood. */
+  ///@{
+  double breaking_load = 0.0;
+  std::string breaks_along;
+  ///@}
   int num_stood = 0;         ///< pushes, of 6, or lifts, of 1
   double worst_shift = 0.0;  ///< of all looks [m]
   double worst_turn_deg = 0.0;
@@ -57,6 +69,8 @@ struct FreeSpaceResult {
     field("epsilon", &R::epsilon);
     field("closing_shift_m", &R::closing_shift);
     field("closing_turn_deg", &R::closing_turn_deg);
+    field("breaking_load_n", &R::breaking_load);
+    field("breaks_along", &R::breaks_along);
     field("num_stood", &R::num_stood);
     field("worst_shift_m", &R::worst_shift);
     field("worst_turn_deg", &R::worst_turn_deg);
@@ -67,5 +81,15 @@ struct FreeSpaceResult {
 
 /** Never throws for what happens in the physics. @pre the scene is of this profile. */
 FreeSpaceResult RunFreeSpace(const ProfiledScene& scene, const FreeSpaceProfile& profile);
+
+struct TracedFreeSpace {
+  FreeSpaceResult result;  ///< that of RunFreeSpace, to the last byte
+  /** From the start, where that could be, through the stages (closure) to the end of the lift
+  (lift-off) or of a push (hold): the one that decides, or else moved the object most. */
+  std::vector<TraceInstant> trace;
+};
+/** @param interval  of the instants, rounded up to whole steps; some 2 kB each [s] */
+TracedFreeSpace TraceFreeSpace(const ProfiledScene& scene, const FreeSpaceProfile& profile,
+                               double interval);
 
 }  // namespace graspbench

@@ -34,17 +34,37 @@ inline constexpr BeyondLimitsRow kBeyondLimits[] = {{BeyondLimits::kRefuse, "ref
                                                     {BeyondLimits::kClip, "clip"},
                                                     {BeyondLimits::kIgnore, "ignore"}};
 
+/** Which of a grasp's stages the hand goes through. */
+enum class StageChoice { kAll, kFirst, kGrasp };
+struct StageChoiceRow {
+  StageChoice value;
+  const char* name;
+};
+inline constexpr StageChoiceRow kStageChoices[] = {
+    {StageChoice::kAll, "all"}, {StageChoice::kFirst, "first"}, {StageChoice::kGrasp, "grasp"}};
+
+/** What the joints are asked for after the last stage (closing_stage.h). */
+enum class ClosingRule { kStated, kPress, kLimits };
+struct ClosingRuleRow {
+  ClosingRule value;
+  const char* name;
+};
+inline constexpr ClosingRuleRow kClosingRules[] = {{ClosingRule::kStated, "stated"},
+                                                   {ClosingRule::kPress, "press"},
+                                                   {ClosingRule::kLimits, "limits"}};
+
 /** What is done to the object once the hand has gone through its stages. */
 enum class ProfileTest {
   kPushes,  ///< six, from the same instant each
+  kFall,    ///< one, out of the palm along its normal
   kLift     ///< the hand rises, from a table
 };
 struct ProfileTestRow {
   ProfileTest value;
   const char* name;
 };
-inline constexpr ProfileTestRow kProfileTests[] = {{ProfileTest::kPushes, "pushes"},
-                                                   {ProfileTest::kLift, "lift"}};
+inline constexpr ProfileTestRow kProfileTests[] = {
+    {ProfileTest::kPushes, "pushes"}, {ProfileTest::kFall, "fall"}, {ProfileTest::kLift, "lift"}};
 
 struct ProfileDrives {
   std::string law = "own";
@@ -53,7 +73,7 @@ struct ProfileDrives {
   double stiffness = 5.0;     ///< [N m/rad]
   double damping = 0.05;      ///< [N m s/rad]
   double friction = 0.01;     ///< [N m]
-  double torque_limit = 3.0;  ///< [N m]
+  double torque_limit = 3.0;  ///< 0: the hand's own [N m]
   ///@}
   bool free_distal = false;  ///< joints that follow another have a drive of their own
   std::string beyond_limits = "clip";
@@ -83,6 +103,24 @@ struct ProfileSurfaces {
   }
 };
 
+struct ProfileClosing {
+  std::string stages = "all";  ///< grasp: that of this name, else the last
+  std::string to = "stated";
+  double press = 1.0;          ///< of joints, by the distance a point would move [rad/m]
+  double press_reach = 0.001;  ///< of points that press: their distance from the object [m]
+  /** Until two of digits and palm touch it, the object is put back where it was after each step. */
+  bool object_is_held = false;
+
+  template <class V>
+  void Visit(V&& v) {
+    v("stages", stages);
+    v("to", to);
+    v("press_rad_per_m", press);
+    v("press_reach_m", press_reach);
+    v("object_is_held", object_is_held);
+  }
+};
+
 /** Nothing falls by itself: a push or a lift says what acts on the object. */
 inline SimConfig MakeFreeSpaceSim() {
   SimConfig sim;
@@ -95,6 +133,7 @@ struct FreeSpaceProfile {
   std::string about, source;
   ProfileDrives drives;
   ProfileSurfaces surfaces;
+  ProfileClosing closing;
   double mass = 0.1;        ///< of the object [kg]; 0: by its density
   double density = 500.0;   ///< [kg/m^3]
   double stage_time = 0.4;  ///< from one stage to the next [s]
@@ -107,6 +146,8 @@ struct FreeSpaceProfile {
   double max_start_penetration = 0.01;     ///< of hand and object at the first stage [m]
   double max_shift = 0.05;                 ///< of the object [m]
   double max_turn_deg = 15.0;
+  bool must_touch = false;           ///< in the last look the hand touches the object
+  bool finds_breaking_load = false;  ///< of pushes (free_space.h)
   SimConfig sim = MakeFreeSpaceSim();
 
   template <class V>
@@ -115,6 +156,7 @@ struct FreeSpaceProfile {
     v("source", source);
     v("drives", drives);
     v("surfaces", surfaces);
+    v("closing", closing);
     v("object_mass_kg", mass);
     v("object_density_kg_per_m3", density);
     v("stage_time_s", stage_time);
@@ -127,6 +169,8 @@ struct FreeSpaceProfile {
     v("max_start_penetration_m", max_start_penetration);
     v("max_shift_m", max_shift);
     v("max_turn_deg", max_turn_deg);
+    v("must_touch", must_touch);
+    v("finds_breaking_load", finds_breaking_load);
     v("sim", sim);
   }
 };

@@ -23,11 +23,11 @@ JointDrive MakeHoldingDrive(const HandJoint& joint, const SimConfig& sim) {
   return drive;
 }
 
-JointDrive MakeGivenDrive(const ProfileDrives& given) {
+JointDrive MakeGivenDrive(const ProfileDrives& given, const JointDrive& own) {
   JointDrive drive;
   drive.stiffness = given.stiffness;
   drive.damping = given.damping;
-  drive.torque_limit = given.torque_limit;
+  drive.torque_limit = given.torque_limit > 0.0 ? given.torque_limit : own.torque_limit;
   drive.friction_static = drive.friction_dynamic = given.friction;
   return drive;
 }
@@ -37,6 +37,22 @@ std::string DescribeViolation(const HandJoint& joint, const std::string& stage, 
                      joint.name, ToDisplayUnits(joint, q), DisplayUnitOf(joint),
                      ToDisplayUnits(joint, joint.lower), ToDisplayUnits(joint, joint.upper),
                      DisplayUnitOf(joint));
+}
+
+std::vector<ScriptedStage> ChooseStages(std::vector<ScriptedStage> stages,
+                                        const std::string& choice) {
+  switch (RowFromName(kStageChoices, choice, "choice of stages").value) {
+    case StageChoice::kAll:
+      return stages;
+    case StageChoice::kFirst:
+      return {stages.front()};
+    case StageChoice::kGrasp:
+      for (const ScriptedStage& stage : stages) {
+        if (stage.name == "grasp") return {stage};
+      }
+      return {stages.back()};
+  }
+  return stages;
 }
 
 /** Under middle-first the distal joint is never bent more than the middle one. */
@@ -73,7 +89,7 @@ std::shared_ptr<const Hand> MakeProfiledHand(const Hand& hand, const FreeSpacePr
     if (!is_asked[j]) {
       joint.drive = MakeHoldingDrive(joint, profile.sim);
     } else if (is_given && !joint.is_prismatic) {
-      joint.drive = MakeGivenDrive(profile.drives);
+      joint.drive = MakeGivenDrive(profile.drives, joint.drive);
     }
   }
   if (RowFromName(kOwnOrGiven, profile.surfaces.pads, "kind of pads").value == OwnOrGiven::kGiven) {
@@ -105,7 +121,8 @@ ProfiledScene MakeProfiledScene(std::shared_ptr<const Hand> hand,
                                 std::shared_ptr<const GraspObject> object, const Pose& X_WO,
                                 std::vector<ScriptedStage> stages,
                                 const FreeSpaceProfile& profile) {
-  ProfiledScene scene{std::move(hand), std::move(object), X_WO, std::move(stages), ""};
+  ProfiledScene scene{std::move(hand), std::move(object), X_WO,
+                      ChooseStages(std::move(stages), profile.closing.stages), ""};
   const BeyondLimits beyond =
       RowFromName(kBeyondLimits, profile.drives.beyond_limits, "rule for limits").value;
   for (ScriptedStage& stage : scene.stages) {

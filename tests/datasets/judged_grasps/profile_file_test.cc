@@ -28,9 +28,9 @@ TEST(ProfileFile, ShippedProfilesNameTheirSource) {
     EXPECT_FALSE(profile.about.empty()) << profile.name;
     EXPECT_FALSE(profile.source.empty()) << profile.name;
   }
-  EXPECT_EQ(
-      names.count("own") + names.count("dexgraspbench-fc") + names.count("dexgraspbench-tabletop"),
-      3u);
+  EXPECT_EQ(names,
+            (std::set<std::string>{"dexgraspbench-fc", "dexgraspbench-tabletop", "dexgraspnet",
+                                   "multigripper", "multigripper-axes", "own"}));
 }
 
 // A later default must not change what somebody means by a name.
@@ -57,17 +57,50 @@ TEST(ProfileFile, DexGraspBenchAsPublished) {
   EXPECT_EQ(profile.max_turn_deg, 15.0);
 }
 
+TEST(ProfileFile, DexGraspNetAsPublished) {
+  const FreeSpaceProfile profile = LoadProfile("dexgraspnet");
+  EXPECT_EQ(profile.drives.stiffness, 1000.0);
+  EXPECT_EQ(profile.drives.damping, 0.0);
+  EXPECT_EQ(profile.surfaces.friction, 3.0);
+  EXPECT_EQ(profile.mass, 0.0);
+  EXPECT_EQ(profile.density, 500.0);
+  EXPECT_EQ(profile.acceleration, 9.8);
+  EXPECT_NEAR(profile.test_time, 100.0 / 60.0, 1e-5);
+  EXPECT_NEAR(2.0 * profile.sim.step, 1.0 / 60.0, 1e-7);
+  EXPECT_EQ(profile.max_start_penetration, 0.001);
+  EXPECT_TRUE(profile.must_touch);
+  EXPECT_EQ(profile.closing.to, "press");
+}
+
+TEST(ProfileFile, MultiGripperGraspAsPublished) {
+  const FreeSpaceProfile fall = LoadProfile("multigripper");
+  EXPECT_EQ(fall.test, "fall");
+  EXPECT_EQ(fall.acceleration, 9.81);
+  EXPECT_EQ(fall.test_time, 3.0);
+  EXPECT_EQ(fall.max_shift, 0.3);
+  EXPECT_EQ(fall.closing.to, "limits");
+  EXPECT_TRUE(fall.closing.object_is_held);
+  EXPECT_EQ(fall.stage_time, 0.7);
+  const FreeSpaceProfile axes = LoadProfile("multigripper-axes");
+  EXPECT_EQ(axes.test, "pushes");
+  EXPECT_FALSE(axes.closing.object_is_held);
+  EXPECT_EQ(axes.acceleration, 0.5);
+  EXPECT_EQ(axes.test_time, 0.5);
+  EXPECT_EQ(axes.max_shift, 0.02);
+}
+
 TEST(ProfileFile, OwnHoldsTheDefaults) {
   FreeSpaceProfile own = LoadProfile("own");
   own.about = own.source = "";
   FreeSpaceProfile defaults;
   defaults.sim.steady_step_factor = 1;
+  defaults.finds_breaking_load = true;  // its cost is asked for, not had by chance
   EXPECT_EQ(FindConfigDifferences(own, defaults), std::vector<std::string>());
 }
 
 TEST(ProfileFile, FaultsAreNamedWithTheirLine) {
   EXPECT_NE(FindFault("about: x\nfrictoin: 1\n").find("mine.yaml:2"), std::string::npos);
-  EXPECT_NE(FindFault("test: shakes\n").find("expected pushes, lift"), std::string::npos);
+  EXPECT_NE(FindFault("test: shakes\n").find("expected pushes, fall, lift"), std::string::npos);
   EXPECT_NE(FindFault("stage_time_s: -1\n").find("out of range"), std::string::npos);
   EXPECT_NE(FindFault("drives: {law: hers}\n").find("expected own, given"), std::string::npos);
   EXPECT_EQ(FindFault("about: mine\n"), "");

@@ -28,6 +28,10 @@ TEST(GraspInputs, AMeshIsFoundByAnyEndOfItsPath) {
   EXPECT_EQ(FindObjectMesh(folder.path(), "../cube.obj"), folder.path() / "cube.obj");
   EXPECT_EQ(FindObjectMesh(folder.path(), "mug"), fs::path());
   EXPECT_EQ(FindObjectMesh(folder.path(), ""), fs::path());
+  // Which of two is meant, nobody can say.
+  WriteFile(folder.path() / "core_mug.stl", "");
+  EXPECT_THROW(FindObjectMesh(folder.path(), "core_mug"), Error);
+  EXPECT_EQ(FindObjectMesh(folder.path(), "core_mug/mesh/simplified.obj"), mesh);
 }
 
 ForeignGrasp MakeForeign(const std::string& object) {
@@ -47,7 +51,7 @@ TEST(GraspInputs, WhatTheHandCannotDoIsNamed) {
   GraspCollection collection;
   collection.grasps = {MakeForeign("cube")};
   try {
-    LoadGraspInputs(collection, "shadow", folder.path());
+    LoadGraspInputs(collection, "shadow", folder.path(), {FreeSpaceProfile()});
     FAIL();
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("a.npy, grasp 0"), std::string::npos) << error.what();
@@ -72,7 +76,8 @@ TEST(GraspInputs, WhatAVerdictDependsOnIsInTheDescription) {
   const auto describe = [&](const ForeignGrasp& grasp) {
     GraspCollection collection;
     collection.grasps = {grasp};
-    return FormatJson(LoadGraspInputs(collection, "shadow", folder.path()).description);
+    return FormatJson(
+        LoadGraspInputs(collection, "shadow", folder.path(), {FreeSpaceProfile()}).description);
   };
   const ForeignGrasp grasp = MakeOpen(hand, 0, "cube");
   ForeignGrasp moved = grasp, bent = grasp, labelled = grasp;
@@ -95,7 +100,8 @@ TEST(GraspInputs, AMeshThatIsOfNoUseDoesNotStopTheOthers) {
                        MakeOpen(hand, 2, "nowhere")};
   collection.grasps.push_back(MakeOpen(hand, 3, "cube"));
   collection.grasps.back().stages[0].name = "pregrasp";
-  const GraspInputs inputs = LoadGraspInputs(collection, "shadow", folder.path());
+  const GraspInputs inputs =
+      LoadGraspInputs(collection, "shadow", folder.path(), {FreeSpaceProfile()});
   ASSERT_EQ(inputs.grasps.size(), 1u);
   EXPECT_EQ(inputs.grasps[0].grasp.index, 1);
   ASSERT_EQ(inputs.unread.size(), 3u);
@@ -106,6 +112,13 @@ TEST(GraspInputs, AMeshThatIsOfNoUseDoesNotStopTheOthers) {
   EXPECT_NE(inputs.unread[0].reason.find("open.obj"), std::string::npos);
   EXPECT_NE(inputs.unread[1].reason.find("no mesh for \"nowhere\""), std::string::npos);
   EXPECT_NE(inputs.unread[2].reason.find("not how it closes"), std::string::npos);
+  FreeSpaceProfile closing;
+  closing.closing.to = "limits";
+  const auto count = [&](const std::vector<FreeSpaceProfile>& profiles) {
+    return LoadGraspInputs(collection, "shadow", folder.path(), profiles).grasps.size();
+  };
+  EXPECT_EQ(count({closing}), 2u) << "it closes the open hand";
+  EXPECT_EQ(count({closing, FreeSpaceProfile()}), 1u);
 }
 
 TEST(GraspInputs, TwoGraspsOfOneNameAreRefused) {
@@ -114,7 +127,7 @@ TEST(GraspInputs, TwoGraspsOfOneNameAreRefused) {
   const Hand hand = LoadHand("shadow");
   GraspCollection collection;
   collection.grasps = {MakeOpen(hand, 0, "cube"), MakeOpen(hand, 0, "cube")};
-  EXPECT_THROW(LoadGraspInputs(collection, "shadow", folder.path()), Error);
+  EXPECT_THROW(LoadGraspInputs(collection, "shadow", folder.path(), {FreeSpaceProfile()}), Error);
 }
 
 // 1 mm and 1 degree: the verdict of a firm grasp stays, the course does not.

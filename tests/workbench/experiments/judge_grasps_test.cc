@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "datasets/judged_grasps/judged_summary.h"
@@ -19,12 +18,10 @@ const GraspInputs& Inputs() {
   return inputs;
 }
 
-/** Also a file of the profile, in the folder. */
 JudgeGraspsRequest MakeRequest(const fs::path& folder, const std::string& out) {
-  const fs::path file = folder / "pinch.yaml";
-  WriteFile(file, FormatJson(ConfigToJson(MakePinchProfile())));
   JudgeGraspsRequest request;
-  request.profiles = {file.string()};
+  request.profiles = {MakePinchProfile()};
+  request.profiles[0].name = "pinch";
   request.jitter = 14;  // 45 tasks: several batches
   request.out = folder / out;
   return request;
@@ -86,6 +83,39 @@ TEST(JudgeGrasps, WorkersAndInterruptionsLeaveTheSameBytes) {
   }
 }
 
+TEST(JudgeGrasps, ShardsMergeToTheBytesOfOneRun) {
+  const TemporaryFolder folder;
+  Observer nobody;
+  const std::atomic<bool> never = false;
+  const JudgeGraspsRequest plain = MakeRequest(folder.path(), "plain");
+  EXPECT_TRUE(JudgeGrasps(plain, Inputs(), nobody, never));
+  std::vector<fs::path> parts;
+  for (const int number : {2, 1}) {
+    JudgeGraspsRequest part = MakeRequest(folder.path(), "part" + std::to_string(number));
+    part.shard = {number, 2};
+    parts.push_back(part.out);
+    EXPECT_TRUE(JudgeGrasps(part, Inputs(), nobody, never));
+  }
+  const fs::path merged = folder.path() / "merged";
+  MergeJudgedGrasps(parts, merged);
+  for (const char* name : {"grasps.json", "journal.jsonl", "grasps.csv"}) {
+    EXPECT_EQ(ReadFile(plain.out / name), ReadFile(merged / name)) << name;
+  }
+  const auto refuse = [&](const std::vector<fs::path>& some) {
+    EXPECT_THROW(MergeJudgedGrasps(some, folder.path() / "other"), Error);
+  };
+  refuse({parts[0]});
+  refuse({parts[0], parts[0]});
+  refuse({plain.out, parts[0]});
+  JudgeGraspsRequest other = MakeRequest(folder.path(), "other1");
+  other.shard = {1, 2};
+  other.jitter = 1;
+  EXPECT_TRUE(JudgeGrasps(other, Inputs(), nobody, never));
+  refuse({parts[0], other.out});
+  fs::remove(parts[1] / "grasps.csv");
+  refuse(parts);
+}
+
 TEST(JudgeGrasps, AnotherProfileNeedsAnotherFolder) {
   const TemporaryFolder folder;
   Observer nobody;
@@ -93,7 +123,7 @@ TEST(JudgeGrasps, AnotherProfileNeedsAnotherFolder) {
   JudgeGraspsRequest request = MakeRequest(folder.path(), "judged");
   request.jitter = 0;
   EXPECT_TRUE(JudgeGrasps(request, Inputs(), nobody, never));
-  request.profiles = {"own"};
+  request.profiles[0].max_shift *= 2.0;
   EXPECT_THROW(JudgeGrasps(request, Inputs(), nobody, never), Error);
 }
 

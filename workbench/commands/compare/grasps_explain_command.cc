@@ -14,9 +14,8 @@ namespace graspbench {
 namespace {
 
 struct ExplainOptions {
-  ForeignGraspOptions grasps;
-  std::string hand = "shadow", from = "dexgraspbench-fc", to = "own";
-  std::filesystem::path objects;
+  GraspInputOptions inputs;
+  std::string from = "dexgraspbench-fc", to = "own";
   int number = 0;
   bool json = false;
 };
@@ -24,13 +23,14 @@ struct ExplainOptions {
 const char* NameVerdict(const FreeSpaceResult& result) { return result.passed ? "pass" : "fail"; }
 
 std::string FormatSteps(const std::vector<ExplainStep>& steps) {
-  TextTable table({"value", "from", "to", "verdict", "failed at", "moved [mm]"});
+  TextTable table({"value", "from", "to", "verdict", "failed at", "moved [mm]", "turned [deg]"});
   std::string turns;
   for (const ExplainStep& step : steps) {
     table.AddRow({step.key.empty() ? "(as it is)" : step.key, step.from, step.to,
                   std::string(NameVerdict(step.result)) + (step.turns ? " *" : ""),
                   step.result.failed_stage.empty() ? "-" : step.result.failed_stage,
-                  FormatFixed(MmFromM(step.result.worst_shift), 1)});
+                  FormatFixed(MmFromM(step.result.worst_shift), 1),
+                  FormatFixed(step.result.worst_turn_deg, 1)});
     if (!step.turns) continue;
     turns += "* " + step.key + " from " + step.from + " to " + step.to + " turns the verdict to " +
              NameVerdict(step.result) +
@@ -40,16 +40,10 @@ std::string FormatSteps(const std::vector<ExplainStep>& steps) {
 }
 
 void Explain(const ExplainOptions& options) {
-  const GraspInputs inputs = LoadGraspInputs(options.grasps.Read(), options.hand, options.objects);
-  const auto number = static_cast<size_t>(options.number);
-  if (number >= inputs.grasps.size()) {
-    throw Error(ErrorKind::kUsage,
-                "--grasp " + std::to_string(options.number) + ": there are " +
-                    FormatCount(static_cast<int>(inputs.grasps.size()), "grasp") +
-                    " that can be judged, from 0 on");
-  }
-  const std::vector<ExplainStep> steps = ExplainGrasp(
-      inputs, inputs.grasps[number], LoadProfile(options.from), LoadProfile(options.to));
+  const std::vector<FreeSpaceProfile> profiles = LoadProfiles({options.from, options.to});
+  const GraspInputs inputs = options.inputs.Load(profiles);
+  const GraspInput& input = FindGraspInput(inputs, options.number);
+  const std::vector<ExplainStep> steps = ExplainGrasp(inputs, input, profiles[0], profiles[1]);
   if (!options.json) return PrintResult(FormatSteps(steps));
   Json json = Json::array();
   for (const ExplainStep& step : steps) {
@@ -59,9 +53,7 @@ void Explain(const ExplainOptions& options) {
                     {"turns", step.turns},
                     {"result", RecordToJson(step.result)}});
   }
-  PrintJson({{"grasp", inputs.grasps[number].grasp.source},
-             {"index", inputs.grasps[number].grasp.index},
-             {"steps", json}});
+  PrintJson({{"grasp", input.grasp.source}, {"index", input.grasp.index}, {"steps", json}});
 }
 
 }  // namespace
@@ -73,7 +65,7 @@ void AddGraspsExplainCommand(CLI::App& program, ExitCode&) {
       "Say which value of a profile turns the verdict on a grasp.",
       "  graspbench grasps explain mug.npy --objects meshes\n"
       "  graspbench grasps explain mug.npy --grasp 3 --from own --to mine.yaml --objects meshes");
-  options->grasps.AddTo(command);
+  options->inputs.AddTo(command);
   command.add_option("--grasp", options->number, "which of the files' grasps, from 0 on")
       ->check(CLI::Range(0, 100000000))
       ->option_text("N")
@@ -84,10 +76,6 @@ void AddGraspsExplainCommand(CLI::App& program, ExitCode&) {
   command.add_option("--to", options->to, "profile to arrive at")
       ->option_text("P")
       ->capture_default_str();
-  command.add_option("--hand", options->hand, "hand by id or folder")
-      ->option_text("HAND")
-      ->capture_default_str();
-  command.add_option("--objects", options->objects, "folder of the meshes")->option_text("DIR");
   AddJsonOption(command, options->json);
   command.callback([options] { Explain(*options); });
 }

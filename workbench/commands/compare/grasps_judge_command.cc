@@ -4,57 +4,32 @@
 
 #include "core/base/text/text.h"
 #include "datasets/judged_grasps/judged_summary.h"
+#include "datasets/judged_grasps/profile_file.h"
 #include "reports/grasps_page.h"
 #include "reports/page/write_page.h"
 #include "workbench/commands/command.h"
 #include "workbench/commands/options/foreign_grasp_options.h"
 #include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/judge_grasps.h"
-#include "workbench/experiments/machines/shell_quote.h"
-#include "workbench/tables/text_table.h"
+#include "workbench/tables/judged_grasp_tables.h"
 #include "workbench/terminal/terminal_observer.h"
 
 namespace graspbench {
 namespace {
 
 struct JudgeGraspsOptions {
-  ForeignGraspOptions grasps;
+  GraspInputOptions inputs;
+  std::vector<std::string> profiles = {"dexgraspbench-fc"};
   JudgeGraspsRequest request;
-  std::string hand = "shadow";
-  std::filesystem::path objects;
+  std::string shard;  ///< empty: all
   bool json = false;
 };
 
-std::string FormatSummary(const JudgedSummary& summary) {
-  TextTable table(
-      {"profile", "grasps", "passed", "95 % interval", "agreement with labels", "most failed at"});
-  for (const ProfileSummary& profile : summary.profiles) {
-    const double kappa = profile.labels.num_pairs() > 0 ? CalcKappa(profile.labels) : kUnset;
-    table.AddRow({profile.profile, std::to_string(profile.num_judged),
-                  std::to_string(profile.num_passed),
-                  FormatRateInterval(profile.num_passed, profile.num_judged) + " %",
-                  std::isfinite(kappa) ? "kappa " + FormatFixed(kappa, 2) : "-",
-                  profile.stages.empty() ? "-" : profile.stages.front().first});
-  }
-  return table.Format();
-}
-
-Json MakeJson(const JudgedSummary& summary) {
-  Json profiles = Json::array();
-  for (const ProfileSummary& profile : summary.profiles) {
-    const Interval interval = CalcWilsonInterval(profile.num_passed, profile.num_judged);
-    profiles.push_back({{"profile", profile.profile},
-                        {"judged", profile.num_judged},
-                        {"passed", profile.num_passed},
-                        {"numerical_failures", profile.num_numerical},
-                        {"interval_low", interval.low},
-                        {"interval_high", interval.high},
-                        {"labelled", profile.labels.num_pairs()},
-                        {"kappa", JsonNumber(CalcKappa(profile.labels))},
-                        {"jitter_share", JsonNumber(profile.jitter_share)}});
-  }
-  return profiles;
-}
+struct MergeOptions {
+  std::vector<std::filesystem::path> parts;
+  std::filesystem::path out;
+  bool json = false;
+};
 
 void PrintUnread(const std::vector<UnreadFile>& unread) {
   constexpr size_t kMostPrinted = 10;
@@ -66,11 +41,30 @@ void PrintUnread(const std::vector<UnreadFile>& unread) {
                " more are not judged; the report names them");
 }
 
+void ShowJudged(const std::filesystem::path& folder, size_t num_unread, bool as_json) {
+  const Json config = LoadGraspConfig(folder);
+  const std::vector<JudgedGrasp> judged = LoadJudgedGrasps(folder);
+  const JudgedSummary summary = SummariseJudged(judged, FindLimits(config));
+  const std::filesystem::path report =
+      WriteReportPage(folder, MakeGraspsPage(config, judged, summary));
+  if (as_json) {
+    return PrintJson({{"folder", folder.string()},
+                      {"report", report.string()},
+                      {"grasps", summary.num_grasps},
+                      {"not_judged", num_unread},
+                      {"profiles", MakeJson(summary)}});
+  }
+  PrintResult(FormatJudged(summary) + "\ntable    " + (folder / kGraspTable).string() +
+              "\nreport   " + report.string() + "\n");
+}
+
 /** Files or grasps that could not be judged do not stop the others, but scripts shall see them. */
 ExitCode Judge(const JudgeGraspsOptions& options) {
-  const GraspInputs inputs = LoadGraspInputs(options.grasps.Read(), options.hand, options.objects);
+  JudgeGraspsRequest request = options.request;
+  request.profiles = LoadProfiles(options.profiles);
+  if (!options.shard.empty()) request.shard = ParseShard(options.shard);
+  const GraspInputs inputs = options.inputs.Load(request.profiles);
   PrintUnread(inputs.unread);
-  const JudgeGraspsRequest& request = options.request;
   const std::atomic<bool>& stop = CatchInterrupts();
   TerminalObserver observer(
       [&](const Stage& stage) {
@@ -83,23 +77,8 @@ ExitCode Judge(const JudgeGraspsOptions& options) {
     throw Error(ErrorKind::kInterrupted,
                 "stopped; what was judged is kept. The same command again continues");
   }
-  const std::vector<JudgedGrasp> judged = LoadJudgedGrasps(request.out);
-  const Json config = LoadGraspConfig(request.out);
-  const JudgedSummary summary = SummariseJudged(judged, FindLimits(config));
-  const std::filesystem::path report =
-      WriteReportPage(request.out, MakeGraspsPage(config, judged, summary));
-  const ExitCode exit_code = inputs.unread.empty() ? kExitOk : kExitBadInput;
-  if (options.json) {
-    PrintJson({{"folder", request.out.string()},
-               {"report", report.string()},
-               {"grasps", inputs.grasps.size()},
-               {"not_judged", inputs.unread.size()},
-               {"profiles", MakeJson(summary)}});
-    return exit_code;
-  }
-  PrintResult(FormatSummary(summary) + "\ntable    " + (request.out / "grasps.csv").string() +
-              "\nreport   " + report.string() + "\n");
-  return exit_code;
+  ShowJudged(request.out, inputs.unread.size(), options.json);
+  return inputs.unread.empty() ? kExitOk : kExitBadInput;
 }
 
 }  // namespace
@@ -111,15 +90,8 @@ void AddGraspsJudgeCommand(CLI::App& program, ExitCode& exit_code) {
       "  graspbench grasps judge downloaded/ --objects meshes --out judged\n"
       "  graspbench grasps judge downloaded/ --objects meshes --profile dexgraspbench-fc,own "
       "--jitter 20 --out judged");
-  options->grasps.AddTo(command);
-  command.add_option("--hand", options->hand, "hand by id or folder")
-      ->option_text("HAND")
-      ->capture_default_str();
-  command
-      .add_option("--objects", options->objects,
-                  "folder of the meshes; a grasp's object is looked for by every end of its path")
-      ->option_text("DIR");
-  AddListOption(command, "--profile", options->request.profiles,
+  options->inputs.AddTo(command);
+  AddListOption(command, "--profile", options->profiles,
                 "profiles by name (datasets/profiles) or file", "P,P..");
   command
       .add_option(
@@ -134,8 +106,28 @@ void AddGraspsJudgeCommand(CLI::App& program, ExitCode& exit_code) {
                   "folder for verdicts and report; the same command again continues it")
       ->required()
       ->option_text("DIR");
+  command
+      .add_option("--shard", options->shard,
+                  "every Nth grasp alone, from the Kth on; grasps merge makes one folder of all")
+      ->option_text("K/N");
   AddJsonOption(command, options->json);
   command.callback([options, &exit_code] { exit_code = Judge(*options); });
+
+  const auto merged = std::make_shared<MergeOptions>();
+  CLI::App& merge = AddSubcommand(
+      *program.get_subcommand("grasps"), "merge", "Make one folder of the shards of a judgement.",
+      "  graspbench grasps judge downloaded/ --objects meshes --shard 1/2 --out part1\n"
+      "  graspbench grasps judge downloaded/ --objects meshes --shard 2/2 --out part2\n"
+      "  graspbench grasps merge part1 part2 --out judged");
+  merge.add_option("parts", merged->parts, "folders of all shards")
+      ->required()
+      ->option_text("DIRS..");
+  merge.add_option("--out", merged->out, "new folder")->required()->option_text("DIR");
+  AddJsonOption(merge, merged->json);
+  merge.callback([merged] {
+    MergeJudgedGrasps(merged->parts, merged->out);
+    ShowJudged(merged->out, LoadGraspConfig(merged->out).at("unread").size(), merged->json);
+  });
 }
 
 }  // namespace graspbench

@@ -56,4 +56,19 @@ GraspCollection ForeignGraspOptions::Read() const {
   return ReadGraspCollection(paths_, format_, options);
 }
 
+void GraspInputOptions::AddTo(CLI::App& command) {
+  grasps_.AddTo(command);
+  command.add_option("--hand", hand_, "hand by id or folder")
+      ->option_text("HAND")
+      ->capture_default_str();
+  command
+      .add_option("--objects", objects_,
+                  "folder of the meshes; a grasp's object is looked for by every end of its path")
+      ->option_text("DIR");
+}
+
+GraspInputs GraspInputOptions::Load(const std::vector<FreeSpaceProfile>& profiles) const {
+  return LoadGraspInputs(grasps_.Read(), hand_, objects_, profiles);
+}
+
 }  // namespace graspbench

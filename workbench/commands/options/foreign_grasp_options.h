@@ -6,6 +6,7 @@ The options by which a command names grasps that others made, and what their fil
 #include <vector>
 
 #include "datasets/grasps/grasp_files.h"
+#include "workbench/experiments/grasp_inputs.h"
 
 namespace CLI {
 class App;
@@ -25,6 +26,19 @@ class ForeignGraspOptions {
   GraspReadOptions read_;
   double scale_ = 0.0;                    ///< 0: not given
   std::vector<std::string> open_joints_;  ///< "NAME=POSITION"
+};
+
+/** Also the hand that does them, and where their objects' meshes are. */
+class GraspInputOptions {
+ public:
+  void AddTo(CLI::App& command);
+  /** @throws as ReadGraspCollection, LoadGraspInputs. */
+  GraspInputs Load(const std::vector<FreeSpaceProfile>& profiles) const;
+
+ private:
+  ForeignGraspOptions grasps_;
+  std::string hand_ = "shadow";
+  std::filesystem::path objects_;
 };
 
 }  // namespace graspbench

@@ -201,6 +201,90 @@ TEST(FreeSpace, RefusesBeyondLimitsOnlyWhereTheProfileSaysSo) {
   }
 }
 
+// Friction alone holds across the fingers, and two contacts stand 2 mu N.
+TEST(FreeSpace, TheBreakingLoadIsWhatTwoContactsCanHold) {
+  Pinch pinch;
+  pinch.profile.finds_breaking_load = true;
+  pinch.profile.surfaces.friction = 0.4;
+  const double most = 2.0 * 0.4 * kForce;  // [N]
+  for (const double over : {0.5, 3.0}) {   // whether or not it stands the profile's own push
+    pinch.profile.acceleration = over * most / kMass;
+    const FreeSpaceResult result = pinch.Run();
+    EXPECT_EQ(result.passed, over < 1.0) << result.reason;
+    EXPECT_GT(result.breaking_load, 0.9 * most) << over;
+    EXPECT_LT(result.breaking_load, 1.02 * most) << over;
+    EXPECT_TRUE(result.breaks_along.find_first_of("yz") != std::string::npos)
+        << result.breaks_along;
+  }
+  pinch.profile.acceleration = most / kMass / 100.0;
+  const FreeSpaceResult light = pinch.Run();
+  EXPECT_EQ(light.breaks_along, "") << "16 times so little breaks nothing";
+  EXPECT_NEAR(light.breaking_load, 0.16 * most, 1e-12);
+}
+
+TEST(FreeSpace, AFallIsOnePushOutOfThePalm) {
+  Pinch pinch;
+  pinch.profile.test = "fall";
+  pinch.profile.surfaces.friction = 0.4;
+  const double most = 2.0 * 0.4 * kForce / kMass;
+  for (const Vector3d& normal : {Vector3d(0.0, -1.0, 0.0), Vector3d(0.0, 0.0, -1.0)}) {
+    pinch.hand.palm_normal = normal;
+    pinch.profile.acceleration = 0.95 * most;
+    const FreeSpaceResult below = pinch.Run();
+    EXPECT_TRUE(below.passed) << below.reason;
+    EXPECT_EQ(below.num_stood, 1);
+    pinch.profile.acceleration = 1.05 * most;
+    EXPECT_EQ(pinch.Run().failed_stage, "fall");
+  }
+  pinch.hand.palm_normal = Vector3d::UnitX();  // against a finger
+  EXPECT_TRUE(pinch.Run().passed);
+}
+
+TEST(FreeSpace, WhereATouchIsDemandedAnObjectThatIsLeftBehindFails) {
+  Pinch pinch;
+  pinch.hand = MakeBareHand();
+  pinch.stages = {{"grasp", MakePose(Vector3d(0.0, 0.0, 10.0)), VectorXd()}};
+  pinch.profile.acceleration = 2.0;
+  pinch.profile.test_time = pinch.profile.check_interval = 0.2;
+  pinch.profile.must_touch = true;
+  const FreeSpaceResult result = pinch.Run();
+  EXPECT_EQ(result.failed_stage, "push -x");
+  EXPECT_NE(result.reason.find("nothing touches"), std::string::npos) << result.reason;
+  EXPECT_TRUE([] {
+    Pinch held;
+    held.profile.must_touch = true;
+    return held.Run().passed;
+  }());
+}
+
+// One finger is nearer: free, it pushes the object; held, the object waits for the other.
+TEST(FreeSpace, AHeldObjectWaitsForTheSecondFinger) {
+  Pinch pinch;
+  for (ScriptedStage& stage : pinch.stages) stage.X_OH.translation().x() = 0.004;
+  pinch.stages[0].q.setConstant(-0.1);  // 10 mm off
+  pinch.stages.resize(1);
+  pinch.stages.push_back(pinch.stages.front());
+  pinch.profile.closing.to = "limits";
+  for (HandJoint& joint : pinch.hand.joints) {
+    joint.lower = -0.1;
+    joint.upper = 0.5;
+  }
+  pinch.hand.digits = {{"TH", "thumb", true, {1}, 1}, {"FF", "index", false, {2}, 2}};
+  pinch.profile.closing.object_is_held = true;
+  pinch.profile.acceleration = 1.0;
+  const FreeSpaceResult held = pinch.Run();
+  EXPECT_TRUE(held.passed) << held.reason;
+  EXPECT_LT(held.closing_shift, 1e-9);
+  EXPECT_EQ(held.touching, "TH FF");
+  pinch.profile.closing.object_is_held = false;
+  EXPECT_GT(pinch.Run().closing_shift, 0.002);
+  pinch.profile.closing.object_is_held = true;
+  for (ScriptedStage& stage : pinch.stages) stage.X_OH.translation().x() = 0.2;
+  const FreeSpaceResult missed = pinch.Run();
+  EXPECT_FALSE(missed.passed);
+  EXPECT_NE(missed.reason.find("where two must"), std::string::npos) << missed.reason;
+}
+
 TEST(FreeSpace, GivesTheSameBytesAgain) {
   const Pinch pinch;
   EXPECT_EQ(FormatJson(RecordToJson(pinch.Run())), FormatJson(RecordToJson(pinch.Run())));

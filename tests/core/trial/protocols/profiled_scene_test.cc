@@ -41,6 +41,43 @@ TEST(ProfiledScene, GivenDrivesMoveEveryJointOfItsOwn) {
   }
 }
 
+TEST(ProfiledScene, AnUnstatedLimitOfTorqueIsTheHands) {
+  const Hand hand = LoadHand("shadow");
+  FreeSpaceProfile profile = MakeGiven();
+  profile.drives.torque_limit = 0.0;
+  const auto profiled =
+      MakeProfiledHand(hand, profile, std::vector<bool>(hand.joints.size(), true));
+  const auto limit_of = [](const Hand& of, const char* joint) {
+    return of.joints[static_cast<size_t>(of.FindJoint(joint))].drive.torque_limit;
+  };
+  EXPECT_EQ(limit_of(*profiled, "FFJ3"), limit_of(hand, "FFJ3"));
+  EXPECT_EQ(limit_of(*profiled, "FFJ1"), limit_of(hand, "FFJ2")) << "which moves it on the hand";
+}
+
+TEST(ProfiledScene, AProfileChoosesAmongTheStages) {
+  const auto hand = std::make_shared<const Hand>(MakeBareHand());
+  const auto object = std::make_shared<const GraspObject>(MakeBlock(0.1));
+  std::vector<ScriptedStage> stages;
+  for (const char* name : {"pregrasp", "grasp", "squeeze"}) {
+    stages.push_back({name, Pose::Identity(), Eigen::VectorXd()});
+  }
+  const auto choose = [&](const char* choice) {
+    FreeSpaceProfile profile;
+    profile.closing.stages = choice;
+    std::string names;
+    for (const ScriptedStage& stage :
+         MakeProfiledScene(hand, object, Pose::Identity(), stages, profile).stages) {
+      names += stage.name + " ";
+    }
+    return names;
+  };
+  EXPECT_EQ(choose("all"), "pregrasp grasp squeeze ");
+  EXPECT_EQ(choose("first"), "pregrasp ");
+  EXPECT_EQ(choose("grasp"), "grasp ");
+  stages[1].name = "hold";
+  EXPECT_EQ(choose("grasp"), "squeeze ");
+}
+
 TEST(ProfiledScene, OwnDrivesStayTheHands) {
   const Hand hand = LoadHand("shadow");
   const auto profiled =

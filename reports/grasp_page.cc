@@ -1,0 +1,114 @@
+#include "reports/grasp_page.h"
+
+#include "core/base/config.h"
+#include "core/base/text/text.h"
+#include "core/base/units.h"
+#include "core/base/version.h"
+#include "reports/page/sectioned_page.h"
+#include "reports/scenes/scene_3d.h"
+
+namespace graspbench {
+namespace {
+
+struct DrawnGrasp {
+  const GraspPageData& data;
+  Html course;
+};
+
+/** The course as a view takes it: the stages are its closure, a push its hold. */
+TracedTrial MakeTraced(const TracedFreeSpace& traced) {
+  TracedTrial shown;
+  shown.result.outcome = traced.result.passed         ? Outcome::kSuccess
+                         : traced.result.is_numerical ? Outcome::kNumericalFailure
+                                                      : Outcome::kDroppedWhileHolding;
+  shown.result.reason = traced.result.reason;
+  shown.trace = traced.trace;
+  shown.closure_start = 0.0;
+  for (size_t i = 1; i < shown.trace.size(); ++i) {
+    if (shown.trace[i].phase == shown.trace[i - 1].phase) continue;
+    shown.result.phases.push_back({NameOf(shown.trace[i].phase), shown.trace[i - 1].time});
+  }
+  return shown;
+}
+
+Html DrawVerdict(const DrawnGrasp& drawn) {
+  const FreeSpaceResult& result = drawn.data.traced.result;
+  return Element("p", {{"class", "verdict"}},
+                 "Under " + drawn.data.profile.name + " the grasp " +
+                     (result.passed ? "passes."
+                                    : "fails at: " + result.failed_stage + ". " +
+                                          Capitalise(result.reason) + ".")) +
+         MakeParagraph(Capitalise(drawn.data.profile.about) + ".");
+}
+
+Html DrawCourse(const DrawnGrasp& drawn) {
+  return MakeParagraph(
+             "Closure: the stages of the grasp and the closing beyond. Hold: the push that "
+             "decides, or else the one that moved the object most. Lift-off: the lift.") +
+         drawn.course;
+}
+
+Html DrawMeasures(const DrawnGrasp& drawn) {
+  const FreeSpaceResult& result = drawn.data.traced.result;
+  Table table("What was found.", {{"Measure"}, {"Value", Align::kNumber}});
+  const auto add = [&table](const char* name, const std::string& value) {
+    table.AddRow({Text(name), Text(value.empty() ? "-" : value)});
+  };
+  add("Hand in the object at the start [mm]", FormatFixed(MmFromM(result.start_penetration), 2));
+  add("Hand in itself at the second stage [mm]", FormatFixed(MmFromM(result.self_penetration), 2));
+  add("Touching after the last stage", result.touching);
+  add("Grip then, sum of normal forces [N]", FormatFixed(result.grip_force, 2));
+  add("Epsilon then, ferrari-canny", FormatFixed(result.epsilon, 4));
+  add("Object moved by closing [mm]", FormatFixed(MmFromM(result.closing_shift), 1));
+  add("Object turned by closing [deg]", FormatFixed(result.closing_turn_deg, 1));
+  add("Pushes or lifts stood", std::to_string(result.num_stood));
+  add("Object moved, the most in all looks [mm]", FormatFixed(MmFromM(result.worst_shift), 1));
+  add("Object turned, the most in all looks [deg]", FormatFixed(result.worst_turn_deg, 1));
+  if (drawn.data.profile.finds_breaking_load) {
+    add("Largest push stood along all axes [N]", FormatFixed(result.breaking_load, 2));
+    add("More breaks it along", result.breaks_along);
+  }
+  return table.ToHtml();
+}
+
+Html DrawProfile(const DrawnGrasp& drawn) {
+  return MakeConfigTable("Values of " + drawn.data.profile.name + ".",
+                         ConfigToJson(drawn.data.profile));
+}
+
+Html DrawAssumptions(const DrawnGrasp& drawn) {
+  return drawn.data.assumptions.empty() ? MakeParagraph("The file says all that was needed.")
+                                        : MakeList(drawn.data.assumptions);
+}
+
+Html DrawMethods(const DrawnGrasp& drawn) {
+  return MakeMethodsText(
+      {"A grasp of " + drawn.data.object_name + " was judged with graspbench " +
+       std::string(program_version()) + " on the " + drawn.data.hand->name + " under the profile " +
+       drawn.data.profile.name +
+       ": the hand began around the object at the first stage, was driven through the others, and "
+       "then the object was pushed or lifted as the profile says. The verdict holds under this "
+       "profile alone."});
+}
+
+}  // namespace
+
+std::string MakeGraspPage(const GraspPageData& data) {
+  TrialViews views;
+  DrawnGrasp drawn = {data, {}};
+  const std::string scene = data.hand->name + ", " + data.object_name;
+  drawn.course = views.Add({data.hand, data.object, MakeTraced(data.traced), "view", scene});
+  drawn.course += views.MakeModels();
+  static const std::vector<PageSection<DrawnGrasp>> sections = {
+      {"verdict", "Verdict", &DrawVerdict},
+      {"course", "Course", &DrawCourse},
+      {"measures", "Measures", &DrawMeasures},
+      {"profile", "Profile", &DrawProfile},
+      {"assumed", "Taken for granted", &DrawAssumptions},
+      {"methods", "Methods", &DrawMethods}};
+  PageFrame frame = {"Grasp " + data.name, scene};
+  frame.commands = data.commands;
+  return AddScript(MakeSectionedPage(frame, sections, drawn), views.MakeScript());
+}
+
+}  // namespace graspbench

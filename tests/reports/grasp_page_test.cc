@@ -1,0 +1,43 @@
+#include "reports/grasp_page.h"
+
+#include <gtest/gtest.h>
+
+#include "core/physics/known_answers/small_scenes.h"
+
+namespace graspbench {
+namespace {
+
+TEST(GraspPage, SaysTheVerdictItsProfileAndWhatWasAssumed) {
+  GraspPageData data;
+  data.name = "a <b>.npy, grasp 0";
+  data.hand = std::make_shared<const Hand>(MakeBareHand());
+  data.object = std::make_shared<const GraspObject>(MakeBlock(0.1));
+  data.profile.name = "mine";
+  data.profile.sim.step = 0.002;
+  data.assumptions = {"the wrist is straight"};
+  const ScriptedStage stage{"grasp", MakePose(Eigen::Vector3d(0.0, 0.0, 0.2)), Eigen::VectorXd()};
+  data.traced = TraceFreeSpace(
+      MakeProfiledScene(data.hand, data.object, Pose::Identity(), {stage}, data.profile),
+      data.profile, 0.01);
+  ASSERT_FALSE(data.traced.trace.empty());
+  const std::string page = MakeGraspPage(data);
+  EXPECT_NE(page.find("Under mine the grasp fails at: grasp. The hand does not reach"),
+            std::string::npos);
+  EXPECT_NE(page.find("the wrist is straight"), std::string::npos);
+  EXPECT_NE(page.find("a &lt;b&gt;.npy"), std::string::npos);
+  EXPECT_NE(page.find("data-motion"), std::string::npos) << "the 3-D view";
+}
+
+TEST(GraspPage, AGraspThatCouldNotBeginHasNoCourse) {
+  GraspPageData data;
+  data.hand = std::make_shared<const Hand>(MakeBareHand());
+  data.object = std::make_shared<const GraspObject>(MakeBlock(0.1));
+  data.traced.result.failed_stage = "start";
+  data.traced.result.reason = "at pregrasp the hand is 12.0 mm deep in the object";
+  const std::string page = MakeGraspPage(data);
+  EXPECT_NE(page.find("there is no course to show"), std::string::npos);
+  EXPECT_NE(page.find("12.0 mm deep"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace graspbench
