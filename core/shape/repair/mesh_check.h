@@ -21,7 +21,6 @@ namespace graspbench {
 
 enum class MeshFault {
   kEmpty,         ///< no triangle at all
-  kTooMany,       ///< more triangles than kMaxUsableTriangles
   kNotFinite,     ///< a coordinate is NaN or infinite
   kSize,          ///< larger or smaller than anything a hand can grasp: a wrong unit
   kDuplicate,     ///< the same triangle twice
@@ -32,6 +31,7 @@ enum class MeshFault {
   kSelfCrossing,  ///< a part that cuts through itself, changing the volume by 0.1 % or more
   kApart,         ///< parts that do not touch the rest, of 1 % of the volume or more
   kNested,        ///< parts inside others that are no cavities, of 1 % of the volume or more
+  kTooMany,       ///< more triangles than kMaxUsableTriangles
 };
 
 struct MeshProblem {
