@@ -33,8 +33,8 @@ Function FindSymbol(void* handle, const char* name, const std::string& library) 
   return reinterpret_cast<Function>(symbol);
 }
 
-/** Mesa maps the index of its shaders without allocating it, so that on a full disk the first look at
-it would end the program with SIGBUS. @returns whether the disk has room for it. */
+/** Mesa maps the index of its shaders without allocating it, so that on a full disk the first look
+at it would end the program with SIGBUS. @returns whether the disk has room for it. */
 bool ReserveIndex(const std::filesystem::path& folder) {
   constexpr off_t kIndexSize = 8 + 65536 * 20;  // of Mesa 22 [bytes]
   MakePrivateFolder(folder / "mesa_shader_cache");

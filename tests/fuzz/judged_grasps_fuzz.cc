@@ -1,5 +1,5 @@
-// Any bytes as profile.yaml, and as a line of the journal of judged grasps: refused with an Error, or
-// what is written back and read again the same.
+// Any bytes as profile.yaml, and as a line of the journal of judged grasps: refused with an Error,
+// or what is written back and read again the same.
 
 #include <cstdint>
 #include <string>
