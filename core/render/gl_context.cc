@@ -3,8 +3,10 @@
 // Keep this order: OSMesa brings the old GL header, which must find the types already there.
 #include <GL/osmesa.h>
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdlib>
@@ -31,6 +33,19 @@ Function FindSymbol(void* handle, const char* name, const std::string& library) 
   return reinterpret_cast<Function>(symbol);
 }
 
+/** Mesa maps the index of its shaders without allocating it, so that on a full disk the first look
+at it would end the program with SIGBUS. @returns whether the disk has room for it. */
+bool ReserveIndex(const std::filesystem::path& folder) {
+  constexpr off_t kIndexSize = 8 + 65536 * 20;  // of Mesa 22 [bytes]
+  MakePrivateFolder(folder / "mesa_shader_cache");
+  const std::filesystem::path index = folder / "mesa_shader_cache" / "index";
+  const int file = ::open(index.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
+  if (file < 0) return false;
+  const bool is_reserved = ::posix_fallocate(file, 0, kIndexSize) == 0;
+  ::close(file);
+  return is_reserved;
+}
+
 /** Mesa keeps compiled shaders, half a second of work, in a folder that only this user can write: it
 runs what it finds there. Without one it compiles them every time, also where address space is
 limited, of which keeping takes some 60 MB. A user's own setting wins. */
@@ -41,8 +56,10 @@ void KeepShaders() {
     if (::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur == RLIM_INFINITY) {
       const std::filesystem::path folder = FindCacheRoot() / "shaders";
       MakePrivateFolder(folder);
-      setenv("MESA_SHADER_CACHE_DIR", folder.c_str(), /*overwrite=*/0);
-      return;
+      if (ReserveIndex(folder)) {
+        setenv("MESA_SHADER_CACHE_DIR", folder.c_str(), /*overwrite=*/0);
+        return;
+      }
     }
   } catch (const Error&) {  // no folder: as without room
   }

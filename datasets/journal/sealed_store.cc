@@ -21,6 +21,7 @@ namespace {
 
 constexpr char kDamaged[] = ".damaged";
 constexpr char kSetAside[] = ".set-aside";
+constexpr char kIsUnsealed[] = "is not in the manifest";
 
 void SortByPath(std::vector<ManifestFile>& files) {
   std::sort(files.begin(), files.end(),
@@ -127,7 +128,7 @@ StoreState CheckOwnFiles(const StoreKind& kind, const fs::path& folder,
   for (const std::string& file : ListMatches(folder, kind.files)) {
     // Stores inside come and go between two seals; they vouch for themselves.
     if (file.find('/') == file.npos && is_asked_for(file) && !FindFile(manifest, file)) {
-      state.damages.push_back({file, 0, "is not in the manifest"});
+      state.damages.push_back({file, 0, kIsUnsealed});
     }
   }
   const auto add = [&](const std::vector<Damage>& damages) {
@@ -414,11 +415,29 @@ StoreState VerifyStore(const fs::path& folder, OnDamage on_damage,
   StoreState state = only.empty() ? Check(folder, OutputUse::kSkip)
                                   : CheckOwnFiles(*DemandKind(folder), folder, only);
   if (state.damages.empty() || on_damage == OnDamage::kAccept) return state;
+  const std::string lost = DescribeLostFiles(folder, state.damages);
   throw Error(ErrorKind::kFormat,
               "the " + state.kind + " in \"" + folder.string() + "\" is damaged" +
-                  FormatDamage(state.damages) + "\ngraspbench verify --repair " + folder.string() +
-                  " sets damaged lines aside and loses no whole one, and any command goes on" +
+                  FormatDamage(state.damages) + "\n" +
+                  (lost.empty() ? "graspbench verify --repair " + folder.string() +
+                                      " sets damaged lines aside and loses no whole one, and any "
+                                      "command goes on"
+                                : lost) +
                   DescribeAcceptance(FindStoreKind(folder)));
+}
+
+std::string DescribeLostFiles(const fs::path& folder, const std::vector<Damage>& damages) {
+  const StoreKind* kind = FindStoreKind(folder);
+  if (!kind) return "";
+  std::vector<std::string> lost;
+  for (const Damage& damage : damages) {
+    const bool never_changes = IsMatch(damage.path, kind->files) && damage.text != kIsUnsealed;
+    if (never_changes) lost.push_back(damage.path);
+  }
+  if (lost.empty()) return "";
+  return "no repair brings back " + lost[0] +
+         (lost.size() > 1 ? " and " + std::to_string(lost.size() - 1) + " more" : "") +
+         ": go on with a copy put back, or in a new folder";
 }
 
 void SetJournalAside(const fs::path& folder, const std::string& journal) {

@@ -75,6 +75,11 @@ StoreState CheckStore(const std::filesystem::path& folder);
 StoreState VerifyStore(const std::filesystem::path& folder, OnDamage on_damage,
                        const std::vector<std::string>& only = {});
 
+/** Which damaged files never change and cannot be made again, and what to do then; empty: a repair
+mends all. */
+std::string DescribeLostFiles(const std::filesystem::path& folder,
+                              const std::vector<Damage>& damages);
+
 /** Takes a journal out of a whole store: it is renamed to `<journal>.set-aside`, and what it holds
 counts as not run. @throws Error(kUsage) when there is no such journal, naming those that are there;
 as VerifyStore; kIo. */

@@ -252,6 +252,24 @@ void GRASPBENCH_SUITE::RunAll(const fs::path& folder, const std::string& name) {
     Run(std::string("GB pipeline ") + line);
   }
 
+  Write(folder / "foreign" / (name + ".yaml"),
+        "format: isaac_grasp\nformat_version: 1.0\nobject_frame: toy_cube\ngripper_frame: " +
+            QuoteForYaml(value) + "\ngrasps:\n  " + QuoteForYaml(value) +
+            ":\n    confidence: 1.0\n    position: [0, 0, -0.07]\n"
+            "    orientation: {w: 1, xyz: [0, 0, 0]}\n"
+            "    cspace_position: {thumb_joint: 0.6, index_joint: 0.6}\n");
+  Copy(root / "datasets/profiles/own.yaml", folder / "foreign" / ("profile-" + name + ".yaml"),
+       {{"about: ", "about: " + QuoteForYaml(value) + "  # "}});
+  Run("GB new hand gripper");
+  const std::string grasps =
+      " foreign/NAME.yaml --hand-frame palm --object-frame mesh --open "
+      "thumb_joint=0.1,index_joint=0.1 ";
+  Run("GB grasps info" + grasps);
+  Run("GB grasps judge" + grasps +
+      "--hand gripper --profile foreign/profile-NAME.yaml --jobs 1 --out judged-NAME");
+  Run("GB report judged-NAME");
+  Run("GB grasps convert" + grasps + "--to isaac --out converted-NAME.yaml");
+
   const std::string label = Replace(name, "\t", " ");
   Write(folder / (name + ".tsv"),
         "NO_OF_FRAMES\t3\nNO_OF_MARKERS\t2\nFREQUENCY\t100\nDATA_INCLUDED\t3D\nMARKER_NAMES\t" +

@@ -1,6 +1,7 @@
 /** @file
-A session of 100,000 judged trials and one of many objects: how much memory and page they take. The
-trials are real ones multiplied under the ids of a plan, because to simulate them takes hours. */
+A session of 100,000 judged trials, one of many objects, a long script of the shell, many grasps of
+others: how much memory and page they take. The 100,000 trials are real ones multiplied under the
+ids of a plan, because to simulate them takes hours. */
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -107,6 +108,52 @@ TEST_F(Scale, AThousandObjectsTakeATenthOfAGigabyteMoreThanTwo) {
                           (folder_ / out).string()});
   };
   const long few = measure(two, "two"), many = measure(names, "thousand");
+  EXPECT_LE(many - few, 100'000'000) << few << " and " << many;
+}
+
+/** A tenth of the work takes as much memory as all of it: what grows with work is a leak. */
+TEST_F(Scale, TwentyThousandCommandsOfTheShellTakeAsMuchAsTwoThousand) {
+  const std::vector<std::string> cheap = {"step", "scene",  "contacts", "step",  "step",
+                                          "diff", "joints", "history",  "reset", "step"};
+  const std::vector<std::string> dear = {"undo", "redo", "run"};  // one each of a hundred
+  const auto measure = [&](int num_commands) {
+    std::string typed = "set -e off\nhand tum\nobject golf_ball\n";
+    for (int i = 0; i < num_commands; ++i) {
+      const size_t in_hundred = static_cast<size_t>(i) % 100;
+      const std::string& command = in_hundred < 97 ? cheap[in_hundred % 10] : dear[in_hundred - 97];
+      typed +=
+          (in_hundred % 10 == 0 ? "set model.mass_scale 1." + std::to_string(i % 300) : command) +
+          "\n";
+    }
+    WriteFile(folder_ / "typed", typed);
+    return MeasureMemory({"shell", (folder_ / "typed").string()});
+  };
+  const long few = measure(2000), many = measure(20000);
+  EXPECT_LE(many - few, 10'000'000) << few << " and " << many;
+}
+
+TEST_F(Scale, FiveThousandGraspsOfOthersTakeLittleMoreThanFiveHundred) {
+  const std::string gripper = (folder_ / "gripper").string();
+  ASSERT_EQ(WaitFor(Start({"new", "hand", gripper})), 0);
+  const auto measure = [&](int num_grasps) {
+    std::string grasps =
+        "format: isaac_grasp\nformat_version: 1.0\nobject_frame: toy_cube\ngripper_frame: palm\n"
+        "grasps:\n";
+    for (int i = 0; i < num_grasps; ++i) {
+      grasps +=
+          "  g" + std::to_string(i) +
+          ": {confidence: 1.0, position: [0, 0, -0.07], orientation: {w: 1, xyz: [0, 0, 0]},\n"
+          "    pregrasp_cspace_position: {thumb_joint: 0.1, index_joint: 0.1},\n"
+          "    cspace_position: {thumb_joint: " +
+          std::to_string(0.4 + 1e-4 * (i % 2000)) + ", index_joint: 0.6}}\n";
+    }
+    const fs::path file = folder_ / (std::to_string(num_grasps) + ".yaml");
+    WriteFile(file, grasps);
+    return MeasureMemory({"grasps", "judge", file.string(), "--hand-frame", "palm",
+                          "--object-frame", "mesh", "--hand", gripper, "--profile", "own", "--out",
+                          (folder_ / std::to_string(num_grasps)).string()});
+  };
+  const long few = measure(500), many = measure(5000);
   EXPECT_LE(many - few, 100'000'000) << few << " and " << many;
 }
 

@@ -20,9 +20,11 @@ inline std::vector<std::filesystem::path> ListResults(const std::filesystem::pat
     const std::filesystem::path path = entry.path(), in = path.parent_path();
     const bool is_of_a_run = in.filename() == "journal" || in.filename() == "judge" ||
                              in.filename() == "workers" || in.filename() == "progress" ||
+                             in.filename() == "logs" ||
                              path.filename().string().rfind("run.json", 0) == 0;  // or a part of it
-    const bool is_store =
-        std::filesystem::exists(in / "session.json") || std::filesystem::exists(in / "scene.json");
+    const bool is_store = std::filesystem::exists(in / "session.json") ||
+                          std::filesystem::exists(in / "scene.json") ||
+                          std::filesystem::exists(in / "development.json");
     if (!entry.is_regular_file() || is_of_a_run) continue;
     if (is_store && path.filename() == "manifest.json") continue;
     files.push_back(path.lexically_relative(folder));

@@ -50,7 +50,8 @@ std::string NameGrasp(const ForeignGrasp& grasp);
 /** @throws Error(kUsage) when there is no such grasp. */
 const GraspInput& FindGraspInput(const GraspInputs& inputs, int number);
 
-/** Hand, object and stages under a profile. @param jitter  0: as it is; else its root is disturbed at all stages
+/** Hand, object and stages under a profile. @param jitter  0: as it is; else its root is disturbed
+at all stages
 by 1 mm and 1 degree in directions drawn from this number. */
 ProfiledScene MakeInputScene(const GraspInputs& inputs, const GraspInput& input,
                              const FreeSpaceProfile& profile, int jitter = 0);

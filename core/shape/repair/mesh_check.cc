@@ -144,6 +144,7 @@ class Checker {
     }
     if (!CheckFinite()) return report_;
     CheckSize();
+    if (!CheckCount()) return report_;
     CheckFaces();
     CheckEdges();
     shells_ = FindShells(mesh_);
@@ -179,6 +180,16 @@ class Checker {
         FormatCount(bad.size(), "vertex is", "vertices are") + " not made of finite numbers: " +
             FormatList(bad, [](int i) { return "vertex " + std::to_string(i + 1); }) +
             "; export the mesh again");
+    return false;
+  }
+
+  bool CheckCount() {
+    if (mesh_.num_triangles() <= kMaxUsableTriangles) return true;
+    Add(MeshFault::kTooMany,
+        "the mesh has " + std::to_string(mesh_.num_triangles()) + " triangles, and at most " +
+            std::to_string(kMaxUsableTriangles) +
+            " can be used; reduce it (decimate) to 50000 or fewer in a modelling program: things "
+            "to grasp are resolved to 0.5 mm at best");
     return false;
   }
 

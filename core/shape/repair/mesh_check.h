@@ -31,6 +31,7 @@ enum class MeshFault {
   kSelfCrossing,  ///< a part that cuts through itself, changing the volume by 0.1 % or more
   kApart,         ///< parts that do not touch the rest, of 1 % of the volume or more
   kNested,        ///< parts inside others that are no cavities, of 1 % of the volume or more
+  kTooMany,       ///< more triangles than kMaxUsableTriangles
 };
 
 struct MeshProblem {
@@ -57,6 +58,10 @@ struct MeshReport {
 /** Extents of things to grasp [m]. */
 inline constexpr double kMinMeshExtent = 0.002;
 inline constexpr double kMaxMeshExtent = 1.0;
+
+/** Of a million its check took 20 s of processor time, its distance field four minutes; the largest
+scans of things to grasp that are published (YCB) have 524,288. */
+inline constexpr int kMaxUsableTriangles = 600'000;
 
 /** A part that cuts through itself is tolerated when less than this share of its volume is counted
 wrongly. */

@@ -134,6 +134,7 @@ MeshRepair RepairMesh(const TriMesh& mesh) {
   MeshRepair repair = {mesh, {}};
   const double extent = IsFinite(mesh) ? CalcExtent(mesh) : 0.0;
   if (!(extent > 0.0) || !std::isfinite(extent)) return repair;
+  if (mesh.num_triangles() > kMaxUsableTriangles) return repair;
   repair.mesh = WeldVertices(mesh, kRelativeWeldTolerance * extent);
   Note(mesh.num_vertices() - repair.mesh.num_vertices(),
        "1 vertex merged into its neighbour or unused",
@@ -152,7 +153,7 @@ MeshRepair RepairMesh(const TriMesh& mesh) {
 UsableMesh MakeUsable(const TriMesh& mesh, PartsApart parts_apart) {
   UsableMesh usable = {mesh, {}, CheckMesh(mesh, parts_apart)};
   MeshReport& first = usable.report;
-  if (first.problems.empty()) return usable;
+  if (first.problems.empty() || first.num_triangles > kMaxUsableTriangles) return usable;
   if (first.num_triangles > kMaxMendedSoup && first.num_open_edges > first.num_triangles) {
     first.problems.push_back(
         {MeshFault::kOpen,

@@ -94,6 +94,14 @@ TEST_F(SealedStore, RepairDoesNotBlessAChangedConfiguration) {
   Edit(session_ / "session.json", "\"seed\": 1", "\"seed\": 2");
   EXPECT_EQ(FormatDamage(RepairStore(session_).state.damages),
             "\n  session.json: its bytes have changed");
+  try {
+    LoadSession(session_);
+    FAIL();
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("no repair brings back session.json: "), text.npos) << text;
+    EXPECT_EQ(text.find("verify --repair"), text.npos) << text;
+  }
   SealStore(kSessionStore, session_);  // nor does a run that accepts it
   EXPECT_EQ(Look(session_), "\n  session.json: its bytes have changed");
 }

@@ -53,6 +53,8 @@ std::string FormatVerdict(const VerifyOptions& options, const StoreRepair& repai
     text += "; its manifest was lost and made again: what had changed before is not noticed";
   }
   text += FormatDamage(repair.state.damages) + "\n";
+  const std::string lost = DescribeLostFiles(options.folder, repair.state.damages);
+  if (!lost.empty()) text += lost + "\n";
   for (const std::string& file : FindUnverified(options.folder)) {
     text += DescribeUnverified(file) + "\n";
   }

@@ -91,6 +91,17 @@ TEST(MeshCheckTest, TwoBoxesThroughEachOtherAreOneBody) {
   EXPECT_NEAR(meant.volume, 2.0 * size.prod(), 1e-12);
 }
 
+TEST(MeshCheckTest, AMeshTooLargeToPrepareIsRefusedWithItsCountAndWhatToDo) {
+  TriMesh large = MakeBox();
+  large.triangles.resize(600'001, large.triangles[0]);
+  const UsableMesh usable = MakeUsable(large);
+  EXPECT_EQ(FaultsOf(usable.report), std::vector<MeshFault>{MeshFault::kTooMany});
+  EXPECT_NE(FormatProblems(usable.report).find("has 600001 triangles, and at most 600000 can be"),
+            std::string::npos);
+  EXPECT_NE(FormatProblems(usable.report).find("decimate"), std::string::npos);
+  EXPECT_TRUE(RepairMesh(large).actions.empty());
+}
+
 /** A cube that has this share of the volume of the box and itself. */
 TriMesh MakeCrumb(double share) {
   const double side = std::cbrt(share / (1.0 - share) * 0.04 * 0.03 * 0.02);

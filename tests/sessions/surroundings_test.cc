@@ -1,0 +1,234 @@
+/** @file
+What surrounds the program changes no byte of its results: another language, a calendar that leaps
+(tests/support/jump_clock.cc), a folder for temporary files that takes nothing, a second process on
+the same folder. A umask that forbids everything ends a command with 5 and a sentence. */
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+
+#include "tests/support/store_results.h"
+
+namespace graspbench {
+namespace {
+namespace fs = std::filesystem;
+
+class Surroundings : public testing::Test {
+ protected:
+  Surroundings()
+      : top_(fs::path(testing::TempDir()) /
+             (std::string("surroundings_") +
+              testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    fs::remove_all(top_);
+    fs::create_directories(top_);
+  }
+  ~Surroundings() override {
+    if (!HasFailure()) fs::remove_all(top_);
+  }
+
+  /** What the program prints goes to the files printed and log. @param prepare  in its process. */
+  pid_t Begin(
+      const std::vector<std::string>& line, const std::function<void()>& prepare = [] {}) const {
+    return Start(line, [&] {
+      if (::chdir(top_.c_str()) != 0) ::_exit(126);
+      std::freopen("printed", "w", stdout);
+      std::freopen("log", "w", stderr);
+      prepare();
+    });
+  }
+  int Run(
+      const std::vector<std::string>& line, const std::function<void()>& prepare = [] {}) const {
+    return WaitFor(Begin(line, prepare));
+  }
+  std::string Out() const { return ReadFile(top_ / "printed"); }
+  std::string Log() const { return ReadFile(top_ / "log"); }
+
+  /** Results in the folder, and what was printed, of commands that read and write numbers. */
+  std::string RunAll(const std::string& folder, const std::function<void()>& prepare) {
+    fs::create_directories(top_ / folder);
+    WriteFile(top_ / "typed",
+              "hand tum\nobject can\nset model.mass_scale 1.5\nrun\nwhy\nscene\ncontacts\n");
+    const std::string session = folder + "/s";
+    const std::vector<std::vector<std::string>> lines = {
+        {"run", "--hand", "tum", "--object", "golf_ball,can", "--trials", "1", "--set",
+         "model.mass_scale=1.25", "--jobs", "1", "--out", session},
+        {"judge", session, "--jobs", "1"},
+        {"export", session, "--mjcf", "all", "--out", folder + "/mjcf"},
+        {"trial", session, "tum-can-g3:0", "--json"},
+        {"shell", "typed"},
+        {"hand", "show", "tum"},
+        {"object", "show", "can"},
+        {"new", "study", folder + "/study"}};
+    std::string printed;
+    for (const std::vector<std::string>& line : lines) {
+      const int code = Run(line, prepare);
+      EXPECT_LE(code, 1) << line[0] << "\n" << Log();
+      EXPECT_GE(code, 0) << line[0] << "\n" << Log();
+      printed += Out();
+    }
+    for (size_t at = 0; (at = printed.find(folder + "/", at)) != printed.npos;) {
+      printed.erase(at, folder.size());
+    }
+    return printed;
+  }
+  void ExpectAsAlways(const std::function<void()>& prepare) {
+    const std::string plain = RunAll("plain", [] {});
+    const std::string other = RunAll("other", prepare);
+    EXPECT_EQ(plain, other);
+    EXPECT_GT(plain.size(), 1000u);
+    ExpectSameResults(top_ / "plain", top_ / "other");
+  }
+
+  fs::path top_;
+};
+
+/** Numbers with a comma; an i whose capital is another letter. */
+TEST_F(Surroundings, LanguagesChangeNothing) {
+  const fs::path locales = top_ / "locales";
+  fs::create_directories(locales);
+  for (const char* language : {"de_DE", "tr_TR"}) {
+    const std::string line = std::string("localedef -i ") + language + " -f UTF-8 '" +
+                             (locales / language).string() + ".UTF-8' >/dev/null 2>&1";
+    if (std::system(line.c_str()) != 0) GTEST_SKIP() << "localedef or its sources are not there";
+  }
+  const std::string probe = "LOCPATH='" + locales.string() +
+                            "' LC_ALL=de_DE.UTF-8 env printf %.1f 1,5 >'" +
+                            (top_ / "probe").string() + "' 2>&1";
+  ASSERT_EQ(std::system(probe.c_str()), 0);
+  ASSERT_EQ(ReadFile(top_ / "probe"), "1,5");
+  for (const char* language : {"de_DE.UTF-8", "tr_TR.UTF-8"}) {
+    fs::remove_all(top_ / "plain");
+    fs::remove_all(top_ / "other");
+    ExpectAsAlways([&] {
+      ::setenv("LOCPATH", locales.c_str(), 1);
+      ::setenv("LC_ALL", language, 1);
+      ::setenv("LANG", language, 1);
+    });
+  }
+}
+
+#ifdef GRASPBENCH_JUMP_CLOCK
+TEST_F(Surroundings, ALeapingCalendarChangesNothing) {
+  ExpectAsAlways([] { ::setenv("LD_PRELOAD", GRASPBENCH_JUMP_CLOCK, 1); });
+  const auto find_year = [&](const char* folder) {
+    const std::string runs = ReadFile(top_ / folder / "s/run.json");
+    return runs.substr(runs.find("\"started_utc\": \"") + 16, 4);
+  };
+  EXPECT_NE(find_year("plain"), find_year("other")) << "the calendar must leap";
+  EXPECT_EQ(Run({"status", "other/s"}, [] { ::setenv("LD_PRELOAD", GRASPBENCH_JUMP_CLOCK, 1); }), 0)
+      << Log();
+}
+
+TEST_F(Surroundings, NoPlaceForTemporaryFilesChangesNothing) {
+  const fs::path full = top_ / "full";
+  fs::create_directories(full);
+  ExpectAsAlways([&] {
+    ::setenv("TMPDIR", full.c_str(), 1);
+    ::setenv("LD_PRELOAD", GRASPBENCH_FAIL_FILES, 1);
+    ::setenv("GRASPBENCH_FAULTS", ("1 1.0 " + full.string()).c_str(), 1);
+    ::unsetenv("XDG_CACHE_HOME");
+    ::unsetenv("HOME");  // then the cache is there, too
+  });
+}
+#endif
+
+// As another user, because root may do everything.
+TEST_F(Surroundings, AMaskThatForbidsEverythingIsTold) {
+  const fs::path work = top_ / "work";
+  fs::create_directories(work);
+  ::chmod(work.c_str(), 0777);
+  ::chmod(testing::TempDir().c_str(), 0711);
+  for (fs::path above = work; above != above.root_path(); above = above.parent_path()) {
+    struct stat status;
+    ASSERT_EQ(::stat(above.c_str(), &status), 0);
+    if (::geteuid() == 0 && (status.st_mode & 0001) == 0) {
+      GTEST_SKIP() << above << " cannot be entered by others";
+    }
+  }
+  for (const std::vector<std::string>& line :
+       {std::vector<std::string>{"run", "--hand", "tum", "--object", "golf_ball", "--trials", "1",
+                                 "--jobs", "1", "--out", "work/s"},
+        {"optimise", "--hand", "tum", "--object", "golf_ball", "--evaluations", "2", "--out",
+         "work/o"},
+        {"study", "demo", "--out", "work/study"},
+        {"new", "object", "work/object"}}) {
+    const int code = Run(line, [&] {
+      if (::geteuid() == 0 && (::setgid(65534) != 0 || ::setuid(65534) != 0)) ::_exit(126);
+      ::setenv("HOME", work.c_str(), 1);
+      ::unsetenv("XDG_CACHE_HOME");
+      ::umask(0777);
+    });
+    EXPECT_EQ(code, 5) << line[0] << "\n" << Log();
+    EXPECT_EQ(Log().rfind("graspbench: ", 0), 0u) << Log();
+  }
+}
+
+/** A command that holds a file while it works. */
+struct LongCommand {
+  const char* name;
+  std::vector<std::string> line;
+  const char* held;
+};
+void PrintTo(const LongCommand& command, std::ostream* out) { *out << command.name; }
+
+class TwoProcesses : public Surroundings, public testing::WithParamInterface<LongCommand> {
+ protected:
+  /** Asked of the system: to try it would be to take it. */
+  static bool IsLocked(const fs::path& file) {
+    struct stat status;
+    if (::stat(file.c_str(), &status) != 0) return false;
+    const std::string inode = ":" + std::to_string(status.st_ino) + " ";
+    std::ifstream locks("/proc/locks");
+    for (std::string line; std::getline(locks, line);) {
+      if (line.find("FLOCK") != line.npos && line.find(inode) != line.npos) return true;
+    }
+    return false;
+  }
+};
+
+// The first one is stopped while it holds the folder, so that it is certainly at work.
+TEST_P(TwoProcesses, TheSecondIsRefusedAndTheFirstIsNotDisturbed) {
+  WriteFile(top_ / "t.yaml", "hands: [tum]\nobjects: [golf_ball]\ntrials: 2\n");
+  WriteFile(top_ / "p.yaml",
+            "stages:\n  first:\n    command: run\n    inputs: {session: t.yaml}\n");
+  ASSERT_EQ(Run({"run", "t.yaml", "--jobs", "1", "--out", "s"}), 0) << Log();
+  const pid_t first = Begin(GetParam().line);
+  while (!IsLocked(top_ / GetParam().held) && !HasEnded(first)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  ::kill(first, SIGSTOP);
+  ASSERT_FALSE(HasEnded(first)) << Log();
+  std::vector<std::string> second = GetParam().line;
+  if (second[0] == "run") second = {"run", "--resume", "--out", "out"};
+  EXPECT_EQ(Run(second), 5) << Log();
+  EXPECT_NE(Log().find("another"), std::string::npos) << Log();
+  EXPECT_NE(Log().find("wait until it is finished or stop it"), std::string::npos) << Log();
+  ::kill(first, SIGCONT);
+  EXPECT_EQ(WaitFor(first), 0) << Log();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Commands, TwoProcesses,
+    testing::Values(
+        LongCommand{"run", {"run", "t.yaml", "--jobs", "1", "--out", "out"}, "out/journal/0.jsonl"},
+        LongCommand{"judge", {"judge", "s", "--jobs", "1"}, "s/judge/0.jsonl"},
+        LongCommand{"basin",
+                    {"basin", "--hand", "tum", "--object", "golf_ball", "--samples", "4", "--jobs",
+                     "1", "--out", "out"},
+                    "out/journal/0.jsonl"},
+        LongCommand{"optimise",
+                    {"optimise", "--hand", "tum", "--object", "golf_ball", "--evaluations", "2",
+                     "--out", "out"},
+                    "out/journal.jsonl"},
+        LongCommand{"campaign",
+                    {"campaign", "--hand", "tum", "--object", "golf_ball", "--evaluations", "2",
+                     "--trials", "1", "--out", "out"},
+                    "out/scenes/tum-golf_ball/journal.jsonl"},
+        LongCommand{"pipeline", {"pipeline", "run", "p.yaml"}, "results/p/.lock"}),
+    [](const auto& instance) { return std::string(instance.param.name); });
+
+}  // namespace
+}  // namespace graspbench
