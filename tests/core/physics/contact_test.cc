@@ -49,6 +49,7 @@ TEST(CalcContactForces, DampsByThePairsRelaxationTime) {
   for (const double tau : {kContactRelaxationTime, 0.024}) {
     ContactPoint contact = MakeContact(2e-4, 0.0, memory);
     contact.material.relaxation_time = tau;
+    contact.friction_limit = 2.0;
     for (const double speed : {-0.02, 0.0, 0.004}) {
       const ContactRates rates = {speed, 0.0, 0.0, 0.0};
       EXPECT_NEAR(CalcContactForces(contact, rates, kStep).force[kNormalRow],

@@ -31,6 +31,7 @@ TEST(DemandShortChains, IsAResultOfAFreeGrasp) {
                             std::make_shared<const GraspObject>(MakeBlock(0.1)),
                             Pose::Identity(),
                             {{"grasp", Pose::Identity(), Eigen::VectorXd::Zero(num_joints)}},
+                            0,
                             ""};
   const FreeSpaceResult result = RunFreeSpace(scene, FreeSpaceProfile());
   EXPECT_FALSE(result.passed);
