@@ -3,6 +3,7 @@
 // gripper_frame), which warns against relying on the frames.
 
 #include <cmath>
+#include <set>
 
 #include "core/base/diagnostics.h"
 #include "core/base/error.h"
@@ -153,6 +154,7 @@ std::vector<ForeignGrasp> ReadIsaac(std::string_view bytes, const std::string& f
   const std::string object_frame = ReadFrame(map, "object_frame");
   const YAML::Node grasps = map.Child("grasps");
   std::vector<ForeignGrasp> made;
+  std::set<std::string> names;
   if (!grasps.IsNull() && !grasps.IsMap()) map.Fail("grasps", "expected a map of grasps");
   if (grasps.IsMap()) {
     for (const auto& entry : grasps) {
@@ -163,6 +165,9 @@ std::vector<ForeignGrasp> ReadIsaac(std::string_view bytes, const std::string& f
       if (!options.scale) grasp.assumptions.push_back("the mesh is drawn in metres, scale 1");
       grasp.assumptions.push_back("poses are given in the frame of the mesh");
       const std::string name = entry.first.IsScalar() ? entry.first.Scalar() : "?";
+      if (!names.insert(name).second) {
+        problems.Fail(file, LineOf(entry.first), "grasp " + name + " is there twice");
+      }
       ReadIsaacGrasp(entry.second, file, "grasp " + name, problems, grasp);
       made.push_back(std::move(grasp));
     }

@@ -84,6 +84,9 @@ void CheckSameGrasps(const fs::path& folder, const Json& config) {
   for (const auto& [key, value] : config.items()) {
     if (!there.contains(key) || there.at(key) != value) differences.push_back(key);
   }
+  for (const auto& [key, value] : there.items()) {
+    if (!config.contains(key)) differences.push_back(key);
+  }
   if (differences.empty()) return;
   throw Error(ErrorKind::kUsage, "\"" + folder.string() +
                                      "\" was begun with other inputs or settings; what differs:" +

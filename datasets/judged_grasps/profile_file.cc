@@ -7,6 +7,7 @@
 #include "core/base/files/files.h"
 #include "core/base/text/yaml.h"
 #include "datasets/plan/session_keys.h"
+#include "datasets/plan/sim_check.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -33,6 +34,15 @@ Problems FindProblems(const FreeSpaceProfile& profile) {
   CheckWord(kStageChoices, "closing.stages", profile.closing.stages, problems);
   CheckWord(kClosingRules, "closing.to", profile.closing.to, problems);
   CheckWord(kProfileTests, "test", profile.test, problems);
+  for (const auto& problem : FindSimProblems(profile.sim)) problems.push_back(problem);
+  const bool is_lift = profile.test == "lift";
+  if (is_lift && profile.lift_height <= profile.max_shift) {
+    problems.emplace_back("lift_height_m",
+                          "must be above max_shift_m: an object that is left behind would pass");
+  }
+  if (profile.finds_breaking_load && (profile.test != "pushes" || profile.acceleration <= 0.0)) {
+    problems.emplace_back("finds_breaking_load", "needs pushes with an acceleration above 0");
+  }
   if (profile.sim.gravity != 0.0) {
     problems.emplace_back("sim.gravity_m_per_s2",
                           "expected 0: acceleration_m_per_s2 says what acts on the object");
@@ -102,7 +112,12 @@ const FileKeys& ListProfileKeys() {
         {"finds_breaking_load", "",
          "of pushes: also the largest that the grasp stands along all six axes, to 5 %"}};
     for (const FileKey& row : ListSessionKeys()) {
-      if (row.key.rfind("sim.", 0) == 0) rows.push_back(row);
+      if (row.key == "sim.gravity_m_per_s2") {
+        rows.push_back(
+            {row.key, "", "0: acceleration_m_per_s2 says what acts on the object", 0, 0});
+      } else if (row.key.rfind("sim.", 0) == 0) {
+        rows.push_back(row);
+      }
     }
     return DescribeConfig(FreeSpaceProfile(), rows);
   }();
@@ -114,6 +129,11 @@ FreeSpaceProfile ParseProfile(const std::string& text, const std::string& file) 
   profile.name = fs::path(file).stem().string();
   Diagnostics problems;
   const YAML::Node root = ParseYaml(text, file, problems);
+  if (!root.IsMap()) {
+    throw Error(ErrorKind::kFormat, file +
+                                        ": no profile: expected keys and their values; graspbench "
+                                        "new profile NAME makes a file with all of them");
+  }
   ReadConfig(root, file, "profile", profile, problems);
   if (problems.num_errors() == 0) {
     for (const auto& [key, fault] : FindProblems(profile)) {

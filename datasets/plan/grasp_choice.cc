@@ -1,7 +1,6 @@
 #include "datasets/plan/grasp_choice.h"
 
 #include <algorithm>
-#include <array>
 
 #include "core/base/text/text.h"
 #include "core/base/units.h"
@@ -36,14 +35,6 @@ bool CanTake(const SessionInputs& inputs, const SessionHand& hand, const Grasp& 
   if (grasp.placement || ClearsBoundingBox(*hand.hand, grasp, *object)) return true;
   const GraspPrediction& prediction = FitOnce(inputs, hand, grasp, object).prediction;
   return prediction.reaches() && prediction.is_clear();
-}
-
-/** Larger is better. That a grasp reaches the object comes first, then that its development found it
-to hold what it had not met, then that it comes clear of it, then contacts. */
-std::array<int, 4> RankGrasp(const Grasp& grasp, const GraspPrediction& prediction) {
-  constexpr double kLeastHeldShare = 0.5;
-  return {prediction.reaches(), !(grasp.held_share < kLeastHeldShare), prediction.is_clear(),
-          prediction.Rank()};
 }
 
 const Grasp& FindBestGrasp(const SessionInputs& inputs, const SessionHand& hand,
@@ -84,6 +75,12 @@ std::vector<const Grasp*> ListTried(const SessionHand& hand, const GraspObject& 
 }
 
 }  // namespace
+
+std::array<int, 4> RankGrasp(const Grasp& grasp, const GraspPrediction& prediction) {
+  constexpr double kLeastHeldShare = 0.5;
+  return {prediction.reaches(), !(grasp.held_share < kLeastHeldShare), prediction.is_clear(),
+          prediction.Rank()};
+}
 
 Grasp FindFitted(const SessionInputs& inputs, const SessionHand& hand, const Grasp& grasp,
                  const std::shared_ptr<const GraspObject>& object) {

@@ -3,6 +3,7 @@
 Which grasps of a hand a session tries on an object, how the hand does them there, and whether any
 of them can take it: known by geometry before the first trial (core/grasp/predict_grasp.h). */
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,6 +25,10 @@ the session and shared by threads. What is clear of the object's bounding box, w
 object, or is what the object names as best for this hand, stays as it is. */
 Grasp FindFitted(const SessionInputs& inputs, const SessionHand& hand, const Grasp& grasp,
                  const std::shared_ptr<const GraspObject>& object);
+
+/** Larger is better. That a grasp reaches the object comes first, then that its development found it
+to hold what it had not met, then that it comes clear of it, then contacts. */
+std::array<int, 4> RankGrasp(const Grasp& grasp, const GraspPrediction& prediction);
 
 /** As MakePlan says (session_plan.h). "best" is what the object names for this hand, else of
 those that reach it by prediction one that held half of the shapes that its development had not met

@@ -11,6 +11,7 @@
 #include "datasets/plan/firm_grip.h"
 #include "datasets/plan/presets.h"
 #include "datasets/plan/session_keys.h"
+#include "datasets/plan/sim_check.h"
 
 namespace graspbench {
 namespace {
@@ -108,19 +109,7 @@ std::vector<ConfigProblem> Validate(const SessionConfig& config) {
                         "must not be longer than strategy.stabilisation_max_time_s"});
   }
   CheckGrip(config.strategy, problems);
-  if (config.sim.table_friction_dynamic > config.sim.table_friction_static) {
-    problems.push_back(
-        {"sim.table_friction_dynamic", "must not be higher than sim.table_friction_static"});
-  }
-  if (config.sim.hand_friction_dynamic > config.sim.hand_friction_static) {
-    problems.push_back(
-        {"sim.hand_friction_dynamic", "must not be higher than sim.hand_friction_static"});
-  }
-  if (config.sim.multibody != "arrays" && config.sim.multibody != "simbody") {
-    problems.push_back(
-        {"sim.multibody", "no multibody \"" + config.sim.multibody + "\"" +
-                              SuggestNames(config.sim.multibody, {"arrays", "simbody"})});
-  }
+  for (const auto& [key, text] : FindSimProblems(config.sim)) problems.push_back({key, text});
   if (!FindRow(kApproaches, config.approach)) {
     problems.push_back({"approach", "no approach \"" + config.approach + "\"" +
                                         SuggestNames(config.approach, ListNames(kApproaches))});

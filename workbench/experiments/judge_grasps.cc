@@ -169,6 +169,12 @@ void MergeJudgedGrasps(const std::vector<fs::path>& parts, const fs::path& out) 
   }
   std::sort(judged.begin(), judged.end(),
             [](const JudgedGrasp& a, const JudgedGrasp& b) { return a.request < b.request; });
+  for (size_t i = 1; i < judged.size(); ++i) {
+    if (judged[i].request != judged[i - 1].request) continue;
+    throw Error(ErrorKind::kUsage, "two shards hold a verdict on " + judged[i].source + ", grasp " +
+                                       std::to_string(judged[i].index) + ", under " +
+                                       judged[i].profile);
+  }
   if (HasJudgedGrasps(out)) {
     throw Error(ErrorKind::kUsage, "\"" + out.string() +
                                        "\" holds judged grasps already; choose "

@@ -107,7 +107,8 @@ class FreeSpaceRun {
     if (course_.is_lift()) course_.Push({0.0, 0.0, -profile_.acceleration});
     if (!Close()) return result_;
     result_.passed = course_.is_lift() ? Lift() : PushAll();
-    if (profile_.finds_breaking_load && !course_.is_lift() && !result_.touching.empty()) {
+    if (result_.passed && !is_touched_) FailUntouched();
+    if (profile_.finds_breaking_load && !course_.is_lift() && is_touched_ && !IsMovedByClosing()) {
       FindBreakingLoad();
     }
     return result_;
@@ -143,6 +144,7 @@ class FreeSpaceRun {
     const ObjectMotion closing = course_.CalcMoved();
     result_.closing_shift = closing.shift;
     result_.closing_turn_deg = closing.turn_deg;
+    is_touched_ = !course_.ListTouching().empty();
     result_.touching = fmt::format("{}", fmt::join(course_.ListTouching(), " "));
     result_.grip_force = course_.report().grip_force;
     result_.epsilon = CalcEpsilon(course_.world(), CalcObjectRadius(*scene_.object));
@@ -178,8 +180,7 @@ class FreeSpaceRun {
     result_.worst_shift = std::max(result_.worst_shift, moved.shift);
     result_.worst_turn_deg = std::max(result_.worst_turn_deg, moved.turn_deg);
     if (!IsBeyond(moved)) return true;
-    const bool was_before =
-        !course_.is_lift() && IsBeyond({result_.closing_shift, result_.closing_turn_deg});
+    const bool was_before = !course_.is_lift() && IsMovedByClosing();
     const std::string how = moved.shift >= profile_.max_shift
                                 ? fmt::format("moved {:.1f} mm, the limit is {:g} mm",
                                               MmFromM(moved.shift), MmFromM(profile_.max_shift))
@@ -196,7 +197,17 @@ class FreeSpaceRun {
              how + "; " + touched);
     return false;
   }
+  bool IsMovedByClosing() const {
+    return IsBeyond({result_.closing_shift, result_.closing_turn_deg});
+  }
+  /** Limits that a free object keeps say nothing of the grasp. */
+  void FailUntouched() {
+    result_.passed = false;
+    Fail(scene_.stages.back().name,
+         "the hand does not reach the object: nothing touched it in any look");
+  }
   bool DemandTouch(const FreeSpaceCourse& course, const std::string& stage) {
+    is_touched_ = is_touched_ || !course.ListTouching().empty();
     if (!profile_.must_touch || !course.ListTouching().empty()) return true;
     const double shift = course.CalcMoved(course.is_lift() ? profile_.lift_height : 0.0).shift;
     Fail(stage,
@@ -300,6 +311,7 @@ class FreeSpaceRun {
   const FreeSpaceProfile& profile_;
   FreeSpaceCourse course_;
   std::vector<TraceInstant> shown_;
+  bool is_touched_ = false;  // after closing or at the end of a push or lift
   FreeSpaceResult result_;
 };
 

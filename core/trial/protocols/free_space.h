@@ -6,7 +6,8 @@ hand goes through its stages, and closes beyond the last where the profile says 
 the six half axes of W with its mass times the profile's acceleration; or once, out of the palm; or
 the hand lifts it from a table. The grasp passes when in every look the object has moved less than
 the profile's limits from where it was at the start (of a lift: raised with it), and, where the
-profile says so, is touched in the last. The first push that it does not stand decides.
+profile says so, is touched in the last; one that nothing touches, neither after closing nor at the
+end of a push, fails. The first push that it does not stand decides.
 
 The breaking load is the largest push that it stands along each of the six, found by bisection with
 whole pushes, so what decides is the same: 0.05 relative, from 1/64 to 16 times the profile's.

@@ -133,20 +133,17 @@ TEST(GraspChoice, WhatDidNotHoldInDevelopmentComesLast) {
 
 // Nor is it taken for coming clear of an object, where another reaches it and is known to hold.
 TEST(GraspChoice, HoldingInDevelopmentCountsMoreThanRoom) {
-  auto beam = MakeBlock("beam", 0.06);
-  beam->approach = Approach::kAbove;
-  SessionInputs inputs = MakeInputsOf({beam});
-  const auto best = [&] {
-    return FindGrasps(SessionConfig(), inputs, inputs.hands[0], inputs.objects[0]).at(0)->id;
-  };
-  ASSERT_EQ(best(), "g1");
-  for (Grasp& grasp : inputs.hands[0].grasps) grasp.held_share = grasp.id == "g4" ? 0.9 : 0.0;
-  const Grasp& pinch = *FindGrasp(inputs.hands[0], *beam, "g4");
-  ASSERT_TRUE(PredictGrasp(*inputs.hands[0].hand,
-                           FindFitted(inputs, inputs.hands[0], pinch, inputs.objects[0]),
-                           *CompleteObject(inputs.objects[0]))
-                  .reaches());
-  EXPECT_EQ(best(), "g4");
+  GraspPrediction clear, tight, short_of_it;
+  clear.room = 0.01;
+  tight.room = -0.01;
+  short_of_it.reach_miss = 0.001;
+  Grasp holds, does_not, unchecked;
+  holds.held_share = 0.9;
+  does_not.held_share = 0.0;
+  EXPECT_GT(RankGrasp(holds, tight), RankGrasp(does_not, clear));
+  EXPECT_GT(RankGrasp(unchecked, tight), RankGrasp(does_not, clear)) << "nothing is known of it";
+  EXPECT_GT(RankGrasp(holds, clear), RankGrasp(holds, tight));
+  EXPECT_GT(RankGrasp(does_not, tight), RankGrasp(holds, short_of_it)) << "reach comes first";
 }
 
 TEST(GraspChoice, WhatTheObjectNamesStaysAsItIs) {

@@ -112,6 +112,9 @@ TEST(JudgeGrasps, ShardsMergeToTheBytesOfOneRun) {
   other.jitter = 1;
   EXPECT_TRUE(JudgeGrasps(other, Inputs(), nobody, never));
   refuse({parts[0], other.out});
+  // A shard's folder takes nothing but its shard.
+  JudgeGraspsRequest all = MakeRequest(folder.path(), "part1");
+  EXPECT_THROW(JudgeGrasps(all, Inputs(), nobody, never), Error);
   fs::remove(parts[1] / "grasps.csv");
   refuse(parts);
 }

@@ -37,13 +37,17 @@ void ForeignGraspOptions::AddTo(CLI::App& command) {
       ->allow_extra_args(false)
       ->option_text("NAME=NUMBER,..");
   command.add_option("--scale", scale_, "of the object's mesh, instead of what the files say")
-      ->check(CLI::PositiveNumber)
       ->option_text("NUMBER");
 }
 
 GraspCollection ForeignGraspOptions::Read() const {
   GraspReadOptions options = read_;
-  if (scale_ > 0.0) options.scale = scale_;
+  if (scale_) {
+    if (!(*scale_ > 0.0) || !std::isfinite(*scale_)) {
+      throw Error(ErrorKind::kUsage, "--scale: expected a number above 0, 0.001 for a mesh in mm");
+    }
+    options.scale = scale_;
+  }
   for (const std::string& joint : open_joints_) {
     const size_t sign = joint.rfind('=');
     double position = 0.0;

@@ -2,6 +2,7 @@
 /** @file
 The options by which a command names grasps that others made, and what their files do not say. */
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,7 @@ class ForeignGraspOptions {
   std::vector<std::string> paths_;
   std::string format_ = "auto";
   GraspReadOptions read_;
-  double scale_ = 0.0;                    ///< 0: not given
+  std::optional<double> scale_;
   std::vector<std::string> open_joints_;  ///< "NAME=POSITION"
 };
 

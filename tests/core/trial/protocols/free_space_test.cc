@@ -92,7 +92,9 @@ TEST(FreeSpace, AloneAnObjectFliesWithThePush) {
   pinch.profile.test_time = pinch.profile.check_interval = 0.2;
   pinch.stages = {{"grasp", MakePose(Vector3d(0.0, 0.0, 10.0)), VectorXd()}};
   const FreeSpaceResult result = pinch.Run();
-  EXPECT_TRUE(result.passed) << result.reason;  // a t^2 / 2 = 40 mm
+  EXPECT_FALSE(result.passed) << "40 mm are within the limits, but of a free object";
+  EXPECT_EQ(result.failed_stage, "grasp");
+  EXPECT_EQ(result.num_stood, 6);
   EXPECT_NEAR(result.worst_shift, 0.5 * 2.0 * 0.2 * 0.2, 1e-3);
   EXPECT_EQ(result.touching, "");
   EXPECT_EQ(result.closing_shift, 0.0) << "without a push it rests";

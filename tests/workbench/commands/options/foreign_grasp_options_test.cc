@@ -35,7 +35,9 @@ TEST(ForeignGraspOptions, RefuseWhatIsNoPosition) {
   for (const char* words : {"--open left", "--open left=wide", "--open left=nan"}) {
     EXPECT_THROW(ReadWith(std::string("--hand-frame base ") + words), Error) << words;
   }
-  EXPECT_THROW(ReadWith("--hand-frame base --scale 0"), CLI::ValidationError);
+  for (const char* scale : {"0", "-1", "nan", "inf"}) {
+    EXPECT_THROW(ReadWith(std::string("--hand-frame base --scale ") + scale), Error) << scale;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,17 @@
+#pragma once
+/** @file
+Values of the simulation that contradict each other, whoever states them: a session, a profile. */
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/physics/sim_config.h"
+
+namespace graspbench {
+
+/** Keys ("sim.multibody") with what is wrong; empty: nothing. Ranges of single values are checked
+where the keys are listed. */
+std::vector<std::pair<std::string, std::string>> FindSimProblems(const SimConfig& sim);
+
+}  // namespace graspbench
