@@ -94,6 +94,7 @@ TEST(GraspRefusals, Isaac) {
        {"bad_null_pregrasp.yaml", "grasp_0, pregrasp_cspace_position: expected a map of joints"},
        {"bad_no_joints.yaml", "the key \"cspace_position\" is missing"},
        {"bad_position.yaml", ":20: error: grasp grasp_1, position: expected"},
+       {"bad_twice.yaml", ":18: error: grasp grasp_0 is there twice"},
        {"bad_no_grasps.yaml", "the key \"grasps\" is missing"},
        {"bad_list.yaml", ":7: error: isaac_grasp, grasps: expected a map"},
        {"bad_syntax.yaml", "not valid YAML"}});

@@ -103,6 +103,16 @@ TEST(ProfileFile, FaultsAreNamedWithTheirLine) {
   EXPECT_NE(FindFault("stage_time_s: -1\n").find("out of range"), std::string::npos);
   EXPECT_NE(FindFault("drives: {law: hers}\n").find("expected own, given"), std::string::npos);
   EXPECT_EQ(FindFault("about: mine\n"), "");
+  EXPECT_NE(FindFault("").find("no profile"), std::string::npos);
+  EXPECT_NE(FindFault("\xff\xfe").find("mine.yaml"), std::string::npos);
+  EXPECT_NE(FindFault("sim: {multibody: mujoco}\n").find("no multibody"), std::string::npos);
+  EXPECT_NE(FindFault("test: lift\nlift_height_m: 0.04\n").find("above max_shift_m"),
+            std::string::npos);
+  for (const char* idle : {"test: lift\n", "acceleration_m_per_s2: 0\n"}) {
+    EXPECT_NE(FindFault(std::string("finds_breaking_load: true\n") + idle).find("needs pushes"),
+              std::string::npos)
+        << idle;
+  }
   EXPECT_THROW(LoadProfile("dexgraspbenhc-fc"), Error);
 }
 
