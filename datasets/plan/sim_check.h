@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-Values of the simulation that contradict each other, whoever states them: a session, a profile. */
+Values of the simulation that contradict each other, in a session or a profile. */
 
 #include <string>
 #include <utility>

@@ -156,9 +156,10 @@ class FreeSpaceRun {
     const ScriptedStage& last = scene_.stages.back();
     ScriptedStage closed = last;
     closed.q = CalcClosingCommand(scene_, profile_);
+    q_held_ = course_.MakeCommand(closed);
     const Pose X_WH = scene_.X_WO * last.X_OH;
     if (profile_.closing.object_is_held) {
-      if (course_.CloseOnHeld(X_WH, course_.MakeCommand(closed), profile_.stage_time)) return true;
+      if (course_.CloseOnHeld(X_WH, q_held_, profile_.stage_time)) return true;
       if (!course_.is_finite()) return FailNumerically(last.name);
       Fail(last.name, fmt::format("closing for {:g} s on the held object, {} touched it, where two "
                                   "must",
@@ -167,8 +168,7 @@ class FreeSpaceRun {
       return false;
     }
     if (closed.q == last.q && scene_.stages.size() > 1) return true;
-    course_.Go(X_WH, course_.MakeCommand(last), X_WH, course_.MakeCommand(closed),
-               profile_.stage_time);
+    course_.Go(X_WH, course_.MakeCommand(last), X_WH, q_held_, profile_.stage_time);
     return course_.is_finite() || FailNumerically(last.name);
   }
 
@@ -297,8 +297,7 @@ class FreeSpaceRun {
     lifted.pretranslate(Vector3d(0.0, 0.0, profile_.lift_height));
     const int steps = course_.num_steps(), unconverged = course_.num_unconverged();
     course_.SetPhase(Phase::kLiftOff);
-    course_.Go(X_WH, course_.MakeCommand(last), lifted, course_.MakeCommand(last),
-               profile_.test_time);
+    course_.Go(X_WH, q_held_, lifted, q_held_, profile_.test_time);
     Count(course_, steps, unconverged);
     if (!course_.is_finite()) return FailNumerically("lift");
     if (!Look(course_.CalcMoved(profile_.lift_height), "lift", profile_.test_time)) return false;
@@ -311,6 +310,7 @@ class FreeSpaceRun {
   const FreeSpaceProfile& profile_;
   FreeSpaceCourse course_;
   std::vector<TraceInstant> shown_;
+  Eigen::VectorXd q_held_;   // what the drives are asked for once the hand has closed
   bool is_touched_ = false;  // after closing or at the end of a push or lift
   FreeSpaceResult result_;
 };

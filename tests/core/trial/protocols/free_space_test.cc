@@ -180,6 +180,18 @@ TEST(FreeSpace, LiftsFromATable) {
   const FreeSpaceResult held = run();
   EXPECT_TRUE(held.passed) << held.reason;
   EXPECT_LT(held.worst_shift, 0.01);
+  // Closed beyond the last stage, it stays closed while it rises.
+  const Pinch stated = pinch;
+  for (HandJoint& joint : pinch.hand.joints) {
+    joint.lower = 0.0;
+    joint.upper = pinch.stages.back().q[0];
+  }
+  pinch.hand.digits = {{"TH", "thumb", true, {1}, 1}, {"FF", "index", false, {2}, 2}};
+  pinch.stages.resize(1);
+  pinch.profile.closing.to = "limits";
+  const FreeSpaceResult closed = run();
+  EXPECT_TRUE(closed.passed) << closed.reason;
+  pinch = stated;
   pinch.profile.surfaces.friction = 0.3;  // 0.6 N
   const FreeSpaceResult lost = run();
   EXPECT_EQ(lost.failed_stage, "lift") << lost.reason;
