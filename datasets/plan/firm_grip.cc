@@ -27,6 +27,13 @@ Json StrategyToJson(const StrategyConfig& strategy) {
   return json;
 }
 
+bool CanMatter(const std::string& key, const StrategyConfig& strategy) {
+  const GripMode mode = RowFromName(kGripModes, strategy.grip, "grip").value;
+  if (key == "strategy.grip_force_n") return mode != GripMode::kPosture;
+  if (key == "strategy.grip_margin") return mode == GripMode::kMargin;
+  return true;
+}
+
 void DropUnusedGrip(StrategyConfig& strategy) {
   const StrategyConfig firm = MakeFirmStrategy();
   if (strategy.grip != firm.grip) return;

@@ -11,6 +11,7 @@
 #include "core/base/random.h"
 #include "core/base/text/text.h"
 #include "datasets/plan/conditions.h"
+#include "datasets/plan/firm_grip.h"
 #include "datasets/plan/session_keys.h"
 
 namespace graspbench {
@@ -139,6 +140,24 @@ std::vector<Point> ListPoints(const SweepConfig& sweep, const std::vector<SweepF
                                      std::to_string(kMostConditions));
 }
 
+/** A factor that no trial looks at would be reported as one without effect. */
+void RefuseUnused(const std::vector<SweepFactor>& factors, const SessionConfig& config) {
+  std::vector<StrategyConfig> strategies = {config.strategy};
+  for (const Condition& condition : config.conditions) {
+    strategies.push_back(ApplyCondition(condition, config).config.strategy);
+  }
+  for (const SweepFactor& factor : factors) {
+    if (std::any_of(strategies.begin(), strategies.end(), [&](const StrategyConfig& strategy) {
+          return CanMatter(factor.key, strategy);
+        })) {
+      continue;
+    }
+    throw Error(ErrorKind::kUsage,
+                "the factor \"" + factor.key + "\" has no use where strategy.grip is " +
+                    config.strategy.grip + "; leave it out, or set strategy.grip");
+  }
+}
+
 }  // namespace
 
 SweepConfig ParseSweepConfig(const std::string& text, const std::string& file) {
@@ -200,6 +219,7 @@ SessionConfig MakeSweep(const SweepConfig& sweep) {
     ApplyCondition(condition, config);  // what cannot be combined is refused here
     config.conditions.push_back(condition);
   }
+  RefuseUnused(factors, config);
   return config;
 }
 

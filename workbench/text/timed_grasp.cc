@@ -10,11 +10,14 @@
 #include "core/base/files/files.h"
 #include "core/base/text/data_table.h"
 #include "core/base/text/text.h"
+#include "core/base/units.h"
 #include "core/grasp/grasp_file.h"
 #include "core/grasp/grasp_keys.h"
 #include "core/hand/load_hand.h"
 #include "core/statistics/summary.h"
+#include "core/trial/contact_lags.h"
 #include "datasets/journal/sealed_store.h"
+#include "datasets/plan/session_plan.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -59,10 +62,52 @@ std::map<std::string, std::map<std::string, double>> ReadContacts(const fs::path
   return contacts;
 }
 
+std::map<std::string, ClosingSchedule> DelayBy(const std::map<std::string, double>& lags) {
+  std::map<std::string, ClosingSchedule> closing;
+  for (const auto& [digit, lag] : lags) {
+    if (lag > 0.0) closing[digit] = {lag, 1.0};
+  }
+  return closing;
+}
+
+/** In a trial of the default session without variation. */
+LaggedClosing FitOnObject(const TimedGraspOptions& options,
+                          const std::map<std::string, double>& lags) {
+  SessionConfig config;
+  config.hands = {options.hand};
+  config.objects = {options.object};
+  config.grasps = {options.grasp};
+  const SessionInputs inputs = LoadSessionInputs(config);
+  TrialSetup setup = MakeTrialSetup(config, inputs, MakePlan(config, inputs).front());
+  setup.draw = {};
+  setup.draw.joint_error = Eigen::VectorXd::Zero(setup.hand->num_joints());
+  TrialRunner runner(setup.hand, setup.object);
+  const LaggedClosing found = FitContactLags(runner, setup, lags);
+  if (!std::isnan(found.largest_error)) return found;
+  throw Error(ErrorKind::kUsage,
+              "on the object \"" + options.object + "\" " +
+                  (found.untouching.empty() ? "the trial fails numerically"
+                                            : "the digit " + found.untouching + " does not touch") +
+                  " in a trial without variation, so that the order of contacts cannot be played; "
+                  "choose another object with --object or another grasp with --grasp");
+}
+
+/** "golf_ball: FF 0, TH 31 ms after the first, within 0.8 ms in a trial without variation". */
+std::string DescribeFit(const std::string& object, const std::map<std::string, double>& lags,
+                        const LaggedClosing& found) {
+  std::vector<std::string> asked;
+  for (const auto& [digit, lag] : lags) {
+    asked.push_back(digit + " " + FormatFixed(MsFromS(lag), 0));
+  }
+  return object + ": " + fmt::format("{}", fmt::join(asked, ", ")) +
+         " ms after the first, within " + FormatFixed(MsFromS(found.largest_error), 1) +
+         " ms in a trial without variation";
+}
+
 }  // namespace
 
-std::map<std::string, ClosingSchedule> ReadStudyTiming(const fs::path& study,
-                                                       const std::vector<std::string>& digits) {
+std::map<std::string, double> ReadStudyLags(const fs::path& study,
+                                            const std::vector<std::string>& digits) {
   const auto contacts = ReadContacts(study);
   VerifyStore(study, OnDamage::kRefuse);
   std::set<std::string> known;
@@ -81,52 +126,62 @@ std::map<std::string, ClosingSchedule> ReadStudyTiming(const fs::path& study,
                                        "; it has " + fmt::format("{}", fmt::join(known, ", ")) +
                                        ". Choose a grasp of these digits with --grasp");
   }
-  std::map<std::string, std::vector<double>> lags;
+  std::map<std::string, std::vector<double>> all;
   for (const auto& [trial, times] : contacts) {
     const auto has = [&times = times](const std::string& id) { return times.count(id) > 0; };
     if (!std::all_of(digits.begin(), digits.end(), has)) continue;
     double first = HUGE_VAL;
     for (const std::string& digit : digits) first = std::min(first, times.at(digit));
-    for (const std::string& digit : digits) lags[digit].push_back(times.at(digit) - first);
+    for (const std::string& digit : digits) all[digit].push_back(times.at(digit) - first);
   }
-  if (lags.empty()) {
+  if (all.empty()) {
     throw Error(ErrorKind::kUsage, "in no trial of the study in \"" + study.string() +
                                        "\" that counts did all digits of the grasp touch: " +
                                        fmt::format("{}", fmt::join(digits, ", ")));
   }
   const double longest = FindFileKey(ListGraspFileKeys(), "closing.DIGIT.delay_s")->high;
   double least = HUGE_VAL;
-  for (const auto& [digit, values] : lags) least = std::min(least, CalcMedian(values));
-  std::map<std::string, ClosingSchedule> closing;
-  for (const auto& [digit, values] : lags) {
-    const double delay = CalcMedian(values) - least;
-    if (delay > longest) {
-      throw Error(ErrorKind::kUsage, digit + " touches " + FormatFixed(delay, 3) +
+  for (const auto& [digit, values] : all) least = std::min(least, CalcMedian(values));
+  std::map<std::string, double> lags;
+  for (const auto& [digit, values] : all) {
+    const double lag = CalcMedian(values) - least;
+    if (lag > longest) {
+      throw Error(ErrorKind::kUsage, digit + " touches " + FormatFixed(lag, 3) +
                                          " s after the others in the study, with which it would "
                                          "stay open for good; a grasp takes at most " +
                                          FormatFixed(longest, 0) +
                                          " s. Are its times in "
                                          "seconds?");
     }
-    if (delay > 0.0) closing[digit] = {delay, 1.0};
+    lags[digit] = lag;
   }
-  return closing;
+  return lags;
 }
 
-std::string MakeTimedGrasp(const std::string& hand_id, const std::string& grasp_id,
-                           const fs::path& study) {
-  const Hand hand = LoadHand(hand_id);
+TimedGrasp MakeTimedGrasp(const TimedGraspOptions& options) {
+  const Hand hand = LoadHand(options.hand);
   std::vector<std::string> known;
   for (Grasp& grasp : LoadStandardGrasps(hand)) {
     known.push_back(grasp.id);
-    if (grasp.id != grasp_id) continue;
+    if (grasp.id != options.grasp) continue;
     const std::string made_from = grasp.id;
-    if (!study.empty()) grasp.closing = ReadStudyTiming(study, grasp.digits);
-    grasp.id += study.empty() ? "-new" : "-timed";  // that of a standard grasp is taken
-    return FormatGraspFile(hand, grasp, made_from);
+    TimedGrasp timed;
+    if (!options.study.empty()) {
+      const auto lags = ReadStudyLags(options.study, grasp.digits);
+      if (options.object.empty()) {
+        grasp.closing = DelayBy(lags);
+      } else {
+        const LaggedClosing found = FitOnObject(options, lags);
+        grasp.closing = found.closing;
+        timed.summary = DescribeFit(options.object, lags, found);
+      }
+    }
+    grasp.id += options.study.empty() ? "-new" : "-timed";  // that of a standard grasp is taken
+    timed.file = FormatGraspFile(hand, grasp, made_from);
+    return timed;
   }
-  throw Error(ErrorKind::kNotFound, "the " + hand.name + " has no grasp \"" + grasp_id + "\"" +
-                                        SuggestNames(grasp_id, known));
+  throw Error(ErrorKind::kNotFound, "the " + hand.name + " has no grasp \"" + options.grasp + "\"" +
+                                        SuggestNames(options.grasp, known));
 }
 
 }  // namespace graspbench

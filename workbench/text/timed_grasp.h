@@ -1,9 +1,13 @@
 #pragma once
 /** @file
 A grasp that closes as people do: the closing schedule of a study's contact times, as `graspbench
-new grasp --timing` writes it. A digit's delay is the median over the trials that count, of how long
+new grasp --timing` writes it. A digit's lag is the median over the trials that count, of how long
 after the trial's first contact it touched, less that of the digit with the least. Only trials count
-in which all digits of the grasp touched. */
+in which all digits of the grasp touched.
+
+With an object, the digits touch it with these lags (core/trial/contact_lags.h). Without, a lag is a
+digit's delay: it begins to close so much later, and where its way is longer or shorter than the
+others' it touches at another time. */
 
 #include <filesystem>
 #include <map>
@@ -14,17 +18,27 @@ in which all digits of the grasp touched. */
 
 namespace graspbench {
 
-/** Of a study's folder, its trials.csv and events.csv.
+/** Of a study's folder, its trials.csv and events.csv: each digit's lag [s].
 @param digits  of the grasp: "TH", "FF", ..
 @throws Error(kNotFound) when there is no study; Error(kFormat) for damaged tables; Error(kUsage) for
 digits that the study has no contact of, a study without a trial that counts and in which all
 touched, and a lag with which a digit would stay open for good. */
-std::map<std::string, ClosingSchedule> ReadStudyTiming(const std::filesystem::path& study,
-                                                       const std::vector<std::string>& digits);
+std::map<std::string, double> ReadStudyLags(const std::filesystem::path& study,
+                                            const std::vector<std::string>& digits);
 
-/** The grasp file of a standard grasp. @param study  empty: it closes as the hand does.
-@throws Error(kNotFound) for the hand or the grasp; as ReadStudyTiming. */
-std::string MakeTimedGrasp(const std::string& hand, const std::string& grasp,
-                           const std::filesystem::path& study);
+struct TimedGraspOptions {
+  std::string hand, grasp;
+  std::filesystem::path study;  ///< empty: it closes as the hand does
+  std::string object;           ///< id or folder; empty: on none in particular
+};
+struct TimedGrasp {
+  std::string file;     ///< content of the grasp file
+  std::string summary;  ///< how well it follows the study, a line; empty without an object
+};
+
+/** The grasp file of a standard grasp.
+@throws Error(kNotFound) for the hand, the grasp or the object; Error(kUsage) for an object on which
+the grasp's digits do not all touch; as ReadStudyLags. */
+TimedGrasp MakeTimedGrasp(const TimedGraspOptions& options);
 
 }  // namespace graspbench

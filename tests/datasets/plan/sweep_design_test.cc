@@ -90,6 +90,30 @@ TEST(SweepDesign, RefusesWhatIsNoDesign) {
          "more than 10000 conditions");
 }
 
+// What no trial looks at would be told as a factor without effect.
+TEST(SweepDesign, RefusesAFactorThatNoTrialLooksAt) {
+  const auto explain = [](const std::string& grip, std::vector<std::string> factors) {
+    SweepConfig sweep;
+    sweep.strategy.grip = grip;
+    sweep.factors = std::move(factors);
+    try {
+      MakeSweep(sweep);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  const std::string margin = "strategy.grip_margin=1,4", force = "strategy.grip_force_n=1,4";
+  EXPECT_EQ(explain("force", {margin}),
+            "the factor \"strategy.grip_margin\" has no use where strategy.grip is force; leave it "
+            "out, or set strategy.grip");
+  EXPECT_NE(explain("posture", {force, margin}), "accepted");
+  EXPECT_EQ(explain("force", {force}), "accepted");
+  EXPECT_EQ(explain("margin", {force, margin}), "accepted");
+  EXPECT_EQ(explain("margin", {"strategy.grip=force,margin", margin}), "accepted")
+      << "half of the conditions look at it";
+}
+
 TEST(SweepFile, IsASessionWithFactors) {
   const SweepConfig sweep = ParseSweepConfig(
       "factors:\n  - model.mass_scale=1,2\n  - grasp=g1,g2\ndesign: one-at-a-time\ntrials: 3\n",

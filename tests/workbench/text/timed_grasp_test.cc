@@ -7,6 +7,7 @@
 #include "core/grasp/grasp_file.h"
 #include "core/hand/load_hand.h"
 #include "datasets/journal/sealed_store.h"
+#include "datasets/plan/session_plan.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {
@@ -35,7 +36,7 @@ class TimedGraspTest : public testing::Test {
   }
   std::string FindFault(const std::vector<std::string>& digits = {"TH", "FF", "MF"}) {
     try {
-      ReadStudyTiming(folder_.path(), digits);
+      ReadStudyLags(folder_.path(), digits);
     } catch (const Error& error) {
       return error.what();
     }
@@ -45,13 +46,13 @@ class TimedGraspTest : public testing::Test {
 };
 
 // Lags after the first: thumb 0.06, 0.04, 0.05; middle 0.01, 0.03, 0.02; the index is always first.
-TEST_F(TimedGraspTest, DelaysAreMedianLagsAfterTheFirst) {
+TEST_F(TimedGraspTest, LagsAreMediansAfterTheFirst) {
   Write({{1.06, 1.0, 1.01}, {2.04, 2.0, 2.03}, {0.55, 0.5, 0.52}, {7.0, NAN, 7.9}});
-  const auto closing = ReadStudyTiming(folder_.path(), {"TH", "FF", "MF"});
-  ASSERT_EQ(closing.size(), 2u) << "the first needs no schedule";
-  EXPECT_NEAR(closing.at("TH").delay, 0.05, 1e-9);
-  EXPECT_NEAR(closing.at("MF").delay, 0.02, 1e-9);
-  EXPECT_EQ(closing.at("MF").speed, 1.0);
+  const auto lags = ReadStudyLags(folder_.path(), {"TH", "FF", "MF"});
+  ASSERT_EQ(lags.size(), 3u);
+  EXPECT_EQ(lags.at("FF"), 0.0);
+  EXPECT_NEAR(lags.at("TH"), 0.05, 1e-9);
+  EXPECT_NEAR(lags.at("MF"), 0.02, 1e-9);
 }
 
 TEST_F(TimedGraspTest, RefusesWhatCannotBePlayed) {
@@ -76,13 +77,40 @@ TEST_F(TimedGraspTest, RefusesWhatCannotBePlayed) {
 TEST_F(TimedGraspTest, TheFileIsReadBack) {
   Write({{1.06, 1.0, 1.01}});
   const Hand hand = LoadHand("tum");
-  const std::string text = MakeTimedGrasp("tum", "g3", folder_.path());
-  const GraspFile file = ParseGraspFile(text, "grasp.yaml", {&hand});
+  const TimedGrasp timed = MakeTimedGrasp({"tum", "g3", folder_.path(), ""});
+  const GraspFile file = ParseGraspFile(timed.file, "grasp.yaml", {&hand});
   EXPECT_EQ(file.grasp.id, "g3-timed");
+  EXPECT_EQ(file.grasp.closing.size(), 2u) << "the first needs no schedule";
   EXPECT_NEAR(file.grasp.closing.at("TH").delay, 0.06, 1e-9);
-  EXPECT_TRUE(
-      ParseGraspFile(MakeTimedGrasp("tum", "g3", ""), "g.yaml", {&hand}).grasp.closing.empty());
-  EXPECT_THROW(MakeTimedGrasp("tum", "g9", ""), Error);
+  EXPECT_EQ(file.grasp.closing.at("MF").speed, 1.0);
+  EXPECT_TRUE(timed.summary.empty());
+  const TimedGrasp plain = MakeTimedGrasp({"tum", "g3", "", ""});
+  EXPECT_TRUE(ParseGraspFile(plain.file, "g.yaml", {&hand}).grasp.closing.empty());
+  EXPECT_THROW(MakeTimedGrasp({"tum", "g9", "", ""}), Error);
+}
+
+// By the contacts of a trial of the written file, not by its delays.
+TEST_F(TimedGraspTest, OnAnObjectTheContactsComeAsInTheStudy) {
+  Write({{1.06, 1.0, 1.01}});
+  const TimedGrasp timed = MakeTimedGrasp({"tum", "g1", folder_.path(), "golf_ball"});
+  EXPECT_NE(timed.summary.find("FF 0, MF 10, TH 60 ms after the first"), std::string::npos)
+      << timed.summary;
+  const std::filesystem::path path = folder_.path() / "grasp.yaml";
+  WriteFileAtomically(path, timed.file);
+  SessionConfig config;
+  config.hands = {"tum"};
+  config.objects = {"golf_ball"};
+  config.grasps = {path.string()};
+  const SessionInputs inputs = LoadSessionInputs(config);
+  TrialSetup setup = MakeTrialSetup(config, inputs, MakePlan(config, inputs).front());
+  setup.draw = {};
+  setup.draw.joint_error = Eigen::VectorXd::Zero(setup.hand->num_joints());
+  std::map<std::string, double> times;
+  for (const DigitContact& contact : TrialRunner(setup.hand, setup.object).Run(setup).contacts) {
+    times[contact.digit] = contact.time;
+  }
+  EXPECT_NEAR(times["MF"] - times["FF"], 0.01, 0.0042);
+  EXPECT_NEAR(times["TH"] - times["FF"], 0.06, 0.0042);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 constexpr char kGrasp[] = "grasp";  // of a hand, so that it is no example of its own
 
 struct NewOptions {
-  std::string kind, folder, study;
+  std::string kind, folder, study, object;
   std::string hand = "shadow", grasp = "g1";
 };
 
@@ -38,7 +38,8 @@ std::string FindNextCommand(const NewOptions& options) {
   }
   if (kind == kGrasp) {
     return "run --hand " + QuoteForShell(options.hand) + " --grasp " +
-           QuoteForShell(folder + "/grasp.yaml");
+           QuoteForShell(folder + "/grasp.yaml") +
+           (options.object.empty() ? "" : " --object " + QuoteForShell(options.object));
   }
   if (kind == "profile") {
     return "grasps judge FILES --profile " + QuoteForShell(folder + "/profile.yaml") +
@@ -47,15 +48,18 @@ std::string FindNextCommand(const NewOptions& options) {
   return "study run " + QuoteForShell(folder + "/study.yaml") + " --out results/study";
 }
 
-std::vector<NewFile> MakeFiles(const NewOptions& options) {
-  if (options.kind != kGrasp) return MakeNewFiles(options.kind);
-  return {{"grasp.yaml", MakeTimedGrasp(options.hand, options.grasp, options.study)}};
-}
-
 void WriteNewFiles(const NewOptions& options) {
-  const std::vector<NewFile> files = MakeFiles(options);
-  StagedFolder staged({options.folder, "", false, {options.study}});
+  std::vector<NewFile> files;
   std::string text;
+  if (options.kind == kGrasp) {
+    const TimedGrasp timed =
+        MakeTimedGrasp({options.hand, options.grasp, options.study, options.object});
+    files = {{"grasp.yaml", timed.file}};
+    if (!timed.summary.empty()) text = "contacts on " + timed.summary + "\n";
+  } else {
+    files = MakeNewFiles(options.kind);
+  }
+  StagedFolder staged({options.folder, "", false, {options.study}});
   for (const auto& [name, content] : files) {
     WriteFile(staged.path() / name, content);
     text += options.folder + "/" + name + "\n";
@@ -68,11 +72,12 @@ void WriteNewFiles(const NewOptions& options) {
 }  // namespace
 
 void AddNewCommand(CLI::App& program, ExitCode&) {
-  CLI::App& command = AddSubcommand(
-      program, "new", "Write a small example to start from, every key explained.",
-      "  graspbench new object my_object\n"
-      "  graspbench new session pilot\n"
-      "  graspbench new grasp timed --timing results/study --hand shadow   as people close");
+  CLI::App& command =
+      AddSubcommand(program, "new", "Write a small example to start from, every key explained.",
+                    "  graspbench new object my_object\n"
+                    "  graspbench new session pilot\n"
+                    "  graspbench new grasp timed --timing results/study --object golf_ball\n"
+                    "      as people close their hands");
   const auto options = std::make_shared<NewOptions>();
   command.add_option("kind", options->kind, ListNames(ListKinds()))
       ->required()
@@ -83,6 +88,11 @@ void AddNewCommand(CLI::App& program, ExitCode&) {
       command
           .add_option("--timing", options->study, "of a grasp: a study whose contact times it has")
           ->option_text("STUDY"),
+      command
+          .add_option("--object", options->object,
+                      "with --timing: the object that the digits touch at these times; without, "
+                      "only the starts of closing are so")
+          ->option_text("ID"),
       command.add_option("--hand", options->hand, "of a grasp")
           ->option_text("HAND")
           ->capture_default_str(),
@@ -94,6 +104,10 @@ void AddNewCommand(CLI::App& program, ExitCode&) {
       if (options->kind == kGrasp || option->empty()) continue;
       throw Error(ErrorKind::kUsage, option->get_name() + " is for a grasp, and \"" +
                                          options->kind + "\" is not; leave it out");
+    }
+    if (!options->object.empty() && options->study.empty()) {
+      throw Error(ErrorKind::kUsage,
+                  "--object says where the times of --timing hold; give a study");
     }
     WriteNewFiles(*options);
   });

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iterator>
 
+#include "datasets/plan/firm_grip.h"
 #include "datasets/plan/presets.h"
 #include "datasets/plan/scene_names.h"
 #include "workbench/commands/command.h"
@@ -80,11 +81,7 @@ namespace {
 /** A grip's value that its kind does not look at. */
 void RefuseUnusedGrip(const std::string& setting, const StrategyConfig& strategy) {
   const std::string key = setting.substr(0, setting.find('='));
-  const std::string posture = RowOf(kGripModes, GripMode::kPosture).name;
-  const bool is_force = key == "strategy.grip_force_n" && strategy.grip == posture;
-  const bool is_margin =
-      key == "strategy.grip_margin" && strategy.grip != RowOf(kGripModes, GripMode::kMargin).name;
-  if (!is_force && !is_margin) return;
+  if (CanMatter(key, strategy)) return;
   throw Error(ErrorKind::kUsage, "--set " + setting + " has no use where strategy.grip is " +
                                      strategy.grip + "; leave it out, or set strategy.grip");
 }
