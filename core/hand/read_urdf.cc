@@ -85,6 +85,19 @@ TriMesh MakeVisualMesh(const urdf::Geometry& geometry, const std::filesystem::pa
   return mesh;
 }
 
+/** As AddContact has it (contact_shape.h), but for the edges of a box. */
+TriMesh MakeShapeMesh(const CollisionShape& shape) {
+  if (shape.kind == CollisionShape::Kind::kBox) return MakeRoundedBox(shape.size, 0.0);
+  const double radius = 0.5 * shape.size.x();
+  if (shape.kind == CollisionShape::Kind::kSphere) return MakeSphere(radius);
+  const double half = 0.5 * shape.size.z();
+  if (half < radius) {
+    return MakeRevolution({{0.0, -half}, {radius, -half}, {radius, half}, {0.0, half}});
+  }
+  const Eigen::Vector3d end(0.0, 0.0, half - radius);
+  return MakeTaperedCapsule(-end, radius, end, radius);
+}
+
 class UrdfReader {
  public:
   UrdfReader(std::filesystem::path folder, Hand& hand, Diagnostics& problems)
@@ -100,6 +113,18 @@ class UrdfReader {
     for (const auto& collision : link.collision_array) AddCollision(*collision, index);
     for (const auto& visual : link.visual_array) AddVisual(*visual, index);
     for (const auto& child : link.child_links) AddLink(*child, index);
+  }
+
+  /** A hand without pictures looks like what it touches with. */
+  void ShowShapes() {
+    if (!hand_.visuals.empty()) return;
+    for (const CollisionShape& shape : shapes_) {
+      if (shape.is_cover) continue;
+      LinkVisual& added = hand_.visuals.emplace_back();
+      added.link = shape.link;
+      added.mesh = MakeShapeMesh(shape);
+      for (Eigen::Vector3d& p : added.mesh.vertices) p = shape.X_LS * p;
+    }
   }
 
   std::vector<CollisionShape> TakeShapes() { return std::move(shapes_); }
@@ -180,6 +205,7 @@ std::vector<CollisionShape> ReadUrdf(const std::string& document, const std::str
   }
   UrdfReader reader(folder, hand, problems);
   reader.AddLink(*model->getRoot(), -1);
+  reader.ShowShapes();
   return reader.TakeShapes();
 }
 

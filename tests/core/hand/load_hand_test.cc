@@ -60,6 +60,33 @@ TEST(LoadHandTest, ReadsAUsersHandFromItsFolder) {
   EXPECT_NEAR(hand.visuals[0].colour.x(), 0.2140, 1e-4);
 }
 
+// Bounds by hand: box 60 x 60 x 20 mm; cylinder of 7 mm and 50 mm, its middle 20 mm up, as a capsule;
+// ball of 8 mm, 10 mm up.
+TEST(LoadHandTest, AHandWithoutPicturesLooksLikeItsCollisionShapes) {
+  std::string urdf = ReadFile(kGood / "hand.urdf");
+  const size_t begin = urdf.find("    <visual>"), end = urdf.find("    <collision>");
+  urdf.erase(begin, end - begin);
+  urdf.insert(urdf.find("    <collision>"), R"(    <collision name="cover">
+      <geometry><sphere radius="0.3"/></geometry>
+    </collision>
+)");
+  Diagnostics problems;
+  const Hand hand = ParseHand(urdf, ReadFile(kGood / "hand.yaml"), kGood, problems);
+  ASSERT_EQ(problems.Format(), "");
+  ASSERT_EQ(hand.visuals.size(), 3u) << "a cover fills in the others' surface";
+  const Eigen::Vector3d low[] = {
+      {-0.03, -0.03, -0.01}, {-0.007, -0.007, -0.005}, {-0.008, -0.008, 0.002}};
+  const Eigen::Vector3d high[] = {{0.03, 0.03, 0.01}, {0.007, 0.007, 0.045}, {0.008, 0.008, 0.018}};
+  const char* const links[] = {"palm", "proximal", "distal"};
+  for (size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(hand.visuals[k].link, hand.FindLink(links[k]));
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& p : hand.visuals[k].mesh.vertices) box.extend(p);
+    EXPECT_LT((box.min() - low[k]).norm(), 2e-4) << links[k];
+    EXPECT_LT((box.max() - high[k]).norm(), 2e-4) << links[k];
+  }
+}
+
 TEST(LoadHandTest, AFixedLinkFollowsItsParent) {
   const Hand hand = LoadHand(kGood.string());
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, Eigen::Vector2d(0.3, 0.4));
