@@ -40,12 +40,14 @@ struct GraspPrediction {
   bool lifts = false;          ///< normals do not point up
 
   bool reaches() const { return reach_miss <= 0.0; }
+  /** Closing brings the opposing digit and another to the object. */
+  bool meets() const { return thumb_touches && num_touching >= 2; }
   bool is_clear() const { return room >= needed_room; }
   bool holds() const { return opposes && lifts && num_touching == num_digits; }
   /** Larger is better: that it reaches comes before that it is clear, and that before contacts. */
   int Rank() const {
-    return 16 * reaches() + 8 * is_clear() + 4 * (thumb_touches && num_touching >= 2) +
-           2 * (opposes && lifts) + (num_touching == num_digits);
+    return 16 * reaches() + 8 * is_clear() + 4 * meets() + 2 * (opposes && lifts) +
+           (num_touching == num_digits);
   }
 };
 

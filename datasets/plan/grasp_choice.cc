@@ -78,8 +78,8 @@ std::vector<const Grasp*> ListTried(const SessionHand& hand, const GraspObject& 
 
 std::array<int, 4> RankGrasp(const Grasp& grasp, const GraspPrediction& prediction) {
   constexpr double kLeastHeldShare = 0.5;
-  return {prediction.reaches(), !(grasp.held_share < kLeastHeldShare), prediction.is_clear(),
-          prediction.Rank()};
+  return {prediction.reaches() + (prediction.reaches() && prediction.meets()),
+          !(grasp.held_share < kLeastHeldShare), prediction.is_clear(), prediction.Rank()};
 }
 
 Grasp FindFitted(const SessionInputs& inputs, const SessionHand& hand, const Grasp& grasp,

@@ -26,14 +26,15 @@ object, or is what the object names as best for this hand, stays as it is. */
 Grasp FindFitted(const SessionInputs& inputs, const SessionHand& hand, const Grasp& grasp,
                  const std::shared_ptr<const GraspObject>& object);
 
-/** Larger is better. That a grasp reaches the object comes first, then that its development found it
-to hold what it had not met, then that it comes clear of it, then contacts. */
+/** Larger is better. That a grasp reaches the object and meets it when it closes comes first, then
+that its development found it to hold what it had not met, then that it comes clear of it, then
+contacts. */
 std::array<int, 4> RankGrasp(const Grasp& grasp, const GraspPrediction& prediction);
 
-/** As MakePlan says (session_plan.h). "best" is what the object names for this hand, else of
-those that reach it by prediction one that held half of the shapes that its development had not met
-(Grasp::held_share), else any; then one that comes clear of it, the highest rank and the first in
-the object's order. */
+/** As MakePlan says (session_plan.h). "best" is what the object names for this hand, else of those
+that reach and meet it by prediction one that held half of the shapes that its development had not
+met (Grasp::held_share), else any; then one that comes clear of it, the highest rank and the first
+in the object's order. */
 std::vector<const Grasp*> FindGrasps(const SessionConfig& config, const SessionInputs& inputs,
                                      const SessionHand& hand,
                                      const std::shared_ptr<const GraspObject>& object);

@@ -144,6 +144,13 @@ TEST(GraspChoice, HoldingInDevelopmentCountsMoreThanRoom) {
   EXPECT_GT(RankGrasp(unchecked, tight), RankGrasp(does_not, clear)) << "nothing is known of it";
   EXPECT_GT(RankGrasp(holds, clear), RankGrasp(holds, tight));
   EXPECT_GT(RankGrasp(does_not, tight), RankGrasp(holds, short_of_it)) << "reach comes first";
+  GraspPrediction meets = tight;
+  meets.num_touching = 2;
+  EXPECT_EQ(RankGrasp(does_not, meets)[0], RankGrasp(does_not, tight)[0])
+      << "fingers alone do not hold it";
+  meets.thumb_touches = true;
+  EXPECT_GT(RankGrasp(does_not, meets), RankGrasp(holds, clear))
+      << "what closes above the object cannot hold it";
 }
 
 TEST(GraspChoice, WhatTheObjectNamesStaysAsItIs) {
