@@ -45,6 +45,7 @@ struct ForeignLink {
   std::optional<ForeignInertia> inertia;
   std::vector<ForeignShape> visuals, collisions;
   std::vector<ForeignShape> weights;  ///< make the inertia; shapes of the others among them
+  Pose X_LF = Pose::Identity();  ///< the frame that bears the name, where its joint lies elsewhere
 };
 
 struct ForeignMimic {
@@ -88,6 +89,7 @@ struct ForeignHand {
   std::string name;
   std::vector<ForeignLink> links;
   std::vector<ForeignJoint> joints;
+  std::vector<std::string> included;  ///< paths of further files that it was read from
   int world = -1;  ///< link that stands for the world of a scene; -1: the format has none
 };
 

@@ -33,6 +33,8 @@ ImportedFiles ImportInOrder(const std::string& text, const HandSource& source,
     shapes.push_back(loader.Load(link));
     loader.Weigh(link);
   }
+  std::set<std::filesystem::path> read = loader.ListFiles();
+  read.insert(foreign.included.begin(), foreign.included.end());
   if (has_failed()) return {};
   ImportedHand imported = WeldLinks(foreign, shapes, palm, source.file, problems);
   if (has_failed()) return {};
@@ -53,7 +55,7 @@ ImportedFiles ImportInOrder(const std::string& text, const HandSource& source,
   const std::string name = std::filesystem::path(source.file).filename().string();
   result.files = FormatHandFiles(imported, name, problems);
   result.files["import.json"] =
-      FormatImportRecord(text, source, palm, hand, problems, result.files);
+      FormatImportRecord(text, read, source, palm, hand, problems, result.files);
   return result;
 }
 

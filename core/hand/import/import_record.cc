@@ -1,5 +1,6 @@
 #include "core/hand/import/import_record.h"
 
+#include "core/base/files/files.h"
 #include "core/base/sha256.h"
 #include "core/base/text/json.h"
 #include "core/base/version.h"
@@ -39,10 +40,21 @@ Json DescribeGuesses(const Hand& hand) {
           {"drives", drives}};
 }
 
+Json HashFiles(const std::set<std::filesystem::path>& paths) {
+  Json hashes = Json::object();
+  for (const std::filesystem::path& path : paths) {
+    const std::string name = path.filename().string();
+    std::string key = name;
+    for (int n = 2; hashes.contains(key); ++n) key = name + " (" + std::to_string(n) + ")";
+    hashes[key] = CalcSha256(ReadFile(path));
+  }
+  return hashes;
+}
+
 }  // namespace
 
-std::string FormatImportRecord(const std::string& text, const HandSource& source,
-                               const std::string& palm, const Hand& hand,
+std::string FormatImportRecord(const std::string& text, const std::set<std::filesystem::path>& read,
+                               const HandSource& source, const std::string& palm, const Hand& hand,
                                const Diagnostics& problems,
                                const std::map<std::string, std::string>& files) {
   Json repairs = Json::array();
@@ -57,6 +69,7 @@ std::string FormatImportRecord(const std::string& text, const HandSource& source
       {"source",
        {{"file", std::filesystem::path(source.file).filename().string()},
         {"sha256", CalcSha256(text)}}},
+      {"read", HashFiles(read)},
       {"options",
        {{"palm", palm},
         {"palm_normal", source.palm_normal ? JsonVector(*source.palm_normal) : Json(nullptr)},

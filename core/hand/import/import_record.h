@@ -4,13 +4,17 @@
 compared.
 
     {"format": 1, "tool": "graspbench 1.0", "source": {"file": "hand.urdf", "sha256": ".."},
+     "read": {"palm.stl": "sha256..", ..},
      "options": {"palm": "", "palm_normal": null, "unit_m": 0, "mesh_unit_m": 0, "angle": ""},
      "repairs": [{"line": 12, "text": ".."}], "guesses": {"palm": {..}, "digits": [..], ..},
      "files": {"hand.urdf": "sha256..", ..}}
 
-`unit_m` 0: inferred. Paths are names without their folder. */
+`read` is what the description refers to, meshes and included files. `unit_m` 0: inferred. Paths are
+names without their folder; of two files of one name the second is "palm.stl (2)". */
 
+#include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 
 #include "core/base/diagnostics.h"
@@ -19,10 +23,10 @@ compared.
 
 namespace graspbench {
 
-/** @param text  of the description. @param palm  as asked for.
-@param files  of the hand, by name. */
-std::string FormatImportRecord(const std::string& text, const HandSource& source,
-                               const std::string& palm, const Hand& hand,
+/** @param text  of the description. @param read  paths of what it refers to.
+@param palm  as asked for. @param files  of the hand, by name. */
+std::string FormatImportRecord(const std::string& text, const std::set<std::filesystem::path>& read,
+                               const HandSource& source, const std::string& palm, const Hand& hand,
                                const Diagnostics& problems,
                                const std::map<std::string, std::string>& files);
 

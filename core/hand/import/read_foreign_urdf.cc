@@ -245,6 +245,11 @@ void ForeignUrdfReader::ReadLimits(XMLElement& element, const std::string& type,
                        " would be more than one turn; this joint's limits are taken as degrees "
                        "(--angle says otherwise)");
     }
+    const double range = stated.upper - stated.lower;
+    if (!in_degrees && !in_degrees_ && type != "continuous" && range > kWholeTurn) {
+      Warn(*limit, where + ": its limits are " + FormatSignificant(DegFromRad(range), 3) +
+                       " deg apart, more than one turn; if they are degrees, say --angle deg");
+    }
   }
   const std::string repaired = SetLimits(stated, joint);
   if (type == "continuous") {

@@ -116,6 +116,13 @@ bool Welder::CheckMass() {
 }
 
 void Welder::LeaveOutArm(const HandCandidate& place) {
+  if (place.carrier >= 0) {
+    root_ = place.root;
+    WarnAt(foreign_.links[place.carrier].line,
+           "\"" + foreign_.links[place.carrier].name + "\" carries the palm \"" +
+               foreign_.links[place.palm].name + "\"; left out with all above it");
+    return;
+  }
   int num_joints = 0, below = place.palm;
   for (int link = place.palm; link != place.top && tree_.joint_of[link] >= 0;) {
     const ForeignJoint& joint = foreign_.joints[tree_.joint_of[link]];
@@ -410,8 +417,12 @@ ImportedHand Welder::Weld(int palm) {
   MoveRootFrame(X_RootNamed.inverse(), imported);
   for (const int member : tree_.order) {
     const int index = link_of[member];
-    if (index < 0 || foreign_.links[member].name == hand.links[index].name) continue;
-    const Pose X_LF = index == 0 ? Pose(X_RootNamed.inverse() * X_LM[member]) : X_LM[member];
+    if (index < 0) continue;
+    const Pose& X_MF = foreign_.links[member].X_LF;
+    const bool is_that_of_link = X_MF.matrix() == Pose::Identity().matrix();
+    if (foreign_.links[member].name == hand.links[index].name && is_that_of_link) continue;
+    const Pose X_LM_root = index == 0 ? Pose(X_RootNamed.inverse() * X_LM[member]) : X_LM[member];
+    const Pose X_LF = X_LM_root * X_MF;
     if (X_LF.translation().cwiseAbs().maxCoeff() > kFarthestFrame) continue;  // of a scene
     hand.frames.push_back({foreign_.links[member].name, index, X_LF});
   }

@@ -44,6 +44,10 @@ class HandFinder {
   }
   bool IsScene(int link, const std::vector<int>& branches, const std::vector<int>& hands) const;
   std::string ListNames(const std::vector<int>& links) const;
+  int FindHeavyNeighbour(int frame, int link) const;
+  HandCandidate CutFromCarrier(HandCandidate hand, int own) const;
+  void WarnOfCarrier(int palm);
+  double CalcMass(int link) const;
 
   const ForeignHand& foreign_;
   const ForeignTree& tree_;
@@ -126,6 +130,56 @@ std::string HandFinder::ListNames(const std::vector<int>& links) const {
   return text;
 }
 
+/** Of the link and what hangs on it [kg]. */
+double HandFinder::CalcMass(int link) const {
+  const auto& inertia = foreign_.links[link].inertia;
+  double mass = inertia ? std::max(0.0, inertia->mass) : 0.0;
+  for (const int joint : tree_.joints[link]) mass += CalcMass(foreign_.joints[joint].child);
+  return mass;
+}
+
+/** Of what hangs on a mere frame beside a link: a body that outweighs it, a table; -1: none. */
+int HandFinder::FindHeavyNeighbour(int frame, int link) const {
+  for (const int joint : tree_.joints[frame]) {
+    const int beside = foreign_.joints[joint].child;
+    if (beside != link && num_ends_[beside] == 0 && CalcMass(beside) > CalcMass(link)) {
+      return beside;
+    }
+  }
+  return -1;
+}
+
+HandCandidate HandFinder::CutFromCarrier(HandCandidate hand, int own) const {
+  for (int at = own; tree_.joint_of[at] >= 0 && !Moves(at);) {
+    const int above = foreign_.joints[tree_.joint_of[at]].parent;
+    if (num_ends_[above] != num_ends_[own] || above == foreign_.world) break;
+    hand.carrier = HasOwnBody(above) ? above : FindHeavyNeighbour(above, at);
+    if (hand.carrier >= 0) {
+      hand.root = at;
+      break;
+    }
+    at = above;
+  }
+  return hand;
+}
+
+void HandFinder::WarnOfCarrier(int palm) {
+  const int carrier = CutFromCarrier({}, palm).carrier;
+  if (carrier < 0) return;
+  const double below = CalcMass(palm);
+  const auto& inertia = foreign_.links[carrier].inertia;
+  const double own = inertia ? std::max(0.0, inertia->mass) : 0.0;
+  if (own <= below) return;
+  problems_.Warn(
+      file_, foreign_.links[carrier].line,
+      "link \"" + NameOf(carrier) + "\" weighs " + FormatSignificant(own, 3) +
+          " kg and is fixed to \"" + NameOf(palm) + "\", which weighs " +
+          FormatSignificant(below, 3) +
+          " kg with its digits; taken as a part of the palm. If it carries the hand, say "
+          "--palm " +
+          NameOf(palm));
+}
+
 HandCandidate HandFinder::Find() {
   int top = tree_.order.front();
   if (num_ends_[top] == 0) {
@@ -145,7 +199,10 @@ HandCandidate HandFinder::Find() {
                      "two digits at least that part from a palm");
       return {};
     }
-    if (!IsScene(palm, branches, hands)) return {palm, top};
+    if (!IsScene(palm, branches, hands)) {
+      WarnOfCarrier(palm);
+      return {palm, top};
+    }
     if (hands.empty()) {
       problems_.Fail(file_, 0,
                      "found " + ListNames(branches) + ", each on its own at \"" + NameOf(palm) +
@@ -201,11 +258,11 @@ HandCandidate HandFinder::FindNamed(const std::string& name) {
     if (!others.empty() && are_separate) {
       problems_.Warn(file_, foreign_.links[others[0]].line,
                      ListNames(others) + ": not below the palm \"" + name + "\"; left out");
-      return {palm, at};
+      return CutFromCarrier({palm, at}, own);
     }
     at = above;
   }
-  return {palm, tree_.order.front()};
+  return CutFromCarrier({palm, tree_.order.front()}, own);
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ void StatedAngles::Add(double lower, double upper, double unit, int line) {
   if (num_joints++ == 0) first_line = line;
   const double most = std::max(std::abs(lower), std::abs(upper));
   largest = std::max(largest, most);
-  num_beyond_turn += unit * most > kWholeTurn;
+  num_beyond_turn += unit * std::max(most, upper - lower) > kWholeTurn;
 }
 
 std::string StatedAngles::FindDoubt(bool in_degrees) const {

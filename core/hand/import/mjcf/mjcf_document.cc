@@ -105,6 +105,12 @@ XMLElement* MjcfDocument::Include(XMLElement& include) {
   return root;
 }
 
+std::vector<std::string> MjcfDocument::ListIncluded() const {
+  std::vector<std::string> names;
+  for (size_t i = 1; i < loaded_.size(); ++i) names.push_back(loaded_[i].name);
+  return names;
+}
+
 std::vector<XMLElement*> MjcfDocument::ListChildren(XMLElement& parent) {
   std::vector<XMLElement*> children;
   for (XMLElement* e = parent.FirstChildElement(); e; e = e->NextSiblingElement()) {
@@ -134,6 +140,10 @@ void MjcfDocument::ReadSettings() {
       settings_.in_degrees = std::strcmp(angle, "radian") != 0;
     }
     if (const char* folder = compiler->Attribute("assetdir")) asset_folder = folder;
+    if (const char* mass = compiler->Attribute("settotalmass")) {
+      Warn(*compiler, "<compiler settotalmass=\"" + std::string(mass) +
+                          "\">: not applied; masses are those of the bodies");
+    }
     if (const char* folder = compiler->Attribute("meshdir")) mesh_folder = folder;
     if (const char* strips = compiler->Attribute("strippath")) {
       settings_.strips_paths = std::strcmp(strips, "true") == 0;

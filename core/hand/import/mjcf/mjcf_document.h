@@ -63,6 +63,8 @@ class MjcfDocument {
   /** False, with an error reported, when it is no MuJoCo model. */
   bool Parse(const std::string& text);
   const MjcfSettings& settings() const { return settings_; }
+  /** Paths of the files included so far. */
+  std::vector<std::string> ListIncluded() const;
   /** The model's name; "hand" when it has none. */
   std::string FindName() const;
   /** True when the outermost element is that of a file for <include>. */

@@ -242,6 +242,7 @@ void MjcfReader::ReadBody(XMLElement& element, const Place& above) {
   place.X_LB = AddJoints(element, place.childclass, name, X_PB, above.link);
   place.link = static_cast<int>(hand_.links.size()) - 1;
   const int link = place.link;
+  hand_.links[static_cast<size_t>(link)].X_LF = place.X_LB;
   bodies_.emplace(name, MjcfBody{link, place.X_LB});
   ReadContent(element, place, false);
   // Shapes that touch are seen, too, unless there is a picture.
@@ -478,6 +479,7 @@ ForeignHand MjcfReader::Read(const std::string& text) {
   const std::string doubt = angles_.FindDoubt(document_.settings().in_degrees);
   if (!doubt.empty() && !is_angle_told_) problems_.Warn(file_, angles_.first_line, doubt);
   ReadMjcfCouplings(document_, bodies_, file_, problems_, hand_);
+  hand_.included = document_.ListIncluded();
   return std::move(hand_);
 }
 

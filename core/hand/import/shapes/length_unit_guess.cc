@@ -36,6 +36,7 @@ void Scale(double unit, ForeignHand& hand) {
     }
   }
   for (ForeignLink& link : hand.links) {
+    link.X_LF.translation() *= unit;
     if (link.inertia) {
       link.inertia->X_LI.translation() *= unit;
       link.inertia->I_I *= unit * unit;

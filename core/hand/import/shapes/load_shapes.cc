@@ -38,7 +38,7 @@ constexpr double kMostScale = 10.0;
 constexpr double kInchRatio = 70.0;
 /** Of a mesh to its link, in a hand; and from which on a unit is inferred. */
 constexpr double kLeastRatio = 0.55, kTypicalRatio = 1.2, kMostRatio = 2.2, kClearRatio = 5.0;
-constexpr double kOutlier = 5.0;  // of a link's ratio to the typical one
+constexpr double kOutlier = 3.0;  // of a link's ratio to the typical one
 
 double CalcLargestExtent(const TriMesh& mesh) {
   Eigen::AlignedBox3d box;
@@ -142,8 +142,16 @@ TriMesh ShapeLoader::LoadMesh(const ForeignShape& shape, const std::string& wher
         source_.file, shape.line,
         where + ": mesh \"" + shape.mesh + "\" not found; taken instead: " + found.path.string());
   }
+  const bool was_read = meshes_.count(found.path) > 0;
   TriMesh mesh = ReadFile(found.path, shape.line, where, severity);
-  if (mesh.triangles.empty()) return {};
+  if (mesh.triangles.empty()) {
+    if (severity == Severity::kError && was_read) {  // told of a picture, as a warning
+      Report(severity, shape.line,
+             where + ": mesh \"" + shape.mesh +
+                 "\" cannot be used, and nothing else of this link can be touched");
+    }
+    return {};
+  }
   const Vector3d scale = FindUsefulScale(shape.scale, mesh);
   if (scale != shape.scale) {
     const double factor = shape.scale.cwiseAbs().maxCoeff();
@@ -262,7 +270,11 @@ void ShapeLoader::InferMeshUnit(const ForeignHand& hand) {
     return ratios[ratios.size() / 2];
   };
   if (rows.empty()) return;
-  if (has_large) {
+  // A few parts too large are told one by one; when all are too long it is one unit.
+  const bool are_all_long =
+      rows.size() >= 3 && std::all_of(rows.begin(), rows.end(),
+                                      [](const auto& row) { return row.ratio > kClearRatio; });
+  if (has_large && !are_all_long) {
     const double ratio = calc_median(kLargestPart);
     large_unit_ = ratio < kInchRatio ? 0.0254 : ratio < kMillimetreRatio ? 0.01 : 0.001;
     why_ = ": meshes are " + FormatSignificant(ratio, 2) +
@@ -287,6 +299,11 @@ void ShapeLoader::InferMeshUnit(const ForeignHand& hand) {
     problems_.Warn(source_.file, first.link->line,
                    told + "; taken to be in " + name + ", a factor of " +
                        FormatSignificant(unit, 3) + "; --mesh-unit says otherwise");
+    return;
+  }
+  if (has_large) {
+    problems_.Fail(source_.file, first.link->line,
+                   told + ", and no unit of length fits; say theirs with --mesh-unit");
     return;
   }
   if (ratio < kLeastRatio || ratio > kMostRatio) {
@@ -420,6 +437,12 @@ LoadedShapes ShapeLoader::Load(const ForeignLink& link) {
     }
   }
   return loaded;
+}
+
+std::set<std::filesystem::path> ShapeLoader::ListFiles() const {
+  std::set<std::filesystem::path> paths;
+  for (const auto& [path, mesh] : meshes_) paths.insert(path);
+  return paths;
 }
 
 void ShapeLoader::Weigh(ForeignLink& link) {

@@ -7,6 +7,7 @@ closed or open meshes to look at. */
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -56,12 +57,14 @@ class ShapeLoader {
   /** Compares the meshes with the distances of the joints (typical ratio: median over the links).
   From five times too long on they are taken in the unit that fits, when one does within a factor
   of 1.6; any other ratio outside 0.55 to 2.2 is reported with the factor that would fit, and so is
-  a link whose ratio is five times another than the typical one. Call before Load. */
+  a link whose ratio is three times another than the typical one. Call before Load. */
   void InferMeshUnit(const ForeignHand& hand);
   /** A collision mesh becomes capsules; a link that has only pictures gets them from those. */
   LoadedShapes Load(const ForeignLink& link);
   /** The inertia of a link that has none, of its shapes that weigh. */
   void Weigh(ForeignLink& link);
+  /** Paths of the meshes it has read. */
+  std::set<std::filesystem::path> ListFiles() const;
 
  private:
   /** In the link's frame and metres, facing outwards as in its file; empty, with `error_kind`

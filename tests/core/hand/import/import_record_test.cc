@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/files/files.h"
 #include "core/base/text/json.h"
 #include "tests/core/hand/import/small_gripper.h"
 
@@ -19,12 +20,22 @@ TEST(ImportRecordTest, SaysWhatWasReadWithWhatAndWhatWasRepaired) {
   hand.links[0].name = "palm";
   Diagnostics problems;
   problems.Warn("claw.urdf", 12, "a limit is reversed; exchanged");
-  const Json record = Json::parse(
-      FormatImportRecord("abc", source, "palm", hand, problems, {{"hand.yaml", "abc"}}));
+  const std::filesystem::path folder = testing::TempDir();
+  const std::filesystem::path palm = folder / "a" / "palm.obj";
+  const std::filesystem::path other = folder / "b" / "palm.obj";
+  for (const auto& path : {palm, other}) {
+    MakeFolder(path.parent_path());
+    WriteFile(path, path == palm ? "abc" : "other");
+  }
+  const Json record = Json::parse(FormatImportRecord("abc", {palm, other}, source, "palm", hand,
+                                                     problems, {{"hand.yaml", "abc"}}));
   const std::string hash = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
   EXPECT_EQ(record["source"]["file"], "claw.urdf");
   EXPECT_EQ(record["source"]["sha256"], hash);
   EXPECT_EQ(record["files"]["hand.yaml"], hash);
+  EXPECT_EQ(record["read"].size(), 2u);
+  EXPECT_EQ(record["read"]["palm.obj"], hash);
+  EXPECT_NE(record["read"]["palm.obj (2)"], hash);
   EXPECT_EQ(record["options"]["palm"], "palm");
   EXPECT_EQ(record["options"]["palm_normal"], Json::array({0.0, 0.0, 2.0}));
   EXPECT_EQ(record["options"]["unit_m"], 0.0254);

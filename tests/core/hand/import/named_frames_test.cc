@@ -129,6 +129,28 @@ TEST_P(NamedFramesTest, AreWhereTheDescriptionHasThem) {
   }
   RecordProperty("largest_difference_pm", std::to_string(1e12 * largest));
 }
+// Bodies at (10, 30, 8) mm and 45 mm above; the joint between them lies 5 mm beside the second.
+TEST(NamedFrames, ABodyBesideItsJointKeepsItsFrame) {
+  const fs::path file = fs::path(IMPORT_TEST_DATA_DIR) / "right" / "joint_beside_body.xml";
+  HandSource source;
+  source.file = file.filename().string();
+  Diagnostics problems;
+  const ImportedFiles imported = ImportHand(ReadFile(file), source, "", problems);
+  const Hand hand =
+      ParseHand(imported.files.at("hand.urdf"), imported.files.at("hand.yaml"), ".", problems);
+  ASSERT_EQ(problems.num_errors(), 0) << problems.Format();
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand, Eigen::VectorXd::Zero(hand.num_joints()));
+  const Pose X_PH = X_HL[hand.palm_link].inverse();
+  int num_found = 0;
+  for (const NamedFrame& frame : hand.frames) {
+    if (frame.name != "index_medial") continue;
+    ++num_found;
+    const Vector3d p = (X_PH * X_HL[frame.link] * frame.X_LF).translation();
+    EXPECT_LT((p - Vector3d(0.010, 0.030, 0.053)).norm(), 1e-9) << p.transpose();
+  }
+  EXPECT_EQ(num_found, 1);
+}
+
 INSTANTIATE_TEST_SUITE_P(Hands, NamedFramesTest,
                          testing::Values("claw_tips.urdf", "five_digits_mount.urdf",
                                          "five_digits_offset.urdf", "pincer.urdf",

@@ -44,6 +44,55 @@ TEST(FindHandTest, OneHandIsItsOwn) {
   EXPECT_EQ(rig.problems.Format(), "");
 }
 
+/** A claw fixed to a pole with a foot. */
+TreeBuilder MakeClawOnPole(double mass) {
+  TreeBuilder rig;
+  const int foot = rig.Add("foot", -1, false, {0, 0, 0});
+  const int pole = rig.Add("pole", foot, false, {0, 0, 0.5});
+  rig.AddClaw("claw", pole, {0, 0, 0.5});
+  for (ForeignLink& link : rig.hand.links) link.inertia.emplace().mass = 0.1;
+  rig.hand.links[static_cast<size_t>(pole)].inertia->mass = mass;
+  return rig;
+}
+
+TEST(FindHandTest, ANamedPalmIsCutFromWhatCarriesIt) {
+  TreeBuilder rig = MakeClawOnPole(2.0);
+  const HandCandidate place = rig.Find("claw");
+  EXPECT_EQ(rig.hand.links[place.palm].name, "claw");
+  ASSERT_GE(place.carrier, 0);
+  EXPECT_EQ(rig.hand.links[place.carrier].name, "pole");
+  EXPECT_EQ(rig.hand.links[place.root].name, "claw");
+  // A table beside it on a mere frame.
+  TreeBuilder scene;
+  const int world = scene.Add("world", -1, false, {0, 0, 0});
+  const int table = scene.Add("table", world, false, {0, 0, -0.1});
+  scene.AddClaw("claw", world, {0, 0, 0.5});
+  for (ForeignLink& link : scene.hand.links) link.inertia.emplace().mass = 0.1;
+  scene.hand.links[static_cast<size_t>(table)].inertia->mass = 20.0;
+  scene.hand.links[static_cast<size_t>(world)] = {};
+  EXPECT_EQ(scene.Find("claw").carrier, table);
+  // A part of a palm that digits hang on carries nothing.
+  TreeBuilder two_parts;
+  const int base = two_parts.Add("base", -1, false, {0, 0, 0});
+  two_parts.Add("thumb", base, true, {0.02, 0, 0});
+  two_parts.AddClaw("claw", base, {0, 0, 0.02});
+  EXPECT_EQ(two_parts.Find("claw").carrier, -1);
+}
+
+// By masses of the builder: 0.1 kg of each link of the claw, 0.3 in all.
+TEST(FindHandTest, WhatOutweighsTheHandThatIsFixedToItIsReported) {
+  TreeBuilder rig = MakeClawOnPole(2.0);
+  const HandCandidate place = rig.Find();
+  EXPECT_EQ(place.carrier, -1) << "it may be a part of the palm";
+  EXPECT_EQ(rig.problems.Format(),
+            "rig.urdf: warning: link \"pole\" weighs 2 kg and is fixed to \"claw\", which weighs "
+            "0.3 kg with its digits; taken as a part of the palm. If it carries the hand, say "
+            "--palm claw");
+  TreeBuilder light = MakeClawOnPole(0.2);
+  light.Find();
+  EXPECT_EQ(light.problems.Format(), "");
+}
+
 TEST(FindHandTest, TwoHandsAreListedAndOneIsChosen) {
   TreeBuilder rig;
   const int root = rig.Add("rig", -1, false, {0, 0, 0});
