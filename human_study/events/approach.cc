@@ -291,19 +291,20 @@ namespace {
 struct Slope {
   double value = std::nan(""), sd = std::nan("");
 };
-Slope CalcSlope(const TouchSamples& samples, double begin, double end) {
+Slope CalcSlope(const TouchSamples& samples, const std::vector<double>& places, double begin,
+                double end) {
   const SampleRun run = FindSamples(samples.times, begin - kTick, end + kTick);
   if (run.size() < 3) return {};
   double time = 0.0, place = 0.0, squares = 0.0, products = 0.0;
   const auto count = static_cast<double>(run.size());
   for (size_t i = run.first; i < run.last; ++i) {
     time += samples.times[i] / count;
-    place += samples.places[i] / count;
+    place += places[i] / count;
   }
   for (size_t i = run.first; i < run.last; ++i) {
     const double since = samples.times[i] - time;
     squares += since * since;
-    products += since * (samples.places[i] - place);
+    products += since * (places[i] - place);
   }
   return {products / squares, samples.noise / std::sqrt(squares)};
 }
@@ -315,19 +316,27 @@ TouchSamples TakeEarlierStop(const TouchSamples& samples, double touch) {
   constexpr double kFast = 0.05;                   // [m/s]
   constexpr double kLeast = 0.3e-3, kMost = 4e-3;  // that it still goes [m]
   constexpr double kStopped = 0.25, kCrept = 0.4;  // of the speed before
+  const auto slope = [&](double begin, double end) {
+    return CalcSlope(samples, samples.places, begin, end);
+  };
+  std::vector<double> own = samples.places;  // the digit's way, whatever the object does
+  for (size_t i = 0; i < samples.object_motion.size(); ++i) own[i] += samples.object_motion[i];
   double at = std::nan(""), most = 0.0;
   for (const double time : samples.times) {
     if (time < samples.first || time > touch - kApart) continue;
-    const Slope before = CalcSlope(samples, time - kWindow, time);
-    const Slope after = CalcSlope(samples, time, time + kWindow);
+    const Slope before = slope(time - kWindow, time);
+    const Slope after = slope(time, time + kWindow);
     const double drop = after.value - before.value;
     if (!(-before.value > kFast && -after.value < kStopped * -before.value)) continue;
     if (!(drop > kClear * std::hypot(before.sd, after.sd) && drop > most)) continue;
+    const double own_drop = CalcSlope(samples, own, time, time + kWindow).value -
+                            CalcSlope(samples, own, time - kWindow, time).value;
+    if (!(own_drop > 0.5 * drop)) continue;  // an object that is pushed away stops no digit
     bool creeps = true;
     for (const double later : samples.times) {
       if (later < time || later > touch) continue;
-      creeps = creeps && !(-CalcSlope(samples, later, later + kWindow).value >
-                           kCrept * -before.value + 2.0 * after.sd);
+      creeps = creeps &&
+               !(-slope(later, later + kWindow).value > kCrept * -before.value + 2.0 * after.sd);
     }
     if (!creeps) continue;
     at = time;
