@@ -285,6 +285,80 @@ TouchSamples TakeApproachToPlace(const Trajectory& p_O, const Vector3d& place, c
   return samples;
 }
 
+namespace {
+
+/** Slope of the places over a stretch, and its standard deviation [m/s]; NaN below three samples. */
+struct Slope {
+  double value = std::nan(""), sd = std::nan("");
+};
+Slope CalcSlope(const TouchSamples& samples, const std::vector<double>& places, double begin,
+                double end) {
+  const SampleRun run = FindSamples(samples.times, begin - kTick, end + kTick);
+  if (run.size() < 3) return {};
+  double time = 0.0, place = 0.0, squares = 0.0, products = 0.0;
+  const auto count = static_cast<double>(run.size());
+  for (size_t i = run.first; i < run.last; ++i) {
+    time += samples.times[i] / count;
+    place += places[i] / count;
+  }
+  for (size_t i = run.first; i < run.last; ++i) {
+    const double since = samples.times[i] - time;
+    squares += since * since;
+    products += since * (places[i] - place);
+  }
+  return {products / squares, samples.noise / std::sqrt(squares)};
+}
+
+}  // namespace
+
+TouchSamples TakeEarlierStop(const TouchSamples& samples, double touch) {
+  constexpr double kWindow = 0.03, kApart = 0.04;  // [s]
+  constexpr double kFast = 0.05;                   // [m/s]
+  constexpr double kLeast = 0.3e-3, kMost = 4e-3;  // that it still goes [m]
+  constexpr double kStopped = 0.25, kCrept = 0.4;  // of the speed before
+  const auto slope = [&](double begin, double end) {
+    return CalcSlope(samples, samples.places, begin, end);
+  };
+  std::vector<double> own = samples.places;  // the digit's way, whatever the object does
+  for (size_t i = 0; i < samples.object_motion.size(); ++i) own[i] += samples.object_motion[i];
+  double at = std::nan(""), most = 0.0;
+  for (const double time : samples.times) {
+    if (time < samples.first || time > touch - kApart) continue;
+    const Slope before = slope(time - kWindow, time);
+    const Slope after = slope(time, time + kWindow);
+    const double drop = after.value - before.value;
+    if (!(-before.value > kFast && -after.value < kStopped * -before.value)) continue;
+    if (!(drop > kClear * std::hypot(before.sd, after.sd) && drop > most)) continue;
+    const double own_drop = CalcSlope(samples, own, time, time + kWindow).value -
+                            CalcSlope(samples, own, time - kWindow, time).value;
+    if (!(own_drop > 0.5 * drop)) continue;  // an object that is pushed away stops no digit
+    bool creeps = true;
+    for (const double later : samples.times) {
+      if (later < time || later > touch) continue;
+      creeps = creeps &&
+               !(-slope(later, later + kWindow).value > kCrept * -before.value + 2.0 * after.sd);
+    }
+    if (!creeps) continue;
+    at = time;
+    most = drop;
+  }
+  if (std::isnan(at)) return {};
+  TouchSamples stop = samples;
+  stop.last = at + kSlack;
+  const SampleRun rest = FindSamples(samples.times, at + kWindow / 2.0, stop.last + kWindow);
+  double place = 0.0;
+  for (size_t i = rest.first; i < rest.last; ++i) {
+    place += samples.places[i] / static_cast<double>(rest.size());
+  }
+  if (!(place > kLeast && place < kMost)) return {};
+  const size_t size = FindSamples(samples.times, at, stop.last + kWindow).last;
+  stop.times.resize(size);
+  stop.places.resize(size);
+  for (double& p : stop.places) p -= place;
+  if (!stop.object_motion.empty()) stop.object_motion.resize(size);
+  return stop;
+}
+
 void AddObjectMotion(const std::vector<double>& times, const std::vector<Pose>& X_LO,
                      const Vector3d& place, const Vector3d& direction, TouchSamples& samples) {
   samples.object_motion.clear();

@@ -49,6 +49,14 @@ TouchSamples TakeApproachToPlace(
     const Eigen::Vector3d& from = Eigen::Vector3d::Constant(std::nan("")),
     double after = -std::numeric_limits<double>::infinity());
 
+/** Skin that has touched sinks in again when the grip is built up, so that the last stop is not the
+touch: a tip that came fast and stopped at once within 4 mm of its place, and only crept from there,
+touched where it stopped.
+@param touch  the instant believed so far [s].
+@return what was seen until just after that stop, its places counted from there; no times when there
+is no such stop 40 ms or more before `touch`. */
+TouchSamples TakeEarlierStop(const TouchSamples& samples, double touch);
+
 /** What a tip still does just after an instant at which it is said to have touched. A path that
 turns stops in one direction before it stops in the other, and the touch is the last stop; but a
 phalanx that turns on its pad moves its marker, too, and without a shape nothing tells them apart. */

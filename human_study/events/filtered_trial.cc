@@ -70,10 +70,18 @@ double CalcTremor(const Trajectory& path, double hold) {
 }
 
 TouchFit FitIfSeen(const TouchSamples& samples) {
-  if (!samples.times.empty()) return FitTouch(samples);
+  constexpr double kEarlier = 0.95;  // a sudden stop before the last one is the touch
   TouchFit fit;
-  fit.missing = "no approach to its place in the hold is seen";
-  return fit;
+  if (samples.times.empty()) {
+    fit.missing = "no approach to its place in the hold is seen";
+    return fit;
+  }
+  fit = FitTouch(samples);
+  if (!fit.missing.empty() || !std::isnan(samples.touch_place)) return fit;
+  const TouchSamples stop = TakeEarlierStop(samples, CalcTouchTime(fit, kUsualDepths).time);
+  if (stop.times.empty()) return fit;
+  const TouchFit earlier = FitTouch(stop);
+  return earlier.missing.empty() ? MixFits(fit, earlier, kEarlier) : fit;
 }
 
 /** The last stop on the way to the place. Two stops that may both be the touch are both weighed. */

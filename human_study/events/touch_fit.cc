@@ -25,8 +25,10 @@ constexpr double kTremorRate = 60.0;      // of 9.5 Hz [rad/s]
 constexpr double kHeldTremor = 0.6;       // share of a tremor that a digit keeps as it settles
 constexpr double kPadTolerance = 0.5e-3;  // of a given pad offset [m]
 constexpr double kModel = 0.5e-3;         // SD of what no model says [s]
-constexpr double kLearnedShare = 1.5;     // of the time by which learned depths move a touch ..
-constexpr double kUnseen = 0.75;          // of the time that the least depth takes
+constexpr double kLearnedShare = 1.0;     // of the time by which learned depths move a touch ..
+constexpr double kToe = 0.45e-3;          // of skin that gives way unseen [m]
+constexpr double kToeUnsure = 0.35;       // of it (SD)
+constexpr double kLongestToe = 5e-3;      // [s]
 constexpr double kMostLearned = 0.02;     // .. and no more, as deep settling is seen as such [s]
 constexpr double kMinStep = 0.5e-3;       // between the touches tried [s]
 constexpr double kMaxStep = 4e-3;
@@ -202,6 +204,7 @@ struct Equations {
 struct Trial {
   double time = 0.0;
   std::array<double, kSettlingDepths.size()> log_evidence{};
+  std::array<double, kSettlingDepths.size()> speed{};  ///< against the object [m/s]
 };
 
 class Fitter {
@@ -213,9 +216,10 @@ class Fitter {
     Trial trial;
     trial.time = tc;
     trial.log_evidence.fill(-INFINITY);
-    const size_t num_before =
-        static_cast<size_t>(std::lower_bound(samples_.times.begin(), samples_.times.end(), tc) -
-                            samples_.times.begin());
+    constexpr double kTick = 1e-9;  // [s] rounding of the clock decides nothing
+    const size_t num_before = static_cast<size_t>(
+        std::lower_bound(samples_.times.begin(), samples_.times.end(), tc - kTick) -
+        samples_.times.begin());
     const ObjectMotion object = FindObjectMotion(samples_, tc);
     const BeforeSums before = SumBefore(samples_, weights_, num_before, tc, object.way);
     double speed = 0.0;  // against the object
@@ -232,6 +236,7 @@ class Fitter {
       speed = solution.unknowns[kSpeed] + object.rate;
       trial.log_evidence[k] = speed < kMinSpeed ? -INFINITY : solution.log_evidence;
       least_misfit_ = std::min(least_misfit_, solution.misfit);
+      trial.speed[k] = speed;
     }
     return trial;
   }
@@ -239,7 +244,7 @@ class Fitter {
   /** Touches from `first` to `last`. */
   std::vector<Trial> TryAll(double first, double last, double step, size_t depth_step = 1) {
     std::vector<Trial> trials;
-    const int num_steps = std::max(1, static_cast<int>(std::ceil((last - first) / step)));
+    const int num_steps = std::max(1, static_cast<int>(std::ceil((last - first) / step - 1e-6)));
     for (int i = 0; i <= num_steps; ++i) {
       trials.push_back(Try(first + (last - first) * i / num_steps, depth_step));
     }
@@ -302,6 +307,7 @@ TouchFit FitTouch(const TouchSamples& samples) {
   const double step = std::clamp(0.8 * samples.noise / kUsualSpeed, kMinStep, kMaxStep);
   const std::vector<Trial> trials = fitter.TryAll(first, last, step);
   const double best = FindBest(trials);
+  double all = 0.0, speeds = 0.0;
   for (size_t k = 0; k < kSettlingDepths.size(); ++k) {
     double sum = 0.0, moment = 0.0, squares = 0.0;
     for (const Trial& trial : trials) {
@@ -310,11 +316,16 @@ TouchFit FitTouch(const TouchSamples& samples) {
       sum += weight;
       moment += weight * time;
       squares += weight * time * time;
+      speeds += weight * trial.speed[k];
     }
+    all += sum;
     // Of a bracket with one depth only, others say nothing.
     fit.log_evidence[k] = sum > 0.0 ? std::log(sum) : -INFINITY;
     fit.time[k] = sum > 0.0 ? first + moment / sum : samples.first;
     fit.variance[k] = sum > 0.0 ? std::max(0.0, squares / sum - Square(moment / sum)) : 0.0;
+  }
+  if (std::isnan(samples.touch_place)) {
+    fit.toe = std::min(kToe * all / speeds, kLongestToe);
   }
   const double degrees = static_cast<double>(samples.times.size());
   fit.noise_ratio = std::sqrt(fitter.least_misfit() / degrees);
@@ -338,6 +349,7 @@ TouchFit MixFits(const TouchFit& a, const TouchFit& b, double share) {
     mix.variance[k] = (1.0 - share_b) * a.variance[k] + share_b * b.variance[k] +
                       (1.0 - share_b) * share_b * apart * apart;
   }
+  mix.toe = (1.0 - share) * a.toe + share * b.toe;
   mix.noise_ratio = std::max(a.noise_ratio, b.noise_ratio);
   return mix;
 }
@@ -347,24 +359,21 @@ namespace {
 /** Of the touch over all depths; weight 0: none explains the path. */
 struct TouchMoments {
   double weight = 0.0, time = 0.0, variance = 0.0;
-  double at_once = 0.0;  ///< share of the depth zero
 };
 
 TouchMoments CalcTouchMoments(const TouchFit& fit, const DepthWeights& weights) {
   const double best = *std::max_element(fit.log_evidence.begin(), fit.log_evidence.end());
   const double origin = fit.time[0];
-  double sum = 0.0, moment = 0.0, squares = 0.0, at_once = 0.0;
+  double sum = 0.0, moment = 0.0, squares = 0.0;
   for (size_t k = 0; k < weights.size(); ++k) {
     const double weight = weights[k] * std::exp(fit.log_evidence[k] - best);
     const double time = fit.time[k] - origin;
-    if (k == 0) at_once = weight;
     sum += weight;
     moment += weight * time;
     squares += weight * (time * time + fit.variance[k]);
   }
   if (!(sum > 0.0)) return {};
-  return {sum, origin + moment / sum, std::max(0.0, squares / sum - Square(moment / sum)),
-          at_once / sum};
+  return {sum, origin + moment / sum, std::max(0.0, squares / sum - Square(moment / sum))};
 }
 
 }  // namespace
@@ -374,15 +383,13 @@ EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights) {
   const TouchMoments touch = CalcTouchMoments(fit, weights);
   if (touch.weight == 0.0) return MissingEvent("no depth of settling explains the path");
   EventTime event;
-  event.time = touch.time;
+  event.time = touch.time - fit.toe;
   // Soft arrivals look like settling: what was learned of it is as uncertain as it moves the touch.
   // Half a standard deviation of that is in the touch's own variance already.
   const double moved = touch.time - CalcTouchMoments(fit, kUsualDepths).time;
   const double excess = std::sqrt(std::max(0.0, moved * moved - 0.25 * touch.variance));
   const double learned = std::min(kLearnedShare * excess, kMostLearned);
-  // All skin sinks in by some 0.3 mm. Where that is less than the noise shows, the touch seems to
-  // come when it is over.
-  const double unseen = kUnseen * touch.at_once * std::max(0.0, fit.time[0] - fit.time[1]);
+  const double unseen = kToeUnsure * fit.toe;
   // Where the best fit leaves more than the noise, the model is wrong by as much.
   const double own = std::max(1.0, fit.noise_ratio) * std::sqrt(touch.variance);
   event.uncertainty = std::hypot(std::hypot(kModel, learned), std::hypot(unseen, own));

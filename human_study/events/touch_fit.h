@@ -20,6 +20,10 @@ belongs to the skin and the marker's place, not to the trial: its weights may be
 contacts of a study (LearnDepths), and then one contact whose own samples cannot tell is found
 without bias.
 
+Skin resists exponentially (Pawluk & Howe 1999, J. Biomech. Eng. 121:178): its first 0.45 mm give
+way without a trace that a fit could find, so the touch is earlier than the path tells by that way
+at the speed of the touch (TouchFit::toe), more or less.
+
 Known limits: a way of settling that is not like the exponential; a digit that stops off the surface
 stops as one that touches does. */
 
@@ -64,6 +68,9 @@ struct TouchFit {
   std::array<double, kSettlingDepths.size()> log_evidence{};
   std::array<double, kSettlingDepths.size()> time{};      ///< mean [s]
   std::array<double, kSettlingDepths.size()> variance{};  ///< of the time [s^2]
+  /** In which 0.45 mm of skin give way at the touch's speed, at most 5 ms; 0 where the clearance at
+  the touch is known [s]. */
+  double toe = 0.0;
   double noise_ratio = 1.0;  ///< RMS of the best fit's residuals over the noise
   std::string missing;       ///< why there is none; empty when there is one
 };
@@ -75,9 +82,9 @@ TouchFit FitTouch(const TouchSamples& samples);
 @param share  how likely it is the second, between 0 and 1. @pre neither is missing. */
 TouchFit MixFits(const TouchFit& a, const TouchFit& b, double share);
 
-/** The touch under those weights: mean and standard deviation over all depths. Weights that were
-learned add 1.5 times the time by which they move the touch beyond half a standard deviation, at most
-20 ms; what depth zero weighs adds 0.75 of the time of the next depth, as all skin sinks in. */
+/** The touch under those weights: mean and standard deviation over all depths, less the toe, of
+which 0.35 is unsure. Weights that were learned add the time by which they move the touch
+beyond half a standard deviation, at most 20 ms. */
 EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights);
 
 /** The part of that standard deviation which is not about the depth [s]: digits do not share it, so

@@ -318,6 +318,11 @@ TrialAnalysis AnalyseTrial(FilteredTrial& filtered, const AnalysisOptions& optio
       analysis.trial_doubts.push_back(std::move(doubt));
     }
   }
+  analysis.may_be_exchanged =
+      MayBeExchanged(trial.digits, tips, trial.wrist, analysis.movement.onset.time, analysis.hold);
+  if (trial.object.IsRecorded()) {
+    analysis.goes_elsewhere_first = GoesElsewhereFirst(travel, lift_off, options.lift_off);
+  }
   for (Doubt& doubt : FindSwappedThumb(trial.digits, tips, analysis.hold)) {
     analysis.trial_doubts.push_back(std::move(doubt));
   }

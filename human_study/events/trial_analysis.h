@@ -87,8 +87,10 @@ struct TrialAnalysis {
   bool used_filled = false;  ///< an event that a measure rests on was decided on filled samples
   bool used_gap = false;     ///< .. or fell into a gap
   double low_pass = std::numeric_limits<double>::quiet_NaN();  ///< ReachTrial::low_pass [Hz]
-  std::vector<Doubt> trial_doubts;                             ///< about the trial as such
-  std::vector<Doubt> doubts;  ///< those, then those about the contacts believed
+  bool may_be_exchanged = false;      ///< thumb and index (recording_doubts.h)
+  bool goes_elsewhere_first = false;  ///< the object, before it rises (recording_doubts.h)
+  std::vector<Doubt> trial_doubts;    ///< about the trial as such
+  std::vector<Doubt> doubts;          ///< those, then those about the contacts believed
 };
 
 /** @throws Error as CheckOptions, Error(kRange) for a cut-off above 0.4 of the rate. What a trial

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "core/statistics/summary.h"
 
 namespace graspbench {
 namespace {
@@ -117,6 +118,55 @@ std::vector<Doubt> FindSwappedThumb(const std::vector<DigitTrack>& digits,
                        "the thumb is not ({:.0f} mm): their labels are likely exchanged through "
                        "the whole file. Correct markers in study.yaml",
                        digits[farthest].digit, MmFromM(most), MmFromM(thumb))}};
+}
+
+bool MayBeExchanged(const std::vector<DigitTrack>& digits, const std::vector<SmoothPath>& tips,
+                    const Trajectory& wrist, double begin, const Hold& hold) {
+  constexpr double kNearer = 5e-3;  // [m]
+  constexpr size_t kIndex = 1;
+  if (digits.size() < 3 || !digits.front().is_thumb || digits[kIndex].digit != "FF") return false;
+  const std::vector<double>& times = tips.front().path.times;
+  if (wrist.size() != times.size() || !hold.IsFound() || std::isnan(begin)) return false;
+  std::vector<double> beyond;  // of the thumb
+  const SampleRun reach = FindSamples(times, begin, hold.time);
+  for (size_t i = reach.first; i < reach.last; ++i) {
+    if (!wrist.IsValid(i) || !tips[0].path.IsValid(i) || !tips[kIndex].path.IsValid(i)) continue;
+    const Vector3d from = wrist.p.col(static_cast<Column>(i));
+    beyond.push_back((FindTipPlace(tips[0], i) - from).norm() -
+                     (FindTipPlace(tips[kIndex], i) - from).norm());
+  }
+  if (beyond.empty() || !(CalcMedian(std::move(beyond)) > kNearer)) return false;
+  const int at = FindSampleAt(times, hold.time);
+  if (at < 0 || !AreAllSeen(tips, static_cast<size_t>(at))) return false;
+  const auto held = static_cast<size_t>(at);
+  Vector3d others = Vector3d::Zero();
+  for (size_t d = kIndex + 1; d < tips.size(); ++d) others += FindTipPlace(tips[d], held);
+  others /= static_cast<double>(tips.size() - 2);
+  return (FindTipPlace(tips[kIndex], held) - others).norm() >
+         (FindTipPlace(tips[0], held) - others).norm();
+}
+
+bool GoesElsewhereFirst(const ObjectTravel& travel, const EventTime& lift_off,
+                        const LiftOffOptions& options) {
+  constexpr double kLeast = 0.02, kShare = 0.3, kUnderWay = 0.01;  // [m], of the rise, [m]
+  constexpr double kBehind = 0.3;    // of the height that would keep pace
+  constexpr double kEarlier = 0.05;  // [s]
+  if (!lift_off.IsFound()) return false;
+  const double height = travel.height.values.maxCoeff<Eigen::PropagateNumbers>();
+  for (Column i = 0; i < 6; ++i) {
+    const Vector3d axis = (i % 2 == 0 ? 1.0 : -1.0) * Vector3d::Unit(i / 2);
+    ObjectTravel other = travel;
+    other.height.values = travel.moved.transpose() * axis;
+    const double along = other.height.values.maxCoeff<Eigen::PropagateNumbers>();
+    if (!(along > std::max(kLeast, kShare * height))) continue;
+    const int under_way = FindFirstAbove(other.height, kUnderWay);
+    if (under_way < 0) continue;
+    const double pace = height / along * other.height.values[under_way];
+    if (!(travel.height.values[under_way] < kBehind * pace)) continue;
+    const EventTime earlier = FindObjectEvents(other, options).lift_off;
+    if (lift_off.time - earlier.time > kEarlier) return true;
+  }
+  return false;
 }
 
 }  // namespace graspbench

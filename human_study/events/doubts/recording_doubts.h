@@ -24,4 +24,19 @@ std::vector<Doubt> FindLeftBehind(const std::vector<SmoothPath>& tips, const Obj
 std::vector<Doubt> FindSwappedThumb(const std::vector<DigitTrack>& digits,
                                     const std::vector<SmoothPath>& tips, const Hold& hold);
 
+/** A warning, no doubt: thumb and index may carry each other's label. The thumb's marker was farther
+from the wrist's than the index's (median from `begin` to the hold, by 5 mm), as no thumb is that
+reaches for a thing, and in the hold the index is farther from the middle of the other digits than
+the thumb. Both together spare a pinch whose other fingers are curled.
+@param wrist  empty: not recorded, and nothing is said. @param begin  of the movement [s]. */
+bool MayBeExchanged(const std::vector<DigitTrack>& digits, const std::vector<SmoothPath>& tips,
+                    const Trajectory& wrist, double begin, const Hold& hold);
+
+/** A warning, no doubt: before it rises along the stated direction the object goes another way, by
+20 mm and three tenths of its rise, and 50 ms earlier: either it is drawn aside first or the
+direction is not the recording's up, and then the lift-off is late. other_lift_axis
+(plausibility.h) removes what goes farther than it rises. */
+bool GoesElsewhereFirst(const ObjectTravel& travel, const EventTime& lift_off,
+                        const LiftOffOptions& options);
+
 }  // namespace graspbench

@@ -420,7 +420,7 @@ StudyResult RunStudy(const Study& study, const StudyWatch& watch) {
   StudyResult result = RunTrials(study, watch);
   for (const auto& warnings :
        {FindNeverTouching(result), FindManyFrozen(result), FindSpikes(result),
-        FindFilteredExports(result), FindTwoRates(result)}) {
+        FindFilteredExports(result), FindTwoRates(result), FindExchangedThumbs(result)}) {
     result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
   }
   CalcStudyStatistics(result);

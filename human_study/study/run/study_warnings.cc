@@ -123,6 +123,20 @@ std::vector<StudyWarning> FindFilteredExports(const StudyResult& result) {
                    cutoffs.size(), result.trials.size(), cutoff, MsFromS(kDelay / cutoff))}};
 }
 
+std::vector<StudyWarning> FindExchangedThumbs(const StudyResult& result) {
+  constexpr int kFew = 3, kOneIn = 5;
+  int count = 0;
+  for (const StudyTrial& trial : result.trials) {
+    count += trial.analysis && trial.analysis->may_be_exchanged;
+  }
+  if (count < kFew || kOneIn * count < static_cast<int>(result.trials.size())) return {};
+  return {{"thumb_exchanged",
+           fmt::format("in {} of {} trials the thumb's marker is farther from the wrist than the "
+                       "index's, which opposes the other digits: look whether markers.thumb and "
+                       "markers.index are exchanged",
+                       count, result.trials.size())}};
+}
+
 std::vector<StudyWarning> FindTwoRates(const StudyResult& result) {
   if (!(result.highest_rate > kSameRate * result.lowest_rate)) return {};
   return {{"two_rates",

@@ -27,6 +27,8 @@ std::vector<StudyWarning> FindNeverTouching(const StudyResult& result);
 std::vector<StudyWarning> FindManyFrozen(const StudyResult& result);
 std::vector<StudyWarning> FindSpikes(const StudyResult& result);
 std::vector<StudyWarning> FindFilteredExports(const StudyResult& result);
+/** "thumb or index" in three trials or more, and a fifth of all. */
+std::vector<StudyWarning> FindExchangedThumbs(const StudyResult& result);
 std::vector<StudyWarning> FindTwoRates(const StudyResult& result);
 
 }  // namespace graspbench

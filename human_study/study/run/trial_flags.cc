@@ -58,6 +58,14 @@ const std::vector<TrialFlag>& TrialFlagList() {
        "the recording was low-passed before it was exported: its instants may be late, its "
        "uncertainties are too small",
        [](const A& a) { return !std::isnan(a.low_pass); }},
+      {"thumb or index",
+       "the thumb's marker is farther from the wrist than the index's, which opposes the others: "
+       "their labels may be exchanged",
+       [](const A& a) { return a.may_be_exchanged; }},
+      {"up or aside",
+       "the object goes another way before it rises along the stated direction (lift_off.up_x ..): "
+       "if that is not up in the recording, the lift-off is late",
+       [](const A& a) { return a.goes_elsewhere_first; }},
       {"touch not told",
        "a digit touched at an instant that cannot be told: no GFT, GOT, GCT, no final opening",
        [](const A& a) { return a.num_unresolved > 0; }},

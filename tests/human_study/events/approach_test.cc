@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/base/random.h"
 #include "human_study/events/object_surface.h"
 #include "tests/human_study/events/trajectories.h"
@@ -107,6 +110,36 @@ TEST(TakeApproach, ATipThatWasAlwaysThereHasNone) {
   Trajectory path = MakePath(100.0);
   path.p.colwise() = Vector3d(0.0, 0.043, 0.0);
   EXPECT_TRUE(TakeApproachToPlace(path, FindHoldPlace(path, kHold), kHold, 2e-4).times.empty());
+}
+
+// A thumb touches at 0.1 m/s and sinks in by another 1.5 mm when the grip is built up 80 ms later.
+// One that slows down evenly in the air and arrives softly made no earlier stop.
+TEST(TakeEarlierStop, IsTheTouchBeforeTheGripAndNoSoftArrival) {
+  for (const bool is_soft : {false, true}) {
+    int num_stops = 0, num_right = 0;
+    for (int run = 0; run < 50; ++run) {
+      RandomStream random("stop " + std::to_string(run), is_soft ? "soft" : "sinks");
+      TouchSamples samples;
+      samples.noise = 0.2e-3;
+      samples.first = 0.9;
+      samples.last = 1.26;
+      for (double t = 0.84; t < 1.34; t += 0.005) {
+        const double left = std::max(0.0, kTouch - t), soft = std::max(0.0, 1.2 - t);
+        const double grip = std::clamp((t - 1.08) / 0.12, 0.0, 1.0);
+        const double sunk = 1.5e-3 * grip * grip * (3.0 - 2.0 * grip);
+        const double place = is_soft ? 0.01 * soft + 0.5 * soft * soft : 0.1 * left + 1.5e-3 - sunk;
+        samples.times.push_back(t);
+        samples.places.push_back(place + samples.noise * random.NextNormal());
+      }
+      const TouchSamples stop = TakeEarlierStop(samples, is_soft ? 1.19 : 1.18);
+      if (stop.times.empty()) continue;
+      ++num_stops;
+      num_right += stop.first < kTouch && stop.last > kTouch && stop.last < kTouch + 0.06 &&
+                   std::abs(stop.places.back()) < 1e-3;
+    }
+    EXPECT_GE(num_right, is_soft ? 0 : 48);
+    EXPECT_LE(num_stops, is_soft ? 2 : 50);
+  }
 }
 
 }  // namespace

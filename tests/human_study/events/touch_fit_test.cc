@@ -12,21 +12,24 @@ namespace graspbench {
 namespace {
 
 struct Approach {
-  double touch = 0.4;     // [s]
+  double touch = 0.4;     // of skin and surface [s]
+  double toe = 0.45e-3;   // of skin that gives way as if nothing were there [m]
   double speed = 0.1;     // at touch [m/s]
   double slowing = 0.7;   // before it [m/s^2]
   double depth = 0.0;     // that it goes on by [m]
   double noise = 0.2e-3;  // [m]
+  double CalcStop() const { return touch + toe / speed; }
 };
 
 /** A digit that slows evenly, touches and sinks in; the bracket is known to 60 ms. */
 TouchSamples Sample(const Approach& approach, RandomStream& random) {
   TouchSamples samples;
   samples.noise = approach.noise;
-  samples.first = approach.touch - 0.035;
-  samples.last = approach.touch + 0.025;
-  for (double t = approach.touch - 0.09; t < approach.touch + 0.1; t += 0.005) {
-    const double before = approach.touch - t;
+  const double stop = approach.CalcStop();
+  samples.first = stop - 0.035;
+  samples.last = stop + 0.025;
+  for (double t = stop - 0.09; t < stop + 0.1; t += 0.005) {
+    const double before = stop - t;
     double place =
         approach.depth + approach.speed * before + approach.slowing * before * before / 2;
     if (before < 0.0) {
@@ -84,20 +87,24 @@ TEST(FitTouch, TheObjectsOwnMotionIsNoMotionOfTheDigit) {
       approach.touch = 0.4 + 0.005 * random.NextUnit();
       TouchSamples samples = Sample(approach, random);
       const auto moved = [&](double t) {
-        const double u = std::clamp((t - approach.touch + 0.05) / 0.06, 0.0, 1.0);
+        const double u = std::clamp((t - approach.CalcStop() + 0.05) / 0.06, 0.0, 1.0);
         return push * u * u * (3.0 - 2.0 * u);
       };
       for (size_t k = 0; k < samples.times.size(); ++k) {
         samples.object_motion.push_back(moved(samples.times[k]));
-        if (samples.times[k] > approach.touch) continue;
-        samples.places[k] -= moved(samples.times[k]) - moved(approach.touch);
+        if (samples.times[k] > approach.CalcStop()) continue;
+        samples.places[k] -= moved(samples.times[k]) - moved(approach.CalcStop());
       }
+      // Skin gives way at the speed against the object.
+      const double stop = approach.CalcStop();
+      const double touch =
+          stop - approach.toe / (approach.speed + (moved(stop + 1e-4) - moved(stop)) / 1e-4);
       const EventTime seen = CalcTouchTime(FitTouch(samples), kUsualDepths);
-      const double error = seen.time - approach.touch;
+      const double error = seen.time - touch;
       covered += std::abs(error) <= seen.CalcHalfWidth();
       right += error * error;
       samples.object_motion.clear();
-      const double blind = CalcTouchTime(FitTouch(samples), kUsualDepths).time - approach.touch;
+      const double blind = CalcTouchTime(FitTouch(samples), kUsualDepths).time - touch;
       wrong += blind * blind;
     }
     // Away from it leaves 44 mm/s against the object, which noise hides for longer, and that is
@@ -124,6 +131,7 @@ TEST(FitTouch, AGivenPadOffsetTellsShallowFromDeep) {
   for (int i = 0; i < 40; ++i) {
     Approach approach;
     approach.depth = 2e-3;
+    approach.toe = 0.0;  // where skin and surface meet is given
     TouchSamples samples = Sample(approach, random);
     blind += CalcTouchTime(FitTouch(samples), kUsualDepths).time - approach.touch;
     samples.touch_place = approach.depth;

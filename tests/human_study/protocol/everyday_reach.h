@@ -64,6 +64,10 @@ struct Conditions {
   double max_touch_speed = 160e-3;
   double tremor = 0.0;  ///< RMS along each axis, 8 to 11 Hz, less once the digit touches [m]
 
+  /** Of the pad of a finger, over which its stiffness grows e-fold (pushed_reach.h alone); 0: stiff
+  skin [m]. */
+  double pad_depth = 0.0;
+
   // What happens.
   int regrasping_digit = -1;     ///< touches, leaves by `leave_gap` and returns; -1: none
   double leave_gap = 9e-3;       ///< [m]

@@ -8,6 +8,7 @@ Figures over 100 studies a case, each of files, as ../../../human_study/ACCURACY
 #include <cstdio>
 
 #include "tests/human_study/protocol/everyday_study.h"
+#include "tests/human_study/protocol/pushed_reach.h"
 #include "tests/human_study/protocol/stranger_reach.h"
 
 namespace graspbench::everyday {
@@ -52,9 +53,8 @@ void CheckContacts(const Behaviour& behaviour, bool has_shape, const std::string
       1e3 * a.bias, 1e3 * a.sd, a.coverage, a.num_silent);
   std::fflush(stdout);
   EXPECT_GE(a.coverage, 0.9) << behaviour.name << " " << has_shape;
-  // Soft touches are stated too carefully.
-  const bool is_soft = std::string(behaviour.name) == "soft touch";
-  EXPECT_LE(a.coverage, is_soft ? 0.995 : 0.98) << behaviour.name << " " << has_shape;
+  // 0.98 and twice its error by chance.
+  EXPECT_LE(a.coverage, 0.989) << behaviour.name << " " << has_shape;
   EXPECT_LE(a.num_silent, a.num_contacts / 50) << behaviour.name << " " << has_shape;
 }
 
@@ -70,6 +70,31 @@ TEST(EverydaySlow, ContactsAreCoveredOrNotUsableHoweverPeopleMove) {
 TEST(EverydaySlow, ContactsOfAStrangerAreCovered) {
   for (const bool has_shape : {true, false}) {
     CheckContacts(kBehaviours[0], has_shape, "stranger's report", MakeStrangerReach);
+  }
+}
+
+// Objects that go where forces push them, by stiff skin and by soft pads: 200 contacts each.
+TEST(EverydaySlow, ContactsWithObjectsThatArePushedAreCovered) {
+  for (const bool has_shape : {true, false}) {
+    for (const double pad_depth : {0.0, 0.5e-3}) {
+      for (const double push : {0.0, 5e-3, 15e-3}) {
+        StudyPlan plan;
+        plan.seed = "pushed " + std::to_string(push) + " " + std::to_string(pad_depth);
+        plan.make_reach = MakePushedReach;
+        plan.has_shape = has_shape;
+        plan.conditions.push = push;
+        plan.conditions.pad_depth = pad_depth;
+        const Accuracy a = CompareWithTruth(RunPlan(plan, SlowScratch()));
+        std::printf(
+            "push %2.0f mm, pad %.1f mm %s kept %d of %d, contacts %d, bias %.1f ms, SD %.1f ms, "
+            "coverage %.3f, silent %d\n",
+            1e3 * push, 1e3 * pad_depth, has_shape ? "shape   " : "no shape", a.num_kept,
+            a.num_trials, a.num_contacts, 1e3 * a.bias, 1e3 * a.sd, a.coverage, a.num_silent);
+        std::fflush(stdout);
+        EXPECT_GE(a.coverage, 0.85);                       // 0.9 less twice its error by chance
+        EXPECT_LE(a.num_silent, a.num_contacts / 50 + 4);  // 2 % and twice its error by chance
+      }
+    }
   }
 }
 

@@ -10,6 +10,7 @@ has the figures. */
 
 #include "human_study/study/run/trial_flags.h"
 #include "tests/human_study/protocol/everyday_study.h"
+#include "tests/human_study/protocol/pushed_reach.h"
 
 namespace graspbench::everyday {
 namespace {
@@ -117,6 +118,10 @@ TEST(Everyday, AMarkerThatStaysOnTheTableRemovesTheTrialByName) {
   Report("left behind", judged);
   EXPECT_EQ(judged.result.CountKept(), 0);
   EXPECT_GE(CountRemovals(judged.result)["object_left_behind"], 17);
+  plan.make_reach = MakePushedReach;
+  const Judged pushed = RunPlan(plan, EverydayScratch());
+  Report("left behind, pushed", pushed);
+  EXPECT_GE(CountRemovals(pushed.result)["object_left_behind"], 17);
 }
 
 TEST(Everyday, ThumbAndIndexExchangedAreReported) {
@@ -168,6 +173,24 @@ TEST(Everyday, WhatMovesBeforeTheOthersArrive) {
   report("turn 15 deg", [](Conditions& c) { c.turn = 0.26; });
   report("soft", [](Conditions& c) { c.min_touch_speed = 5e-3, c.max_touch_speed = 20e-3; });
   report("tremor", [](Conditions& c) { c.tremor = 0.4e-3; });
+}
+
+// Pads sink in when they touch and again when the grip is built up, by as much: the touch is the
+// first, and what pads hide of it is stated.
+TEST(Everyday, ATouchIsNotTheGripThatFollowsIt) {
+  for (const bool has_shape : {true, false}) {
+    StudyPlan plan = MakeEverydayPlan("pads");
+    plan.make_reach = MakePushedReach;
+    plan.has_shape = has_shape;
+    plan.conditions.push = 5e-3;
+    plan.conditions.pad_depth = 0.5e-3;
+    const Judged judged = RunPlan(plan, EverydayScratch());
+    Report("pads", judged);
+    const Accuracy accuracy = CompareWithTruth(judged);
+    EXPECT_GE(accuracy.num_kept, 15);
+    EXPECT_GE(accuracy.coverage, 0.82);  // 0.9 less 2.5 times its error by chance
+    EXPECT_LT(accuracy.sd, 0.012);
+  }
 }
 
 TEST(Everyday, AFilteredExportIsReported) {

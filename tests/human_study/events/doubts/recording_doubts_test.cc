@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+
+#include "core/base/random.h"
 
 namespace graspbench {
 namespace {
@@ -97,6 +100,73 @@ TEST(FindSwappedThumb, TheOpposingDigitIsTheThumb) {
   const std::vector<Eigen::Vector3d> row = {
       {-0.06, 0.0, 0.0}, {-0.03, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.03, 0.0, 0.0}, {0.06, 0.0, 0.0}};
   EXPECT_TRUE(FindSwappedThumb(digits, MakeTips(row, 0.0), MakeHoldAt(1.0)).empty());
+}
+
+/** Places of a right hand from the wrist's marker, palm down, the thumb on the left: lengths of adult
+hands, each joint's share by chance. */
+std::vector<Eigen::Vector3d> PlaceHand(bool is_curled, RandomStream& random) {
+  const auto near = [&](double x, double y, double z) -> Eigen::Vector3d {
+    return Eigen::Vector3d(x, y, z) +
+           6e-3 * Eigen::Vector3d(random.NextNormal(), random.NextNormal(), random.NextNormal());
+  };
+  std::vector<Eigen::Vector3d> places = {near(0.105, 0.045, -0.03), near(0.14, -0.005, -0.03)};
+  const double out = is_curled ? 0.075 : 0.138, down = is_curled ? -0.025 : -0.035;
+  for (int d = 0; d < 3; ++d) places.push_back(near(out - 0.008 * d, -0.02 - 0.018 * d, down));
+  return places;
+}
+
+int CountExchanged(bool is_curled, bool is_exchanged) {
+  int count = 0;
+  for (int i = 0; i < 20; ++i) {
+    RandomStream random("hand " + std::to_string(i), is_curled ? "curled" : "all five");
+    std::vector<Eigen::Vector3d> places = PlaceHand(is_curled, random);
+    if (is_exchanged) std::swap(places[0], places[1]);
+    const std::vector<SmoothPath> tips = MakeTips(places, 0.1);
+    Trajectory wrist = tips[0].path;
+    for (Eigen::Index c = 0; c < wrist.p.cols(); ++c) wrist.p.col(c) -= places[0];
+    count += MayBeExchanged(MakeDigits(), tips, wrist, 0.2, MakeHoldAt(1.0));
+    EXPECT_FALSE(MayBeExchanged(MakeDigits(), tips, {}, 0.2, MakeHoldAt(1.0))) << "no wrist";
+  }
+  return count;
+}
+
+TEST(MayBeExchanged, AsAnatomyShowsItAndNotForAPinchWithCurledFingers) {
+  EXPECT_GE(CountExchanged(false, true), 18);
+  EXPECT_LE(CountExchanged(false, false), 1);
+  EXPECT_LE(CountExchanged(true, false), 1);
+}
+
+// Lifted by 60 mm along z and then carried by 100 mm along x: with x as the stated direction it
+// goes elsewhere first; with z, or pushed by 15 mm before a lift of 130 mm, it does not.
+TEST(GoesElsewhereFirst, AWrongAxisAndNoPush) {
+  const auto goes = [](const Eigen::Vector3d& up, double push, double height, double aside) {
+    const auto smooth = [](double u) {
+      u = std::clamp(u, 0.0, 1.0);
+      return u * u * u * (10.0 - 15.0 * u + 6.0 * u * u);
+    };
+    ReachTrial trial;
+    for (int i = 0; i < 300; ++i) {
+      const double t = 0.01 * i;
+      trial.times.push_back(t);
+      Pose pose = Pose::Identity();
+      pose.translation() =
+          Eigen::Vector3d(push * smooth((t - 0.4) / 0.1) + aside * smooth((t - 1.2) / 0.8), 0.0,
+                          height * smooth((t - 1.0) / 0.8));
+      trial.object.X_LO.push_back(pose);
+      trial.object.states.push_back(SampleState::kMeasured);
+    }
+    LiftOffOptions options;
+    options.up_x = up.x();
+    options.up_y = up.y();
+    options.up_z = up.z();
+    const ObjectTravel travel = CalcObjectTravel(trial, options);
+    return GoesElsewhereFirst(travel, FindObjectEvents(travel, options).lift_off, options);
+  };
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), z = Eigen::Vector3d::UnitZ();
+  EXPECT_TRUE(goes(x, 0.0, 0.06, 0.1));
+  EXPECT_FALSE(goes(z, 0.0, 0.06, 0.1));
+  EXPECT_FALSE(goes(z, 0.015, 0.13, 0.0));
+  EXPECT_FALSE(goes(z, 0.0, 0.13, 0.0));
 }
 
 }  // namespace

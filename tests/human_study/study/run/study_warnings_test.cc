@@ -77,6 +77,19 @@ TEST(FindFilteredExports, SaysHowManyAndHowLate) {
   EXPECT_NE(warnings[0].text.find("some 38 ms late"), std::string::npos);
 }
 
+TEST(FindExchangedThumbs, FromThreeTrialsAndAFifthOn) {
+  StudyResult result;
+  result.trials.resize(15);
+  for (StudyTrial& trial : result.trials) trial.analysis.emplace();
+  result.trials[0].analysis->may_be_exchanged = result.trials[1].analysis->may_be_exchanged = true;
+  EXPECT_TRUE(FindExchangedThumbs(result).empty());
+  result.trials[7].analysis->may_be_exchanged = true;
+  ASSERT_EQ(FindExchangedThumbs(result).size(), 1u);
+  EXPECT_EQ(FindExchangedThumbs(result)[0].text.find("in 3 of 15 trials"), 0u);
+  result.trials.resize(16);
+  EXPECT_TRUE(FindExchangedThumbs(result).empty());
+}
+
 TEST(FindTwoRates, NamesBothBeyondTwoPerCent) {
   StudyResult result;
   result.lowest_rate = 199.0;

@@ -36,11 +36,12 @@ AnalysisOptions LearnOptions(const std::vector<SyntheticTrial>& trials) {
   return options;
 }
 
-// Skin yields by some tenths of a millimetre; what stops dead is covered by more than is stated.
+// Skin sinks in by half a millimetre and more (Pawluk & Howe 1999); what stops dead is covered by
+// more than is stated.
 TEST(ContactAccuracy, TheDefaultDetectorKeepsItsPromise) {
   for (const char* seed : {"accuracy a", "accuracy b", "accuracy c"}) {
     SyntheticOptions options = MakeOptions(seed);
-    options.pad_compression = 0.3e-3;
+    options.pad_compression = 0.5e-3;
     const std::vector<SyntheticTrial> trials = MakeSyntheticStudy(options);
     const BiasRow row = CalcBiasRow(trials, LearnOptions(trials));
     EXPECT_EQ(row.num_missing, 0) << seed;
