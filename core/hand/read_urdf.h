@@ -12,8 +12,9 @@ Turns a checked URDF into the hand's tree, its collision shapes and its looks. *
 
 namespace graspbench {
 
-/** Fills links (depth first, siblings by their joints' names), joints and visuals of `hand`;
-a hand without any visual looks like its collision shapes. Drives, coupling and the root's pose are left unset.
+/** Fills links (depth first, siblings by their joints' names), joints and visuals of `hand`; a hand
+without any visual looks like its collision shapes. Drives, coupling and the root's pose are left
+unset.
 @param document  of CheckUrdf, so without errors. @param file  its name in messages.
 @param folder  meshes are found relative to it. */
 std::vector<CollisionShape> ReadUrdf(const std::string& document, const std::string& file,

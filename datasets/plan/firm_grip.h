@@ -14,8 +14,8 @@ namespace graspbench {
 /** Without what a firm grip does not say or does not look at. */
 Json StrategyToJson(const StrategyConfig& strategy);
 
-/** Whether a setting of this key can change a trial: "strategy.grip_margin" only with a grip of margin,
-"strategy.grip_force_n" not with a firm one; every other key. */
+/** Whether a setting of this key can change a trial: "strategy.grip_margin" only with a grip of
+margin, "strategy.grip_force_n" not with a firm one; every other key. */
 bool CanMatter(const std::string& key, const StrategyConfig& strategy);
 
 /** A firm grip with the values that its frozen configuration does not say. */

@@ -30,7 +30,9 @@ constexpr double kToe = 0.45e-3;          // of skin that gives way unseen [m]
 constexpr double kToeUnsure = 0.35;       // of it (SD)
 constexpr double kLongestToe = 5e-3;      // [s]
 constexpr double kMostLearned = 0.02;     // .. and no more, as deep settling is seen as such [s]
-constexpr double kMinStep = 0.5e-3;       // between the touches tried [s]
+/** Of noise beyond what cameras have, by which slow touches seem to come early. */
+constexpr double kNoisyShare = 0.75, kPlainNoise = 0.6e-3;  // [m]
+constexpr double kMinStep = 0.5e-3;                         // between the touches tried [s]
 constexpr double kMaxStep = 4e-3;
 constexpr size_t kCoarseDepths = 3;  // every third depth tells where to look closer
 constexpr double kVolume = 0.6;
@@ -326,6 +328,7 @@ TouchFit FitTouch(const TouchSamples& samples) {
   }
   if (std::isnan(samples.touch_place)) {
     fit.toe = std::min(kToe * all / speeds, kLongestToe);
+    fit.noisy = kNoisyShare * std::max(0.0, samples.noise - kPlainNoise) * all / speeds;
   }
   const double degrees = static_cast<double>(samples.times.size());
   fit.noise_ratio = std::sqrt(fitter.least_misfit() / degrees);
@@ -350,6 +353,7 @@ TouchFit MixFits(const TouchFit& a, const TouchFit& b, double share) {
                       (1.0 - share_b) * share_b * apart * apart;
   }
   mix.toe = (1.0 - share) * a.toe + share * b.toe;
+  mix.noisy = (1.0 - share) * a.noisy + share * b.noisy;
   mix.noise_ratio = std::max(a.noise_ratio, b.noise_ratio);
   return mix;
 }
@@ -389,7 +393,7 @@ EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights) {
   const double moved = touch.time - CalcTouchMoments(fit, kUsualDepths).time;
   const double excess = std::sqrt(std::max(0.0, moved * moved - 0.25 * touch.variance));
   const double learned = std::min(kLearnedShare * excess, kMostLearned);
-  const double unseen = kToeUnsure * fit.toe;
+  const double unseen = std::hypot(kToeUnsure * fit.toe, fit.noisy);
   // Where the best fit leaves more than the noise, the model is wrong by as much.
   const double own = std::max(1.0, fit.noise_ratio) * std::sqrt(touch.variance);
   event.uncertainty = std::hypot(std::hypot(kModel, learned), std::hypot(unseen, own));

@@ -71,6 +71,7 @@ struct TouchFit {
   /** In which 0.45 mm of skin give way at the touch's speed, at most 5 ms; 0 where the clearance at
   the touch is known [s]. */
   double toe = 0.0;
+  double noisy = 0.0;        ///< by which noise may have moved it (SD) [s]
   double noise_ratio = 1.0;  ///< RMS of the best fit's residuals over the noise
   std::string missing;       ///< why there is none; empty when there is one
 };

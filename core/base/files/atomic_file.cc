@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <utility>
 
 #include "core/base/error.h"
@@ -35,6 +37,15 @@ const std::string& FindProcessRealm() {
   return realm;
 }
 
+/** Also one that has ended and that its parent has not asked about yet. */
+bool HasEnded(pid_t process) {
+  if (::kill(process, 0) != 0) return errno == ESRCH;
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+  const std::string stat((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const size_t name_end = stat.rfind(") ");  // the name may have any characters
+  return name_end != std::string::npos && stat.size() > name_end + 2 && stat[name_end + 2] == 'Z';
+}
+
 /** Processes that were killed while they wrote the file left their parts behind. */
 void RemoveLeftParts(const fs::path& path) {
   const std::string suffix = "-" + FindProcessRealm();
@@ -52,7 +63,7 @@ void RemoveLeftParts(const fs::path& path) {
     if (error != std::errc() || rest != name.data() + name.size() - suffix.size() || writer <= 0) {
       continue;
     }
-    if (::kill(writer, 0) != 0 && errno == ESRCH) ::unlink(entry->path().c_str());
+    if (HasEnded(writer)) ::unlink(entry->path().c_str());
   }
 }
 

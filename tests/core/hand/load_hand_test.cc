@@ -60,8 +60,8 @@ TEST(LoadHandTest, ReadsAUsersHandFromItsFolder) {
   EXPECT_NEAR(hand.visuals[0].colour.x(), 0.2140, 1e-4);
 }
 
-// Bounds by hand: box 60 x 60 x 20 mm; cylinder of 7 mm and 50 mm, its middle 20 mm up, as a capsule;
-// ball of 8 mm, 10 mm up.
+// Bounds by hand: box 60 x 60 x 20 mm; cylinder of 7 mm and 50 mm, its middle 20 mm up, as a
+// capsule; ball of 8 mm, 10 mm up.
 TEST(LoadHandTest, AHandWithoutPicturesLooksLikeItsCollisionShapes) {
   std::string urdf = ReadFile(kGood / "hand.urdf");
   const size_t begin = urdf.find("    <visual>"), end = urdf.find("    <collision>");

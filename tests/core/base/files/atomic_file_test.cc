@@ -1,6 +1,9 @@
 #include "core/base/files/atomic_file.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <filesystem>
 
@@ -50,6 +53,28 @@ TEST_F(AtomicFiles, PiecesOfAnySizeAreThereInTheirOrderOnlyAfterCommit) {
 TEST_F(AtomicFiles, NothingIsLeftWithoutCommit) {
   { AtomicFile(folder_ / "table.csv").Write("half"); }
   EXPECT_EQ(CountFiles(), 0u);
+}
+
+// Killed while it wrote, its parent gone or slow: nobody has asked about its end yet.
+TEST_F(AtomicFiles, WhatAnEndedProcessLeftIsRemovedAlsoBeforeItsParentAsks) {
+  const fs::path path = folder_ / "table.csv";
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    new AtomicFile(path);  // as after a kill, nothing tidies up
+    ::_exit(0);
+  }
+  siginfo_t ended{};
+  ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOWAIT), 0);
+  ASSERT_EQ(CountFiles(), 1u) << "the part of the process that has ended";
+  ASSERT_EQ(::kill(child, 0), 0) << "its number is still its own";
+  {
+    AtomicFile file(path);
+    file.Commit();
+  }
+  EXPECT_EQ(CountFiles(), 1u);
+  EXPECT_TRUE(fs::exists(path));
+  ::waitpid(child, nullptr, 0);
 }
 
 TEST_F(AtomicFiles, AMissingFolderIsNamed) {

@@ -102,8 +102,8 @@ TEST(FindSwappedThumb, TheOpposingDigitIsTheThumb) {
   EXPECT_TRUE(FindSwappedThumb(digits, MakeTips(row, 0.0), MakeHoldAt(1.0)).empty());
 }
 
-/** Places of a right hand from the wrist's marker, palm down, the thumb on the left: lengths of adult
-hands, each joint's share by chance. */
+/** Places of a right hand from the wrist's marker, palm down, the thumb on the left: lengths of
+adult hands, each joint's share by chance. */
 std::vector<Eigen::Vector3d> PlaceHand(bool is_curled, RandomStream& random) {
   const auto near = [&](double x, double y, double z) -> Eigen::Vector3d {
     return Eigen::Vector3d(x, y, z) +
