@@ -12,7 +12,9 @@ constexpr int kMostTrials = 16;
 
 using Times = std::map<std::string, double>;  // by digit [s]
 
-std::map<std::string, ClosingSchedule> DelayBy(const Times& delays) {
+}  // namespace
+
+std::map<std::string, ClosingSchedule> DelayBy(const std::map<std::string, double>& delays) {
   std::map<std::string, ClosingSchedule> closing;
   double least = HUGE_VAL;
   for (const auto& [digit, delay] : delays) least = std::min(least, delay);
@@ -21,8 +23,6 @@ std::map<std::string, ClosingSchedule> DelayBy(const Times& delays) {
   }
   return closing;
 }
-
-}  // namespace
 
 LaggedClosing FitContactLags(TrialRunner& runner, TrialSetup setup, const Times& lags) {
   LaggedClosing best;

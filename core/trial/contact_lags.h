@@ -1,7 +1,8 @@
 #pragma once
 /** @file
-Closing schedules with which the digits of a grasp touch an object one after the other as asked: with
-L_d the asked lag of digit d after the first and t_d its first touch in a trial without variation,
+Closing schedules with which the digits of a grasp touch an object one after the other as asked:
+with L_d the asked lag of digit d after the first and t_d its first touch in a trial without
+variation,
 
     delay_d <- delay_d + L_d - (t_d - min t),   then less the least of them
 
@@ -16,6 +17,9 @@ Proposed by graspbench. */
 #include "core/trial/trial_runner.h"
 
 namespace graspbench {
+
+/** Each digit's delay, less the least of them, as its closing schedule; without those of none. */
+std::map<std::string, ClosingSchedule> DelayBy(const std::map<std::string, double>& delays);
 
 struct LaggedClosing {
   std::map<std::string, ClosingSchedule> closing;  ///< without digits that need none

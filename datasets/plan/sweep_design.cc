@@ -140,12 +140,10 @@ std::vector<Point> ListPoints(const SweepConfig& sweep, const std::vector<SweepF
                                      std::to_string(kMostConditions));
 }
 
-/** A factor that no trial looks at would be reported as one without effect. */
-void RefuseUnused(const std::vector<SweepFactor>& factors, const SessionConfig& config) {
-  std::vector<StrategyConfig> strategies = {config.strategy};
-  for (const Condition& condition : config.conditions) {
-    strategies.push_back(ApplyCondition(condition, config).config.strategy);
-  }
+/** A factor that no trial looks at would be reported as one without effect.
+@param strategies  of the base and of each condition. */
+void RefuseUnused(const std::vector<SweepFactor>& factors,
+                  const std::vector<StrategyConfig>& strategies) {
   for (const SweepFactor& factor : factors) {
     if (std::any_of(strategies.begin(), strategies.end(), [&](const StrategyConfig& strategy) {
           return CanMatter(factor.key, strategy);
@@ -154,7 +152,7 @@ void RefuseUnused(const std::vector<SweepFactor>& factors, const SessionConfig& 
     }
     throw Error(ErrorKind::kUsage,
                 "the factor \"" + factor.key + "\" has no use where strategy.grip is " +
-                    config.strategy.grip + "; leave it out, or set strategy.grip");
+                    strategies.front().grip + "; leave it out, or set strategy.grip");
   }
 }
 
@@ -207,6 +205,7 @@ SessionConfig MakeSweep(const SweepConfig& sweep) {
                 "implicit: it is the base's");
   }
   SessionConfig config = made.config;
+  std::vector<StrategyConfig> strategies = {config.strategy};
   std::set<Point> known = {Point(factors.size(), 0)};
   for (const Point& point : ListPoints(sweep, factors)) {
     if (!known.insert(point).second) continue;
@@ -216,10 +215,11 @@ SessionConfig MakeSweep(const SweepConfig& sweep) {
       condition.settings.push_back(factors[i].key + "=" + factors[i].levels[point[i]]);
       condition.name += (condition.name.empty() ? "" : ", ") + condition.settings.back();
     }
-    ApplyCondition(condition, config);  // what cannot be combined is refused here
+    // What cannot be combined is refused here.
+    strategies.push_back(ApplyCondition(condition, config).config.strategy);
     config.conditions.push_back(condition);
   }
-  RefuseUnused(factors, config);
+  RefuseUnused(factors, strategies);
   return config;
 }
 

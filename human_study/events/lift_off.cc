@@ -115,4 +115,25 @@ ObjectEvents FindObjectEvents(const ObjectTravel& travel, const LiftOffOptions& 
   return events;
 }
 
+std::vector<ObjectWay> FindWaysBeforeRise(const ObjectTravel& travel, double least,
+                                          const LiftOffOptions& options) {
+  constexpr double kUnderWay = 10e-3;  // [m]
+  constexpr double kBehind = 0.3;      // of the height that would keep pace
+  const double height = travel.height.values.maxCoeff<Eigen::PropagateNumbers>();
+  std::vector<ObjectWay> ways;
+  for (Column i = 0; i < 6; ++i) {
+    const Eigen::Vector3d axis = (i % 2 == 0 ? 1.0 : -1.0) * Eigen::Vector3d::Unit(i / 2);
+    ObjectTravel other = travel;
+    other.height.values = travel.moved.transpose() * axis;
+    const double along = other.height.values.maxCoeff<Eigen::PropagateNumbers>();
+    if (!(along > least)) continue;
+    const int under_way = FindFirstAbove(other.height, kUnderWay);
+    if (under_way < 0) continue;
+    const double risen = travel.height.values[under_way];
+    if (!(risen < kBehind * height / along * other.height.values[under_way])) continue;
+    ways.push_back({axis, along, FindObjectEvents(other, options).lift_off});
+  }
+  return ways;
+}
+
 }  // namespace graspbench

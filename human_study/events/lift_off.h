@@ -63,4 +63,15 @@ ObjectTravel CalcObjectTravel(const ReachTrial& trial, const LiftOffOptions& opt
 /** @pre the rule is known. */
 ObjectEvents FindObjectEvents(const ObjectTravel& travel, const LiftOffOptions& options);
 
+/** A way of the object along an axis of L. */
+struct ObjectWay {
+  Eigen::Vector3d axis;  ///< unit, in L
+  double along = 0.0;    ///< the largest displacement that way [m]
+  EventTime lift_off;    ///< the rule's instant, as if that were the stated direction
+};
+/** Ways of more than `least` [m] on which the object was under way, by 10 mm, while it had hardly
+risen: by less than 0.3 of the height that would keep pace. */
+std::vector<ObjectWay> FindWaysBeforeRise(const ObjectTravel& travel, double least,
+                                          const LiftOffOptions& options);
+
 }  // namespace graspbench

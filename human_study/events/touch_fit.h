@@ -84,8 +84,9 @@ TouchFit FitTouch(const TouchSamples& samples);
 TouchFit MixFits(const TouchFit& a, const TouchFit& b, double share);
 
 /** The touch under those weights: mean and standard deviation over all depths, less the toe, of
-which 0.35 is unsure. Weights that were learned add the time by which they move the touch
-beyond half a standard deviation, at most 20 ms. */
+which 0.35 is unsure, as is 0.75 of the time that noise beyond 0.6 mm takes at the touch's speed.
+Weights that were learned add the time by which they move the touch beyond half a standard
+deviation, at most 20 ms. */
 EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights);
 
 /** The part of that standard deviation which is not about the depth [s]: digits do not share it, so

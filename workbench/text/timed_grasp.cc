@@ -62,14 +62,6 @@ std::map<std::string, std::map<std::string, double>> ReadContacts(const fs::path
   return contacts;
 }
 
-std::map<std::string, ClosingSchedule> DelayBy(const std::map<std::string, double>& lags) {
-  std::map<std::string, ClosingSchedule> closing;
-  for (const auto& [digit, lag] : lags) {
-    if (lag > 0.0) closing[digit] = {lag, 1.0};
-  }
-  return closing;
-}
-
 /** In a trial of the default session without variation. */
 LaggedClosing FitOnObject(const TimedGraspOptions& options,
                           const std::map<std::string, double>& lags) {

@@ -421,8 +421,8 @@ ImportedHand Welder::Weld(int palm) {
     const Pose& X_MF = foreign_.links[member].X_LF;
     const bool is_that_of_link = X_MF.matrix() == Pose::Identity().matrix();
     if (foreign_.links[member].name == hand.links[index].name && is_that_of_link) continue;
-    const Pose X_LM_root = index == 0 ? Pose(X_RootNamed.inverse() * X_LM[member]) : X_LM[member];
-    const Pose X_LF = X_LM_root * X_MF;
+    const Pose X_LF =
+        index == 0 ? Pose(X_RootNamed.inverse() * X_LM[member] * X_MF) : Pose(X_LM[member] * X_MF);
     if (X_LF.translation().cwiseAbs().maxCoeff() > kFarthestFrame) continue;  // of a scene
     hand.frames.push_back({foreign_.links[member].name, index, X_LF});
   }

@@ -400,25 +400,14 @@ Doubt MakeOtherAxis(double along, const Vector3d& axis, const char* how,
 another way, and farther in the end, is lifted that way. */
 std::vector<Doubt> FindEarlierAxis(const ObjectTravel& travel, const EventTime& stated,
                                    const LiftOffOptions& lift_off) {
-  constexpr double kFarther = 1.5;     // than along the stated direction
-  constexpr double kUnderWay = 10e-3;  // [m]
-  constexpr double kBehind = 0.3;      // of the height that would keep pace
+  constexpr double kFarther = 1.5;  // than along the stated direction
   const double height = travel.height.values.maxCoeff<Eigen::PropagateNumbers>();
-  for (Column i = 0; i < 6; ++i) {
-    const Vector3d axis = (i % 2 == 0 ? 1.0 : -1.0) * Vector3d::Unit(i / 2);
-    ObjectTravel other = travel;
-    other.height.values = travel.moved.transpose() * axis;
-    const double along = other.height.values.maxCoeff<Eigen::PropagateNumbers>();
-    if (!(along > std::max(kFarther * height, 3.0 * lift_off.min_rise))) continue;
-    const int under_way = FindFirstAbove(other.height, kUnderWay);
-    if (under_way < 0) continue;
-    const double risen = travel.height.values[under_way];
-    if (!(risen < kBehind * height / along * other.height.values[under_way])) continue;
-    const EventTime earlier = FindObjectEvents(other, lift_off).lift_off;
-    const double apart = stated.time - earlier.time;
-    if (!(apart > kSigmas * std::hypot(stated.uncertainty, earlier.uncertainty))) continue;
+  const double least = std::max(kFarther * height, 3.0 * lift_off.min_rise);
+  for (const ObjectWay& way : FindWaysBeforeRise(travel, least, lift_off)) {
+    const double apart = stated.time - way.lift_off.time;
+    if (!(apart > kSigmas * std::hypot(stated.uncertainty, way.lift_off.uncertainty))) continue;
     const std::string how = fmt::format("rises {:.0f} ms later, and less, along", MsFromS(apart));
-    return {MakeOtherAxis(along, axis, how.c_str(), lift_off)};
+    return {MakeOtherAxis(way.along, way.axis, how.c_str(), lift_off)};
   }
   return {};
 }

@@ -148,25 +148,15 @@ bool MayBeExchanged(const std::vector<DigitTrack>& digits, const std::vector<Smo
 
 bool GoesElsewhereFirst(const ObjectTravel& travel, const EventTime& lift_off,
                         const LiftOffOptions& options) {
-  constexpr double kLeast = 0.02, kShare = 0.3, kUnderWay = 0.01;  // [m], of the rise, [m]
-  constexpr double kBehind = 0.3;    // of the height that would keep pace
-  constexpr double kEarlier = 0.05;  // [s]
+  constexpr double kLeast = 0.02, kShare = 0.3;  // [m], of the rise
+  constexpr double kEarlier = 0.05;              // [s]
   if (!lift_off.IsFound()) return false;
   const double height = travel.height.values.maxCoeff<Eigen::PropagateNumbers>();
-  for (Column i = 0; i < 6; ++i) {
-    const Vector3d axis = (i % 2 == 0 ? 1.0 : -1.0) * Vector3d::Unit(i / 2);
-    ObjectTravel other = travel;
-    other.height.values = travel.moved.transpose() * axis;
-    const double along = other.height.values.maxCoeff<Eigen::PropagateNumbers>();
-    if (!(along > std::max(kLeast, kShare * height))) continue;
-    const int under_way = FindFirstAbove(other.height, kUnderWay);
-    if (under_way < 0) continue;
-    const double pace = height / along * other.height.values[under_way];
-    if (!(travel.height.values[under_way] < kBehind * pace)) continue;
-    const EventTime earlier = FindObjectEvents(other, options).lift_off;
-    if (lift_off.time - earlier.time > kEarlier) return true;
-  }
-  return false;
+  const std::vector<ObjectWay> ways =
+      FindWaysBeforeRise(travel, std::max(kLeast, kShare * height), options);
+  return std::any_of(ways.begin(), ways.end(), [&](const ObjectWay& way) {
+    return lift_off.time - way.lift_off.time > kEarlier;
+  });
 }
 
 }  // namespace graspbench

@@ -270,7 +270,7 @@ void ShapeLoader::InferMeshUnit(const ForeignHand& hand) {
     return ratios[ratios.size() / 2];
   };
   if (rows.empty()) return;
-  // A few parts too large are told one by one; when all are too long it is one unit.
+  // A few parts too large are reported one by one; when all are too long it is one unit.
   const bool are_all_long =
       rows.size() >= 3 && std::all_of(rows.begin(), rows.end(),
                                       [](const auto& row) { return row.ratio > kClearRatio; });
