@@ -18,6 +18,9 @@ pass it within a step of 4 ms [m] */
 constexpr double kTableMargin = 0.008;
 /** Counts as the load of a point that has just touched, so that new ones share alike [N]. */
 constexpr double kUnknownLoad = 1e-6;
+/** By how much a field's distance changes over a way of 1, at most: each of its interpolant's three
+derivatives is at most 1. */
+constexpr double kSteepestField = 1.75;
 
 /** The column of a degree of freedom among those of the contact, which ascend; a new one is zero. */
 int FindColumn(int dof, ContactPoint& contact) {
@@ -53,6 +56,13 @@ Collider::Collider(const Hand& hand, const GraspObject& object, const SimConfig&
   Reset();
 }
 
+void Collider::Bystander::Remember(const Vector3d& p_ONow, double gap, double cell) {
+  // Where surfaces that lie inside the object come out of it, a field jumps by a cell.
+  const double way = std::max(0.0, gap - kMargin - cell) / kSteepestField;
+  p_OCentre = p_ONow;
+  way_squared = way * way;
+}
+
 void Collider::GroupSpheres() {
   std::stable_sort(spheres_.begin(), spheres_.end(),
                    [](const ContactSphere& a, const ContactSphere& b) { return a.link < b.link; });
@@ -71,6 +81,8 @@ void Collider::GroupSpheres() {
     link_spheres_.push_back(group);
     first += group.count;
   }
+  links_apart_.resize(link_spheres_.size());
+  spheres_apart_.resize(spheres_.size());
 }
 
 void Collider::FindPairs(const Hand& hand) {
@@ -81,6 +93,39 @@ void Collider::FindPairs(const Hand& hand) {
     pair.b = meeting.b;
     pair.reach = 0.5 * ((ca.p_LB - ca.p_LA).norm() + (cb.p_LB - cb.p_LA).norm()) + ca.radius +
                  cb.radius + kMargin;
+  }
+  GroupPairs(hand);
+}
+
+void Collider::GroupPairs(const Hand& hand) {
+  const auto middle = [](const LinkCapsule& capsule) {
+    return Vector3d(0.5 * (capsule.p_LA + capsule.p_LB));
+  };
+  const auto reach = [](const LinkCapsule& capsule) {
+    return 0.5 * (capsule.p_LA - capsule.p_LB).norm() + capsule.radius;
+  };
+  p_LCapsules_.assign(hand.links.size(), Vector3d::Zero());
+  p_WCapsules_ = p_LCapsules_;
+  std::vector<double> counts(hand.links.size()), reaches(hand.links.size());
+  for (const LinkCapsule& capsule : capsules_) {
+    p_LCapsules_[capsule.link] += middle(capsule);
+    ++counts[capsule.link];
+  }
+  for (size_t link = 0; link < counts.size(); ++link) {
+    p_LCapsules_[link] /= std::max(counts[link], 1.0);
+  }
+  for (const LinkCapsule& capsule : capsules_) {
+    reaches[capsule.link] =
+        std::max(reaches[capsule.link],
+                 (middle(capsule) - p_LCapsules_[capsule.link]).norm() + reach(capsule));
+  }
+  for (int p = 0; p < static_cast<int>(pairs_.size()); ++p) {
+    const int a = pairs_[p].a, link_b = capsules_[pairs_[p].b].link;
+    if (pairs_by_link_.empty() || pairs_by_link_.back().a != a ||
+        pairs_by_link_.back().link_b != link_b) {
+      pairs_by_link_.push_back({a, link_b, p, p, reach(capsules_[a]) + reaches[link_b] + kMargin});
+    }
+    pairs_by_link_.back().end = p + 1;
   }
 }
 
@@ -148,19 +193,29 @@ void Collider::FindHandObject(const HandDynamics& dynamics, const Pose& X_WO,
                               std::vector<ContactPoint>& contacts) {
   const Eigen::Matrix3d R_WO = X_WO.linear();
   const Vector3d p_WO = X_WO.translation();
-  for (const LinkSpheres& group : link_spheres_) {
+  for (size_t g = 0; g < link_spheres_.size(); ++g) {
+    const LinkSpheres& group = link_spheres_[g];
     const Pose& X_WL = dynamics.X_WL(group.link);
     const double reach = support_->radius() + group.radius + kMargin;
     if ((X_WL * group.p_LCentre - p_WO).squaredNorm() > reach * reach) continue;
     const Vector3d p_OCentre = R_WO.transpose() * (X_WL * group.p_LCentre - p_WO);
-    if (field_->CalcDistance(p_OCentre) > group.radius + kMargin) continue;
+    if (links_apart_[g].IsApart(p_OCentre)) continue;
+    const double link_gap = field_->CalcDistance(p_OCentre) - group.radius;
+    if (link_gap > kMargin) {
+      links_apart_[g].Remember(p_OCentre, link_gap, field_->cell());
+      continue;
+    }
     for (int i = group.first; i < group.first + group.count; ++i) {
       const ContactSphere& sphere = spheres_[i];
       const Vector3d p_WS = X_WL * sphere.p_LS;
       const Vector3d p_OS = R_WO.transpose() * (p_WS - p_WO);
+      if (spheres_apart_[i].IsApart(p_OS)) continue;
       const SignedDistanceField::Cell cell = field_->FindCell(p_OS);
       const double gap = field_->CalcDistance(cell) - sphere.radius;
-      if (gap > kMargin) continue;
+      if (gap > kMargin) {
+        spheres_apart_[i].Remember(p_OS, gap, field_->cell());
+        continue;
+      }
       ContactPoint& contact = contacts.emplace_back();
       contact.material = link_object_[group.link];
       contact.nhat_BA_W = R_WO * field_->CalcGradient(cell);
@@ -251,29 +306,39 @@ void Collider::FindSelfContacts(const HandDynamics& dynamics, int step_number,
     placed.b = X_WL * capsules_[i].p_LB;
     placed.middle = 0.5 * (placed.a + placed.b);
   }
-  for (size_t p = 0; p < pairs_.size(); ++p) {
-    const SelfPair& pair = pairs_[p];
-    const PlacedCapsule &placed_a = placed_capsules_[pair.a], &placed_b = placed_capsules_[pair.b];
-    if ((placed_a.middle - placed_b.middle).squaredNorm() > pair.reach * pair.reach) continue;
-    const LinkCapsule &a = capsules_[pair.a], &b = capsules_[pair.b];
-    const double radii = a.radius + b.radius;
-    const ClosestPoints nearest = FindClosestPoints(placed_a.a, placed_a.b, placed_b.a, placed_b.b);
-    const Vector3d apart = nearest.on_a - nearest.on_b;
-    const double distance = apart.norm();
-    if (distance > radii + kMargin || distance < 1e-9) continue;
-    ContactPoint& contact = contacts.emplace_back();
-    contact.material = pair.material;
-    contact.nhat_BA_W = apart / distance;
-    contact.p_WC = nearest.on_b + (b.radius + 0.5 * (distance - radii)) * contact.nhat_BA_W;
-    contact.depth = radii - distance;
-    contact.link = a.link;
-    contact.memory = &self_memory_[p];
-    SetRadius(a.radius * b.radius / radii, contact);
-    PrepareContact(h_, step_number, contact);
-    // Both links hang on the base, whose motion cancels.
-    AddJointRows(dynamics, a.link, 1.0, contact);
-    AddJointRows(dynamics, b.link, -1.0, contact);
+  for (size_t link = 0; link < p_LCapsules_.size(); ++link) {
+    p_WCapsules_[link] = dynamics.X_WL(static_cast<int>(link)) * p_LCapsules_[link];
   }
+  for (const SelfPairs& run : pairs_by_link_) {
+    const Vector3d apart = placed_capsules_[run.a].middle - p_WCapsules_[run.link_b];
+    if (apart.squaredNorm() > run.reach * run.reach) continue;
+    for (int p = run.first; p < run.end; ++p) AddSelfContact(dynamics, p, step_number, contacts);
+  }
+}
+
+void Collider::AddSelfContact(const HandDynamics& dynamics, int p, int step_number,
+                              std::vector<ContactPoint>& contacts) {
+  const SelfPair& pair = pairs_[p];
+  const PlacedCapsule &placed_a = placed_capsules_[pair.a], &placed_b = placed_capsules_[pair.b];
+  if ((placed_a.middle - placed_b.middle).squaredNorm() > pair.reach * pair.reach) return;
+  const LinkCapsule &a = capsules_[pair.a], &b = capsules_[pair.b];
+  const double radii = a.radius + b.radius;
+  const ClosestPoints nearest = FindClosestPoints(placed_a.a, placed_a.b, placed_b.a, placed_b.b);
+  const Vector3d apart = nearest.on_a - nearest.on_b;
+  const double distance = apart.norm();
+  if (distance > radii + kMargin || distance < 1e-9) return;
+  ContactPoint& contact = contacts.emplace_back();
+  contact.material = pair.material;
+  contact.nhat_BA_W = apart / distance;
+  contact.p_WC = nearest.on_b + (b.radius + 0.5 * (distance - radii)) * contact.nhat_BA_W;
+  contact.depth = radii - distance;
+  contact.link = a.link;
+  contact.memory = &self_memory_[p];
+  SetRadius(a.radius * b.radius / radii, contact);
+  PrepareContact(h_, step_number, contact);
+  // Both links hang on the base, whose motion cancels.
+  AddJointRows(dynamics, a.link, 1.0, contact);
+  AddJointRows(dynamics, b.link, -1.0, contact);
 }
 
 void Collider::FindContacts(const HandDynamics& dynamics, const Pose& X_WO, const Vector3d& p_WOcm,

@@ -53,9 +53,27 @@ class Collider {
     double reach;  // middles farther apart belong to capsules that are no contact [m]
     ContactMaterial material;
   };
+  /** Pairs of one capsule with the capsules of one link, which follow each other. */
+  struct SelfPairs {
+    int a, link_b;
+    int first, end;  // in pairs_
+    double reach;    // of the middle of a from that of the link's capsules, likewise [m]
+  };
+  /** A ball that was apart from the object, and is until its centre has gone far enough. */
+  struct Bystander {
+    Eigen::Vector3d p_OCentre = Eigen::Vector3d::Zero();  // when it was looked at
+    double way_squared = 0.0;                             // [m2]
+
+    bool IsApart(const Eigen::Vector3d& p_ONow) const {
+      return (p_ONow - p_OCentre).squaredNorm() < way_squared;
+    }
+    /** @param gap  of the field, above kMargin. */
+    void Remember(const Eigen::Vector3d& p_ONow, double gap, double cell);
+  };
 
   void GroupSpheres();
   void FindPairs(const Hand& hand);
+  void GroupPairs(const Hand& hand);
   void CombineMaterials(const Hand& hand, const SurfaceMaterial& object, const SimConfig& config);
   static void AddJointRows(const HandDynamics& dynamics, int link, double sign,
                            ContactPoint& contact);
@@ -72,6 +90,9 @@ class Collider {
                        std::vector<ContactPoint>& contacts);
   void FindSelfContacts(const HandDynamics& dynamics, int step_number,
                         std::vector<ContactPoint>& contacts);
+  /** Of pairs_[p], where it is near. */
+  void AddSelfContact(const HandDynamics& dynamics, int p, int step_number,
+                      std::vector<ContactPoint>& contacts);
 
   double h_;  // step [s]
   TablePresence table_;
@@ -83,12 +104,16 @@ class Collider {
     double radius;  // of a ball around them all
   };
   std::vector<LinkSpheres> link_spheres_;
+  std::vector<Bystander> links_apart_, spheres_apart_;  // as link_spheres_, spheres_
   std::vector<LinkCapsule> capsules_;
+  std::vector<Eigen::Vector3d> p_LCapsules_;  // by link: the middle of its capsules
   std::vector<SelfPair> pairs_;
+  std::vector<SelfPairs> pairs_by_link_;
   struct PlacedCapsule {
     Eigen::Vector3d a, b, middle;  // of its axis, in W
   };
   std::vector<PlacedCapsule> placed_capsules_;  // of the current step
+  std::vector<Eigen::Vector3d> p_WCapsules_;    // p_LCapsules_, likewise
   const SignedDistanceField* field_;
   std::shared_ptr<const TableSupport> support_;
   std::vector<ContactMaterial> link_object_, link_table_;  // by link

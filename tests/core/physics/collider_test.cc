@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "core/base/random.h"
+#include "core/base/units.h"
+#include "core/hand/self_contact.h"
 #include "core/physics/known_answers/small_scenes.h"
 #include "core/shape/primitives.h"
 
@@ -151,6 +153,60 @@ TEST(Collider, SelfContactsHaveTheDistanceOfTheCapsules) {
     EXPECT_FALSE(scene.contacts[0].is_on_object);
   }
   EXPECT_GT(num_near, 5);
+}
+
+Vector3d DrawDirection(RandomStream& random) {
+  return Vector3d(random.NextNormal(), random.NextNormal(), random.NextNormal()).normalized();
+}
+
+// What a collider remembers of balls that were apart spares questions and changes no answer: on a way
+// of small and large steps it finds what one finds that has seen nothing, and all capsules that meet.
+TEST(Collider, FindsOnAWayWhatItFindsAtOnce) {
+  Scene scene;
+  RandomStream random("collider way", "test");
+  for (const int tip : {2, 4}) {
+    for (int k = 0; k < 12; ++k) {
+      const Vector3d p_LA = 0.012 * DrawDirection(random) + Vector3d(0.0, 0.0, 0.03);
+      scene.hand.contact_spheres.push_back({tip, p_LA, 0.003});
+      scene.hand.capsules.push_back({tip, p_LA, p_LA + 0.01 * DrawDirection(random), 0.002});
+    }
+  }
+  const GraspObject block = MakeBlock(0.1);
+  const std::vector<CapsulePair> pairs = FindCapsulePairs(scene.hand);
+  const Pose X_WH = MakePose(MakeRotationRpy(kPi, 0.0, 0.0), Vector3d(0.0, 0.0, 0.6));
+  Collider seasoned(scene.hand, block, scene.config, TablePresence::kPresent);
+  VectorXd q = VectorXd::Zero(4);
+  int num_on_object = 0, num_on_itself = 0;
+  for (int step = 0; step < 1000; ++step) {
+    const double turn = step % 50 == 0 ? 0.2 : 0.006;
+    for (double& angle : q) angle = std::clamp(angle + turn * random.NextNormal(), -1.0, 1.0);
+    // To the fingers, between them and away again, a millimetre a step.
+    const Vector3d p_WO(0.03 * std::sin(0.031 * step), 0.01 * std::sin(0.017 * step),
+                        0.49 + 0.03 * std::sin(0.037 * step));
+    const Pose X_WO = MakePose(MakeRotationRpy(0.01 * step, 0.1, 0.2), p_WO);
+    scene.dynamics.UpdatePositions(X_WH, q);
+    std::vector<ContactPoint> along, at_once;
+    seasoned.FindContacts(scene.dynamics, X_WO, p_WO, step, along);
+    Collider(scene.hand, block, scene.config, TablePresence::kPresent)
+        .FindContacts(scene.dynamics, X_WO, p_WO, step, at_once);
+    ASSERT_EQ(along.size(), at_once.size()) << step;
+    int left = 0;
+    for (size_t k = 0; k < along.size(); ++k) {
+      ASSERT_EQ(along[k].p_WC, at_once[k].p_WC) << step;
+      ASSERT_EQ(along[k].depth, at_once[k].depth) << step;
+      ASSERT_EQ(along[k].link, at_once[k].link) << step;
+      ++(along[k].is_on_object ? num_on_object : left);
+    }
+    num_on_itself += left;
+    const std::vector<Pose> X_HL = CalcLinkPoses(scene.hand, q);
+    for (const CapsulePair& pair : pairs) {
+      const double gap = CalcCapsuleGap(scene.hand, pair, X_HL);
+      if (std::abs(gap - Collider::kMargin) > 1e-9) left -= gap < Collider::kMargin;
+    }
+    ASSERT_EQ(left, 0) << step;
+  }
+  EXPECT_GT(num_on_object, 100);
+  EXPECT_GT(num_on_itself, 30);
 }
 
 TEST(Collider, GapsAndLowestPointAreThoseOfTheScene) {
