@@ -205,11 +205,13 @@ void Collider::FindHandObject(const HandDynamics& dynamics, const Pose& X_WO,
       links_apart_[g].Remember(p_OCentre, link_gap, field_->cell());
       continue;
     }
+    const Eigen::Matrix3d R_OL = R_WO.transpose() * X_WL.linear();
+    const Vector3d p_OL = R_WO.transpose() * (X_WL.translation() - p_WO);
     for (int i = group.first; i < group.first + group.count; ++i) {
       const ContactSphere& sphere = spheres_[i];
+      if (spheres_apart_[i].IsApart(p_OL + R_OL * sphere.p_LS)) continue;
       const Vector3d p_WS = X_WL * sphere.p_LS;
       const Vector3d p_OS = R_WO.transpose() * (p_WS - p_WO);
-      if (spheres_apart_[i].IsApart(p_OS)) continue;
       const SignedDistanceField::Cell cell = field_->FindCell(p_OS);
       const double gap = field_->CalcDistance(cell) - sphere.radius;
       if (gap > kMargin) {
