@@ -1,6 +1,7 @@
 #include "workbench/tables/hand_tables.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "core/base/text/text.h"
@@ -67,10 +68,15 @@ DescribedHands DescribeHands() {
 
 namespace {
 
-/** "FFq3", or of a linkage "-1 x finger_joint". */
+/** "FFq3", or of a linkage "-1 x finger_joint + 5.7 deg". */
 std::string FormatFollowed(const Hand& hand, const HandJoint& joint) {
   const std::string& name = hand.joints[joint.coupled_to].name;
-  return joint.is_mimic ? FormatSignificant(joint.mimic_ratio, 3) + " x " + name : name;
+  if (!joint.is_mimic) return name;
+  const double offset = ToDisplayUnits(joint, joint.mimic_offset);
+  return FormatSignificant(joint.mimic_ratio, 3) + " x " + name +
+         (offset == 0.0 ? ""
+                        : (offset < 0.0 ? " - " : " + ") + FormatSignificant(std::abs(offset), 3) +
+                              " " + DisplayUnitOf(joint));
 }
 
 }  // namespace
@@ -84,7 +90,10 @@ Json MakeHandJson(const Hand& hand) {
     entry["upper_" + unit] = ToDisplayUnits(joint, joint.upper);
     if (joint.coupled_to >= 0) {
       entry["coupled_to"] = hand.joints[joint.coupled_to].name;
-      if (joint.is_mimic) entry["ratio"] = joint.mimic_ratio;
+      if (joint.is_mimic) {
+        entry["ratio"] = joint.mimic_ratio;
+        entry["offset_" + unit] = ToDisplayUnits(joint, joint.mimic_offset);
+      }
     } else if (joint.is_prismatic) {
       entry["stiffness_n_per_m"] = joint.drive.stiffness;
       entry["damping_ns_per_m"] = joint.drive.damping;

@@ -79,6 +79,7 @@ struct ForeignJoint {
   ForeignDrive drive;
   double spring_stiffness = 0.0;  ///< [N m/rad], [N/m]; 0: none
   double spring_rest = 0.0;       ///< position where it is slack [rad], [m]
+  double reference = 0.0;         ///< what the description calls its zero here [rad], [m]
   std::optional<ForeignMimic> mimic;
 };
 

@@ -9,7 +9,7 @@
 #include "core/hand/closing.h"
 #include "core/hand/import/digit_names.h"
 #include "core/hand/import/foreign_xml.h"
-#include "core/hand/import/palm_frame.h"
+#include "core/hand/import/guess_palm.h"
 #include "core/hand/import/shapes/shape_distance.h"
 
 namespace graspbench {
@@ -19,46 +19,13 @@ using Eigen::Vector3d;
 
 constexpr double kSmallestHand = 0.015, kLargestHand = 2.0;  // [m] across
 constexpr double kLongestDigit = 0.4;                        // [m]
-constexpr double kPadPlace = 0.6;       // of the way from the last joint to the tip
-constexpr double kAgreement = 0.5;      // of the pads' directions, mean length
-constexpr double kSameSide = 0.5;       // cosine
-constexpr double kSameDirection = 0.8;  // cosine
-constexpr double kNearlyAxis = 0.985;   // cosine
-constexpr double kLeastHeight = 0.01;   // [m] behind the palm's surface
-constexpr double kMostEffort = 3.0;     // [N m] of a finger's drive
-constexpr double kMostForce = 200.0;    // [N] of a slide's drive
+constexpr double kPadPlace = 0.6;     // of the way from the last joint to the tip
+constexpr double kMostEffort = 3.0;   // [N m] of a finger's drive
+constexpr double kMostForce = 200.0;  // [N] of a slide's drive
 /** Published stiffness within these holds a finger; [N m/rad], [N/m], of the stiffest. */
 constexpr double kStiffest = 50.0, kStiffestSlide = 50000.0, kSoftest = 0.005;
 /** Damping over stiffness [s]: no less, or the finger swings; no more, or it crawls. */
 constexpr double kDampingTime = 0.02, kMostDampingTime = 0.1;
-
-/** Signed distance of the shapes of a link. */
-double CalcLinkDistance(const std::vector<CollisionShape>& shapes, int link, const Vector3d& p_L) {
-  double least = 1.0;
-  for (const CollisionShape& shape : shapes) {
-    if (shape.link == link) least = std::min(least, CalcDistance(shape, p_L));
-  }
-  return least;
-}
-
-std::vector<CollisionShape> ShapesOf(const ImportedHand& imported, int link) {
-  std::vector<CollisionShape> own;
-  for (const CollisionShape& shape : imported.shapes) {
-    if (shape.link == link) own.push_back(shape);
-  }
-  return own;
-}
-
-/** Where a ray from a point of the link leaves its shapes for good. */
-Vector3d FindSurface(const std::vector<CollisionShape>& shapes, int link, const Vector3d& from,
-                     const Vector3d& direction) {
-  constexpr double kStep = 0.0002, kFarthest = 0.15;
-  double leaves_at = 0.0;
-  for (double s = 0.0; s < kFarthest; s += kStep) {
-    if (CalcLinkDistance(shapes, link, from + s * direction) <= 0.0) leaves_at = s;
-  }
-  return from + leaves_at * direction;
-}
 
 class Guesser {
  public:
@@ -74,7 +41,7 @@ class Guesser {
 
  private:
   std::vector<int> PathFromPalm(int link) const;
-  bool HasShape(int link) const { return !ShapesOf(imported_, link).empty(); }
+  bool HasShape(int link) const { return !ListShapesOf(imported_.shapes, link).empty(); }
   void FindDigits();
   bool Leads(int joint, const Digit& digit) const;
   void DropLinkages();
@@ -82,20 +49,12 @@ class Guesser {
   void PlaceTips();
   void PlacePads();
   void FindThumb();
-  Vector3d GuessNormal(const DigitMeeting& meeting) const;
-  void PlacePalm();
-  void FindPalm();
   double GuessDrive(int joint, double ForeignDrive::*value, double least, double most,
                     double otherwise) const;
   void TellEfforts();
+  void TellGains() const;
   void SetDrives();
   bool CheckSize();
-  int FindThumbTip() const {
-    for (const Digit& digit : hand_.digits) {
-      if (digit.is_thumb) return digit.distal_link;
-    }
-    return hand_.palm_link;
-  }
   /** How the point of the digit's last link moves in H while all joints close at one rate. */
   Vector3d CalcClosingMotion(const Digit& digit, const Eigen::VectorXd& q, const Vector3d& p_L);
   void Warn(const std::string& text) { problems_.Warn(file_, 0, text); }
@@ -106,7 +65,7 @@ class Guesser {
   ImportedHand& imported_;
   Hand& hand_;
   Diagnostics& problems_;
-  std::vector<Vector3d> facing_;  // of the digits' pads in H, at the open hand
+  std::vector<Vector3d> facing_;  // of the digits' pads in H, at the open hand; 0: unknown
 };
 
 std::vector<int> Guesser::PathFromPalm(int link) const {
@@ -228,7 +187,7 @@ void Guesser::DriveDigits() {
 /** The farthest point of the last link along the line from its joint through its middle. */
 void Guesser::PlaceTips() {
   for (Digit& digit : hand_.digits) {
-    const auto shapes = ShapesOf(imported_, digit.distal_link);
+    const auto shapes = ListShapesOf(imported_.shapes, digit.distal_link);
     const Vector3d middle = CalcBounds(shapes).center();
     Vector3d along = middle.stableNormalized();
     const int joint = hand_.links[digit.distal_link].joint;
@@ -259,13 +218,14 @@ void Guesser::PlacePads() {
   const Eigen::VectorXd open = CalcClosedPosture(hand_, {}, 0.0);
   facing_.clear();
   for (Digit& digit : hand_.digits) {
-    const auto shapes = ShapesOf(imported_, digit.distal_link);
+    const auto shapes = ListShapesOf(imported_.shapes, digit.distal_link);
     const Vector3d along = (digit.p_LTip - CalcBounds(shapes).center()).stableNormalized();
     const Vector3d motion = CalcClosingMotion(digit, half_closed, digit.p_LTip);
     const Eigen::Matrix3d R_HL = CalcLinkPose(hand_, half_closed, digit.distal_link).linear();
     Vector3d facing = R_HL.transpose() * motion;
     facing -= facing.dot(along) * along;
-    if (facing.norm() < 1e-6) {
+    const bool is_known = facing.norm() >= 1e-6;
+    if (!is_known) {
       Warn("digit with \"" + hand_.links[digit.distal_link].name +
            "\": no joint closes it; look at its pad_m");
       facing = along.norm() > 0.5 ? along.unitOrthogonal() : Vector3d(Vector3d::UnitZ());
@@ -276,6 +236,7 @@ void Guesser::PlacePads() {
     const Vector3d from = middle + (kPadPlace * digit.p_LTip - middle).dot(along) * along;
     const bool is_inside = CalcLinkDistance(shapes, digit.distal_link, from) <= 0.0;
     digit.p_LPad = FindSurface(shapes, digit.distal_link, is_inside ? from : middle, facing);
+    if (!is_known) facing.setZero();
     facing_.push_back(CalcLinkPose(hand_, open, digit.distal_link).linear() * facing);
   }
 }
@@ -304,85 +265,6 @@ void Guesser::FindThumb() {
   }
   hand_.digits[static_cast<size_t>(thumb)].is_thumb = true;
   hand_.digits[static_cast<size_t>(thumb)].id = "TH";
-}
-
-/** The axis that is nearly met is meant. */
-Vector3d SnapToAxis(const Vector3d& direction, double least_cosine) {
-  int longest = 0;
-  direction.cwiseAbs().maxCoeff(&longest);
-  if (std::abs(direction[longest]) < least_cosine) return direction;
-  return std::copysign(1.0, direction[longest]) * Vector3d::Unit(longest);
-}
-
-Vector3d Guesser::GuessNormal(const DigitMeeting& meeting) const {
-  const std::vector<Pose> X_HL = CalcLinkPoses(hand_, CalcClosedPosture(hand_, {}, 0.0));
-  Vector3d all_facing = Vector3d::Zero(), facing = Vector3d::Zero(), along = Vector3d::Zero();
-  Vector3d thumb_facing = Vector3d::Zero(), thumb_along = Vector3d::Zero();
-  for (size_t d = 0; d < hand_.digits.size(); ++d) {
-    const Digit& digit = hand_.digits[d];
-    const Vector3d p_HBase = X_HL[digit.links.front()].translation();
-    const Vector3d p_HTip = X_HL[digit.distal_link] * digit.p_LTip;
-    all_facing += facing_[d] / static_cast<double>(hand_.digits.size());
-    (digit.is_thumb ? thumb_facing : facing) += facing_[d];
-    (digit.is_thumb ? thumb_along : along) += (p_HTip - p_HBase).stableNormalized();
-  }
-  facing.stableNormalize();
-  along.stableNormalize();
-  // Digits that point away from each other when open, all around the palm, face what it faces.
-  const bool is_star = thumb_along.dot(along) < -kAgreement;
-  Vector3d normal = facing;
-  if (is_star) {
-    normal = facing + thumb_facing;
-  } else if (std::abs(normal.dot(along)) < 0.8) {
-    normal -= normal.dot(along) * along;
-  }
-  normal.stableNormalize();
-  // The pads of a gripper face each other.
-  const bool is_gripper = all_facing.norm() < kAgreement;
-  if (is_gripper || normal.dot(meeting.direction) < kSameSide) {
-    return SnapToAxis(meeting.direction, kSameDirection);
-  }
-  return SnapToAxis(normal, kNearlyAxis);
-}
-
-void Guesser::FindPalm() {
-  if (palm_normal_) {
-    hand_.palm_normal = palm_normal_->normalized();
-    PlacePalm();
-    return;
-  }
-  const std::string ask =
-      "; is an axis or a limit reversed? If all of it is meant, say which way the palm faces with "
-      "--palm-normal X,Y,Z, in the frame of \"" +
-      hand_.links[hand_.palm_link].name + "\"";
-  const auto meeting = FindMeeting(hand_);
-  if (!meeting || meeting->direction.norm() < 0.5) {
-    Fail("no digit approaches the thumb, \"" + hand_.links[FindThumbTip()].name +
-         "\", however they close" + ask);
-    return;
-  }
-  hand_.palm_normal = GuessNormal(*meeting);
-  PlacePalm();
-  const double height = hand_.palm_normal.dot(meeting->p_H - hand_.p_HCentre);
-  if (height > -kLeastHeight) return;
-  Fail("the digits meet " + FormatFixed(MmFromM(-height), 0) + " mm behind the palm's surface" +
-       ask);
-}
-
-/** The middle of the palm's surface. */
-void Guesser::PlacePalm() {
-  const std::vector<Pose> X_HL = CalcLinkPoses(hand_, CalcClosedPosture(hand_, {}, 0.0));
-  const auto shapes = ShapesOf(imported_, hand_.palm_link);
-  Vector3d middle = Vector3d::Zero();
-  if (shapes.empty()) {
-    for (const Digit& digit : hand_.digits) {
-      middle += X_HL[digit.links.front()].translation() / static_cast<double>(hand_.digits.size());
-    }
-    hand_.p_HCentre = middle;
-    return;
-  }
-  hand_.p_HCentre =
-      FindSurface(shapes, hand_.palm_link, CalcBounds(shapes).center(), hand_.palm_normal);
 }
 
 /** What a joint without a published value gets: no more than the weakest of its digit has. */
@@ -415,6 +297,23 @@ void Guesser::TellEfforts() {
   Warn("the effort of " + FormatCount(static_cast<int64_t>(joints.size()), "joint") + " (" +
        JoinSome(joints) + "), up to " + FormatSignificant(largest, 3) +
        ", is not that of a finger's drive, 3 N m or 200 N at most; guessed instead");
+}
+
+/** Of the drives whose published stiffness is not what they get. */
+void Guesser::TellGains() const {
+  std::vector<std::string> told;
+  for (int j = 0; j < hand_.num_joints(); ++j) {
+    const HandJoint& joint = hand_.joints[j];
+    const double published = imported_.drives[static_cast<size_t>(j)].stiffness;
+    if (joint.coupled_to >= 0 || published <= 0.0 || published == joint.drive.stiffness) continue;
+    told.push_back(joint.name + " " + FormatSignificant(published, 3));
+  }
+  if (told.empty()) return;
+  problems_.Warn(file_, 0,
+                 "the stiffness of " + FormatCount(static_cast<int64_t>(told.size()), "drive") +
+                     " (" + JoinSome(told) +
+                     ") is not that of a finger's, 0.25 to 50 N m/rad or 250 to 50000 N/m; guessed "
+                     "instead");
 }
 
 void Guesser::SetDrives() {
@@ -512,9 +411,10 @@ void Guesser::Guess() {
   FindThumb();
   NameDigits(hand_);
   PlacePads();  // in the digits' order
-  FindPalm();
+  GuessPalm(file_, palm_normal_, facing_, imported_, problems_);
   SetDrives();
   TellEfforts();
+  TellGains();
 }
 
 }  // namespace

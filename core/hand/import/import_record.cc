@@ -4,6 +4,7 @@
 #include "core/base/sha256.h"
 #include "core/base/text/json.h"
 #include "core/base/version.h"
+#include "core/hand/import/checks/find_implausible.h"
 
 namespace graspbench {
 namespace {
@@ -35,9 +36,24 @@ Json DescribeGuesses(const Hand& hand) {
            {{"link", hand.links[hand.palm_link].name},
             {"centre_m", JsonVector(hand.p_HCentre)},
             {"normal", JsonVector(hand.palm_normal)}}},
+          {"longest_digit_m", JsonNumber(CalcLongestDigit(hand))},
           {"digits", digits},
           {"apart", apart},
           {"drives", drives}};
+}
+
+/** As one would give them in the description's folder. */
+Json ListPackagePath(const HandSource& source) {
+  Json paths = Json::array();
+  const auto make_absolute = [](const std::filesystem::path& path) {
+    const std::filesystem::path absolute = std::filesystem::absolute(path).lexically_normal();
+    return absolute.has_filename() ? absolute : absolute.parent_path();  // "ros/" is "ros"
+  };
+  for (const std::filesystem::path& path : source.package_path) {
+    paths.push_back(
+        make_absolute(path).lexically_relative(make_absolute(source.folder)).generic_string());
+  }
+  return paths;
 }
 
 Json HashFiles(const std::set<std::filesystem::path>& paths) {
@@ -75,6 +91,7 @@ std::string FormatImportRecord(const std::string& text, const std::set<std::file
         {"palm_normal", source.palm_normal ? JsonVector(*source.palm_normal) : Json(nullptr)},
         {"unit_m", source.unit},
         {"mesh_unit_m", source.mesh_unit},
+        {"package_path", ListPackagePath(source)},
         {"angle", !source.in_degrees   ? ""
                   : *source.in_degrees ? "deg"
                                        : "rad"}}},

@@ -5,12 +5,14 @@ compared.
 
     {"format": 1, "tool": "graspbench 1.0", "source": {"file": "hand.urdf", "sha256": ".."},
      "read": {"palm.stl": "sha256..", ..},
-     "options": {"palm": "", "palm_normal": null, "unit_m": 0, "mesh_unit_m": 0, "angle": ""},
+     "options": {"palm": "", "palm_normal": null, "unit_m": 0, "mesh_unit_m": 0, "package_path": [],
+                 "angle": ""},
      "repairs": [{"line": 12, "text": ".."}], "guesses": {"palm": {..}, "digits": [..], ..},
      "files": {"hand.urdf": "sha256..", ..}}
 
 `read` is what the description refers to, meshes and included files. `unit_m` 0: inferred. Paths are
-names without their folder; of two files of one name the second is "palm.stl (2)". */
+names without their folder; of two files of one name the second is "palm.stl (2)". Folders of
+`package_path` are relative to that of the description. */
 
 #include <filesystem>
 #include <map>

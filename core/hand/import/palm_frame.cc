@@ -97,7 +97,7 @@ class MeetingFinder {
 
 }  // namespace
 
-std::optional<DigitMeeting> FindMeeting(const Hand& hand) {
+std::optional<DigitMeeting> FindMeeting(const Hand& hand, const std::vector<bool>& left_out) {
   const auto thumb = std::find_if(hand.digits.begin(), hand.digits.end(),
                                   [](const Digit& digit) { return digit.is_thumb; });
   if (thumb == hand.digits.end()) return {};
@@ -110,9 +110,12 @@ std::optional<DigitMeeting> FindMeeting(const Hand& hand) {
   meeting.gap = std::numeric_limits<double>::infinity();
   Vector3d others = Vector3d::Zero();
   int num_meet = 0;
-  for (const Digit& digit : hand.digits) {
-    if (&digit == &*thumb) continue;
-    others += base(digit) / static_cast<double>(hand.digits.size() - 1);
+  int num_others = 0;
+  for (size_t d = 0; d < hand.digits.size(); ++d) {
+    const Digit& digit = hand.digits[d];
+    if (&digit == &*thumb || left_out[d]) continue;
+    others += base(digit);
+    ++num_others;
     const auto nearest = finder.Find(*thumb, digit);
     if (!nearest) continue;
     meeting.p_H += nearest->p_H;
@@ -121,6 +124,7 @@ std::optional<DigitMeeting> FindMeeting(const Hand& hand) {
   }
   if (num_meet == 0) return {};
   meeting.p_H /= num_meet;
+  others /= num_others;
   meeting.direction = (meeting.p_H - 0.5 * (base(*thumb) + others)).stableNormalized();
   return meeting;
 }

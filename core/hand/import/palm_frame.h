@@ -9,6 +9,7 @@ of the digits' bases to the middle of the meeting points. */
 
 #include <Eigen/Core>
 #include <optional>
+#include <vector>
 
 #include "core/hand/hand.h"
 
@@ -21,7 +22,8 @@ struct DigitMeeting {
   double gap = 0.0;             ///< of the pads that come nearest [m]
 };
 
-/** Nothing: no pair meets. @pre digits with tips and pads, one of them the thumb. */
-std::optional<DigitMeeting> FindMeeting(const Hand& hand);
+/** Nothing: no pair meets. @param left_out  by digit: it is not asked; the thumb always is.
+@pre digits with tips and pads, one of them the thumb. */
+std::optional<DigitMeeting> FindMeeting(const Hand& hand, const std::vector<bool>& left_out);
 
 }  // namespace graspbench

@@ -45,8 +45,9 @@ ExitCode ImportHandCommand(const HandImportOptions& options, bool json) {
   source.mesh_unit = ParseUnit(options.mesh_unit);
   if (!options.palm_normal.empty()) {
     source.palm_normal = Eigen::Vector3d(options.palm_normal.data());
-    if (source.palm_normal->norm() < 1e-6) {
-      throw Error(ErrorKind::kUsage, "--palm-normal 0,0,0 has no direction; expected X,Y,Z");
+    if (!source.palm_normal->allFinite() || source.palm_normal->norm() < 1e-6) {
+      throw Error(ErrorKind::kUsage,
+                  "--palm-normal has no direction; expected three finite numbers X,Y,Z, not all 0");
     }
   }
   if (!options.angle.empty()) source.in_degrees = options.angle == "deg";

@@ -43,6 +43,8 @@ class HandFinder {
     return (p_RootLink_[FindParting(a)] - p_RootLink_[FindParting(b)]).norm() > kApart;
   }
   bool IsScene(int link, const std::vector<int>& branches, const std::vector<int>& hands) const;
+  std::vector<int> ListHandsBelow(int link) const;
+  void FailOfSeveral(const std::string& where, const std::vector<int>& hands);
   std::string ListNames(const std::vector<int>& links) const;
   int FindHeavyNeighbour(int frame, int link) const;
   HandCandidate CutFromCarrier(HandCandidate hand, int own) const;
@@ -180,6 +182,28 @@ void HandFinder::WarnOfCarrier(int palm) {
           NameOf(palm));
 }
 
+/** Of the branches those that are hands and stand apart from another. */
+std::vector<int> HandFinder::ListHandsBelow(int link) const {
+  const std::vector<int> branches = ListBranches(link);
+  std::vector<int> hands;
+  for (const int branch : branches) {
+    if (!IsHand(branch)) continue;
+    const bool is_apart = std::any_of(branches.begin(), branches.end(), [&](int other) {
+      return other != branch && IsHand(other) && AreApart(other, branch);
+    });
+    if (is_apart) hands.push_back(branch);
+  }
+  return hands;
+}
+
+void HandFinder::FailOfSeveral(const std::string& where, const std::vector<int>& hands) {
+  std::vector<int> palms;
+  for (const int hand : hands) palms.push_back(FindParting(hand));
+  problems_.Fail(file_, 0,
+                 where + "found " + std::to_string(hands.size()) + " hands, with the palms " +
+                     ListNames(palms) + "; choose one with --palm");
+}
+
 HandCandidate HandFinder::Find() {
   int top = tree_.order.front();
   if (num_ends_[top] == 0) {
@@ -211,11 +235,7 @@ HandCandidate HandFinder::Find() {
       return {};
     }
     if (hands.size() > 1) {
-      std::vector<int> palms;
-      for (const int hand : hands) palms.push_back(FindParting(hand));
-      problems_.Fail(file_, 0,
-                     "found " + std::to_string(hands.size()) + " hands, with the palms " +
-                         ListNames(palms) + "; choose one with --palm");
+      FailOfSeveral("", hands);
       return {};
     }
     std::vector<int> others;
@@ -240,6 +260,11 @@ HandCandidate HandFinder::FindNamed(const std::string& name) {
   }
   if (palm < 0) {
     problems_.Fail(file_, 0, "no link \"" + name + "\" for the palm" + SuggestNames(name, known));
+    return {};
+  }
+  const std::vector<int> hands = ListHandsBelow(FindParting(palm));
+  if (hands.size() > 1) {
+    FailOfSeveral("below \"" + name + "\" ", hands);
     return {};
   }
   // Of several parts that are fixed to each other any may be named.

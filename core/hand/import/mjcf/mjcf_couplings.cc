@@ -110,7 +110,9 @@ void MjcfCouplingReader::ReadTendons() {
   }
 }
 
-/** Limits that leave two joints little play against each other tie them: c0 q0 + c1 q1 = middle. */
+/** Limits that leave two joints little play against each other tie them: c0 q0 + c1 q1 = middle,
+where positions count from the joints' `ref` (MuJoCo, "Computation", tendons), unlike those of
+equalities. */
 void MjcfCouplingReader::TieByLimits(XMLElement& tendon, const std::string& name,
                                      const Terms& terms) {
   constexpr double kNarrow = 0.25;  // of what either joint moves the tendon
@@ -127,15 +129,19 @@ void MjcfCouplingReader::TieByLimits(XMLElement& tendon, const std::string& name
   const double play = 0.5 * width / std::abs(lower.second);
   const bool slides = follower.kind == ForeignJoint::Kind::kPrismatic;
   const double ratio = -upper.second / lower.second;
-  mimics_.push_back({lower.first, document_.LineOf(tendon), leader.name, ratio,
-                     0.5 * ((*range)[0] + (*range)[1]) / lower.second});
+  const double middle = 0.5 * ((*range)[0] + (*range)[1]) - upper.second * leader.reference -
+                        lower.second * follower.reference;
+  const double offset = middle / lower.second;
+  const auto format = [&](double position) {
+    return slides ? FormatFixed(MmFromM(position), 2) + " mm"
+                  : FormatFixed(DegFromRad(position), 2) + " deg";
+  };
+  mimics_.push_back({lower.first, document_.LineOf(tendon), leader.name, ratio, offset});
   unused_tendons_.erase(name);
   document_.Warn(tendon, where + ": its narrow limits tie joint \"" + follower.name + "\" to " +
-                             FormatSignificant(ratio, 3) + " times \"" + leader.name +
-                             "\"; the play of " +
-                             (slides ? FormatFixed(MmFromM(play), 2) + " mm"
-                                     : FormatFixed(DegFromRad(play), 2) + " deg") +
-                             " each way is left out");
+                             FormatSignificant(ratio, 3) + " times \"" + leader.name + "\"" +
+                             (std::abs(offset) > 1e-9 ? " plus " + format(offset) : "") +
+                             "; the play of " + format(play) + " each way is left out");
 }
 
 /** Tendons that neither tie nor drive anything here. */

@@ -346,6 +346,7 @@ void MjcfReader::ReadJoint(const MjcfNode& node, const Pose& X_PJ, int parent, i
   if (!repaired.empty()) document_.Warn(*node.xml, where + repaired);
   joint.drive.damping = std::max(0.0, document_.FindNumber(node, "damping", 0.0, where));
   joint.spring_stiffness = std::max(0.0, document_.FindNumber(node, "stiffness", 0.0, where));
+  joint.reference = ref;
   joint.spring_rest = unit * document_.FindNumber(node, "springref", 0.0, where) - ref;
   if (const auto force = document_.FindNumbers(node, "actuatorfrcrange", 2, 2, where)) {
     joint.drive.effort = std::max(std::abs((*force)[0]), std::abs((*force)[1]));

@@ -39,6 +39,8 @@ constexpr double kInchRatio = 70.0;
 /** Of a mesh to its link, in a hand; and from which on a unit is inferred. */
 constexpr double kLeastRatio = 0.55, kTypicalRatio = 1.2, kMostRatio = 2.2, kClearRatio = 5.0;
 constexpr double kOutlier = 3.0;  // of a link's ratio to the typical one
+/** One that is too long where its mass says it, too; and how far the two may differ. */
+constexpr double kOddScale = 1.5, kSameScale = 1.5;
 
 double CalcLargestExtent(const TriMesh& mesh) {
   Eigen::AlignedBox3d box;
@@ -247,6 +249,7 @@ void ShapeLoader::InferMeshUnit(const ForeignHand& hand) {
   struct LinkRatio {
     const ForeignLink* link = nullptr;
     double extent = 0.0, ratio = 0.0;
+    double density = 0.0;  // mass by the cube of the extent [kg/m^3]; 0: it has none
   };
   const std::vector<double> lengths = CalcLinkLengths(hand);
   std::vector<LinkRatio> rows;
@@ -257,14 +260,17 @@ void ShapeLoader::InferMeshUnit(const ForeignHand& hand) {
       for (const ForeignShape& shape : *shapes) largest = std::max(largest, CalcMeshExtent(shape));
     }
     if (largest == 0.0 || lengths[i] < kShortestLink) continue;
-    rows.push_back({&hand.links[i], largest, largest / lengths[i]});
+    const auto& inertia = hand.links[i].inertia;
+    const double mass = inertia ? std::max(0.0, inertia->mass) : 0.0;
+    rows.push_back({&hand.links[i], largest, largest / lengths[i], mass / std::pow(largest, 3)});
     has_large = has_large || largest > kLargestPart;
   }
-  const auto calc_median = [&](double least_extent) {
+  const auto calc_median = [&](const auto& value_of) {
     std::vector<double> ratios;
     for (const LinkRatio& row : rows) {
-      if (row.extent > least_extent) ratios.push_back(row.ratio);
+      if (const double value = value_of(row); value > 0.0) ratios.push_back(value);
     }
+    if (ratios.empty()) return 0.0;
     std::nth_element(ratios.begin(),
                      ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2), ratios.end());
     return ratios[ratios.size() / 2];
@@ -275,14 +281,15 @@ void ShapeLoader::InferMeshUnit(const ForeignHand& hand) {
       rows.size() >= 3 && std::all_of(rows.begin(), rows.end(),
                                       [](const auto& row) { return row.ratio > kClearRatio; });
   if (has_large && !are_all_long) {
-    const double ratio = calc_median(kLargestPart);
+    const double ratio = calc_median(
+        [](const LinkRatio& row) { return row.extent > kLargestPart ? row.ratio : 0.0; });
     large_unit_ = ratio < kInchRatio ? 0.0254 : ratio < kMillimetreRatio ? 0.01 : 0.001;
     why_ = ": meshes are " + FormatSignificant(ratio, 2) +
            " times as long as their links; --mesh-unit says otherwise";
     return;
   }
   if (rows.size() < 3) return;
-  const double ratio = calc_median(0.0);
+  const double ratio = calc_median([](const LinkRatio& row) { return row.ratio; });
   const LinkRatio& first = rows.front();
   const std::string told = "the meshes are typically " + FormatSignificant(ratio, 2) +
                            " times as long as the links between the joints (median of " +
@@ -313,8 +320,15 @@ void ShapeLoader::InferMeshUnit(const ForeignHand& hand) {
                        " would fit: is their unit or scale another?");
     return;
   }
+  const double density = calc_median([](const LinkRatio& row) { return row.density; });
   for (const LinkRatio& row : rows) {
-    if (row.ratio < kOutlier * ratio && row.ratio * kOutlier > ratio) continue;
+    // A mesh of another scale is too long for its link and too large for its mass.
+    const double by_length = row.ratio / ratio;
+    const double by_mass = row.density > 0.0 ? std::cbrt(density / row.density) : 1.0;
+    const bool is_odd = by_length > kOutlier || by_length * kOutlier < 1.0 ||
+                        (by_length > kOddScale && by_mass > by_length / kSameScale &&
+                         by_mass < by_length * kSameScale);
+    if (!is_odd) continue;
     problems_.Warn(source_.file, row.link->line,
                    "link \"" + row.link->name + "\": its mesh of " +
                        FormatSignificant(MmFromM(row.extent), 3) + " mm is " +

@@ -34,6 +34,32 @@ double CalcDistance(const CollisionShape& shape, const Vector3d& p_L) {
   return beyond.cwiseMax(0.0).norm() + std::min(0.0, beyond.maxCoeff());
 }
 
+double CalcLinkDistance(const std::vector<CollisionShape>& shapes, int link, const Vector3d& p_L) {
+  double least = 1.0;
+  for (const CollisionShape& shape : shapes) {
+    if (shape.link == link) least = std::min(least, CalcDistance(shape, p_L));
+  }
+  return least;
+}
+
+std::vector<CollisionShape> ListShapesOf(const std::vector<CollisionShape>& shapes, int link) {
+  std::vector<CollisionShape> own;
+  for (const CollisionShape& shape : shapes) {
+    if (shape.link == link) own.push_back(shape);
+  }
+  return own;
+}
+
+Vector3d FindSurface(const std::vector<CollisionShape>& shapes, int link, const Vector3d& from,
+                     const Vector3d& direction) {
+  constexpr double kStep = 0.0002, kFarthest = 0.15;
+  double leaves_at = 0.0;
+  for (double s = 0.0; s < kFarthest; s += kStep) {
+    if (CalcLinkDistance(shapes, link, from + s * direction) <= 0.0) leaves_at = s;
+  }
+  return from + leaves_at * direction;
+}
+
 Eigen::AlignedBox3d CalcBounds(const std::vector<CollisionShape>& shapes) {
   Eigen::AlignedBox3d bounds;
   for (const CollisionShape& shape : shapes) {

@@ -14,6 +14,16 @@ namespace graspbench {
 /** Signed distance of a point of the link from the shape's surface, negative inside [m]. */
 double CalcDistance(const CollisionShape& shape, const Eigen::Vector3d& p_L);
 
+/** The nearest of the shapes of one link; 1 m without any. */
+double CalcLinkDistance(const std::vector<CollisionShape>& shapes, int link,
+                        const Eigen::Vector3d& p_L);
+
+std::vector<CollisionShape> ListShapesOf(const std::vector<CollisionShape>& shapes, int link);
+
+/** Where a ray from a point of the link leaves its shapes for good. */
+Eigen::Vector3d FindSurface(const std::vector<CollisionShape>& shapes, int link,
+                            const Eigen::Vector3d& from, const Eigen::Vector3d& direction);
+
 /** Bounds of the shapes in the link's frame. */
 Eigen::AlignedBox3d CalcBounds(const std::vector<CollisionShape>& shapes);
 

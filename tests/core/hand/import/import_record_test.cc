@@ -15,6 +15,8 @@ TEST(ImportRecordTest, SaysWhatWasReadWithWhatAndWhatWasRepaired) {
   source.file = "/somebody/elsewhere/claw.urdf";
   source.palm_normal = Eigen::Vector3d(0, 0, 2);
   source.unit = 0.0254;
+  source.folder = "/somebody/elsewhere/./urdf/";
+  source.package_path = {"/somebody/ros/", "/somebody/elsewhere/urdf/own"};
   Hand hand;
   hand.links.resize(1);
   hand.links[0].name = "palm";
@@ -39,6 +41,7 @@ TEST(ImportRecordTest, SaysWhatWasReadWithWhatAndWhatWasRepaired) {
   EXPECT_EQ(record["options"]["palm"], "palm");
   EXPECT_EQ(record["options"]["palm_normal"], Json::array({0.0, 0.0, 2.0}));
   EXPECT_EQ(record["options"]["unit_m"], 0.0254);
+  EXPECT_EQ(record["options"]["package_path"], Json::array({"../../ros", "own"}));
   EXPECT_EQ(record["repairs"][0]["line"], 12);
   EXPECT_EQ(record["repairs"][0]["text"], "a limit is reversed; exchanged");
   EXPECT_EQ(record["guesses"]["palm"]["link"], "palm");

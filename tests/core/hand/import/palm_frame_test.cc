@@ -41,7 +41,7 @@ Hand MakePinch(double sign, double upper) {
 
 // The pads meet where sin(q) = 40 / 60, at a height of 20 + sqrt(60^2 - 40^2) mm.
 TEST(FindMeetingTest, OfAPinch) {
-  const auto meeting = FindMeeting(MakePinch(1.0, kPi / 2));
+  const auto meeting = FindMeeting(MakePinch(1.0, kPi / 2), {false, false});
   ASSERT_TRUE(meeting.has_value());
   EXPECT_LT(meeting->gap, 0.006);
   EXPECT_NEAR(meeting->p_H.z(), 0.02 + std::sqrt(0.06 * 0.06 - 0.04 * 0.04), 0.003);
@@ -49,8 +49,13 @@ TEST(FindMeetingTest, OfAPinch) {
 }
 
 TEST(FindMeetingTest, DigitsThatCannotReachHalfWayDoNotMeet) {
-  EXPECT_FALSE(FindMeeting(MakePinch(1.0, 0.3)).has_value());  // 80 to 2 (40 - 60 sin 0.3) = 45 mm
-  EXPECT_TRUE(FindMeeting(MakePinch(1.0, 0.36)).has_value());  // 38 mm
+  EXPECT_FALSE(FindMeeting(MakePinch(1.0, 0.3), {false, false})
+                   .has_value());  // 80 to 2 (40 - 60 sin 0.3) = 45 mm
+  EXPECT_TRUE(FindMeeting(MakePinch(1.0, 0.36), {false, false}).has_value());  // 38 mm
+}
+
+TEST(FindMeetingTest, ADigitThatIsLeftOutMeetsNobody) {
+  EXPECT_FALSE(FindMeeting(MakePinch(1.0, kPi / 2), {true, false}).has_value());
 }
 
 }  // namespace

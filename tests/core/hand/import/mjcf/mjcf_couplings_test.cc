@@ -87,6 +87,24 @@ TEST_F(MjcfCouplingsTest, NarrowLimitsOfATendonTieTwoJoints) {
   EXPECT_TRUE(Tells("tendon \"pull\" of \"MFJ1\", \"MFJ2\": no actuator pulls it"));
 }
 
+// With positions from `ref`: 0.0071 (q1 + 5 deg) - 0.0083 (q2 - 4 deg) = -0.0005.
+TEST_F(MjcfCouplingsTest, LimitsOfATendonCountFromRef) {
+  std::string text =
+      ReplaceOnce(kSmallClaw, "<joint name=\"MFJ2\"", "<joint ref=\"-4\" name=\"MFJ2\"");
+  text = ReplaceOnce(text, "<joint name=\"MFJ1\"", "<joint ref=\"5\" name=\"MFJ1\"");
+  text = ReplaceOnce(
+      text, "<equality>\n    <joint joint1=\"MFJ1\" joint2=\"MFJ2\" polycoef=\"0.1 0.8 0 0 0\"/>",
+      "<tendon><fixed name=\"pull\" limited=\"true\" range=\"-0.0015 0.0005\">"
+      "<joint joint=\"MFJ1\" coef=\"0.0071\"/><joint joint=\"MFJ2\" coef=\"-0.0083\"/></fixed>"
+      "</tendon><equality>");
+  hand_ = ReadForeignMjcf(text, "claw.xml", "no-such-folder", problems_);
+  const auto& mimic = Joint("MFJ1").mimic;
+  ASSERT_TRUE(mimic) << problems_.Format();
+  const double offset = (-0.0005 - 0.0083 * RadFromDeg(4.0)) / 0.0071 - RadFromDeg(5.0);
+  EXPECT_NEAR(mimic->offset, offset, 1e-12);
+  EXPECT_TRUE(Tells("to 1.17 times \"MFJ2\" plus -13.71 deg; the play")) << problems_.Format();
+}
+
 TEST_F(MjcfCouplingsTest, AnInactiveEqualityTiesNothing) {
   Read(kEquality, "active=\"false\"");
   EXPECT_FALSE(Joint("MFJ1").mimic);

@@ -1,0 +1,190 @@
+#include "core/hand/import/guess_palm.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/text/text.h"
+#include "core/base/units.h"
+#include "core/hand/closing.h"
+#include "core/hand/import/checks/outward_digits.h"
+#include "core/hand/import/foreign_xml.h"
+#include "core/hand/import/palm_frame.h"
+#include "core/hand/import/shapes/shape_distance.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kAgreement = 0.5;        // of the pads' directions, mean length
+constexpr double kSameSide = 0.5;         // cosine
+constexpr double kSameDirection = 0.8;    // cosine
+constexpr double kNearlyAxis = 0.985;     // cosine
+constexpr double kLeastHeight = 0.01;     // [m] behind the palm's surface
+constexpr double kFarNormal = kPi / 3.0;  // [rad] of a given normal from the guess
+
+class PalmGuesser {
+ public:
+  PalmGuesser(const std::string& file, const std::optional<Vector3d>& given,
+              const std::vector<Vector3d>& facing, ImportedHand& imported)
+      : file_(file),
+        given_(given),
+        facing_(facing),
+        imported_(imported),
+        hand_(imported.hand),
+        is_outward_(FindOutwardDigits(imported.hand)) {}
+
+  void Guess(Diagnostics& problems);
+
+ private:
+  bool Tells(size_t digit) const { return facing_[digit].norm() > 0.5 && !is_outward_[digit]; }
+  double CountTelling() const {
+    double num_telling = 0.0;
+    for (size_t d = 0; d < hand_.digits.size(); ++d) num_telling += Tells(d);
+    return num_telling;
+  }
+  Vector3d GuessNormal(const DigitMeeting& meeting) const;
+  std::string ExplainNoClosing() const;
+  std::string GuessFromDigits();
+  void PlacePalm();
+
+  const std::string& file_;
+  const std::optional<Vector3d>& given_;
+  const std::vector<Vector3d>& facing_;
+  ImportedHand& imported_;
+  Hand& hand_;
+  const std::vector<bool> is_outward_;  // by digit
+};
+
+/** The axis that is nearly met is meant. */
+Vector3d SnapToAxis(const Vector3d& direction, double least_cosine) {
+  int longest = 0;
+  direction.cwiseAbs().maxCoeff(&longest);
+  if (std::abs(direction[longest]) < least_cosine) return direction;
+  return std::copysign(1.0, direction[longest]) * Vector3d::Unit(longest);
+}
+
+Vector3d PalmGuesser::GuessNormal(const DigitMeeting& meeting) const {
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand_, CalcClosedPosture(hand_, {}, 0.0));
+  Vector3d all_facing = Vector3d::Zero(), facing = Vector3d::Zero(), along = Vector3d::Zero();
+  Vector3d thumb_facing = Vector3d::Zero(), thumb_along = Vector3d::Zero();
+  for (size_t d = 0; d < hand_.digits.size(); ++d) {
+    if (!Tells(d)) continue;
+    const Digit& digit = hand_.digits[d];
+    const Vector3d p_HBase = X_HL[digit.links.front()].translation();
+    const Vector3d p_HTip = X_HL[digit.distal_link] * digit.p_LTip;
+    all_facing += facing_[d] / CountTelling();
+    (digit.is_thumb ? thumb_facing : facing) += facing_[d];
+    (digit.is_thumb ? thumb_along : along) += (p_HTip - p_HBase).stableNormalized();
+  }
+  facing.stableNormalize();
+  along.stableNormalize();
+  // Digits that point away from each other when open, all around the palm, face what it faces.
+  const bool is_star = thumb_along.dot(along) < -kAgreement;
+  Vector3d normal = facing;
+  if (is_star) {
+    normal = facing + thumb_facing;
+  } else if (std::abs(normal.dot(along)) < 0.8) {
+    normal -= normal.dot(along) * along;
+  }
+  normal.stableNormalize();
+  // The pads of a gripper face each other.
+  const bool is_gripper = all_facing.norm() < kAgreement;
+  if (is_gripper || normal.dot(meeting.direction) < kSameSide) {
+    return SnapToAxis(meeting.direction, kSameDirection);
+  }
+  return SnapToAxis(normal, kNearlyAxis);
+}
+
+std::string PalmGuesser::ExplainNoClosing() const {
+  const auto is_outward = std::find(is_outward_.begin(), is_outward_.end(), true);
+  if (is_outward != is_outward_.end()) return "the digits close away from each other";
+  const bool all_slide =
+      std::all_of(hand_.joints.begin(), hand_.joints.end(), [&](const HandJoint& joint) {
+        return joint.is_prismatic || hand_.FindDigitOfLink(joint.link) < 0;
+      });
+  if (!all_slide) {
+    return "no limit says to which side a digit closes: which way the palm faces cannot be guessed";
+  }
+  std::vector<std::string> names;
+  for (const Digit& digit : hand_.digits) names.push_back(hand_.links[digit.distal_link].name);
+  return "the jaws " + JoinSome(names) +
+         " run the same way: they keep their distance and do not close";
+}
+
+/** @returns why there is no guess; empty: normal and centre are set. */
+std::string PalmGuesser::GuessFromDigits() {
+  if (CountTelling() == 0.0) return ExplainNoClosing();
+  const auto meeting = FindMeeting(hand_, is_outward_);
+  if (!meeting || meeting->direction.norm() < 0.5) {
+    const auto thumb = std::find_if(hand_.digits.begin(), hand_.digits.end(),
+                                    [](const Digit& digit) { return digit.is_thumb; });
+    std::vector<std::string> outward;
+    for (size_t d = 0; d < hand_.digits.size(); ++d) {
+      if (is_outward_[d]) outward.push_back(hand_.links[hand_.digits[d].distal_link].name);
+    }
+    return (outward.empty() ? "" : JoinSome(outward) + " close away from the others, and ") +
+           "no digit approaches the thumb, \"" + hand_.links[thumb->distal_link].name +
+           "\", however they close";
+  }
+  hand_.palm_normal = GuessNormal(*meeting);
+  PlacePalm();
+  const double height = hand_.palm_normal.dot(meeting->p_H - hand_.p_HCentre);
+  if (height > -kLeastHeight) return "";
+  return "the digits meet " + FormatFixed(MmFromM(-height), 0) + " mm behind the palm's surface";
+}
+
+void PalmGuesser::Guess(Diagnostics& problems) {
+  const std::string failure = GuessFromDigits();
+  const std::string& palm = hand_.links[hand_.palm_link].name;
+  if (!given_) {
+    if (failure.empty()) return;
+    problems.Fail(file_, 0,
+                  failure +
+                      "; is an axis or a limit reversed? If all of it is meant, say which way the "
+                      "palm faces with --palm-normal X,Y,Z, in the frame of \"" +
+                      palm + "\"");
+    return;
+  }
+  const Vector3d guess = hand_.palm_normal;
+  hand_.palm_normal = given_->normalized();
+  PlacePalm();
+  if (!failure.empty()) {
+    problems.Warn(file_, 0, failure + "; the palm faces as --palm-normal says");
+    return;
+  }
+  const double angle = std::acos(std::clamp(guess.dot(hand_.palm_normal), -1.0, 1.0));
+  if (angle < kFarNormal) return;
+  problems.Warn(file_, 0,
+                "--palm-normal is " + FormatFixed(DegFromRad(angle), 0) +
+                    " degrees from where the digits of \"" + palm + "\" meet, about " +
+                    FormatSignificant(guess.x(), 2) + "," + FormatSignificant(guess.y(), 2) + "," +
+                    FormatSignificant(guess.z(), 2) +
+                    "; taken as it is said, and the hand approaches along it");
+}
+
+/** The middle of the palm's surface. */
+void PalmGuesser::PlacePalm() {
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand_, CalcClosedPosture(hand_, {}, 0.0));
+  const auto shapes = ListShapesOf(imported_.shapes, hand_.palm_link);
+  Vector3d middle = Vector3d::Zero();
+  if (shapes.empty()) {
+    for (const Digit& digit : hand_.digits) {
+      middle += X_HL[digit.links.front()].translation() / static_cast<double>(hand_.digits.size());
+    }
+    hand_.p_HCentre = middle;
+    return;
+  }
+  hand_.p_HCentre =
+      FindSurface(shapes, hand_.palm_link, CalcBounds(shapes).center(), hand_.palm_normal);
+}
+
+}  // namespace
+
+void GuessPalm(const std::string& file, const std::optional<Vector3d>& given,
+               const std::vector<Vector3d>& facing, ImportedHand& imported, Diagnostics& problems) {
+  PalmGuesser(file, given, facing, imported).Guess(problems);
+}
+
+}  // namespace graspbench
