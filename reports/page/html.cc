@@ -62,6 +62,11 @@ Html Text(std::string_view text) {
 Html Element(const char* tag, const Attributes& attributes, const Html& content) {
   Html html;
   std::string& markup = html.markup_;
+  size_t size = 2 * std::strlen(tag) + 8 + content.markup_.size();
+  for (const Attribute& attribute : attributes) {
+    size += std::strlen(attribute.name) + 4 + attribute.value.size();
+  }
+  markup.reserve(size);  // a section of a page may be 10 MB, and twice that as it grew
   markup += '<';
   markup += tag;
   for (const Attribute& attribute : attributes) {

@@ -76,7 +76,6 @@ std::string MakePlainPage(const PlainPage& page);
 
 /** A page of results, as MakePlainPage: contents, body, provenance. Figures and tables are numbered
 here. */
-std::string MakePage(const PageFrame& frame, const std::vector<PageLink>& contents,
-                     const Html& body);
+std::string MakePage(const PageFrame& frame, const std::vector<PageLink>& contents, Html body);
 
 }  // namespace graspbench

@@ -3,6 +3,7 @@
 Pages made of sections: a list in the order of the page, each drawn from the same data. */
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reports/page/layout.h"
@@ -23,10 +24,11 @@ std::string MakeSectionedPage(const PageFrame& frame,
   Html body;
   for (const PageSection<Data>& section : sections) {
     contents.push_back({section.anchor, section.title});
-    body += Element("section", {{"id", section.anchor}},
-                    Element("h2", {}, section.title) + section.draw(data));
+    Html content = Element("h2", {}, section.title);
+    content += section.draw(data);
+    body += Element("section", {{"id", section.anchor}}, content);
   }
-  return MakePage(frame, contents, body);
+  return MakePage(frame, contents, std::move(body));
 }
 
 template <class Data>

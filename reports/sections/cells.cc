@@ -325,8 +325,8 @@ Html DrawCells(const ReportData& data) {
       num_faultless += cell.tally.is_faultless();
       (cell.tally.is_faultless() ? faultless : cells) += DrawCell(cell, data);
     }
-    html += Element("h3", {}, data.models.NameOfHand(hand)) +
-            Element("div", {{"class", "cells"}}, cells);
+    html += Element("h3", {}, data.models.NameOfHand(hand));
+    html += Element("div", {{"class", "cells"}}, cells);
     if (num_faultless == 0) continue;
     html += MakeDetails(
         FormatCount(num_faultless, "condition") + " in which every finished trial succeeded",

@@ -1,5 +1,6 @@
 // Any bytes as a foreign URDF: refused with problems, or files that load without error. A mesh
-// found anywhere would be a tetrahedron.
+// found anywhere would be a tetrahedron. Links are covered coarsely: as for a user that would be
+// most of the work.
 
 #include <unistd.h>
 
@@ -18,6 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   HandSource source;
   source.file = "hand.urdf";
   source.folder = "no-such-folder";
+  source.num_cover_points = 50;
   source.load_mesh = [](const std::filesystem::path&) {
     TriMesh mesh;
     mesh.vertices = {{0, 0, 0}, {0.02, 0, 0}, {0, 0.02, 0}, {0, 0, 0.02}};

@@ -6,6 +6,7 @@ has changed no result, and a repair loses no whole record. */
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <regex>
 
 #include "datasets/campaign/campaign_store.h"
 #include "datasets/journal/store_kind.h"
@@ -52,6 +53,16 @@ int Call(std::vector<std::string> arguments, const fs::path& out = "/dev/null") 
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   return WaitFor(child);
+}
+
+/** Whether a printed status tells of work that is left ("1 of 2 held grasps judged"): a watch waits
+for it. */
+bool NamesWorkLeft(const std::string& status) {
+  static const std::regex pattern("(\\d+) of (\\d+) (trials?|held grasps?) ");
+  for (std::sregex_iterator at(status.begin(), status.end(), pattern), end; at != end; ++at) {
+    if ((*at)[1] != (*at)[2]) return true;
+  }
+  return false;
 }
 
 bool IsCrash(int code) { return code < 0 || code == 127; }
@@ -182,9 +193,11 @@ class GRASPBENCH_SUITE : public testing::Test {
              const Files& files, RandomStream& random) {
     const fs::path folder = folder_ / store;
     const fs::path told = folder_.string() + "_told";
-    const int verify = Call({"verify", folder}, told), status = Call({"status", folder});
+    const int verify = Call({"verify", folder}, told);
     // Whole, but for tables whose own hashes are gone: said of each.
     const bool is_told = ReadFile(told).find("cannot be verified") != std::string::npos;
+    const int status = Call({"status", folder}, told);
+    const bool is_unfinished = NamesWorkLeft(ReadFile(told));
     EXPECT_FALSE(IsCrash(verify)) << "verify " << verify << ": " << what;
     EXPECT_FALSE(IsCrash(status)) << "status " << status << ": " << what;
     num_found_ += verify == 3;
@@ -197,7 +210,8 @@ class GRASPBENCH_SUITE : public testing::Test {
       EXPECT_EQ(ListContent(whole, store), ListContent(files, store)) << "undetected: " << what;
     }
     const std::vector<std::string> reader = ChooseReader(store, random);
-    if (!reader.empty()) {
+    const bool waits = !reader.empty() && reader[0] == "watch" && is_unfinished;
+    if (!reader.empty() && !waits) {
       const int code = Call(reader);
       ++num_readers_;
       EXPECT_FALSE(IsCrash(code)) << reader[0] << " " << code << ": " << what;

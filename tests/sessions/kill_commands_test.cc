@@ -161,7 +161,7 @@ const std::vector<Command>& ListCommands() {
                          "--fitness-trials", "1", "--trials", "2"}});
     commands.push_back(
         {{"map", "simultaneity"}, {"--hand", "tum", "--object", "golf_ball", "--quick"}});
-    commands.push_back({{"hand", "develop", "tum"}, {"--budget", "100"}, "development"});
+    commands.push_back({{"hand", "develop"}, {"TOP/gripper", "--budget", "100"}, "development"});
     return commands;
   }();
   return all;

@@ -16,14 +16,14 @@ namespace graspbench {
 namespace {
 namespace fs = std::filesystem;
 
-class ScarceMemory : public testing::TestWithParam<int> {
+class GRASPBENCH_SUITE : public testing::TestWithParam<int> {
  protected:
-  ScarceMemory()
+  GRASPBENCH_SUITE()
       : top_(fs::path(testing::TempDir()) /
              ("scarce_memory_" + std::to_string(GetParam()) + "_" + std::to_string(::getpid()))) {
     fs::create_directories(top_);
   }
-  ~ScarceMemory() override { fs::remove_all(top_); }
+  ~GRASPBENCH_SUITE() override { fs::remove_all(top_); }
 
   /** @param limit  of address space [MB]; 0: none.
   @returns the exit code, or the signal with a minus. */
@@ -47,7 +47,7 @@ class ScarceMemory : public testing::TestWithParam<int> {
   fs::path top_;
 };
 
-TEST_P(ScarceMemory, IsNoOutcomeOfATrial) {
+TEST_P(GRASPBENCH_SUITE, IsNoOutcomeOfATrial) {
   const std::string run = "run --hand tum --object can --trials 2 --jobs 2 --out s";
   if (EndsWell(run)) {
     const std::string page = ReadFile(top_ / "s/report/index.html");
@@ -65,7 +65,8 @@ TEST_P(ScarceMemory, IsNoOutcomeOfATrial) {
   EXPECT_EQ(Run("verify s", 0), 0) << ReadFile(top_ / "log");
 }
 
-INSTANTIATE_TEST_SUITE_P(AddressSpace, ScarceMemory, testing::Values(120, 200, 300, 450, 600, 700));
+INSTANTIATE_TEST_SUITE_P(AddressSpace, GRASPBENCH_SUITE,
+                         testing::Range(100, 901, GRASPBENCH_LIMIT_STEP));
 
 }  // namespace
 }  // namespace graspbench

@@ -18,14 +18,15 @@ std::vector<ContactSphere> MakeBalls(const ImportedHand& imported, int link, boo
 
 }  // namespace
 
-void CoverLinks(const std::string& file, ImportedHand& imported, Diagnostics& problems) {
+void CoverLinks(const std::string& file, int num_points, ImportedHand& imported,
+                Diagnostics& problems) {
   const Hand& hand = imported.hand;
   for (const Digit& digit : hand.digits) {
     for (const int link : digit.links) {
       const std::vector<TriMesh>& solids = imported.solids[static_cast<size_t>(link)];
       if (solids.empty()) continue;
       const SurfaceCover cover =
-          CoverSurface(solids, MakeBalls(imported, link, link == digit.distal_link));
+          CoverSurface(solids, MakeBalls(imported, link, link == digit.distal_link), num_points);
       for (const SurfaceCover::Ball& ball : cover.balls) {
         CollisionShape& shape = imported.shapes.emplace_back();
         shape.link = link;

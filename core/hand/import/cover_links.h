@@ -11,7 +11,8 @@ balls of its own (cover_surface.h), which objects and the table meet (CollisionS
 namespace graspbench {
 
 /** Notes how much was added, and warns of a link of which more than 1.5 mm stays uncovered at 95 of
-100 points. @pre the digits are known. */
-void CoverLinks(const std::string& file, ImportedHand& imported, Diagnostics& problems);
+100 points. @param num_points  on a link. @pre the digits are known. */
+void CoverLinks(const std::string& file, int num_points, ImportedHand& imported,
+                Diagnostics& problems);
 
 }  // namespace graspbench

@@ -42,7 +42,7 @@ ImportedFiles ImportInOrder(const std::string& text, const HandSource& source,
   GuessHand(source.file, source.palm_normal, imported, problems);
   if (has_failed()) return {};
   FreeJoints(source.file, imported, problems);
-  CoverLinks(source.file, imported, problems);
+  CoverLinks(source.file, source.num_cover_points, imported, problems);
   FindImplausible(source.file, imported, problems);
 
   ImportedFiles result;

@@ -13,7 +13,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kNumSurfacePoints = 2000;
 constexpr size_t kMostBalls = 200;
 constexpr double kCovered = 0.0012;       // [m] of a covered point; less than what is asked
 constexpr double kLeftOver = 0.03;        // of the points may stay uncovered; fewer than is asked
@@ -70,12 +69,12 @@ bool IsInside(const std::vector<CoveredSolid>& solids, const Vector3d& p) {
 }
 
 /** Evenly by area: every A / n along the triangles, within one by a Kronecker sequence. */
-std::vector<SurfacePoint> SpreadPoints(const std::vector<CoveredSolid>& solids) {
+std::vector<SurfacePoint> SpreadPoints(const std::vector<CoveredSolid>& solids, int num_points) {
   double all = 0.0;
   for (const CoveredSolid& solid : solids) {
     for (const Eigen::Vector3i& t : solid.mesh().triangles) all += CalcArea(solid.mesh(), t);
   }
-  const double share = all / kNumSurfacePoints;
+  const double share = all / num_points;
   double until = 0.5 * share, area = 0.0;
   std::vector<SurfacePoint> points;
   double u = 0.0, v = 0.0;
@@ -124,9 +123,9 @@ double FindQuantile(std::vector<double> gaps) {
 }  // namespace
 
 SurfaceCover CoverSurface(const std::vector<TriMesh>& meshes,
-                          const std::vector<ContactSphere>& present) {
+                          const std::vector<ContactSphere>& present, int num_points) {
   std::vector<CoveredSolid> solids(meshes.begin(), meshes.end());
-  const std::vector<SurfacePoint> points = SpreadPoints(solids);
+  const std::vector<SurfacePoint> points = SpreadPoints(solids, num_points);
   SurfaceCover cover;
   if (points.empty()) return cover;
   std::vector<double> gaps;

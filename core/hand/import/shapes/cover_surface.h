@@ -22,6 +22,9 @@ namespace graspbench {
 /** As much of the surface may lie outside all balls, at 95 of 100 points [m]. */
 constexpr double kMostUncovered = 0.0015;
 
+/** Spread over the surface of a link. */
+constexpr int kNumCoverPoints = 2000;
+
 struct SurfaceCover {
   struct Ball {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
@@ -34,6 +37,7 @@ struct SurfaceCover {
 /** @param solids  of one link, in its frame [m]; they may overlap and be open.
 @param present  balls that are there already, of this link. At most 200 balls are added. */
 SurfaceCover CoverSurface(const std::vector<TriMesh>& solids,
-                          const std::vector<ContactSphere>& present);
+                          const std::vector<ContactSphere>& present,
+                          int num_points = kNumCoverPoints);
 
 }  // namespace graspbench

@@ -14,6 +14,7 @@ closed or open meshes to look at. */
 #include "core/base/diagnostics.h"
 #include "core/hand/contact_shape.h"
 #include "core/hand/import/foreign_hand.h"
+#include "core/hand/import/shapes/cover_surface.h"
 #include "core/shape/tri_mesh.h"
 
 namespace graspbench {
@@ -30,6 +31,7 @@ struct HandSource {
   double unit = 0.0;                           ///< of the description's lengths [m]; 0: inferred
   double mesh_unit = 0.0;                      ///< of its mesh files [m]; 0: inferred
   std::optional<bool> in_degrees;              ///< limits of a URDF, angles of a MuJoCo model
+  int num_cover_points = kNumCoverPoints;      ///< on a link; fewer cover it coarser and sooner
 };
 
 struct ImportedVisual {

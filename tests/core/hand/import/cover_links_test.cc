@@ -32,7 +32,7 @@ ImportedHand MakeImported() {
 TEST(CoverLinksTest, LinksOfDigitsGetBallsThatOtherLinksDoNotMeet) {
   ImportedHand imported = MakeImported();
   Diagnostics problems;
-  CoverLinks("hand.urdf", imported, problems);
+  CoverLinks("hand.urdf", kNumCoverPoints, imported, problems);
   EXPECT_EQ(problems.Format(), "");
   ASSERT_GT(imported.shapes.size(), 12u);
   for (size_t k = 2; k < imported.shapes.size(); ++k) {
@@ -49,7 +49,7 @@ TEST(CoverLinksTest, WhatStaysUncoveredIsTold) {
   imported.hand.digits[0].distal_link = -1;
   imported.solids[1] = {MakeRoundedBox(imported.shapes[1].size, 0.0)};
   Diagnostics problems;
-  CoverLinks("hand.urdf", imported, problems);
+  CoverLinks("hand.urdf", kNumCoverPoints, imported, problems);
   EXPECT_NE(problems.Format().find("link \"finger\": "), std::string::npos);
   EXPECT_NE(problems.Format().find("what it grasps there sinks in"), std::string::npos);
 }
