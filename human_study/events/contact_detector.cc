@@ -229,8 +229,10 @@ std::vector<DigitContactEvents> FindContacts(const ContactEvidence& evidence,
                                              const ContactOptions& options) {
   const size_t believed = FindContactDetector(options.detector);
   std::vector<DigitContactEvents> contacts;
+  contacts.reserve(evidence.digits.size());  // a study keeps them for each of its trials
   for (const DigitEvidence& digit : evidence.digits) {
     DigitContactEvents events;
+    events.by_detector.reserve(ContactDetectorList().size());
     events.digit = digit.track->digit;
     events.is_thumb = digit.track->is_thumb;
     events.noise_O = digit.noise_O;

@@ -81,17 +81,20 @@ double FindFastest(const std::vector<DigitTrack>& digits) {
   constexpr double kWindow = 0.05;  // [s]
   const std::vector<double>& times = digits.front().tip.times;
   double fastest = 0.0;
+  std::vector<double> speeds;
   for (size_t i = 0, j = 0; i < times.size(); ++i) {
     while (j < times.size() && times[j] - times[i] < kWindow - 1e-9) ++j;
     if (j == times.size()) break;
-    std::vector<double> speeds;
+    speeds.clear();
     for (const DigitTrack& digit : digits) {
       if (!digit.tip.IsValid(i) || !digit.tip.IsValid(j)) continue;
       const Vector3d way =
           digit.tip.p.col(static_cast<Column>(j)) - digit.tip.p.col(static_cast<Column>(i));
       speeds.push_back(way.norm() / (times[j] - times[i]));
     }
-    if (speeds.size() > 1) fastest = std::max(fastest, CalcMedian(speeds));
+    if (speeds.size() < 2) continue;
+    std::sort(speeds.begin(), speeds.end());
+    fastest = std::max(fastest, CalcSortedQuantile(speeds, 0.5));
   }
   return fastest;
 }

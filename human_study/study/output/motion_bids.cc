@@ -1,7 +1,6 @@
 #include "human_study/study/output/motion_bids.h"
 
-#include <fmt/core.h>
-
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -13,9 +12,14 @@
 namespace graspbench {
 namespace {
 
-/** Microseconds and micrometres: below what any tracker resolves. */
+/** Microseconds and micrometres: below what any tracker resolves. Asked some thousand times a
+trial. */
 std::string FormatFine(double value) {
-  return std::isfinite(value) ? fmt::format("{:.6f}", value) : "n/a";
+  if (!std::isfinite(value)) return "n/a";
+  std::array<char, 320> digits;  // the largest number has 309 before the point
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value,
+                                          std::chars_format::fixed, 6);
+  return std::string(digits.data(), end);
 }
 
 /** Names of the tracked points and their paths. */
@@ -38,7 +42,7 @@ std::string FormatMotion(const std::vector<TrackedPoint>& points, const ObjectTr
   std::string text;
   for (size_t i = 0; i < num_samples; ++i) {
     const auto add = [&](const Eigen::Vector3d& p) {
-      for (const double x : p) text += FormatFine(x) + "\t";
+      for (const double x : p) (text += FormatFine(x)) += '\t';
     };
     for (const TrackedPoint& point : points) add(point.path->p.col(static_cast<Eigen::Index>(i)));
     if (object.IsRecorded()) {

@@ -188,12 +188,29 @@ std::vector<CsvColumn<StudyEvent>> ListEventColumns() {
 }
 
 template <class Row>
+void WriteDictionary(const std::filesystem::path& folder, const std::string& name,
+                     const std::vector<CsvColumn<Row>>& columns, const std::string& primary_key) {
+  WriteFileAtomically(folder / (name + ".schema.json"),
+                      FormatJson(MakeTableSchema(columns, primary_key), 2) + "\n");
+}
+
+template <class Row>
 void WriteTable(const std::filesystem::path& folder, const std::string& name,
                 const std::vector<CsvColumn<Row>>& columns, const std::vector<Row>& rows,
                 const std::string& primary_key) {
   WriteFileAtomically(folder / (name + ".csv"), FormatCsv(columns, rows));
-  WriteFileAtomically(folder / (name + ".schema.json"),
-                      FormatJson(MakeTableSchema(columns, primary_key), 2) + "\n");
+  WriteDictionary(folder, name, columns, primary_key);
+}
+
+/** Trial by trial: the events of ten thousand are more than anything else a study keeps. */
+void WriteEvents(const StudyResult& result, const std::filesystem::path& folder) {
+  const std::vector<CsvColumn<StudyEvent>> columns = ListEventColumns();
+  std::string text = FormatCsvHeading(columns);
+  for (const StudyTrial& trial : result.trials) {
+    text += FormatCsvLines(columns, ListEvents(trial, result.study.config));
+  }
+  WriteFileAtomically(folder / "events.csv", text);
+  WriteDictionary(folder, "events", columns, "");
 }
 
 }  // namespace
@@ -283,17 +300,13 @@ std::string FormatOpeningTable(const StudyResult& result) {
 void WriteStudyTables(const StudyResult& result, const std::filesystem::path& folder) {
   MakeFolder(folder);
   std::vector<const StudyTrial*> all, kept;
-  std::vector<StudyEvent> events;
   for (const StudyTrial& trial : result.trials) {
     all.push_back(&trial);
     if (trial.IsKept()) kept.push_back(&trial);
-    for (StudyEvent& event : ListEvents(trial, result.study.config)) {
-      events.push_back(std::move(event));
-    }
   }
   WriteTable(folder, "trials", ListTrialColumns(result), all, "trial_id");
   WriteTable(folder, "measures", ListMeasureColumns(result), kept, "trial_id");
-  WriteTable(folder, "events", ListEventColumns(), events, "");
+  WriteEvents(result, folder);
   WriteTable(folder, "statistics", ListStatisticColumns(), ListStatistics(result.statistics), "");
 }
 

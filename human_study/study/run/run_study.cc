@@ -284,6 +284,10 @@ class Runner {
     const TrialMeasure& measure = FindMeasure(study_.config.multiverse.measure);
     trial.measure_universes.resize(measures_.size());
     const std::vector<ContactReview> reviews = SettleReviews(trial.reviews, *trial.analysis);
+    trial.universes.reserve(result_.universes.size());
+    for (std::vector<double>& values : trial.measure_universes) {
+      values.reserve(result_.universes.size());
+    }
     const Universe* previous = nullptr;
     TrialAnalysis analysis;
     for (const Universe& universe : result_.universes) {
@@ -407,6 +411,7 @@ StudyResult RunTrials(const Study& study, const StudyWatch& watch) {
     if (!study.config.markers.tips[digit].empty()) result.digits.push_back(IdOfDigit(digit));
   }
   result.universes = ListUniverses(study.config);
+  result.trials.reserve(study.trials.size());
   Runner runner(watch, result);
   for (size_t i = 0; i < study.trials.size(); ++i) {
     runner.Run(study.trials[i]);
