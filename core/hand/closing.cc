@@ -73,9 +73,13 @@ std::vector<int> FindClosing(const Hand& hand) {
       closing[j] = joint.upper + joint.lower > 0.0 ? 1 : -1;
     }
   }
+  // Fingers that close all the way pass each other: what counts is that they come nearer at all.
+  const auto calc_spread = [&](double share) {
+    return CalcTipSpread(hand, CalcClosedPosture(hand, closing, share));
+  };
   if (hand.digits.size() == 2 && !has_slide &&
-      CalcTipSpread(hand, CalcClosedPosture(hand, closing, 1.0)) >
-          CalcTipSpread(hand, CalcClosedPosture(hand, closing, 0.0))) {
+      std::min({calc_spread(0.25), calc_spread(0.5), calc_spread(0.75), calc_spread(1.0)}) >
+          calc_spread(0.0)) {
     for (int& direction : closing) direction = -direction;
   }
   return closing;

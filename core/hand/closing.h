@@ -15,8 +15,8 @@ spreads or turns the digit, follows another joint, or belongs to no digit.
 - A joint that turns about the same direction as the outermost one of its digit bends it; it closes
   towards the end that is farther from zero, where that is decided by a fifth of its range.
 - One that slides closes towards the end at which its digit's tip is nearer to the other digits'.
-- When all that brings the tips of two digits without wrist apart, it is turned round: a gripper
-  that is closed at zero. */
+- When all that brings the tips of two digits without slides nowhere nearer to each other, it is
+  turned round: a gripper that is closed at zero. */
 std::vector<int> FindClosing(const Hand& hand);
 
 /** A position between the open (0) and the closed end (1) of every closing joint; the others where

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/units.h"
 #include "core/hand/load_hand.h"
 
 namespace graspbench {
@@ -58,6 +59,24 @@ TEST(ClosingTest, AGripperThatIsClosedAtZeroClosesDownwards) {
     joint.upper = 0.0;
   }
   EXPECT_EQ(FindClosing(mirrored), (std::vector<int>{1, 1}));
+}
+
+// Straight fingers of 100 mm, 60 mm apart, meet after 17 degrees; after 90 they have passed each
+// other and are 140 mm apart. Turning the other way they only part.
+TEST(ClosingTest, FingersThatPassEachOtherCloseTowardsEachOther) {
+  Hand hand = MakeGripper();
+  for (int d = 0; d < 2; ++d) {
+    const double side = d == 0 ? 1.0 : -1.0;
+    HandLink& link = hand.links[d + 1];
+    link.X_PJ = MakePose(Eigen::Vector3d(0, 0.03 * side, 0));
+    link.axis = Eigen::Vector3d(side, 0, 0);
+    hand.joints[d].is_prismatic = false;
+    hand.joints[d].upper = 0.5 * kPi;
+    hand.digits[d].p_LTip = {0, 0, 0.1};
+  }
+  EXPECT_EQ(FindClosing(hand), (std::vector<int>{1, 1}));
+  for (HandLink& link : hand.links) link.axis = -link.axis;
+  EXPECT_EQ(FindClosing(hand), (std::vector<int>{-1, -1}));
 }
 
 TEST(ClosingTest, FollowersFollow) {

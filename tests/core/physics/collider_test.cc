@@ -159,8 +159,9 @@ Vector3d DrawDirection(RandomStream& random) {
   return Vector3d(random.NextNormal(), random.NextNormal(), random.NextNormal()).normalized();
 }
 
-// What a collider remembers of balls that were apart spares questions and changes no answer: on a way
-// of small and large steps it finds what one finds that has seen nothing, and all capsules that meet.
+// What a collider remembers of balls that were apart spares questions and changes no answer: on a
+// way of small and large steps it finds what one finds that has seen nothing, and all capsules that
+// meet.
 TEST(Collider, FindsOnAWayWhatItFindsAtOnce) {
   Scene scene;
   RandomStream random("collider way", "test");
