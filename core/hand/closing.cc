@@ -56,6 +56,12 @@ bool Bends(const Hand& hand, int joint, const std::vector<Pose>& X_HL) {
   return false;
 }
 
+double CalcPosition(const HandJoint& joint, int direction, double share) {
+  const double open = direction > 0 ? joint.lower : joint.upper;
+  const double closed = direction > 0 ? joint.upper : joint.lower;
+  return open + share * (closed - open);
+}
+
 }  // namespace
 
 std::vector<int> FindClosing(const Hand& hand) {
@@ -90,14 +96,25 @@ Eigen::VectorXd CalcClosedPosture(const Hand& hand, const std::vector<int>& clos
   for (int j = 0; j < hand.num_joints(); ++j) {
     const HandJoint& joint = hand.joints[j];
     q[j] = std::clamp(0.0, joint.lower, joint.upper);
-    const int direction = closing.empty() ? 0 : closing[j];
-    if (direction == 0) continue;
-    const double open = direction > 0 ? joint.lower : joint.upper;
-    const double closed = direction > 0 ? joint.upper : joint.lower;
-    q[j] = open + share * (closed - open);
+    if (!closing.empty() && closing[j] != 0) q[j] = CalcPosition(joint, closing[j], share);
   }
   ApplyCoupling(hand, q);
   return q;
+}
+
+bool MovesDigit(const Hand& hand, int joint, const Digit& digit) {
+  return std::any_of(digit.links.begin(), digit.links.end(), [&](int link) {
+    const int own = hand.links[link].joint;
+    return own == joint || (own >= 0 && hand.joints[own].coupled_to == joint);
+  });
+}
+
+void CloseDigit(const Hand& hand, const std::vector<int>& closing, const Digit& digit, double share,
+                Eigen::VectorXd& q) {
+  for (int j = 0; j < hand.num_joints(); ++j) {
+    if (closing[j] == 0 || !MovesDigit(hand, j, digit)) continue;
+    q[j] = CalcPosition(hand.joints[j], closing[j], share);
+  }
 }
 
 }  // namespace graspbench

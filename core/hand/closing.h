@@ -23,4 +23,11 @@ std::vector<int> FindClosing(const Hand& hand);
 their range is nearest to zero. Followers follow. */
 Eigen::VectorXd CalcClosedPosture(const Hand& hand, const std::vector<int>& closing, double share);
 
+/** A link of the digit moves with the joint: it is its own, or leads one of its own. */
+bool MovesDigit(const Hand& hand, int joint, const Digit& digit);
+
+/** Sets only the closing joints of one digit; followers, too, stay as they are in q. */
+void CloseDigit(const Hand& hand, const std::vector<int>& closing, const Digit& digit, double share,
+                Eigen::VectorXd& q);
+
 }  // namespace graspbench

@@ -57,7 +57,7 @@ class Collider {
   struct SelfPairs {
     int a, link_b;
     int first, end;  // in pairs_
-    double reach;    // of the middle of a from that of the link's capsules, likewise [m]
+    double reach;    // middles of a and of the link's capsules farther apart: no contact [m]
   };
   /** A ball that was apart from the object, and is until its centre has gone far enough. */
   struct Bystander {
@@ -113,7 +113,7 @@ class Collider {
     Eigen::Vector3d a, b, middle;  // of its axis, in W
   };
   std::vector<PlacedCapsule> placed_capsules_;  // of the current step
-  std::vector<Eigen::Vector3d> p_WCapsules_;    // p_LCapsules_, likewise
+  std::vector<Eigen::Vector3d> p_WCapsules_;    // p_LCapsules_ in W
   const SignedDistanceField* field_;
   std::shared_ptr<const TableSupport> support_;
   std::vector<ContactMaterial> link_object_, link_table_;  // by link

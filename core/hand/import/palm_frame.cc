@@ -34,8 +34,8 @@ class MeetingFinder {
     for (int i = 0; i <= kMeetingShares; ++i) {
       for (int k = 0; k <= kMeetingShares; ++k) {
         Eigen::VectorXd q = open_;
-        Close(a, static_cast<double>(i) / kMeetingShares, q);
-        Close(b, static_cast<double>(k) / kMeetingShares, q);
+        CloseDigit(hand_, closing_, a, static_cast<double>(i) / kMeetingShares, q);
+        CloseDigit(hand_, closing_, b, static_cast<double>(k) / kMeetingShares, q);
         ApplyCoupling(hand_, q);
         Try(a, b, q, best);
       }
@@ -49,33 +49,12 @@ class MeetingFinder {
   }
 
  private:
-  bool IsOf(int joint, const Digit& digit) const {
-    const int link = hand_.joints[joint].link;
-    return std::find(digit.links.begin(), digit.links.end(), link) != digit.links.end();
-  }
-  /** A joint that the digit's follow counts as its own. */
-  bool Moves(int joint, const Digit& digit) const {
-    if (IsOf(joint, digit)) return true;
-    for (int j = 0; j < hand_.num_joints(); ++j) {
-      if (hand_.joints[j].coupled_to == joint && IsOf(j, digit)) return true;
-    }
-    return false;
-  }
-  void Close(const Digit& digit, double share, Eigen::VectorXd& q) const {
-    for (int j = 0; j < hand_.num_joints(); ++j) {
-      if (closing_[j] == 0 || !Moves(j, digit)) continue;
-      const HandJoint& joint = hand_.joints[j];
-      const double open = closing_[j] > 0 ? joint.lower : joint.upper;
-      const double closed = closing_[j] > 0 ? joint.upper : joint.lower;
-      q[j] = open + share * (closed - open);
-    }
-  }
   /** Evenly spread over the joints of both (Kronecker sequence). */
   Eigen::VectorXd MakeSample(const Digit& a, const Digit& b, int number) const {
     Eigen::VectorXd q = open_;
     int dimension = 1;
     for (int j = 0; j < hand_.num_joints(); ++j) {
-      if (!Moves(j, a) && !Moves(j, b)) continue;
+      if (!MovesDigit(hand_, j, a) && !MovesDigit(hand_, j, b)) continue;
       const double turn = number * std::exp(1.0 / ++dimension);
       const HandJoint& joint = hand_.joints[j];
       q[j] = joint.lower + (turn - std::floor(turn)) * (joint.upper - joint.lower);

@@ -37,26 +37,11 @@ class OutwardFinder {
   }
 
  private:
-  bool Moves(int joint, const Digit& digit) const {
-    return std::any_of(digit.links.begin(), digit.links.end(), [&](int link) {
-      const int own = hand_.links[link].joint;
-      return own == joint || (own >= 0 && hand_.joints[own].coupled_to == joint);
-    });
-  }
-  void Close(const Digit& digit, double share, Eigen::VectorXd& q) const {
-    for (int j = 0; j < hand_.num_joints(); ++j) {
-      if (closing_[j] == 0 || !Moves(j, digit)) continue;
-      const HandJoint& joint = hand_.joints[j];
-      const double open = closing_[j] > 0 ? joint.lower : joint.upper;
-      const double closed = closing_[j] > 0 ? joint.upper : joint.lower;
-      q[j] = open + share * (closed - open);
-    }
-  }
   /** Of the pads. */
   double CalcGap(const Digit& a, double of_a, const Digit& b, double of_b) const {
     Eigen::VectorXd q = open_;
-    Close(b, of_b, q);
-    Close(a, of_a, q);
+    CloseDigit(hand_, closing_, b, of_b, q);
+    CloseDigit(hand_, closing_, a, of_a, q);
     ApplyCoupling(hand_, q);
     return (CalcLinkPose(hand_, q, a.distal_link) * a.p_LPad -
             CalcLinkPose(hand_, q, b.distal_link) * b.p_LPad)
