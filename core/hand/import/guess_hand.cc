@@ -7,6 +7,7 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/hand/closing.h"
+#include "core/hand/import/checks/digit_rows.h"
 #include "core/hand/import/digit_names.h"
 #include "core/hand/import/foreign_xml.h"
 #include "core/hand/import/guess_palm.h"
@@ -20,12 +21,16 @@ using Eigen::Vector3d;
 constexpr double kSmallestHand = 0.015, kLargestHand = 2.0;  // [m] across
 constexpr double kLongestDigit = 0.4;                        // [m]
 constexpr double kPadPlace = 0.6;     // of the way from the last joint to the tip
-constexpr double kMostEffort = 3.0;   // [N m] of a finger's drive
-constexpr double kMostForce = 200.0;  // [N] of a slide's drive
+constexpr double kMostEffort = 3.0;   // [N m] of a finger's drive that nobody doubts
+constexpr double kMostForce = 200.0;  // [N] of a slide's drive, the same
+/** The strongest electric grippers hold with 235 N between two tips; pneumatic ones with less than
+1 kN for a kilogram of their mass. */
+constexpr double kMostTipForce = 250.0, kMostForceByMass = 1000.0, kMostForceOfAny = 5000.0;
 /** Published stiffness within these holds a finger; [N m/rad], [N/m], of the stiffest. */
 constexpr double kStiffest = 50.0, kStiffestSlide = 50000.0, kSoftest = 0.005;
 /** Damping over stiffness [s]: no less, or the finger swings; no more, or it crawls. */
 constexpr double kDampingTime = 0.02, kMostDampingTime = 0.1;
+constexpr double kFarBeyond = 3.0;  // times what a drive gets, to be told
 
 class Guesser {
  public:
@@ -51,8 +56,11 @@ class Guesser {
   void FindThumb();
   double GuessDrive(int joint, double ForeignDrive::*value, double least, double most,
                     double otherwise) const;
+  double CalcMostEffort(int joint) const;
+  bool IsEffortBelieved(int joint) const;
   void TellEfforts();
   void TellGains() const;
+  void TellDamping() const;
   void SetDrives();
   bool CheckSize();
   /** How the point of the digit's last link moves in H while all joints close at one rate. */
@@ -282,21 +290,39 @@ double Guesser::GuessDrive(int joint, double ForeignDrive::*value, double least,
   return otherwise;
 }
 
+/** [N m], [N] */
+double Guesser::CalcMostEffort(int joint) const {
+  if (hand_.joints[joint].is_prismatic) {
+    double mass = 0.0;
+    for (const HandLink& link : hand_.links) mass += link.mass;
+    return std::clamp(kMostForceByMass * mass, kMostForce, kMostForceOfAny);
+  }
+  return std::max(kMostEffort, kMostTipForce * CalcLongestDigit(hand_));
+}
+
+/** Exporters write 10, 100 or 1000 where nobody knows it. */
+bool Guesser::IsEffortBelieved(int joint) const {
+  const double effort = imported_.drives[static_cast<size_t>(joint)].effort;
+  if (effort <= (hand_.joints[joint].is_prismatic ? kMostForce : kMostEffort)) return effort > 0.0;
+  const double digits = std::log10(effort);
+  return effort <= CalcMostEffort(joint) && std::abs(digits - std::round(digits)) > 1e-9;
+}
+
 void Guesser::TellEfforts() {
   std::vector<std::string> joints;
   double largest = 0.0;
   for (int j = 0; j < hand_.num_joints(); ++j) {
     const HandJoint& joint = hand_.joints[j];
     const double effort = imported_.drives[static_cast<size_t>(j)].effort;
-    if (joint.coupled_to >= 0 || effort <= (joint.is_prismatic ? kMostForce : kMostEffort))
-      continue;
+    if (joint.coupled_to >= 0 || effort <= 0.0 || IsEffortBelieved(j)) continue;
     joints.push_back(joint.name);
     largest = std::max(largest, effort);
   }
   if (joints.empty()) return;
   Warn("the effort of " + FormatCount(static_cast<int64_t>(joints.size()), "joint") + " (" +
        JoinSome(joints) + "), up to " + FormatSignificant(largest, 3) +
-       ", is not that of a finger's drive, 3 N m or 200 N at most; guessed instead");
+       ", is not that of a finger's drive: a placeholder, or more than 250 N at a tip or 1 kN "
+       "for each kilogram of the hand; guessed instead. If it is meant, write it into hand.yaml");
 }
 
 /** Of the drives whose published stiffness is not what they get. */
@@ -316,16 +342,34 @@ void Guesser::TellGains() const {
                      "instead");
 }
 
+/** Of the drives that would crawl, and so get less damping than is published. */
+void Guesser::TellDamping() const {
+  std::vector<std::string> told;
+  for (int j = 0; j < hand_.num_joints(); ++j) {
+    const HandJoint& joint = hand_.joints[j];
+    const ForeignDrive& published = imported_.drives[static_cast<size_t>(j)];
+    if (joint.coupled_to >= 0 || published.stiffness != joint.drive.stiffness) continue;
+    if (published.damping <= kFarBeyond * joint.drive.damping) continue;
+    told.push_back(joint.name + " " + FormatSignificant(published.damping, 3));
+  }
+  if (told.empty()) return;
+  problems_.Warn(file_, 0,
+                 "the damping of " + FormatCount(static_cast<int64_t>(told.size()), "drive") +
+                     " (" + JoinSome(told) +
+                     ") would let them crawl, more than 0.3 s by their stiffness; less is taken. "
+                     "Is it in another unit?");
+}
+
 void Guesser::SetDrives() {
   hand_.joint_accuracy = RadFromDeg(1.0);
   for (int j = 0; j < hand_.num_joints(); ++j) {
     HandJoint& joint = hand_.joints[j];
     const ForeignDrive& drive = imported_.drives[static_cast<size_t>(j)];
-    const double most = joint.is_prismatic ? kMostForce : kMostEffort;
-    const bool has_effort = drive.effort > 0.0 && drive.effort <= most;
-    joint.drive.torque_limit = has_effort ? drive.effort
-                                          : GuessDrive(j, &ForeignDrive::effort, 0.0, most,
-                                                       joint.is_prismatic ? 40.0 : 1.0);
+    joint.drive.torque_limit = IsEffortBelieved(j)
+                                   ? drive.effort
+                                   : GuessDrive(j, &ForeignDrive::effort, 0.0,
+                                                joint.is_prismatic ? kMostForce : kMostEffort,
+                                                joint.is_prismatic ? 40.0 : 1.0);
     const double stiffest = joint.is_prismatic ? kStiffestSlide : kStiffest;
     const bool is_published = drive.stiffness >= kSoftest * stiffest && drive.stiffness <= stiffest;
     joint.drive.stiffness = is_published
@@ -415,6 +459,7 @@ void Guesser::Guess() {
   SetDrives();
   TellEfforts();
   TellGains();
+  TellDamping();
 }
 
 }  // namespace

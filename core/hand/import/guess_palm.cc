@@ -18,6 +18,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kAgreement = 0.5;        // of the pads' directions, mean length
+constexpr double kPointAway = -0.1;       // cosine of the thumb and the others
+constexpr double kRises = 0.4;            // cosine
 constexpr double kSameSide = 0.5;         // cosine
 constexpr double kSameDirection = 0.8;    // cosine
 constexpr double kNearlyAxis = 0.985;     // cosine
@@ -80,8 +82,12 @@ Vector3d PalmGuesser::GuessNormal(const DigitMeeting& meeting) const {
   }
   facing.stableNormalize();
   along.stableNormalize();
-  // Digits that point away from each other when open, all around the palm, face what it faces.
-  const bool is_star = thumb_along.dot(along) < -kAgreement;
+  // Digits that point away from each other when open, all around the palm, or spread out while they
+  // rise from it, face what it faces.
+  const Vector3d both = (facing + thumb_facing).stableNormalized();
+  const double apart = thumb_along.stableNormalized().dot(along);
+  const bool do_rise = std::min(thumb_along.dot(both), along.dot(both)) > kRises;
+  const bool is_star = apart < -kAgreement || (apart < kPointAway && do_rise);
   Vector3d normal = facing;
   if (is_star) {
     normal = facing + thumb_facing;

@@ -4,7 +4,7 @@
 #include "core/base/sha256.h"
 #include "core/base/text/json.h"
 #include "core/base/version.h"
-#include "core/hand/import/checks/find_implausible.h"
+#include "core/hand/import/checks/digit_rows.h"
 
 namespace graspbench {
 namespace {

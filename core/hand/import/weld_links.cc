@@ -19,6 +19,7 @@ using Eigen::Vector3d;
 constexpr double kDensity = 1200.0;      // [kg/m^3]
 constexpr double kLightest = 100.0;      // [kg/m^3] of a published mass by the shapes' volume
 constexpr double kHeaviest = 20000.0;    // [kg/m^3], by its bounds
+constexpr double kFoam = 10.0;           // [kg/m^3]
 constexpr double kHeaviestFrame = 20.0;  // [kg] of a link without extent
 constexpr double kBallRadius = 0.005;    // [m] of a link between two axes
 constexpr double kBallMass = 0.004;      // [kg]
@@ -42,7 +43,7 @@ class Welder {
   HandCandidate FindHandPlace(const std::string& palm) const {
     return FindHand(foreign_, tree_, has_body_, palm, file_, problems_);
   }
-  void LeaveOutArm(const HandCandidate& place);
+  void LeaveOutOthers(const HandCandidate& place);
   bool CheckMass();
   ImportedHand Weld(int palm);
 
@@ -53,8 +54,14 @@ class Welder {
     }
     return link == ancestor;
   }
+  bool IsLeftOut(int link) const {
+    return (root_ >= 0 && !IsBelow(link, root_)) ||
+           std::any_of(left_out_.begin(), left_out_.end(),
+                       [&](int other) { return IsBelow(link, other); });
+  }
   MassProperties CalcMass(int link, std::string& note);
   std::string FindInertiaFault(int link) const;
+  Eigen::AlignedBox3d CalcOwnBounds(int link) const;
   double CalcLeastDensity(int link) const;
   static void MoveRootFrame(const Pose& X_NR, ImportedHand& imported);
   void TieFollowers(const std::vector<int>& joint_of, Hand& hand);
@@ -69,6 +76,7 @@ class Welder {
   ForeignTree tree_;
   std::vector<bool> has_body_;  // by link: it or what hangs on it has a shape
   int root_ = -1;               // -1: the tree's
+  std::vector<int> left_out_;   // links: with all below them
 };
 
 /** Moving links at the end of a chain with neither shape nor mass: frames for programs. */
@@ -98,7 +106,7 @@ bool Welder::CheckMass() {
   double mass = 0.0, most = 0.0;
   int heaviest = -1;
   for (const int link : tree_.order) {
-    if (root_ >= 0 && !IsBelow(link, root_)) continue;
+    if (IsLeftOut(link)) continue;
     const auto& inertia = foreign_.links[link].inertia;
     if (!inertia) continue;
     mass += std::max(0.0, inertia->mass);
@@ -115,7 +123,8 @@ bool Welder::CheckMass() {
   return false;
 }
 
-void Welder::LeaveOutArm(const HandCandidate& place) {
+void Welder::LeaveOutOthers(const HandCandidate& place) {
+  left_out_ = place.left_out;
   if (place.carrier >= 0) {
     root_ = place.root;
     WarnAt(foreign_.links[place.carrier].line,
@@ -140,8 +149,8 @@ void Welder::LeaveOutArm(const HandCandidate& place) {
              "\" are taken as an arm and left out: the arm of an experiment carries the palm");
 }
 
-/** The published mass by the volume of the bounds of all that is seen or touched; 0: nothing is. */
-double Welder::CalcLeastDensity(int link) const {
+/** Of all that is seen or touched. */
+Eigen::AlignedBox3d Welder::CalcOwnBounds(int link) const {
   const LoadedShapes& loaded = shapes_[static_cast<size_t>(link)];
   Eigen::AlignedBox3d bounds;
   if (!loaded.collisions.empty()) bounds = CalcBounds(loaded.collisions);
@@ -149,6 +158,12 @@ double Welder::CalcLeastDensity(int link) const {
     if (visual.mesh.triangles.empty()) bounds.extend(CalcBounds({visual.solid}));
     for (const Vector3d& p : visual.mesh.vertices) bounds.extend(p);
   }
+  return bounds;
+}
+
+/** The published mass by the volume of the bounds; 0: there is nothing. */
+double Welder::CalcLeastDensity(int link) const {
+  const Eigen::AlignedBox3d bounds = CalcOwnBounds(link);
   if (bounds.isEmpty()) return 0.0;
   return foreign_.links[link].inertia->mass / std::max(bounds.volume(), 1e-9);
 }
@@ -163,7 +178,10 @@ double CalcLeastMoment(double mass) {
 std::string Welder::FindInertiaFault(int link) const {
   const auto& inertia = foreign_.links[link].inertia;
   if (!inertia) return "no <inertial>";
-  if (inertia->mass <= 0.0) return "no mass";
+  if (inertia->mass < 0.0) {
+    return "a negative mass, " + FormatSignificant(inertia->mass, 3) + " kg";
+  }
+  if (inertia->mass == 0.0) return "no mass";
   const double scale = inertia->I_I.cwiseAbs().maxCoeff();
   if (scale == 0.0) return "no inertia";
   const Vector3d moments =
@@ -177,7 +195,8 @@ std::string Welder::FindInertiaFault(int link) const {
   const double density = CalcLeastDensity(link);
   if (density > kHeaviest) {
     return "a mass of " + FormatSignificant(inertia->mass, 3) + " kg in bounds of " +
-           FormatSignificant(1e6 * inertia->mass / density, 3) + " cm^3, denser than any metal";
+           FormatSignificant(1e6 * inertia->mass / density, 3) +
+           " cm^3, denser than any metal: its mass or the size of its shapes is wrong";
   }
   if (moments[2] * scale < CalcLeastMoment(inertia->mass)) {
     return "an inertia of " + FormatSignificant(moments[2] * scale, 2) + " kg m^2 for " +
@@ -190,13 +209,17 @@ std::string Welder::FindInertiaFault(int link) const {
     }
     return moments[2] * scale > inertia->mass ? "an inertia too large for its mass" : "";
   }
-  const Eigen::AlignedBox3d bounds = CalcBounds(shapes);
+  const Eigen::AlignedBox3d bounds = CalcOwnBounds(link);
   const Vector3d p_com = inertia->X_LI.translation();
   if (bounds.exteriorDistance(p_com) > 0.005 + 0.2 * bounds.sizes().norm()) {
     return "a centre of mass " + FormatFixed(MmFromM(bounds.exteriorDistance(p_com)), 0) +
            " mm outside its shapes";
   }
   if (moments[2] * scale > 1.2 * inertia->mass * bounds.sizes().squaredNorm()) {
+    if (inertia->mass < kFoam * CalcUnionMass(shapes, 1.0).mass) {
+      return "a mass of " + FormatSignificant(GFromKg(inertia->mass), 3) +
+             " g, lighter than any foam of its size; is it in another unit?";
+    }
     return "an inertia too large for its mass and size";
   }
   return "";
@@ -320,8 +343,16 @@ void Welder::NarrowForFollowers(Hand& hand) {
         follower.is_mimic = false;
         continue;
       }
+      const double c = follower.mimic_offset - follower.mimic_ratio * driver.lower;
+      const double d = follower.mimic_offset - follower.mimic_ratio * driver.upper;
+      const double rounding = 0.02 * (follower.upper - follower.lower);
+      const bool fits_reversed =
+          std::min(c, d) > follower.lower - rounding && std::max(c, d) < follower.upper + rounding;
       WarnAt(0, "joint \"" + follower.name + "\" follows \"" + driver.name +
-                    "\" far beyond its own limits; they are ignored");
+                    "\" far beyond its own limits; they are ignored" +
+                    (fits_reversed ? ". It would keep them with the opposite sign: is that of the "
+                                     "coupling wrong?"
+                                   : ""));
       follower.lower = std::min({follower.lower, a, b});
       follower.upper = std::max({follower.upper, a, b});
       continue;
@@ -352,7 +383,7 @@ ImportedHand Welder::Weld(int palm) {
   bool is_root_named = false;
   Pose X_RootNamed = Pose::Identity();  // the frame of the part that names the root
   for (const int member : tree_.order) {
-    if (root_ >= 0 && !IsBelow(member, root_)) continue;
+    if (IsLeftOut(member)) continue;
     const int j = member == root_ ? -1 : tree_.joint_of[member];
     if (j >= 0 && !Moves(foreign_.joints[j])) {
       const int parent = foreign_.joints[j].parent;
@@ -439,7 +470,7 @@ ImportedHand WeldLinks(ForeignHand foreign, const std::vector<LoadedShapes>& sha
   welder.FixEmptyEnds();
   const HandCandidate place = welder.FindHandPlace(palm);
   if (place.palm < 0) return {};
-  welder.LeaveOutArm(place);
+  welder.LeaveOutOthers(place);
   if (!welder.CheckMass()) return {};
   return welder.Weld(place.palm);
 }

@@ -226,8 +226,8 @@ std::string FormatDrives(const Hand& hand) {
       "can\n"
       "# hold a finger, else guesses (3 N m/rad or 3000 N/m, over 50 times the damping). The limit "
       "is\n"
-      "# its effort where that is one of a finger (3 N m, 200 N at most), else 1 N m or 40 N, "
-      "and no\n# more than the weakest published one of its digit.\ndrives:\n";
+      "# its effort where a hand's drive can have it, else 1 N m or 40 N, and no more than the "
+      "weakest\n# published one of its digit.\ndrives:\n";
   std::set<int> done;
   for (int j = 0; j < hand.num_joints(); ++j) {
     const HandJoint& joint = hand.joints[j];

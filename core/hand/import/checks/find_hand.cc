@@ -44,6 +44,10 @@ class HandFinder {
   }
   bool IsScene(int link, const std::vector<int>& branches, const std::vector<int>& hands) const;
   std::vector<int> ListHandsBelow(int link) const;
+  std::vector<int> ListDigits(int link, int left_out) const;
+  bool HasThumb(const std::vector<int>& ends) const;
+  bool IsHandFixedTo(int link, int branch) const;
+  std::vector<int> ListHandsFixedTo(int link) const;
   void FailOfSeveral(const std::string& where, const std::vector<int>& hands);
   std::string ListNames(const std::vector<int>& links) const;
   int FindHeavyNeighbour(int frame, int link) const;
@@ -196,6 +200,65 @@ std::vector<int> HandFinder::ListHandsBelow(int link) const {
   return hands;
 }
 
+/** The last links of the chains at or below a link. @param left_out  but not below this one. */
+std::vector<int> HandFinder::ListDigits(int link, int left_out) const {
+  std::vector<int> ends;
+  std::vector<int> open = {link};
+  while (!open.empty()) {
+    const int at = open.back();
+    open.pop_back();
+    const std::vector<int> branches = ListBranches(at);
+    if (branches.empty()) ends.push_back(at);
+    for (const int branch : branches) {
+      if (branch != left_out) open.push_back(branch);
+    }
+  }
+  return ends;
+}
+
+/** Not all of the digits point the same way. */
+bool HandFinder::HasThumb(const std::vector<int>& ends) const {
+  constexpr double kSameWay = 0.9;  // cosine
+  std::vector<Eigen::Vector3d> along;
+  for (const int end : ends) {
+    int base = end;
+    for (int at = end; num_ends_[at] == 1 && tree_.joint_of[at] >= 0;) {
+      base = at;
+      at = foreign_.joints[tree_.joint_of[at]].parent;
+    }
+    along.push_back((p_RootLink_[end] - p_RootLink_[base]).stableNormalized());
+  }
+  return std::any_of(along.begin(), along.end(), [&](const Eigen::Vector3d& each) {
+    return each.norm() > 0.5 && along[0].norm() > 0.5 && each.dot(along[0]) < kSameWay;
+  });
+}
+
+/** A second hand, fixed to one that has digits of its own: far from it, or, as a palm may be of
+several parts, with as many digits, three at least, and a thumb like it. */
+bool HandFinder::IsHandFixedTo(int link, int branch) const {
+  if (!HasOwnBody(link) || !IsHand(branch)) return false;
+  const int palm = FindParting(branch);
+  for (int at = palm; at != link; at = foreign_.joints[tree_.joint_of[at]].parent) {
+    if (Moves(at)) return false;
+  }
+  const std::vector<int> own = ListDigits(link, branch), others = ListDigits(branch, -1);
+  if (own.size() < 2) return false;
+  const bool is_far = (p_RootLink_[palm] - p_RootLink_[link]).norm() > kApart &&
+                      std::none_of(own.begin(), own.end(), [&](int end) {
+                        return (p_RootLink_[palm] - p_RootLink_[end]).norm() < kApart;
+                      });
+  return is_far ||
+         (own.size() >= 3 && own.size() == others.size() && HasThumb(own) && HasThumb(others));
+}
+
+std::vector<int> HandFinder::ListHandsFixedTo(int link) const {
+  std::vector<int> hands;
+  for (const int branch : ListBranches(link)) {
+    if (IsHandFixedTo(link, branch)) hands.push_back(branch);
+  }
+  return hands;
+}
+
 void HandFinder::FailOfSeveral(const std::string& where, const std::vector<int>& hands) {
   std::vector<int> palms;
   for (const int hand : hands) palms.push_back(FindParting(hand));
@@ -224,8 +287,14 @@ HandCandidate HandFinder::Find() {
       return {};
     }
     if (!IsScene(palm, branches, hands)) {
+      std::vector<int> fixed = ListHandsFixedTo(palm);
+      if (!fixed.empty()) {
+        fixed.insert(fixed.begin(), palm);
+        FailOfSeveral("", fixed);
+        return {};
+      }
       WarnOfCarrier(palm);
-      return {palm, top};
+      return {palm, top, {}};
     }
     if (hands.empty()) {
       problems_.Fail(file_, 0,
@@ -272,22 +341,28 @@ HandCandidate HandFinder::FindNamed(const std::string& name) {
   while (num_ends_[own] < 2 && tree_.joint_of[own] >= 0 && !Moves(own)) {
     own = foreign_.joints[tree_.joint_of[own]].parent;
   }
+  const std::vector<int> fixed = ListHandsFixedTo(FindParting(palm));
+  if (!fixed.empty()) {
+    problems_.Warn(file_, foreign_.links[fixed[0]].line,
+                   ListNames(fixed) + ": another hand, fixed to \"" + name + "\"; left out");
+  }
   for (int at = own; tree_.joint_of[at] >= 0;) {
     const int above = foreign_.joints[tree_.joint_of[at]].parent;
     std::vector<int> others = ListBranches(above);
     others.erase(std::remove(others.begin(), others.end(), at), others.end());
     const bool are_separate =
-        above == foreign_.world || std::all_of(others.begin(), others.end(), [&](int other) {
+        above == foreign_.world || IsHandFixedTo(above, at) ||
+        std::all_of(others.begin(), others.end(), [&](int other) {
           return (p_RootLink_[FindParting(other)] - p_RootLink_[own]).norm() > kApart;
         });
     if (!others.empty() && are_separate) {
       problems_.Warn(file_, foreign_.links[others[0]].line,
                      ListNames(others) + ": not below the palm \"" + name + "\"; left out");
-      return CutFromCarrier({palm, at}, own);
+      return CutFromCarrier({palm, at, fixed}, own);
     }
     at = above;
   }
-  return CutFromCarrier({palm, tree_.order.front()}, own);
+  return CutFromCarrier({palm, tree_.order.front(), fixed}, own);
 }
 
 }  // namespace

@@ -7,7 +7,8 @@ A chain ends at a link that moves, has a shape and carries no further such link.
 lowest link that all chains have in common. The world of a scene is no palm, nor is a link where
 parts meet that are hands themselves (two chains at least, all within 0.5 m) and lie more than 0.2 m
 apart. Of such parts the one hand is taken, the rest is left out and reported; none, or several
-without a palm named, is an error that lists what was found. What a palm is fixed to is taken as a
+without a palm named, is an error that lists what was found. So it is where a second hand is fixed
+to the palm of one without a link between: 0.2 m away, or with as many digits and a thumb like it. What a palm is fixed to is taken as a
 part of it; a palm that is named is cut from it, and without a name one that outweighs the hand is
 reported. */
 
@@ -28,8 +29,9 @@ struct ForeignTree {
 ForeignTree MakeForeignTree(const ForeignHand& foreign);
 
 struct HandCandidate {
-  int palm = -1;  ///< foreign link; -1: none, an error is reported
-  int top = -1;   ///< the highest link that belongs to it
+  int palm = -1;              ///< foreign link; -1: none, an error is reported
+  int top = -1;               ///< the highest link that belongs to it
+  std::vector<int> left_out;  ///< links below it: other hands that are fixed to a named palm
   /** What a named palm is fixed to without being a part of it: no digit hangs there; -1: nothing. */
   int carrier = -1;
   int root = -1;  ///< then: the link that is fixed to the carrier

@@ -9,7 +9,11 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/hand/closing.h"
+#include "core/hand/import/checks/digit_rows.h"
+#include "core/hand/import/checks/misplaced_links.h"
+#include "core/hand/import/checks/opposed_digits.h"
 #include "core/hand/import/checks/outward_digits.h"
+#include "core/hand/import/checks/unlike_digits.h"
 #include "core/hand/import/foreign_xml.h"
 #include "core/hand/import/shapes/shape_distance.h"
 
@@ -19,160 +23,19 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kHeaviestPalm = 50.0;  // times the digits' mass
-constexpr double kParallel = 0.9;       // cosine
-constexpr double kLikeLimits = 0.05;    // [rad] between limits of joints of one build
-constexpr double kBend = 0.3;           // [rad] by which a joint is tried
-constexpr double kMoves = 0.001;        // [m] of a tip, to count
+constexpr double kSameLine = 0.9;       // cosine
 constexpr double kLightestHand = 0.01;  // [kg] of a hand
 constexpr double kNarrowest = 0.0175;   // [rad] between a joint's limits
 constexpr double kShortest = 0.0005;    // [m] between those of a slide
 constexpr double kWidest = 3.6;         // [rad] between those of a digit's joint
-constexpr double kUnlike = 1.8;         // ratio of ranges
 constexpr double kShortestDigit = 0.03, kLongDigit = 0.25;  // [m] of a hand's longest
 /** Of a hand: plastics with hollows to metal, by what its contact shapes fill [kg/m^3]. */
 constexpr double kLeastDensity = 200.0, kMostDensity = 12000.0;
 
-}  // namespace
-
-double CalcLongestDigit(const Hand& hand) {
-  const std::vector<Pose> X_HL = CalcLinkPoses(hand, CalcClosedPosture(hand, {}, 0.0));
-  double longest = 0.0;
-  for (const Digit& digit : hand.digits) {
-    const Vector3d p_HTip = X_HL[digit.distal_link] * digit.p_LTip;
-    longest = std::max(longest, (p_HTip - X_HL[digit.links.front()].translation()).norm());
-  }
-  return longest;
-}
-
-namespace {
-
-/** A digit's joints that bend it, from base to tip, and how it stands with all joints at zero. */
-struct Row {
-  const Digit* digit = nullptr;
-  Vector3d base = Vector3d::Zero(), along = Vector3d::Zero();
-  std::vector<int> joints;
-  std::vector<Vector3d> turns;  // about which they close, in H
-};
-
-std::vector<Row> MakeRows(const Hand& hand) {
-  const std::vector<int> closing = FindClosing(hand);
-  const std::vector<Pose> X_HL = CalcLinkPoses(hand, CalcClosedPosture(hand, {}, 0.0));
-  std::vector<Row> rows;
-  for (const Digit& digit : hand.digits) {
-    Row& row = rows.emplace_back();
-    row.digit = &digit;
-    row.base = X_HL[digit.links.front()].translation();
-    row.along = (X_HL[digit.distal_link] * digit.p_LTip - row.base).stableNormalized();
-    for (const int link : digit.links) {
-      const int j = hand.links[link].joint;
-      if (j < 0 || closing[j] == 0 || hand.joints[j].is_prismatic) continue;
-      row.joints.push_back(j);
-      row.turns.push_back(closing[j] * (X_HL[link].linear() * hand.links[link].axis));
-    }
-  }
-  return rows;
-}
-
-/** Fingers that stand in a row, side by side along their axes: all must bend the same way. */
-bool AreSideBySide(const Row& a, const Row& b) {
-  if (a.joints.size() != b.joints.size() || a.joints.empty()) return false;
-  const Vector3d apart = (b.base - a.base).stableNormalized();
-  return a.along.dot(b.along) > kParallel && std::abs(apart.dot(a.turns.back())) > 0.8 &&
-         std::abs(apart.dot(b.turns.back())) > 0.8;
-}
-
-/** @returns the joints that were told. */
-std::set<int> FindMirroredAxes(const std::string& file, const Hand& hand, Diagnostics& problems) {
-  std::set<int> told;
-  const std::vector<Row> rows = MakeRows(hand);
-  for (const Row& row : rows) {
-    for (size_t k = 0; k < row.joints.size(); ++k) {
-      int num_alike = 0;
-      std::string opposed;
-      for (const Row& other : rows) {
-        if (&other == &row || !AreSideBySide(row, other)) continue;
-        const double cosine = row.turns[k].dot(other.turns[k]);
-        num_alike += cosine > kParallel;
-        if (cosine < -kParallel) {
-          opposed += (opposed.empty() ? "\"" : ", \"") + hand.joints[other.joints[k]].name + "\"";
-        }
-      }
-      if (opposed.empty() || num_alike > 0) continue;
-      told.insert(row.joints[k]);
-      problems.Warn(file, 0,
-                    "joint \"" + hand.joints[row.joints[k]].name +
-                        "\": its axis is the mirror image of that of " + opposed +
-                        " beside it, with limits of the same sign: it opens where they close; is "
-                        "the sign of its axis wrong?");
-    }
-  }
-  return told;
-}
-
-/** By how much a digit's tip comes nearer to the middle of the others' when one joint closes [m]. */
-double CalcApproach(const Hand& hand, const Digit& digit, int joint, int closing) {
-  Eigen::VectorXd q = CalcClosedPosture(hand, {}, 0.0);
-  const auto calc_distance = [&] {
-    const std::vector<Pose> X_HL = CalcLinkPoses(hand, q);
-    Vector3d middle = Vector3d::Zero(), own = Vector3d::Zero();
-    for (const Digit& each : hand.digits) {
-      const Vector3d p_HTip = X_HL[each.distal_link] * each.p_LTip;
-      if (&each == &digit) {
-        own = p_HTip;
-      } else {
-        middle += p_HTip / (static_cast<double>(hand.digits.size()) - 1.0);
-      }
-    }
-    return (own - middle).norm();
-  };
-  const double before = calc_distance();
-  q[joint] += closing * kBend;
-  return before - calc_distance();
-}
-
-/** Copies of one digit about a hub: their joints are described alike but for the sign of an axis,
-and with it one of them closes away from the others. Digits that face each other may have opposite
-axes: there both close towards each other. */
-void FindOutwardCopies(const std::string& file, const Hand& hand, Diagnostics& problems,
-                       std::set<int>& told) {
-  const std::vector<int> closing = FindClosing(hand);
-  const std::vector<Row> rows = MakeRows(hand);
-  const auto is_of_one_build = [&](int a, int b) {
-    const HandJoint &ja = hand.joints[a], &jb = hand.joints[b];
-    return hand.links[ja.link].axis.dot(hand.links[jb.link].axis) < -kParallel &&
-           std::abs(ja.lower - jb.lower) < kLikeLimits &&
-           std::abs(ja.upper - jb.upper) < kLikeLimits;
-  };
-  for (const Row& row : rows) {
-    for (size_t k = 0; k < row.joints.size(); ++k) {
-      std::string inward;
-      int num_outward = 0;
-      for (const Row& other : rows) {
-        if (&other == &row || other.joints.size() != row.joints.size()) continue;
-        const int j = other.joints[k];
-        if (!is_of_one_build(row.joints[k], j)) continue;
-        const double approach = CalcApproach(hand, *other.digit, j, closing[j]);
-        num_outward += approach < kMoves;
-        if (approach > kMoves)
-          inward += (inward.empty() ? "\"" : ", \"") + hand.joints[j].name + "\"";
-      }
-      const int j = row.joints[k];
-      if (inward.empty() || num_outward > 0 || told.count(j) > 0) continue;
-      if (CalcApproach(hand, *row.digit, j, closing[j]) > -kMoves) continue;
-      told.insert(j);
-      problems.Warn(file, 0,
-                    "joint \"" + hand.joints[j].name +
-                        "\": its axis is the mirror image of that of " + inward +
-                        " of another digit of its build, and it closes away from the other "
-                        "digits, which they do not; is the sign of its axis wrong?");
-    }
-  }
-}
-
 /** Digits none of whose joints was told. */
-void TellOutwardDigits(const std::string& file, const Hand& hand, const std::set<int>& told,
+void TellOutwardDigits(const std::string& file, const Hand& hand,
+                       const std::vector<bool>& is_outward, const std::set<int>& told,
                        Diagnostics& problems) {
-  const std::vector<bool> is_outward = FindOutwardDigits(hand);
   for (size_t d = 0; d < hand.digits.size(); ++d) {
     const Digit& digit = hand.digits[d];
     const bool is_told = std::any_of(digit.links.begin(), digit.links.end(), [&](int link) {
@@ -184,6 +47,23 @@ void TellOutwardDigits(const std::string& file, const Hand& hand, const std::set
                       "\" closes away from all others: they do not oppose it; are the signs of "
                       "its axes or limits wrong?");
   }
+}
+
+/** Those that close away from the others are told as such. */
+void TellUnopposedDigits(const std::string& file, const ImportedHand& imported,
+                         const std::vector<bool>& is_outward, Diagnostics& problems) {
+  const Hand& hand = imported.hand;
+  const std::vector<bool> is_opposed = FindOpposedDigits(imported);
+  std::vector<std::string> alone;
+  for (size_t d = 0; d < hand.digits.size(); ++d) {
+    if (is_opposed[d] || is_outward[d]) continue;
+    alone.push_back(hand.links[hand.digits[d].distal_link].name);
+  }
+  if (alone.empty()) return;
+  problems.Warn(file, 0,
+                FormatCount(static_cast<int64_t>(alone.size()), "digit") + " (" + JoinSome(alone) +
+                    ") cannot oppose another: their pads face no other pad near them, in no "
+                    "posture; is an axis, a limit or the place of a joint wrong?");
 }
 
 /** Two jaws that slide along one line by like limits: they are open at one end, or closed. */
@@ -202,7 +82,7 @@ void FindJawsInStep(const std::string& file, const Hand& hand, Diagnostics& prob
       const Vector3d along_a = X_HL[ja.link].linear() * hand.links[ja.link].axis;
       const Vector3d along_b = X_HL[jb.link].linear() * hand.links[jb.link].axis;
       const double most = 0.05 * (ja.upper - ja.lower);
-      if (along_a.dot(along_b) < kParallel || closing[a] == closing[b] ||
+      if (along_a.dot(along_b) < kSameLine || closing[a] == closing[b] ||
           std::abs(ja.lower - jb.lower) > most || std::abs(ja.upper - jb.upper) > most) {
         continue;
       }
@@ -229,28 +109,26 @@ void FindWideLimits(const std::string& file, const Hand& hand, Diagnostics& prob
                     "another unit, or those of a servo?");
 }
 
-/** Of fingers side by side: one turns farther than the like joints of two others, which agree. */
-void FindUnlikeLimits(const std::string& file, const Hand& hand, Diagnostics& problems) {
-  const std::vector<Row> rows = MakeRows(hand);
-  const auto calc_range = [&](int j) { return hand.joints[j].upper - hand.joints[j].lower; };
-  for (const Row& row : rows) {
-    for (size_t k = 0; k < row.joints.size(); ++k) {
-      double least = std::numeric_limits<double>::infinity(), most = 0.0;
-      int num_beside = 0;
-      for (const Row& other : rows) {
-        if (&other == &row || !AreSideBySide(row, other)) continue;
-        least = std::min(least, calc_range(other.joints[k]));
-        most = std::max(most, calc_range(other.joints[k]));
-        ++num_beside;
-      }
-      const double own = calc_range(row.joints[k]);
-      if (num_beside < 2 || most > 1.1 * least || (own < kUnlike * most && own > least / kUnlike)) {
+/** A joint that follows one of another digit, behind one of its own digit that has a drive of its
+own: linkages and spread joints are tied as a whole. */
+void FindDigitsTiedAcross(const std::string& file, const Hand& hand, Diagnostics& problems) {
+  for (const Digit& digit : hand.digits) {
+    std::string driven;
+    for (const int link : digit.links) {
+      const int j = hand.links[link].joint;
+      if (j < 0) continue;
+      const HandJoint& joint = hand.joints[j];
+      if (joint.coupled_to < 0) {
+        driven = joint.name;
         continue;
       }
+      const HandJoint& leader = hand.joints[joint.coupled_to];
+      const int of_leader = hand.FindDigitOfLink(leader.link);
+      if (driven.empty() || of_leader < 0 || &hand.digits[of_leader] == &digit) continue;
       problems.Warn(file, 0,
-                    "joint \"" + hand.joints[row.joints[k]].name + "\" turns by " +
-                        FormatFixed(DegFromRad(own), 0) + " deg, the like joints beside it by " +
-                        FormatFixed(DegFromRad(most), 0) + " deg; is a limit wrong?");
+                    "joint \"" + joint.name + "\" follows \"" + leader.name +
+                        "\" of another digit, while \"" + driven +
+                        "\" before it has a drive of its own; is it tied to the wrong joint?");
     }
   }
 }
@@ -331,17 +209,19 @@ void FindHeavyPalm(const std::string& file, const Hand& hand, Diagnostics& probl
 }  // namespace
 
 void FindImplausible(const std::string& file, const ImportedHand& imported, Diagnostics& problems) {
-  std::set<int> told = FindMirroredAxes(file, imported.hand, problems);
-  FindOutwardCopies(file, imported.hand, problems, told);
-  TellOutwardDigits(file, imported.hand, told, problems);
+  const std::set<int> told = FindUnlikeDigits(file, imported, problems);
+  const std::vector<bool> is_outward = FindOutwardDigits(imported.hand);
+  TellOutwardDigits(file, imported.hand, is_outward, told, problems);
+  TellUnopposedDigits(file, imported, is_outward, problems);
   FindJawsInStep(file, imported.hand, problems);
   FindWideLimits(file, imported.hand, problems);
-  FindUnlikeLimits(file, imported.hand, problems);
+  FindDigitsTiedAcross(file, imported.hand, problems);
   FindNarrowLimits(file, imported.hand, problems);
   FindLightHand(file, imported.hand, problems);
   FindOddDensity(file, imported, problems);
   FindOddSize(file, imported.hand, problems);
   FindHeavyPalm(file, imported.hand, problems);
+  FindMisplacedLinks(file, imported, problems);
 }
 
 }  // namespace graspbench

@@ -15,9 +15,6 @@ made the description knows what was meant. */
 
 namespace graspbench {
 
-/** From the base to the tip, at the open hand [m]. */
-double CalcLongestDigit(const Hand& hand);
-
 /** @pre the digits are known. */
 void FindImplausible(const std::string& file, const ImportedHand& imported, Diagnostics& problems);
 

@@ -20,6 +20,9 @@ namespace {
 
 using tinyxml2::XMLElement;
 
+constexpr double kLeastReached = 0.5;  // of a joint's range by its servo's goals
+constexpr double kMostGoals = 3.0;     // the goals' range by the joint's
+
 /** The length of a fixed tendon, or of a joint: sum of coefficient times displacement. */
 using Terms = std::vector<std::pair<int, double>>;  // joint, coefficient
 
@@ -41,6 +44,7 @@ class MjcfCouplingReader {
   void ReadEquality(const MjcfNode& node, const Terms& first, const Terms& second,
                     const std::string& where);
   void ReadActuators();
+  void CheckGoals(const MjcfNode& node, const std::string& where, int joint, double arm);
   void ReadActuator(const MjcfNode& node);
   Terms FindTransmission(const MjcfNode& node, const std::string& where);
   Terms ProjectOnLeaders(const Terms& terms) const;
@@ -315,6 +319,29 @@ double MjcfCouplingReader::ShareDrive(const XMLElement& at, const std::string& w
   return sum;
 }
 
+/** Goals of a servo that is limited to them, against the range of its joint. The joint is driven
+over its range in any case. @param arm  goal by position. */
+void MjcfCouplingReader::CheckGoals(const MjcfNode& node, const std::string& where, int joint,
+                                    double arm) {
+  const ForeignJoint& moved = hand_.joints[joint];
+  const auto goals = document_.FindNumbers(node, "ctrlrange", 2, 2, where);
+  if (!goals || TextOf(document_, node, "ctrllimited") == "false") return;
+  if (!moved.no_limits.empty() || (*goals)[0] >= (*goals)[1]) return;
+  const double a = (*goals)[0] / arm, b = (*goals)[1] / arm;
+  const double first = std::min(a, b), last = std::max(a, b), range = moved.upper - moved.lower;
+  const double reached = std::min(last, moved.upper) - std::max(first, moved.lower);
+  if (reached > kLeastReached * range && last - first < kMostGoals * range) return;
+  const bool slides = moved.kind == ForeignJoint::Kind::kPrismatic;
+  const auto format = [&](double from, double to) {
+    return slides ? FormatFixed(MmFromM(from), 1) + " to " + FormatFixed(MmFromM(to), 1) + " mm"
+                  : FormatFixed(DegFromRad(from), 0) + " to " + FormatFixed(DegFromRad(to), 0) +
+                        " deg";
+  };
+  document_.Warn(*node.xml, where + ": its goals lie from " + format(first, last) + ", joint \"" +
+                                moved.name + "\" moves from " + format(moved.lower, moved.upper) +
+                                "; driven over the joint's range. Is ctrlrange or gear wrong?");
+}
+
 void MjcfCouplingReader::ReadActuator(const MjcfNode& node) {
   const std::string kind = node.xml->Name(), name = TextOf(document_, node, "name");
   const std::string moved = TextOf(document_, node, "joint");
@@ -330,7 +357,7 @@ void MjcfCouplingReader::ReadActuator(const MjcfNode& node) {
   if (const auto given = document_.FindNumbers(node, "gear", 1, 6, where)) gear = (*given)[0];
   if (gear == 0.0) gear = 1.0;
   const double arm = gear * ShareDrive(*node.xml, where, leaders);
-  driven_.insert(leaders[0].first);
+  const bool is_driven = !driven_.insert(leaders[0].first).second;
   ForeignDrive drive;
   if (kind == "position") {
     drive.stiffness = document_.FindNumber(node, "kp", 1.0, where);
@@ -345,6 +372,14 @@ void MjcfCouplingReader::ReadActuator(const MjcfNode& node) {
     const auto bias = document_.FindNumbers(node, "biasprm", 1, 10, where);
     if (bias && bias->size() > 1) drive.stiffness = -(*bias)[1];
     if (bias && bias->size() > 2) drive.damping = -(*bias)[2];
+  }
+  if (drive.stiffness > 0.0 && leaders.size() == 1) {
+    CheckGoals(node, where, leaders[0].first, arm);
+    if (is_driven && hand_.joints[leaders[0].first].drive.stiffness > 0.0) {
+      document_.Warn(*node.xml, where + ": a second servo for joint \"" +
+                                    hand_.joints[leaders[0].first].name +
+                                    "\"; the stiffer counts. Is another joint meant?");
+    }
   }
   auto force = document_.FindNumbers(node, "forcerange", 2, 2, where);
   const bool is_torque = kind == "motor" || (kind == "general" && drive.stiffness == 0.0);

@@ -105,14 +105,16 @@ void SetLengthUnit(double unit, const std::string& file, Diagnostics& problems, 
 
 std::vector<double> CalcLinkLengths(const ForeignHand& hand) {
   std::vector<double> lengths(hand.links.size(), 0.0), own(hand.links.size(), 0.0);
+  std::vector<bool> is_end(hand.links.size(), true);
   for (const ForeignJoint& joint : hand.joints) {
     const double distance = joint.X_PJ.translation().norm();
     double& length = lengths[static_cast<size_t>(joint.parent)];
     length = std::max(length, distance);
+    is_end[static_cast<size_t>(joint.parent)] = false;
     own[static_cast<size_t>(joint.child)] = distance;
   }
   for (size_t i = 0; i < lengths.size(); ++i) {
-    if (lengths[i] == 0.0) lengths[i] = own[i];
+    if (is_end[i]) lengths[i] = own[i];
   }
   return lengths;
 }

@@ -26,7 +26,7 @@ theirs (load_shapes.h).
 void SetLengthUnit(double unit, const std::string& file, Diagnostics& problems, ForeignHand& hand);
 
 /** By link: the distance from its joint to the farthest joint on it; at an end that of its own from
-the one before; 0: none [m]. */
+the one before; 0: none, a hub among them [m]. */
 std::vector<double> CalcLinkLengths(const ForeignHand& hand);
 
 }  // namespace graspbench

@@ -38,7 +38,8 @@ constexpr double kMostScale = 10.0;
 constexpr double kInchRatio = 70.0;
 /** Of a mesh to its link, in a hand; and from which on a unit is inferred. */
 constexpr double kLeastRatio = 0.55, kTypicalRatio = 1.2, kMostRatio = 2.2, kClearRatio = 5.0;
-constexpr double kOutlier = 3.0;  // of a link's ratio to the typical one
+constexpr double kOutlier = 3.0;      // of a link's ratio to the typical one
+constexpr double kPalmOutlier = 6.0;  // where digits part: a palm may reach far beyond its joints
 /** One that is too long where its mass says it, too; and how far the two may differ. */
 constexpr double kOddScale = 1.5, kSameScale = 1.5;
 
@@ -250,6 +251,7 @@ void ShapeLoader::InferMeshUnit(const ForeignHand& hand) {
     const ForeignLink* link = nullptr;
     double extent = 0.0, ratio = 0.0;
     double density = 0.0;  // mass by the cube of the extent [kg/m^3]; 0: it has none
+    double outlier = kOutlier;
   };
   const std::vector<double> lengths = CalcLinkLengths(hand);
   std::vector<LinkRatio> rows;
@@ -262,7 +264,12 @@ void ShapeLoader::InferMeshUnit(const ForeignHand& hand) {
     if (largest == 0.0 || lengths[i] < kShortestLink) continue;
     const auto& inertia = hand.links[i].inertia;
     const double mass = inertia ? std::max(0.0, inertia->mass) : 0.0;
-    rows.push_back({&hand.links[i], largest, largest / lengths[i], mass / std::pow(largest, 3)});
+    const auto num_joints =
+        std::count_if(hand.joints.begin(), hand.joints.end(), [&](const ForeignJoint& joint) {
+          return joint.parent == static_cast<int>(i) && joint.kind != ForeignJoint::Kind::kFixed;
+        });
+    rows.push_back({&hand.links[i], largest, largest / lengths[i], mass / std::pow(largest, 3),
+                    num_joints > 1 ? kPalmOutlier : kOutlier});
     has_large = has_large || largest > kLargestPart;
   }
   const auto calc_median = [&](const auto& value_of) {
@@ -325,7 +332,7 @@ void ShapeLoader::InferMeshUnit(const ForeignHand& hand) {
     // A mesh of another scale is too long for its link and too large for its mass.
     const double by_length = row.ratio / ratio;
     const double by_mass = row.density > 0.0 ? std::cbrt(density / row.density) : 1.0;
-    const bool is_odd = by_length > kOutlier || by_length * kOutlier < 1.0 ||
+    const bool is_odd = by_length > row.outlier || by_length * row.outlier < 1.0 ||
                         (by_length > kOddScale && by_mass > by_length / kSameScale &&
                          by_mass < by_length * kSameScale);
     if (!is_odd) continue;

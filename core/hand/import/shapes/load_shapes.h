@@ -59,7 +59,7 @@ class ShapeLoader {
   /** Compares the meshes with the distances of the joints (typical ratio: median over the links).
   From five times too long on they are taken in the unit that fits, when one does within a factor
   of 1.6; any other ratio outside 0.55 to 2.2 is reported with the factor that would fit, and so is
-  a link whose ratio is three times another than the typical one, or 1.5 times as
+  a link whose ratio is three times another than the typical one (a palm: six), or 1.5 times as
   large where its mass by the mesh's size says so, too. An error where all are too long,
   some longer than 2 m, and no unit fits. Call before Load. */
   void InferMeshUnit(const ForeignHand& hand);

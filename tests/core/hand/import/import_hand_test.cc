@@ -8,6 +8,7 @@
 #include "core/hand/import/foreign_xml.h"
 #include "core/hand/load_hand.h"
 #include "core/shape/obj_file.h"
+#include "tests/core/hand/import/doubts.h"
 #include "tests/core/hand/import/small_gripper.h"
 #include "tests/support/shared_data.h"
 
@@ -20,12 +21,11 @@ struct Published {
   const char* digits;
   Eigen::Vector3d normal;
   int num_driven;
+  const char* doubts;
 };
 class PublishedHandTest : public testing::TestWithParam<Published> {};
 
-TEST_P(PublishedHandTest, ImportsUneditedAndLoads) {
-  const fs::path file = FindSharedData() / "hands" / GetParam().file;
-  if (!fs::exists(file)) GTEST_SKIP() << file << " is not on this machine";
+HandSource MakeSource(const fs::path& file) {
   HandSource source;
   source.file = file.string();
   source.folder = file.parent_path();
@@ -35,8 +35,16 @@ TEST_P(PublishedHandTest, ImportsUneditedAndLoads) {
     problems.ThrowIfErrors(ErrorKind::kFormat, "broken");
     return mesh;
   };
+  return source;
+}
+
+TEST_P(PublishedHandTest, ImportsUneditedAndLoads) {
+  const fs::path file = FindSharedData() / "hands" / GetParam().file;
+  if (!fs::exists(file)) GTEST_SKIP() << file << " is not on this machine";
+  const HandSource source = MakeSource(file);
   Diagnostics problems;
   const ImportedFiles imported = ImportHand(ReadFile(file), source, "", problems);
+  EXPECT_EQ(FindDoubts(problems), GetParam().doubts);
   ASSERT_EQ(problems.num_errors(), 0) << problems.Format();
   EXPECT_EQ(imported.num_driven, GetParam().num_driven);
   const fs::path out =
@@ -59,8 +67,26 @@ TEST_P(PublishedHandTest, ImportsUneditedAndLoads) {
 INSTANTIATE_TEST_SUITE_P(
     Hands, PublishedHandTest,
     testing::Values(
-        Published{"allegro_hand/allegro_hand_right.urdf", "FF MF RF TH! ", {1, 0, 0}, 16},
-        Published{"barrett_hand/bhand_model.urdf", "FF MF TH! ", {0, 0, 1}, 8}));
+        Published{"allegro_hand/allegro_hand_right.urdf", "FF MF RF TH! ", {1, 0, 0}, 16, ""},
+        Published{"barrett_hand/bhand_model.urdf",
+                  "FF MF TH! ",
+                  {0, 0, 1},
+                  8,
+                  "effort of 8 joints (\"finger_1_prox_joint\", \"finger_1_med_joint\", "
+                  "\"finger_1_dist_joint\" and 5 more) is 0 or less: a drive without torque moves "
+                  "nothing; their drives are guessed\n"}));
+
+class OwnHandTest : public testing::TestWithParam<const char*> {};
+
+// The project's own hands with their meshes, as somebody else's description.
+TEST_P(OwnHandTest, IsNotDoubted) {
+  const fs::path file = FindDataRoot() / "core/hand/models" / GetParam() / "hand.urdf";
+  Diagnostics problems;
+  ImportHand(ReadFile(file), MakeSource(file), "", problems);
+  ASSERT_EQ(problems.num_errors(), 0) << problems.Format();
+  EXPECT_EQ(FindDoubts(problems), "");
+}
+INSTANTIATE_TEST_SUITE_P(Models, OwnHandTest, testing::Values("tum", "tum-original", "shadow"));
 
 std::string ErrorOf(const std::string& urdf) {
   Diagnostics problems;

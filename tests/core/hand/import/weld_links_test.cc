@@ -79,7 +79,8 @@ TEST(WeldLinksTest, ReplacesWhatNoBodyHas) {
           "replaced: published mass, inertia of its volume, 100 g");
   EXPECT_EQ(told("<mass value=\"0.015\"/>", "<mass value=\"5\"/>"),
             left +
-                "a mass of 5 kg in bounds of 16.5 cm^3, denser than any metal; replaced: mass "
+                "a mass of 5 kg in bounds of 16.5 cm^3, denser than any metal: its mass or the "
+                "size of its shapes is wrong; replaced: mass "
                 "of its volume at 1200 kg/m^3, inertia of its volume, 19.8 g");
   EXPECT_EQ(
       told("<mass value=\"0.015\"/>", "<mass value=\"50\"/>"),

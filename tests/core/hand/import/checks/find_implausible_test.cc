@@ -5,86 +5,15 @@
 #include <Eigen/Geometry>
 
 #include "core/base/units.h"
+#include "tests/core/hand/import/checks/finger_row.h"
 
 namespace graspbench {
 namespace {
-
-/** Three fingers of one joint in a row along y, 50 mm long along z, that bend about y. */
-ImportedHand MakeRow(double axis_of_middle, double lower_of_middle, double upper_of_middle) {
-  ImportedHand imported;
-  Hand& hand = imported.hand;
-  hand.links.resize(1);
-  hand.links[0].name = "palm";
-  hand.links[0].mass = 0.4;
-  for (int i = 0; i < 3; ++i) {
-    HandLink link;
-    link.name = "finger_" + std::to_string(i);
-    link.parent = 0;
-    link.joint = i;
-    link.X_PJ = MakePose(Eigen::Vector3d(0, 0.03 * i, 0.09));
-    link.axis = (i == 1 ? axis_of_middle : 1.0) * Eigen::Vector3d::UnitY();
-    link.mass = 0.02;
-    HandJoint joint;
-    joint.name = "bend_" + std::to_string(i);
-    joint.link = i + 1;
-    joint.lower = i == 1 ? lower_of_middle : 0.0;
-    joint.upper = i == 1 ? upper_of_middle : 1.5;
-    Digit digit;
-    digit.links = {i + 1};
-    digit.distal_link = i + 1;
-    digit.p_LTip = {0, 0, 0.05};
-    hand.links.push_back(link);
-    hand.joints.push_back(joint);
-    hand.digits.push_back(digit);
-  }
-  return imported;
-}
 
 std::string Tell(const ImportedHand& imported) {
   Diagnostics problems;
   FindImplausible("hand.urdf", imported, problems);
   return problems.Format();
-}
-
-TEST(FindImplausibleTest, AnAxisAgainstItsNeighboursIsTold) {
-  EXPECT_EQ(Tell(MakeRow(1.0, 0.0, 1.5)), "");
-  EXPECT_NE(Tell(MakeRow(-1.0, 0.0, 1.5)).find("joint \"bend_1\": its axis is the mirror image"),
-            std::string::npos);
-  EXPECT_EQ(Tell(MakeRow(-1.0, -1.5, 0.0)), "");  // the limits are mirrored as well: same motion
-}
-
-/** Three fingers of one joint about a hub, each turned to it. */
-ImportedHand MakeRing(double axis_of_second) {
-  ImportedHand imported = MakeRow(axis_of_second, 0.0, 1.5);
-  for (int i = 0; i < 3; ++i) {
-    HandLink& link = imported.hand.links[static_cast<size_t>(i + 1)];
-    const double angle = 2.0 * kPi / 3.0 * i;
-    link.X_PJ = MakePose(MakeRotationRpy(0, 0, angle),
-                         Eigen::Vector3d(0.05 * std::cos(angle), 0.05 * std::sin(angle), 0.05));
-    link.axis = -link.axis;
-  }
-  return imported;
-}
-
-TEST(FindImplausibleTest, ACopyThatClosesAwayFromTheOthersIsTold) {
-  EXPECT_EQ(Tell(MakeRing(1.0)), "");
-  const std::string told = Tell(MakeRing(-1.0));
-  EXPECT_NE(told.find("joint \"bend_1\": its axis is the mirror image of that of \"bend_0\", "
-                      "\"bend_2\" of another digit"),
-            std::string::npos)
-      << told;
-  EXPECT_EQ(told.find("bend_0\":"), std::string::npos);
-}
-
-// Two jaws whose frames are not turned to each other: opposite axes, and both close.
-TEST(FindImplausibleTest, DigitsThatFaceEachOtherMayHaveOppositeAxes) {
-  ImportedHand imported = MakeRow(-1.0, 0.0, 1.5);
-  imported.hand.digits.pop_back();
-  imported.hand.joints.pop_back();
-  imported.hand.links.pop_back();
-  imported.hand.links[1].X_PJ = MakePose(Eigen::Vector3d(-0.04, 0, 0.05));
-  imported.hand.links[2].X_PJ = MakePose(Eigen::Vector3d(0.04, 0, 0.05));
-  EXPECT_EQ(Tell(imported), "");
 }
 
 TEST(FindImplausibleTest, AJointThatHardlyMovesIsTold) {
@@ -99,14 +28,6 @@ TEST(FindImplausibleTest, AJointThatTurnsFartherThanAFingersIsTold) {
   EXPECT_NE(Tell(MakeRow(1.0, 0.0, 3.7)).find("1 joint (\"bend_1 212 deg\") may turn farther"),
             std::string::npos)
       << Tell(MakeRow(1.0, 0.0, 3.7));
-}
-
-TEST(FindImplausibleTest, ALimitUnlikeThoseOfTheFingersBesideItIsTold) {
-  EXPECT_NE(Tell(MakeRow(1.0, 0.0, 2.8)).find("\"bend_1\" turns by 160 deg, the like joints"),
-            std::string::npos)
-      << Tell(MakeRow(1.0, 0.0, 2.8));
-  EXPECT_NE(Tell(MakeRow(1.0, 0.0, 0.8)).find("\"bend_1\" turns by 46 deg, the like joints"),
-            std::string::npos);
 }
 
 /** Two jaws that slide along y from 60 mm apart. */
@@ -184,6 +105,30 @@ TEST(FindImplausibleTest, APalmOfFiftyTimesTheDigitsIsTold) {
   EXPECT_EQ(Tell(imported), "");
   imported.hand.links[0].mass = 3.1;
   EXPECT_NE(Tell(imported).find("52 times as much as all digits, 60 g"), std::string::npos)
+      << Tell(imported);
+}
+
+// A joint of the second finger that follows the first finger's, behind one with a drive of its own.
+TEST(FindImplausibleTest, AJointTiedToAnotherDigitBehindADriveIsTold) {
+  ImportedHand imported = MakeRow(1.0, 0.0, 1.5);
+  HandLink link = imported.hand.links[2];
+  link.name = "second_tip";
+  link.parent = 2;
+  link.joint = 3;
+  HandJoint joint = imported.hand.joints[1];
+  joint.name = "second_knee";
+  joint.link = 4;
+  joint.coupled_to = 1;
+  joint.is_mimic = true;
+  imported.hand.links.push_back(link);
+  imported.hand.joints.push_back(joint);
+  imported.hand.digits[1].links.push_back(4);
+  imported.hand.digits[1].distal_link = 4;
+  EXPECT_EQ(Tell(imported).find("tied to the wrong joint"), std::string::npos) << Tell(imported);
+  imported.hand.joints[3].coupled_to = 0;
+  EXPECT_NE(Tell(imported).find("joint \"second_knee\" follows \"bend_0\" of another digit, while "
+                                "\"bend_1\" before it has a drive of its own"),
+            std::string::npos)
       << Tell(imported);
 }
 

@@ -74,6 +74,9 @@ TEST(SetLengthUnitTest, TellsWhichUnitItInfersAndWhy) {
 
 TEST(CalcLinkLengthsTest, ToTheFarthestJointOrFromTheOneBefore) {
   EXPECT_EQ(CalcLinkLengths(MakeFinger(1.0)), (std::vector<double>{0.095, 0.045, 0.025, 0.025}));
+  ForeignHand hub = MakeFinger(1.0);  // the next joint lies where its own does
+  hub.joints[1].X_PJ = Pose::Identity();
+  EXPECT_EQ(CalcLinkLengths(hub), (std::vector<double>{0.095, 0.0, 0.025, 0.025}));
 }
 
 }  // namespace

@@ -1,0 +1,30 @@
+#pragma once
+/** @file
+Digits as rows of joints, to compare those that stand side by side. */
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/hand/hand.h"
+
+namespace graspbench {
+
+/** A digit's joints that bend it, from base to tip, and how it stands at the open hand. In H. */
+struct DigitRow {
+  const Digit* digit = nullptr;
+  Eigen::Vector3d base = Eigen::Vector3d::Zero();   ///< of its first joint [m]
+  Eigen::Vector3d along = Eigen::Vector3d::Zero();  ///< from there to its tip; unit, or 0
+  std::vector<int> joints;
+  std::vector<Eigen::Vector3d> turns;  ///< about which these close
+  std::vector<Eigen::Vector3d> axes;   ///< by link of the digit, as described
+};
+std::vector<DigitRow> MakeDigitRows(const Hand& hand);
+
+/** Fingers that stand in a row, along the axes about which they bend, with as many links: what is
+built alike must be described alike. Half of their axes at least have that direction. */
+bool AreSideBySide(const DigitRow& a, const DigitRow& b);
+
+/** From the base to the tip, at the open hand [m]. */
+double CalcLongestDigit(const Hand& hand);
+
+}  // namespace graspbench

@@ -1,0 +1,126 @@
+#include "core/hand/import/checks/opposed_digits.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/hand/closing.h"
+#include "core/hand/coupling.h"
+#include "core/hand/import/shapes/shape_distance.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kShares = 16, kSamples = 1500;
+constexpr double kFaces = 0.342;               // cosine of 70 degrees
+constexpr double kNear = 0.04, kNearer = 0.5;  // [m], of the open distance
+constexpr int kPointsBetween = 6;              // of the line from pad to pad
+
+class OppositionFinder {
+ public:
+  explicit OppositionFinder(const ImportedHand& imported)
+      : hand_(imported.hand),
+        closing_(FindClosing(hand_)),
+        open_(CalcClosedPosture(hand_, closing_, 0.0)),
+        palm_(ListShapesOf(imported.shapes, hand_.palm_link)) {
+    for (const Digit& digit : hand_.digits) {
+      const auto shapes = ListShapesOf(imported.shapes, digit.distal_link);
+      normals_.push_back(Vector3d::Zero());
+      if (shapes.empty()) continue;
+      const Vector3d middle = CalcBounds(shapes).center();
+      const Vector3d along = (digit.p_LTip - middle).stableNormalized();
+      const Vector3d to_pad = digit.p_LPad - middle;
+      normals_.back() = (to_pad - to_pad.dot(along) * along).stableNormalized();
+    }
+  }
+
+  bool HasPad(size_t digit) const { return normals_[digit].norm() > 0.5; }
+  bool DoOppose(size_t a, size_t b) const {
+    const double enough = std::max(kNear, kNearer * Place(a, b, open_).gap);
+    for (int i = 0; i <= kShares; ++i) {
+      for (int k = 0; k <= kShares; ++k) {
+        Eigen::VectorXd q = open_;
+        CloseDigit(hand_, closing_, hand_.digits[a], static_cast<double>(i) / kShares, q);
+        CloseDigit(hand_, closing_, hand_.digits[b], static_cast<double>(k) / kShares, q);
+        ApplyCoupling(hand_, q);
+        if (Opposes(a, b, q, enough)) return true;
+      }
+    }
+    for (int k = 1; k <= kSamples; ++k) {
+      if (Opposes(a, b, MakeSample(a, b, k), enough)) return true;
+    }
+    return false;
+  }
+
+ private:
+  struct Pads {
+    Vector3d a, b;  // in H
+    double gap = 0.0;
+  };
+  Pads Place(size_t a, size_t b, const Eigen::VectorXd& q) const {
+    Pads pads;
+    pads.a = CalcLinkPose(hand_, q, hand_.digits[a].distal_link) * hand_.digits[a].p_LPad;
+    pads.b = CalcLinkPose(hand_, q, hand_.digits[b].distal_link) * hand_.digits[b].p_LPad;
+    pads.gap = (pads.b - pads.a).norm();
+    return pads;
+  }
+  Vector3d CalcNormal(size_t digit, const Eigen::VectorXd& q) const {
+    return CalcLinkPose(hand_, q, hand_.digits[digit].distal_link).linear() * normals_[digit];
+  }
+  bool Opposes(size_t a, size_t b, const Eigen::VectorXd& q, double enough) const {
+    const Pads pads = Place(a, b, q);
+    if (pads.gap > enough) return false;
+    const Vector3d between = (pads.b - pads.a).stableNormalized();
+    if (CalcNormal(a, q).dot(between) < kFaces || CalcNormal(b, q).dot(between) > -kFaces) {
+      return false;
+    }
+    const Pose X_PH = CalcLinkPose(hand_, q, hand_.palm_link).inverse();
+    for (int i = 1; i <= kPointsBetween; ++i) {
+      const double share = static_cast<double>(i) / (kPointsBetween + 1);
+      const Vector3d p_P = X_PH * (pads.a + share * (pads.b - pads.a));
+      if (CalcLinkDistance(palm_, hand_.palm_link, p_P) < 0.0) return false;
+    }
+    return true;
+  }
+  /** Evenly spread over the joints of both (Kronecker sequence). */
+  Eigen::VectorXd MakeSample(size_t a, size_t b, int number) const {
+    Eigen::VectorXd q = open_;
+    int dimension = 1;
+    for (int j = 0; j < hand_.num_joints(); ++j) {
+      if (!MovesDigit(hand_, j, hand_.digits[a]) && !MovesDigit(hand_, j, hand_.digits[b]))
+        continue;
+      const double turn = number * std::exp(1.0 / ++dimension);
+      const HandJoint& joint = hand_.joints[j];
+      q[j] = joint.lower + (turn - std::floor(turn)) * (joint.upper - joint.lower);
+    }
+    ApplyCoupling(hand_, q);
+    return q;
+  }
+
+  const Hand& hand_;
+  const std::vector<int> closing_;
+  const Eigen::VectorXd open_;
+  const std::vector<CollisionShape> palm_;
+  std::vector<Vector3d> normals_;  // of the pads, by digit, in the distal link's frame
+};
+
+}  // namespace
+
+std::vector<bool> FindOpposedDigits(const ImportedHand& imported) {
+  const OppositionFinder finder(imported);
+  const size_t num = imported.hand.digits.size();
+  std::vector<bool> is_opposed(num, false);
+  for (size_t a = 0; a < num; ++a) {
+    is_opposed[a] = is_opposed[a] || !finder.HasPad(a);
+    for (size_t b = 0; b < num && !is_opposed[a]; ++b) {
+      if (a == b || !finder.DoOppose(a, b)) continue;
+      is_opposed[a] = is_opposed[b] = true;
+    }
+  }
+  return is_opposed;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,281 @@
+#include "core/hand/import/checks/unlike_digits.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "core/base/text/text.h"
+#include "core/base/units.h"
+#include "core/hand/closing.h"
+#include "core/hand/import/checks/digit_rows.h"
+#include "core/hand/import/shapes/shape_distance.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kOneDirection = 0.9,
+                 kOtherDirection = 0.7;  // cosines of one direction, of another
+constexpr double kLikeLimits = 0.05;     // [rad] between limits of joints of one build
+constexpr double kBend = 0.3;            // [rad] by which a joint is tried
+constexpr double kMoves = 0.001;         // [m] of a tip, to count
+constexpr double kLeastLength = 0.005;   // [m], to be compared
+
+/** Something that like joints or links have in common. */
+struct Trait {
+  std::string what;  // "joint \"a\" turns by"
+  std::string noun;  // "joints"
+  std::function<double(const DigitRow&)> calc;
+  double alike, unlike;  // ratios: within which the others agree, from which one is told
+  std::function<std::string(double)> format;
+  std::string question;
+};
+
+class UnlikeFinder {
+ public:
+  UnlikeFinder(const std::string& file, const ImportedHand& imported, Diagnostics& problems)
+      : file_(file),
+        imported_(imported),
+        hand_(imported.hand),
+        problems_(problems),
+        rows_(MakeDigitRows(imported.hand)) {}
+
+  std::set<int> Find() {
+    FindMirroredAxes();
+    FindOutwardCopies();
+    FindBentBack();
+    FindOtherAxes();
+    FindOtherRanges();
+    FindOtherLinks();
+    return told_;
+  }
+
+ private:
+  std::vector<const DigitRow*> ListBeside(const DigitRow& row) const;
+  double CalcApproach(const Digit& digit, int joint, int closing) const;
+  double CalcLength(int link) const;
+  void FindMirroredAxes();
+  void FindOutwardCopies();
+  void FindBentBack();
+  void FindOtherAxes();
+  void FindOtherRanges();
+  void FindOtherLinks();
+  void TellIfUnlike(const DigitRow& row, const std::vector<const DigitRow*>& beside,
+                    const Trait& trait);
+  const std::string& NameOf(int joint) const { return hand_.joints[joint].name; }
+  void Warn(const std::string& text) { problems_.Warn(file_, 0, text); }
+
+  const std::string& file_;
+  const ImportedHand& imported_;
+  const Hand& hand_;
+  Diagnostics& problems_;
+  const std::vector<DigitRow> rows_;
+  std::set<int> told_;  // joints whose axes were
+};
+
+std::vector<const DigitRow*> UnlikeFinder::ListBeside(const DigitRow& row) const {
+  std::vector<const DigitRow*> beside;
+  for (const DigitRow& other : rows_) {
+    if (&other != &row && AreSideBySide(row, other)) beside.push_back(&other);
+  }
+  return beside;
+}
+
+void UnlikeFinder::FindMirroredAxes() {
+  for (const DigitRow& row : rows_) {
+    for (size_t k = 0; k < row.joints.size(); ++k) {
+      int num_alike = 0;
+      std::string opposed;
+      for (const DigitRow* other : ListBeside(row)) {
+        if (other->joints.size() != row.joints.size()) continue;
+        const double cosine = row.turns[k].dot(other->turns[k]);
+        num_alike += cosine > kOneDirection;
+        if (cosine < -kOneDirection) {
+          opposed += (opposed.empty() ? "\"" : ", \"") + NameOf(other->joints[k]) + "\"";
+        }
+      }
+      if (opposed.empty() || num_alike > 0) continue;
+      told_.insert(row.joints[k]);
+      Warn("joint \"" + NameOf(row.joints[k]) + "\": its axis is the mirror image of that of " +
+           opposed +
+           " beside it, with limits of the same sign: it opens where they close; is the sign of "
+           "its axis wrong?");
+    }
+  }
+}
+
+/** By how much a digit's tip comes nearer to the middle of the others' when one joint closes [m]. */
+double UnlikeFinder::CalcApproach(const Digit& digit, int joint, int closing) const {
+  Eigen::VectorXd q = CalcClosedPosture(hand_, {}, 0.0);
+  const auto calc_distance = [&] {
+    const std::vector<Pose> X_HL = CalcLinkPoses(hand_, q);
+    Vector3d middle = Vector3d::Zero(), own = Vector3d::Zero();
+    for (const Digit& each : hand_.digits) {
+      const Vector3d p_HTip = X_HL[each.distal_link] * each.p_LTip;
+      if (&each == &digit) {
+        own = p_HTip;
+      } else {
+        middle += p_HTip / (static_cast<double>(hand_.digits.size()) - 1.0);
+      }
+    }
+    return (own - middle).norm();
+  };
+  const double before = calc_distance();
+  q[joint] += closing * kBend;
+  return before - calc_distance();
+}
+
+/** Copies of one digit about a hub: their joints are described alike but for the sign of an axis,
+and with it one of them closes away from the others. Digits that face each other may have opposite
+axes: there both close towards each other. */
+void UnlikeFinder::FindOutwardCopies() {
+  const std::vector<int> closing = FindClosing(hand_);
+  const auto is_of_one_build = [&](int a, int b) {
+    const HandJoint &ja = hand_.joints[a], &jb = hand_.joints[b];
+    return hand_.links[ja.link].axis.dot(hand_.links[jb.link].axis) < -kOneDirection &&
+           std::abs(ja.lower - jb.lower) < kLikeLimits &&
+           std::abs(ja.upper - jb.upper) < kLikeLimits;
+  };
+  for (const DigitRow& row : rows_) {
+    for (size_t k = 0; k < row.joints.size(); ++k) {
+      std::string inward;
+      int num_outward = 0;
+      for (const DigitRow& other : rows_) {
+        if (&other == &row || other.joints.size() != row.joints.size()) continue;
+        const int j = other.joints[k];
+        if (!is_of_one_build(row.joints[k], j)) continue;
+        const double approach = CalcApproach(*other.digit, j, closing[j]);
+        num_outward += approach < kMoves;
+        if (approach > kMoves) inward += (inward.empty() ? "\"" : ", \"") + NameOf(j) + "\"";
+      }
+      const int j = row.joints[k];
+      if (inward.empty() || num_outward > 0 || told_.count(j) > 0) continue;
+      if (CalcApproach(*row.digit, j, closing[j]) > -kMoves) continue;
+      told_.insert(j);
+      Warn("joint \"" + NameOf(j) + "\": its axis is the mirror image of that of " + inward +
+           " of another digit of its build, and it closes away from the other digits, which they "
+           "do not; is the sign of its axis wrong?");
+    }
+  }
+}
+
+/** Joints that follow others do not bend by themselves: the pad of a linkage stays parallel. */
+void UnlikeFinder::FindBentBack() {
+  for (const DigitRow& row : rows_) {
+    for (size_t k = 0; k < row.turns.size(); ++k) {
+      const auto num_against = std::count_if(
+          row.turns.begin(), row.turns.end(),
+          [&](const Vector3d& turn) { return turn.dot(row.turns[k]) < -kOneDirection; });
+      const bool is_alone =
+          num_against >= 2 && num_against + 1 == static_cast<int64_t>(row.turns.size());
+      if (!is_alone || !told_.insert(row.joints[k]).second) continue;
+      Warn("joint \"" + NameOf(row.joints[k]) + "\" bends its digit the other way than the " +
+           FormatCount(num_against, "other joint") +
+           " of the digit; is the sign of its axis wrong, or are its limits?");
+    }
+  }
+}
+
+/** Of three like joints side by side one turns about another direction than two that agree. */
+void UnlikeFinder::FindOtherAxes() {
+  for (const DigitRow& row : rows_) {
+    const std::vector<const DigitRow*> beside = ListBeside(row);
+    if (beside.size() < 2) continue;
+    for (size_t k = 0; k < row.axes.size(); ++k) {
+      const Vector3d& axis = beside[0]->axes[k];
+      const bool is_other = std::all_of(beside.begin(), beside.end(), [&](const DigitRow* other) {
+        return std::abs(axis.dot(other->axes[k])) > kOneDirection &&
+               std::abs(row.axes[k].dot(other->axes[k])) < kOtherDirection;
+      });
+      const int joint = hand_.links[row.digit->links[k]].joint;
+      if (!is_other || joint < 0) continue;
+      const double cosine = std::abs(row.axes[k].dot(axis));
+      Warn("joint \"" + NameOf(joint) + "\": its axis is " +
+           FormatFixed(DegFromRad(std::acos(std::min(1.0, cosine))), 0) +
+           " deg from those of the like joints beside it; is its axis wrong?");
+    }
+  }
+}
+
+void UnlikeFinder::TellIfUnlike(const DigitRow& row, const std::vector<const DigitRow*>& beside,
+                                const Trait& trait) {
+  if (beside.size() < 2) return;
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  for (const DigitRow* other : beside) {
+    least = std::min(least, trait.calc(*other));
+    most = std::max(most, trait.calc(*other));
+  }
+  const double own = trait.calc(row);
+  const bool is_unlike = own > trait.unlike * most || own < least / trait.unlike;
+  if (most > trait.alike * least || !is_unlike) return;
+  Warn(trait.what + " " + trait.format(own) + ", the like " + trait.noun + " beside it " +
+       trait.format(most) + "; " + trait.question);
+}
+
+void UnlikeFinder::FindOtherRanges() {
+  for (const DigitRow& row : rows_) {
+    std::vector<const DigitRow*> beside = ListBeside(row);
+    beside.erase(std::remove_if(beside.begin(), beside.end(),
+                                [&](const DigitRow* other) {
+                                  return other->joints.size() != row.joints.size();
+                                }),
+                 beside.end());
+    for (size_t k = 0; k < row.joints.size(); ++k) {
+      const auto calc_range = [&](const DigitRow& each) {
+        const HandJoint& joint = hand_.joints[each.joints[k]];
+        return joint.upper - joint.lower;
+      };
+      const auto format = [](double range) { return FormatFixed(DegFromRad(range), 0) + " deg"; };
+      TellIfUnlike(row, beside,
+                   {"joint \"" + NameOf(row.joints[k]) + "\" turns by", "joints", calc_range, 1.1,
+                    1.8, format, "is a limit wrong?"});
+    }
+  }
+}
+
+/** The longest side of what touches. */
+double UnlikeFinder::CalcLength(int link) const {
+  const auto shapes = ListShapesOf(imported_.shapes, link);
+  return shapes.empty() ? 0.0 : CalcBounds(shapes).sizes().maxCoeff();
+}
+
+void UnlikeFinder::FindOtherLinks() {
+  const auto format_mm = [](double length) { return FormatFixed(MmFromM(length), 0) + " mm"; };
+  const auto format_g = [](double mass) { return FormatSignificant(GFromKg(mass), 3) + " g"; };
+  for (const DigitRow& row : rows_) {
+    const std::vector<const DigitRow*> beside = ListBeside(row);
+    for (size_t k = 0; k < row.digit->links.size(); ++k) {
+      const std::string link = "link \"" + hand_.links[row.digit->links[k]].name + "\" ";
+      TellIfUnlike(row, beside,
+                   {link + "weighs", "links",
+                    [&](const DigitRow& each) { return hand_.links[each.digit->links[k]].mass; },
+                    1.5, 3.0, format_g, "is its mass in another unit?"});
+      TellIfUnlike(row, beside,
+                   {link + "has a length of", "links",
+                    [&](const DigitRow& each) {
+                      return std::max(kLeastLength, CalcLength(each.digit->links[k]));
+                    },
+                    1.3, 1.8, format_mm, "is the size of its shape or mesh wrong?"});
+      if (k == 0) continue;
+      TellIfUnlike(row, beside,
+                   {link + "has its joint from the one before by", "links",
+                    [&](const DigitRow& each) {
+                      const Pose& X_PJ = hand_.links[each.digit->links[k]].X_PJ;
+                      return std::max(kLeastLength, X_PJ.translation().norm());
+                    },
+                    1.3, 1.8, format_mm, "is the place of a joint wrong?"});
+    }
+  }
+}
+
+}  // namespace
+
+std::set<int> FindUnlikeDigits(const std::string& file, const ImportedHand& imported,
+                               Diagnostics& problems) {
+  return UnlikeFinder(file, imported, problems).Find();
+}
+
+}  // namespace graspbench
