@@ -37,7 +37,7 @@ inline ImportedHand MakeRow(double axis_of_middle, double lower_of_middle, doubl
   return imported;
 }
 
-/** The same with a second joint each, 30 mm from the first: knee_0 to knee_2, links tip_0 to tip_2. */
+/** The same with a second joint each, 30 mm from the first: knee_0 to knee_2, links tip_0 to 2. */
 inline ImportedHand MakeTwoJointRow() {
   ImportedHand imported = MakeRow(1.0, 0.0, 1.5);
   Hand& hand = imported.hand;
