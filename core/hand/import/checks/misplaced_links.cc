@@ -22,7 +22,8 @@ constexpr double kRootOfDigit = 0.025;  // [m] of a joint from the digit's first
 constexpr double kHub = 0.015;          // [m] between the axes of a knuckle
 constexpr double kDeep = 0.006;         // [m] of one link in another, to be told
 constexpr double kMostInside = 0.5;     // of a link's volume in another of its own digit
-constexpr double kFarthestGap = 0.025;  // [m] between a link and the one that carries it
+constexpr double kFarthestGap = 0.025;  // [m] between a link and the one before it in its digit
+constexpr double kFarthestBase = 0.05;  // [m] between a digit and the palm, often a mere box
 constexpr double kOtherSize = 2.5;      // ratio of the longest sides of shapes and picture
 
 class MisplacedFinder {
@@ -211,7 +212,8 @@ void MisplacedFinder::FindInTheAir() {
       while (carrier >= 0 && is_empty(carrier)) carrier = hand_.links[carrier].parent;
       if (carrier < 0) continue;
       const double gap = CalcGap(link, carrier);
-      if (gap < kFarthestGap) continue;
+      const bool is_base = link == digit.links.front();
+      if (gap < (is_base ? kFarthestBase : kFarthestGap)) continue;
       Warn("link " + NameOf(link) + " hangs in the air, " + FormatFixed(MmFromM(gap), 0) +
            " mm from " + NameOf(carrier) +
            ", which carries it; is the place of its joint wrong, or are its shapes?");
