@@ -4,9 +4,10 @@ How well hands regulate their grip: the benchmark's cells under one setting of t
     grip_bench [--threads N] [--list] [--thresholds] [KEY=VALUE ...]       as graspbench run --set
 
 prints the shares of held trials whose sum, and whose digits by their number, are within a band of
-what was asked, and whose peak is below its bar. The band is 20 %, twice that by sensed touch. With
---thresholds it bisects each draw instead, over margins, or over forces where strategy.grip is force,
-and prints the median of each hand and object, with those that are not monotone. */
+what was asked, and whose peak is below its bar. The band is 20 %, twice that by sensed touch; there
+the same of what the hand feels, too: a digit that presses beside its elements is regulated by none.
+With --thresholds it bisects each draw instead, over margins, or over forces where strategy.grip is
+force, and prints the median of each hand and object, with those that are not monotone. */
 
 #include <fmt/core.h>
 
@@ -58,27 +59,49 @@ void PrintTrial(const PlannedTrial& planned, const TrialResult& result) {
   fmt::print("{}\n", text);
 }
 
-void PrintShares(const std::vector<TrialResult>& results, double band) {
-  Share success, sum, peak, in_band;
+/** Shares of held trials, and of digits, that keep their bars. */
+struct GripShares {
+  Share sum, peak, in_band;
   std::map<size_t, Share> digits;
+
+  void AddTrial(const GripRecord& grip, double band) {
+    sum.Add(IsWithin(grip.held, grip.asked, band));
+    peak.Add(grip.peak <= 1.2 * grip.asked + 0.2);
+    in_band.Add(grip.was_in_band);
+  }
+  void AddDigit(const GripRecord& grip, const DigitGripRecord& digit, double band) {
+    digits[grip.digits.size()].Add(IsWithin(digit.held, digit.asked, band));
+  }
+  void Print(const std::string& which) const {
+    fmt::print("{}: sum {}, peak {}, settled in band {}\n", which, sum.Format(), peak.Format(),
+               in_band.Format());
+    for (const auto& [number, share] : digits) {
+      fmt::print("digits of {}: {}\n", number, share.Format());
+    }
+  }
+};
+
+bool IsFelt(const DigitGripRecord& digit) { return digit.fault != GripFault::kNotFelt; }
+
+void PrintShares(const std::vector<TrialResult>& results, double band) {
+  Share success;
+  GripShares all, felt;
   std::map<std::string, int> faults;
   for (const TrialResult& result : results) {
     success.Add(IsSuccess(result.outcome));
     if (!result.grip || !IsSuccess(result.outcome)) continue;
     const GripRecord& grip = *result.grip;
-    sum.Add(IsWithin(grip.held, grip.asked, band));
-    peak.Add(grip.peak <= 1.2 * grip.asked + 0.2);
-    in_band.Add(grip.was_in_band);
+    all.AddTrial(grip, band);
+    if (std::all_of(grip.digits.begin(), grip.digits.end(), IsFelt)) felt.AddTrial(grip, band);
     for (const DigitGripRecord& digit : grip.digits) {
-      digits[grip.digits.size()].Add(IsWithin(digit.held, digit.asked, band));
+      all.AddDigit(grip, digit, band);
+      if (IsFelt(digit)) felt.AddDigit(grip, digit, band);
       if (digit.fault != GripFault::kNone) ++faults[NameOf(digit.fault)];
     }
   }
-  fmt::print("success {}\nheld trials: sum {}, peak {}, settled in band {}\n", success.Format(),
-             sum.Format(), peak.Format(), in_band.Format());
-  for (const auto& [number, share] : digits) {
-    fmt::print("digits of {}: {}\n", number, share.Format());
-  }
+  fmt::print("success {}\n", success.Format());
+  all.Print("held trials");
+  if (felt.sum.of < all.sum.of) felt.Print("those whose digits all feel what they press");
   for (const auto& [fault, number] : faults) fmt::print("{}: {}\n", fault, number);
 }
 
