@@ -49,14 +49,25 @@ void TellOutwardDigits(const std::string& file, const Hand& hand,
   }
 }
 
-/** Those that close away from the others are told as such. */
+/** Those that close away from the others are told as such. An outer finger of a row whose other half
+at least opposes the thumb closes to the palm: so do hands whose thumb cannot turn. */
 void TellUnopposedDigits(const std::string& file, const ImportedHand& imported,
                          const std::vector<bool>& is_outward, Diagnostics& problems) {
   const Hand& hand = imported.hand;
   const std::vector<bool> is_opposed = FindOpposedDigits(imported);
+  const std::vector<DigitRow> rows = MakeDigitRows(hand);
+  const auto is_of_opposed_row = [&](size_t d) {
+    int num = 1, num_opposed = 0;
+    for (size_t e = 0; e < rows.size(); ++e) {
+      if (e == d || !AreSideBySide(rows[d], rows[e])) continue;
+      ++num;
+      num_opposed += is_opposed[e];
+    }
+    return 2 * num_opposed >= num;
+  };
   std::vector<std::string> alone;
   for (size_t d = 0; d < hand.digits.size(); ++d) {
-    if (is_opposed[d] || is_outward[d]) continue;
+    if (is_opposed[d] || is_outward[d] || is_of_opposed_row(d)) continue;
     alone.push_back(hand.links[hand.digits[d].distal_link].name);
   }
   if (alone.empty()) return;
