@@ -10,7 +10,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kDecided = 0.2;  // of the range
+constexpr double kDecided = 0.2;          // of the range
+constexpr double kLeastApproach = 0.005;  // [m] of a tip
 
 Vector3d CalcTip(const Hand& hand, const Digit& digit, const Eigen::VectorXd& q) {
   return CalcLinkPose(hand, q, digit.distal_link) * digit.p_LTip;
@@ -62,6 +63,39 @@ double CalcPosition(const HandJoint& joint, int direction, double share) {
   return open + share * (closed - open);
 }
 
+/** Of a digit whose limits decide nothing, zero in the middle of its stroke, the joints that bend it
+close to where its tip comes nearer to the middle of the others'. */
+void CloseUndecided(const Hand& hand, const std::vector<Pose>& X_HL, std::vector<int>& closing) {
+  if (hand.digits.size() < 2) return;
+  const std::vector<int> decided = closing;
+  const Eigen::VectorXd open = CalcClosedPosture(hand, decided, 0.0);
+  for (const Digit& digit : hand.digits) {
+    std::vector<int> joints;
+    bool is_decided = false;
+    for (const int link : digit.links) {
+      const int j = hand.links[link].joint;
+      if (j < 0) continue;
+      is_decided = is_decided || decided[j] != 0 || hand.joints[j].is_prismatic;
+      if (hand.joints[j].coupled_to < 0 && Bends(hand, j, X_HL)) joints.push_back(j);
+    }
+    if (is_decided) continue;
+    Vector3d middle = Vector3d::Zero();
+    for (const Digit& other : hand.digits) {
+      if (&other == &digit) continue;
+      middle += CalcTip(hand, other, open) / (static_cast<double>(hand.digits.size()) - 1.0);
+    }
+    const auto calc_distance = [&](double share) {
+      Eigen::VectorXd q = open;
+      for (const int j : joints) q[j] = CalcPosition(hand.joints[j], 1, share);
+      ApplyCoupling(hand, q);
+      return (CalcTip(hand, digit, q) - middle).norm();
+    };
+    const double change = calc_distance(1.0) - calc_distance(0.0);
+    if (std::abs(change) < kLeastApproach) continue;
+    for (const int j : joints) closing[j] = change < 0.0 ? 1 : -1;
+  }
+}
+
 }  // namespace
 
 std::vector<int> FindClosing(const Hand& hand) {
@@ -79,6 +113,7 @@ std::vector<int> FindClosing(const Hand& hand) {
       closing[j] = joint.upper + joint.lower > 0.0 ? 1 : -1;
     }
   }
+  CloseUndecided(hand, X_HL, closing);
   // Fingers that close all the way pass each other: what counts is that they come nearer at all.
   const auto calc_spread = [&](double share) {
     return CalcTipSpread(hand, CalcClosedPosture(hand, closing, share));

@@ -7,9 +7,9 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/hand/closing.h"
-#include "core/hand/import/checks/digit_rows.h"
 #include "core/hand/import/digit_names.h"
 #include "core/hand/import/foreign_xml.h"
+#include "core/hand/import/guess_drives.h"
 #include "core/hand/import/guess_palm.h"
 #include "core/hand/import/shapes/shape_distance.h"
 
@@ -20,17 +20,7 @@ using Eigen::Vector3d;
 
 constexpr double kSmallestHand = 0.015, kLargestHand = 2.0;  // [m] across
 constexpr double kLongestDigit = 0.4;                        // [m]
-constexpr double kPadPlace = 0.6;     // of the way from the last joint to the tip
-constexpr double kMostEffort = 3.0;   // [N m] of a finger's drive that nobody doubts
-constexpr double kMostForce = 200.0;  // [N] of a slide's drive, the same
-/** The strongest electric grippers hold with 235 N between two tips; pneumatic ones with less than
-1 kN for a kilogram of their mass. */
-constexpr double kMostTipForce = 250.0, kMostForceByMass = 1000.0, kMostForceOfAny = 5000.0;
-/** Published stiffness within these holds a finger; [N m/rad], [N/m], of the stiffest. */
-constexpr double kStiffest = 50.0, kStiffestSlide = 50000.0, kSoftest = 0.005;
-/** Damping over stiffness [s]: no less, or the finger swings; no more, or it crawls. */
-constexpr double kDampingTime = 0.02, kMostDampingTime = 0.1;
-constexpr double kFarBeyond = 3.0;  // times what a drive gets, to be told
+constexpr double kPadPlace = 0.6;  // of the way from the last joint to the tip
 
 class Guesser {
  public:
@@ -54,14 +44,6 @@ class Guesser {
   void PlaceTips();
   void PlacePads();
   void FindThumb();
-  double GuessDrive(int joint, double ForeignDrive::*value, double least, double most,
-                    double otherwise) const;
-  double CalcMostEffort(int joint) const;
-  bool IsEffortBelieved(int joint) const;
-  void TellEfforts();
-  void TellGains() const;
-  void TellDamping() const;
-  void SetDrives();
   bool CheckSize();
   /** How the point of the digit's last link moves in H while all joints close at one rate. */
   Vector3d CalcClosingMotion(const Digit& digit, const Eigen::VectorXd& q, const Vector3d& p_L);
@@ -275,126 +257,6 @@ void Guesser::FindThumb() {
   hand_.digits[static_cast<size_t>(thumb)].id = "TH";
 }
 
-/** What a joint without a published value gets: no more than the weakest of its digit has. */
-double Guesser::GuessDrive(int joint, double ForeignDrive::*value, double least, double most,
-                           double otherwise) const {
-  const HandJoint& own = hand_.joints[joint];
-  for (int k = 0; k < hand_.num_joints(); ++k) {
-    const HandJoint& other = hand_.joints[k];
-    const double published = imported_.drives[static_cast<size_t>(k)].*value;
-    const bool is_neighbour = other.coupled_to < 0 && other.is_prismatic == own.is_prismatic &&
-                              hand_.FindDigitOfLink(other.link) == hand_.FindDigitOfLink(own.link);
-    if (!is_neighbour || published <= least || published > most) continue;
-    otherwise = std::min(otherwise, published);
-  }
-  return otherwise;
-}
-
-/** [N m], [N] */
-double Guesser::CalcMostEffort(int joint) const {
-  if (hand_.joints[joint].is_prismatic) {
-    double mass = 0.0;
-    for (const HandLink& link : hand_.links) mass += link.mass;
-    return std::clamp(kMostForceByMass * mass, kMostForce, kMostForceOfAny);
-  }
-  return std::max(kMostEffort, kMostTipForce * CalcLongestDigit(hand_));
-}
-
-/** Exporters write 10, 100 or 1000 where nobody knows it. */
-bool Guesser::IsEffortBelieved(int joint) const {
-  const double effort = imported_.drives[static_cast<size_t>(joint)].effort;
-  if (effort <= (hand_.joints[joint].is_prismatic ? kMostForce : kMostEffort)) return effort > 0.0;
-  const double digits = std::log10(effort);
-  return effort <= CalcMostEffort(joint) && std::abs(digits - std::round(digits)) > 1e-9;
-}
-
-void Guesser::TellEfforts() {
-  std::vector<std::string> joints;
-  double largest = 0.0;
-  for (int j = 0; j < hand_.num_joints(); ++j) {
-    const HandJoint& joint = hand_.joints[j];
-    const double effort = imported_.drives[static_cast<size_t>(j)].effort;
-    if (joint.coupled_to >= 0 || effort <= 0.0 || IsEffortBelieved(j)) continue;
-    joints.push_back(joint.name);
-    largest = std::max(largest, effort);
-  }
-  if (joints.empty()) return;
-  Warn("the effort of " + FormatCount(static_cast<int64_t>(joints.size()), "joint") + " (" +
-       JoinSome(joints) + "), up to " + FormatSignificant(largest, 3) +
-       ", is not that of a finger's drive: a placeholder, or more than 250 N at a tip or 1 kN "
-       "for each kilogram of the hand; guessed instead. If it is meant, write it into hand.yaml");
-}
-
-/** Of the drives whose published stiffness is not what they get. */
-void Guesser::TellGains() const {
-  std::vector<std::string> told;
-  for (int j = 0; j < hand_.num_joints(); ++j) {
-    const HandJoint& joint = hand_.joints[j];
-    const double published = imported_.drives[static_cast<size_t>(j)].stiffness;
-    if (joint.coupled_to >= 0 || published <= 0.0 || published == joint.drive.stiffness) continue;
-    told.push_back(joint.name + " " + FormatSignificant(published, 3));
-  }
-  if (told.empty()) return;
-  problems_.Warn(file_, 0,
-                 "the stiffness of " + FormatCount(static_cast<int64_t>(told.size()), "drive") +
-                     " (" + JoinSome(told) +
-                     ") is not that of a finger's, 0.25 to 50 N m/rad or 250 to 50000 N/m; guessed "
-                     "instead");
-}
-
-/** Of the drives that would crawl, and so get less damping than is published. */
-void Guesser::TellDamping() const {
-  std::vector<std::string> told;
-  for (int j = 0; j < hand_.num_joints(); ++j) {
-    const HandJoint& joint = hand_.joints[j];
-    const ForeignDrive& published = imported_.drives[static_cast<size_t>(j)];
-    if (joint.coupled_to >= 0 || published.stiffness != joint.drive.stiffness) continue;
-    if (published.damping <= kFarBeyond * joint.drive.damping) continue;
-    told.push_back(joint.name + " " + FormatSignificant(published.damping, 3));
-  }
-  if (told.empty()) return;
-  problems_.Warn(file_, 0,
-                 "the damping of " + FormatCount(static_cast<int64_t>(told.size()), "drive") +
-                     " (" + JoinSome(told) +
-                     ") would let them crawl, more than 0.3 s by their stiffness; less is taken. "
-                     "Is it in another unit?");
-}
-
-void Guesser::SetDrives() {
-  hand_.joint_accuracy = RadFromDeg(1.0);
-  for (int j = 0; j < hand_.num_joints(); ++j) {
-    HandJoint& joint = hand_.joints[j];
-    const ForeignDrive& drive = imported_.drives[static_cast<size_t>(j)];
-    joint.drive.torque_limit = IsEffortBelieved(j)
-                                   ? drive.effort
-                                   : GuessDrive(j, &ForeignDrive::effort, 0.0,
-                                                joint.is_prismatic ? kMostForce : kMostEffort,
-                                                joint.is_prismatic ? 40.0 : 1.0);
-    const double stiffest = joint.is_prismatic ? kStiffestSlide : kStiffest;
-    const bool is_published = drive.stiffness >= kSoftest * stiffest && drive.stiffness <= stiffest;
-    joint.drive.stiffness = is_published
-                                ? drive.stiffness
-                                : GuessDrive(j, &ForeignDrive::stiffness, kSoftest * stiffest,
-                                             stiffest, joint.is_prismatic ? 3000.0 : 3.0);
-    const double damping = kDampingTime * joint.drive.stiffness;
-    joint.drive.damping =
-        is_published ? std::clamp(drive.damping, damping, kMostDampingTime * joint.drive.stiffness)
-                     : damping;
-    if (joint.is_prismatic) hand_.slide_accuracy = 0.0005;
-    if (joint.coupled_to < 0 && hand_.FindDigitOfLink(joint.link) < 0) {
-      if (joint.lower > 0.0 || joint.upper < 0.0) {
-        Warn(
-            "joint \"" + joint.name +
-            "\" belongs to no digit and is held at zero, which its limits forbid; widened to zero");
-        joint.lower = std::min(joint.lower, 0.0);
-        joint.upper = std::max(joint.upper, 0.0);
-      } else {
-        Warn("joint \"" + joint.name + "\" belongs to no digit and is held at zero: a wrist");
-      }
-    }
-  }
-}
-
 bool Guesser::CheckSize() {
   const std::vector<Pose> X_HL = CalcLinkPoses(hand_, CalcClosedPosture(hand_, {}, 0.0));
   Eigen::AlignedBox3d bounds;
@@ -456,10 +318,7 @@ void Guesser::Guess() {
   NameDigits(hand_);
   PlacePads();  // in the digits' order
   GuessPalm(file_, palm_normal_, facing_, imported_, problems_);
-  SetDrives();
-  TellEfforts();
-  TellGains();
-  TellDamping();
+  GuessDrives(file_, imported_, problems_);
 }
 
 }  // namespace

@@ -17,14 +17,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kAgreement = 0.5;        // of the pads' directions, mean length
-constexpr double kPointAway = -0.1;       // cosine of the thumb and the others
-constexpr double kRises = 0.4;            // cosine
-constexpr double kSameSide = 0.5;         // cosine
-constexpr double kSameDirection = 0.8;    // cosine
-constexpr double kNearlyAxis = 0.985;     // cosine
-constexpr double kLeastHeight = 0.01;     // [m] behind the palm's surface
-constexpr double kFarNormal = kPi / 3.0;  // [rad] of a given normal from the guess
+constexpr double kAgreement = 0.5;                        // of the pads' directions, mean length
+constexpr double kPointAway = -0.1;                       // cosine of the thumb and the others
+constexpr double kRises = 0.4;                            // cosine
+constexpr double kSameSide = 0.5;                         // cosine
+constexpr double kSameDirection = 0.8;                    // cosine
+constexpr double kNearlyAxis = 0.985;                     // cosine
+constexpr double kLeastHeight = 0.01, kMostDepth = 0.02;  // [m] behind the palm's surface
+constexpr double kFarNormal = kPi / 3.0;                  // [rad] of a given normal from the guess
 
 class PalmGuesser {
  public:
@@ -57,6 +57,7 @@ class PalmGuesser {
   ImportedHand& imported_;
   Hand& hand_;
   const std::vector<bool> is_outward_;  // by digit
+  double height_ = 0.0;                 // of where the digits meet above the palm's surface [m]
 };
 
 /** The axis that is nearly met is meant. */
@@ -136,15 +137,21 @@ std::string PalmGuesser::GuessFromDigits() {
   }
   hand_.palm_normal = GuessNormal(*meeting);
   PlacePalm();
-  const double height = hand_.palm_normal.dot(meeting->p_H - hand_.p_HCentre);
-  if (height > -kLeastHeight) return "";
-  return "the digits meet " + FormatFixed(MmFromM(-height), 0) + " mm behind the palm's surface";
+  height_ = hand_.palm_normal.dot(meeting->p_H - hand_.p_HCentre);
+  if (height_ > -kMostDepth) return "";
+  return "the digits meet " + FormatFixed(MmFromM(-height_), 0) + " mm behind the palm's surface";
 }
 
 void PalmGuesser::Guess(Diagnostics& problems) {
   const std::string failure = GuessFromDigits();
   const std::string& palm = hand_.links[hand_.palm_link].name;
   if (!given_) {
+    if (failure.empty() && height_ < -kLeastHeight) {
+      problems.Warn(
+          file_, 0,
+          "the digits meet " + FormatFixed(MmFromM(-height_), 0) +
+              " mm behind the palm's surface; is the place of a joint wrong, or an axis?");
+    }
     if (failure.empty()) return;
     problems.Fail(file_, 0,
                   failure +

@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 constexpr double kDensity = 1200.0;      // [kg/m^3]
 constexpr double kLightest = 100.0;      // [kg/m^3] of a published mass by the shapes' volume
 constexpr double kHeaviest = 20000.0;    // [kg/m^3], by its bounds
-constexpr double kFoam = 10.0;           // [kg/m^3]
+constexpr double kFoam = 40.0;           // [kg/m^3]
 constexpr double kHeaviestFrame = 20.0;  // [kg] of a link without extent
 constexpr double kBallRadius = 0.005;    // [m] of a link between two axes
 constexpr double kBallMass = 0.004;      // [kg]
@@ -209,6 +209,10 @@ std::string Welder::FindInertiaFault(int link) const {
     }
     return moments[2] * scale > inertia->mass ? "an inertia too large for its mass" : "";
   }
+  if (inertia->mass < kFoam * CalcUnionMass(shapes, 1.0).mass) {
+    return "a mass of " + FormatSignificant(GFromKg(inertia->mass), 3) +
+           " g, lighter than any foam of its size; is it in another unit?";
+  }
   const Eigen::AlignedBox3d bounds = CalcOwnBounds(link);
   const Vector3d p_com = inertia->X_LI.translation();
   if (bounds.exteriorDistance(p_com) > 0.005 + 0.2 * bounds.sizes().norm()) {
@@ -216,10 +220,6 @@ std::string Welder::FindInertiaFault(int link) const {
            " mm outside its shapes";
   }
   if (moments[2] * scale > 1.2 * inertia->mass * bounds.sizes().squaredNorm()) {
-    if (inertia->mass < kFoam * CalcUnionMass(shapes, 1.0).mass) {
-      return "a mass of " + FormatSignificant(GFromKg(inertia->mass), 3) +
-             " g, lighter than any foam of its size; is it in another unit?";
-    }
     return "an inertia too large for its mass and size";
   }
   return "";

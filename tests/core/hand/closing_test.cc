@@ -79,6 +79,22 @@ TEST(ClosingTest, FingersThatPassEachOtherCloseTowardsEachOther) {
   EXPECT_EQ(FindClosing(hand), (std::vector<int>{-1, -1}));
 }
 
+// Zero in the middle of the stroke: the limits say nothing, the place of the other finger does.
+TEST(ClosingTest, SymmetricLimitsCloseTowardsTheOtherDigits) {
+  Hand hand = MakeGripper();
+  for (int d = 0; d < 2; ++d) {
+    const double side = d == 0 ? 1.0 : -1.0;
+    HandLink& link = hand.links[d + 1];
+    link.X_PJ = MakePose(Eigen::Vector3d(0, 0.06 * side, 0));
+    link.axis = Eigen::Vector3d(1, 0, 0);  // of both: one closes by turning up, one down
+    hand.joints[d].is_prismatic = false;
+    hand.joints[d].lower = -0.5;
+    hand.joints[d].upper = 0.5;
+    hand.digits[d].p_LTip = {0, 0, 0.1};
+  }
+  EXPECT_EQ(FindClosing(hand), (std::vector<int>{1, -1}));
+}
+
 TEST(ClosingTest, FollowersFollow) {
   Hand hand = MakeGripper();
   hand.joints[1].coupled_to = 0;

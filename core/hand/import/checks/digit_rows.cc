@@ -47,6 +47,15 @@ bool AreSideBySide(const DigitRow& a, const DigitRow& b) {
   return a.along.dot(b.along) > kParallelDigits && BendsAbout(a, apart) && BendsAbout(b, apart);
 }
 
+bool IsInRowOf(const DigitRow& digit, const DigitRow& a, const DigitRow& b, double off_line) {
+  if (!AreSideBySide(a, b) || digit.axes.size() != a.axes.size()) return false;
+  if (a.turns.empty() || b.turns.empty() || a.turns.back().dot(b.turns.back()) < kAbout)
+    return false;
+  if (std::min(digit.along.dot(a.along), digit.along.dot(b.along)) < kParallelDigits) return false;
+  const Vector3d line = (b.base - a.base).stableNormalized(), from = digit.base - a.base;
+  return (from - from.dot(line) * line).norm() < off_line;
+}
+
 double CalcLongestDigit(const Hand& hand) {
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, CalcClosedPosture(hand, {}, 0.0));
   double longest = 0.0;

@@ -24,6 +24,11 @@ std::vector<DigitRow> MakeDigitRows(const Hand& hand);
 built alike must be described alike. Half of their axes at least have that direction. */
 bool AreSideBySide(const DigitRow& a, const DigitRow& b);
 
+/** The digit stands in the row of two others that are side by side and bend the same way: parallel
+to them, with as many links, whichever way it bends. @param off_line  of its base from the line
+through theirs, at most [m]. */
+bool IsInRowOf(const DigitRow& digit, const DigitRow& a, const DigitRow& b, double off_line);
+
 /** From the base to the tip, at the open hand [m]. */
 double CalcLongestDigit(const Hand& hand);
 

@@ -7,6 +7,7 @@
 
 #include "core/hand/closing.h"
 #include "core/hand/coupling.h"
+#include "core/hand/import/checks/digit_rows.h"
 #include "core/hand/import/shapes/shape_distance.h"
 
 namespace graspbench {
@@ -17,7 +18,9 @@ using Eigen::Vector3d;
 constexpr int kShares = 16, kSamples = 1500;
 constexpr double kFaces = 0.342;               // cosine of 70 degrees
 constexpr double kNear = 0.04, kNearer = 0.5;  // [m], of the open distance
-constexpr int kPointsBetween = 6;              // of the line from pad to pad
+constexpr double kTipsNear = 0.04, kMeet = 0.015, kLeastApproach = 0.002;  // [m]
+constexpr double kAlike = 0.8;                                             // cosine
+constexpr int kPointsBetween = 6;  // of the line from pad to pad
 
 class OppositionFinder {
  public:
@@ -25,10 +28,17 @@ class OppositionFinder {
       : hand_(imported.hand),
         closing_(FindClosing(hand_)),
         open_(CalcClosedPosture(hand_, closing_, 0.0)),
-        palm_(ListShapesOf(imported.shapes, hand_.palm_link)) {
+        palm_(ListShapesOf(imported.shapes, hand_.palm_link)),
+        shapes_(imported.shapes),
+        rows_(MakeDigitRows(hand_)) {
     for (const Digit& digit : hand_.digits) {
       const auto shapes = ListShapesOf(imported.shapes, digit.distal_link);
       normals_.push_back(Vector3d::Zero());
+      std::vector<Ball>& ends = ends_.emplace_back();
+      for (const CollisionShape& shape : shapes) {
+        if (!shape.is_cover)
+          ends.push_back({shape.X_LS.translation(), 0.5 * shape.size.minCoeff()});
+      }
       if (shapes.empty()) continue;
       const Vector3d middle = CalcBounds(shapes).center();
       const Vector3d along = (digit.p_LTip - middle).stableNormalized();
@@ -38,15 +48,20 @@ class OppositionFinder {
   }
 
   bool HasPad(size_t digit) const { return normals_[digit].norm() > 0.5; }
+  /** Fingers side by side that bend the same way do not, however their pads may stand. */
+  bool CloseAlike(size_t a, size_t b) const {
+    return AreSideBySide(rows_[a], rows_[b]) && !rows_[a].turns.empty() &&
+           !rows_[b].turns.empty() && rows_[a].turns.back().dot(rows_[b].turns.back()) > kAlike;
+  }
   bool DoOppose(size_t a, size_t b) const {
+    if (CloseAlike(a, b)) return false;
     const double enough = std::max(kNear, kNearer * Place(a, b, open_).gap);
     for (int i = 0; i <= kShares; ++i) {
       for (int k = 0; k <= kShares; ++k) {
-        Eigen::VectorXd q = open_;
-        CloseDigit(hand_, closing_, hand_.digits[a], static_cast<double>(i) / kShares, q);
-        CloseDigit(hand_, closing_, hand_.digits[b], static_cast<double>(k) / kShares, q);
-        ApplyCoupling(hand_, q);
-        if (Opposes(a, b, q, enough)) return true;
+        const double of_a = static_cast<double>(i) / kShares,
+                     of_b = static_cast<double>(k) / kShares;
+        if (Opposes(a, b, CloseTo(a, b, of_a, of_b), enough)) return true;
+        if (DoTipsMeet(a, b, of_a, of_b)) return true;
       }
     }
     for (int k = 1; k <= kSamples; ++k) {
@@ -56,6 +71,10 @@ class OppositionFinder {
   }
 
  private:
+  struct Ball {
+    Vector3d p_L;
+    double radius = 0.0;
+  };
   struct Pads {
     Vector3d a, b;  // in H
     double gap = 0.0;
@@ -85,6 +104,47 @@ class OppositionFinder {
     }
     return true;
   }
+  double CalcTipGap(size_t a, size_t b, double of_a, double of_b) const {
+    const Eigen::VectorXd q = CloseTo(a, b, of_a, of_b);
+    const Digit &da = hand_.digits[a], &db = hand_.digits[b];
+    return (CalcLinkPose(hand_, q, da.distal_link) * da.p_LTip -
+            CalcLinkPose(hand_, q, db.distal_link) * db.p_LTip)
+        .norm();
+  }
+  /** The last links come together in front of the palm because both close, or one drive closes them:
+  their pads may be guessed on another side. */
+  bool DoTipsMeet(size_t a, size_t b, double of_a, double of_b) const {
+    const double gap = CalcTipGap(a, b, of_a, of_b);
+    if (gap > kTipsNear || gap > CalcTipGap(a, b, 0.0, 0.0) - kLeastApproach) return false;
+    const bool do_both_close = gap < CalcTipGap(a, b, 0.0, of_b) - kLeastApproach &&
+                               gap < CalcTipGap(a, b, of_a, 0.0) - kLeastApproach;
+    if (!do_both_close && !ShareDrive(a, b)) return false;
+    const Eigen::VectorXd q = CloseTo(a, b, of_a, of_b);
+    const Digit &da = hand_.digits[a], &db = hand_.digits[b];
+    const Pose X_HA = CalcLinkPose(hand_, q, da.distal_link);
+    const Pose X_BA = CalcLinkPose(hand_, q, db.distal_link).inverse() * X_HA;
+    const Pose X_PH = CalcLinkPose(hand_, q, hand_.palm_link).inverse();
+    if (CalcLinkDistance(palm_, hand_.palm_link, X_PH * X_HA * da.p_LTip) < 0.0) return false;
+    return std::any_of(ends_[a].begin(), ends_[a].end(), [&](const Ball& ball) {
+      return CalcLinkDistance(shapes_, db.distal_link, X_BA * ball.p_L) - ball.radius < kMeet;
+    });
+  }
+  bool ShareDrive(size_t a, size_t b) const {
+    for (int j = 0; j < hand_.num_joints(); ++j) {
+      if (closing_[j] != 0 && MovesDigit(hand_, j, hand_.digits[a]) &&
+          MovesDigit(hand_, j, hand_.digits[b])) {
+        return true;
+      }
+    }
+    return false;
+  }
+  Eigen::VectorXd CloseTo(size_t a, size_t b, double of_a, double of_b) const {
+    Eigen::VectorXd q = open_;
+    CloseDigit(hand_, closing_, hand_.digits[a], of_a, q);
+    CloseDigit(hand_, closing_, hand_.digits[b], of_b, q);
+    ApplyCoupling(hand_, q);
+    return q;
+  }
   /** Evenly spread over the joints of both (Kronecker sequence). */
   Eigen::VectorXd MakeSample(size_t a, size_t b, int number) const {
     Eigen::VectorXd q = open_;
@@ -104,7 +164,10 @@ class OppositionFinder {
   const std::vector<int> closing_;
   const Eigen::VectorXd open_;
   const std::vector<CollisionShape> palm_;
-  std::vector<Vector3d> normals_;  // of the pads, by digit, in the distal link's frame
+  const std::vector<CollisionShape>& shapes_;
+  const std::vector<DigitRow> rows_;
+  std::vector<std::vector<Ball>> ends_;  // within the last links' shapes, by digit
+  std::vector<Vector3d> normals_;        // of the pads, by digit, in the distal link's frame
 };
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "core/base/text/text.h"
 #include "core/base/units.h"
@@ -18,11 +20,13 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kOneDirection = 0.9,
-                 kOtherDirection = 0.7;  // cosines of one direction, of another
+                 kOtherDirection = 0.8;  // cosines of one direction, of another
 constexpr double kLikeLimits = 0.05;     // [rad] between limits of joints of one build
-constexpr double kBend = 0.3;            // [rad] by which a joint is tried
-constexpr double kMoves = 0.001;         // [m] of a tip, to count
-constexpr double kLeastLength = 0.005;   // [m], to be compared
+constexpr double kOffLine = 0.02, kFarOffLine = 0.03, kAnywhere = 1.0;  // [m] of a base off its row
+constexpr double kLikePlace = 0.002;    // [m] between places of joints of one build
+constexpr double kBend = 0.3;           // [rad] by which a joint is tried
+constexpr double kMoves = 0.001;        // [m] of a tip, to count
+constexpr double kLeastLength = 0.005;  // [m], to be compared
 
 /** Something that like joints or links have in common. */
 struct Trait {
@@ -48,6 +52,8 @@ class UnlikeFinder {
     FindOutwardCopies();
     FindBentBack();
     FindOtherAxes();
+    FindOtherAxisOfCopy();
+    FindOffLine();
     FindOtherRanges();
     FindOtherLinks();
     return told_;
@@ -57,10 +63,15 @@ class UnlikeFinder {
   std::vector<const DigitRow*> ListBeside(const DigitRow& row) const;
   double CalcApproach(const Digit& digit, int joint, int closing) const;
   double CalcLength(int link) const;
+  double CalcRatio(int link) const;
   void FindMirroredAxes();
   void FindOutwardCopies();
   void FindBentBack();
+  std::optional<std::pair<const DigitRow*, const DigitRow*>> FindTwoBeside(const DigitRow& row,
+                                                                           double off_line) const;
   void FindOtherAxes();
+  void FindOtherAxisOfCopy();
+  void FindOffLine();
   void FindOtherRanges();
   void FindOtherLinks();
   void TellIfUnlike(const DigitRow& row, const std::vector<const DigitRow*>& beside,
@@ -179,25 +190,101 @@ void UnlikeFinder::FindBentBack() {
   }
 }
 
-/** Of three like joints side by side one turns about another direction than two that agree. */
+/** Of three fingers in a row one joint turns about another direction than two that agree. */
 void UnlikeFinder::FindOtherAxes() {
   for (const DigitRow& row : rows_) {
-    const std::vector<const DigitRow*> beside = ListBeside(row);
-    if (beside.size() < 2) continue;
+    const auto beside = FindTwoBeside(row, kOffLine);
+    if (!beside) continue;
+    const auto& [first, second] = *beside;
     for (size_t k = 0; k < row.axes.size(); ++k) {
-      const Vector3d& axis = beside[0]->axes[k];
-      const bool is_other = std::all_of(beside.begin(), beside.end(), [&](const DigitRow* other) {
-        return std::abs(axis.dot(other->axes[k])) > kOneDirection &&
-               std::abs(row.axes[k].dot(other->axes[k])) < kOtherDirection;
-      });
+      const double cosine = std::abs(row.axes[k].dot(first->axes[k]));
       const int joint = hand_.links[row.digit->links[k]].joint;
-      if (!is_other || joint < 0) continue;
-      const double cosine = std::abs(row.axes[k].dot(axis));
+      if (joint < 0 || told_.count(joint) > 0 || cosine > kOtherDirection ||
+          std::abs(first->axes[k].dot(second->axes[k])) < kOneDirection) {
+        continue;
+      }
+      told_.insert(joint);
       Warn("joint \"" + NameOf(joint) + "\": its axis is " +
            FormatFixed(DegFromRad(std::acos(std::min(1.0, cosine))), 0) +
-           " deg from those of the like joints beside it; is its axis wrong?");
+           " deg from those of the like joints beside it; is its axis wrong, or how its digit is "
+           "turned?");
     }
   }
+}
+
+/** Of three copies of one digit, wherever they stand, one joint turns about another axis of its own
+frame. */
+void UnlikeFinder::FindOtherAxisOfCopy() {
+  const auto is_alike = [&](int link, int other) {
+    const HandLink &a = hand_.links[link], &b = hand_.links[other];
+    return std::abs(a.axis.dot(b.axis)) > kOneDirection;
+  };
+  const auto is_of_one_build = [&](const DigitRow& a, const DigitRow& b) {
+    if (a.axes.size() != b.axes.size()) return false;
+    for (size_t k = 0; k < a.axes.size(); ++k) {
+      const int la = a.digit->links[k], lb = b.digit->links[k];
+      const int ja = hand_.links[la].joint, jb = hand_.links[lb].joint;
+      if (ja < 0 || jb < 0) return false;
+      const bool has_its_limits =
+          std::abs(hand_.joints[ja].lower - hand_.joints[jb].lower) < kLikeLimits &&
+          std::abs(hand_.joints[ja].upper - hand_.joints[jb].upper) < kLikeLimits;
+      const double apart =
+          (hand_.links[la].X_PJ.translation() - hand_.links[lb].X_PJ.translation()).norm();
+      if (!has_its_limits || (k > 0 && apart > kLikePlace)) return false;
+    }
+    return true;
+  };
+  for (const DigitRow& row : rows_) {
+    std::vector<const DigitRow*> copies;
+    for (const DigitRow& other : rows_) {
+      if (&other != &row && is_of_one_build(row, other)) copies.push_back(&other);
+    }
+    if (copies.size() < 2) continue;
+    std::vector<size_t> unlike;
+    for (size_t k = 0; k < row.axes.size(); ++k) {
+      const int own = row.digit->links[k], first = copies[0]->digit->links[k];
+      const bool do_agree = std::all_of(copies.begin(), copies.end(), [&](const DigitRow* copy) {
+        return is_alike(copy->digit->links[k], first);
+      });
+      if (!do_agree || !is_alike(own, first)) unlike.push_back(do_agree ? k : row.axes.size());
+    }
+    // All of them otherwise: frames of another convention.
+    if (unlike.size() != 1 || unlike[0] == row.axes.size()) continue;
+    if (row.axes.size() < 2 && copies.size() < 3) continue;
+    const int joint = hand_.links[row.digit->links[unlike[0]]].joint;
+    if (!told_.insert(joint).second) continue;
+    Warn("joint \"" + NameOf(joint) +
+         "\" turns about another axis of its frame than the like joints of the other digits of its "
+         "build; is its axis wrong?");
+  }
+}
+
+/** A finger that bends as those in a row do, but stands in front of it or behind. */
+void UnlikeFinder::FindOffLine() {
+  for (const DigitRow& row : rows_) {
+    if (FindTwoBeside(row, kFarOffLine)) continue;
+    const auto beside = FindTwoBeside(row, kAnywhere);
+    if (!beside || row.turns.empty()) continue;
+    const auto& [first, second] = *beside;
+    if (row.turns.back().dot(first->turns.back()) < kOneDirection) continue;
+    const Vector3d line = (second->base - first->base).stableNormalized();
+    const Vector3d from = row.base - first->base;
+    Warn("digit with link \"" + hand_.links[row.digit->distal_link].name + "\" stands " +
+         FormatFixed(MmFromM((from - from.dot(line) * line).norm()), 0) +
+         " mm off the row of the like digits beside it; is the place of its first joint wrong?");
+  }
+}
+
+/** Two others of its row that are alike; nothing: there are none. */
+std::optional<std::pair<const DigitRow*, const DigitRow*>> UnlikeFinder::FindTwoBeside(
+    const DigitRow& row, double off_line) const {
+  for (const DigitRow& a : rows_) {
+    for (const DigitRow& b : rows_) {
+      if (&a >= &b || &a == &row || &b == &row) continue;
+      if (IsInRowOf(row, a, b, off_line)) return std::pair(&a, &b);
+    }
+  }
+  return {};
 }
 
 void UnlikeFinder::TellIfUnlike(const DigitRow& row, const std::vector<const DigitRow*>& beside,
@@ -224,6 +311,9 @@ void UnlikeFinder::FindOtherRanges() {
                                 }),
                  beside.end());
     for (size_t k = 0; k < row.joints.size(); ++k) {
+      const auto calc_effort = [&](const DigitRow& each) {
+        return imported_.drives[static_cast<size_t>(each.joints[k])].effort;
+      };
       const auto calc_range = [&](const DigitRow& each) {
         const HandJoint& joint = hand_.joints[each.joints[k]];
         return joint.upper - joint.lower;
@@ -232,8 +322,20 @@ void UnlikeFinder::FindOtherRanges() {
       TellIfUnlike(row, beside,
                    {"joint \"" + NameOf(row.joints[k]) + "\" turns by", "joints", calc_range, 1.1,
                     1.8, format, "is a limit wrong?"});
+      if (imported_.drives.empty()) continue;
+      TellIfUnlike(
+          row, beside,
+          {"joint \"" + NameOf(row.joints[k]) + "\" has an effort of", "joints", calc_effort, 1.1,
+           5.0, [](double effort) { return FormatSignificant(effort, 3) + " N m"; },
+           "is it in another unit?"});
     }
   }
+}
+
+/** By which the link's joint follows another; 1: it does not. */
+double UnlikeFinder::CalcRatio(int link) const {
+  const int j = hand_.links[link].joint;
+  return j >= 0 && hand_.joints[j].is_mimic ? std::abs(hand_.joints[j].mimic_ratio) : 1.0;
 }
 
 /** The longest side of what touches. */
@@ -259,6 +361,11 @@ void UnlikeFinder::FindOtherLinks() {
                       return std::max(kLeastLength, CalcLength(each.digit->links[k]));
                     },
                     1.3, 1.8, format_mm, "is the size of its shape or mesh wrong?"});
+      TellIfUnlike(row, beside,
+                   {link + "follows another by", "links",
+                    [&](const DigitRow& each) { return CalcRatio(each.digit->links[k]); }, 1.1, 3.0,
+                    [](double ratio) { return FormatSignificant(ratio, 3); },
+                    "is the ratio of its coupling wrong?"});
       if (k == 0) continue;
       TellIfUnlike(row, beside,
                    {link + "has its joint from the one before by", "links",

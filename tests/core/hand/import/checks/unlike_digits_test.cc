@@ -77,6 +77,65 @@ TEST(UnlikeDigitsTest, AnAxisOfAnotherDirectionIsTold) {
       << TellUnlike(imported);
 }
 
+// Mounted turned about its length, all its axes are: it is in the row by its place and its direction.
+TEST(UnlikeDigitsTest, AFingerTurnedAboutItsLengthIsTold) {
+  ImportedHand imported = MakeTwoJointRow();
+  imported.hand.links[2].X_PJ =
+      MakePose(MakeRotationRpy(0, 0, 0.5 * kPi), Eigen::Vector3d(0, 0.03, 0.09));
+  EXPECT_NE(TellUnlike(imported).find("joint \"bend_1\": its axis is 90 deg from those"),
+            std::string::npos)
+      << TellUnlike(imported);
+}
+
+TEST(UnlikeDigitsTest, AFingerOffItsRowIsTold) {
+  ImportedHand imported = MakeRow(1.0, 0.0, 1.5);
+  imported.hand.links[2].X_PJ = MakePose(Eigen::Vector3d(0.025, 0.03, 0.09));
+  EXPECT_EQ(TellUnlike(imported), "");
+  imported.hand.links[2].X_PJ = MakePose(Eigen::Vector3d(0.04, 0.03, 0.09));
+  EXPECT_NE(TellUnlike(imported).find("\"finger_1\" stands 40 mm off the row"), std::string::npos)
+      << TellUnlike(imported);
+}
+
+// Three copies about a hub: none is beside another.
+TEST(UnlikeDigitsTest, AnotherAxisOfOneOfThreeCopiesIsTold) {
+  ImportedHand imported = MakeTwoJointRow();
+  for (int i = 0; i < 3; ++i) {
+    const double angle = 2.0 * kPi / 3.0 * i;
+    imported.hand.links[static_cast<size_t>(i + 1)].X_PJ =
+        MakePose(MakeRotationRpy(0, 0, angle),
+                 Eigen::Vector3d(0.05 * std::cos(angle), 0.05 * std::sin(angle), 0.05));
+  }
+  EXPECT_EQ(TellUnlike(imported), "");
+  imported.hand.links[2].axis = Eigen::Vector3d::UnitX();
+  EXPECT_NE(TellUnlike(imported).find("joint \"bend_1\" turns about another axis of its frame"),
+            std::string::npos)
+      << TellUnlike(imported);
+}
+
+TEST(UnlikeDigitsTest, AnEffortAndARatioUnlikeThoseBesideThemAreTold) {
+  ImportedHand imported = MakeTwoJointRow();
+  imported.drives.resize(6);
+  for (ForeignDrive& drive : imported.drives) drive.effort = 0.5;
+  for (int i = 0; i < 3; ++i) {
+    HandJoint& follower = imported.hand.joints[static_cast<size_t>(i + 3)];
+    follower.coupled_to = i;
+    follower.is_mimic = true;
+    follower.mimic_ratio = 0.8;
+  }
+  EXPECT_EQ(TellUnlike(imported), "");
+  imported.hand.joints[4].mimic_ratio = 0.08;
+  EXPECT_NE(TellUnlike(imported).find("\"tip_1\" follows another by 0.08, the like links beside it "
+                                      "0.8"),
+            std::string::npos)
+      << TellUnlike(imported);
+  imported.drives[1].effort = 0.05;
+  EXPECT_NE(
+      TellUnlike(imported).find("\"bend_1\" has an effort of 0.05 N m, the like joints beside "
+                                "it 0.5 N m"),
+      std::string::npos)
+      << TellUnlike(imported);
+}
+
 TEST(UnlikeDigitsTest, AMassUnlikeThoseBesideItIsTold) {
   ImportedHand imported = MakeRow(1.0, 0.0, 1.5);
   imported.hand.links[2].mass = 0.055;
