@@ -117,6 +117,34 @@ TEST(FitTouch, TheObjectsOwnMotionIsNoMotionOfTheDigit) {
   }
 }
 
+// Skin that moves an object carries more than friction, and gives way deeper. By speed of the object
+// along the clearance before and after the touch: at rest, led away by others, set off by the digit,
+// coming and stopped, coming and going on.
+TEST(FitTouch, SkinThatMovesTheObjectIsLessCertain) {
+  struct Case {
+    double before, after;
+    bool is_pressed;
+  };
+  for (const Case& c : {Case{0.0, 0.0, false}, Case{-0.03, -0.03, false}, Case{0.0, -0.03, true},
+                        Case{0.03, 0.0, true}, Case{0.03, 0.03, true}}) {
+    RandomStream random("touch", "pressed");
+    const Approach approach;
+    TouchSamples samples = Sample(approach, random);
+    for (size_t k = 0; k < samples.times.size(); ++k) {
+      const double since = samples.times[k] - approach.CalcStop();
+      samples.object_motion.push_back((since < 0.0 ? c.before : c.after) * since);
+      if (since < 0.0) samples.places[k] -= c.before * since;
+    }
+    const TouchFit fit = FitTouch(samples);
+    const double speed = approach.speed + c.before;  // of a touch while the object still comes
+    if (c.is_pressed) {
+      EXPECT_NEAR(fit.pressed, 0.4e-3 / speed, 0.25 * 0.4e-3 / speed) << c.before << c.after;
+    } else {
+      EXPECT_EQ(fit.pressed, 0.0) << c.before << c.after;
+    }
+  }
+}
+
 TEST(FitTouch, TremorMakesATouchLessCertain) {
   RandomStream random("touch", "tremor");
   TouchSamples samples = Sample({}, random);
