@@ -128,29 +128,22 @@ class GRASPBENCH_SUITE : public testing::TestWithParam<int> {
     fs::remove(folder_.string() + "_told");
   }
 
-  /** A command that reads the store; empty: there is none. */
-  std::vector<std::string> ChooseReader(const std::string& store, RandomStream& random) const {
+  /** Commands that read the store.
+  @param is_unfinished  a watch of it would wait for the rest. */
+  std::vector<std::vector<std::string>> ListReaders(const std::string& store,
+                                                    bool is_unfinished) const {
     const fs::path folder = folder_ / store, out = folder_ / ".out";
     const StoreKind* kind = FindStoreKind(folder);
-    std::vector<std::vector<std::string>> readers;
-    if (kind == &kSessionStore) {
-      readers = {{"report", folder},
-                 {"export", folder},
-                 {"compare", folder, folder, "--out", out},
-                 {"best", folder},
-                 {"merge", folder},
-                 {"trial", folder, "--json"},
-                 {"judge", folder},
-                 {"watch", folder, "--interval", "0.05"}};
-      // A watch of what is not finished would not end, a judge would begin to work.
-      if (store.rfind("v", 0) != 0) readers.resize(6);
-    } else if (kind == &kCampaignStore) {
-      readers = {{"report", folder}, {"status", folder, "--json"}};
-    } else if (kind == &kSceneStore || kind == &kDevelopmentStore) {
-      readers = {{"status", folder, "--json"}};
-    }
-    if (readers.empty()) return {};
-    return readers[static_cast<size_t>(random.NextIndex(static_cast<int>(readers.size())))];
+    if (kind == &kCampaignStore) return {{"report", folder}, {"status", folder, "--json"}};
+    if (kind == &kSceneStore || kind == &kDevelopmentStore) return {{"status", folder, "--json"}};
+    if (kind != &kSessionStore) return {};
+    std::vector<std::vector<std::string>> readers = {
+        {"report", folder}, {"export", folder}, {"compare", folder, folder, "--out", out},
+        {"best", folder},   {"merge", folder},  {"trial", folder, "--json"}};
+    if (store.rfind("v", 0) != 0) return readers;  // a judge would begin to work
+    readers.push_back({"judge", folder});
+    if (!is_unfinished) readers.push_back({"watch", folder, "--interval", "0.05"});
+    return readers;
   }
 
   void Damage(int count) {
@@ -162,7 +155,6 @@ class GRASPBENCH_SUITE : public testing::TestWithParam<int> {
     }
     const std::string seed = "damaged stores " + std::to_string(GetParam());
     Mutator mutator(whole, seed, kNumMutations);
-    RandomStream random(seed, "reader");
     for (int done = 0; done < count;) {
       Files files;
       const std::string what = mutator.Mutate(files);
@@ -180,7 +172,7 @@ class GRASPBENCH_SUITE : public testing::TestWithParam<int> {
         if (differs(files, whole, name)) damaged.insert(FindStoreOf(name, stores_));
       }
       WriteFiles(folder_, files);
-      for (const std::string& store : damaged) Check(store, what, whole, files, random);
+      for (const std::string& store : damaged) Check(store, what, whole, files);
       const Files now = ReadFiles(folder_);
       for (const std::string& store : stores_) {
         const Files own = FilesOf(files, store), own_now = FilesOf(now, store);
@@ -200,7 +192,7 @@ class GRASPBENCH_SUITE : public testing::TestWithParam<int> {
 
  private:
   void Check(const std::string& store, const std::string& what, const Files& whole,
-             const Files& files, RandomStream& random) {
+             const Files& files) {
     const fs::path folder = folder_ / store;
     const fs::path told = folder_.string() + "_told";
     const int verify = Call({"verify", folder}, told);
@@ -219,9 +211,7 @@ class GRASPBENCH_SUITE : public testing::TestWithParam<int> {
     if (verify == 0 && has_manifest && !is_answer && !is_told) {
       EXPECT_EQ(ListContent(whole, store), ListContent(files, store)) << "undetected: " << what;
     }
-    const std::vector<std::string> reader = ChooseReader(store, random);
-    const bool waits = !reader.empty() && reader[0] == "watch" && is_unfinished;
-    if (!reader.empty() && !waits) {
+    for (const std::vector<std::string>& reader : ListReaders(store, is_unfinished)) {
       const int code = Call(reader);
       ++num_readers_;
       EXPECT_FALSE(IsCrash(code)) << reader[0] << " " << code << ": " << what;
