@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <optional>
 #include <set>
 #include <thread>
 
@@ -74,37 +75,58 @@ uintmax_t CalcSize(const fs::path& folder) {
   return size;
 }
 
-/** Of an unfinished session that is not shared out: shards say of themselves how they are. */
-std::string DescribeWriter(const fs::path& folder, const SessionProgress& progress) {
-  const std::vector<fs::path> journals = ListJournals(folder);
-  const bool ends_here = progress.num_finished >= progress.num_trials || !progress.shards.empty();
-  if (ends_here || journals.empty()) return "";
+constexpr char kNobodyWorks[] = "; no process of this machine works on it";
+
+/** Of journals that no process of this machine writes: since the last line of one [s]. Shards say
+of themselves how they are. */
+std::optional<double> FindIdleTime(const fs::path& folder, const std::string& subfolder,
+                                   const std::vector<ShardProgress>& shards) {
+  const std::vector<fs::path> journals = ListJournals(folder, subfolder);
+  if (!shards.empty() || journals.empty()) return std::nullopt;
   double age = std::numeric_limits<double>::infinity();
   for (const fs::path& journal : journals) {
     age = std::min(age, CalcAge(journal));
-    if (age < kQuiet || IsBeingWritten(journal)) return "";
+    if (age < kQuiet || IsBeingWritten(journal)) return std::nullopt;
   }
-  return "; no process of this machine works on it, the last trial ended " + FormatDuration(age) +
-         " ago";
+  return age;
+}
+
+/** Adds a line of the text that counts what is finished.
+@param since  what does not stay the same while nothing happens. */
+void AddStep(const std::string& step, FolderStatus& status, const std::string& since = "") {
+  status.steps.push_back(step);
+  status.text += step + since + "\n";
+}
+
+void AddJudge(const fs::path& folder, const JudgeProgress& judge, FolderStatus& status) {
+  std::string step = std::to_string(judge.num_judged) + " of " +
+                     FormatCount(judge.num_held, "held grasp") + " judged";
+  const bool is_finished = judge.num_judged >= judge.num_held;
+  if (!is_finished && FindIdleTime(folder, "judge", judge.shards)) {
+    step += std::string(kNobodyWorks) + ": graspbench judge " + QuoteForShell(folder.string()) +
+            " goes on with it";
+  }
+  if (status.is_finished) {
+    status.num_done = judge.num_judged;
+    status.num_all = judge.num_held;
+  }
+  status.text += "\n";
+  AddStep(step, status);
+  status.text += FormatShards(judge.shards, "held grasps");
+  status.is_finished &= is_finished;
 }
 
 void AddSession(const fs::path& folder, const SessionProgress& progress, FolderStatus& status) {
-  status.text += folder.string() + ": " + std::to_string(progress.num_finished) + " of " +
-                 FormatCount(progress.num_trials, "trial") + " finished" +
-                 DescribeWriter(folder, progress) + "\n" + FormatShards(progress.shards, "trials");
+  status.is_finished = progress.num_finished >= progress.num_trials;
+  const std::optional<double> idle =
+      status.is_finished ? std::nullopt : FindIdleTime(folder, "journal", progress.shards);
+  AddStep(folder.string() + ": " + std::to_string(progress.num_finished) + " of " +
+              FormatCount(progress.num_trials, "trial") + " finished" + (idle ? kNobodyWorks : ""),
+          status, idle ? ", the last trial ended " + FormatDuration(*idle) + " ago" : "");
+  status.text += FormatShards(progress.shards, "trials");
   status.num_done = progress.num_finished;
   status.num_all = progress.num_trials;
-  status.is_finished = progress.num_finished >= progress.num_trials;
-  if (progress.judge) {
-    if (status.is_finished) {
-      status.num_done = progress.judge->num_judged;
-      status.num_all = progress.judge->num_held;
-    }
-    status.text += "\n" + std::to_string(progress.judge->num_judged) + " of " +
-                   FormatCount(progress.judge->num_held, "held grasp") + " judged\n" +
-                   FormatShards(progress.judge->shards, "held grasps");
-    status.is_finished &= progress.judge->num_judged >= progress.judge->num_held;
-  }
+  if (progress.judge) AddJudge(folder, *progress.judge, status);
   AddUnchecked(progress.unchecked, status);
   if (progress.num_foreign_lines > 0) {
     AddNote(FormatCount(progress.num_foreign_lines, "record is", "records are") +
@@ -115,12 +137,13 @@ void AddSession(const fs::path& folder, const SessionProgress& progress, FolderS
 }
 
 void AddCampaign(const fs::path& folder, const CampaignProgress& progress, FolderStatus& status) {
-  status.text += folder.string() + ": " + std::to_string(progress.num_finished) + " of " +
-                 FormatCount(progress.num_scenes, "scene") + " finished" +
-                 (progress.num_searches > 0
-                      ? "; " + FormatCount(progress.num_searches, "search", "searches") + " begun"
-                      : "") +
-                 "\n" + FormatShards(progress.shards, "scenes");
+  AddStep(folder.string() + ": " + std::to_string(progress.num_finished) + " of " +
+              FormatCount(progress.num_scenes, "scene") + " finished" +
+              (progress.num_searches > 0
+                   ? "; " + FormatCount(progress.num_searches, "search", "searches") + " begun"
+                   : ""),
+          status);
+  status.text += FormatShards(progress.shards, "scenes");
   status.num_done = progress.num_finished;
   status.num_all = progress.num_scenes;
   AddUnchecked(progress.unchecked, status);
@@ -132,10 +155,9 @@ void AddCampaign(const fs::path& folder, const CampaignProgress& progress, Folde
 /** @param unit  of what its journal keeps: "evaluation". */
 void AddSearch(const fs::path& folder, const SearchProgress& progress, const std::string& unit,
                FolderStatus& status) {
-  status.text = folder.string() + ": " + (progress.is_finished ? "" : "not ") + "finished, " +
-                FormatCount(progress.num_answers, unit) + " kept" +
-                (progress.age ? ", the last " + FormatFixed(*progress.age, 0) + " s ago" : "") +
-                "\n";
+  AddStep(folder.string() + ": " + (progress.is_finished ? "" : "not ") + "finished, " +
+              FormatCount(progress.num_answers, unit) + " kept",
+          status, progress.age ? ", the last " + FormatFixed(*progress.age, 0) + " s ago" : "");
   status.json = {{"answers", progress.num_answers},
                  {"finished", progress.is_finished},
                  {"age_s", progress.age ? Json(*progress.age) : Json(nullptr)}};

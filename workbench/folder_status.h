@@ -5,16 +5,18 @@ every reader (sealed_store.h), so that no number comes from a store that is dama
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "core/base/text/json.h"
 
 namespace graspbench {
 
 struct FolderStatus {
-  std::string text;         ///< lines; the first one of each store counts what is finished
-  std::string notes;        ///< what a reader should know besides; empty: nothing
-  std::string damage;       ///< what cannot be relied on, and where; empty: nothing
-  bool is_checked = false;  ///< as by `verify`: every byte
+  std::string text;                ///< lines; the first one of each store counts what is finished
+  std::vector<std::string> steps;  ///< those that count, without how long ago
+  std::string notes;               ///< what a reader should know besides; empty: nothing
+  std::string damage;              ///< what cannot be relied on, and where; empty: nothing
+  bool is_checked = false;         ///< as by `verify`: every byte
   Json json;
   int num_done = 0, num_all = 0;  ///< trials, scenes or held grasps of what runs now
   bool is_finished = false;

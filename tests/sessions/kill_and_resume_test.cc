@@ -80,6 +80,44 @@ TEST_P(KillAndResume, GivesTheBytesOfAnUninterruptedRun) {
 
 INSTANTIATE_TEST_SUITE_P(Jobs, KillAndResume, testing::Values(1, 2, 4));
 
+// Nobody would know what a watch waits for that only counts the trials.
+TEST(KilledJudge, IsNamedByAWatch) {
+  const fs::path folder =
+      fs::path(testing::TempDir()) / ("killed_judge_" + std::to_string(::getpid()));
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  const std::string session = (folder / "s").string(), told = (folder / "told").string();
+  const auto fork_watch = [&] {
+    return Start({"watch", session, "--interval", "0.05"},
+                 [&] { EXPECT_NE(std::freopen(told.c_str(), "w", stdout), nullptr); });
+  };
+  ASSERT_EQ(WaitFor(Start({"run", "--hand", "tum", "--object", "golf_ball,tea_light", "--trials",
+                           "6", "--out", session})),
+            0);
+  ASSERT_TRUE(KillAfter(
+      Start({"judge", session, "--jobs", "1"}),
+      [&] { return CountLines(fs::path(session) / "judge") >= 1; }, 0.0));
+  for (const auto& journal : fs::directory_iterator(fs::path(session) / "judge")) {
+    fs::last_write_time(journal, fs::file_time_type::clock::now() - std::chrono::minutes(1));
+  }
+  const pid_t watch = fork_watch();
+  const std::string sentence = "; no process of this machine works on it: graspbench judge " +
+                               session + " goes on with it\n";
+  const auto last = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  const auto is_told = [&] { return ReadFile(told).find(sentence) != std::string::npos; };
+  while (!(fs::exists(told) && is_told()) && std::chrono::steady_clock::now() < last) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  EXPECT_TRUE(is_told()) << ReadFile(told);
+  EXPECT_FALSE(HasEnded(watch));
+  ::kill(watch, SIGINT);
+  EXPECT_EQ(WaitFor(watch), 0);
+  ASSERT_EQ(WaitFor(Start({"judge", session})), 0);
+  EXPECT_EQ(WaitFor(fork_watch()), 0);
+  EXPECT_FALSE(is_told()) << ReadFile(told);
+  if (!HasFailure()) fs::remove_all(folder);
+}
+
 // A trial of minutes: a first TERM is enough, and what it leaves is a session.
 TEST(Terminate, EndsInTenSecondsEvenIfATrialDoesNot) {
   const fs::path folder =

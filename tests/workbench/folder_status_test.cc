@@ -7,6 +7,8 @@
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
+#include "datasets/session/judgement_store.h"
+#include "datasets/session/session_store.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {
@@ -66,6 +68,39 @@ TEST(FolderStatus, SaysWhenNobodyWorksOnAnUnfinishedSession) {
   }
   age();
   EXPECT_FALSE(is_abandoned()) << "it is finished";
+}
+
+TEST(FolderStatus, SaysWhatJudgesOnWhenNobodyDoes) {
+  const TemporaryFolder folder;
+  const std::filesystem::path session = folder.path() / "s";
+  const std::vector<PlannedTrial> plan = CreateFakeSession(session, 2);
+  {
+    JournalWriter journal(session, 0);
+    for (const PlannedTrial& planned : plan) journal.Append(MakeFakeRecord(planned));
+  }
+  const std::vector<PlannedTrial> held =
+      FindUnjudged(LoadSession(session, OnDamage::kRefuse, RecordParts::kBrief));
+  ASSERT_GE(held.size(), 2u);
+  const auto judge = [&](size_t i) {
+    JudgementWriter(session, 0).Append(held[i].id, Judgement());
+    std::filesystem::last_write_time(
+        session / "judge" / "0.jsonl",
+        std::filesystem::file_time_type::clock::now() - std::chrono::minutes(1));
+  };
+  judge(0);
+  const std::string count = " of " + std::to_string(held.size()) + " held grasps judged";
+  const std::string idle = "; no process of this machine works on it: graspbench judge ";
+  {
+    const JudgementWriter writer(session, 0);
+    EXPECT_EQ(ReadFolderStatus(session, 600.0).steps.back(), "1" + count) << "somebody judges";
+  }
+  const FolderStatus one = ReadFolderStatus(session, 600.0);
+  EXPECT_EQ(one.steps.back(), "1" + count + idle + session.string() + " goes on with it");
+  EXPECT_NE(one.text.find("\n" + one.steps.back() + "\n"), std::string::npos) << one.text;
+  for (size_t i = 1; i < held.size(); ++i) judge(i);
+  const FolderStatus all = ReadFolderStatus(session, 600.0);
+  EXPECT_EQ(all.steps.back(), std::to_string(held.size()) + count);
+  EXPECT_TRUE(all.is_finished);
 }
 
 TEST(FolderStatus, AnotherFolderIsRefused) {

@@ -66,22 +66,28 @@ class Looks {
   Clock::time_point next_check_ = Clock::time_point::min();
 };
 
-/** On a terminal all lines, redrawn in place; elsewhere the first one whenever it has changed. */
+void PrintChanges(const std::vector<std::string>& steps, std::vector<std::string>& shown) {
+  shown.resize(steps.size());
+  for (size_t i = 0; i < steps.size(); ++i) {
+    if (steps[i] != shown[i]) PrintResult(EscapeForTerminal(steps[i]) + "\n");
+    shown[i] = steps[i];
+  }
+}
+
+/** On a terminal all lines, redrawn in place; elsewhere each step that has changed. */
 ExitCode Watch(const WatchOptions& options) {
   using Clock = Looks::Clock;
   const std::atomic<bool>& stop = CatchInterrupts();
   StatusRegion region(stdout);
   Looks looks(options);
   Pace pace;
-  std::string shown;
+  std::vector<std::string> shown;
   for (const auto start = Clock::now();;) {
     const FolderStatus status = looks.Look();
     const std::chrono::duration<double> time = Clock::now() - start;
     pace.Add(time.count(), status.num_done);
-    const std::vector<std::string> lines = ListLines(status, pace);
-    region.Show(lines);
-    if (!region.can_redraw() && lines.front() != shown) PrintResult(lines.front() + "\n");
-    shown = lines.front();
+    region.Show(ListLines(status, pace));
+    if (!region.can_redraw()) PrintChanges(status.steps, shown);
     if (!status.damage.empty()) throw Error(ErrorKind::kFormat, status.damage);
     if (status.is_finished) {
       if (!status.is_checked) PrintMessage(DescribeUncheckedStatus(options.folder));
