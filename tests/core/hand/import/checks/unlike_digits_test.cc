@@ -77,7 +77,7 @@ TEST(UnlikeDigitsTest, AnAxisOfAnotherDirectionIsTold) {
       << TellUnlike(imported);
 }
 
-// Mounted turned about its length, all its axes are: it is in the row by its place and its direction.
+// Turned about its length, all its axes are: it is in the row by its place and direction.
 TEST(UnlikeDigitsTest, AFingerTurnedAboutItsLengthIsTold) {
   ImportedHand imported = MakeTwoJointRow();
   imported.hand.links[2].X_PJ =
