@@ -63,22 +63,21 @@ double CalcPosition(const HandJoint& joint, int direction, double share) {
   return open + share * (closed - open);
 }
 
-/** Of a digit whose limits decide nothing, zero in the middle of its stroke, the joints that bend it
-close to where its tip comes nearer to the middle of the others'. */
+/** Of a hand whose limits decide nothing, zero in the middle of each stroke, the joints that bend a
+digit close to where its tip comes nearer to the middle of the others'. */
 void CloseUndecided(const Hand& hand, const std::vector<Pose>& X_HL, std::vector<int>& closing) {
-  if (hand.digits.size() < 2) return;
-  const std::vector<int> decided = closing;
-  const Eigen::VectorXd open = CalcClosedPosture(hand, decided, 0.0);
+  if (hand.digits.size() < 2 ||
+      std::any_of(closing.begin(), closing.end(), [](int direction) { return direction != 0; })) {
+    return;
+  }
+  const Eigen::VectorXd open = CalcClosedPosture(hand, closing, 0.0);
   for (const Digit& digit : hand.digits) {
     std::vector<int> joints;
-    bool is_decided = false;
     for (const int link : digit.links) {
       const int j = hand.links[link].joint;
-      if (j < 0) continue;
-      is_decided = is_decided || decided[j] != 0 || hand.joints[j].is_prismatic;
-      if (hand.joints[j].coupled_to < 0 && Bends(hand, j, X_HL)) joints.push_back(j);
+      if (j < 0 || hand.joints[j].is_prismatic || hand.joints[j].coupled_to >= 0) continue;
+      if (Bends(hand, j, X_HL)) joints.push_back(j);
     }
-    if (is_decided) continue;
     Vector3d middle = Vector3d::Zero();
     for (const Digit& other : hand.digits) {
       if (&other == &digit) continue;

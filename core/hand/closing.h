@@ -14,7 +14,7 @@ spreads or turns the digit, follows another joint, or belongs to no digit.
 
 - A joint that turns about the same direction as the outermost one of its digit bends it; it closes
   towards the end that is farther from zero, where that is decided by a fifth of its range; where
-  that decides no joint of a digit, to where its tip comes nearer to the others'.
+  that decides no joint of a hand, to where the digits' tips come nearer to each other.
 - One that slides closes towards the end at which its digit's tip is nearer to the other digits'.
 - When all that brings the tips of two digits without slides nowhere nearer to each other, it is
   turned round: a gripper that is closed at zero. */

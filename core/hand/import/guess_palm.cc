@@ -7,6 +7,7 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/hand/closing.h"
+#include "core/hand/import/checks/digit_rows.h"
 #include "core/hand/import/checks/outward_digits.h"
 #include "core/hand/import/foreign_xml.h"
 #include "core/hand/import/palm_frame.h"
@@ -19,7 +20,7 @@ using Eigen::Vector3d;
 
 constexpr double kAgreement = 0.5;                        // of the pads' directions, mean length
 constexpr double kPointAway = -0.1;                       // cosine of the thumb and the others
-constexpr double kRises = 0.4;                            // cosine
+constexpr double kRises = 0.4, kAcross = 0.25;            // cosines
 constexpr double kSameSide = 0.5;                         // cosine
 constexpr double kSameDirection = 0.8;                    // cosine
 constexpr double kNearlyAxis = 0.985;                     // cosine
@@ -72,6 +73,8 @@ Vector3d PalmGuesser::GuessNormal(const DigitMeeting& meeting) const {
   const std::vector<Pose> X_HL = CalcLinkPoses(hand_, CalcClosedPosture(hand_, {}, 0.0));
   Vector3d all_facing = Vector3d::Zero(), facing = Vector3d::Zero(), along = Vector3d::Zero();
   Vector3d thumb_facing = Vector3d::Zero(), thumb_along = Vector3d::Zero();
+  Vector3d bases = Vector3d::Zero(), thumb_base = Vector3d::Zero();
+  const std::vector<DigitRow> rows = MakeDigitRows(hand_);
   for (size_t d = 0; d < hand_.digits.size(); ++d) {
     if (!Tells(d)) continue;
     const Digit& digit = hand_.digits[d];
@@ -80,15 +83,26 @@ Vector3d PalmGuesser::GuessNormal(const DigitMeeting& meeting) const {
     all_facing += facing_[d] / CountTelling();
     (digit.is_thumb ? thumb_facing : facing) += facing_[d];
     (digit.is_thumb ? thumb_along : along) += (p_HTip - p_HBase).stableNormalized();
+    // Where it bends: a spread joint before it may lie elsewhere.
+    const Vector3d p_HBend = rows[d].joints.empty()
+                                 ? p_HBase
+                                 : X_HL[hand_.joints[rows[d].joints.front()].link].translation();
+    if (digit.is_thumb) {
+      thumb_base = p_HBend;
+    } else {
+      bases += p_HBend / (static_cast<double>(hand_.digits.size()) - 1.0);
+    }
   }
   facing.stableNormalize();
   along.stableNormalize();
   // Digits that point away from each other when open, all around the palm, or spread out while they
-  // rise from it, face what it faces.
+  // rise from where their bases lie, face what it faces.
   const Vector3d both = (facing + thumb_facing).stableNormalized();
   const double apart = thumb_along.stableNormalized().dot(along);
   const bool do_rise = std::min(thumb_along.dot(both), along.dot(both)) > kRises;
-  const bool is_star = apart < -kAgreement || (apart < kPointAway && do_rise);
+  const bool do_face_each_other =
+      std::abs((thumb_base - bases).stableNormalized().dot(both)) < kAcross;
+  const bool is_star = apart < -kAgreement || (apart < kPointAway && do_rise && do_face_each_other);
   Vector3d normal = facing;
   if (is_star) {
     normal = facing + thumb_facing;
