@@ -273,8 +273,10 @@ std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInp
   CheckNamesDiffer("objects", object_names);
   const std::vector<ConditionBlock> blocks = ListBlocks(config, inputs);
   for (const ConditionBlock& block : blocks) CheckGraspsExist(*block.config, *block.inputs);
-  CheckCamerasExist(config, inputs);
-  CheckSkinsExist(config, inputs);
+  for (const ConditionBlock& block : blocks) {
+    CheckCamerasExist(*block.config, *block.inputs);
+    CheckSkinsExist(*block.config, *block.inputs);
+  }
   // The scale of grip thresholds may go beyond what drives give.
   CheckGripForces(config, inputs);
   for (const ConditionBlock& block : blocks) CheckGripMargins(*block.config, *block.inputs);

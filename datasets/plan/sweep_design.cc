@@ -140,19 +140,25 @@ std::vector<Point> ListPoints(const SweepConfig& sweep, const std::vector<SweepF
                                      std::to_string(kMostConditions));
 }
 
-/** A factor that no trial looks at would be reported as one without effect.
+/** A factor that no trial looks at would be reported as one without effect; of one that the base
+leaves out, its conditions would have the default in the place of its first level.
 @param strategies  of the base and of each condition. */
-void RefuseUnused(const std::vector<SweepFactor>& factors,
+void RefuseUnused(const std::vector<SweepFactor>& factors, const SessionConfig& base,
                   const std::vector<StrategyConfig>& strategies) {
   for (const SweepFactor& factor : factors) {
-    if (std::any_of(strategies.begin(), strategies.end(), [&](const StrategyConfig& strategy) {
-          return CanMatter(factor.key, strategy);
-        })) {
-      continue;
-    }
-    throw Error(ErrorKind::kUsage,
-                "the factor \"" + factor.key + "\" has no use where strategy.grip is " +
-                    strategies.front().grip + "; leave it out, or set strategy.grip");
+    const auto used = std::find_if(
+        strategies.begin(), strategies.end(),
+        [&](const StrategyConfig& strategy) { return CanMatter(factor.key, strategy); });
+    const bool has_level = FindBaseLevel(base, factor.key) == factor.levels.front();
+    if (used != strategies.end() && has_level) continue;
+    const std::string& grip = strategies.front().grip;
+    throw Error(
+        ErrorKind::kUsage,
+        "the factor \"" + factor.key + "\" has no use where strategy.grip is " + grip +
+            (used == strategies.end() ? "; leave it out, or set strategy.grip"
+                                      : ", the base's; name the grip that has one first: --factor "
+                                        "strategy.grip=" +
+                                            used->grip + "," + grip));
   }
 }
 
@@ -219,7 +225,7 @@ SessionConfig MakeSweep(const SweepConfig& sweep) {
     strategies.push_back(ApplyCondition(condition, config).config.strategy);
     config.conditions.push_back(condition);
   }
-  RefuseUnused(factors, strategies);
+  RefuseUnused(factors, made.config, strategies);
   return config;
 }
 

@@ -36,9 +36,9 @@ Html DrawCellThresholds(const ReportData& data, const ThresholdSummary& summary)
                                                       : FormatThreshold(scale, cell.low) + " to " +
                                                             FormatThreshold(scale, cell.high);
     table.AddRow({NameCell(data, cell), Text(std::to_string(cell.num_draws)),
-                  Text(FormatThreshold(scale, cell.median)), Text(interval),
+                  Text(FormatMedian(scale, cell)), Text(interval),
                   Text(std::to_string(cell.num_below)), Text(std::to_string(cell.num_never)),
-                  Text(cell.not_monotone.empty() ? "-" : NameNotMonotone(cell))});
+                  Text(NameNotMonotone(cell))});
   }
   return table.ToHtml();
 }
@@ -58,7 +58,7 @@ Html DrawMedians(const ReportData& data, const ThresholdSummary& summary) {
     row.value = finite(cell.median);
     row.low = std::isfinite(cell.high) ? cell.low : kUnset;
     row.high = finite(cell.high);
-    row.text = FormatThreshold(scale, cell.median);
+    row.text = FormatMedian(scale, cell);
     plot.rows.push_back(row);
   }
   return MakeFigure(

@@ -27,7 +27,7 @@ std::string FormatThresholdTables(const ThresholdSummary& summary) {
         cell.object,
         cell.grasp,
         std::to_string(cell.num_draws),
-        (cell.is_at_most() ? "at most " : "") + FormatThreshold(scale, cell.median),
+        FormatMedian(scale, cell),
         std::isnan(cell.low)
             ? "n/a"
             : FormatThreshold(scale, cell.low) + " to " + FormatThreshold(scale, cell.high),

@@ -24,6 +24,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/** Of the time between the first and the last contact: by more people's times are lost. */
+constexpr double kMostErrorShare = 0.25;
+
 DataTable ReadStudyTable(const fs::path& study, const char* name,
                          const std::vector<std::string>& columns, Diagnostics& problems) {
   const fs::path file = study / name;
@@ -91,9 +94,15 @@ std::string DescribeFit(const std::string& object, const std::map<std::string, d
   for (const auto& [digit, lag] : lags) {
     asked.push_back(digit + " " + FormatFixed(MsFromS(lag), 0));
   }
+  const auto [first, last] = std::minmax_element(
+      lags.begin(), lags.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  const bool is_lost = found.largest_error > kMostErrorShare * (last->second - first->second);
   return object + ": " + fmt::format("{}", fmt::join(asked, ", ")) +
          " ms after the first, within " + FormatFixed(MsFromS(found.largest_error), 1) +
-         " ms in a trial without variation";
+         " ms in a trial without variation" +
+         (is_lost ? ": that is not people's order and times, which this grasp cannot have on this "
+                    "object; choose another --object or --grasp"
+                  : "");
 }
 
 }  // namespace

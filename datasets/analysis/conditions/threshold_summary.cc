@@ -225,11 +225,16 @@ std::vector<ThresholdSummary> LoadThresholds(const Session& session) {
 }
 
 std::string NameNotMonotone(const CellThreshold& cell) {
+  if (cell.not_monotone.empty()) return "none";
   std::string text;
   for (const int number : cell.not_monotone) {
     text += (text.empty() ? "" : ", ") + std::to_string(number);
   }
-  return text;
+  return (cell.not_monotone.size() == 1 ? "draw " : "draws ") + text;
+}
+
+std::string FormatMedian(const ThresholdScale& scale, const CellThreshold& cell) {
+  return (cell.is_at_most() ? "at most " : "") + FormatThreshold(scale, cell.median);
 }
 
 std::vector<double> ListThresholdsOf(const Session& session, const ThresholdSummary& summary) {

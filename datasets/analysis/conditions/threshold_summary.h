@@ -10,6 +10,7 @@ other. Its interval is that of order statistics: of n sorted draws the k-th and 
 with the largest k for which each tail of the binomial distribution with 1/2 holds at most 2.5 %;
 below 6 draws there is none (Conover 1999, Practical Nonparametric Statistics, 3.2). */
 
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -47,7 +48,9 @@ struct CellThreshold {
   double low = kUnset, high = kUnset;  ///< 95 % interval; NaN: too few draws
 
   /** The median takes in a draw that the least grip held: it may be lower. */
-  bool is_at_most() const { return num_draws > 0 && 2 * num_below >= num_draws; }
+  bool is_at_most() const {
+    return num_draws > 0 && 2 * num_below >= num_draws && std::isfinite(median);
+  }
 };
 
 struct ThresholdSummary {
@@ -66,8 +69,11 @@ ThresholdSummary SummariseThresholds(const Session& experiment, const Session& s
 @throws as LoadSession. */
 std::vector<ThresholdSummary> LoadThresholds(const Session& session);
 
-/** The numbers of trials that fail again with a larger grip: "3, 7". */
+/** The draws that fail again with a larger grip: "draws 3, 7", "none". */
 std::string NameNotMonotone(const CellThreshold& cell);
+
+/** "at most 1.09", "none held". */
+std::string FormatMedian(const ThresholdScale& scale, const CellThreshold& cell);
 
 /** Of the session's finished trials in their order; NaN where none was looked for. */
 std::vector<double> ListThresholdsOf(const Session& session, const ThresholdSummary& summary);

@@ -114,6 +114,26 @@ TEST(SweepDesign, RefusesAFactorThatNoTrialLooksAt) {
       << "half of the conditions look at it";
 }
 
+// A base of posture keeps no margin: the condition of margin would have the default for its level 1.
+TEST(SweepDesign, RefusesAFactorWhoseFirstLevelTheBaseLeavesOut) {
+  SweepConfig sweep;
+  sweep.factors = {"strategy.grip=posture,margin", "strategy.grip_margin=1,4"};
+  try {
+    MakeSweep(sweep);
+    ADD_FAILURE() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "the factor \"strategy.grip_margin\" has no use where strategy.grip is posture, "
+                 "the base's; name the grip that has one first: --factor "
+                 "strategy.grip=margin,posture");
+  }
+  sweep.factors = {"strategy.grip=margin,posture", "strategy.grip_margin=1,4"};
+  sweep.design = "one-at-a-time";
+  const SessionConfig config = MakeSweep(sweep);
+  EXPECT_EQ(config.strategy.grip_margin, 1.0);
+  EXPECT_EQ(config.conditions.size(), 2u);
+}
+
 TEST(SweepFile, IsASessionWithFactors) {
   const SweepConfig sweep = ParseSweepConfig(
       "factors:\n  - model.mass_scale=1,2\n  - grasp=g1,g2\ndesign: one-at-a-time\ntrials: 3\n",

@@ -122,6 +122,24 @@ TEST_P(RightDescriptionTest, IsNotDoubted) {
   EXPECT_EQ(problems.Format().find("of a finger's drive"), std::string::npos) << problems.Format();
 }
 
+/** What stands behind "normal:" in hand.yaml. */
+std::string ReadNormal(const char* file) {
+  Diagnostics problems;
+  const ImportedFiles imported =
+      ImportDescription(fs::path(IMPORT_TEST_DATA_DIR) / "right" / file, "", problems);
+  const std::string& yaml = imported.files.at("hand.yaml");
+  const size_t begin = yaml.find("normal: ") + 8;
+  return yaml.substr(begin, yaml.find(']', begin) + 1 - begin);
+}
+
+// Thumb and fingers are as far apart in both: around a flat palm that faces along x the thumb stands
+// out of it, on a hub that faces along z all three spread outwards.
+TEST(DescriptionsTest, AThumbThatPointsAwayDoesNotMakeAHandAClaw) {
+  EXPECT_EQ(ReadNormal("joint_beside_body.xml"), "[1, 0, 0]");
+  EXPECT_EQ(ReadNormal("spread_open_outwards.urdf"), "[0, 0, 1]");
+  EXPECT_EQ(ReadNormal("spread_by_two_drives.urdf"), "[0, 0, 1]");
+}
+
 TEST(DescriptionsTest, ThereAreAsManyAsClaimed) {
   EXPECT_GE(ReadCases("wrong").size(), 60u);
   EXPECT_GE(ReadCases("right").size(), 25u);
