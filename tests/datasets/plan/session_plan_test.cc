@@ -370,6 +370,23 @@ TEST(SessionPlan, TellsWhatCannotBePlanned) {
   EXPECT_EQ(FindError(config, MakeFakeInputs()).first, ErrorKind::kRange);
 }
 
+// As a level of a sweep, too: the base feels by exact contacts, a condition by what there is none of.
+TEST(SessionPlan, RefusesAHandThatFeelsNothingUnderEveryCondition) {
+  SessionConfig config;
+  config.hands = {"tum-original"};
+  config.objects = {"can"};
+  config.grasps = {"g1"};
+  config.conditions = {{"touch=sensed", {"touch=sensed"}}};
+  const SessionInputs inputs = LoadSessionInputs(config);
+  try {
+    MakePlan(config, inputs);
+    ADD_FAILURE() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("\"tum-original\" feels nothing"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(TrialDraw, EveryHandMeetsTheSamePoses) {
   const SessionInputs inputs = MakeFakeInputs();
   const SessionConfig config;
