@@ -370,7 +370,7 @@ TEST(SessionPlan, TellsWhatCannotBePlanned) {
   EXPECT_EQ(FindError(config, MakeFakeInputs()).first, ErrorKind::kRange);
 }
 
-// As a level of a sweep, too: the base feels by exact contacts, a condition by what there is none of.
+// As a level of a sweep, too: the base knows its contacts, the condition is to feel them.
 TEST(SessionPlan, RefusesAHandThatFeelsNothingUnderEveryCondition) {
   SessionConfig config;
   config.hands = {"tum-original"};
