@@ -42,26 +42,14 @@ class MeetingFinder {
     }
     const double enough = std::max(kNearer * open.gap, kNear);
     if (best.gap > enough) {
-      for (int k = 1; k <= kMeetingSamples; ++k) Try(a, b, MakeSample(a, b, k), best);
+      for (int k = 1; k <= kMeetingSamples; ++k)
+        Try(a, b, MakePairSample(hand_, open_, a, b, k), best);
     }
     if (best.gap > enough) return {};
     return best;
   }
 
  private:
-  /** Evenly spread over the joints of both (Kronecker sequence). */
-  Eigen::VectorXd MakeSample(const Digit& a, const Digit& b, int number) const {
-    Eigen::VectorXd q = open_;
-    int dimension = 1;
-    for (int j = 0; j < hand_.num_joints(); ++j) {
-      if (!MovesDigit(hand_, j, a) && !MovesDigit(hand_, j, b)) continue;
-      const double turn = number * std::exp(1.0 / ++dimension);
-      const HandJoint& joint = hand_.joints[j];
-      q[j] = joint.lower + (turn - std::floor(turn)) * (joint.upper - joint.lower);
-    }
-    ApplyCoupling(hand_, q);
-    return q;
-  }
   void Try(const Digit& a, const Digit& b, const Eigen::VectorXd& q, Nearest& best) const {
     const Vector3d pad_a = CalcLinkPose(hand_, q, a.distal_link) * a.p_LPad;
     const Vector3d pad_b = CalcLinkPose(hand_, q, b.distal_link) * b.p_LPad;
@@ -75,6 +63,20 @@ class MeetingFinder {
 };
 
 }  // namespace
+
+Eigen::VectorXd MakePairSample(const Hand& hand, const Eigen::VectorXd& open, const Digit& a,
+                               const Digit& b, int number) {
+  Eigen::VectorXd q = open;
+  int dimension = 1;
+  for (int j = 0; j < hand.num_joints(); ++j) {
+    if (!MovesDigit(hand, j, a) && !MovesDigit(hand, j, b)) continue;
+    const double turn = number * std::exp(1.0 / ++dimension);
+    const HandJoint& joint = hand.joints[j];
+    q[j] = joint.lower + (turn - std::floor(turn)) * (joint.upper - joint.lower);
+  }
+  ApplyCoupling(hand, q);
+  return q;
+}
 
 std::optional<DigitMeeting> FindMeeting(const Hand& hand, const std::vector<bool>& left_out) {
   const auto thumb = std::find_if(hand.digits.begin(), hand.digits.end(),

@@ -26,4 +26,9 @@ struct DigitMeeting {
 @pre digits with tips and pads, one of them the thumb. */
 std::optional<DigitMeeting> FindMeeting(const Hand& hand, const std::vector<bool>& left_out);
 
+/** Postures that move all joints of two digits, evenly spread (Kronecker sequence); the others stay
+as in `open`. @param number  from 1. */
+Eigen::VectorXd MakePairSample(const Hand& hand, const Eigen::VectorXd& open, const Digit& a,
+                               const Digit& b, int number);
+
 }  // namespace graspbench

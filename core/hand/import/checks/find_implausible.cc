@@ -49,8 +49,8 @@ void TellOutwardDigits(const std::string& file, const Hand& hand,
   }
 }
 
-/** Those that close away from the others are told as such. An outer finger of a row whose other half
-at least opposes the thumb closes to the palm: so do hands whose thumb cannot turn. */
+/** Those that close away from the others are reported as such. An outer finger of a row whose other
+half at least opposes the thumb closes to the palm: so do hands whose thumb cannot turn. */
 void TellUnopposedDigits(const std::string& file, const ImportedHand& imported,
                          const std::vector<bool>& is_outward, Diagnostics& problems) {
   const Hand& hand = imported.hand;

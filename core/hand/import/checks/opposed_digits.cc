@@ -8,6 +8,7 @@
 #include "core/hand/closing.h"
 #include "core/hand/coupling.h"
 #include "core/hand/import/checks/digit_rows.h"
+#include "core/hand/import/palm_frame.h"
 #include "core/hand/import/shapes/shape_distance.h"
 
 namespace graspbench {
@@ -65,7 +66,8 @@ class OppositionFinder {
       }
     }
     for (int k = 1; k <= kSamples; ++k) {
-      if (Opposes(a, b, MakeSample(a, b, k), enough)) return true;
+      if (Opposes(a, b, MakePairSample(hand_, open_, hand_.digits[a], hand_.digits[b], k), enough))
+        return true;
     }
     return false;
   }
@@ -145,21 +147,6 @@ class OppositionFinder {
     ApplyCoupling(hand_, q);
     return q;
   }
-  /** Evenly spread over the joints of both (Kronecker sequence). */
-  Eigen::VectorXd MakeSample(size_t a, size_t b, int number) const {
-    Eigen::VectorXd q = open_;
-    int dimension = 1;
-    for (int j = 0; j < hand_.num_joints(); ++j) {
-      if (!MovesDigit(hand_, j, hand_.digits[a]) && !MovesDigit(hand_, j, hand_.digits[b]))
-        continue;
-      const double turn = number * std::exp(1.0 / ++dimension);
-      const HandJoint& joint = hand_.joints[j];
-      q[j] = joint.lower + (turn - std::floor(turn)) * (joint.upper - joint.lower);
-    }
-    ApplyCoupling(hand_, q);
-    return q;
-  }
-
   const Hand& hand_;
   const std::vector<int> closing_;
   const Eigen::VectorXd open_;

@@ -33,7 +33,7 @@ struct Trait {
   std::string what;  // "joint \"a\" turns by"
   std::string noun;  // "joints"
   std::function<double(const DigitRow&)> calc;
-  double alike, unlike;  // ratios: within which the others agree, from which one is told
+  double alike, unlike;  // ratios: within which the others agree, from which one is reported
   std::function<std::string(double)> format;
   std::string question;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "core/base/error.h"
 #include "datasets/analysis/conditions/sweep_summary.h"
@@ -237,6 +238,22 @@ TEST(ThresholdSummary, GripsDifferFromTheSession) {
   EXPECT_EQ(ApplyCondition(ListThresholdGrips(kMarginScale, config)[4], config)
                 .config.strategy.touch_speed,
             MakePeopleGrip().touch_speed);
+}
+
+// Of two draws one is held by the least grip, the other by none: the median is no grip at all.
+TEST(ThresholdSummary, AMedianThatNoGripHoldsIsNotAtMostAnything) {
+  CellThreshold cell;
+  cell.num_draws = 2;
+  cell.num_below = 1;
+  cell.median = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(FormatMedian(kThresholdScales[0], cell), "none held");
+  cell.median = 1.09;
+  EXPECT_EQ(FormatMedian(kThresholdScales[0], cell), "at most 1.09");
+  EXPECT_EQ(NameNotMonotone(cell), "none");
+  cell.not_monotone = {0};
+  EXPECT_EQ(NameNotMonotone(cell), "draw 0");
+  cell.not_monotone = {0, 3};
+  EXPECT_EQ(NameNotMonotone(cell), "draws 0, 3");
 }
 
 }  // namespace
