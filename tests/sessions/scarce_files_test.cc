@@ -34,7 +34,7 @@ const WritingCommand kCommands[] = {
     {"judge", {"judge", "OUT", "--jobs", "1"}, "report/index.html"},
     {"report", {"report", "OUT"}, "report/index.html"},
     {"optimise",
-     {"optimise", "--hand", "tum", "--object", "golf_ball", "--evaluations", "2",
+     {"optimise", "--hand", "tum", "--object", "golf_ball", "--step", "2", "--evaluations", "2",
       "--fitness-trials", "1", "--jobs", "1", "--out", "OUT"},
      "result.json"}};
 

@@ -70,7 +70,7 @@ void AddRodLink(Hand& hand, int parent, const Pose& X_PJ, const Vector3d& axis, 
 }
 
 Hand MakeSqueezeHand(int num_fingers, double radius, double force, double pad_torsion_radius) {
-  constexpr double kBall = 0.008;
+  constexpr double kBallRadius = 0.008;
   Hand hand = MakeBareHand();
   for (int i = 0; i < num_fingers; ++i) {
     const double angle = 2.0 * kPi * i / num_fingers;
@@ -81,8 +81,9 @@ Hand MakeSqueezeHand(int num_fingers, double radius, double force, double pad_to
     finger.p_LLcm.setZero();
     finger.surface.torsion_radius = pad_torsion_radius;
     hand.joints.back().drive = {1e3, 0.0, force * kSqueezeLever};
-    hand.contact_spheres.push_back(
-        {hand.joints.back().link, kBall * outwards - kSqueezeLever * Vector3d::UnitZ(), kBall});
+    hand.contact_spheres.push_back({hand.joints.back().link,
+                                    kBallRadius * outwards - kSqueezeLever * Vector3d::UnitZ(),
+                                    kBallRadius});
   }
   return hand;
 }
