@@ -1,5 +1,7 @@
 #include "objects/load_mesh.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -72,7 +74,8 @@ void CheckPly(const std::string& bytes, const std::string& name) {
     while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
     std::smatch match;
     if (!std::regex_match(line, match, kLine)) {
-      FailDamaged(name, "line " + std::to_string(line_number) + " is not of a PLY header");
+      FailDamaged(name, "line " + std::to_string(line_number) +
+                            " is not of a PLY header, or says more than 999999999 of something");
     }
     if (match[1] == "ascii") is_ascii = true;
     if (match[3].matched) num_elements += std::stoll(match[3]);
@@ -123,7 +126,13 @@ TriMesh ReadMesh(const std::string& bytes, const std::string& name, const std::s
     largest = std::fmax(largest, p.cwiseAbs().maxCoeff());
   }
   if (largest == 0.0 || !is_finite) return mesh;
-  return WeldVertices(mesh, kRelativeWeldTolerance * largest);
+  TriMesh welded = WeldVertices(mesh, kRelativeWeldTolerance * largest);
+  if (welded.triangles.empty() && !mesh.triangles.empty()) {
+    Fail(name, fmt::format(" lies up to {:.3g} m from its origin, too far for its numbers to tell "
+                           "its corners apart; move it to the origin",
+                           largest));
+  }
+  return welded;
 }
 
 TriMesh ReadMeshFile(const fs::path& path, const std::string& format, LengthUnit unit) {

@@ -190,7 +190,9 @@ Soup ReadMesh(const std::string& format, const std::string& folder) {
     scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
   }
   if (!scene || !scene->mRootNode) {
-    const std::string fault = importer.GetErrorString();
+    std::string fault = importer.GetErrorString();
+    const size_t name = fault.find(" for $$$___magic___$$$");  // of bytes in memory
+    if (name != fault.npos) fault.resize(name);
     if (fault.find("bad_alloc") != fault.npos) throw std::bad_alloc();
     throw std::runtime_error(fault);
   }

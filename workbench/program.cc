@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <new>
 #include <sstream>
@@ -379,6 +380,12 @@ int RunProgram(int argc, const char* const* argv) {
     PrintFault(
         "the machine, or a limit (ulimit -v), gives too little memory; finished trials are "
         "kept. Use fewer workers (--jobs 1) or a smaller mesh, or allow more");
+    return kExitEnvironment;
+  } catch (const std::filesystem::filesystem_error& error) {
+    const std::string path = error.path1().string();
+    PrintFault("the machine cannot give what is needed" +
+               (path.empty() ? ", the folder you are in for instance" : " at \"" + path + "\"") +
+               ": " + error.code().message());
     return kExitEnvironment;
   } catch (const std::system_error& error) {  // of threads and locks
     PrintFault(std::string("the machine cannot give what is needed: ") + error.what());

@@ -136,7 +136,12 @@ StoreState CheckOwnFiles(const StoreKind& kind, const fs::path& folder,
   };
   for (const std::string& journal : ListMatches(folder, kind.journals)) {
     if (!is_asked_for(journal)) continue;
-    if (!FindFile(manifest, journal)) add(FindBadLines(folder, journal, 0));
+    const bool is_sealed = FindFile(manifest, journal) != nullptr;
+    if (!fs::is_regular_file(folder / journal)) {
+      if (!is_sealed) state.damages.push_back({journal, 0, "is no file"});
+      continue;
+    }
+    if (!is_sealed) add(FindBadLines(folder, journal, 0));
     add(FindForeignLines(kind, folder, journal, manifest));
   }
   return state;
@@ -270,7 +275,11 @@ const StoreKind* DemandKind(const fs::path& folder) {
   if (kind || HasManifest(folder)) return kind;
   throw Error(ErrorKind::kNotFound,
               "\"" + folder.string() +
-                  "\" holds no session, optimisation, campaign or other result of graspbench");
+                  "\" holds no session, optimisation, campaign or other result of graspbench" +
+                  (fs::exists(folder / "pipeline.lock")
+                       ? "; of a pipeline's results each folder is checked by itself, and "
+                         "graspbench pipeline status says what is stale"
+                       : ""));
 }
 
 /** The stores inside that are begun or that the manifest knows. */

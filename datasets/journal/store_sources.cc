@@ -24,7 +24,8 @@ std::string CalcListSha256(const std::vector<ManifestSource>& sources) {
 std::string CalcFilesSha256(const fs::path& folder, const std::vector<std::string>& files) {
   std::vector<ManifestSource> sources;
   for (const std::string& file : files) {
-    if (fs::is_directory(folder / file)) continue;  // its files match a longer pattern
+    // The files of a folder match a longer pattern; what else is no file is damage, found elsewhere.
+    if (!fs::is_regular_file(folder / file)) continue;
     sources.push_back({file, SealFile(folder, file).sha256});
   }
   return sources.empty() ? "" : CalcListSha256(sources);
@@ -35,6 +36,7 @@ std::string CalcFilesSha256(const fs::path& folder, const std::vector<std::strin
 std::string CalcJournalSha256(const fs::path& folder, const std::string& pattern) {
   std::set<std::string> digests;
   for (const std::string& journal : ListMatches(folder, {pattern})) {
+    if (!fs::is_regular_file(folder / journal)) continue;
     ForEachLineOfFile(folder / journal, [&](const FileLine& line) {
       if (line.is_whole && IsCheckedLine(line.text)) digests.insert(CalcSha256(line.text));
     });
@@ -56,7 +58,11 @@ std::vector<ManifestSource> ListSources(const StoreKind& kind, const fs::path& f
   for (const std::string& name : kind.files) {
     const std::vector<std::string> files = ListMatches(folder, {name});
     if (!is_asked_for(name) || files.empty()) continue;
-    add(name, IsPattern(name) ? CalcFilesSha256(folder, files) : SealFile(folder, name).sha256);
+    if (IsPattern(name)) {
+      add(name, CalcFilesSha256(folder, files));
+    } else if (fs::is_regular_file(folder / name)) {
+      add(name, SealFile(folder, name).sha256);
+    }
   }
   for (const std::string& name : kind.journals) {
     const bool is_of_results = name.rfind("workers/", 0) != 0;

@@ -6,6 +6,7 @@
 
 #include "datasets/journal/read_journal.h"
 #include "datasets/session/judgement_store.h"
+#include "datasets/session/session_experiments.h"
 
 namespace graspbench {
 namespace {
@@ -40,13 +41,12 @@ TrialMeasures MakeTrialMeasures(const TrialResult& result) {
 namespace {
 
 /** @returns whether all trials that are known have the same measures. */
-void AddConditions(const Session& session, const std::filesystem::path& folder,
-                   SensitivityData& data, Diagnostics& conflicts) {
+void AddConditions(const Session& session, const Session& varied, SensitivityData& data,
+                   Diagnostics& conflicts) {
   std::map<std::string, std::string> ids;
   for (const TrialRecord& record : session.records) {
     ids.emplace(NameDraw(record.plan), record.plan.id);
   }
-  const Session varied = LoadSession(folder, OnDamage::kAccept, RecordParts::kBrief);
   std::map<std::string, std::string> settings;
   for (const Condition& condition : varied.config.conditions) {
     settings.emplace(condition.name, condition.settings.at(0));
@@ -59,7 +59,7 @@ void AddConditions(const Session& session, const std::filesystem::path& folder,
         data[settings.at(*record.plan.condition)].emplace(id->second, measures);
     if (is_new || RecordToJson(known->second) == RecordToJson(measures)) continue;
     conflicts.Fail(
-        folder.filename().string(), 0,
+        varied.folder.filename().string(), 0,
         "trial " + id->second + " has two different results under " + *record.plan.condition);
   }
 }
@@ -89,10 +89,8 @@ SensitivityData LoadSensitivity(const Session& session, Diagnostics& findings) {
     ReadJournal(session.folder, file, take, findings, damage);
     for (const Damage& one : damage) conflicts.Fail(file, one.line, one.text);
   }
-  for (const std::string& store : ListMatches(session.folder, {"sensitivity/*"})) {
-    if (HasSession(session.folder / store)) {
-      AddConditions(session, session.folder / store, data, conflicts);
-    }
+  for (const Session& varied : LoadExperiments(session, kSensitivityFolder)) {
+    AddConditions(session, varied, data, conflicts);
   }
   conflicts.ThrowIfErrors(ErrorKind::kFormat,
                           "two versions of the program have run the session's sensitivity or a "

@@ -115,13 +115,17 @@ TEST(LoadMeshTest, FilesThatAreNoMeshesAreRefused) {
     const std::string message = FindMessage(bytes, "cut.stl");
     EXPECT_EQ(message.find("mesh \"cut.stl\" cannot be read ("), 0u) << message;
     EXPECT_NE(message.find("the file may be cut off or damaged"), std::string::npos);
+    EXPECT_EQ(message.find("magic"), std::string::npos) << message;
   }
   EXPECT_EQ(FindMessage("ply\nformat ascii 1.0\nelement vert", "cut.ply"),
             "mesh \"cut.ply\": its PLY header has no end_header; the file is cut off or damaged, "
             "export it again from its program");
   EXPECT_EQ(FindMessage("ply\nformat ascii 1.0\nelem\1ent vertex 3\nend_header\n", "bad.ply"),
-            "mesh \"bad.ply\": line 3 is not of a PLY header; the file is cut off or damaged, "
-            "export it again from its program");
+            "mesh \"bad.ply\": line 3 is not of a PLY header, or says more than 999999999 of "
+            "something; the file is cut off or damaged, export it again from its program");
+  const std::string far =
+      FindMessage("v 1e9 0 0\nv 1e9 0.01 0\nv 1e9 0 0.01\nf 1 2 3\n", "far.obj");
+  EXPECT_EQ(far.find("mesh \"far.obj\" lies up to 1e+09 m from its origin"), 0u) << far;
   EXPECT_EQ(FindMessage("v 0 0 0\nf 1 2 3\n", "a.obj"),
             "the mesh cannot be read\na.obj:2: error: expected three or more numbers of vertices "
             "above after f");

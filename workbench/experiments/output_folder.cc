@@ -44,7 +44,8 @@ void CheckName(const fs::path& path) {
 /** The path without links and dots; its last parts need not be there. */
 fs::path FindPlace(const fs::path& path) {
   std::error_code status;
-  fs::path place = fs::weakly_canonical(fs::absolute(path), status);
+  fs::path place = fs::absolute(path, status);
+  if (!status) place = fs::weakly_canonical(place, status);
   if (status)
     throw Error(ErrorKind::kIo, "cannot use \"" + path.string() + "\": " + status.message());
   return place.has_filename() ? place : place.parent_path();
@@ -82,7 +83,8 @@ void CheckPlace(const OutputRequest& request, const fs::path& place) {
     Refuse(request.folder, "is a mount point; name a new folder for the results");
   }
   // It would be swapped away from under the feet of the shell.
-  if (IsWithin(fs::current_path(), place)) {
+  std::error_code gone;  // a folder that was removed is no place to stand in
+  if (const fs::path here = fs::current_path(gone); !gone && IsWithin(here, place)) {
     Refuse(request.folder, "is the folder you are in; name a new folder for the results");
   }
   for (const fs::path& input : request.inputs) {

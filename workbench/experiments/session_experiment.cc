@@ -8,6 +8,7 @@
 #include "core/base/hash.h"
 #include "datasets/journal/append_file.h"
 #include "datasets/plan/conditions.h"
+#include "datasets/session/session_experiments.h"
 #include "datasets/shards/worker_log.h"
 #include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/experiments/output_folder.h"
@@ -73,10 +74,7 @@ void CreateExperiment(const Session& session, const std::string& kind, const Pre
   if (!HasDelays(made.config)) {
     Adoption adoption(plan);
     adoption.Take(session);
-    for (const std::string& other : ListMatches(session.folder, {kind + "/*"})) {
-      if (!HasSession(session.folder / other)) continue;
-      adoption.Take(LoadSession(session.folder / other, OnDamage::kAccept, RecordParts::kBrief));
-    }
+    for (const Session& other : LoadExperiments(session, kind)) adoption.Take(other);
     adoption.Write(staged.path());
   }
   staged.Commit();

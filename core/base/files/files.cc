@@ -31,13 +31,20 @@ fs::path FindDataRoot() {
 }
 
 fs::path FindCacheRoot() {
-  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache) {
+  // A relative one is to be ignored, by the XDG Base Directory Specification.
+  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache == '/') {
     return fs::path(cache) / "graspbench";
   }
   if (const char* home = std::getenv("HOME"); home && *home) {
     return fs::path(home) / ".cache" / "graspbench";
   }
-  return fs::temp_directory_path() / ("graspbench-" + std::to_string(::geteuid()));
+  const fs::path folder = fs::temp_directory_path() / ("graspbench-" + std::to_string(::geteuid()));
+  try {
+    MakePrivateFolder(folder);
+  } catch (const Error&) {
+    return "/dev/null/graspbench";  // of somebody else, or no place at all: nothing is kept
+  }
+  return folder;
 }
 
 std::string ReadFile(const fs::path& path) {

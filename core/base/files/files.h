@@ -13,7 +13,8 @@ GRASPBENCH_HOME, else the source folder this program was built from. */
 std::filesystem::path FindDataRoot();
 
 /** Folder for things that can be rebuilt at any time: $XDG_CACHE_HOME/graspbench, else
-$HOME/.cache/graspbench, else a folder of this user's own in the system's temporary folder. */
+$HOME/.cache/graspbench, else a folder of this user's own in the system's temporary folder, which is
+made; where that is somebody else's or a link, a place in which nothing can be made. */
 std::filesystem::path FindCacheRoot();
 
 /** Regular files only: a device or a pipe is refused, not waited for.

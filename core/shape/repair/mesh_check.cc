@@ -209,6 +209,11 @@ class Checker {
               "the mesh is {:.4g} mm long; a thing to grasp measures {:.0f} mm to {:.0f} m. "
               "If its numbers are metres, say so (unit m); else scale it",
               MmFromM(largest), MmFromM(kMinMeshExtent), kMaxMeshExtent));
+    } else if (const double least = report_.extent.minCoeff(); least < kThinnestMesh) {
+      Warn(
+          fmt::format("the mesh is {:.3g} mm thick, a sheet of paper 0.1 mm; is one of its axes "
+                      "scaled otherwise?",
+                      MmFromM(least)));
     }
   }
 
@@ -368,7 +373,8 @@ class Checker {
 
   void CheckBodies() {
     if (!report_.problems.empty() || shells_.count == 1 || shells_.count > kMaxShells) return;
-    const Bodies bodies = FindBodies(mesh_, shells_, kTouchingShare * report_.extent.maxCoeff());
+    const double gap = std::min(kTouchingShare * report_.extent.maxCoeff(), kMaxTouchingGap);
+    const Bodies bodies = FindBodies(mesh_, shells_, gap);
     const auto format = [&](const BodyCount& parts) {
       return FormatCount(parts.count, "part", "parts") +
              fmt::format(" with {:.3g} % of the volume, the first at ",

@@ -58,6 +58,8 @@ struct MeshReport {
 /** Extents of things to grasp [m]. */
 inline constexpr double kMinMeshExtent = 0.002;
 inline constexpr double kMaxMeshExtent = 1.0;
+/** What is thinner is doubted [m]. */
+inline constexpr double kThinnestMesh = 5e-5;
 
 /** Of a million its check took 20 s of processor time, its distance field four minutes; the largest
 scans of things to grasp that are published (YCB) have 524,288. */
@@ -70,8 +72,10 @@ inline constexpr double kMaxFoldedShare = 1e-3;
 /** Parts that lie apart, or inside others without being cavities, are tolerated up to this share of
 the volume. */
 inline constexpr double kMaxStrayShare = 0.01;
-/** Parts that are nearer to each other touch: a share of the mesh's largest extent. */
+/** Parts that are nearer to each other touch: a share of the mesh's largest extent, at most so far
+[m]. */
 inline constexpr double kTouchingShare = 1e-3;
+inline constexpr double kMaxTouchingGap = 5e-5;
 
 enum class PartsApart {
   kRefused,

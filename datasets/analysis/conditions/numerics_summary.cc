@@ -8,7 +8,7 @@
 
 #include "core/base/units.h"
 #include "core/statistics/summary.h"
-#include "datasets/journal/store_kind.h"
+#include "datasets/session/session_experiments.h"
 
 namespace graspbench {
 namespace {
@@ -133,12 +133,8 @@ std::vector<NumericsComparison> ListNumericsComparisons(const Session& experimen
 
 std::vector<NumericsComparison> LoadNumericsComparisons(const Session& session) {
   std::vector<NumericsComparison> comparisons;
-  if (session.folder.empty()) return comparisons;
   std::set<std::string> known;  // an experiment of more trials repeats those of a smaller one
-  for (const std::string& store : ListMatches(session.folder, {"numerics/*"})) {
-    if (!HasSession(session.folder / store)) continue;
-    const Session experiment =
-        LoadSession(session.folder / store, OnDamage::kAccept, RecordParts::kBrief);
+  for (const Session& experiment : LoadExperiments(session, "numerics")) {
     for (NumericsComparison& comparison : ListNumericsComparisons(experiment)) {
       if (!known.insert(comparison.after.plan.id).second) continue;
       comparisons.push_back(std::move(comparison));

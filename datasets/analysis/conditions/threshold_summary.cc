@@ -11,6 +11,7 @@
 #include "core/base/text/text.h"
 #include "core/statistics/summary.h"
 #include "datasets/plan/conditions.h"
+#include "datasets/session/session_experiments.h"
 
 namespace graspbench {
 namespace {
@@ -207,13 +208,8 @@ std::vector<ThresholdSummary> LoadThresholds(const Session& session) {
     return std::count_if(summary.draws.begin(), summary.draws.end(),
                          [](const DrawThreshold& draw) { return !std::isnan(draw.value); });
   };
-  const std::vector<std::string> stores = session.folder.empty()
-                                              ? std::vector<std::string>()
-                                              : ListMatches(session.folder, {"thresholds/*"});
-  for (const std::string& store : stores) {
-    if (!HasSession(session.folder / store)) continue;
-    ThresholdSummary one = SummariseThresholds(
-        LoadSession(session.folder / store, OnDamage::kAccept, RecordParts::kBrief), session);
+  for (const Session& experiment : LoadExperiments(session, "thresholds")) {
+    ThresholdSummary one = SummariseThresholds(experiment, session);
     ThresholdSummary& known = found[one.scale];
     if (!known.scale || count(one) > count(known)) known = std::move(one);
   }

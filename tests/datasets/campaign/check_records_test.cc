@@ -51,6 +51,36 @@ TEST(CheckRecordsTest, NamesContradictions) {
   EXPECT_NE(Check(session).find("one trial has different results"), std::string::npos);
 }
 
+TEST(CheckRecordsTest, NamesAnExperimentOnAnotherSession) {
+  const TemporaryFolder temporary;
+  const fs::path session = temporary.path() / "session", below = session / "sensitivity" / "1";
+  const auto plan = MakeSession(session);
+  SessionConfig config = LoadSession(session).config;
+  CreateSession(below, config, plan);
+  EXPECT_EQ(Check(session), "");
+  fs::remove_all(below);
+  config.seed = 7;
+  CreateSession(below, config, plan);
+  EXPECT_NE(Check(session).find("\n  sensitivity/1: \"sensitivity/1\" is an experiment on another"),
+            std::string::npos)
+      << Check(session);
+}
+
+// It has no seal: nothing rests on it.
+TEST(CheckRecordsTest, SaysThatWhenItRanCannotBeRead) {
+  const TemporaryFolder temporary;
+  const fs::path session = temporary.path() / "session";
+  MakeSession(session);
+  for (const auto& [content, is_read] :
+       {std::pair("{\"runs\": []}", true), {"[[[[[", false}, {"{\"runs\": 3}", false}}) {
+    WriteFile(session / "run.json", content);
+    StoreState state = CheckStore(session);
+    const Diagnostics findings = CheckRecords(session, state);
+    EXPECT_TRUE(state.damages.empty());
+    EXPECT_EQ(findings.Format().find("run.json") == std::string::npos, is_read) << content;
+  }
+}
+
 TEST(CheckRecordsTest, LooksIntoTheBenchmarkOfACampaign) {
   const TemporaryFolder temporary;
   const fs::path campaign = temporary.path() / "campaign";

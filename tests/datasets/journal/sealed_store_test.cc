@@ -1,6 +1,7 @@
 #include "datasets/journal/sealed_store.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
@@ -74,6 +75,22 @@ TEST_F(SealedStore, APlanCutAtALineEndAndAnEmptiedJournalAreFound) {
     EXPECT_EQ(error.kind(), ErrorKind::kFormat);
     EXPECT_NE(std::string(error.what()).find("verify --repair"), std::string::npos);
   }
+}
+
+TEST_F(SealedStore, AFolderOrAPipeInPlaceOfAFileIsDamage) {
+  for (const char* name : {"journal/0.jsonl", "journal/9.jsonl", "plan.jsonl", "session.json"}) {
+    const fs::path path = session_ / name, aside = session_ / ".aside";
+    const bool is_there = fs::exists(path);
+    if (is_there) fs::rename(path, aside);
+    fs::create_directory(path);
+    EXPECT_NE(Look(session_).find(name), std::string::npos) << name << Look(session_);
+    fs::remove(path);
+    ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+    EXPECT_NE(Look(session_).find(name), std::string::npos) << name << Look(session_);
+    fs::remove(path);
+    if (is_there) fs::rename(aside, path);
+  }
+  EXPECT_EQ(Look(session_), "");
 }
 
 TEST_F(SealedStore, RepairSetsTheDamagedLineAsideAndKeepsTheOthers) {

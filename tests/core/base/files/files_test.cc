@@ -109,9 +109,24 @@ TEST(Files, TheCacheHasAHome) {
   };
   EXPECT_EQ(with("/somewhere", "/home/me"), "/somewhere/graspbench");
   EXPECT_EQ(with("", "/home/me"), "/home/me/.cache/graspbench");
-  EXPECT_EQ(with("", ""),
-            (std::filesystem::temp_directory_path() / ("graspbench-" + std::to_string(::geteuid())))
-                .string());
+  EXPECT_EQ(with("relative", "/home/me"), "/home/me/.cache/graspbench");
+  const std::filesystem::path own =
+      std::filesystem::temp_directory_path() / ("graspbench-" + std::to_string(::geteuid()));
+  EXPECT_EQ(with("", ""), own.string());
+  EXPECT_TRUE(IsPrivateFolder(own));
+}
+
+TEST(Files, ACacheBehindALinkIsNotUsed) {
+  const std::filesystem::path place = Temporary() / "cache_place";
+  std::filesystem::create_directories(place / "of_somebody");
+  std::filesystem::create_directory_symlink(place / "of_somebody",
+                                            place / ("graspbench-" + std::to_string(::geteuid())));
+  ::setenv("TMPDIR", place.c_str(), 1);
+  ::setenv("XDG_CACHE_HOME", "", 1);
+  ::setenv("HOME", "", 1);
+  EXPECT_EQ(FindCacheRoot(), "/dev/null/graspbench");
+  ::unsetenv("TMPDIR");
+  EXPECT_TRUE(std::filesystem::is_empty(place / "of_somebody"));
 }
 
 TEST(Files, PrivateFoldersAreTheirOwnersAlone) {

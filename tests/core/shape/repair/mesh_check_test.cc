@@ -91,6 +91,13 @@ TEST(MeshCheckTest, TwoBoxesThroughEachOtherAreOneBody) {
   EXPECT_NEAR(meant.volume, 2.0 * size.prod(), 1e-12);
 }
 
+TEST(MeshCheckTest, WhatIsThinnerThanPaperIsDoubted) {
+  for (const auto& [thickness, is_doubted] : {std::pair(1e-4, false), {1e-7, true}}) {
+    const MeshReport report = CheckMesh(MakeRoundedBox({0.04, 0.04, thickness}, 0.0));
+    EXPECT_EQ(!report.warnings.empty(), is_doubted) << thickness;
+  }
+}
+
 TEST(MeshCheckTest, AMeshTooLargeToPrepareIsRefusedWithItsCountAndWhatToDo) {
   TriMesh large = MakeBox();
   large.triangles.resize(600'001, large.triangles[0]);
@@ -129,6 +136,12 @@ TEST(MeshCheckTest, PartsThatTouchAreOneBody) {
   for (const auto& [gap, is_apart] : {std::pair(0.0, false), {3e-5, false}, {3e-4, true}}) {
     const TriMesh beside = JoinMeshes(MakeBox(), crumb, {0.02 + half + gap, 0.003, 0.002});
     EXPECT_EQ(!CheckMesh(beside).problems.empty(), is_apart) << gap;
+  }
+  // The tolerance does not grow with the object: as long as an arm, it would join what is 0.6 mm apart.
+  const TriMesh bar = MakeRoundedBox({0.3, 0.02, 0.02}, 0.0);
+  for (const auto& [gap, is_apart] : {std::pair(3e-5, false), {1e-4, true}}) {
+    const TriMesh row = JoinMeshes(bar, bar, {0.3 + gap, 0.0, 0.0});
+    EXPECT_EQ(!CheckMesh(row).problems.empty(), is_apart) << gap;
   }
   // Two bars across each other: no corner of one is near a face of the other.
   const TriMesh along = MakeRoundedBox({0.1, 0.01, 0.01}, 0.0),

@@ -1,0 +1,25 @@
+#pragma once
+/** @file
+Experiments on a session: sessions in folders below it, `sensitivity/3f2a9c01` for instance, whose
+trials repeat its draws under conditions of their own (workbench/experiments). Whoever compares the
+two must know that they belong together: a folder that was copied from elsewhere fits by the names
+of its draws alone. */
+
+#include <string>
+#include <vector>
+
+#include "datasets/session/session.h"
+
+namespace graspbench {
+
+/** @param name  of the experiment's folder, from the session's.
+@throws Error(kFormat) where it is of another session: another configuration but for the number of
+trials and the conditions, or trials without a condition that this one has not planned. */
+void CheckIsExperimentOn(const Session& session, const Session& experiment,
+                         const std::string& name);
+
+/** Those in folders of one kind, in the order of their names, with brief records; none for a session
+that stands in no folder. @throws as LoadSession, CheckIsExperimentOn. */
+std::vector<Session> LoadExperiments(const Session& session, const std::string& kind);
+
+}  // namespace graspbench
