@@ -8,8 +8,10 @@
 #include <mutex>
 #include <optional>
 #include <set>
+#include <unordered_map>
 
 #include "core/base/units.h"
+#include "core/physics/outermost_vertices.h"
 #include "core/physics/rim_circles.h"
 
 namespace graspbench {
@@ -44,25 +46,56 @@ constexpr double kSameBall = 0.02;
 
 /** Vertices that can touch a plane: outermost ones over a Fibonacci lattice of directions. */
 std::vector<size_t> FindSupportVertices(const TriMesh& mesh) {
-  std::set<size_t> chosen;
+  constexpr size_t kStride = 89;  // a Fibonacci number: directions so far apart are neighbours
   const double golden_angle = kPi * (3.0 - std::sqrt(5.0));
+  std::vector<Vector3d> directions;
   for (int k = 0; k < kSupportDirections; ++k) {
     const double z = 1.0 - (2.0 * k + 1.0) / kSupportDirections;
     const double r = std::sqrt(1.0 - z * z);
-    const Vector3d direction(r * std::cos(golden_angle * k), r * std::sin(golden_angle * k), z);
-    size_t best = 0;
-    double most = -std::numeric_limits<double>::infinity();
-    for (size_t i = 0; i < mesh.vertices.size(); ++i) {
-      const double extent = direction.dot(mesh.vertices[i]);
-      if (extent > most) {
-        most = extent;
-        best = i;
+    directions.emplace_back(r * std::cos(golden_angle * k), r * std::sin(golden_angle * k), z);
+  }
+  std::vector<size_t> chosen = FindOutermostVertices(mesh.vertices, directions, kStride);
+  std::sort(chosen.begin(), chosen.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  return chosen;
+}
+
+/** Finds faces by their normals among many: in a grid of normals they lie in the same cell or in
+one beside it. */
+class FaceFinder {
+ public:
+  void Add(const Vector3d& normal, int face) { faces_[CalcKey(CalcCell(normal))].push_back(face); }
+  /** The first that is_same; -1: none. */
+  template <typename IsSame>
+  int Find(const Vector3d& normal, const IsSame& is_same) const {
+    int first = -1;
+    const Eigen::Vector3i cell = CalcCell(normal);
+    for (int k = 0; k < 27; ++k) {
+      const auto found =
+          faces_.find(CalcKey(cell + Eigen::Vector3i(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1)));
+      if (found == faces_.end()) continue;
+      for (const int face : found->second) {
+        if ((first < 0 || face < first) && is_same(face)) first = face;
       }
     }
-    chosen.insert(best);
+    return first;
   }
-  return {chosen.begin(), chosen.end()};
-}
+
+ private:
+  /** Wider than unit vectors of kFlatCosine are apart. */
+  static constexpr double kCellWidth = 2e-3;
+  static_assert(kCellWidth * kCellWidth > 2.0 * (1.0 - kFlatCosine));
+
+  static Eigen::Vector3i CalcCell(const Vector3d& normal) {
+    return (normal / kCellWidth).array().floor().cast<int>().matrix();
+  }
+  static int64_t CalcKey(const Eigen::Vector3i& cell) {
+    constexpr int64_t kMostCells = 2048;  // along an axis
+    return (cell.x() * kMostCells + cell.y()) * kMostCells + cell.z();
+  }
+
+  std::unordered_map<int64_t, std::vector<int>> faces_;
+};
 
 struct FittedBall {
   Vector3d centre;
@@ -173,30 +206,34 @@ std::optional<Vector3d> TableSupport::FindLowestOf(const Circle& circle, const V
 
 void TableSupport::FindFaces(const TriMesh& mesh) {
   std::vector<std::vector<Eigen::Vector3i>> triangles;  // by face
+  FaceFinder finder;
   for (const Eigen::Vector3i& t : mesh.triangles) {
     const Vector3d& p = mesh.vertices[t[0]];
     const Vector3d cross = (mesh.vertices[t[1]] - p).cross(mesh.vertices[t[2]] - p);
     if (cross.norm() == 0.0) continue;
     const Vector3d normal = cross.normalized();
-    auto face = std::find_if(faces_.begin(), faces_.end(), [&](const Face& other) {
-      return other.normal_O.dot(normal) > kFlatCosine &&
-             std::abs(other.offset - normal.dot(p)) < kFlatBand;
+    int index = finder.Find(normal, [&](int other) {
+      const Face& face = faces_[static_cast<size_t>(other)];
+      return face.normal_O.dot(normal) > kFlatCosine &&
+             std::abs(face.offset - normal.dot(p)) < kFlatBand;
     });
-    if (face == faces_.end()) {
+    if (index < 0) {
       // A plane that cuts the object is no face to stand on.
       const double offset = normal.dot(p);
       const bool is_outermost = std::all_of(
           points_.begin(), points_.end(),
           [&](const Point& point) { return normal.dot(point.p_O) <= offset + kFlatBand; });
       if (!is_outermost) continue;
+      index = static_cast<int>(faces_.size());
       faces_.push_back({normal, offset, 0.0, Vector3d::Zero(), 0.0});
       triangles.emplace_back();
-      face = faces_.end() - 1;
+      finder.Add(normal, index);
     }
+    Face& face = faces_[static_cast<size_t>(index)];
     const double area = 0.5 * cross.norm();
-    face->area += area;
-    face->p_OCentroid += area / 3.0 * (p + mesh.vertices[t[1]] + mesh.vertices[t[2]]);
-    triangles[static_cast<size_t>(face - faces_.begin())].push_back(t);
+    face.area += area;
+    face.p_OCentroid += area / 3.0 * (p + mesh.vertices[t[1]] + mesh.vertices[t[2]]);
+    triangles[static_cast<size_t>(index)].push_back(t);
   }
   for (size_t f = 0; f < faces_.size(); ++f) {
     Face& face = faces_[f];

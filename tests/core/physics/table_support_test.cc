@@ -82,6 +82,13 @@ TEST(TableSupport, FacesPressEvenly) {
   EXPECT_EQ(Laid(cup, Eigen::Matrix3d::Identity()).face_factor, 1.0);
 }
 
+// Normals that differ by 3e-5 in every direction across the axis are one.
+TEST(TableSupport, ABaseThatBulgesByAMicrometreIsOneFace) {
+  const TriMesh disc =
+      MakeRevolution({{0.0, -0.010001}, {0.03, -0.01}, {0.03, 0.01}, {0.0, 0.01}}, 64);
+  EXPECT_NEAR(Laid(disc, Eigen::Matrix3d::Identity()).face_factor, 2.0 / 3.0, 0.002);
+}
+
 TEST(TableSupport, NothingTouchesOutOfReach) {
   const TableSupport support(MakeSphere(0.03, 32));
   std::vector<TableSupport::Contact> contacts;
