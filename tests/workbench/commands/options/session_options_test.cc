@@ -84,7 +84,7 @@ TEST_F(SessionOptionsTest, AValueOfAnotherKindOfGripIsRefused) {
   } catch (const Error& error) {
     EXPECT_STREQ(
         error.what(),
-        "--set strategy.grip_force_n=3 has no use where strategy.grip is posture; leave it "
+        "strategy.grip_force_n=3 has no use where strategy.grip is posture; leave it "
         "out, or set strategy.grip");
   }
 }
