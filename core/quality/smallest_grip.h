@@ -14,6 +14,10 @@ A linear program. For two opposed digits F = weight / (2 mu). Tolerance = 3 % of
 times the object's radius, for the reason that holding_force.h gives. The cones' pyramids err on the
 high side of F, by at most 8 %.
 
+F is of the digit that presses most. Equal shares of F sum to more than uneven ones may need: of a
+can that the Shadow Hand holds with 0.74 to 0.84 of the sum of such shares, the index presses with
+1.4 to 1.6 F.
+
 Source: Cloutier and Yang, J. Mechanisms Robotics 10:011004, 2018 (smallest sufficient contact
 forces by linear and cone programs). Blind to: shares that stiff fingers take against the balance,
 accelerations, drives. */

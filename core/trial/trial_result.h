@@ -146,7 +146,9 @@ struct TrialResult {
     field("end_speed_m_per_s", &R::end_speed,
           FieldColumn{"m/s", "speed of the object against the hand at the end, turning included"});
     field("grip_force_n", &R::grip_force,
-          FieldColumn{"N", "sum of the normal forces on the object before lift-off"});
+          FieldColumn{"N",
+                      "true sum of the hand's normal forces on the object before lift-off, "
+                      "whatever its elements feel"});
     field("closure_rise_m", &R::closure_rise, FieldMayMiss{},
           FieldColumn{"m",
                       "rise of the object in the hand from the first touch to the end of "

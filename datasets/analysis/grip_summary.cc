@@ -1,7 +1,11 @@
 #include "datasets/analysis/grip_summary.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <map>
+
+#include "core/base/text/text.h"
 
 namespace graspbench {
 
@@ -16,6 +20,7 @@ std::vector<GripSummary> ListGrips(const SessionSummary& summary) {
     for (const TrialRecord* record : cell.records) {
       if (!record->result.grip) continue;
       is_regulated = true;
+      one.is_felt = one.is_felt || record->result.touch.has_value();
       const GripRecord& grip = *record->result.grip;
       for (const DigitGripRecord& digit : grip.digits) {
         if (digit.fault != GripFault::kNone) ++counts[{digit.digit, digit.fault}];
@@ -41,6 +46,46 @@ std::string DescribeFaults(const std::vector<GripFaultCount>& faults) {
             std::to_string(fault.num);
   }
   return text;
+}
+
+GripShortfall FindShortfall(const SessionSummary& summary) {
+  GripShortfall shortfall;
+  std::vector<double> asked, reached;
+  std::map<GripFault, int> faults;
+  for (const CellSummary& cell : summary.cells) {
+    for (const TrialRecord* record : cell.records) {
+      if (!record->result.grip) continue;
+      const GripRecord& grip = *record->result.grip;
+      const double sum = std::isnan(grip.held) ? grip.closed : grip.held;
+      if (std::isnan(sum)) continue;
+      ++shortfall.num_closed;
+      if (sum >= (1.0 - kGripTolerance) * grip.asked) continue;
+      asked.push_back(grip.asked);
+      reached.push_back(sum);
+      for (const DigitGripRecord& digit : grip.digits) {
+        if (digit.fault != GripFault::kNone) ++faults[digit.fault];
+      }
+    }
+  }
+  shortfall.num = static_cast<int>(asked.size());
+  shortfall.asked = CalcSpread(asked);
+  shortfall.reached = CalcSpread(reached);
+  int most = 0;
+  for (const auto& [fault, num] : faults) {
+    if (num <= most) continue;
+    most = num;
+    shortfall.reason = NameOf(fault);
+  }
+  return shortfall;
+}
+
+std::string DescribeShortfall(const GripShortfall& shortfall) {
+  if (shortfall.num == 0) return "";
+  return fmt::format(
+      "grip     {} of {} did not reach what was asked: asked {} N, reached {} N (sums, medians){}",
+      shortfall.num, FormatCount(shortfall.num_closed, "trial"),
+      FormatFixed(shortfall.asked.median, 2), FormatFixed(shortfall.reached.median, 2),
+      shortfall.reason.empty() ? "" : "; mostly: " + shortfall.reason);
 }
 
 }  // namespace graspbench

@@ -19,8 +19,9 @@ struct GripFaultCount {
 
 struct GripSummary {
   const CellSummary* cell = nullptr;
-  Spread asked, held;  ///< sums over the hand, of the trials that reached the hold [N]
-  int num_within = 0;  ///< of them, whose sum is within kGripTolerance
+  Spread asked, held;    ///< sums over the hand, of the trials that reached the hold [N]
+  int num_within = 0;    ///< of them, whose sum is within kGripTolerance
+  bool is_felt = false;  ///< by sensed touch: held is what the elements feel
   std::vector<GripFaultCount> faults;  ///< by digit, then by reason
 };
 
@@ -29,5 +30,17 @@ std::vector<GripSummary> ListGrips(const SessionSummary& summary);
 
 /** "FF: limit 3; TH: balance 1"; empty: every digit had its force. */
 std::string DescribeFaults(const std::vector<GripFaultCount>& faults);
+
+/** Trials whose sum stayed more than kGripTolerance below what was asked: in the hold, or before
+lift-off where there was no hold. */
+struct GripShortfall {
+  int num = 0, num_closed = 0;  ///< of those whose grip had closed
+  Spread asked, reached;        ///< of these trials [N]
+  std::string reason;           ///< most frequent of their digits; empty: none is known
+};
+GripShortfall FindShortfall(const SessionSummary& summary);
+
+/** "grip     3 of 4 trials did not reach what was asked: ..."; empty where all did. */
+std::string DescribeShortfall(const GripShortfall& shortfall);
 
 }  // namespace graspbench

@@ -193,4 +193,19 @@ std::string FindLevel(const SessionConfig& config, const std::optional<std::stri
   return FindBaseLevel(config, key);
 }
 
+const ThresholdScale* FindThresholdScale(const SessionConfig& config) {
+  for (const ThresholdScale& scale : kThresholdScales) {
+    const std::string mode = std::string("strategy.grip=") + RowOf(kGripModes, scale.mode).name;
+    const auto& conditions = config.conditions;
+    const bool is_all =
+        !conditions.empty() && conditions.size() % size_t{kMostGripPlace + 1} == 0 &&
+        std::all_of(conditions.begin(), conditions.end(), [&](const Condition& condition) {
+          const auto& settings = condition.settings;
+          return std::find(settings.begin(), settings.end(), mode) != settings.end();
+        });
+    if (is_all) return &scale;
+  }
+  return nullptr;
+}
+
 }  // namespace graspbench

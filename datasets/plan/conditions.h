@@ -15,6 +15,7 @@ A factor is a key that conditions differ in; its levels are the values, that of 
 #include <string>
 #include <vector>
 
+#include "core/trial/grip/grip_threshold.h"
 #include "datasets/plan/session_config.h"
 #include "datasets/plan/session_inputs.h"
 
@@ -46,5 +47,8 @@ std::string FindBaseLevel(const SessionConfig& config, const std::string& key);
 /** The value of a factor's key under a condition of this name; none: the base. */
 std::string FindLevel(const SessionConfig& config, const std::optional<std::string>& condition,
                       const std::string& key);
+
+/** The scale of grip thresholds whose grips the conditions are; null: they are none. */
+const ThresholdScale* FindThresholdScale(const SessionConfig& config);
 
 }  // namespace graspbench

@@ -1,6 +1,7 @@
 #include "datasets/plan/firm_grip.h"
 
 #include "core/base/config.h"
+#include "core/base/error.h"
 
 namespace graspbench {
 namespace {
@@ -32,6 +33,16 @@ bool CanMatter(const std::string& key, const StrategyConfig& strategy) {
   if (key == "strategy.grip_force_n") return mode != GripMode::kPosture;
   if (key == "strategy.grip_margin") return mode == GripMode::kMargin;
   return true;
+}
+
+std::string DescribeUnusedGrip(const StrategyConfig& strategy) {
+  return "has no use where strategy.grip is " + strategy.grip +
+         "; leave it out, or set strategy.grip";
+}
+
+void RefuseUnusedGrip(const std::string& assignment, const StrategyConfig& strategy) {
+  if (CanMatter(assignment.substr(0, assignment.find('=')), strategy)) return;
+  throw Error(ErrorKind::kUsage, assignment + " " + DescribeUnusedGrip(strategy));
 }
 
 void DropUnusedGrip(StrategyConfig& strategy) {

@@ -18,6 +18,13 @@ Json StrategyToJson(const StrategyConfig& strategy);
 margin, "strategy.grip_force_n" not with a firm one; every other key. */
 bool CanMatter(const std::string& key, const StrategyConfig& strategy);
 
+/** "has no use where strategy.grip is force; ...", of a setting that cannot matter. */
+std::string DescribeUnusedGrip(const StrategyConfig& strategy);
+
+/** @param assignment  "strategy.grip_margin=3".
+@throws Error(kUsage) for one that cannot matter. */
+void RefuseUnusedGrip(const std::string& assignment, const StrategyConfig& strategy);
+
 /** A firm grip with the values that its frozen configuration does not say. */
 void DropUnusedGrip(StrategyConfig& strategy);
 

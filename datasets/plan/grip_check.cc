@@ -3,44 +3,154 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "core/base/error.h"
+#include "core/hand/tactile.h"
 #include "core/trial/grip/grip_limit.h"
+#include "core/trial/touch_sensors.h"
 #include "datasets/plan/grasp_choice.h"
 
 namespace graspbench {
 namespace {
 
-/** The grasps of the session that hold by the digits' pads, to which the estimate of a drive's
-largest force belongs: a power grasp presses with links nearer to the palm, and more. */
 std::vector<const Grasp*> ListUsed(const SessionConfig& config, const SessionInputs& inputs,
                                    const SessionHand& hand) {
   std::vector<const Grasp*> used;
   for (const auto& object : inputs.objects) {
     for (const Grasp* grasp : FindGrasps(config, inputs, hand, object)) {
-      const bool is_known = std::find(used.begin(), used.end(), grasp) != used.end();
-      if (grasp->type != GraspType::kPower && !is_known) used.push_back(grasp);
+      if (std::find(used.begin(), used.end(), grasp) == used.end()) used.push_back(grasp);
     }
   }
   return used;
 }
 
+/** A hand's grasp with the least of these forces; null: the session does not regulate them. */
+std::pair<const Grasp*, double> FindLeast(const SessionConfig& config, const SessionInputs& inputs,
+                                          const SessionHand& hand,
+                                          double (*calc)(const Hand&, const Grasp&)) {
+  std::pair<const Grasp*, double> least = {nullptr, HUGE_VAL};
+  if (RowFromName(kGripModes, config.strategy.grip, "grip").value == GripMode::kPosture) {
+    return least;
+  }
+  for (const Grasp* grasp : ListUsed(config, inputs, hand)) {
+    const double force = calc(*hand.hand, *grasp);
+    if (force < least.second) least = {grasp, force};
+  }
+  return least;
+}
+
 }  // namespace
 
 void CheckGripForces(const SessionConfig& config, const SessionInputs& inputs) {
-  const StrategyConfig& strategy = config.strategy;
-  const GripMode mode = RowFromName(kGripModes, strategy.grip, "grip").value;
-  if (mode == GripMode::kPosture) return;
   for (const SessionHand& hand : inputs.hands) {
-    for (const Grasp* grasp : ListUsed(config, inputs, hand)) {
-      const double largest = CalcLargestGrip(*hand.hand, *grasp);
-      if (strategy.grip_force <= largest) continue;
+    const auto [grasp, bound] = FindLeast(config, inputs, hand, &CalcGripBound);
+    if (config.strategy.grip_force <= bound) continue;
+    throw Error(
+        ErrorKind::kRange,
+        fmt::format(
+            "strategy.grip_force_n: a digit of the hand \"{}\" cannot press with {:.2f} N in "
+            "the grasp {}: its drives' torque limits over their shortest levers give at "
+            "most {:.2f} N, at its pads some {:.2f} N; ask for less",
+            hand.hand->id, config.strategy.grip_force, grasp->id, bound,
+            CalcPadGrip(*hand.hand, *grasp)));
+  }
+}
+
+namespace {
+
+/** Whether forces are asked of a hand that goes by what its elements feel. */
+bool GoesByFeeling(const SessionConfig& config) {
+  return config.touch == RowOf(kTouchSenses, TouchSense::kSensed).name &&
+         config.strategy.grip != RowOf(kGripModes, GripMode::kPosture).name;
+}
+
+/** What an element must bear to be felt. @pre the hand has a skin. */
+double CalcFeltFrom(const SessionConfig& config, const Hand& hand) {
+  return CalcForce(hand.skin->response, config.sensors, config.sensors.threshold);
+}
+
+int CountElements(const Hand& hand, const std::string& digit) {
+  const auto& elements = hand.skin->elements;
+  return static_cast<int>(
+      std::count_if(elements.begin(), elements.end(), [&](const TactileElement& element) {
+        const int of = hand.FindDigitOfLink(element.link);
+        return of >= 0 && hand.digits[static_cast<size_t>(of)].id == digit;
+      }));
+}
+
+void CheckRange(const SessionConfig& config, const SessionInputs& inputs, const SessionHand& hand) {
+  for (const Grasp* grasp : ListUsed(config, inputs, hand)) {
+    for (const std::string& digit : grasp->digits) {
+      const int num = CountElements(*hand.hand, digit);
+      const double most = num * config.sensors.saturation;
+      if (num == 0 || config.strategy.grip_force <= most) continue;
       throw Error(ErrorKind::kRange,
-                  fmt::format("strategy.grip_force_n: a digit of the hand \"{}\" cannot press with "
-                              "{:.2f} N in the grasp {}; its drives give at most some {:.2f} N",
-                              hand.hand->id, strategy.grip_force, grasp->id, largest));
+                  fmt::format("strategy.grip_force_n: {:.2f} N is asked of each digit, and the {} "
+                              "elements of {} of the hand \"{}\" feel at most {:.2f} N together "
+                              "(sensors.saturation_n each); ask for less, or raise it",
+                              config.strategy.grip_force, num, digit, hand.hand->id, most));
     }
   }
+}
+
+}  // namespace
+
+void CheckFeltForces(const SessionConfig& config, const SessionInputs& inputs) {
+  if (!GoesByFeeling(config)) return;
+  const StrategyConfig& strategy = config.strategy;
+  for (const SessionHand& hand : inputs.hands) {
+    CheckRange(config, inputs, hand);
+    const double felt_from = CalcFeltFrom(config, *hand.hand);
+    const bool is_all = strategy.grip == RowOf(kGripModes, GripMode::kForce).name;
+    if (!is_all || strategy.grip_force > felt_from) continue;
+    throw Error(
+        ErrorKind::kRange,
+        fmt::format("sensors.threshold: an element of the hand \"{}\" feels nothing below "
+                    "{:.2f} N, and {:.2f} N is asked of each digit (strategy.grip_force_n); "
+                    "lower the threshold, or ask for more",
+                    hand.hand->id, felt_from, strategy.grip_force));
+  }
+}
+
+namespace {
+
+void WarnOfFeeling(const SessionConfig& config, const Hand& hand,
+                   std::vector<std::string>& warnings) {
+  const double asked = config.strategy.grip_force, felt_from = CalcFeltFrom(config, hand);
+  if (asked > config.sensors.saturation) {
+    warnings.push_back(fmt::format(
+        "strategy.grip_force_n is {:.2f} N, and an element of the hand \"{}\" feels at most {:.2f} "
+        "N (sensors.saturation_n): where few are pressed, digits press on without feeling it",
+        asked, hand.id, config.sensors.saturation));
+  }
+  if (asked > 0.0 && asked <= felt_from) {
+    warnings.push_back(fmt::format(
+        "an element of the hand \"{}\" feels nothing below {:.2f} N (sensors.threshold), and as "
+        "little as {:.2f} N is asked of a digit (strategy.grip_force_n)",
+        hand.id, felt_from, asked));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> ListGripWarnings(const SessionConfig& config,
+                                          const SessionInputs& inputs) {
+  std::vector<std::string> warnings;
+  if (GoesByFeeling(config)) {
+    for (const SessionHand& hand : inputs.hands) WarnOfFeeling(config, *hand.hand, warnings);
+  }
+  for (const SessionHand& hand : inputs.hands) {
+    const auto [grasp, estimate] = FindLeast(config, inputs, hand, &CalcPadGrip);
+    if (config.strategy.grip_force <= estimate) continue;
+    warnings.push_back(fmt::format(
+        "strategy.grip_force_n is {:.2f} N, and the drives of the hand \"{}\" give some {:.2f} N "
+        "at its pads in the grasp {}, more only by contacts nearer to the palm: digits may not "
+        "reach what is asked",
+        config.strategy.grip_force, hand.hand->id, estimate, grasp->id));
+  }
+  return warnings;
 }
 
 void CheckGripMargins(const SessionConfig& config, const SessionInputs& inputs) {

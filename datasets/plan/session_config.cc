@@ -188,6 +188,19 @@ SessionConfig FindDefaults(const YAML::Node& root, const std::string& file, Diag
   }
 }
 
+/** The command line refuses such a setting, too; a file may repeat the default, as presets do. */
+void CheckGripUsed(const YAML::Node& root, const std::string& file, const SessionConfig& config,
+                   const StrategyConfig& defaults, Diagnostics& problems) {
+  if (!FindRow(kGripModes, config.strategy.grip)) return;
+  const Json values = ConfigToJson(config.strategy), usual = ConfigToJson(defaults);
+  for (const auto& [name, value] : values.items()) {
+    const std::string key = "strategy." + name;
+    if (value == usual.at(name) || CanMatter(key, config.strategy)) continue;
+    problems.Fail(file, FindConfigLine(root, key),
+                  key + ": " + DescribeUnusedGrip(config.strategy));
+  }
+}
+
 }  // namespace
 
 SessionConfig ParseSessionConfig(const std::string& text, const std::string& file) {
@@ -196,7 +209,9 @@ SessionConfig ParseSessionConfig(const std::string& text, const std::string& fil
   SessionFile session;
   const YAML::Node root = ParseYaml(text, file, problems);
   static_cast<SessionConfig&>(session) = FindDefaults(root, file, problems);
+  const StrategyConfig defaults = session.strategy;
   ReadConfig(root, file, "session", session, problems);
+  CheckGripUsed(root, file, session, defaults, problems);
   CheckRead(root, file, session, problems);
   return session;
 }

@@ -12,6 +12,7 @@
 #include "core/hand/tactile.h"
 #include "core/physics/simbody/compliant_world.h"
 #include "core/trial/basin.h"
+#include "core/trial/grip/grip_limit.h"
 #include "core/trial/positioning.h"
 #include "datasets/plan/conditions.h"
 #include "datasets/plan/firm_grip.h"
@@ -225,12 +226,18 @@ std::string CalcConditionedId(const std::string& id, const ConditionInputs& cond
   return content.size() == 1 ? id : CalcHashHex(FormatJson(content));
 }
 
-void PlanPair(const ConditionBlock& block, size_t hand_index, size_t object_index,
-              std::vector<PlannedTrial>& plan) {
+/** @param is_threshold  its conditions are grips of a scale: those that no drive gives are left out.
+*/
+void PlanPair(const ConditionBlock& block, bool is_threshold, size_t hand_index,
+              size_t object_index, std::vector<PlannedTrial>& plan) {
   const SessionHand& hand = block.inputs->hands[hand_index];
   const std::shared_ptr<const GraspObject>& object = block.inputs->objects[object_index];
   const bool can_be_compliant = CanMoveCompliantly(*hand.hand) && CanMoveCompliantly(*object);
   for (const Grasp* chosen : FindGrasps(*block.config, *block.inputs, hand, object)) {
+    if (is_threshold && !block.is_base &&
+        block.config->strategy.grip_force > CalcGripBound(*hand.hand, *chosen)) {
+      continue;
+    }
     const Grasp grasp = FindFitted(*block.inputs, hand, *chosen, object);
     for (int trial = 0; trial < block.config->trials; ++trial) {
       const std::string id = CalcTrialId(*block.config, *hand.hand, *object, grasp, trial);
@@ -277,14 +284,19 @@ std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInp
     CheckCamerasExist(*block.config, *block.inputs);
     CheckSkinsExist(*block.config, *block.inputs);
   }
-  // The scale of grip thresholds may go beyond what drives give.
-  CheckGripForces(config, inputs);
-  for (const ConditionBlock& block : blocks) CheckGripMargins(*block.config, *block.inputs);
+  const bool is_threshold = FindThresholdScale(config) != nullptr;
+  for (const ConditionBlock& block : blocks) {
+    CheckGripMargins(*block.config, *block.inputs);
+    if (is_threshold && !block.is_base)
+      continue;  // a scale goes from less to more than is possible
+    CheckGripForces(*block.config, *block.inputs);
+    CheckFeltForces(*block.config, *block.inputs);
+  }
 
   std::vector<PlannedTrial> plan;
   for (size_t hand = 0; hand < inputs.hands.size(); ++hand) {
     for (size_t object = 0; object < inputs.objects.size(); ++object) {
-      for (const ConditionBlock& block : blocks) PlanPair(block, hand, object, plan);
+      for (const ConditionBlock& block : blocks) PlanPair(block, is_threshold, hand, object, plan);
     }
   }
   if (plan.empty()) {

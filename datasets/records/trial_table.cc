@@ -48,12 +48,13 @@ std::string ListFailureCauses() {
   return text;
 }
 
-/** "FF: posture ends; TH: balance". */
+/** "FF: limit (FFJ3); TH: balance". */
 std::string DescribeGripFaults(const GripRecord& grip) {
   std::string text;
   for (const DigitGripRecord& digit : grip.digits) {
     if (digit.fault == GripFault::kNone) continue;
     text += (text.empty() ? "" : "; ") + digit.digit + ": " + NameOf(digit.fault);
+    if (digit.joint) text += " (" + *digit.joint + ")";
   }
   return text;
 }
@@ -85,14 +86,18 @@ void AddGripColumns(std::vector<CsvColumn<TrialRecord>>& columns) {
     };
   };
   columns.push_back({"grip_asked_n", "number", "N",
-                     "sum of the forces that the regulated grip asks of the hand, mean of the hold",
+                     "sum of the normal forces that the regulated grip asks of the hand, mean of "
+                     "the hold",
                      take(&GripRecord::asked)});
-  columns.push_back({"grip_held_n", "number", "N",
-                     "what it has of them, exactly or as the elements feel it, mean of the hold",
-                     take(&GripRecord::held)});
+  columns.push_back(
+      {"grip_held_n", "number", "N",
+       "filtered sum of normal forces that it had of them, mean of the hold: the true "
+       "one with touch exact, that which the elements feel with touch sensed",
+       take(&GripRecord::held)});
   columns.push_back(
       {"grip_faults", "string", "",
-       "digits that differ from what was asked of them by more than a fifth, each with the reason",
+       "digits that differ from what was asked of them by more than a fifth, each with the reason "
+       "and the joint that it means",
        [](const TrialRecord& record) {
          return record.result.grip ? Json(DescribeGripFaults(*record.result.grip)) : Json();
        }});
@@ -172,7 +177,8 @@ void AddDigitColumns(const std::string& digit, std::vector<TrialColumn>& columns
   columns.push_back(
       {"t_" + digit + "_s", "number", "s",
        "first contact of digit " + digit +
-           ", since the start of closure; missing when it never touched or takes no part",
+           ", since the start of closure; missing when it had not touched by lift-off or takes no "
+           "part",
        TakeOfDigit(digit,
                    [](const DigitContact& contact, const DigitTouch&) { return contact.time; })});
   columns.push_back({"closing_" + digit, "number", "",

@@ -96,7 +96,7 @@ Html DrawContactTimes(const CellSummary& cell, const std::vector<std::string>& d
       "One strip per digit, one mark per trial, in seconds since the start of closure; all values "
       "stand in the table of trials.";
   plot.axis = "first contact since start of closure [s]";
-  plot.missing = "never";
+  plot.missing = "not by lift-off";
   for (const std::string& digit : digits) {
     DotStrips::Row row;
     row.label = data.models.NameOfDigit(cell.hand, digit);

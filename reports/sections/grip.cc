@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "core/base/text/text.h"
 #include "datasets/analysis/grip_summary.h"
 #include "reports/page/layout.h"
@@ -17,12 +19,16 @@ Html DrawGrip(const ReportData& data) {
         "These trials close to their target posture: the grip is what posture and stiffness "
         "give.");
   }
+  const bool is_felt =
+      std::any_of(grips.begin(), grips.end(), [](const GripSummary& grip) { return grip.is_felt; });
   const Align number = Align::kNumber;
   Table table("Regulated grips of each condition: medians of the trials that reached the hold.",
               {{"Condition"},
                {"Trials", number, "that reached the hold"},
                {"Asked [N]", number, "sum over the hand"},
-               {"Held [N]", number, "sum over the hand, mean of the hold"},
+               {"Held [N]", number,
+                is_felt ? "sum over the hand as its elements feel it, mean of the hold"
+                        : "sum over the hand, mean of the hold"},
                {"Within 20 %", number, "trials whose held sum is"},
                {"Digits without their force", Align::kText,
                 "more than a fifth off, with the reason and in how many finished trials"}});
@@ -44,9 +50,12 @@ Html DrawGrip(const ReportData& data) {
   return MakeParagraph(
              "A hand that regulates its grip closes until each digit has its share, then keeps "
              "the sum. \"Posture ends\": the digit is closed as far as it goes; \"limit\": one of "
-             "its drives gives all it can; \"coupling\": a coupled joint is at its stop; "
-             "\"balance\": statics give the force to others; \"no touch\", \"not felt\": it never "
-             "touched, or has nothing to feel by.") +
+             "its drives gives all it can; \"joint stop\", \"coupling\": a driven or a coupled "
+             "joint is at its stop; \"balance\": statics give the force to others; \"no touch\", "
+             "\"not felt\": it never touched, or has nothing to feel by." +
+             std::string(is_felt ? " Forces here are those that the elements feel; elsewhere on "
+                                   "this page forces are the true ones."
+                                 : "")) +
          MakeParagraph("The sum is within 20 % of what was asked in " + std::to_string(num_within) +
                        " of " + FormatCount(num_held, "trial") + " that reached the hold" +
                        (off.empty() ? "." : "; in fewer than half of them with: " + off + ".")) +

@@ -30,7 +30,7 @@ Html DrawCellThresholds(const ReportData& data, const ThresholdSummary& summary)
        {"95 % interval", number, "of order statistics"},
        {"Held by the least", number, "the threshold is no larger than the scale's end"},
        {"Never held", number, "by no grip that was asked"},
-       {"Not monotone", number, "trials that fail again with a larger grip"}});
+       {"Not monotone", number, "trials that fail again with a larger grip, as far as was asked"}});
   for (const CellThreshold& cell : summary.cells) {
     const std::string interval = std::isnan(cell.low) ? "n/a"
                                                       : FormatThreshold(scale, cell.low) + " to " +
@@ -82,6 +82,8 @@ Html DrawThresholds(const ReportData& data) {
   }
   for (const ThresholdSummary& summary : data.thresholds) {
     html += DrawMedians(data, summary) + DrawCellThresholds(data, summary);
+    const std::string ceilings = DescribeCeilings(summary);
+    if (!ceilings.empty()) html += MakeParagraph("Here " + ceilings + ".");
   }
   return html;
 }

@@ -14,6 +14,10 @@ namespace graspbench {
 friction, and for forces with touch: sensed of a hand that feels nothing. */
 PreparedSession PrepareThresholds(const ExperimentRequest& request, const ThresholdScale& scale);
 
+/** Of forces that the hands' pads hardly give (datasets/plan/grip_check.h). */
+std::vector<std::string> ListThresholdWarnings(const PreparedSession& experiment,
+                                               const ThresholdScale& scale);
+
 /** Runs what is left. @returns whether nothing is left. */
 bool RunThresholds(const PreparedSession& experiment, const ExperimentRequest& request,
                    int num_workers, Observer& observer, const std::atomic<bool>& stop);

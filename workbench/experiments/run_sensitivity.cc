@@ -5,6 +5,7 @@
 #include "core/base/config.h"
 #include "core/base/error.h"
 #include "datasets/plan/conditions.h"
+#include "datasets/plan/firm_grip.h"
 
 namespace graspbench {
 namespace {
@@ -37,6 +38,7 @@ std::vector<std::string> FindSettings(const SensitivityRequest& request,
     if (std::find(settings.begin(), settings.end(), setting) != settings.end()) {
       throw Error(ErrorKind::kUsage, "\"" + setting + "\" is named twice; leave one out");
     }
+    RefuseUnusedGrip(setting, config.strategy);
     settings.push_back(setting);
   }
   return settings;

@@ -11,6 +11,7 @@
 #include "core/grasp/grasp_file.h"
 #include "core/hand/load_hand.h"
 #include "datasets/plan/conditions.h"
+#include "datasets/plan/firm_grip.h"
 #include "datasets/plan/scene_names.h"
 #include "datasets/plan/session_plan.h"
 #include "datasets/session/find_trial.h"
@@ -290,7 +291,9 @@ void ChangeSetting(Shell& shell, const ShellArguments& arguments) {
                                        " (set lists them)");
   }
   if (arguments.size() < 2) return PrintResult(known);
-  ApplySetting(key + "=" + TakeUnitOff(key, arguments[1]), choice.config);
+  const std::string setting = key + "=" + TakeUnitOff(key, arguments[1]);
+  ApplySetting(setting, choice.config);
+  RefuseUnusedGrip(setting, choice.config.strategy);
   Take(shell, choice);
 }
 

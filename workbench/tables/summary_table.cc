@@ -6,6 +6,7 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/statistics/proportion.h"
+#include "datasets/analysis/grip_summary.h"
 #include "datasets/analysis/seat_summary.h"
 #include "datasets/session/judgement_store.h"
 #include "workbench/experiments/machines/shell_quote.h"
@@ -63,7 +64,9 @@ std::string FormatSummaryTable(const SessionSummary& summary) {
                   tally.finished > 0 ? MakePlainText(FormatPercent(tally.rate())) : "n/a",
                   MakePlainText(FormatRateInterval(tally.successes(), tally.finished))});
   }
-  return table.Format() + FormatFailures(summary) + FormatSeats(summary);
+  const std::string grip = DescribeShortfall(FindShortfall(summary));
+  return table.Format() + FormatFailures(summary) + FormatSeats(summary) +
+         (grip.empty() ? "" : "\n" + grip + "\n");
 }
 
 Json MakeSummaryJson(const SessionSummary& summary, const std::filesystem::path& folder,

@@ -1,6 +1,7 @@
 #pragma once
 /** @file
-The end of a session in a few lines: success per hand, and what the failures were. */
+The end of a session in a few lines: success per hand, what the failures were, and how many grips
+did not reach what was asked. */
 
 #include <filesystem>
 #include <string>

@@ -36,10 +36,12 @@ std::string FormatThresholdTables(const ThresholdSummary& summary) {
     if (is_sweep) cells.insert(cells.begin(), cell.condition.empty() ? "base" : cell.condition);
     table.AddRow(cells);
   }
+  const std::string ceilings = DescribeCeilings(summary);
   return table.Format() + "smallest " + scale.name +
          " with which a draw succeeds, median of the draws; " + FormatCount(num_draws, "draw") +
          ", " + FormatCount(summary.num_trials, "trial") + ", " +
-         std::to_string(summary.num_not_monotone()) + " not monotone\n";
+         std::to_string(summary.num_not_monotone()) + " not monotone as far as was asked\n" +
+         (ceilings.empty() ? "" : ceilings + "\n");
 }
 
 std::string FormatThresholdChanges(const std::vector<ThresholdChange>& changes) {

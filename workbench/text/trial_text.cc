@@ -34,13 +34,16 @@ std::string FormatJointErrors(const TrialSetup& setup) {
 }
 
 /** Times are those of the shell: since the start of placing. */
-std::string FormatPhases(const TracedTrial& traced) {
+std::string FormatPhases(const TracedTrial& traced, const StrategyConfig& strategy) {
   std::string text = std::string(NameOf(Phase::kPlacing)) + " from 0.000 s";
   for (const PhaseStart& phase : traced.result.phases) {
     if (phase.name == NameOf(Phase::kDone)) continue;
     text += ", " + phase.name + " from " + FormatFixed(phase.time + traced.closure_start, 3) + " s";
   }
-  return text + ", end at " + FormatFixed(traced.result.simulated_time, 3) + " s";
+  text += ", end at " + FormatFixed(traced.result.simulated_time, 3) + " s";
+  if (strategy.closure_lead == 0.0) return text;
+  return text + "; closure leads the hand's arrival by " + FormatFixed(strategy.closure_lead, 3) +
+         " s (strategy.closure_lead_s)";
 }
 
 /** The largest sum of a digit's normal forces over the trial [N]. */
@@ -56,25 +59,31 @@ double FindLargestForce(const ExaminedTrial& trial, const std::string& id) {
   return largest;
 }
 
-/** A row a digit: when it touched and how it fared. */
+/** First touches count up to lift-off only. */
+std::string FormatFirstTouch(double time, double largest_force) {
+  if (!std::isnan(time)) return FormatFixed(time, 3);
+  return largest_force > 0.0 ? "after lift-off" : "never";
+}
+
+/** A row a digit: when it touched and how it fared, by the contacts themselves. */
 std::string FormatDigits(const ExaminedTrial& trial) {
   const TrialResult& result = trial.traced.result;
   const double start = trial.traced.closure_start;
   TextTable table({"digit", "first touch [s]", "hand closed by", "nearest [mm]", "slips", "losses",
-                   "largest force [N]"});
+                   result.touch ? "largest true force [N]" : "largest force [N]"});
   for (size_t d = 0; d < result.contacts.size(); ++d) {
     const DigitContact& contact = result.contacts[d];
     const DigitTouch& touch = result.touches[d];
+    const double largest = FindLargestForce(trial, contact.digit);
     const auto count = [&](ContactEventKind kind) {
       return std::to_string(std::count_if(
           result.contact_events.begin(), result.contact_events.end(),
           [&](const ContactEvent& e) { return e.kind == kind && e.digit == contact.digit.str(); }));
     };
     table.AddRow({contact.digit.str() + (contact.is_opposing ? " (opposes)" : ""),
-                  std::isnan(contact.time) ? "never" : FormatFixed(contact.time + start, 3),
-                  FormatPercent(touch.closing), FormatFixed(MmFromM(touch.smallest_gap), 1),
-                  count(ContactEventKind::kSlip), count(ContactEventKind::kLost),
-                  FormatFixed(FindLargestForce(trial, contact.digit), 2)});
+                  FormatFirstTouch(contact.time + start, largest), FormatPercent(touch.closing),
+                  FormatFixed(MmFromM(touch.smallest_gap), 1), count(ContactEventKind::kSlip),
+                  count(ContactEventKind::kLost), FormatFixed(largest, 2)});
   }
   return table.Format();
 }
@@ -88,8 +97,8 @@ std::string FormatSeat(const TrialResult& result) {
       FormatFixed(MmFromM(result.closure_rise), 1), FormatFixed(MmFromM(result.object_height), 1),
       FormatFixed(MmFromM(result.closure_slide), 1));
   if (IsSuccess(result.outcome)) {
-    text += fmt::format("; held with {} N{}", FormatFixed(result.stability.hold.normal_force, 2),
-                        IsCaged(result) ? ", caged" : "");
+    text += fmt::format("; held with {} N{}{}", FormatFixed(result.stability.hold.normal_force, 2),
+                        result.touch ? " in truth" : "", IsCaged(result) ? ", caged" : "");
     if (result.opposition) {
       text += fmt::format(", {} opposition", RowOf(kOppositions, *result.opposition).name);
     }
@@ -111,20 +120,33 @@ std::string DescribeMargin(const GripRecord& grip) {
          "margin asks these for nothing but the least force\n";
 }
 
+/** Whether stabilisation ended in the grip's band, where that was not so. */
+std::string DescribeLift(const GripRecord& grip) {
+  if (grip.was_in_band) return "";
+  return std::isnan(grip.closed) ? "; never lifted" : "; not in its band when it was lifted";
+}
+
+/** "limit (FFJ3)". */
+std::string DescribeFault(const DigitGripRecord& digit) {
+  return NameOf(digit.fault) + (digit.joint ? " (" + *digit.joint + ")" : "");
+}
+
 /** What a regulated grip asked and reached. */
 std::string FormatGrip(const TrialResult& result) {
   if (!result.grip) return "";
   const GripRecord& grip = *result.grip;
-  std::string text =
-      fmt::format("grip     asked {} N in sum, {} N in the hold, peak {} N{}\n",
-                  FormatFixed(grip.asked, 2), FormatFixed(grip.held, 2), FormatFixed(grip.peak, 2),
-                  grip.was_in_band ? "" : "; not in its band when it was lifted");
-  TextTable table({"digit", "asked [N]", "before lift-off [N]", "in the hold [N]", "closed by",
-                   "why it differs"});
+  const std::string felt = result.touch ? "felt " : "";
+  std::string text = fmt::format(
+      "grip     asked {} N in sum, {}{} N in the hold, peak of the filtered "
+      "{}sum {} N{}\n",
+      FormatFixed(grip.asked, 2), felt, FormatFixed(grip.held, 2), felt, FormatFixed(grip.peak, 2),
+      DescribeLift(grip));
+  TextTable table({"digit", "asked [N]", felt + "before lift-off [N]", felt + "in the hold [N]",
+                   "closed by", "why it differs"});
   for (const DigitGripRecord& digit : grip.digits) {
     table.AddRow({digit.digit + (digit.opposes ? " (opposes)" : ""), FormatFixed(digit.asked, 2),
                   FormatFixed(digit.closed, 2), FormatFixed(digit.held, 2),
-                  FormatPercent(digit.closing), NameOf(digit.fault)});
+                  FormatPercent(digit.closing), DescribeFault(digit)});
   }
   if (!std::isnan(grip.rest_held)) {
     table.AddRow({"rest of the hand", FormatFixed(grip.rest_asked, 2), "",
@@ -211,7 +233,7 @@ std::string FormatTrial(const ExaminedTrial& trial, const std::string& folder) {
                   trial.setup.hand->name, trial.setup.object->name, trial.planned.grasp) +
       "outcome  " + FormatOutcome(result) + "\n" + "draw     " +
       FormatObjectDraw(trial.setup.draw) + FormatJointErrors(trial.setup) + "\n" + "phases   " +
-      FormatPhases(trial.traced) + "\n";
+      FormatPhases(trial.traced, trial.setup.strategy) + "\n";
   if (!result.contacts.empty()) text += FormatDigits(trial);
   text += FormatSeat(result) + FormatGrip(result);
   if (result.diagnosis) text += "why      " + result.diagnosis->text + "\n";

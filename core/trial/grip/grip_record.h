@@ -3,6 +3,7 @@
 What a trial says of its regulated grip: what was asked, what came of it, and why a digit never had
 its force. Forces are sums of normal forces, those of the hold means over it. */
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ enum class GripFault {
   kNotFelt,   ///< it has no elements to feel by, or presses where it has none
   kPosture,   ///< it is at its target posture
   kLimit,     ///< a drive of it is at its torque limit
+  kStop,      ///< a driven joint of it is at its stop, which bears what its drive gives
   kCoupling,  ///< a coupled joint of it is at its stop
   kBalance    ///< statics give the force to others, or others' to it
 };
@@ -32,6 +34,7 @@ inline constexpr GripFaultRow kGripFaults[] = {{GripFault::kNone, ""},
                                                {GripFault::kNotFelt, "not felt"},
                                                {GripFault::kPosture, "posture ends"},
                                                {GripFault::kLimit, "limit"},
+                                               {GripFault::kStop, "joint stop"},
                                                {GripFault::kCoupling, "coupling"},
                                                {GripFault::kBalance, "balance"}};
 inline const char* NameOf(GripFault fault) { return RowOf(kGripFaults, fault).name; }
@@ -51,6 +54,7 @@ struct DigitGripRecord {
   double held = kUnset;     ///< mean over the hold [N]; NaN: none
   double closing = kUnset;  ///< s at the end
   GripFault fault = GripFault::kNone;
+  std::optional<std::string> joint;  ///< whose drive, stop or coupling `fault` means
 
   template <class V>
   static void ListFields(V&& field) {
@@ -62,6 +66,7 @@ struct DigitGripRecord {
     field("held_n", &R::held, FieldMayMiss{});
     field("closing", &R::closing);
     field("fault", &R::fault);
+    field("joint", &R::joint);
   }
 };
 

@@ -210,7 +210,7 @@ void GripRegulator::Observe(Phase phase, World& world, const std::vector<HandCon
       (has_closed && sum_ > 0.0 &&
        (sum_ >= asked_ || std::all_of(digits_.begin(), digits_.end(), [&](const DigitGrip& digit) {
           return digit.force >= digit.asked || digit.CalcClosing() >= 1.0 - kAtTarget ||
-                 IsAtLimit(digit, kAtLimit);
+                 IsAtLimit(digit);
         })));
   if (mode_ == GripMode::kMargin && has_closed && phase < Phase::kLiftOff && sum_ > 0.0 &&
       time_ >= next_look_) {
@@ -229,13 +229,17 @@ void GripRegulator::Observe(Phase phase, World& world, const std::vector<HandCon
   for (int joint = 0; joint < hand.num_joints(); ++joint) {
     dofs_[static_cast<size_t>(joint)] = world.dynamics().dof_of_joint(joint);
     drive_positions_[joint] = CalcDrivePosition(hand, world.state(), joint);
-    const HandJoint& coupled = hand.joints[static_cast<size_t>(joint)];
-    const double upper = coupled.coupled_to >= 0 && hand.coupling == CouplingRule::kMiddleFirst
-                             ? std::min(coupled.upper, world.state().q[coupled.coupled_to])
-                             : coupled.upper;
-    is_stopped_[static_cast<size_t>(joint)] = coupled.coupled_to >= 0 &&
-                                              world.state().q[joint] > upper - kStopAngle &&
-                                              world.state().q[joint] > kStopAngle;
+    const HandJoint& one = hand.joints[static_cast<size_t>(joint)];
+    const double q = world.state().q[joint];
+    if (one.coupled_to < 0) {
+      is_stopped_[static_cast<size_t>(joint)] = (way_[joint] > 0.0 && q > one.upper - kStopAngle) ||
+                                                (way_[joint] < 0.0 && q < one.lower + kStopAngle);
+      continue;
+    }
+    const double upper = hand.coupling == CouplingRule::kMiddleFirst
+                             ? std::min(one.upper, world.state().q[one.coupled_to])
+                             : one.upper;
+    is_stopped_[static_cast<size_t>(joint)] = q > upper - kStopAngle && q > kStopAngle;
   }
 }
 
@@ -253,22 +257,24 @@ void GripRegulator::NoteHold(Phase phase) {
   }
 }
 
-/** A drive of it, of those that close it, gives this share of all it can. */
-bool GripRegulator::IsAtLimit(const DigitGrip& digit, double share) const {
-  if (drive_positions_.size() == 0) return false;
-  return std::any_of(digit.joints.begin(), digit.joints.end(), [&](int joint) {
-    if (way_[joint] == 0.0) return false;
-    const JointDrive& drive = setup_->hand->joints[static_cast<size_t>(joint)].drive;
-    const double asked = setup_->grasp.q_pre[joint] + digit.CalcClosing() * way_[joint] +
-                         setup_->draw.joint_error[joint];
-    const double torque = drive.stiffness * (asked - drive_positions_[joint]);
-    return torque * (way_[joint] > 0.0 ? 1.0 : -1.0) >= share * drive.torque_limit;
-  });
+/** The spring of a drive that closes a digit asks for this share of its limit. */
+bool GripRegulator::IsAtLimit(const DigitGrip& digit, int joint, double share) const {
+  if (drive_positions_.size() == 0 || way_[joint] == 0.0) return false;
+  const JointDrive& drive = setup_->hand->joints[static_cast<size_t>(joint)].drive;
+  const double asked = setup_->grasp.q_pre[joint] + digit.CalcClosing() * way_[joint] +
+                       setup_->draw.joint_error[joint];
+  const double torque = drive.stiffness * (asked - drive_positions_[joint]);
+  return torque * (way_[joint] > 0.0 ? 1.0 : -1.0) >= share * drive.torque_limit;
+}
+
+bool GripRegulator::IsAtLimit(const DigitGrip& digit) const {
+  return std::any_of(digit.joints.begin(), digit.joints.end(),
+                     [&](int joint) { return IsAtLimit(digit, joint, kAtLimit); });
 }
 
 bool GripRegulator::IsStopped(const DigitGrip& digit) const {
   return digit.CalcClosing() >= (digit.has_touched ? most_closing_ : 1.0) - kAtTarget ||
-         IsAtLimit(digit, kAtLimit);
+         IsAtLimit(digit);
 }
 
 /** Two digits that both oppose a third: what one gains the other gives up, so that the sum, and the
@@ -307,7 +313,7 @@ void GripRegulator::Advance(Phase phase) {
       if (is_saturating_ || !digit.has_touched || !digit.is_felt) continue;
       const double shift =
           std::clamp(digit.asked / digit.stiffness * error * step_ / kShiftTime, -most, most);
-      if (shift > 0.0 && IsAtLimit(digit, kAtLimit)) continue;
+      if (shift > 0.0 && IsAtLimit(digit)) continue;
       digit.Shift(shift, most_closing_);
     }
     return;
@@ -316,7 +322,7 @@ void GripRegulator::Advance(Phase phase) {
   for (DigitGrip& digit : digits_) {
     if (phase > Phase::kStabilisation && !digit.is_late) continue;
     const bool has_force = digit.has_touched && digit.force >= digit.asked;
-    if (is_regulated() && !is_saturating_ && (has_force || IsAtLimit(digit, kAtLimit))) {
+    if (is_regulated() && !is_saturating_ && (has_force || IsAtLimit(digit))) {
       continue;
     }
     const double closing = digit.law.closing();
@@ -340,30 +346,51 @@ void GripRegulator::Command(WorldCommand& command) const {
           digit.CalcClosing() * (setup_->grasp.q_target[joint] - setup_->grasp.q_pre[joint]) +
           setup_->draw.joint_error[joint];
       if (!is_saturating_ || !digit.has_touched || digit.torque.size() == 0) continue;
-      double& limit = command.torque_limit[joint];
-      limit = std::clamp(torque_share_ * digit.asked * std::abs(digit.torque[dofs_[joint]]),
-                         kLeastTorque * limit, limit);
+      command.torque_limit[joint] = CalcSharedTorque(digit, joint);
     }
   }
 }
 
-GripFault GripRegulator::FindFault(const DigitGrip& digit, double asked, double reached,
-                                   double pressed) const {
+/** To which the drive of a digit that touches is limited under the saturating law. */
+double GripRegulator::CalcSharedTorque(const DigitGrip& digit, int joint) const {
+  const double limit = setup_->hand->joints[static_cast<size_t>(joint)].drive.torque_limit;
+  return std::clamp(torque_share_ * digit.asked * std::abs(digit.torque[dofs_[joint]]),
+                    kLeastTorque * limit, limit);
+}
+
+/** Of the joints that close a digit one whose drive gives about all it can; -1: none. What a drive
+gives to a joint at its stop presses on nothing, and one that is limited to a share of its torque
+could give more. */
+int GripRegulator::FindFullDrive(const DigitGrip& digit) const {
+  for (const int joint : digit.joints) {
+    if (is_stopped_.empty() || is_stopped_[static_cast<size_t>(joint)]) continue;
+    if (!IsAtLimit(digit, joint, kNearLimit)) continue;
+    const bool is_shared = is_saturating_ && digit.has_touched && digit.torque.size() > 0;
+    const JointDrive& drive = setup_->hand->joints[static_cast<size_t>(joint)].drive;
+    if (is_shared && CalcSharedTorque(digit, joint) < kNearLimit * drive.torque_limit) continue;
+    return joint;
+  }
+  return -1;
+}
+
+std::pair<GripFault, int> GripRegulator::FindFault(const DigitGrip& digit, double asked,
+                                                   double reached, double pressed) const {
   // By sensed touch: much of what it presses with falls where it has no elements.
   const bool misses_much = std::abs(pressed - reached) > kGripTolerance * std::max(asked, reached);
-  if (!digit.is_felt || misses_much) return GripFault::kNotFelt;
-  if (!digit.has_touched) return GripFault::kNoTouch;
-  if (std::abs(reached - asked) <= kGripTolerance * asked) return GripFault::kNone;
-  if (reached > asked) return GripFault::kBalance;
-  if (digit.CalcClosing() >= most_closing_ - kAtTarget) return GripFault::kPosture;
-  if (IsAtLimit(digit, kNearLimit)) return GripFault::kLimit;
-  for (const int link : setup_->hand->digits[static_cast<size_t>(digit.digit)].links) {
-    const int joint = setup_->hand->links[static_cast<size_t>(link)].joint;
-    if (joint >= 0 && !is_stopped_.empty() && is_stopped_[static_cast<size_t>(joint)]) {
-      return GripFault::kCoupling;
-    }
+  if (!digit.is_felt || misses_much) return {GripFault::kNotFelt, -1};
+  if (!digit.has_touched) return {GripFault::kNoTouch, -1};
+  if (std::abs(reached - asked) <= kGripTolerance * asked) return {GripFault::kNone, -1};
+  if (reached > asked) return {GripFault::kBalance, -1};
+  if (digit.CalcClosing() >= most_closing_ - kAtTarget) return {GripFault::kPosture, -1};
+  if (const int joint = FindFullDrive(digit); joint >= 0) return {GripFault::kLimit, joint};
+  const Hand& hand = *setup_->hand;
+  for (const int link : hand.digits[static_cast<size_t>(digit.digit)].links) {
+    const int joint = hand.links[static_cast<size_t>(link)].joint;
+    if (joint < 0 || is_stopped_.empty() || !is_stopped_[static_cast<size_t>(joint)]) continue;
+    const bool is_driven = hand.joints[static_cast<size_t>(joint)].coupled_to < 0;
+    return {is_driven ? GripFault::kStop : GripFault::kCoupling, joint};
   }
-  return GripFault::kBalance;
+  return {GripFault::kBalance, -1};
 }
 
 GripRecord GripRegulator::MakeRecord() const {
@@ -390,9 +417,12 @@ GripRecord GripRegulator::MakeRecord() const {
     if (num_held_ > 0) of.held = digit.held_sum / num_held_;
     of.closing = digit.CalcClosing();
     const bool was_lost = num_held_ == 0 && !std::isnan(closed_);  // then the end says nothing
-    of.fault = was_lost ? digit.fault
-                        : FindFault(digit, of.asked, num_held_ > 0 ? of.held : digit.force,
-                                    num_held_ > 0 ? digit.pressed_sum / num_held_ : digit.pressed);
+    const auto [fault, joint] =
+        was_lost ? digit.fault
+                 : FindFault(digit, of.asked, num_held_ > 0 ? of.held : digit.force,
+                             num_held_ > 0 ? digit.pressed_sum / num_held_ : digit.pressed);
+    of.fault = fault;
+    if (joint >= 0) of.joint = setup_->hand->joints[static_cast<size_t>(joint)].name;
   }
   return record;
 }

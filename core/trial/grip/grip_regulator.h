@@ -31,6 +31,7 @@ under margin grip_margin times the smallest force with which the contacts bear t
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/grasp/closing_law.h"
@@ -82,7 +83,7 @@ class GripRegulator {
     Eigen::VectorXd torque = {};  // that holds a unit of force (num_dofs)
     double pressed = 0.0;         // what it presses with in truth, filtered [N]
     double closed = kUnset, held_sum = 0.0, asked_sum = 0.0, pressed_sum = 0.0;
-    GripFault fault = GripFault::kNone;  // at the start of lift-off
+    std::pair<GripFault, int> fault = {GripFault::kNone, -1};  // at the start of lift-off
 
     double CalcClosing() const { return law.closing() + beyond; }
     void Shift(double by, double most) {
@@ -98,9 +99,13 @@ class GripRegulator {
   void ShareForce(const std::vector<PartLoad>& loads);
   void ShareWithinSide();
   void TakeBack(DigitGrip& digit, const World& world) const;
-  bool IsAtLimit(const DigitGrip& digit, double share) const;
+  bool IsAtLimit(const DigitGrip& digit, int joint, double share) const;
+  bool IsAtLimit(const DigitGrip& digit) const;
   bool IsStopped(const DigitGrip& digit) const;
-  GripFault FindFault(const DigitGrip& digit, double asked, double reached, double pressed) const;
+  int FindFullDrive(const DigitGrip& digit) const;
+  double CalcSharedTorque(const DigitGrip& digit, int joint) const;
+  std::pair<GripFault, int> FindFault(const DigitGrip& digit, double asked, double reached,
+                                      double pressed) const;
   double CalcAskedForce() const;
   void NoteHold(Phase phase);
 
@@ -126,7 +131,7 @@ class GripRegulator {
   Phase phase_ = Phase::kPlacing;
   Eigen::VectorXd drive_positions_;  // of the last step (num_joints)
   std::vector<int> dofs_;            // of each joint
-  std::vector<bool> is_stopped_;     // by joint: a coupled one at its stop
+  std::vector<bool> is_stopped_;     // by joint: at the stop towards which it closes
 };
 
 }  // namespace graspbench

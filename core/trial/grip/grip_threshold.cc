@@ -16,12 +16,12 @@ namespace {
 /** One bisection; once an answer is not known it asks nothing more. */
 class Bisection {
  public:
-  explicit Bisection(const std::function<std::optional<bool>(int place)>& succeeds)
-      : succeeds_(succeeds) {}
+  Bisection(const std::function<std::optional<bool>(int place)>& succeeds, int most)
+      : succeeds_(succeeds), most_(most) {}
 
   GripThreshold Find() {
-    if (Holds(kMostGripPlace)) {
-      upper_ = kMostGripPlace;
+    if (Holds(most_)) {
+      upper_ = most_;
     } else {
       FindWeakerGrip();
     }
@@ -29,12 +29,12 @@ class Bisection {
     while (upper_ - lower_ > 1 && CountAsked() < kMostThresholdTrials - 1) {
       Ask((lower_ + upper_) / 2);
     }
-    if (!is_lower_asked_ && Holds(0)) {
+    if (!is_lower_asked_ && (upper_ == 0 || Holds(0))) {
       upper_ = 0;
       found_.is_below_range = true;
     } else if (is_lower_asked_ && found_.is_monotone) {
-      const int above = (upper_ + kMostGripPlace) / 2;
-      if (above > upper_ && above < kMostGripPlace) found_.is_monotone = Holds(above);
+      const int above = (upper_ + most_) / 2;
+      if (above > upper_ && above < most_) found_.is_monotone = Holds(above);
     } else if (upper_ - lower_ > 1 && CountAsked() < kMostThresholdTrials) {
       Ask((lower_ + upper_) / 2);
     }
@@ -70,7 +70,7 @@ class Bisection {
 
   void FindWeakerGrip() {
     for (const int place : {8, 4, 2, 12}) {
-      if (!Holds(place)) continue;
+      if (place >= most_ || !Holds(place)) continue;
       found_.is_monotone = false;
       upper_ = place;
       is_lower_asked_ = place == 12;
@@ -80,6 +80,7 @@ class Bisection {
   }
 
   const std::function<std::optional<bool>(int place)>& succeeds_;
+  const int most_;
   GripThreshold found_;
   int lower_ = 0, upper_ = -1;  // places; the threshold is above the one, at most the other
   bool is_lower_asked_ = false;
@@ -87,8 +88,10 @@ class Bisection {
 
 }  // namespace
 
-GripThreshold FindGripThreshold(const std::function<std::optional<bool>(int place)>& succeeds) {
-  GripThreshold found = Bisection(succeeds).Find();
+GripThreshold FindGripThreshold(const std::function<std::optional<bool>(int place)>& succeeds,
+                                int most) {
+  GRASPBENCH_DEMAND(most >= 0 && most <= kMostGripPlace, std::to_string(most));
+  GripThreshold found = Bisection(succeeds, most).Find();
   if (found.next) found.place = std::nullopt;
   return found;
 }

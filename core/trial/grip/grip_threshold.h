@@ -47,7 +47,9 @@ struct GripThreshold {
   std::optional<int> next;             ///< must be asked to go on; the threshold is not found yet
 };
 
-/** @param succeeds  a trial of the draw with the grip at this place; none: it is not known. */
-GripThreshold FindGripThreshold(const std::function<std::optional<bool>(int place)>& succeeds);
+/** @param succeeds  a trial of the draw with the grip at this place; none: it is not known.
+@param most  the largest place to ask, at least 0: no drive gives more. */
+GripThreshold FindGripThreshold(const std::function<std::optional<bool>(int place)>& succeeds,
+                                int most = kMostGripPlace);
 
 }  // namespace graspbench

@@ -159,6 +159,17 @@ class Course {
     return 2 * num_at_limit > num_samples;
   }
 
+  /** "The drive of FFJ3 of FF": the last at its limit up to then. */
+  std::string NameFullDrive(size_t digit, double until) const {
+    std::string_view joint;
+    for (const LoadSample& sample : samples_) {
+      if (sample.time > until) break;
+      if (sample.parts[digit].is_at_limit) joint = sample.parts[digit].limit_joint;
+    }
+    return joint.empty() ? "A drive of " + NameOfPart(digit)
+                         : fmt::format("The drive of {} of {}", joint, NameOfPart(digit));
+  }
+
   double FindEndOfClosing() const {
     return std::isnan(lift_off_) ? samples_.back().time : lift_off_;
   }
@@ -303,8 +314,8 @@ std::optional<Diagnosis> FindDiagnosis(const TrialResult& result,
                       course.NameOfPart(slippery->part), FormatSignificant(slippery->friction, 2)));
   } else if (const auto weak = FindWeakDigit(course, lost_at)) {
     blame(FailureCause::kWeakDigit, *weak,
-          fmt::format("A drive of {} gave all it could, which pressed with {}.",
-                      course.NameOfPart(*weak), Newtons(before.parts[*weak].force)));
+          fmt::format("{} gave all it could, which pressed with {}.",
+                      course.NameFullDrive(*weak, lost_at), Newtons(before.parts[*weak].force)));
   } else if (const auto missing = course.FindMissingDigit(lost_at)) {
     diagnosis.time = course.FindEndOfClosing();
     blame(FailureCause::kNoTouch, *missing,

@@ -12,6 +12,7 @@ constexpr double kInterval = 0.01;      // of samples [s]
 constexpr double kTableFriction = 1.0;  // more than any table here has
 /** Of a torque limit: what a drive at its limit holds creeps, and its torque with it. */
 constexpr double kAtLimit = 0.9;
+constexpr double kStopAngle = 1e-3;  // [rad], [m]
 
 }  // namespace
 
@@ -30,14 +31,22 @@ LoadRecorder::LoadRecorder(const TrialSetup& setup, const std::vector<int>& digi
   }
 }
 
-bool LoadRecorder::IsAtLimit(size_t part, const World& world, const WorldCommand& command) const {
-  return std::any_of(joints_[part].begin(), joints_[part].end(), [&](int joint) {
-    const JointDrive& drive = hand_->joints[static_cast<size_t>(joint)].drive;
-    if (!(drive.torque_limit > 0.0)) return false;
+/** The joint of a part whose drive gives all it can; -1: none. One that is limited to a share of its
+torque could give more, and one that pushes its joint against a stop presses on nothing. */
+int LoadRecorder::FindFullDrive(size_t part, const World& world,
+                                const WorldCommand& command) const {
+  for (const int joint : joints_[part]) {
+    const HandJoint& one = hand_->joints[static_cast<size_t>(joint)];
+    const double limit = one.drive.torque_limit;
+    if (!(limit > 0.0)) continue;
+    if (command.torque_limit.size() > 0 && command.torque_limit[joint] < kAtLimit * limit) continue;
     const double torque =
-        drive.stiffness * (command.q[joint] - CalcDrivePosition(*hand_, world.state(), joint));
-    return std::abs(torque) >= kAtLimit * drive.torque_limit;
-  });
+        one.drive.stiffness * (command.q[joint] - CalcDrivePosition(*hand_, world.state(), joint));
+    if (std::abs(torque) < kAtLimit * limit) continue;
+    const double q = world.state().q[joint];
+    if (torque > 0.0 ? q < one.upper - kStopAngle : q > one.lower + kStopAngle) return joint;
+  }
+  return -1;
 }
 
 void LoadRecorder::Observe(double time, double duration, const World& world,
@@ -90,7 +99,9 @@ void LoadRecorder::Observe(double time, double duration, const World& world,
     if (limit[at] > 0.0) part.cone_share = static_cast<float>(friction_W[at].norm() / limit[at]);
     if (at >= joints_.size()) continue;
     part.closing = static_cast<float>(grip.closing(at));
-    part.is_at_limit = IsAtLimit(at, world, command);
+    const int full = FindFullDrive(at, world, command);
+    part.is_at_limit = full >= 0;
+    if (full >= 0) part.limit_joint = hand_->joints[static_cast<size_t>(full)].name;
   }
   samples_.push_back(std::move(sample));
   begun_ = time;

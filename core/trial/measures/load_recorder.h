@@ -15,6 +15,7 @@ moves it was a push: there max(0, F_rest,xy v / |v|) stands for the first term.
 It is exact where forces are those of the end of an implicit step (ImplicitWorld). */
 
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "core/physics/world.h"
@@ -27,11 +28,12 @@ struct PartSample {
   float force = 0.0f;  ///< sum of normal forces [N]
   /** Sum of its normal forces as vectors, into the object [N]. */
   Eigen::Vector3f normal_W = Eigen::Vector3f::Zero();
-  float cone_share = 0.0f;   ///< of its friction cone, all contacts together, in use
-  float friction = 0.0f;     ///< dynamic, mean weighted by force; 0: it does not touch
-  float closing = 0.0f;      ///< s that was asked of the digit
-  bool is_sliding = false;   ///< all of its contacts
-  bool is_at_limit = false;  ///< a drive of it gives all it can, either way
+  float cone_share = 0.0f;            ///< of its friction cone, all contacts together, in use
+  float friction = 0.0f;              ///< dynamic, mean weighted by force; 0: it does not touch
+  float closing = 0.0f;               ///< s that was asked of the digit
+  bool is_sliding = false;            ///< all of its contacts
+  bool is_at_limit = false;           ///< a drive of it gives all it can, either way
+  std::string_view limit_joint = {};  ///< that drive's, of the hand's joints; empty: not known
 };
 
 struct LoadSample {
@@ -56,7 +58,7 @@ class LoadRecorder {
   const std::vector<LoadSample>& samples() const { return samples_; }
 
  private:
-  bool IsAtLimit(size_t part, const World& world, const WorldCommand& command) const;
+  int FindFullDrive(size_t part, const World& world, const WorldCommand& command) const;
 
   std::shared_ptr<const Hand> hand_;
   Eigen::VectorXd way_;  // q_target - q_pre

@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "core/base/text/csv.h"
 #include "core/base/text/text.h"
 #include "core/statistics/summary.h"
-#include "datasets/plan/conditions.h"
 #include "datasets/session/session_experiments.h"
 
 namespace graspbench {
@@ -33,7 +31,9 @@ class KnownGrips {
       numbers_[experiment.config.conditions[i].name] = static_cast<int>(i);
     }
     for (const PlannedTrial& planned : experiment.plan) {
-      if (planned.condition) planned_.insert(FindDraw(planned));
+      if (!planned.condition) continue;
+      int& most = most_places_.emplace(FindDraw(planned), 0).first->second;
+      most = std::max(most, FindPlace(planned));
     }
     for (const TrialRecord& record : experiment.records) {
       if (!record.plan.condition) continue;
@@ -48,19 +48,22 @@ class KnownGrips {
   int FindPlace(const PlannedTrial& planned) const {
     return numbers_.at(*planned.condition) % kNumGrips;
   }
-  bool IsPlanned(const DrawOf& draw) const { return planned_.count(draw) > 0; }
+  bool IsPlanned(const DrawOf& draw) const { return most_places_.count(draw) > 0; }
+  int FindMostPlace(const DrawOf& draw) const { return most_places_.at(draw); }
 
   GripThreshold Find(const DrawOf& draw) const {
-    return FindGripThreshold([&](int place) -> std::optional<bool> {
-      const auto known = held_.find({draw, place});
-      if (known == held_.end()) return std::nullopt;
-      return known->second;
-    });
+    return FindGripThreshold(
+        [&](int place) -> std::optional<bool> {
+          const auto known = held_.find({draw, place});
+          if (known == held_.end()) return std::nullopt;
+          return known->second;
+        },
+        most_places_.at(draw));
   }
 
  private:
   std::map<std::string, int> numbers_;  // of a condition
-  std::set<DrawOf> planned_;
+  std::map<DrawOf, int> most_places_;   // of the draws that are planned
   std::map<std::pair<DrawOf, int>, bool> held_;
 };
 
@@ -146,21 +149,6 @@ std::vector<Condition> ListThresholdGrips(const ThresholdScale& scale,
   return grips;
 }
 
-const ThresholdScale* FindThresholdScale(const SessionConfig& experiment) {
-  for (const ThresholdScale& scale : kThresholdScales) {
-    const std::string mode = std::string("strategy.grip=") + RowOf(kGripModes, scale.mode).name;
-    const auto& conditions = experiment.conditions;
-    const bool is_all =
-        !conditions.empty() && conditions.size() % size_t{kNumGrips} == 0 &&
-        std::all_of(conditions.begin(), conditions.end(), [&](const Condition& condition) {
-          const auto& settings = condition.settings;
-          return std::find(settings.begin(), settings.end(), mode) != settings.end();
-        });
-    if (is_all) return &scale;
-  }
-  return nullptr;
-}
-
 int ThresholdSummary::num_not_monotone() const {
   int number = 0;
   for (const CellThreshold& cell : cells) number += static_cast<int>(cell.not_monotone.size());
@@ -183,7 +171,7 @@ ThresholdSummary SummariseThresholds(const Session& experiment, const Session& s
   for (const PlannedTrial& planned : session.plan) {
     const DrawOf name = {NameDraw(planned), planned.condition ? numbers.at(*planned.condition) : 0};
     if (!known.IsPlanned(name)) continue;
-    DrawThreshold draw = {planned, known.Find(name)};
+    DrawThreshold draw = {planned, known.FindMostPlace(name), known.Find(name)};
     if (!draw.found.next) {
       draw.value = draw.found.place ? CalcGripAt(*summary.scale, *draw.found.place) : HUGE_VAL;
     }
@@ -227,6 +215,21 @@ std::string NameNotMonotone(const CellThreshold& cell) {
     text += (text.empty() ? "" : ", ") + std::to_string(number);
   }
   return (cell.not_monotone.size() == 1 ? "draw " : "draws ") + text;
+}
+
+std::string DescribeCeilings(const ThresholdSummary& summary) {
+  std::map<std::string, int> most_places;
+  for (const DrawThreshold& draw : summary.draws) {
+    if (draw.most_place == kMostGripPlace) continue;
+    most_places[draw.draw.hand + " " + draw.draw.grasp] = draw.most_place;
+  }
+  std::string text;
+  for (const auto& [of, place] : most_places) {
+    text += (text.empty() ? "no " : "; no ") + std::string(summary.scale->name) + " above " +
+            FormatThreshold(*summary.scale, CalcGripAt(*summary.scale, place)) + " is asked of " +
+            of + ", whose drives give no more";
+  }
+  return text;
 }
 
 std::string FormatMedian(const ThresholdScale& scale, const CellThreshold& cell) {

@@ -18,6 +18,7 @@ below 6 draws there is none (Conover 1999, Practical Nonparametric Statistics, 3
 
 #include "core/statistics/proportion.h"
 #include "core/trial/grip/grip_threshold.h"
+#include "datasets/plan/conditions.h"
 #include "datasets/session/session_store.h"
 
 namespace graspbench {
@@ -28,11 +29,9 @@ that closes to its posture touches at the speed that a regulated grip has by def
 @throws Error(kUsage) for a sweep of the grip itself. */
 std::vector<Condition> ListThresholdGrips(const ThresholdScale& scale, const SessionConfig& config);
 
-/** The scale whose grips an experiment's conditions are; null: they are none. */
-const ThresholdScale* FindThresholdScale(const SessionConfig& experiment);
-
 struct DrawThreshold {
-  PlannedTrial draw;  ///< the session's trial
+  PlannedTrial draw;                ///< the session's trial
+  int most_place = kMostGripPlace;  ///< that was planned: no drive gives more
   GripThreshold found;
   double value = kUnset;  ///< margin, or force [N]; infinite: no grip held; NaN: it is not finished
 };
@@ -71,6 +70,9 @@ std::vector<ThresholdSummary> LoadThresholds(const Session& session);
 
 /** The draws that fail again with a larger grip: "draws 3, 7", "none". */
 std::string NameNotMonotone(const CellThreshold& cell);
+
+/** "no force above 3.15 N is asked of tum g1, whose drives give no more; ..."; empty: all are. */
+std::string DescribeCeilings(const ThresholdSummary& summary);
 
 /** "at most 1.09", "none held". */
 std::string FormatMedian(const ThresholdScale& scale, const CellThreshold& cell);

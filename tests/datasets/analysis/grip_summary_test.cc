@@ -37,5 +37,28 @@ TEST(GripSummary, CountsSumsAndNamesDigitsWithTheirReasons) {
   EXPECT_EQ(DescribeFaults({}), "");
 }
 
+// Of five trials: one within its band, three below it, of these one lost before its hold; one never
+// closed.
+TEST(GripSummary, CountsTrialsThatDidNotReachWhatWasAsked) {
+  Session session = MakeSession({"tum"}, {"can"}, "g3", 5);
+  session.records[0].result.grip = MakeGrip(10.0, 8.1, GripFault::kBalance, GripFault::kBalance);
+  session.records[1].result.grip = MakeGrip(10.0, 4.0, GripFault::kLimit, GripFault::kNone);
+  session.records[2].result.grip = MakeGrip(20.0, 6.0, GripFault::kLimit, GripFault::kBalance);
+  session.records[3].result.grip = MakeGrip(30.0, kUnset, GripFault::kNoTouch, GripFault::kNone);
+  session.records[3].result.grip->closed = 5.0;
+  session.records[4].result.grip = MakeGrip(40.0, kUnset, GripFault::kNoTouch, GripFault::kNone);
+  const GripShortfall shortfall = FindShortfall(SummariseSession(session));
+  EXPECT_EQ(shortfall.num, 3);
+  EXPECT_EQ(shortfall.num_closed, 4);
+  EXPECT_DOUBLE_EQ(shortfall.asked.median, 20.0);
+  EXPECT_DOUBLE_EQ(shortfall.reached.median, 5.0);
+  EXPECT_EQ(DescribeShortfall(shortfall),
+            "grip     3 of 4 trials did not reach what was asked: asked 20.00 N, reached 5.00 N "
+            "(sums, medians); mostly: limit");
+  EXPECT_EQ(
+      DescribeShortfall(FindShortfall(SummariseSession(MakeSession({"tum"}, {"can"}, "g3", 1)))),
+      "");
+}
+
 }  // namespace
 }  // namespace graspbench

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/config.h"
+#include "core/base/error.h"
 #include "datasets/plan/session_config.h"
 
 namespace graspbench {
@@ -33,6 +34,16 @@ TEST(FirmGripTest, WhatSaysNothingIsFirm) {
   Json without = {{"sim", 1}};
   AddFirmGrip(without);
   EXPECT_FALSE(without.contains("strategy"));
+}
+
+TEST(FirmGripTest, WhatCannotMatterIsRefused) {
+  StrategyConfig strategy;
+  strategy.grip = "force";
+  RefuseUnusedGrip("strategy.grip_force_n=2", strategy);
+  RefuseUnusedGrip("model.mass_scale=2", strategy);
+  EXPECT_THROW(RefuseUnusedGrip("strategy.grip_margin=2", strategy), Error);
+  strategy.grip = "posture";
+  EXPECT_THROW(RefuseUnusedGrip("strategy.grip_force_n=2", strategy), Error);
 }
 
 TEST(FirmGripTest, ARegulatedGripComesBackAsItWas) {

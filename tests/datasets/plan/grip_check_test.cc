@@ -26,22 +26,79 @@ std::string FindRefusal(const SessionConfig& config) {
   return "";
 }
 
+std::vector<std::string> ListWarnings(const SessionConfig& config) {
+  return ListGripWarnings(config, LoadSessionInputs(config));
+}
+
+// 900 N at the fingertip of the TUM Hand, 80 mm from its knuckle, would take 72 N m; its drives give
+// 1 N m.
 TEST(GripCheckTest, AForceThatNoDriveGivesIsRefusedWithTheLargest) {
   const std::string text = FindRefusal(MakeConfig("force", 900.0));
   EXPECT_NE(text.find("cannot press with 900.00 N"), std::string::npos) << text;
-  EXPECT_NE(text.find("its drives give at most some "), std::string::npos) << text;
+  EXPECT_NE(text.find("give at most "), std::string::npos) << text;
   EXPECT_EQ(FindRefusal(MakeConfig("force", 2.0)), "");
   EXPECT_EQ(FindRefusal(MakeConfig("posture", 900.0)), "");  // nobody looks at it
 }
 
-// The estimate is of pads; a power grasp presses with links nearer to the palm, so with more.
-TEST(GripCheckTest, APowerGraspIsNotAskedForWhatItsPadsGive) {
-  SessionConfig config = MakeConfig("force", 15.0);
-  config.grasps = {"g1"};
-  EXPECT_NE(FindRefusal(config).find("in the grasp g1"), std::string::npos);
+TEST(GripCheckTest, PowerGraspsAreAskedToo) {
+  SessionConfig config = MakeConfig("force", 1000.0);
   config.objects = {"can"};
   config.grasps = {"g3"};
+  EXPECT_NE(FindRefusal(config).find("in the grasp g3"), std::string::npos);
+}
+
+// 27.7 N were held by a digit whose pad was said to give 10.9 N.
+TEST(GripCheckTest, WhatPadsHardlyGiveIsWarnedOf) {
+  SessionConfig config = MakeConfig("force", 27.7);
+  config.grasps = {"g1"};
   EXPECT_EQ(FindRefusal(config), "");
+  ASSERT_EQ(ListWarnings(config).size(), 1u);
+  EXPECT_NE(ListWarnings(config)[0].find("at its pads in the grasp g1"), std::string::npos);
+  EXPECT_TRUE(ListWarnings(MakeConfig("force", 2.0)).empty());
+  EXPECT_TRUE(ListWarnings(MakeConfig("posture", 27.7)).empty());
+}
+
+// A threshold of 10 % of a linear element of 10 N is 1 N, more than the 0.7 N that are asked.
+TEST(GripCheckTest, WhatNoElementFeelsIsRefused) {
+  SessionConfig config = MakeConfig("force", 0.7);
+  config.hands = {"shadow"};
+  config.touch = "sensed";
+  EXPECT_EQ(FindRefusal(config), "");
+  EXPECT_TRUE(ListWarnings(config).empty());
+  config.sensors.force_scale = 1e3;  // so long an exponential is a line
+  config.sensors.threshold = 0.1;
+  const std::string text = FindRefusal(config);
+  EXPECT_NE(text.find("feels nothing below 1.00 N, and 0.70 N is asked"), std::string::npos)
+      << text;
+  config.strategy.grip_force = 1.1;
+  EXPECT_EQ(FindRefusal(config), "");
+  config.strategy.grip = "margin";  // which may ask for more
+  config.strategy.grip_force = 0.7;
+  EXPECT_EQ(FindRefusal(config), "");
+  ASSERT_EQ(ListWarnings(config).size(), 1u);
+  EXPECT_NE(ListWarnings(config)[0].find("as little as 0.70 N"), std::string::npos);
+}
+
+TEST(GripCheckTest, SaturatedElementsAreNamed) {
+  SessionConfig config = MakeConfig("force", 2.0);
+  config.hands = {"shadow"};
+  config.touch = "sensed";
+  config.sensors.saturation = 1.5;
+  EXPECT_EQ(FindRefusal(config), "") << "several elements feel more";
+  ASSERT_EQ(ListWarnings(config).size(), 1u);
+  EXPECT_NE(ListWarnings(config)[0].find("feels at most 1.50 N"), std::string::npos);
+  config.sensors.saturation = 0.01;
+  EXPECT_NE(FindRefusal(config).find("2.00 N is asked of each digit, and the "), std::string::npos);
+  config.touch = "exact";
+  config.sensors = {};
+  EXPECT_EQ(FindRefusal(config), "");
+}
+
+// A level of a sweep is refused as a session of it would be.
+TEST(GripCheckTest, ConditionsAreAskedToo) {
+  SessionConfig config = MakeConfig("force", 2.0);
+  config.conditions = {{"strong", {"strategy.grip_force_n=900"}}};
+  EXPECT_NE(FindRefusal(config).find("cannot press with 900.00 N"), std::string::npos);
 }
 
 TEST(GripCheckTest, AMarginNeedsFriction) {

@@ -239,6 +239,26 @@ TEST(SessionConfig, SettingsOfSensorsThatAreNotUsedAreTold) {
   EXPECT_TRUE(Validate(config).empty());
 }
 
+TEST(SessionConfig, AFilesGripThatIsNotUsedIsRefusedAtItsLine) {
+  const auto read = [](const std::string& text) -> std::string {
+    try {
+      ParseSessionConfig(text, "mine.yaml");
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(read("strategy:\n  grip: posture\n  grip_margin: 3\n")
+                .find("mine.yaml:3: error: strategy.grip_margin: has no use where strategy.grip is "
+                      "posture"),
+            std::string::npos)
+      << read("strategy:\n  grip: posture\n  grip_margin: 3\n");
+  EXPECT_NE(read("preset: gentle\nstrategy:\n  grip_margin: 3\n").find("grip_margin"),
+            std::string::npos);
+  EXPECT_EQ(read("strategy:\n  grip: margin\n  grip_margin: 3\n  grip_force_n: 1\n"), "");
+  EXPECT_EQ(read("strategy:\n  grip: posture\n  grip_margin: 2\n"), "") << "as presets say it";
+}
+
 TEST(SessionConfig, AnUnknownPositioningOrColourIsRefused) {
   SessionConfig config;
   ApplySetting("positioning=camra", config);

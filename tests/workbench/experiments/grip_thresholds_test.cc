@@ -66,6 +66,37 @@ TEST_F(GripThresholdsTest, FindsWhatABisectionOfTheDrawFinds) {
   EXPECT_TRUE(std::filesystem::exists(request_.folder / "export" / "thresholds.csv"));
 }
 
+// With drives of a hundredth `run` refuses most of the scale: the search ends where it does.
+TEST_F(GripThresholdsTest, OfForcesEndAtWhatDrivesGive) {
+  SessionConfig weak = config_;
+  weak.model.drive_torque_scale = 0.01;
+  weak.trials = 1;
+  weak.strategy.grip_force = 0.1;
+  weak.strategy.grip = "force";
+  const ExperimentRequest request = RunNew("weak", weak);
+  const ThresholdScale& scale = kThresholdScales[1];
+  const PreparedSession experiment = PrepareThresholds(request, scale);
+  EXPECT_FALSE(ListThresholdWarnings(experiment, scale).empty());
+  EXPECT_TRUE(ListThresholdWarnings(experiment, kThresholdScales[0]).empty());
+  ASSERT_TRUE(RunThresholds(experiment, request, 1, observer_, stop_));
+  const ThresholdSummary found = LoadThresholds(LoadSession(request.folder)).at(0);
+  ASSERT_EQ(found.draws.size(), 1u);
+  const int most = found.draws[0].most_place;
+  ASSERT_LT(most, kMostGripPlace);
+  for (const int place : {most, most + 1}) {
+    SessionConfig asked = weak;
+    asked.strategy.grip_force = CalcGripAt(scale, place);
+    if (place == most) {
+      EXPECT_NO_THROW(MakePlan(asked, LoadSessionInputs(asked)));
+    } else {
+      EXPECT_THROW(MakePlan(asked, LoadSessionInputs(asked)), Error);
+    }
+  }
+  EXPECT_NE(DescribeCeilings(found).find("is asked of tum g3, whose drives give no more"),
+            std::string::npos)
+      << DescribeCeilings(found);
+}
+
 TEST_F(GripThresholdsTest, GoesOnWhereItStopped) {
   const PreparedSession experiment = PrepareThresholds(request_, kThresholdScales[1]);
   stop_ = true;

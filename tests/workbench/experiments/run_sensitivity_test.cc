@@ -66,6 +66,14 @@ TEST_F(RunSensitivityTest, FindsWhatASessionOfThatSettingFinds) {
   }
 }
 
+TEST_F(RunSensitivityTest, AGripThatTheSessionDoesNotUseIsRefused) {
+  const Session session = RunWith("gentle", "strategy.grip=force");
+  SensitivityRequest request;
+  request.folder = session.folder;
+  request.settings = {"strategy.grip_margin=3"};
+  EXPECT_THROW(PrepareSensitivity(request), Error);
+}
+
 TEST_F(RunSensitivityTest, GoesOnWhereItStopped) {
   const Session session = RunWith("plain", "");
   SensitivityRequest request;

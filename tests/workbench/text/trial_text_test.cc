@@ -68,6 +68,43 @@ TEST_F(TrialTextTest, AnUnfinishedTrialHasNothingToCompareWith) {
   EXPECT_NE(FormatTrial(trial, "s").find("has not run it yet"), std::string::npos);
 }
 
+TEST_F(TrialTextTest, ForcesSayWhetherTheyAreFeltOrTrueAndReasonsWhichJoint) {
+  ExaminedTrial trial = Examine();
+  TrialResult& result = trial.traced.result;
+  const auto says = [&](const std::string& part) {
+    return FormatTrial(trial, "s").find(part) != std::string::npos;
+  };
+  GripRecord grip;
+  grip.asked = 2.0;
+  grip.held = 1.9;
+  grip.peak = 2.4;
+  grip.digits.push_back({"FF", false, 1.0, 0.7, 0.7, 1.0, GripFault::kLimit, "FFJ3"});
+  result.grip = grip;
+  EXPECT_TRUE(
+      says("asked 2.00 N in sum, 1.90 N in the hold, peak of the filtered sum 2.40 N; never "
+           "lifted\n"))
+      << FormatTrial(trial, "s");
+  EXPECT_TRUE(says("limit (FFJ3)"));
+  EXPECT_FALSE(says("felt"));
+  result.grip->closed = 1.9;
+  EXPECT_TRUE(says("2.40 N; not in its band when it was lifted\n"));
+  result.touch = TouchRecord();
+  EXPECT_TRUE(says("felt 1.90 N in the hold, peak of the filtered felt sum 2.40 N"));
+  EXPECT_TRUE(says("largest true force [N]"));
+  EXPECT_TRUE(says("felt in the hold [N]"));
+}
+
+TEST_F(TrialTextTest, ATouchAfterLiftOffIsNoNever) {
+  ExaminedTrial trial = Examine();
+  EXPECT_EQ(FormatTrial(trial, "s").find("after lift-off"), std::string::npos);
+  trial.traced.result.contacts[0].time = kUnset;  // its forces in the trace stay
+  EXPECT_NE(FormatTrial(trial, "s").find("after lift-off"), std::string::npos);
+  EXPECT_EQ(FormatTrial(trial, "s").find("closure leads"), std::string::npos);
+  trial.setup.strategy.closure_lead = 0.2;
+  EXPECT_NE(FormatTrial(trial, "s").find("closure leads the hand's arrival by 0.200 s"),
+            std::string::npos);
+}
+
 // The object is out of the fingers' reach: nothing touches it, and the other trial is shown beside.
 TEST_F(TrialTextTest, AFailureHasTheNearestSuccessBesideIt) {
   ExaminedTrial trial = Examine();

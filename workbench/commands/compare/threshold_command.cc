@@ -26,8 +26,11 @@ struct ThresholdOptions {
 void Run(const ThresholdOptions& options) {
   const ExperimentRequest& request = options.request;
   const std::filesystem::path& folder = request.folder;
-  const PreparedSession experiment =
-      PrepareThresholds(request, RowFromName(kThresholdScales, options.scale, "scale"));
+  const ThresholdScale& scale = RowFromName(kThresholdScales, options.scale, "scale");
+  const PreparedSession experiment = PrepareThresholds(request, scale);
+  for (const std::string& warning : ListThresholdWarnings(experiment, scale)) {
+    PrintMessage("warning: " + warning);
+  }
   if (request.plan_only) return PrintExperimentPlan(experiment);
   const std::atomic<bool>& stop = CatchInterrupts();
   TerminalObserver observer(DescribeTasks, stop);

@@ -76,18 +76,6 @@ void SessionOptions::RefuseTwice(const std::string& setting) const {
   }
 }
 
-namespace {
-
-/** A grip's value that its kind does not look at. */
-void RefuseUnusedGrip(const std::string& setting, const StrategyConfig& strategy) {
-  const std::string key = setting.substr(0, setting.find('='));
-  if (CanMatter(key, strategy)) return;
-  throw Error(ErrorKind::kUsage, "--set " + setting + " has no use where strategy.grip is " +
-                                     strategy.grip + "; leave it out, or set strategy.grip");
-}
-
-}  // namespace
-
 SessionConfig SessionOptions::MakeConfig() const {
   SessionConfig config;
   if (!session_file_.empty()) config = LoadSessionConfig(session_file_);

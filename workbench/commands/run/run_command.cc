@@ -10,6 +10,7 @@
 #include "datasets/analysis/export_result.h"
 #include "datasets/analysis/session_summary.h"
 #include "datasets/plan/grasp_choice.h"
+#include "datasets/plan/grip_check.h"
 #include "reports/session_report.h"
 #include "workbench/commands/command.h"
 #include "workbench/commands/options/session_options.h"
@@ -100,9 +101,9 @@ ExitCode Run(const RunOptions& options) {
   if (options.session.HasAny()) request.config = options.session.MakeConfig();
   PreparedSession work = PrepareSession(request);
   const int num_trials = static_cast<int>(FindUnfinished(work.session).size());
-  for (const std::string& warning : ListObjectWarnings(work.config, work.inputs)) {
-    PrintMessage("warning: " + warning);
-  }
+  std::vector<std::string> warnings = ListObjectWarnings(work.config, work.inputs);
+  for (auto& warning : ListGripWarnings(work.config, work.inputs)) warnings.push_back(warning);
+  for (const std::string& warning : warnings) PrintMessage("warning: " + warning);
   if (options.plan_only) return Plan(work, options.json);
   const int num_workers = CalcNumWorkers(options.num_workers, static_cast<size_t>(num_trials));
   PrintStart(work, num_trials, num_workers);

@@ -77,6 +77,46 @@ TEST(GripRegulator, MoreThanThePostureGivesIsNamed) {
     EXPECT_TRUE(digit.fault == GripFault::kPosture || digit.fault == GripFault::kLimit)
         << NameOf(digit.fault);
     EXPECT_LE(digit.closing, 3.0);
+    EXPECT_EQ(digit.joint.has_value(), digit.fault == GripFault::kLimit) << "the drive is named";
+  }
+}
+
+// A weak thumb against a finger that stands at its stops just where it touches: the one is at its
+// drive's limit, the other's drive could give more, but its stop takes it.
+TEST(GripRegulator, AStopIsNoLimitOfADrive) {
+  TrialSetup setup = MakeRegulated("tum", "g2", "force", 60.0, 0.0122, 1.2);
+  const TrialResult free = RunSetup(setup);
+  ASSERT_EQ(free.touches.size(), 2u);
+  Hand hand = *setup.hand;
+  const int opposing = FindOpposingDigit(hand, setup.grasp);
+  std::string stopped, weak;
+  for (size_t d = 0; d < hand.digits.size(); ++d) {
+    const Digit& digit = hand.digits[d];
+    const auto& ids = setup.grasp.digits;
+    const auto place = std::find(ids.begin(), ids.end(), digit.id);
+    if (place == ids.end()) continue;
+    const bool is_thumb = static_cast<int>(d) == opposing;
+    (is_thumb ? weak : stopped) = digit.id;
+    for (const int joint : FindDrivenJoints(hand, digit)) {
+      HandJoint& one = hand.joints[static_cast<size_t>(joint)];
+      const double q = free.touches[static_cast<size_t>(place - ids.begin())].q[joint];
+      if (is_thumb) {
+        one.drive.torque_limit *= 0.2;
+      } else if (setup.grasp.q_target[joint] > setup.grasp.q_pre[joint]) {
+        one.upper = q;
+      } else if (setup.grasp.q_target[joint] < setup.grasp.q_pre[joint]) {
+        one.lower = q;
+      }
+    }
+  }
+  setup.hand = std::make_shared<Hand>(hand);
+  const TrialResult result = RunSetup(setup);
+  ASSERT_TRUE(result.grip);
+  for (const DigitGripRecord& digit : result.grip->digits) {
+    EXPECT_EQ(digit.fault, digit.digit == weak ? GripFault::kLimit : GripFault::kStop)
+        << digit.digit << " " << NameOf(digit.fault);
+    ASSERT_TRUE(digit.joint) << digit.digit;
+    EXPECT_GE(hand.FindJoint(*digit.joint), 0) << *digit.joint;
   }
 }
 

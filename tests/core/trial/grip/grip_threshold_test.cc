@@ -52,6 +52,26 @@ TEST(GripThreshold, SaysThatNoGripHolds) {
   EXPECT_LE(CountTrials(never), kMostThresholdTrials);
 }
 
+// Nothing above the largest place is asked, and every threshold below it is found all the same.
+TEST(GripThreshold, AsksNothingAboveTheLargestPlace) {
+  for (int most = 0; most < kMostGripPlace; ++most) {
+    for (int truth = 0; truth <= most + 1; ++truth) {
+      const GripThreshold found = FindGripThreshold(
+          [&](int place) {
+            EXPECT_LE(place, most);
+            return place >= truth;
+          },
+          most);
+      EXPECT_LE(CountTrials(found), kMostThresholdTrials);
+      EXPECT_EQ(found.place.has_value(), truth <= most) << truth << " of " << most;
+      if (found.place) {
+        EXPECT_EQ(*found.place, truth) << most;
+      }
+      EXPECT_TRUE(found.is_monotone);
+    }
+  }
+}
+
 // Held from 3 to 8 and from 13 on: bisection goes to the lower end and names the draw.
 TEST(GripThreshold, NamesADrawThatFailsAgainAbove) {
   Held held = HeldFrom(3, 8);

@@ -152,6 +152,10 @@ TEST(Diagnosis, ADriveAtItsLimitIsToBlameUnlessAllAre) {
   for (LoadSample& sample : story.samples) sample.parts[1].is_at_limit = true;
   EXPECT_EQ(story.Find().cause, FailureCause::kWeakDigit);
   EXPECT_EQ(story.Find().digit, "FF");
+  EXPECT_NE(story.Find().text.find("A drive of FF gave all it could"), std::string::npos);
+  for (LoadSample& sample : story.samples) sample.parts[1].limit_joint = "FFJ3";
+  EXPECT_NE(story.Find().text.find("The drive of FFJ3 of FF gave all it could"), std::string::npos)
+      << story.Find().text;
   for (LoadSample& sample : story.samples) {
     for (PartSample& part : sample.parts) part.is_at_limit = true;
   }

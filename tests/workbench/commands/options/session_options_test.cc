@@ -82,10 +82,9 @@ TEST_F(SessionOptionsTest, AValueOfAnotherKindOfGripIsRefused) {
     options_.MakeConfig();
     FAIL();
   } catch (const Error& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "--set strategy.grip_force_n=3 has no use where strategy.grip is posture; leave it "
-        "out, or set strategy.grip");
+    EXPECT_STREQ(error.what(),
+                 "strategy.grip_force_n=3 has no use where strategy.grip is posture; leave it "
+                 "out, or set strategy.grip");
   }
 }
 
