@@ -117,7 +117,7 @@ TEST(FitTouch, TheObjectsOwnMotionIsNoMotionOfTheDigit) {
   }
 }
 
-// Stiff skin gives way by 0.25 mm, a soft pad by 0.9 mm at 0.5 N (Pawluk & Howe 1999, pushed_reach.h).
+// Stiff skin gives way by 0.25 mm, a soft pad by 0.9 mm at 0.5 N (Pawluk & Howe 1999).
 TEST(FitTouch, StiffSkinAndSoftPadsAreCovered) {
   for (const double toe : {0.25e-3, 0.9e-3}) {
     RandomStream random("touch", "pads");
