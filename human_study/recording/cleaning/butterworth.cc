@@ -12,18 +12,27 @@
 namespace graspbench {
 namespace {
 
-Eigen::VectorXd FilterForwards(const Biquad& f, const Eigen::VectorXd& x) {
-  Eigen::VectorXd y(x.size());
-  // At rest on the first value: past inputs and outputs equal it, as the gain at 0 Hz is one.
-  double x1 = x[0], x2 = x[0], y1 = x[0], y2 = x[0];
-  for (Eigen::Index n = 0; n < x.size(); ++n) {
-    y[n] = f.b0 * x[n] + f.b1 * x1 + f.b2 * x2 - f.a1 * y1 - f.a2 * y2;
-    x2 = x1;
-    x1 = x[n];
-    y2 = y1;
-    y1 = y[n];
-  }
-  return y;
+/** Both passes in place over signals side by side, a column a sample. Each sample waits for the one
+before it, so that four signals take little longer than one. */
+template <int kNumSignals>
+void FilterBothWays(const Biquad& f, double* samples, Eigen::Index count) {
+  using Sample = Eigen::Array<double, kNumSignals, 1>;
+  const auto pass = [&](double* at, Eigen::Index step) {
+    // At rest on the first value: past inputs and outputs equal it, as the gain at 0 Hz is one.
+    Sample x1 = Eigen::Map<const Sample>(at), x2 = x1, y1 = x1, y2 = x1;
+    for (Eigen::Index n = 0; n < count; ++n, at += step) {
+      const Sample x = Eigen::Map<const Sample>(at);
+      const Sample y = f.b0 * x + f.b1 * x1 + f.b2 * x2 - f.a1 * y1 - f.a2 * y2;
+      Eigen::Map<Sample> out(at);
+      out = y;
+      x2 = x1;
+      x1 = x;
+      y2 = y1;
+      y1 = y;
+    }
+  };
+  pass(samples, kNumSignals);
+  pass(samples + (count - 1) * kNumSignals, -kNumSignals);
 }
 
 /** Samples until the slower pole has decayed to 1e-6. */
@@ -54,19 +63,35 @@ Biquad MakeLowPass(double cutoff, double rate) {
   return pass;
 }
 
-Eigen::VectorXd FilterZeroPhase(const Biquad& pass, const Eigen::VectorXd& signal) {
-  const Eigen::Index count = signal.size();
-  if (count < 2) return signal;
+namespace {
+
+/** As FilterZeroPhase of each row; kNumSignals: as many rows or more. */
+template <int kNumSignals, class Signals>
+Signals FilterRows(const Biquad& pass, const Signals& signals) {
+  const Eigen::Index count = signals.cols(), num_signals = signals.rows();
+  if (count < 2) return signals;
   const Eigen::Index pad = std::min(CalcSettlingLength(pass), count - 1);
-  Eigen::VectorXd padded(count + 2 * pad);
+  Eigen::Matrix<double, kNumSignals, Eigen::Dynamic, kNumSignals == 1 ? Eigen::RowMajor : 0> padded(
+      kNumSignals, count + 2 * pad);
+  padded.bottomRows(kNumSignals - num_signals).setZero();
   for (Eigen::Index i = 0; i < pad; ++i) {
-    padded[i] = 2.0 * signal[0] - signal[pad - i];
-    padded[pad + count + i] = 2.0 * signal[count - 1] - signal[count - 2 - i];
+    padded.col(i).head(num_signals) = 2.0 * signals.col(0) - signals.col(pad - i);
+    padded.col(pad + count + i).head(num_signals) =
+        2.0 * signals.col(count - 1) - signals.col(count - 2 - i);
   }
-  padded.segment(pad, count) = signal;
-  const Eigen::VectorXd forwards = FilterForwards(pass, padded);
-  const Eigen::VectorXd backwards = FilterForwards(pass, forwards.reverse());
-  return backwards.reverse().segment(pad, count);
+  padded.block(0, pad, num_signals, count) = signals;
+  FilterBothWays<kNumSignals>(pass, padded.data(), padded.cols());
+  return padded.block(0, pad, num_signals, count);
+}
+
+}  // namespace
+
+Eigen::VectorXd FilterZeroPhase(const Biquad& pass, const Eigen::VectorXd& signal) {
+  return FilterRows<1, Eigen::RowVectorXd>(pass, signal.transpose()).transpose();
+}
+
+Eigen::Matrix3Xd FilterZeroPhase(const Biquad& pass, const Eigen::Matrix3Xd& signals) {
+  return FilterRows<4>(pass, signals);
 }
 
 void FilterLowPass(Trajectory& trajectory, double cutoff) {
@@ -80,11 +105,9 @@ void FilterLowPass(Trajectory& trajectory, double cutoff) {
                       (trajectory.times.back() - trajectory.times.front());
   const Biquad pass = MakeLowPass(cutoff, rate);
   for (const SampleRun& run : FindValidRuns(trajectory)) {
-    for (int axis = 0; axis < 3; ++axis) {
-      auto segment = trajectory.p.row(axis).segment(static_cast<Eigen::Index>(run.first),
-                                                    static_cast<Eigen::Index>(run.size()));
-      segment = FilterZeroPhase(pass, segment.transpose()).transpose();
-    }
+    auto part = trajectory.p.middleCols(static_cast<Eigen::Index>(run.first),
+                                        static_cast<Eigen::Index>(run.size()));
+    part = FilterZeroPhase(pass, Eigen::Matrix3Xd(part));
   }
 }
 

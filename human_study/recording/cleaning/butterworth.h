@@ -26,6 +26,8 @@ Biquad MakeLowPass(double cutoff, double rate);
 /** Both passes over one signal. The ends are continued by point reflection and the filter starts at
 rest on the first value, so a constant or a ramp passes unchanged. */
 Eigen::VectorXd FilterZeroPhase(const Biquad& pass, const Eigen::VectorXd& signal);
+/** The same of each row. */
+Eigen::Matrix3Xd FilterZeroPhase(const Biquad& pass, const Eigen::Matrix3Xd& signals);
 
 /** Filters each run of valid samples on its own; states stay. Samples must be evenly spaced.
 @throws Error(kRange) as MakeLowPass, or when the sampling is not even (resample first). */

@@ -50,10 +50,11 @@ ResidualAnalysis FindCutoff(const Trajectory& trajectory) {
                                                      static_cast<Eigen::Index>(longest->size()));
   for (double cutoff = 1.0; cutoff <= rate / 4.0; cutoff += 0.5) {
     const Biquad pass = MakeLowPass(cutoff, rate);
+    const Eigen::Matrix3Xd taken_away = FilterZeroPhase(pass, p) - p;
     double sum = 0.0;
     for (int axis = 0; axis < 3; ++axis) {
-      const Eigen::VectorXd signal = p.row(axis).transpose();
-      sum += (FilterZeroPhase(pass, signal) - signal).squaredNorm();
+      const Eigen::VectorXd signal = taken_away.row(axis).transpose();
+      sum += signal.squaredNorm();
     }
     analysis.cutoffs.push_back(cutoff);
     analysis.residuals.push_back(std::sqrt(sum / static_cast<double>(p.cols())));

@@ -27,8 +27,10 @@ double CalcDistance(const Trajectory& trajectory, const std::vector<size_t>& val
       const size_t neighbour = valid[k < 2 ? at - 2 + k : at - 1 + k];
       around[k] = trajectory.p(axis, static_cast<Column>(neighbour));
     }
-    std::sort(around.begin(), around.end());
-    const double median = 0.5 * (around[1] + around[2]);
+    // The two in the middle.
+    const auto [least_a, most_a] = std::minmax(around[0], around[1]);
+    const auto [least_b, most_b] = std::minmax(around[2], around[3]);
+    const double median = 0.5 * (std::max(least_a, least_b) + std::min(most_a, most_b));
     square += std::pow(trajectory.p(axis, static_cast<Column>(valid[at])) - median, 2);
   }
   return std::sqrt(square);

@@ -32,6 +32,45 @@ TEST(MakeObjectTrack, ARigidMotionIsRecoveredExactly) {
   }
 }
 
+// Another implementation (Eigen's, by singular values) of the same least squares: three and four
+// markers in a plane, a tetrahedron, and a strip, each with noise.
+TEST(MakeObjectTrack, NoisyMarkersGiveThePoseOfUmeyama) {
+  const std::vector<std::vector<Eigen::Vector3d>> sets = {
+      {{0.0, 0.0, 0.1}, {0.03, 0.0, 0.1}, {0.01, 0.04, 0.1}},
+      {{0.0, 0.0, 0.0}, {0.05, 0.0, 0.0}, {0.05, 0.04, 0.0}, {0.0, 0.04, 0.0}},
+      {{0.0, 0.0, 0.0}, {0.05, 0.0, 0.0}, {0.0, 0.04, 0.0}, {0.01, 0.01, 0.06}},
+      {{0.0, 0.0, 0.0}, {0.08, 0.001, 0.0}, {0.04, -0.001, 0.0}},
+  };
+  for (const std::vector<Eigen::Vector3d>& p_OM : sets) {
+    RandomStream random("markers", std::to_string(p_OM.size()));
+    std::vector<Trajectory> markers(p_OM.size());
+    constexpr int kNumPoses = 200;
+    std::vector<Eigen::Matrix3Xd> seen(kNumPoses);
+    Eigen::Matrix3Xd places(3, static_cast<Eigen::Index>(p_OM.size()));
+    for (size_t m = 0; m < p_OM.size(); ++m) places.col(static_cast<Eigen::Index>(m)) = p_OM[m];
+    for (int i = 0; i < kNumPoses; ++i) {
+      const Eigen::Vector3d axis(random.NextNormal(), random.NextNormal(), random.NextNormal());
+      const Pose X_LO = MakePose(
+          Eigen::AngleAxisd(random.NextUniform(0.0, kPi), axis.normalized()).matrix(), axis);
+      seen[i] = X_LO * places;
+      for (double& value : seen[i].reshaped()) value += 3e-4 * random.NextNormal();
+    }
+    for (size_t m = 0; m < p_OM.size(); ++m) {
+      markers[m].p.resize(3, kNumPoses);
+      for (int i = 0; i < kNumPoses; ++i) {
+        markers[m].times.push_back(0.01 * i);
+        markers[m].states.push_back(SampleState::kMeasured);
+        markers[m].p.col(i) = seen[i].col(static_cast<Eigen::Index>(m));
+      }
+    }
+    const ObjectTrack track = MakeObjectTrack(markers, p_OM);
+    for (int i = 0; i < kNumPoses; ++i) {
+      const Eigen::Matrix4d expected = Eigen::umeyama(places, seen[i], false);
+      EXPECT_LT((track.X_LO[i].matrix() - expected).cwiseAbs().maxCoeff(), 1e-11) << p_OM.size();
+    }
+  }
+}
+
 TEST(MakeObjectTrack, AHiddenMarkerOfThreeHidesTheObjectAndAFilledOneMarksIt) {
   std::vector<Trajectory> markers = MakeMarkers(3);
   HideSamples(markers[1], 0.4, 0.5);

@@ -208,6 +208,37 @@ TEST(Butterworth, ConstantsAndRampsPassUnchanged) {
   EXPECT_LT((FilterZeroPhase(pass, constant) - constant).cwiseAbs().maxCoeff(), 1e-12);
 }
 
+// The recursion as butterworth.h states it, signal by signal, over the ends' point reflections.
+TEST(Butterworth, SignalsSideBySideAreFilteredAsEachAlone) {
+  const Biquad f = MakeLowPass(15.0, 200.0);
+  const auto run = [&](std::vector<double> x) {
+    std::vector<double> y;
+    for (size_t n = 0; n < x.size(); ++n) {
+      const auto in = [&](size_t back) { return n < back ? x[0] : x[n - back]; };
+      const auto out = [&](size_t back) { return n < back ? x[0] : y[n - back]; };
+      y.push_back(f.b0 * in(0) + f.b1 * in(1) + f.b2 * in(2) - f.a1 * out(1) - f.a2 * out(2));
+    }
+    return std::vector<double>(y.rbegin(), y.rend());
+  };
+  const Eigen::Matrix3Xd signals = Eigen::Matrix3Xd::Random(3, 150);
+  const Eigen::Matrix3Xd found = FilterZeroPhase(f, signals);
+  // Farther out than the filter remembers, a longer reflection changes nothing.
+  constexpr Eigen::Index kPad = 149;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> x;
+    for (Eigen::Index i = kPad; i > 0; --i) x.push_back(2.0 * signals(axis, 0) - signals(axis, i));
+    for (Eigen::Index i = 0; i < 150; ++i) x.push_back(signals(axis, i));
+    for (Eigen::Index i = 0; i < kPad; ++i) {
+      x.push_back(2.0 * signals(axis, 149) - signals(axis, 148 - i));
+    }
+    const std::vector<double> expected = run(run(x));
+    for (Eigen::Index i = 0; i < 150; ++i) {
+      EXPECT_NEAR(found(axis, i), expected[static_cast<size_t>(kPad + i)], 2e-5) << axis << i;
+    }
+    EXPECT_EQ(found.row(axis), FilterZeroPhase(f, Eigen::VectorXd(signals.row(axis))).transpose());
+  }
+}
+
 TEST(Butterworth, RiseTimesOfTheCorrectedPair) {
   // 10 to 90 %, in ms, computed independently for these cut-offs.
   const std::pair<double, double> known[] = {{6, 60},  {8, 45},  {10, 36},
