@@ -26,9 +26,11 @@ constexpr double kHeldTremor = 0.6;       // share of a tremor that a digit keep
 constexpr double kPadTolerance = 0.5e-3;  // of a given pad offset [m]
 constexpr double kModel = 0.5e-3;         // SD of what no model says [s]
 constexpr double kLearnedShare = 1.5;     // of the time by which learned depths move a touch ..
-constexpr double kToe = 0.55e-3;          // of skin that gives way unseen [m]
+constexpr double kToe = 0.45e-3;          // of skin that gives way unseen [m]
 constexpr double kToeUnsure = 0.35;       // of it (SD)
 constexpr double kLongestToe = 5e-3;      // [s]
+constexpr double kPressed = 0.4e-3;       // more of it where it moves the object (SD) [m]
+constexpr double kLongestPressed = 0.02;  // [s]
 constexpr double kMostLearned = 0.02;     // .. and no more, as deep settling is seen as such [s]
 /** Of noise beyond what cameras have, by which slow touches seem to come early. */
 constexpr double kNoisyShare = 0.75, kPlainNoise = 0.6e-3;  // [m]
@@ -305,6 +307,19 @@ TouchMoments CalcTouchMoments(const TouchFit& fit, const DepthWeights& weights) 
   return {sum, origin + moment / sum, std::max(0.0, squares / sum - Square(moment / sum))};
 }
 
+/** Whether what touches at `time` moves the object, or stands in its way: the object comes to the
+digit just before, or its speed differs after. One that leaves as fast as before is moved by others.
+*/
+bool IsPressed(const TouchSamples& samples, double time) {
+  constexpr double kBefore = 0.05, kAfter = 0.1;  // [s]
+  constexpr double kFar = 2e-3;                   // over the stretch after [m]
+  if (samples.object_motion.empty()) return false;
+  const double at = InterpolateMotion(samples, time);
+  const double came = at - InterpolateMotion(samples, time - kBefore);
+  const double goes_on = InterpolateMotion(samples, time + kAfter) - at;
+  return kAfter / kBefore * came + std::abs(goes_on) > kFar;
+}
+
 }  // namespace
 
 const DepthWeights kUsualDepths = {30.0, 12.0, 0.8, 0.15, 0.06, 0.04, 0.03, 0.02};
@@ -349,6 +364,9 @@ TouchFit FitTouch(const TouchSamples& samples) {
   if (std::isnan(samples.touch_place)) {
     fit.toe = std::min(kToe * all / speeds, kLongestToe);
     fit.noisy = kNoisyShare * std::max(0.0, samples.noise - kPlainNoise) * all / speeds;
+    if (IsPressed(samples, CalcTouchMoments(fit, kUsualDepths).time - fit.toe)) {
+      fit.pressed = std::min(kPressed * all / speeds, kLongestPressed);
+    }
   }
   const double degrees = static_cast<double>(samples.times.size());
   fit.noise_ratio = std::sqrt(fitter.least_misfit() / degrees);
@@ -374,6 +392,7 @@ TouchFit MixFits(const TouchFit& a, const TouchFit& b, double share) {
   }
   mix.toe = (1.0 - share) * a.toe + share * b.toe;
   mix.noisy = (1.0 - share) * a.noisy + share * b.noisy;
+  mix.pressed = (1.0 - share) * a.pressed + share * b.pressed;
   mix.noise_ratio = std::max(a.noise_ratio, b.noise_ratio);
   return mix;
 }
@@ -389,7 +408,7 @@ EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights) {
   const double moved = touch.time - CalcTouchMoments(fit, kUsualDepths).time;
   const double excess = std::sqrt(std::max(0.0, moved * moved - 0.25 * touch.variance));
   const double learned = std::min(kLearnedShare * excess, kMostLearned);
-  const double unseen = std::hypot(kToeUnsure * fit.toe, fit.noisy);
+  const double unseen = std::hypot(std::hypot(kToeUnsure * fit.toe, fit.noisy), fit.pressed);
   // Where the best fit leaves more than the noise, the model is wrong by as much.
   const double own = std::max(1.0, fit.noise_ratio) * std::sqrt(touch.variance);
   event.uncertainty = std::hypot(std::hypot(kModel, learned), std::hypot(unseen, own));

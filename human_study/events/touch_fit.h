@@ -20,9 +20,11 @@ belongs to the skin and the marker's place, not to the trial: its weights may be
 contacts of a study (LearnDepths), and then one contact whose own samples cannot tell is found
 without bias.
 
-Skin resists exponentially (Pawluk & Howe 1999, J. Biomech. Eng. 121:178): its first 0.55 mm give
+Skin resists exponentially (Pawluk & Howe 1999, J. Biomech. Eng. 121:178): its first 0.45 mm give
 way without a trace that a fit could find, so the touch is earlier than the path tells by that way
-at the speed of the touch (TouchFit::toe), more or less: stiff skin less, a soft pad more.
+at the speed of the touch (TouchFit::toe), more or less. Skin that moves the object, or that stops
+one that comes, carries more than the table's friction: it gives way deeper, by another 0.4 mm (SD),
+which is stated and not corrected (TouchFit::pressed).
 
 Known limits: a way of settling that is not like the exponential; a digit that stops off the surface
 stops as one that touches does. */
@@ -68,10 +70,11 @@ struct TouchFit {
   std::array<double, kSettlingDepths.size()> log_evidence{};
   std::array<double, kSettlingDepths.size()> time{};      ///< mean [s]
   std::array<double, kSettlingDepths.size()> variance{};  ///< of the time [s^2]
-  /** In which 0.55 mm of skin give way at the touch's speed, at most 5 ms; 0 where the clearance at
+  /** In which 0.45 mm of skin give way at the touch's speed, at most 5 ms; 0 where the clearance at
   the touch is known [s]. */
   double toe = 0.0;
   double noisy = 0.0;        ///< by which noise may have moved it (SD) [s]
+  double pressed = 0.0;      ///< in which skin that moves the object gives way deeper (SD) [s]
   double noise_ratio = 1.0;  ///< RMS of the best fit's residuals over the noise
   std::string missing;       ///< why there is none; empty when there is one
 };
@@ -84,7 +87,8 @@ TouchFit FitTouch(const TouchSamples& samples);
 TouchFit MixFits(const TouchFit& a, const TouchFit& b, double share);
 
 /** The touch under those weights: mean and standard deviation over all depths, less the toe, of
-which 0.35 is unsure, as is 0.75 of the time that noise beyond 0.6 mm takes at the touch's speed.
+which 0.35 is unsure, as is 0.75 of the time that noise beyond 0.6 mm takes at the touch's speed,
+and what skin gives way that moves the object (at most 20 ms).
 Weights that were learned add one and a half times what they move the touch by beyond half a
 standard deviation, at most 20 ms: of a soft arrival that looks like settling the usual depths, too,
 make a part. */

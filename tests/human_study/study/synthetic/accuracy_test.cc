@@ -36,8 +36,8 @@ AnalysisOptions LearnOptions(const std::vector<SyntheticTrial>& trials) {
   return options;
 }
 
-// Skin sinks in by half a millimetre and more (Pawluk & Howe 1999); of 200 contacts a coverage of
-// 0.98 gives 0.995 now and then.
+// Skin sinks in by half a millimetre and more (Pawluk & Howe 1999); what stops dead is covered by
+// more than is stated.
 TEST(ContactAccuracy, TheDefaultDetectorKeepsItsPromise) {
   for (const char* seed : {"accuracy a", "accuracy b", "accuracy c"}) {
     SyntheticOptions options = MakeOptions(seed);
@@ -50,12 +50,11 @@ TEST(ContactAccuracy, TheDefaultDetectorKeepsItsPromise) {
     EXPECT_LT(row.contact_sd, 0.010) << seed;
     EXPECT_NEAR(row.mean_gft, 0.03, 0.003) << seed;
     EXPECT_GT(row.coverage, 0.85) << seed;
-    EXPECT_LT(row.coverage, 1.0) << seed;
+    EXPECT_LE(row.coverage, 0.99) << seed;
   }
 }
 
 // Nothing is lifted: the hold is found from the hand alone, and the way back is in the recording.
-// These digits stop dead, as no skin does, so that they are covered less.
 TEST(ContactAccuracy, TheDefaultDetectorKeepsItsPromiseWithoutALift) {
   for (const bool rests : {true, false}) {
     SyntheticOptions options = MakeOptions(rests ? "accuracy f" : "accuracy g");
@@ -66,7 +65,7 @@ TEST(ContactAccuracy, TheDefaultDetectorKeepsItsPromiseWithoutALift) {
     EXPECT_LT(std::abs(row.contact_bias), 0.005) << rests;
     EXPECT_LT(row.contact_sd, 0.010) << rests;
     EXPECT_NEAR(row.mean_gft, 0.03, 0.003) << rests;
-    EXPECT_GT(row.coverage, 0.8) << rests;
+    EXPECT_GT(row.coverage, 0.85) << rests;
   }
 }
 
