@@ -13,7 +13,10 @@ ThresholdSummary MakeThresholds(const Session& session, const std::vector<double
   ThresholdSummary summary;
   summary.scale = &kThresholdScales[0];
   for (size_t i = 0; i < values.size(); ++i) {
-    summary.draws.push_back({session.records[i].plan, GripThreshold(), values[i]});
+    DrawThreshold draw;
+    draw.draw = session.records[i].plan;
+    draw.value = values[i];
+    summary.draws.push_back(draw);
   }
   return summary;
 }
