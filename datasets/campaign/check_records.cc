@@ -78,7 +78,7 @@ void CheckRunRecord(const fs::path& folder, Diagnostics& findings) {
   }
   findings.Warn("run.json", 0,
                 "cannot be read: when, where and how long the program ran is lost; no result rests "
-                "on it, and the next run begins it anew");
+                "on it, and the next run begins a new one");
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "datasets/session/session_experiments.h"
 
-#include <set>
-
 #include "core/base/config.h"
 #include "core/base/error.h"
 #include "datasets/journal/store_kind.h"
@@ -15,13 +13,7 @@ void CheckIsExperimentOn(const Session& session, const Session& experiment,
   SessionConfig config = experiment.config;
   config.trials = session.config.trials;
   config.conditions = session.config.conditions;
-  std::string text = ListDifferences(FindConfigDifferences(session.config, config));
-  std::set<std::string> ids;
-  for (const PlannedTrial& planned : session.plan) ids.insert(planned.id);
-  for (const PlannedTrial& planned : experiment.plan) {
-    if (!text.empty() || planned.condition || ids.count(planned.id) > 0) continue;
-    text = "\n  the trial " + planned.id + " (" + DescribeTrial(planned) + "), not planned here";
-  }
+  const std::string text = ListDifferences(FindConfigDifferences(session.config, config));
   if (text.empty()) return;
   throw Error(ErrorKind::kFormat, "\"" + name +
                                       "\" is an experiment on another session (this one and "

@@ -58,13 +58,6 @@ TEST_F(SessionExperiments, OfAnotherSeedAreRefused) {
   EXPECT_NE(complaint.find("seed: 1 and 7"), complaint.npos) << complaint;
 }
 
-TEST_F(SessionExperiments, WithTrialsThatWereNotPlannedAreRefused) {
-  PlannedTrial foreign = session_.plan.front();
-  foreign.id = "0123456789abcdef";
-  Create("sensitivity/3", session_.config, {foreign});
-  EXPECT_NE(FindComplaint().find("0123456789abcdef"), std::string::npos);
-}
-
 TEST_F(SessionExperiments, OfASessionInMemoryAreNone) {
   Session session = session_;
   session.folder.clear();

@@ -137,7 +137,7 @@ TEST(MeshCheckTest, PartsThatTouchAreOneBody) {
     const TriMesh beside = JoinMeshes(MakeBox(), crumb, {0.02 + half + gap, 0.003, 0.002});
     EXPECT_EQ(!CheckMesh(beside).problems.empty(), is_apart) << gap;
   }
-  // The tolerance does not grow with the object: as long as an arm, it would join what is 0.6 mm apart.
+  // The tolerance does not grow with the object: of an arm it would join what is 0.6 mm apart.
   const TriMesh bar = MakeRoundedBox({0.3, 0.02, 0.02}, 0.0);
   for (const auto& [gap, is_apart] : {std::pair(3e-5, false), {1e-4, true}}) {
     const TriMesh row = JoinMeshes(bar, bar, {0.3 + gap, 0.0, 0.0});
