@@ -10,7 +10,7 @@ differ from what was asked of them by more than kGripTolerance, for which reason
 
 namespace graspbench {
 
-/** A digit that did not have its force for this reason, in so many finished trials. */
+/** A digit that did not have its force for this reason, in so many trials that reached the hold. */
 struct GripFaultCount {
   std::string digit;
   GripFault fault = GripFault::kNone;
@@ -20,6 +20,7 @@ struct GripFaultCount {
 struct GripSummary {
   const CellSummary* cell = nullptr;
   Spread asked, held;    ///< sums over the hand, of the trials that reached the hold [N]
+  Spread pressed;        ///< the true sum of these trials, felt or not [N]
   int num_within = 0;    ///< of them, whose sum is within kGripTolerance
   bool is_felt = false;  ///< by sensed touch: held is what the elements feel
   std::vector<GripFaultCount> faults;  ///< by digit, then by reason
@@ -34,13 +35,17 @@ std::string DescribeFaults(const std::vector<GripFaultCount>& faults);
 /** Trials whose sum stayed more than kGripTolerance below what was asked: in the hold, or before
 lift-off where there was no hold. */
 struct GripShortfall {
-  int num = 0, num_closed = 0;  ///< of those whose grip had closed
-  Spread asked, reached;        ///< of these trials [N]
-  std::string reason;           ///< most frequent of their digits; empty: none is known
+  int num = 0, num_closed = 0;      ///< of those whose grip had closed
+  Spread asked, reached;            ///< of these trials [N]
+  std::string reason;               ///< most frequent of their digits; empty: none is known
+  Spread asked_of_excess, pressed;  ///< of trials by sensed touch that press twice as hard [N]
 };
 GripShortfall FindShortfall(const SessionSummary& summary);
 
 /** "grip     3 of 4 trials did not reach what was asked: ..."; empty where all did. */
 std::string DescribeShortfall(const GripShortfall& shortfall);
+
+/** "grip     2 of 4 trials pressed more than twice as hard as asked, ..."; empty where none did. */
+std::string DescribeExcess(const GripShortfall& shortfall);
 
 }  // namespace graspbench

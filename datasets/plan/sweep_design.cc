@@ -162,6 +162,17 @@ void RefuseUnused(const std::vector<SweepFactor>& factors, const SessionConfig& 
   }
 }
 
+/** Trials that are those of another condition would halve the effect of a factor. */
+void RefuseRepeated(const SweepFactor& factor, const StrategyConfig& strategy,
+                    const Condition& condition) {
+  if (CanMatter(factor.key, strategy)) return;
+  throw Error(ErrorKind::kUsage,
+              "the factor \"" + factor.key + "\" has no use under the condition \"" +
+                  condition.name +
+                  "\", whose trials would be those without it; use --design one-at-a-time, or "
+                  "sweep each grip by itself");
+}
+
 }  // namespace
 
 SweepConfig ParseSweepConfig(const std::string& text, const std::string& file) {
@@ -213,8 +224,10 @@ SessionConfig MakeSweep(const SweepConfig& sweep) {
   SessionConfig config = made.config;
   std::vector<StrategyConfig> strategies = {config.strategy};
   std::set<Point> known = {Point(factors.size(), 0)};
+  std::vector<Point> points;  // of the conditions
   for (const Point& point : ListPoints(sweep, factors)) {
     if (!known.insert(point).second) continue;
+    points.push_back(point);
     Condition condition;
     for (size_t i = 0; i < factors.size(); ++i) {
       if (point[i] == 0) continue;
@@ -226,6 +239,11 @@ SessionConfig MakeSweep(const SweepConfig& sweep) {
     config.conditions.push_back(condition);
   }
   RefuseUnused(factors, made.config, strategies);
+  for (size_t k = 0; k < points.size(); ++k) {
+    for (size_t i = 0; i < factors.size(); ++i) {
+      if (points[k][i] != 0) RefuseRepeated(factors[i], strategies[k + 1], config.conditions[k]);
+    }
+  }
   return config;
 }
 

@@ -29,9 +29,10 @@ Html DrawGrip(const ReportData& data) {
                {"Held [N]", number,
                 is_felt ? "sum over the hand as its elements feel it, mean of the hold"
                         : "sum over the hand, mean of the hold"},
+               {"In truth [N]", number, "the true sum, felt or not"},
                {"Within 20 %", number, "trials whose held sum is"},
                {"Digits without their force", Align::kText,
-                "more than a fifth off, with the reason and in how many finished trials"}});
+                "more than a fifth off, with the reason and in how many of these trials"}});
   int num_held = 0;
   int num_within = 0;
   std::string off;  // conditions whose grips are mostly not what was asked for
@@ -44,8 +45,8 @@ Html DrawGrip(const ReportData& data) {
     const std::string faults = DescribeFaults(grip.faults);
     table.AddRow({LinkTo(grip.cell->key, NameOfCell(*grip.cell, data.models)),
                   Text(std::to_string(grip.held.n)), Text(FormatGripMedian(grip.asked)),
-                  Text(FormatGripMedian(grip.held)), Text(std::to_string(grip.num_within)),
-                  Text(faults.empty() ? "-" : faults)});
+                  Text(FormatGripMedian(grip.held)), Text(FormatGripMedian(grip.pressed)),
+                  Text(std::to_string(grip.num_within)), Text(faults.empty() ? "-" : faults)});
   }
   return MakeParagraph(
              "A hand that regulates its grip closes until each digit has its share, then keeps "

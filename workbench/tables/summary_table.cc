@@ -64,9 +64,12 @@ std::string FormatSummaryTable(const SessionSummary& summary) {
                   tally.finished > 0 ? MakePlainText(FormatPercent(tally.rate())) : "n/a",
                   MakePlainText(FormatRateInterval(tally.successes(), tally.finished))});
   }
-  const std::string grip = DescribeShortfall(FindShortfall(summary));
-  return table.Format() + FormatFailures(summary) + FormatSeats(summary) +
-         (grip.empty() ? "" : "\n" + grip + "\n");
+  const GripShortfall shortfall = FindShortfall(summary);
+  std::string grip;
+  for (const std::string& line : {DescribeShortfall(shortfall), DescribeExcess(shortfall)}) {
+    if (!line.empty()) grip += (grip.empty() ? "\n" : "") + line + "\n";
+  }
+  return table.Format() + FormatFailures(summary) + FormatSeats(summary) + grip;
 }
 
 Json MakeSummaryJson(const SessionSummary& summary, const std::filesystem::path& folder,

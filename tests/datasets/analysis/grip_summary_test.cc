@@ -33,7 +33,7 @@ TEST(GripSummary, CountsSumsAndNamesDigitsWithTheirReasons) {
   EXPECT_DOUBLE_EQ(grips[0].asked.median, 3.0);
   EXPECT_DOUBLE_EQ(grips[0].held.median, 2.3);
   EXPECT_EQ(grips[0].num_within, 2);
-  EXPECT_EQ(DescribeFaults(grips[0].faults), "FF: no touch 1; FF: limit 2; TH: balance 1");
+  EXPECT_EQ(DescribeFaults(grips[0].faults), "FF: limit 2; TH: balance 1");
   EXPECT_EQ(DescribeFaults({}), "");
 }
 
@@ -58,6 +58,26 @@ TEST(GripSummary, CountsTrialsThatDidNotReachWhatWasAsked) {
   EXPECT_EQ(
       DescribeShortfall(FindShortfall(SummariseSession(MakeSession({"tum"}, {"can"}, "g3", 1)))),
       "");
+}
+
+// The elements feel what was asked; the digits press beside them.
+TEST(GripSummary, SaysWhatIsPressedBesideWhatFeels) {
+  Session session = MakeSession({"tum"}, {"can"}, "g3", 3);
+  for (TrialRecord& record : session.records) {
+    record.result.grip = MakeGrip(4.0, 4.0, GripFault::kNone, GripFault::kNone);
+    record.result.touch.emplace();
+    record.result.stability.hold.normal_force = 4.5;
+  }
+  session.records[1].result.stability.hold.normal_force = 50.0;
+  const SessionSummary summary = SummariseSession(session);
+  const GripShortfall shortfall = FindShortfall(summary);
+  EXPECT_EQ(shortfall.num, 0);
+  EXPECT_EQ(DescribeExcess(shortfall),
+            "grip     1 of 3 trials pressed more than twice as hard as asked, beside what feels: "
+            "asked 4.00 N, in truth 50.00 N (sums, medians)");
+  EXPECT_DOUBLE_EQ(ListGrips(summary)[0].pressed.median, 4.5);
+  for (TrialRecord& record : session.records) record.result.touch.reset();
+  EXPECT_EQ(DescribeExcess(FindShortfall(SummariseSession(session))), "");
 }
 
 }  // namespace

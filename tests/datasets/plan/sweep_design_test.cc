@@ -110,8 +110,10 @@ TEST(SweepDesign, RefusesAFactorThatNoTrialLooksAt) {
   EXPECT_NE(explain("posture", {force, margin}), "accepted");
   EXPECT_EQ(explain("force", {force}), "accepted");
   EXPECT_EQ(explain("margin", {force, margin}), "accepted");
-  EXPECT_EQ(explain("margin", {"strategy.grip=force,margin", margin}), "accepted")
-      << "half of the conditions look at it";
+  EXPECT_EQ(explain("margin", {"strategy.grip=force,margin", margin}),
+            "the factor \"strategy.grip_margin\" has no use under the condition "
+            "\"strategy.grip_margin=4.0\", whose trials would be those without it; use --design "
+            "one-at-a-time, or sweep each grip by itself");
 }
 
 // A base of posture keeps no margin: the condition of margin would have the default for its level 1.
