@@ -22,7 +22,7 @@ const std::vector<FileFormat>& ListFileFormats() {
         {"tactile.yaml", "what a hand feels with, beside its hand.yaml; not needed",
          ListTactileKeys()},
         {"session.yaml",
-         "what graspbench run simulates; its session.json has all keys and is read, "
+         "what graspbench run simulates; its session.json has all that matter and is read, "
          "too",
          ListSessionKeys()},
         {"sweep.yaml", "a session under many conditions, for graspbench sweep", ListSweepKeys()},
