@@ -367,6 +367,21 @@ void ShapeLoader::AddMesh(const TriMesh& mesh, const std::string& where, int lin
   }
 }
 
+namespace {
+
+/** As thick as the loader asks for. */
+Vector3d Thicken(const Vector3d& size, const std::string& file, int line, const std::string& where,
+                 Diagnostics& problems) {
+  const double longest = size.maxCoeff();
+  if (longest <= kMostElongated * size.minCoeff()) return size;
+  problems.Warn(file, line,
+                where + ": " + FormatSignificant(longest / size.minCoeff(), 3) +
+                    " times as long as thick; made thicker, a 25th of its length");
+  return size.cwiseMax(longest / kMostElongated);
+}
+
+}  // namespace
+
 void ShapeLoader::AddSolid(const ForeignShape& shape, const std::string& where,
                            LoadedShapes& loaded) {
   CollisionShape& solid = loaded.collisions.emplace_back();
@@ -385,12 +400,7 @@ void ShapeLoader::AddSolid(const ForeignShape& shape, const std::string& where,
     loaded.collisions.pop_back();
     return;
   }
-  if (longest > kMostElongated * solid.size.minCoeff()) {
-    problems_.Warn(source_.file, shape.line,
-                   where + ": " + FormatSignificant(longest / solid.size.minCoeff(), 3) +
-                       " times as long as thick; made thicker, a 25th of its length");
-    solid.size = solid.size.cwiseMax(longest / kMostElongated);
-  }
+  solid.size = Thicken(solid.size, source_.file, shape.line, where, problems_);
   loaded.solids.push_back(MakeSolid(shape.kind, solid));
 }
 
@@ -434,7 +444,9 @@ LoadedShapes ShapeLoader::Load(const ForeignLink& link) {
   const Severity severity = loaded.visuals.empty() ? Severity::kError : Severity::kWarning;
   for (const ForeignShape& shape : link.collisions) {
     if (shape.kind == ForeignShape::Kind::kEllipsoid) {
-      AddMesh(MakeEllipsoid(shape), where + ", collision", shape.line, loaded);
+      ForeignShape solid = shape;
+      solid.size = Thicken(shape.size, source_.file, shape.line, where + ", collision", problems_);
+      AddMesh(MakeEllipsoid(solid), where + ", collision", shape.line, loaded);
       continue;
     }
     if (shape.kind != ForeignShape::Kind::kMesh) {
