@@ -54,7 +54,9 @@ bool IsNew(const fs::path& results) {
   if (!fs::exists(results)) return true;
   const fs::directory_iterator entries(results);
   return std::all_of(begin(entries), end(entries), [](const fs::directory_entry& entry) {
-    return entry.path().filename() == kRunLock && entry.is_regular_file() && entry.file_size() == 0;
+    const std::string name = entry.path().filename().string();
+    const bool is_half = name.rfind(kPipelineLock, 0) == 0;  // written beside its place
+    return entry.is_regular_file() && (is_half || (name == kRunLock && entry.file_size() == 0));
   });
 }
 
