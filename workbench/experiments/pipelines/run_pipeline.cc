@@ -129,7 +129,13 @@ class PipelineRunner {
       for (StageState& state : FindStageStates(pipeline_, results_, lock_, request_.program)) {
         if (!state.IsFresh()) waiting_.push_back(std::move(state));
       }
-      if (waiting_.empty()) return ended_;
+      if (waiting_.empty()) {
+        // Of a stage whose end was noted just before the program was killed.
+        for (const PipelineStage& stage : pipeline_.stages) {
+          fs::remove(results_ / (kBegun + stage.name));
+        }
+        return ended_;
+      }
       RunWaiting();
     }
   }
