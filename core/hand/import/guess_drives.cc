@@ -146,8 +146,7 @@ void DriveGuesser::TellEfforts() {
        JoinSome(joints) + "), up to " + FormatSignificant(largest, 3) +
        ", is not that of a finger's drive: a placeholder, or more than 100 N at a tip, of a "
        "gripper 250 N, or 1 kN for each kilogram of the hand; guessed instead. If it is meant, "
-       "write "
-       "it into hand.yaml");
+       "write it into hand.yaml");
 }
 
 /** Of the drives whose published stiffness is not what they get. */
