@@ -10,10 +10,21 @@ namespace graspbench {
 namespace {
 
 constexpr double kFirmness = 0.3;
-constexpr double kPalm = 0.4;
+constexpr double kPalm = 0.6;
+constexpr double kAllDigits = 0.2;
+constexpr double kSides = 0.4;
 constexpr double kTouching = 0.3;
 constexpr double kLifting = 0.2;
 constexpr double kSlightPull = 0.2;  // [N]
+
+/** Digits that touched, of those that grasp. */
+double CalcTouchingShare(const TrialResult& result) {
+  if (result.contacts.empty()) return 0.0;
+  const auto num_touched =
+      std::count_if(result.contacts.begin(), result.contacts.end(),
+                    [](const DigitContact& contact) { return !std::isnan(contact.time); });
+  return static_cast<double>(num_touched) / static_cast<double>(result.contacts.size());
+}
 
 }  // namespace
 
@@ -27,14 +38,14 @@ DevelopTrial MakeDevelopTrial(const Grasp& grasp, const GraspObject& object,
     const double sigma = std::isfinite(result.stability.sigma) ? result.stability.sigma : 0.0;
     const double x = std::max(0.0, sigma) / (weight + kSlightPull);
     trial.score = 1.0 + kFirmness * x / (1.0 + x);
+    trial.score += kAllDigits * CalcTouchingShare(result);
     if (grasp.palm_may_touch && TouchesPalmAtEnd(result)) trial.score += kPalm;
+    if (grasp.type == GraspType::kTwoFingerPinch && result.opposition == Opposition::kSide) {
+      trial.score += kSides;
+    }
     return trial;
   }
-  int num_touched = 0;
-  for (const DigitContact& contact : result.contacts) num_touched += !std::isnan(contact.time);
-  if (!result.contacts.empty()) {
-    trial.score = kTouching * num_touched / static_cast<double>(result.contacts.size());
-  }
+  trial.score = kTouching * CalcTouchingShare(result);
   trial.score += kLifting * std::clamp(result.lift_height / grasp.approach_distance, 0.0, 1.0);
   return trial;
 }

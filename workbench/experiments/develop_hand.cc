@@ -28,7 +28,9 @@ constexpr double kLargestShape = 0.8;  ///< of the widest opening that was propo
 constexpr double kHoldTime = 0.7;      ///< shorter than the benchmark's: what slips, slips soon [s]
 constexpr double kPlacingTime = 0.5;   ///< likewise: nothing is touched meanwhile [s]
 constexpr double kDraftStep = 0.004;   ///< of the physics in race and search [s]
-constexpr double kGentleShare = 0.5;   ///< of the grip, and of its margin, in every other trial
+/** Of the grip, and of its margin beyond 1, by turn: the mean score of trials that ask less and less
+is higher the lower the threshold of grip is. */
+constexpr double kGripShares[] = {1.0, 0.5, 1.0, 0.1};
 
 /** The hand, and for a coupling that is not known the same with the other rules, its own in turn
 with each of them. */
@@ -118,11 +120,11 @@ class GraspTrials {
     ApplyCoupling(*setup.hand, setup.grasp.q_pre);
     ApplyCoupling(*setup.hand, setup.grasp.q_target);
     setup.strategy = config_.strategy;
-    // So that of two grasps that hold, the one that needs less grip wins.
-    if (turn % 2 == 1) {
-      setup.strategy.grip_force *= kGentleShare;
-      setup.strategy.grip_margin = 1.0 + kGentleShare * (setup.strategy.grip_margin - 1.0);
-    }
+    // Not in step with the couplings, which are as many.
+    const double grip = kGripShares[(turn + static_cast<size_t>(trial.shape) / 4) %
+                                    std::size(kGripShares)];
+    setup.strategy.grip_force *= grip;
+    setup.strategy.grip_margin = 1.0 + grip * (setup.strategy.grip_margin - 1.0);
     setup.sim = config_.sim;
     if (IsDraft(request.stage)) setup.sim.step = kDraftStep;
     const Json names = {config_.develop.seed, setup.object->id, trial.draw};
