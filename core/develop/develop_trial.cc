@@ -12,7 +12,7 @@ namespace {
 constexpr double kFirmness = 0.3;
 constexpr double kPalm = 0.6;
 constexpr double kAllDigits = 0.2;
-constexpr double kSides = 0.4;
+constexpr double kSides = 0.15;
 constexpr double kTouching = 0.3;
 constexpr double kLifting = 0.2;
 constexpr double kSlightPull = 0.2;  // [N]

@@ -5,7 +5,7 @@ What the development keeps of a simulated trial, and how it scores it, larger is
     success    1 + 0.3 x / (1 + x),  x = sigma / (m g + 0.2 N): how firmly it is held
                + 0.2 (digits that touched) / (all)
                + 0.6 when the palm touches in the end, of a grasp whose palm may
-               + 0.4 of a pinch that holds by the sides of its digits
+               + 0.15 of a pinch that holds by the sides of its digits
     else       0.3 (digits that touched) / (all) + 0.2 (height reached) / (height of the lift),
                0 of a numerical failure
 

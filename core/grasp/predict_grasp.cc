@@ -101,6 +101,7 @@ void PredictContacts(const Hand& hand, const Grasp& grasp, const GraspObject& ob
   const size_t num_digits = hand.digits.size();
   std::vector<bool> touches(num_digits, false);
   std::vector<Vector3d> normals(num_digits, Vector3d::Zero());
+  std::vector<double> heights(num_digits, 0.0);
   for (int k = 0; k <= kClosingSteps; ++k) {
     const Eigen::VectorXd q =
         CalcClosingPosture(hand, grasp, static_cast<double>(k) / kClosingSteps);
@@ -113,17 +114,21 @@ void PredictContacts(const Hand& hand, const Grasp& grasp, const GraspObject& ob
       if (gap > deepest[d]) continue;
       deepest[d] = gap;
       normals[d] = object.field->Query(ball.p).gradient;
+      heights[d] = ball.p.z() - ball.radius * normals[d].z();
       met[d] = true;
     }
     touches = met;
   }
   const auto opposing = static_cast<size_t>(FindOpposingDigit(hand, grasp));
   Vector3d others = Vector3d::Zero(), all = Vector3d::Zero();
+  double height_of_others = 0.0;
   for (size_t d = 0; d < num_digits; ++d) {
     if (!touches[d]) continue;
     ++prediction.num_touching;
     all += normals[d];
-    if (d != opposing) others += normals[d];
+    if (d == opposing) continue;
+    others += normals[d];
+    height_of_others += heights[d];
   }
   prediction.thumb_touches = touches[opposing];
   if (!prediction.thumb_touches || prediction.num_touching < 2) return;
@@ -132,6 +137,9 @@ void PredictContacts(const Hand& hand, const Grasp& grasp, const GraspObject& ob
       std::acos(std::clamp(-normals[opposing].dot(others.stableNormalized()), -1.0, 1.0));
   prediction.opposes = between <= 2.0 * friction_angle;
   prediction.lifts = all.z() / prediction.num_touching <= std::sin(friction_angle);
+  prediction.contact_height =
+      0.5 * (heights[opposing] + height_of_others / (prediction.num_touching - 1)) -
+      object.mass_properties.p_OOcm.z();
 }
 
 double CalcNeededRoom(const Hand& hand, const Grasp& grasp) {

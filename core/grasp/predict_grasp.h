@@ -38,17 +38,15 @@ struct GraspPrediction {
   bool thumb_touches = false;  ///< the opposing digit is one of them
   bool opposes = false;        ///< normals of the thumb and the others oppose each other
   bool lifts = false;          ///< normals do not point up
+  /** Of the contacts, thumb against the mean of the others, above the centre of mass [m]; what is
+  pushed above it tips. */
+  double contact_height = 0.0;
 
   bool reaches() const { return reach_miss <= 0.0; }
   /** Closing brings the opposing digit and another to the object. */
   bool meets() const { return thumb_touches && num_touching >= 2; }
   bool is_clear() const { return room >= needed_room; }
   bool holds() const { return opposes && lifts && num_touching == num_digits; }
-  /** Larger is better: that it reaches comes before that it is clear, and that before contacts. */
-  int Rank() const {
-    return 16 * reaches() + 8 * is_clear() + 4 * meets() + 2 * (opposes && lifts) +
-           (num_touching == num_digits);
-  }
 };
 
 /** @pre the object has its distance field. */

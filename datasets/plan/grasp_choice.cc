@@ -44,14 +44,13 @@ const Grasp& FindBestGrasp(const SessionInputs& inputs, const SessionHand& hand,
     if (const Grasp* grasp = FindGrasp(hand, *object, named->second)) return *grasp;
   }
   const Grasp* best = nullptr;
-  std::array<int, 4> best_rank = {-1, 0, 0, 0};
+  GraspRank best_rank;
   for (const std::string& id : object->grasp_order) {
     const Grasp* grasp = FindGrasp(hand, *object, id);
     if (!grasp) continue;
     if (grasp->placement) return *grasp;
-    const std::array<int, 4> rank =
-        RankGrasp(*grasp, FitOnce(inputs, hand, *grasp, object).prediction);
-    if (rank <= best_rank) continue;
+    const GraspRank rank = RankGrasp(*grasp, FitOnce(inputs, hand, *grasp, object).prediction);
+    if (!(rank > best_rank)) continue;
     best = grasp;
     best_rank = rank;
   }
@@ -76,10 +75,16 @@ std::vector<const Grasp*> ListTried(const SessionHand& hand, const GraspObject& 
 
 }  // namespace
 
-std::array<int, 4> RankGrasp(const Grasp& grasp, const GraspPrediction& prediction) {
+GraspRank RankGrasp(const Grasp& grasp, const GraspPrediction& prediction) {
   constexpr double kLeastHeldShare = 0.5;
-  return {prediction.reaches() + (prediction.reaches() && prediction.meets()),
-          !(grasp.held_share < kLeastHeldShare), prediction.is_clear(), prediction.Rank()};
+  GraspRank rank;
+  rank.meets = prediction.reaches() + (prediction.reaches() && prediction.meets());
+  rank.has_held = !(grasp.held_share < kLeastHeldShare);
+  rank.is_clear = prediction.is_clear();
+  rank.contacts = (prediction.opposes && prediction.lifts) +
+                  (prediction.num_touching == prediction.num_digits);
+  rank.depth = -prediction.contact_height;
+  return rank;
 }
 
 Grasp FindFitted(const SessionInputs& inputs, const SessionHand& hand, const Grasp& grasp,

@@ -3,9 +3,9 @@
 Which grasps of a hand a session tries on an object, how the hand does them there, and whether any
 of them can take it: known by geometry before the first trial (core/grasp/predict_grasp.h). */
 
-#include <array>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "core/grasp/predict_grasp.h"
@@ -28,13 +28,25 @@ Grasp FindFitted(const SessionInputs& inputs, const SessionHand& hand, const Gra
 
 /** Larger is better. That a grasp reaches the object and meets it when it closes comes first, then
 that its development found it to hold what it had not met, then that it comes clear of it, then
-contacts. */
-std::array<int, 4> RankGrasp(const Grasp& grasp, const GraspPrediction& prediction);
+which digits meet it and how, then how low [m]. */
+struct GraspRank {
+  int meets = -1;
+  bool has_held = false;
+  bool is_clear = false;
+  int contacts = 0;
+  double depth = 0.0;  ///< of the contacts below the object's centre of mass [m]
+
+  bool operator>(const GraspRank& other) const {
+    return std::tie(meets, has_held, is_clear, contacts, depth) >
+           std::tie(other.meets, other.has_held, other.is_clear, other.contacts, other.depth);
+  }
+};
+GraspRank RankGrasp(const Grasp& grasp, const GraspPrediction& prediction);
 
 /** As MakePlan says (session_plan.h). "best" is what the object names for this hand, else of those
 that reach and meet it by prediction one that held half of the shapes that its development had not
-met (Grasp::held_share), else any; then one that comes clear of it, the highest rank and the first
-in the object's order. */
+met (Grasp::held_share), else any; then one that comes clear of it, the one whose digits meet it
+best, and of those alike the one that meets it lowest. */
 std::vector<const Grasp*> FindGrasps(const SessionConfig& config, const SessionInputs& inputs,
                                      const SessionHand& hand,
                                      const std::shared_ptr<const GraspObject>& object);

@@ -40,22 +40,39 @@ TEST_F(DevelopTrialTest, FailuresLeadTowardsSuccess) {
   EXPECT_LT(Score(Outcome::kDroppedWhileHolding), 1.0);
 }
 
+// One of two digits touched: 0.1 of 0.2.
 TEST_F(DevelopTrialTest, FirmIsBetterThanLoose) {
   result_.stability.sigma = 0.0;
-  EXPECT_EQ(Score(Outcome::kSuccess), 1.0);
+  EXPECT_NEAR(Score(Outcome::kSuccess), 1.1, 1e-12);
   // x = 1: as much pull as weight and 0.2 N.
   result_.stability.sigma = 0.1 * kStandardGravity + 0.2;
-  EXPECT_NEAR(Score(Outcome::kSuccess), 1.15, 1e-12);
+  EXPECT_NEAR(Score(Outcome::kSuccess), 1.25, 1e-12);
 }
 
 TEST_F(DevelopTrialTest, APalmThatStillTouchesCountsWhereItMay) {
   result_.stability.sigma = 0.0;
   result_.contact_events = {{0.1, ContactEventKind::kTouch, "palm", "palm", kUnset}};
-  EXPECT_EQ(Score(Outcome::kSuccess), 1.0);
+  EXPECT_NEAR(Score(Outcome::kSuccess), 1.1, 1e-12);
   grasp_.palm_may_touch = true;
-  EXPECT_NEAR(Score(Outcome::kSuccess), 1.4, 1e-12);
+  EXPECT_NEAR(Score(Outcome::kSuccess), 1.7, 1e-12);
   result_.contact_events.push_back({0.2, ContactEventKind::kLost, "palm", "palm", 0.1});
-  EXPECT_EQ(Score(Outcome::kSuccess), 1.0);
+  EXPECT_NEAR(Score(Outcome::kSuccess), 1.1, 1e-12);
+}
+
+TEST_F(DevelopTrialTest, EveryDigitThatTouchesCounts) {
+  result_.stability.sigma = 0.0;
+  result_.contacts[1].time = 0.5;
+  EXPECT_NEAR(Score(Outcome::kSuccess), 1.2, 1e-12);
+}
+
+TEST_F(DevelopTrialTest, SidesCountInAPinchAlone) {
+  result_.stability.sigma = 0.0;
+  result_.opposition = Opposition::kSide;
+  EXPECT_NEAR(Score(Outcome::kSuccess), 1.1, 1e-12);
+  grasp_.type = GraspType::kTwoFingerPinch;
+  EXPECT_NEAR(Score(Outcome::kSuccess), 1.25, 1e-12);
+  result_.opposition = Opposition::kPad;
+  EXPECT_NEAR(Score(Outcome::kSuccess), 1.1, 1e-12);
 }
 
 TEST(DevelopScoreTest, MeanAndCount) {

@@ -102,7 +102,16 @@ TEST_F(PredictGraspTest, DigitsMeetWhatTheyCloseOn) {
   const GraspPrediction none = PredictGrasp(hand_, open, MakeCylinder(0.005, 0.06));
   EXPECT_EQ(none.num_touching, 0);
   EXPECT_FALSE(none.holds());
-  EXPECT_LT(none.Rank(), can.Rank());
+}
+
+// The pads of a grasp from above meet an upright cylinder at the grasp height (placement.h), some
+// millimetres of a fingertip's radius aside; the centre of mass does not move them.
+TEST_F(PredictGraspTest, HeightOfContactsIsAboveTheCentreOfMass) {
+  GraspObject cylinder = MakeCylinder(0.02, 0.06);
+  const double middle = PredictGrasp(hand_, Get("g1"), cylinder).contact_height;
+  EXPECT_NEAR(middle, 0.0, 0.008);
+  cylinder.mass_properties.p_OOcm.z() = -0.02;
+  EXPECT_NEAR(PredictGrasp(hand_, Get("g1"), cylinder).contact_height, middle + 0.02, 1e-12);
 }
 
 // What is half closed is opened again, on its own line and no farther than needed; what is clear

@@ -146,11 +146,23 @@ TEST(GraspChoice, HoldingInDevelopmentCountsMoreThanRoom) {
   EXPECT_GT(RankGrasp(does_not, tight), RankGrasp(holds, short_of_it)) << "reach comes first";
   GraspPrediction meets = tight;
   meets.num_touching = 2;
-  EXPECT_EQ(RankGrasp(does_not, meets)[0], RankGrasp(does_not, tight)[0])
+  EXPECT_EQ(RankGrasp(does_not, meets).meets, RankGrasp(does_not, tight).meets)
       << "fingers alone do not hold it";
   meets.thumb_touches = true;
   EXPECT_GT(RankGrasp(does_not, meets), RankGrasp(holds, clear))
       << "what closes above the object cannot hold it";
+}
+
+// Of grasps that are alike otherwise the one that meets the object lower: pushed above its centre of
+// mass, it tips.
+TEST(GraspChoice, LowContactsWin) {
+  GraspPrediction low, high;
+  low.contact_height = -0.01;
+  high.contact_height = 0.005;
+  EXPECT_GT(RankGrasp(Grasp(), low), RankGrasp(Grasp(), high));
+  high.num_touching = high.num_digits = 3;
+  low.num_digits = 3;
+  EXPECT_GT(RankGrasp(Grasp(), high), RankGrasp(Grasp(), low)) << "a digit that misses counts more";
 }
 
 TEST(GraspChoice, WhatTheObjectNamesStaysAsItIs) {
