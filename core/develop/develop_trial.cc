@@ -13,6 +13,7 @@ constexpr double kFirmness = 0.3;
 constexpr double kPalm = 0.6;
 constexpr double kAllDigits = 0.2;
 constexpr double kSides = 0.15;
+constexpr double kEarly = 0.3;
 constexpr double kTouching = 0.3;
 constexpr double kLifting = 0.2;
 constexpr double kSlightPull = 0.2;  // [N]
@@ -43,6 +44,7 @@ DevelopTrial MakeDevelopTrial(const Grasp& grasp, const GraspObject& object,
     if (grasp.type == GraspType::kTwoFingerPinch && result.opposition == Opposition::kSide) {
       trial.score += kSides;
     }
+    if (result.timing.contact_before_start) trial.score -= kEarly;
     return trial;
   }
   trial.score = kTouching * CalcTouchingShare(result);

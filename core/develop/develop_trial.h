@@ -6,6 +6,7 @@ What the development keeps of a simulated trial, and how it scores it, larger is
                + 0.2 (digits that touched) / (all)
                + 0.6 when the palm touches in the end, of a grasp whose palm may
                + 0.15 of a pinch that holds by the sides of its digits
+               - 0.3 when a digit touched before the hand closed
     else       0.3 (digits that touched) / (all) + 0.2 (height reached) / (height of the lift),
                0 of a numerical failure
 

@@ -53,6 +53,8 @@ constexpr ShapeRow kShapes[] = {
     {"g3", Family::kBox, {60, 110}, {50, 66}, {45, 75}, {150, 500}},
     {"g3", Family::kBulb, {85, 120}, {48, 66}, {}, {80, 300}},
     {"g3", Family::kCylinder, {}, {56, 74}, {95, 140}, {400, 1000}, Approach::kSide},
+    {"g3", Family::kSphere, {}, {58, 80}, {}, {80, 400}, Approach::kSide},
+    {"g3", Family::kCylinder, {}, {50, 80}, {70, 110}, {200, 800}, Approach::kSide},
     {"g4", Family::kRod, {120, 180}, {6, 10}, {}, {400, 900}},
     {"g4", Family::kBox, {40, 70}, {7, 13}, {18, 32}, {400, 1200}},
     {"g4", Family::kRod, {110, 160}, {12, 20}, {}, {300, 700}},

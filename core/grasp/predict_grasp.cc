@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "core/grasp/placement.h"
@@ -17,7 +18,8 @@ using Eigen::Vector3d;
 constexpr double kFarthest = 0.1;     ///< way before the grasp position that is looked at [m]
 constexpr double kLeastStep = 0.001;  ///< along it [m]
 constexpr int kClosingSteps = 100;
-constexpr int kOpeningSteps = 10;  ///< of the way from target to pre-grasp once more
+constexpr int kOpeningSteps = 10;                ///< of the way from target to pre-grasp once more
+constexpr double kPalmNear = kPalmGap + 0.0005;  ///< by more, closing moves an object [m]
 
 bool IsGrasping(const Grasp& grasp, const Digit& digit) {
   return std::count(grasp.digits.begin(), grasp.digits.end(), digit.id) > 0;
@@ -142,6 +144,20 @@ void PredictContacts(const Hand& hand, const Grasp& grasp, const GraspObject& ob
       object.mass_properties.p_OOcm.z();
 }
 
+bool IsPalmNear(const Hand& hand, const Grasp& grasp, const GraspObject& object,
+                const Placement& placement) {
+  if (!grasp.palm_may_touch) return false;
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand, grasp.q_pre);
+  const Vector3d p_WO(0.0, 0.0, 0.5 * object.size.z());
+  return std::any_of(hand.contact_spheres.begin(), hand.contact_spheres.end(),
+                     [&](const ContactSphere& sphere) {
+                       if (hand.FindDigitOfLink(sphere.link) >= 0) return false;
+                       const Vector3d p_WS =
+                           placement.X_WH * (X_HL[static_cast<size_t>(sphere.link)] * sphere.p_LS);
+                       return object.field->CalcDistance(p_WS - p_WO) - sphere.radius <= kPalmNear;
+                     });
+}
+
 double CalcNeededRoom(const Hand& hand, const Grasp& grasp) {
   return hand.joint_accuracy * CalcDigitLength(hand, grasp);
 }
@@ -170,6 +186,7 @@ GraspPrediction PredictGrasp(const Hand& hand, const Grasp& grasp, const GraspOb
   prediction.needed_room = CalcNeededRoom(hand, grasp);
   prediction.num_digits = static_cast<int>(grasp.digits.size());
   PredictContacts(hand, grasp, object, placement, prediction);
+  prediction.palm_is_near = IsPalmNear(hand, grasp, object, placement);
   return prediction;
 }
 
@@ -180,26 +197,42 @@ bool ClearsBoundingBox(const Hand& hand, const Grasp& grasp, const GraspObject& 
   return CalcRoom(hand, grasp, object, placement, calc_box) >= CalcNeededRoom(hand, grasp);
 }
 
-Grasp FitGrasp(const Hand& hand, const Grasp& grasp, const GraspObject& object) {
-  if (grasp.placement || !grasp.object.empty()) return grasp;
-  std::vector<Grasp> ways = {grasp};
-  if (grasp.approach == Approach::kAutomatic && object.approach == Approach::kAutomatic) {
-    ways.push_back(grasp);
-    ways.back().approach =
-        ComesFromSide(CalcPlacement(hand, grasp, object)) ? Approach::kAbove : Approach::kSide;
-  }
-  for (const Grasp& way : ways) {
-    for (int k = 0; k <= kOpeningSteps; ++k) {
-      const Grasp opened = k == 0 ? way : Open(hand, way, static_cast<double>(k) / kOpeningSteps);
-      const Placement placement = CalcPlacement(hand, opened, object);
-      if (!placement.reaches_object) continue;
-      if (CalcRoom(hand, opened, object, placement, MakeObstacle(object)) >=
-          CalcNeededRoom(hand, opened)) {
-        return opened;
-      }
+namespace {
+
+/** Opened until it is clear; nothing when it cannot be, or does not reach. */
+std::optional<Grasp> OpenUntilClear(const Hand& hand, const Grasp& grasp,
+                                    const GraspObject& object) {
+  for (int k = 0; k <= kOpeningSteps; ++k) {
+    Grasp opened = k == 0 ? grasp : Open(hand, grasp, static_cast<double>(k) / kOpeningSteps);
+    const Placement placement = CalcPlacement(hand, opened, object);
+    if (!placement.reaches_object) continue;
+    if (CalcRoom(hand, opened, object, placement, MakeObstacle(object)) >=
+        CalcNeededRoom(hand, opened)) {
+      return opened;
     }
   }
-  return grasp;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Grasp FitGrasp(const Hand& hand, const Grasp& grasp, const GraspObject& object) {
+  if (grasp.placement || !grasp.object.empty()) return grasp;
+  const std::optional<Grasp> fitted = OpenUntilClear(hand, grasp, object);
+  if (grasp.approach != Approach::kAutomatic || object.approach != Approach::kAutomatic) {
+    return fitted.value_or(grasp);
+  }
+  const auto palm_bears = [&](const Grasp& way) {
+    const GraspPrediction prediction = PredictGrasp(hand, way, object);
+    return prediction.palm_is_near && prediction.holds();
+  };
+  if (fitted && (!grasp.palm_may_touch || palm_bears(*fitted))) return *fitted;
+  Grasp other = grasp;
+  other.approach =
+      ComesFromSide(CalcPlacement(hand, grasp, object)) ? Approach::kAbove : Approach::kSide;
+  const std::optional<Grasp> other_fitted = OpenUntilClear(hand, other, object);
+  if (other_fitted && (!fitted || palm_bears(*other_fitted))) return *other_fitted;
+  return fitted.value_or(grasp);
 }
 
 }  // namespace graspbench

@@ -41,6 +41,7 @@ struct GraspPrediction {
   /** Of the contacts, thumb against the mean of the others, above the centre of mass [m]; what is
   pushed above it tips. */
   double contact_height = 0.0;
+  bool palm_is_near = false;  ///< it may touch, and the object is about where it stops
 
   bool reaches() const { return reach_miss <= 0.0; }
   /** Closing brings the opposing digit and another to the object. */
@@ -57,9 +58,10 @@ box; needs no distance field. Such a grasp need not be fitted. */
 bool ClearsBoundingBox(const Hand& hand, const Grasp& grasp, const GraspObject& object);
 
 /** The grasp as the hand does it on this object: its pre-grasp opened, along the line from target to
-pre-grasp and within the joints' limits, until the way is clear; where nobody says from where the
-hand comes and the rule's way (placement.h) is not clear or does not reach, from the other. Itself
-when it is clear as it is, was made for an object, or when nothing helps. @pre as PredictGrasp. */
+pre-grasp and within the joints' limits, until the way is clear. Where nobody says from where the
+hand comes, it comes by the rule's way (placement.h), or by the other one if only that is clear and
+reaches, or if only there the palm of a grasp that holds bears with the digits. Itself when it is
+clear as it is, was made for an object, or when nothing helps. @pre as PredictGrasp. */
 Grasp FitGrasp(const Hand& hand, const Grasp& grasp, const GraspObject& object);
 
 }  // namespace graspbench

@@ -82,7 +82,7 @@ GraspRank RankGrasp(const Grasp& grasp, const GraspPrediction& prediction) {
   rank.has_held = !(grasp.held_share < kLeastHeldShare);
   rank.is_clear = prediction.is_clear();
   rank.contacts = (prediction.opposes && prediction.lifts) +
-                  (prediction.num_touching == prediction.num_digits);
+                  (prediction.num_touching == prediction.num_digits) + prediction.palm_is_near;
   rank.depth = -prediction.contact_height;
   return rank;
 }
@@ -91,10 +91,8 @@ Grasp FindFitted(const SessionInputs& inputs, const SessionHand& hand, const Gra
                  const std::shared_ptr<const GraspObject>& object) {
   const auto named = object->best_grasp.find(hand.hand->id);
   const bool is_named = named != object->best_grasp.end() && named->second == grasp.id;
-  if (is_named || grasp.placement || !grasp.object.empty() ||
-      ClearsBoundingBox(*hand.hand, grasp, *object)) {
-    return grasp;
-  }
+  if (is_named || grasp.placement || !grasp.object.empty()) return grasp;
+  if (!grasp.palm_may_touch && ClearsBoundingBox(*hand.hand, grasp, *object)) return grasp;
   return FitOnce(inputs, hand, grasp, object).grasp;
 }
 

@@ -30,7 +30,7 @@ constexpr double kPlacingTime = 0.5;   ///< likewise: nothing is touched meanwhi
 constexpr double kDraftStep = 0.004;   ///< of the physics in race and search [s]
 /** Of the grip, and of its margin beyond 1, by turn: the mean score of trials that ask less and less
 is higher the lower the threshold of grip is. */
-constexpr double kGripShares[] = {1.0, 0.5, 1.0, 0.1};
+constexpr double kGripShares[] = {1.0, 0.5, 1.0, 0.25};
 
 /** The hand, and for a coupling that is not known the same with the other rules, its own in turn
 with each of them. */
@@ -121,8 +121,8 @@ class GraspTrials {
     ApplyCoupling(*setup.hand, setup.grasp.q_target);
     setup.strategy = config_.strategy;
     // Not in step with the couplings, which are as many.
-    const double grip = kGripShares[(turn + static_cast<size_t>(trial.shape) / 4) %
-                                    std::size(kGripShares)];
+    const double grip =
+        kGripShares[(turn + static_cast<size_t>(trial.shape) / 4) % std::size(kGripShares)];
     setup.strategy.grip_force *= grip;
     setup.strategy.grip_margin = 1.0 + grip * (setup.strategy.grip_margin - 1.0);
     setup.sim = config_.sim;

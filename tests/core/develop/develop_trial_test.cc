@@ -65,6 +65,12 @@ TEST_F(DevelopTrialTest, EveryDigitThatTouchesCounts) {
   EXPECT_NEAR(Score(Outcome::kSuccess), 1.2, 1e-12);
 }
 
+TEST_F(DevelopTrialTest, EarlyContactsAreWorseThanNone) {
+  result_.stability.sigma = 0.0;
+  result_.timing.contact_before_start = true;
+  EXPECT_NEAR(Score(Outcome::kSuccess), 0.8, 1e-12);
+}
+
 TEST_F(DevelopTrialTest, SidesCountInAPinchAlone) {
   result_.stability.sigma = 0.0;
   result_.opposition = Opposition::kSide;

@@ -48,7 +48,7 @@ class PredictGraspTest : public testing::Test {
     }
     throw Error(ErrorKind::kNotFound, id);
   }
-  const Hand hand_ = LoadHand("tum");
+  const Hand hand_ = LoadHand("tum-evolved");
 };
 
 // Brute force: no object anywhere in the box of placement errors comes nearer to a digit on its way,
@@ -155,6 +155,23 @@ TEST_F(PredictGraspTest, TheSideIsTriedWhereNobodySaysFromWhere) {
   EXPECT_FALSE(as_is.reaches() && as_is.is_clear());
   EXPECT_EQ(fitted.approach, Approach::kSide);
   EXPECT_TRUE(PredictGrasp(hand_, fitted, post).is_clear());
+}
+
+// Fingers of 101 mm that reach down beside a drum of 85 mm keep the palm off its top; from the side
+// the palm comes to it, and the fingers close behind its middle.
+TEST_F(PredictGraspTest, APowerGraspComesFromWhereThePalmBears) {
+  const GraspObject drum = MakeCylinder(0.029, 0.085);
+  const Grasp power = Get("g3");
+  EXPECT_FALSE(PredictGrasp(hand_, power, drum).palm_is_near);
+  const Grasp fitted = FitGrasp(hand_, power, drum);
+  EXPECT_EQ(fitted.approach, Approach::kSide);
+  EXPECT_TRUE(PredictGrasp(hand_, fitted, drum).palm_is_near);
+  Grasp without_palm = power;
+  without_palm.palm_may_touch = false;
+  EXPECT_EQ(FitGrasp(hand_, without_palm, drum).approach, Approach::kAutomatic);
+  Grasp above = power;
+  above.approach = Approach::kAbove;
+  EXPECT_EQ(FitGrasp(hand_, above, drum).approach, Approach::kAbove) << "who says above gets it";
 }
 
 }  // namespace
