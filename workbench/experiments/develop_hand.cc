@@ -27,7 +27,7 @@ constexpr int kNumKept = 32;           ///< of these
 constexpr double kLargestShape = 0.8;  ///< of the widest opening that was proposed
 constexpr double kHoldTime = 0.7;      ///< shorter than the benchmark's: what slips, slips soon [s]
 constexpr double kPlacingTime = 0.5;   ///< likewise: nothing is touched meanwhile [s]
-constexpr double kDraftStep = 0.004;   ///< of the physics in race and search [s]
+constexpr double kDraftStep = 0.002;   ///< of the physics in race and search [s]
 /** Of the grip, and of its margin beyond 1, by turn: the mean score of trials that ask less and less
 is higher the lower the threshold of grip is. */
 constexpr double kGripShares[] = {1.0, 0.5, 1.0, 0.25};
