@@ -7,6 +7,8 @@
 #include "core/base/hash.h"
 #include "core/base/text/text.h"
 #include "core/base/version.h"
+#include "datasets/analysis/map/map_precision.h"
+#include "datasets/plan/scene_names.h"
 #include "reports/page/sectioned_page.h"
 #include "reports/plots/svg_plot.h"
 
@@ -136,6 +138,11 @@ Html DrawPlanes(const MapView& view) {
   return content;
 }
 
+/** The first of those that changed, as commands take it. */
+Html NameChanged(const std::vector<std::string>& changed) {
+  return changed.empty() ? Text("-") : Element("code", {}, Text(changed.front()));
+}
+
 Html DrawRegionTable(const std::vector<std::pair<const MapPartResult*, const MapCell*>>& rows,
                      const std::string& caption) {
   Table table(caption, {{"Hand"},
@@ -154,14 +161,34 @@ Html DrawRegionTable(const std::vector<std::pair<const MapPartResult*, const Map
     if (cell->num_objects_to_decide > 0) {
       verdict += ": some " + FormatCount(cell->num_objects_to_decide, "object") + " would decide";
     }
-    table.AddRow(
-        {Text(cell->hand), Text(RowOf(kMapMeasures, cell->measure).label),
-         Text(NameLateDigit(cell->late)), Text(NameWhere(part->map, *cell)),
-         Text(std::to_string(cell->num_pairs)), Text(std::to_string(cell->num_objects)),
-         Text(FormatEffect(*cell)), Text(FormatFixed(cell->adjusted_p, 4)), Text(verdict),
-         cell->changed.empty() ? Text("-") : Element("code", {}, Text(cell->changed.front()))});
+    table.AddRow({Text(cell->hand), Text(RowOf(kMapMeasures, cell->measure).label),
+                  Text(NameLateDigit(cell->late)), Text(NameWhere(part->map, *cell)),
+                  Text(std::to_string(cell->num_pairs)), Text(std::to_string(cell->num_objects)),
+                  Text(FormatEffect(*cell)), Text(FormatFixed(cell->adjusted_p, 4)), Text(verdict),
+                  NameChanged(cell->changed)});
   }
   return table.ToHtml();
+}
+
+/** Which of the large regions resolve success to 5 points, by hand. */
+Html DrawPrecision(const SimultaneityMap& map) {
+  Html content;
+  for (const std::string& hand : map.hands) {
+    const MapPrecision precision = FindPrecision(map, hand);
+    content += MakeParagraph(hand + ": " + DescribePrecision(precision));
+    std::vector<std::string> wide;
+    for (const MapCell* cell : precision.wide) {
+      wide.push_back(std::string("late ") + NameLateDigit(cell->late) + " digit, " +
+                     NameWhere(map, *cell) + ": " +
+                     (cell->interval ? FormatFixed(100.0 * CalcHalfWidth(*cell), 1) + " points"
+                                     : cell->interval.reason()));
+    }
+    if (wide.empty()) continue;
+    content += MakeDetails(hand + ": " + FormatCount(static_cast<int>(wide.size()), "region") +
+                               " with a larger half-width",
+                           MakeList(wide));
+  }
+  return content;
 }
 
 Html DrawRegions(const MapView& view) {
@@ -175,7 +202,8 @@ Html DrawRegions(const MapView& view) {
       if (is_found || cell.where.empty()) found.emplace_back(&part, &cell);
     }
   }
-  return DrawRegionTable(found,
+  return DrawPrecision(view.result.parts.front().map) +
+         DrawRegionTable(found,
                          "Everywhere, and the regions in which a late digit costs or gains.") +
          MakeDetails("All " + FormatCount(static_cast<int>(all.size()), "region"),
                      DrawRegionTable(all, "Every region of every measure."));
@@ -184,15 +212,18 @@ Html DrawRegions(const MapView& view) {
 Html DrawObjects(const MapView& view) {
   if (view.result.objects.empty()) return MakeParagraph("There is no pair.");
   std::vector<Column> columns = {{"Hand"}, {"Late digit"}, {"Object"}, {"Pairs", Align::kNumber}};
-  for (const RateWithDelay& rate : view.result.objects.front().rates) {
+  const std::vector<RateWithDelay>& delays = view.result.objects.front().rates;
+  for (const RateWithDelay& rate : delays) {
     columns.push_back({FormatFixed(rate.delay, 1) + " s late [%]", Align::kNumber, "successes"});
   }
   columns.push_back({"Points for 100 ms (95 % interval)", Align::kNumber});
+  columns.push_back(
+      {"A trial that changed", Align::kText, "of the first such: graspbench trial DIR NAME"});
   Table table("Success of each object, all regions together.", columns);
   for (const ObjectEffect& effect : view.result.objects) {
     std::vector<Html> row = {Text(effect.hand), Text(NameLateDigit(effect.late)),
                              Text(effect.object), Text(std::to_string(effect.num_pairs))};
-    for (size_t i = 0; i + 5 < columns.size(); ++i) {
+    for (size_t i = 0; i < delays.size(); ++i) {
       row.push_back(
           Text(i < effect.rates.size() ? FormatFixed(100.0 * effect.rates[i].rate, 0) : "n/a"));
     }
@@ -201,6 +232,7 @@ Html DrawObjects(const MapView& view) {
                                            FormatFixed(100.0 * effect.interval->high, 1)
                                      : effect.interval.reason();
     row.push_back(Text(FormatFixed(100.0 * effect.estimate, 1) + " (" + interval + ")"));
+    row.push_back(NameChanged(effect.changed));
     table.AddRow(row);
   }
   return MakeParagraph(
@@ -253,8 +285,9 @@ Html DrawMethods(const MapView& view) {
     factors += ")";
   }
   return MakeMethodsText(
-      {"Grasps were simulated with graspbench " + std::string(program_version()) +
-       " in a regular fraction of the combinations of " + factors +
+      {"Grasps were simulated with graspbench " + std::string(program_version()) + " on " +
+       DescribeObjectNames(view.session.config.objects) +
+       ", in a regular fraction of the combinations of " + factors +
        ". In every region each draw was tried without delay and with the digit that touched last, "
        "or first, closing later. Effects are means over such pairs, for 100 ms of delay by a line "
        "through the trial without delay; of the push, the share of pairs in which the object was "
@@ -284,9 +317,11 @@ std::string MakeMapPage(const Session& session, const MapResult& result) {
   }
   const std::string trials =
       std::to_string(num_trials) + " of " + FormatCount(num_planned, "planned trial") + " finished";
-  PageFrame frame = {"Map of simultaneity", trials + DescribeDamage(session.damage)};
+  PageFrame frame = {"Map of simultaneity", trials + DescribeDamage(session.damage) +
+                                                DescribePhysics(session.physics_version)};
   frame.commands = {"graspbench map simultaneity --out DIR", "graspbench report DIR"};
   frame.facts = {{"Seed", std::to_string(session.config.seed)},
+                 {"Objects", DescribeObjectNames(session.config.objects)},
                  {"Trials", trials},
                  {"Hash of the configuration", CalcHashHex(FormatJson(ToJson(session.config)))}};
   frame.references = {"roethling2007", "sherman2011", "efron1987"};

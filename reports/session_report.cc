@@ -27,7 +27,8 @@ std::string MakeSessionReport(const Session& session, const SessionSummary& summ
       FormatCount(static_cast<int>(summary.cells.size()), "condition") + ", " +
       std::to_string(summary.total.finished) + " of " +
       FormatCount(summary.total.planned, "planned trial") + " finished, seed " +
-      std::to_string(session.config.seed) + DescribeDamage(session.damage);
+      std::to_string(session.config.seed) + DescribeDamage(session.damage) +
+      DescribePhysics(session.physics_version);
   PageFrame frame = {"Grasp benchmark session", subtitle};
   frame.commands = {"graspbench run DIR/session.json --out ANOTHER", "graspbench report DIR"};
   frame.facts = {

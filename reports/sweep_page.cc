@@ -305,7 +305,7 @@ std::string MakeSweepPage(const Session& session, const SweepSummary& summary) {
       "Sweep",
       FormatCount(static_cast<int>(summary.factors.size()), "factor") + ", " +
           FormatCount(static_cast<int>(session.config.conditions.size()) + 1, "condition") + ", " +
-          trials + DescribeDamage(session.damage)};
+          trials + DescribeDamage(session.damage) + DescribePhysics(session.physics_version)};
   frame.commands = {"graspbench run DIR/session.json --out ANOTHER", "graspbench report DIR"};
   frame.facts = {{"Seed", std::to_string(session.config.seed)},
                  {"Trials", trials},

@@ -189,7 +189,8 @@ void AddListOption(CLI::App& command, const std::string& name, std::vector<std::
 
 void AddSceneOptions(CLI::App& command, SessionConfig& config) {
   AddListOption(command, "--hand", config.hands, "hands by id or folder, or all", "H,..");
-  AddListOption(command, "--object", config.objects, "objects by id or folder, or all", "O,..");
+  AddListOption(command, "--object", config.objects,
+                "objects by id or folder, all, or a folder of such folders", "O,..");
 }
 
 void AddSettingsOption(CLI::App& command, std::vector<std::string>& settings,

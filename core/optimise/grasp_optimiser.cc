@@ -176,6 +176,12 @@ double CalcMedianGftRatio(const std::vector<LearningTrial>& trials) {
   return CalcMedian(std::move(ratios));
 }
 
+Answer<double> CalcGftFloor(const std::vector<LearningTrial>& trials) {
+  std::vector<std::vector<DigitContact>> contacts;
+  for (const LearningTrial& trial : trials) contacts.push_back(trial.contacts);
+  return CalcGftFloor(contacts);
+}
+
 double CalcMeanSigma(const std::vector<LearningTrial>& trials) {
   std::vector<double> sigmas;
   for (const LearningTrial& trial : trials) sigmas.push_back(trial.sigma);

@@ -31,6 +31,7 @@ draws come from streams that no benchmark uses. */
 #include <string>
 #include <vector>
 
+#include "core/grasp/gft_floor.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/optimise/grasp_check.h"
 #include "core/optimise/learning_trial.h"
@@ -94,6 +95,8 @@ int CountLearningTrials(const OptimiseConfig& config);
 
 /** Infinite when half of the trials or more lack a contact; NaN without trials. */
 double CalcMedianGftRatio(const std::vector<LearningTrial>& trials);
+/** Its floor (core/grasp/gft_floor.h) over the same trials. */
+Answer<double> CalcGftFloor(const std::vector<LearningTrial>& trials);
 double CalcMeanSigma(const std::vector<LearningTrial>& trials);  ///< NaN without trials
 
 }  // namespace graspbench

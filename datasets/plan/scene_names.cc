@@ -32,6 +32,25 @@ std::string FindId(const std::string& given, std::vector<std::string> (*list_ids
   return given;
 }
 
+constexpr char kAllObjects[] = "all";
+
+/** Those in a folder that is no object itself, by name. */
+std::vector<std::string> ListFoldersOfObjects(const std::string& name) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> folders;
+  std::error_code status;
+  const auto is_object = [&](const fs::path& path) {
+    return fs::is_regular_file(path / "object.yaml", status);
+  };
+  if (!fs::is_directory(name, status) || is_object(name)) return {};
+  for (fs::directory_iterator entry(name, status), end; !status && entry != end;
+       entry.increment(status)) {
+    if (is_object(entry->path())) folders.push_back(entry->path().string());
+  }
+  std::sort(folders.begin(), folders.end());
+  return folders;
+}
+
 }  // namespace
 
 std::string MakeComparable(const std::string& name) {
@@ -58,11 +77,61 @@ std::string FindGraspId(const std::string& given) {
   return given;
 }
 
+std::vector<std::string> ExpandObjects(const std::vector<std::string>& names) {
+  if (names.size() == 1 && names.front() == kAllObjects) return names;
+  const std::vector<std::string> catalogue = ListObjects();
+  std::vector<std::string> objects;
+  for (const std::string& name : names) {
+    std::vector<std::string> members = {name};
+    if (name == kAllObjects) {
+      members = catalogue;
+    } else if (std::find(catalogue.begin(), catalogue.end(), name) == catalogue.end()) {
+      const std::vector<std::string> found = ListFoldersOfObjects(name);
+      if (!found.empty()) members = found;
+    }
+    objects.insert(objects.end(), members.begin(), members.end());
+  }
+  return objects;
+}
+
 void ReplaceNames(SessionConfig& config) {
   std::transform(config.hands.begin(), config.hands.end(), config.hands.begin(), &FindHandId);
   std::transform(config.objects.begin(), config.objects.end(), config.objects.begin(),
                  &FindObjectId);
+  config.objects = ExpandObjects(config.objects);
   std::transform(config.grasps.begin(), config.grasps.end(), config.grasps.begin(), &FindGraspId);
+}
+
+std::string DescribeObjectNames(const std::vector<std::string>& names) {
+  const std::vector<std::string> catalogue = ListObjects();
+  int num_all = 0;
+  std::vector<std::pair<std::string, int>> kinds;  // in the order of the names
+  const auto count = [&](const std::string& kind, size_t number) {
+    const auto known = std::find_if(kinds.begin(), kinds.end(),
+                                    [&](const auto& entry) { return entry.first == kind; });
+    num_all += static_cast<int>(number);
+    if (known == kinds.end()) {
+      kinds.emplace_back(kind, number);
+    } else {
+      known->second += static_cast<int>(number);
+    }
+  };
+  for (const std::string& name : names) {
+    const bool is_known = std::find(catalogue.begin(), catalogue.end(), name) != catalogue.end();
+    if (is_known || name == kAllObjects) {
+      count("the catalogue", is_known ? 1 : catalogue.size());
+      continue;
+    }
+    std::filesystem::path path = std::filesystem::path(name).lexically_normal();
+    if (path.filename() == "object.yaml" || !path.has_filename()) path = path.parent_path();
+    const std::string folder = path.parent_path().filename().string();
+    count(folder.empty() ? "the working folder" : "the folder " + folder, 1);
+  }
+  std::string text = FormatCount(num_all, "object");
+  for (size_t i = 0; i < kinds.size(); ++i) {
+    text += (i == 0 ? ": " : ", ") + std::to_string(kinds[i].second) + " of " + kinds[i].first;
+  }
+  return text;
 }
 
 }  // namespace graspbench

@@ -4,6 +4,7 @@ Hands, objects and grasps by the names that people call them: "TUM", "light bulb
 become ids before anything else sees them, so that results do not depend on how they were given. */
 
 #include <string>
+#include <vector>
 
 #include "datasets/plan/session_config.h"
 
@@ -20,7 +21,15 @@ std::string FindObjectId(const std::string& given);
 std::string FindGraspId(const std::string& given);
 ///@}
 
-/** Does so in all lists of names. */
+/** Each object of a list by itself: "all" among others is the catalogue's ids, a folder of objects'
+folders is each of them, by name. "all" alone stays. */
+std::vector<std::string> ExpandObjects(const std::vector<std::string>& names);
+
+/** Does so in all lists of names, and lists objects one by one. */
 void ReplaceNames(SessionConfig& config);
+
+/** "29 objects: 21 of the catalogue, 8 of the folder scans", by the folders that hold the folders of
+objects. */
+std::string DescribeObjectNames(const std::vector<std::string>& names);
 
 }  // namespace graspbench

@@ -24,11 +24,15 @@ Json JsonAngles(const Eigen::VectorXd& angles) {
 
 Json MakeScore(const std::vector<LearningTrial>& trials) {
   if (trials.empty()) return nullptr;
-  return Json{{"trials", trials.size()},
-              {"successes", CountSuccesses(trials)},
-              {"mean_sigma", CalcMeanSigma(trials)},
-              {"mean_grip_n", JsonNumber(CalcMeanGrip(trials))},
-              {"median_gft_ratio", JsonNumber(CalcMedianGftRatio(trials))}};
+  const Answer<double> floor = CalcGftFloor(trials);
+  Json score = {{"trials", trials.size()},
+                {"successes", CountSuccesses(trials)},
+                {"mean_sigma", CalcMeanSigma(trials)},
+                {"mean_grip_n", JsonNumber(CalcMeanGrip(trials))},
+                {"median_gft_ratio", JsonNumber(CalcMedianGftRatio(trials))},
+                {"gft_ratio_floor", floor ? Json(*floor) : Json()}};
+  if (!floor) score["no_gft_ratio_floor"] = floor.reason();
+  return score;
 }
 
 /** Of check trials of step 1, the first of which is without variation. */

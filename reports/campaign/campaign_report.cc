@@ -46,7 +46,10 @@ std::string MakeCampaignReport(const CampaignData& data) {
       FormatCount(static_cast<int>(data.scenes.size()), "scene") + " finished, " +
       FormatCount(config.optimise.evaluations, "evaluation") + " each, " +
       FormatCount(config.session.trials, "benchmark trial") + " per variant, seed " +
-      std::to_string(config.optimise.seed) + DescribeDamage(data.campaign.damage);
+      std::to_string(config.optimise.seed) + DescribeDamage(data.campaign.damage) +
+      (data.campaign.benchmark.records.empty()
+           ? ""
+           : DescribePhysics(data.campaign.benchmark.physics_version));
   PageFrame frame = {"Optimised grasps", subtitle};
   frame.commands = {MakeCommand(config), "graspbench report DIR"};
   frame.facts = {{"Seed of the search", std::to_string(config.optimise.seed)},

@@ -87,6 +87,14 @@ std::string MakeJsonLd(const PageFrame& frame) {
   return safe;
 }
 
+std::string DescribePhysics(int version) {
+  if (version == kPhysicsVersion) return "";
+  return "; simulated with " +
+         (version == 0 ? "a physics that its folder does not name"
+                       : "physics " + std::to_string(version)) +
+         ", this graspbench has " + std::to_string(kPhysicsVersion);
+}
+
 Html MakeMethodsText(const std::vector<std::string>& paragraphs) {
   Html text;
   for (const std::string& paragraph : paragraphs) text += MakeParagraph(paragraph);

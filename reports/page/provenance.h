@@ -30,6 +30,10 @@ Html DrawProvenance(const PageFrame& frame);
 /** The same for machines, in the words of schema.org, without characters that end a script. */
 std::string MakeJsonLd(const PageFrame& frame);
 
+/** Of results by another physics, or by one that their folder does not name, for a subtitle: ";
+simulated with physics 12, this graspbench has 13"; else empty. @param version  0: not named. */
+std::string DescribePhysics(int version);
+
 /** A framed text for a paper; `report --paper` takes it from the page. */
 Html MakeMethodsText(const std::vector<std::string>& paragraphs);
 

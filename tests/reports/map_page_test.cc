@@ -18,5 +18,16 @@ TEST(MapPage, LeadsWithWhatItFoundAndNamesTrials) {
   EXPECT_EQ(page.find("<object0>"), std::string::npos);
 }
 
+TEST(MapPage, ListsObjectsWithTrialsAndSaysHowFineItIs) {
+  Session session = MakeMapSessionResult();
+  session.config.objects = {"can", "scans/pear"};
+  const std::string page = MakeMapPage(session, LoadMap(session));
+  const size_t objects = page.find("Object by object</h2>");
+  ASSERT_NE(objects, std::string::npos);
+  EXPECT_NE(page.find("<code>tum-object3-", objects), std::string::npos);
+  EXPECT_NE(page.find("has at least 150 pairs of 20 objects"), std::string::npos);
+  EXPECT_NE(page.find("2 objects: 1 of the catalogue, 1 of the folder scans"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace graspbench

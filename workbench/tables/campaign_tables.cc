@@ -20,12 +20,14 @@ std::string FormatPercentage(double ratio) {
 
 std::string FormatVariantsTable(const Campaign& campaign) {
   TextTable table({"variant", "scenes", "trials", "successes", "95 % interval [%]", "median sigma",
-                   "median GFT%", "median GOT%", "median GCT [s]"});
+                   "median GFT%", "its floor", "median GOT%", "median GCT [s]"});
   for (const VariantTotal& total : ListVariantTotals(campaign)) {
     table.AddRow({NameOf(total.variant), std::to_string(total.num_scenes),
                   std::to_string(total.trials), std::to_string(total.successes),
                   FormatRateInterval(total.successes, total.trials),
                   FormatFixed(total.median_sigma, 3), FormatPercentage(total.median_gft_ratio),
+                  std::isfinite(total.median_gft_floor) ? FormatPercentage(total.median_gft_floor)
+                                                        : "no floor",
                   FormatPercentage(total.median_got_ratio), FormatFixed(total.median_gct, 3)});
   }
   return table.Format();
@@ -62,6 +64,7 @@ Json MakeCampaignJson(const Campaign& campaign, const std::filesystem::path& fol
                         {"successes", total.successes},
                         {"median_sigma_n", JsonNumber(total.median_sigma)},
                         {"median_gft_ratio", JsonNumber(total.median_gft_ratio)},
+                        {"median_gft_ratio_floor", JsonNumber(total.median_gft_floor)},
                         {"median_got_ratio", JsonNumber(total.median_got_ratio)},
                         {"median_gct_s", JsonNumber(total.median_gct)}});
   }

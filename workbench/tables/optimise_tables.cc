@@ -27,10 +27,12 @@ void AddDecision(const std::string& step, const std::vector<LearningTrial>& befo
   const auto add_row = [&](const std::string& when, const std::vector<LearningTrial>& trials) {
     if (trials.empty()) return;
     const double median = CalcMedianGftRatio(trials);
+    const Answer<double> floor = CalcGftFloor(trials);
     table.AddRow({step, when,
                   std::to_string(CountSuccesses(trials)) + " of " + std::to_string(trials.size()),
                   FormatFixed(CalcMeanSigma(trials), 3), FormatFixed(CalcMeanGrip(trials), 1),
-                  std::isfinite(median) ? FormatFixed(100.0 * median, 1) : "n/a"});
+                  std::isfinite(median) ? FormatFixed(100.0 * median, 1) : "n/a",
+                  floor ? FormatFixed(100.0 * *floor, 1) : "no floor"});
   };
   add_row("before", before);
   add_row("after", after);
@@ -60,8 +62,8 @@ std::string FormatOptimisation(const SceneInputs& inputs, const SceneConfig& con
   const Hand& hand = *inputs.hand;
   const PreGraspStep& step1 = result.pregrasp_step;
   const TargetStep& step2 = result.target_step;
-  TextTable decisions(
-      {"fresh trials", "", "success", "mean sigma [N]", "mean grip [N]", "median GFT%"});
+  TextTable decisions({"fresh trials", "", "success", "mean sigma [N]", "mean grip [N]",
+                       "median GFT%", "its floor"});
   TextTable angles(
       {hand.digits[static_cast<size_t>(FindOpposingDigit(hand, inputs.grasp))].name + " [deg]",
        "pre-grasp", "target"});

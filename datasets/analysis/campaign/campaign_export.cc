@@ -5,6 +5,7 @@
 
 #include "core/base/text/csv.h"
 #include "datasets/analysis/campaign/campaign_summary.h"
+#include "datasets/analysis/campaign/gft_floors.h"
 #include "datasets/journal/sealed_store.h"
 
 namespace graspbench {
@@ -30,6 +31,7 @@ VariantSummary Summarise(const std::vector<const TrialRecord*>& records) {
   };
   summary.mean_sigma = calc("sigma");
   summary.median_gft_ratio = calc("GFT%");
+  if (const Answer<double> floor = CalcGftFloorOf(records)) summary.gft_ratio_floor = *floor;
   summary.median_got_ratio = calc("GOT%");
   summary.median_gct = calc("GCT");
   summary.mean_breaking_force = calc("breaking");

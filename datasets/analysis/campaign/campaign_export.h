@@ -22,6 +22,7 @@ struct VariantSummary {
   int successes = 0;
   double mean_sigma = kUnset;  ///< [N]
   double median_gft_ratio = kUnset;
+  double gft_ratio_floor = kUnset;
   double median_got_ratio = kUnset;
   double median_gct = kUnset;             ///< [s]
   double mean_breaking_force = kUnset;    ///< [N]
@@ -41,6 +42,8 @@ struct VariantSummary {
     field("mean_sigma", &S::mean_sigma, FieldColumn{"N", "a trial without sigma counts 0"});
     field("median_gft_ratio", &S::median_gft_ratio,
           FieldColumn{"", "of the trials in which every digit touched"});
+    field("gft_ratio_floor", &S::gft_ratio_floor,
+          FieldColumn{"", "of GFT% of the same trials, were only their scatter left; empty: none"});
     field("median_got_ratio", &S::median_got_ratio, FieldColumn{"", "of the same trials"});
     field("median_gct_s", &S::median_gct, FieldColumn{"s", "of the same trials"});
     field("mean_breaking_force_n", &S::mean_breaking_force,

@@ -206,7 +206,7 @@ std::vector<VariantTotal> ListVariantTotals(const Campaign& campaign) {
   for (const VariantRow& row : kVariants) {
     VariantTotal total;
     total.variant = row.value;
-    std::vector<double> sigma, gft, got, gct;
+    std::vector<double> sigma, gft, floors, got, gct;
     for (const VariantSummary& summary : summaries) {
       if (summary.variant != row.value) continue;
       ++total.num_scenes;
@@ -214,11 +214,13 @@ std::vector<VariantTotal> ListVariantTotals(const Campaign& campaign) {
       total.successes += summary.successes;
       sigma.push_back(summary.mean_sigma);
       gft.push_back(summary.median_gft_ratio);
+      floors.push_back(summary.gft_ratio_floor);
       got.push_back(summary.median_got_ratio);
       gct.push_back(summary.median_gct);
     }
     total.median_sigma = CalcMedianOfFinite(sigma);
     total.median_gft_ratio = CalcMedianOfFinite(gft);
+    total.median_gft_floor = CalcMedianOfFinite(floors);
     total.median_got_ratio = CalcMedianOfFinite(got);
     total.median_gct = CalcMedianOfFinite(gct);
     totals.push_back(total);

@@ -92,7 +92,8 @@ struct VariantTotal {
   int num_scenes = 0;
   int trials = 0, successes = 0;
   double median_sigma = kUnset;
-  double median_gft_ratio = kUnset, median_got_ratio = kUnset;
+  double median_gft_ratio = kUnset, median_gft_floor = kUnset;  ///< GFT%, its floor (gft_floors.h)
+  double median_got_ratio = kUnset;
   double median_gct = kUnset;  ///< [s]
 };
 std::vector<VariantTotal> ListVariantTotals(const Campaign& campaign);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/text/csv.h"
+#include "datasets/analysis/map/map_precision.h"
 #include "datasets/analysis/map/map_trials.h"
 #include "datasets/plan/map_design.h"
 
@@ -188,7 +189,23 @@ Json ToJson(const MapResult& result) {
                        {"rates", rates},
                        {"effect", JsonNumber(effect.estimate)},
                        {"low", effect.interval ? JsonNumber(effect.interval->low) : Json()},
-                       {"high", effect.interval ? JsonNumber(effect.interval->high) : Json()}});
+                       {"high", effect.interval ? JsonNumber(effect.interval->high) : Json()},
+                       {"changed", effect.changed}});
+  }
+  const SimultaneityMap& map = result.parts.front().map;
+  Json precision = Json::object();
+  for (const std::string& hand : map.hands) {
+    const MapPrecision found = FindPrecision(map, hand);
+    Json wide = Json::array();
+    for (const MapCell* cell : found.wide) {
+      wide.push_back({{"late_digit", NameLateDigit(cell->late)},
+                      {"where", NameWhere(map, *cell)},
+                      {"half_width", JsonNumber(CalcHalfWidth(*cell))}});
+    }
+    precision[hand] = {{"regions", found.num_regions},
+                       {"large", found.num_large},
+                       {"narrow", found.num_narrow()},
+                       {"wide", wide}};
   }
   Json natural = Json::object();
   for (const auto& [hand, relation] : result.natural) {
@@ -206,6 +223,7 @@ Json ToJson(const MapResult& result) {
   return {{"findings", result.findings()},
           {"parts", parts},
           {"objects", objects},
+          {"precision", precision},
           {"natural", natural}};
 }
 

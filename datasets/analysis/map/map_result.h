@@ -36,7 +36,7 @@ MapResult LoadMap(const Session& session);
 std::vector<ExportTable> MakeMapTables(const MapResult& result);
 
 /** {findings: [..], parts: [{id, trials, planned, factors, cells}], objects: [..],
-natural: {HAND: ..}}. */
+precision: {HAND: ..}, natural: {HAND: ..}}. */
 Json ToJson(const MapResult& result);
 
 }  // namespace graspbench

@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kNumResamples = 1999;
 constexpr int kNumNamed = 3;
+constexpr size_t kMostChangedOfObject = 3;
 
 ObjectEffect MakeEffect(const std::vector<const MapPair*>& pairs, ObjectEffect effect) {
   const auto calc_mean = [&](const std::vector<size_t>& members) {
@@ -29,6 +30,8 @@ ObjectEffect MakeEffect(const std::vector<const MapPair*>& pairs, ObjectEffect e
     sum += pair->effect;
     count(0.0, pair->undelayed);
     for (const auto& [delay, value] : pair->delayed) count(delay, value);
+    const bool is_shown = !pair->changed.empty() && effect.changed.size() < kMostChangedOfObject;
+    if (is_shown) effect.changed.push_back(pair->changed);
   }
   effect.estimate = sum / effect.num_pairs;
   for (const auto& [delay, total] : sums) {

@@ -24,6 +24,8 @@ struct ObjectEffect {
   std::vector<RateWithDelay> rates;  ///< of success; without delay first
   double estimate = kUnset;          ///< of success, for 100 ms
   Answer<Interval> interval = NoAnswer{"no pair"};
+  /** Late trials that ended otherwise than without delay, the first ones. */
+  std::vector<std::string> changed;
 };
 
 /** "By object: with the last digit 0.3 s late success falls most for ..": of a hand; empty: it has

@@ -2,6 +2,7 @@
 
 #include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
+#include "datasets/analysis/campaign/gft_floors.h"
 #include "reports/campaign/campaign_section.h"
 
 namespace graspbench {
@@ -73,7 +74,54 @@ Html DescribeWithoutVariation(const CampaignData& data) {
       "make up for what it does not know. Where nothing varies, step 1 brings the median GFT% "
       "from " +
       FormatPercent(gft.median_before) + " to " + FormatPercent(gft.median_after) + " (" +
-      FormatCount(gft.num_scenes, "scene") + " in which all digits touch before and after).");
+      FormatCount(gft.num_scenes, "scene") +
+      " in which all digits touch before and after). Nothing scatters there: the floor is 0.");
+}
+
+constexpr Variant kFloorVariants[] = {kStandardGrasp, kNewPreGrasp};
+
+/** GFT% and floor of the two variants of step 1, scene by scene. */
+Html DrawFloorTable(const CampaignData& data) {
+  const Align number = Align::kNumber;
+  std::vector<Column> columns = {{"Scene"}};
+  for (const Variant variant : kFloorVariants) {
+    const std::string name = Capitalise(WordsOf(variant));
+    columns.push_back({name + ": GFT% [%]", number, "median of the benchmark's trials"});
+    columns.push_back({"Floor [%]", number});
+    columns.push_back({"GFT% / floor", number});
+  }
+  Table table("GFT% of step 1 and its floor, scene by scene.", columns);
+  const VariantMeasure& gft = FindVariantMeasure("GFT%");
+  for (const SceneVariants& scene : data.scenes) {
+    if (!scene.IsComplete()) continue;
+    std::vector<Html> row = {Text(data.NameOfScene(scene))};
+    for (const Variant variant : kFloorVariants) {
+      const double ratio = CalcCellValue(gft, scene.cell(variant));
+      const Answer<double> floor = CalcGftFloorOf(scene.cell(variant).records);
+      row.push_back(Text(FormatMeasure(gft, ratio)));
+      row.push_back(Text(floor ? FormatMeasure(gft, *floor) : "no floor: " + floor.reason()));
+      row.push_back(Text(floor && *floor > 0.0 ? FormatFixed(ratio / *floor, 2) : "-"));
+    }
+    table.AddRow(row);
+  }
+  return MakeDetails("GFT% and its floor, scene by scene", table.ToHtml());
+}
+
+Html DrawFloors(const CampaignData& data) {
+  std::vector<std::string> lines;
+  for (const Variant variant : kFloorVariants) {
+    lines.push_back(DescribeGftFloors(CalcGftFloors(data.scenes, variant), variant) + ".");
+    if (data.benchmark.hands.size() < 2) continue;
+    for (const std::string& hand : data.benchmark.hands) {
+      lines.push_back(data.models.NameOfHand(hand) + ", " +
+                      DescribeGftFloors(CalcGftFloors(data.scenes, variant, hand), variant) + ".");
+    }
+  }
+  return MakeParagraph(
+             "The floor of GFT% is the median GFT% of the same trials with each digit's times "
+             "shifted by their own median, so that all digits come together on average: scatter "
+             "from trial to trial, which no pre-grasp takes away.") +
+         MakeList(lines) + DrawFloorTable(data);
 }
 
 Html DrawEffects(const CampaignData& data) {
@@ -87,7 +135,7 @@ Html DrawEffects(const CampaignData& data) {
       "posture for stability. Then all three variants were tried on the same " +
       FormatCount(data.campaign.config.session.trials, "trial pose") +
       ", none of which the optimisation had seen.");
-  html += DrawEffects(data, {}, "All hands") + DescribeWithoutVariation(data);
+  html += DrawEffects(data, {}, "All hands") + DescribeWithoutVariation(data) + DrawFloors(data);
   if (data.benchmark.hands.size() > 1) {
     for (const std::string& hand : data.benchmark.hands) {
       html += MakeDetails(data.models.NameOfHand(hand) + " alone",

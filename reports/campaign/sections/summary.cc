@@ -2,6 +2,7 @@
 
 #include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
+#include "datasets/analysis/campaign/gft_floors.h"
 #include "reports/campaign/campaign_section.h"
 #include "reports/campaign/findings.h"
 #include "reports/plots/line_plot.h"
@@ -109,6 +110,8 @@ Html DrawSummary(const CampaignData& data) {
     if (num_complete == 1)
       text = "One scene (a hand and an object) has trials of all three variants. ";
     for (const Claim& claim : kClaims) text += DescribeClaim(claim, FindEffect(data, claim));
+    text +=
+        Capitalise(DescribeGftFloors(CalcGftFloors(data.scenes, kNewPreGrasp), kNewPreGrasp)) + ".";
     html += Element("p", {{"class", "verdict"}}, text) + DrawChanges(data);
   }
   if (num_findings == 0) return html;

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/files/files.h"
+#include "tests/datasets/session/fake_session.h"
+
 namespace graspbench {
 namespace {
 
@@ -33,6 +36,44 @@ TEST(SceneNamesTest, NamesInASessionAreReplaced) {
   EXPECT_EQ(config.hands, std::vector<std::string>{"tum"});
   EXPECT_EQ(config.objects, (std::vector<std::string>{"golf_ball", "cup"}));
   EXPECT_EQ(config.grasps, (std::vector<std::string>{"g3", "my.yaml"}));
+}
+
+class ObjectFoldersTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const char* name : {"scans/pear", "scans/banana", "scans/notes", "shapes/cone"}) {
+      MakeFolder(top_.path() / name);
+      if (std::string(name) == "scans/notes") continue;  // no object
+      WriteFile(top_.path() / name / "object.yaml", "");
+    }
+  }
+  std::string Path(const std::string& name) const { return (top_.path() / name).string(); }
+
+  TemporaryFolder top_;
+};
+
+TEST_F(ObjectFoldersTest, StandForTheirObjectsByName) {
+  EXPECT_EQ(ExpandObjects({Path("scans"), "can", Path("shapes/cone")}),
+            (std::vector<std::string>{Path("scans/banana"), Path("scans/pear"), "can",
+                                      Path("shapes/cone")}));
+  for (const char* other : {"scans/notes", "nowhere"}) {  // refused where they are loaded
+    EXPECT_EQ(ExpandObjects({Path(other)}), std::vector<std::string>{Path(other)});
+  }
+}
+
+TEST_F(ObjectFoldersTest, AllAmongOthersIsTheCatalogue) {
+  const std::vector<std::string> objects = ExpandObjects({"all", Path("scans")});
+  ASSERT_EQ(objects.size(), 21u + 2u);
+  EXPECT_EQ(objects.back(), Path("scans/pear"));
+  EXPECT_EQ(ExpandObjects({"all"}), std::vector<std::string>{"all"});
+}
+
+TEST_F(ObjectFoldersTest, AreCountedByWhereTheyLie) {
+  EXPECT_EQ(DescribeObjectNames({"all"}), "21 objects: 21 of the catalogue");
+  EXPECT_EQ(DescribeObjectNames({"can", "a/scans/pear/", "cup", "b/shapes/cone/object.yaml",
+                                 "a/scans/banana", "mug"}),
+            "6 objects: 2 of the catalogue, 2 of the folder scans, 1 of the folder shapes, "
+            "1 of the working folder");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/text/json.h"
+#include "core/physics/sim_config.h"
 #include "reports/page/layout.h"
 #include "tests/reports/report_fixture.h"
 
@@ -23,6 +24,13 @@ TEST(MakeBibtex, GivesTheWholeEntriesAskedForAndNoOthers) {
   for (const char c : text) depth += c == '{' ? 1 : c == '}' ? -1 : 0;
   EXPECT_EQ(depth, 0);
   EXPECT_EQ(text.substr(text.size() - 3), "\n}\n");
+}
+
+TEST(DescribePhysics, NamesAnotherThanTheProgramsOwn) {
+  const std::string now = std::to_string(kPhysicsVersion);
+  EXPECT_EQ(DescribePhysics(kPhysicsVersion), "");
+  EXPECT_EQ(DescribePhysics(8), "; simulated with physics 8, this graspbench has " + now);
+  EXPECT_NE(DescribePhysics(0).find("its folder does not name"), std::string::npos);
 }
 
 TEST(MakeJsonLd, HostileTextsStayTextsAndCannotEndTheScript) {

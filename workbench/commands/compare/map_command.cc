@@ -5,6 +5,7 @@
 #include "core/base/text/text.h"
 #include "datasets/analysis/export_result.h"
 #include "datasets/analysis/map/map_result.h"
+#include "datasets/plan/scene_names.h"
 #include "reports/session_report.h"
 #include "workbench/commands/command.h"
 #include "workbench/commands/options/session_options.h"
@@ -26,6 +27,7 @@ struct MapOptions {
 
 ExitCode Run(MapOptions& options) {
   options.request.base = options.base;
+  options.request.base.objects = ExpandObjects(options.base.objects);
   options.request.out = options.out;
   const PreparedSession success = PrepareMap(options.request);
   PrintMessage(success.folder.string() + ": " +

@@ -9,6 +9,7 @@
 #include "core/base/hash.h"
 #include "core/base/text/text.h"
 #include "datasets/analysis/campaign/campaign_export.h"
+#include "datasets/plan/scene_names.h"
 #include "reports/campaign/campaign_report.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
@@ -31,9 +32,7 @@ const std::vector<std::string> kComparedScenes = {"tum/adhesive_tape",    "tum/t
 struct CampaignOptions {
   CampaignConfig config;
   std::vector<std::string> settings;
-  bool compare = false;
-  bool plan_only = false, json = false;
-  bool resume = false;
+  bool compare = false, resume = false, plan_only = false, json = false;
   int num_workers = 1;
   double trial_time_limit = kTrialTimeLimit;
   fs::path real;  ///< a laboratory's trials; empty: none given
@@ -53,6 +52,7 @@ fs::path FindFolder(const CampaignOptions& options) {
 }
 
 CampaignConfig MakeConfig(CampaignOptions& options) {
+  options.config.session.objects = ExpandObjects(options.config.session.objects);
   for (const std::string& setting : options.settings) SetConfigValue(setting, options.config);
   if (options.compare && options.config.comparison.scenes.empty()) {
     options.config.comparison.scenes = kComparedScenes;

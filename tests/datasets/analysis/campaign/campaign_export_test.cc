@@ -47,11 +47,11 @@ TEST(ExportCampaign, WritesALineForEachVariantAndSearch) {
   ExportCampaign(folder.path(), campaign);
   EXPECT_EQ(ReadFile(folder.path() / "summary.csv"),
             "hand,object,grasp,variant,trials,successes,mean_sigma,median_gft_ratio,"
-            "median_got_ratio,median_gct_s,mean_breaking_force_n,median_grip_n,"
+            "gft_ratio_floor,median_got_ratio,median_gct_s,mean_breaking_force_n,median_grip_n,"
             "median_sigma_per_grip,median_breaking_per_grip\n"
-            "tum,mug,g2,standard,2,1,1.5,0.5,0.5,0.5,0.0,,,\n"
-            "tum,mug,new-pregrasp,new-pregrasp,2,1,1.5,0.5,0.5,0.5,0.0,,,\n"
-            "tum,mug,new-target,new-target,2,1,1.5,0.5,0.5,0.5,0.0,,,\n");
+            "tum,mug,g2,standard,2,1,1.5,0.5,,0.5,0.5,0.0,,,\n"
+            "tum,mug,new-pregrasp,new-pregrasp,2,1,1.5,0.5,,0.5,0.5,0.0,,,\n"
+            "tum,mug,new-target,new-target,2,1,1.5,0.5,,0.5,0.5,0.0,,,\n");
   EXPECT_EQ(ReadFile(folder.path() / "comparison.csv"),
             "hand,object,method,seed,evaluations,start_fitness,best_fitness,evaluations_to_90\n"
             "tum,mug,es,1,3,1.0,2.0,3\n"

@@ -25,6 +25,8 @@ TEST(ObjectEffects, TheLargestLossComesFirstWithItsRates) {
   EXPECT_DOUBLE_EQ(effects[0].rates[2].rate, 0.5);
   EXPECT_FALSE(effects[0].interval) << "four pairs are too few";
   EXPECT_DOUBLE_EQ(effects[1].estimate, 0.0);
+  EXPECT_EQ(effects[0].changed, (std::vector<std::string>{"object1:0", "object1:2"}));
+  EXPECT_TRUE(effects[1].changed.empty());
 }
 
 // Twelve draws of an object, nine of them lost: the interval excludes 0.

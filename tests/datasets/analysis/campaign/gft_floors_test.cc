@@ -1,0 +1,67 @@
+#include "datasets/analysis/campaign/gft_floors.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/datasets/analysis/made_results.h"
+
+namespace graspbench {
+namespace {
+
+/** Sets the contacts of a scene's trials of one variant; its times are 1 .. 5 twice and 11. */
+void SetContacts(const std::string& object, const std::string& grasp, double late,
+                 Campaign& campaign) {
+  for (TrialRecord& record : campaign.benchmark.records) {
+    if (record.plan.object != object || record.plan.grasp != grasp) continue;
+    const double thumb = 1.0 + record.plan.trial % 5;
+    record.result.contacts = {{"TH", true, thumb}, {"FF", false, thumb + late}};
+    if (late == 0.0) record.result.contacts[1].time = 11.0;
+    record.result.timing = CalcContactTiming(record.result.contacts, 0.0);
+  }
+}
+
+// As in the test of the floor by hand: 1 / 11. GFT% is 8 / 11 there (10, 9, 8, 7 and 6 of 11).
+TEST(GftFloors, CountsScenesNearTheirFloor) {
+  Campaign campaign = MakeCampaign();
+  SetContacts("can", "new-pregrasp", 0.0, campaign);
+  SetContacts("cup", "new-pregrasp", 2.0, campaign);  // always so late: floor 0
+  {
+    const Summarised summarised(campaign);
+    const GftFloors floors = CalcGftFloors(summarised.scenes, kNewPreGrasp);
+    EXPECT_EQ(floors.num_scenes, 2);
+    EXPECT_EQ(floors.num_near, 0);
+    EXPECT_EQ(floors.num_without, 0);
+    EXPECT_NEAR(floors.median_floor, 0.5 / 11.0, 1e-12);
+    EXPECT_NEAR(floors.median_ratio, 0.5 * (8.0 / 11.0 + 2.0 / 5.0), 1e-12);
+    EXPECT_EQ(CalcGftFloors(summarised.scenes, kNewPreGrasp, "shadow").num_scenes, 0);
+  }
+  // Where thumb and finger have the same median, nothing is shifted and GFT% is its floor.
+  for (TrialRecord& record : campaign.benchmark.records) {
+    if (record.plan.object != "can" || record.plan.grasp != "new-pregrasp") continue;
+    record.result.contacts[1].time = 3.0;
+    record.result.timing = CalcContactTiming(record.result.contacts, 0.0);
+  }
+  const Summarised summarised(campaign);
+  const GftFloors floors = CalcGftFloors(summarised.scenes, kNewPreGrasp);
+  EXPECT_EQ(floors.num_near, 1);
+  const std::string text = DescribeGftFloors(floors, kNewPreGrasp);
+  EXPECT_NE(text.find("1 of 2 scenes reach at most 1.2 times their floor"), std::string::npos)
+      << text;
+}
+
+TEST(GftFloors, WithoutContactsThereIsNone) {
+  Campaign campaign = MakeCampaign();
+  for (TrialRecord& record : campaign.benchmark.records) record.result.contacts.clear();
+  const Summarised summarised(campaign);
+  const GftFloors floors = CalcGftFloors(summarised.scenes, kStandardGrasp);
+  EXPECT_EQ(floors.num_scenes, 0);
+  EXPECT_EQ(floors.num_without, 2);
+  EXPECT_EQ(DescribeGftFloors(floors, kStandardGrasp),
+            std::string(WordsOf(kStandardGrasp)) + ": no scene has a floor of GFT%");
+  EXPECT_EQ(CalcGftFloorOf(summarised.scenes[0].cell(kStandardGrasp).records).reason(),
+            "fewer than two digits touched");
+}
+
+}  // namespace
+}  // namespace graspbench
