@@ -144,25 +144,26 @@ void PredictContacts(const Hand& hand, const Grasp& grasp, const GraspObject& ob
       object.mass_properties.p_OOcm.z();
 }
 
+bool ComesFromSide(const Placement& placement) { return std::abs(placement.approach_W.z()) < 0.5; }
+
+/** Of the object's nearest face, along the approach, where the palm stops. */
 bool IsPalmNear(const Hand& hand, const Grasp& grasp, const GraspObject& object,
                 const Placement& placement) {
   if (!grasp.palm_may_touch) return false;
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, grasp.q_pre);
-  const Vector3d p_WO(0.0, 0.0, 0.5 * object.size.z());
-  return std::any_of(hand.contact_spheres.begin(), hand.contact_spheres.end(),
-                     [&](const ContactSphere& sphere) {
-                       if (hand.FindDigitOfLink(sphere.link) >= 0) return false;
-                       const Vector3d p_WS =
-                           placement.X_WH * (X_HL[static_cast<size_t>(sphere.link)] * sphere.p_LS);
-                       return object.field->CalcDistance(p_WS - p_WO) - sphere.radius <= kPalmNear;
-                     });
+  double palm = -std::numeric_limits<double>::infinity();
+  for (const ContactSphere& sphere : hand.contact_spheres) {
+    if (sphere.link != hand.palm_link) continue;
+    const Vector3d p_WS = placement.X_WH * (X_HL[static_cast<size_t>(sphere.link)] * sphere.p_LS);
+    palm = std::max(palm, placement.approach_W.dot(p_WS) + sphere.radius);
+  }
+  const double near_face = ComesFromSide(placement) ? -0.5 * object.size.y() : -object.size.z();
+  return near_face - palm <= kPalmNear;
 }
 
 double CalcNeededRoom(const Hand& hand, const Grasp& grasp) {
   return hand.joint_accuracy * CalcDigitLength(hand, grasp);
 }
-
-bool ComesFromSide(const Placement& placement) { return std::abs(placement.approach_W.z()) < 0.5; }
 
 /** Once more `share` of the way from target to pre-grasp. */
 Grasp Open(const Hand& hand, const Grasp& grasp, double share) {

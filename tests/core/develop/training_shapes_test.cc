@@ -94,14 +94,15 @@ TEST(TrainingShapesTest, AllStandOverWhatTheyRestOn) {
   }
 }
 
-TEST(TrainingShapesTest, PowerGraspsMeetTallThingsFromTheSide) {
+// Of balls a flat spot is cut off, so that they are a little less tall than wide.
+TEST(TrainingShapesTest, PowerGraspsMeetTallThingsAndBallsFromTheSide) {
   int num_from_side = 0;
   for (const auto& shape : MakeShapes(FindGraspTaxon("g3"), ShapeUse::kTraining, 1, 24, 1.0, {})) {
     if (shape->approach != Approach::kSide) continue;
     ++num_from_side;
-    EXPECT_GT(shape->size.z(), shape->size.y()) << shape->name;
+    EXPECT_GT(shape->size.z(), 0.98 * shape->size.y()) << shape->name;
   }
-  EXPECT_EQ(num_from_side, 3);
+  EXPECT_EQ(num_from_side, 6);
 }
 
 TEST(TrainingShapesTest, FitTheHandAndDifferByUseAndSeed) {

@@ -299,8 +299,9 @@ TEST(Placement, TheObjectsWordComesBeforeTheGrasps) {
 }
 
 TEST(Placement, APowerGraspSaysHowNearThePalmComes) {
-  const Hand hand = LoadHand("shadow");
+  const Hand hand = LoadHand("shadow-evolved");
   Grasp grasp = LoadGrasp(hand, "g3");
+  grasp.palm_gap = kPalmGap;
   const Vector3d size(0.06, 0.06, 0.09);
   const Placement usual = CalcPlacement(hand, grasp, size, Vector3d::Zero());
   grasp.palm_gap = 0.001;
