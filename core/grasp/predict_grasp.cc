@@ -233,7 +233,11 @@ Grasp FitGrasp(const Hand& hand, const Grasp& grasp, const GraspObject& object) 
       ComesFromSide(CalcPlacement(hand, grasp, object)) ? Approach::kAbove : Approach::kSide;
   const std::optional<Grasp> other_fitted = OpenUntilClear(hand, other, object);
   if (other_fitted && (!fitted || palm_bears(*other_fitted))) return *other_fitted;
-  return fitted.value_or(grasp);
+  if (fitted) return *fitted;
+  const auto is_palm_near = [&](const Grasp& way) {
+    return IsPalmNear(hand, way, object, CalcPlacement(hand, way, object));
+  };
+  return is_palm_near(other) && !is_palm_near(grasp) ? other : grasp;
 }
 
 }  // namespace graspbench

@@ -80,8 +80,7 @@ GraspRank RankGrasp(const Grasp& grasp, const GraspPrediction& prediction) {
   GraspRank rank;
   rank.meets = prediction.reaches() + (prediction.reaches() && prediction.meets());
   rank.has_held = !(grasp.held_share < kLeastHeldShare);
-  rank.is_clear = prediction.is_clear();
-  rank.contacts = (prediction.opposes && prediction.lifts) +
+  rank.num_kept = prediction.is_clear() + (prediction.opposes && prediction.lifts) +
                   (prediction.num_touching == prediction.num_digits) + prediction.palm_is_near;
   rank.depth = -prediction.contact_height;
   return rank;

@@ -27,26 +27,25 @@ Grasp FindFitted(const SessionInputs& inputs, const SessionHand& hand, const Gra
                  const std::shared_ptr<const GraspObject>& object);
 
 /** Larger is better. That a grasp reaches the object and meets it when it closes comes first, then
-that its development found it to hold what it had not met, then that it comes clear of it, then
-which digits meet it and how, then how low [m]. */
+that its development found it to hold what it had not met, then how many of four conditions it
+keeps, then how low it meets it. */
 struct GraspRank {
   int meets = -1;
   bool has_held = false;
-  bool is_clear = false;
-  int contacts = 0;
+  int num_kept = 0;    ///< clear of it; forces that hold; every digit meets it; the palm near
   double depth = 0.0;  ///< of the contacts below the object's centre of mass [m]
 
   bool operator>(const GraspRank& other) const {
-    return std::tie(meets, has_held, is_clear, contacts, depth) >
-           std::tie(other.meets, other.has_held, other.is_clear, other.contacts, other.depth);
+    return std::tie(meets, has_held, num_kept, depth) >
+           std::tie(other.meets, other.has_held, other.num_kept, other.depth);
   }
 };
 GraspRank RankGrasp(const Grasp& grasp, const GraspPrediction& prediction);
 
 /** As MakePlan says (session_plan.h). "best" is what the object names for this hand, else of those
 that reach and meet it by prediction one that held half of the shapes that its development had not
-met (Grasp::held_share), else any; then one that comes clear of it, the one whose digits meet it
-best, and of those alike the one that meets it lowest. */
+met (Grasp::held_share), else any; then the one that keeps most conditions (GraspRank), and of those
+alike the one that meets it lowest. */
 std::vector<const Grasp*> FindGrasps(const SessionConfig& config, const SessionInputs& inputs,
                                      const SessionHand& hand,
                                      const std::shared_ptr<const GraspObject>& object);
