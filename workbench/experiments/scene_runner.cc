@@ -111,7 +111,7 @@ SceneInputs LoadSceneInputs(SceneConfig& config, const std::filesystem::path& fo
   }
   if (config.grasp == kBySight) {
     throw Error(ErrorKind::kUsage,
-                "by-sight chooses a grasp anew in each trial; what is optimised is one standard "
+                "by-sight chooses a grasp in each trial; what is optimised is one standard "
                 "grasp of the hand, by its id, or best");
   }
   const SessionConfig session = MakeSessionConfig(config);
