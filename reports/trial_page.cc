@@ -22,9 +22,15 @@ struct DrawnTrial : TrialPageData {
   Html course;
 };
 
+/** Of the grasp that was done. */
+std::string NameOfDone(const TrialRecord& record) {
+  const std::optional<std::string>& seen = record.result.sight_grasp;
+  if (!seen || *seen == kNotSeenGrasp) return NameOfGrasp(record.plan.grasp);
+  return NameOfGrasp(*seen) + " by sight";
+}
+
 std::string NameOfScene(const TrialPageData& data) {
-  return data.setup.hand->name + ", " + data.setup.object->name + ", " +
-         NameOfGrasp(data.record.plan.grasp);
+  return data.setup.hand->name + ", " + data.setup.object->name + ", " + NameOfDone(data.record);
 }
 
 Html DrawResult(const DrawnTrial& data) {
@@ -137,7 +143,7 @@ std::string DescribeMethod(const TrialSetup& setup, const TrialRecord& record) {
          FormatFixed(GFromKg(setup.object->mass_properties.mass), 1) + " g, friction " +
          FormatFixed(setup.object->surface.friction_static, 2) + " static and " +
          FormatFixed(setup.object->surface.friction_dynamic, 2) + " dynamic) by the grasp " +
-         NameOfGrasp(record.plan.grasp) + " in a physical simulation. The object stood " +
+         NameOfDone(record) + " in a physical simulation. The object stood " +
          FormatFixed(MmFromM(draw.offset_x), 1) + " mm and " +
          FormatFixed(MmFromM(draw.offset_y), 1) +
          " mm off its nominal place along the two horizontal axes and was turned by " +

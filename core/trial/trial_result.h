@@ -84,6 +84,9 @@ struct Displacement {
   }
 };
 
+/** In TrialResult::sight_grasp: the camera did not find the object. */
+inline constexpr const char* kNotSeenGrasp = "not seen";
+
 struct TrialResult;
 /** Contacts and touches of the grasping digits, one object each. */
 Json DigitsToJson(const TrialResult& result);
@@ -116,6 +119,8 @@ struct TrialResult {
   Stability stability;
   std::vector<PhaseStart> phases;            ///< those reached, in order
   std::vector<ContactEvent> contact_events;  ///< times since the start of closure
+  /** What the camera chose where it chooses the grasp: its id, or kNotSeenGrasp. */
+  std::optional<std::string> sight_grasp;
   /** Where the hand took the object to be [m], [rad], as the draw counts; NaN: where it should be.
   How it knew: the session's positioning. */
   double believed_x = kUnset, believed_y = kUnset, believed_yaw = kUnset;
@@ -169,6 +174,7 @@ struct TrialResult {
     field("stability", &R::stability);
     field("phases", &R::phases);
     field("contact_events", &R::contact_events);
+    field("sight_grasp", &R::sight_grasp);
     field("believed_x_m", &R::believed_x, FieldMayMiss{});
     field("believed_y_m", &R::believed_y, FieldMayMiss{});
     field("believed_yaw_rad", &R::believed_yaw, FieldMayMiss{});

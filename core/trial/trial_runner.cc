@@ -14,6 +14,7 @@
 #include "core/trial/chain_limit.h"
 #include "core/trial/compliant_trial.h"
 #include "core/trial/delayed_digit.h"
+#include "core/trial/grasp_by_sight.h"
 #include "core/trial/judge/disturbance.h"
 #include "core/trial/protocols/protocol.h"
 #include "core/vision/wrist_camera.h"
@@ -22,6 +23,13 @@ namespace graspbench {
 namespace {
 
 bool IsSame(const SimConfig& a, const SimConfig& b) { return ConfigToJson(a) == ConfigToJson(b); }
+
+JudgedTrial MakeNumericalFailure(const char* reason) {
+  JudgedTrial trial;
+  trial.result.outcome = Outcome::kNumericalFailure;
+  trial.result.reason = reason;
+  return trial;
+}
 
 /** Of one hand and object, and without a late digit. */
 bool IsSame(const TrialSetup& a, const TrialSetup& b) {
@@ -33,8 +41,9 @@ bool IsSame(const TrialSetup& a, const TrialSetup& b) {
          a.grasp.q_target == b.grasp.q_target && IsSame(a.sim, b.sim) &&
          a.draw.offset_x == b.draw.offset_x && a.draw.offset_y == b.draw.offset_y &&
          a.draw.offset_yaw == b.draw.offset_yaw && a.draw.joint_error == b.draw.joint_error &&
-         a.protocol == b.protocol && a.positioning == b.positioning && a.touch == b.touch &&
-         describe(a) == describe(b);
+         a.sight_grasps.empty() && b.sight_grasps.empty() &&
+         a.sight.has_value() == b.sight.has_value() && a.protocol == b.protocol &&
+         a.positioning == b.positioning && a.touch == b.touch && describe(a) == describe(b);
 }
 
 }  // namespace
@@ -69,7 +78,7 @@ struct TrialRunner::Impl {
 };
 
 WristCamera* TrialRunner::Impl::FindCamera(const TrialSetup& setup) {
-  if (setup.positioning != Positioning::kCamera) return nullptr;
+  if (setup.positioning != Positioning::kCamera && setup.sight_grasps.empty()) return nullptr;
   if (!camera || !HaveEqualValues(setup.camera, camera_config)) {
     camera_config = setup.camera;
     camera = std::make_unique<WristCamera>(hand, object, camera_config);
@@ -133,6 +142,18 @@ JudgedTrial TrialRunner::Impl::Run(const TrialSetup& setup, bool is_judged,
                                    const std::function<void(TrialCourse&)>& observe) {
   GRASPBENCH_DEMAND(setup.hand == hand && setup.object == object,
                     "a runner serves one hand and one object");
+  if (!setup.sight_grasps.empty()) {
+    std::optional<TrialSetup> chosen;
+    try {
+      chosen = ChooseGraspBySight(setup, MakeWorld(setup.sim, TablePresence::kPresent),
+                                  FindCamera(setup));
+    } catch (const std::bad_alloc&) {  // of the machine, not of the trial
+      throw;
+    } catch (const std::exception& e) {
+      return MakeNumericalFailure(e.what());
+    }
+    return Run(*chosen, is_judged, observe);
+  }
   if (setup.late != LateDigit::kNone) return Run(Delay(setup), is_judged, observe);
   JudgedTrial trial;
   TrialResult& result = trial.result;
@@ -163,10 +184,7 @@ JudgedTrial TrialRunner::Impl::Run(const TrialSetup& setup, bool is_judged,
   } catch (const std::bad_alloc&) {  // of the machine, not of the trial
     throw;
   } catch (const std::exception& e) {
-    // Simbody reports impossible states this way.
-    trial = JudgedTrial();
-    result.outcome = Outcome::kNumericalFailure;
-    result.reason = e.what();
+    return MakeNumericalFailure(e.what());  // Simbody reports impossible states this way
   }
   return trial;
 }

@@ -5,6 +5,7 @@ to trial. */
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,11 +39,21 @@ struct DriveCommand {
 /** Which digit closes late, by first contact in the same trial without delay. */
 enum class LateDigit { kNone, kFirst, kLast };
 
+/** What the camera chose of TrialSetup::sight_grasps. */
+struct SightChoice {
+  std::string grasp;   ///< id; empty: the object was not found
+  std::string reason;  ///< why it was not found; the trial ends with it
+};
+
 struct TrialSetup {
   std::shared_ptr<const Hand> hand;
   std::shared_ptr<const GraspObject> object;
   std::string protocol = "table_lift";  ///< id of what happens in the trial (protocols/)
   Grasp grasp;
+  /** Of these the camera chooses `grasp`, which until then is the one in whose pre-grasp posture it
+  looks (grasp_by_sight.h); empty: `grasp` is given. */
+  std::vector<Grasp> sight_grasps = {};
+  std::optional<SightChoice> sight = {};  ///< that was made; unset: `grasp` is given
   StrategyConfig strategy;
   SimConfig sim;
   TrialDraw draw;

@@ -12,7 +12,8 @@ The numbers are proposals of graspbench that separate the 21 objects, which they
 mass, height and what a thing is for are not seen. Of 51 things that they were not chosen on it
 suggests the wanted type for 38 (tests/core/vision/held_out_things.h): it takes flat boxes with
 1.4 to 1.75 times their width as length for roundish, and does not see that a thing is thin from its
-height or where it is longer than 200 mm. No pinch is suggested: only a task asks for it. */
+height or where it is longer than 200 mm. No pinch is suggested: only a task asks for it. Trials
+choose by it where the grasp is "by-sight" (core/trial/grasp_by_sight.h). */
 
 #include "core/grasp/standard_grasp.h"
 #include "core/vision/locate_object.h"

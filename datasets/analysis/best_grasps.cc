@@ -45,6 +45,7 @@ std::vector<BestGrasp> FindBestGrasps(const Session& session, const SessionSumma
   SessionConfig usual = session.config;
   usual.grasps = {"best"};
   usual.trials = 1;
+  usual = SessionConfigFromJson(ToJson(usual));  // without a camera that only chose grasps
   std::vector<BestGrasp> found;
   for (const PlannedTrial& planned : MakePlan(usual, inputs)) {
     BestGrasp row;

@@ -151,6 +151,21 @@ Tally SessionSummary::TallyOf(const std::string& hand, const std::string& grasp)
   return sum;
 }
 
+std::string DescribeGrasp(const CellSummary& cell) {
+  std::map<std::string, int> counts;
+  for (const TrialRecord* record : cell.records) {
+    if (record->result.sight_grasp) ++counts[*record->result.sight_grasp];
+  }
+  std::vector<std::pair<std::string, int>> chosen(counts.begin(), counts.end());
+  std::stable_sort(chosen.begin(), chosen.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::string text;
+  for (const auto& [grasp, count] : chosen) {
+    text += (text.empty() ? ": " : ", ") + std::to_string(count) + " " + grasp;
+  }
+  return cell.grasp + text;
+}
+
 SessionSummary SummariseSession(const Session& session) {
   SessionSummary summary;
   for (const PlannedTrial& trial : session.plan) {

@@ -97,6 +97,10 @@ struct SessionSummary {
 /** First touches of one digit over the cell's trials [s]; those that never touched are left out. */
 Spread CalcContactSpread(const CellSummary& cell, const std::string& digit);
 
+/** "by-sight: 7 g3, 2 g1, 1 not seen" of what the camera chose in the cell's trials, most frequent
+first; of a grasp that was given its id. */
+std::string DescribeGrasp(const CellSummary& cell);
+
 /** The summary points into `session`, which must outlive it. */
 SessionSummary SummariseSession(const Session& session);
 

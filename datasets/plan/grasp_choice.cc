@@ -2,12 +2,36 @@
 
 #include <algorithm>
 
+#include "core/base/error.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/grasp/placement.h"
+#include "core/trial/positioning.h"
 #include "objects/catalogue.h"
 
 namespace graspbench {
+
+namespace {
+
+bool NamesBySight(const std::vector<std::string>& names) {
+  return std::find(names.begin(), names.end(), kBySight) != names.end();
+}
+
+}  // namespace
+
+bool NeedsCamera(const SessionConfig& config) {
+  return config.positioning == RowOf(kPositionings, Positioning::kCamera).name ||
+         NamesBySight(config.grasps);
+}
+
+bool HasGraspBySight(const SessionConfig& config) {
+  return NamesBySight(config.grasps) ||
+         std::any_of(config.conditions.begin(), config.conditions.end(),
+                     [setting = std::string("grasp=") + kBySight](const Condition& condition) {
+                       const auto& all = condition.settings;
+                       return std::find(all.begin(), all.end(), setting) != all.end();
+                     });
+}
 
 const Grasp* FindGrasp(const SessionHand& hand, const GraspObject& object, const std::string& id) {
   const auto grasp = std::find_if(hand.grasps.begin(), hand.grasps.end(), [&](const Grasp& g) {
@@ -100,20 +124,59 @@ std::string ResolveGraspName(const SessionInputs& inputs, const std::string& nam
   return file == inputs.grasp_files.end() ? name : file->second;
 }
 
+std::vector<const Grasp*> FindSightGrasps(const SessionHand& hand, const GraspObject& object) {
+  std::vector<const Grasp*> grasps;
+  for (const GraspType type :
+       {GraspType::kAllFingerPrecision, GraspType::kTwoFingerPrecision, GraspType::kPower}) {
+    const Grasp* found = nullptr;
+    std::string missing;
+    for (const GraspTaxon& taxon : ListGraspTaxa()) {
+      if (taxon.type != type || found) continue;
+      found = FindGrasp(hand, object, taxon.id);
+      missing += (missing.empty() ? "" : " or ") + taxon.id + " (" + taxon.name + ")";
+    }
+    if (!found) {
+      throw Error(ErrorKind::kUsage, "the hand \"" + hand.hand->id + "\" has no grasp " + missing +
+                                         ", which --grasp by-sight may choose; add it to its "
+                                         "hand.yaml (graspbench help hand.yaml), or name a grasp");
+    }
+    grasps.push_back(found);
+  }
+  return grasps;
+}
+
+std::vector<GraspEntry> ListGraspEntries(const SessionConfig& config, const SessionInputs& inputs,
+                                         const SessionHand& hand,
+                                         const std::shared_ptr<const GraspObject>& object) {
+  std::vector<GraspEntry> entries;
+  if (hand.grasps.empty()) return entries;
+  if (config.grasps.front() == "all") {
+    for (const Grasp& grasp : hand.grasps) entries.push_back({grasp.id, {&grasp}});
+    return entries;
+  }
+  for (const std::string& name : config.grasps) {
+    if (name == kBySight) {
+      entries.push_back({kBySight, FindSightGrasps(hand, *object)});
+      continue;
+    }
+    const Grasp* grasp = name == "best" ? &FindBestGrasp(inputs, hand, object)
+                                        : FindGrasp(hand, *object, ResolveGraspName(inputs, name));
+    const bool is_new =
+        grasp && std::none_of(entries.begin(), entries.end(), [&](const GraspEntry& entry) {
+          return entry.id != kBySight && entry.grasps.front() == grasp;
+        });
+    if (is_new) entries.push_back({grasp->id, {grasp}});
+  }
+  return entries;
+}
+
 std::vector<const Grasp*> FindGrasps(const SessionConfig& config, const SessionInputs& inputs,
                                      const SessionHand& hand,
                                      const std::shared_ptr<const GraspObject>& object) {
   std::vector<const Grasp*> grasps;
-  if (hand.grasps.empty()) return grasps;
-  if (config.grasps.front() == "all") {
-    for (const Grasp& grasp : hand.grasps) grasps.push_back(&grasp);
-    return grasps;
-  }
-  for (const std::string& name : config.grasps) {
-    const Grasp* grasp = name == "best" ? &FindBestGrasp(inputs, hand, object)
-                                        : FindGrasp(hand, *object, ResolveGraspName(inputs, name));
-    if (grasp && std::find(grasps.begin(), grasps.end(), grasp) == grasps.end()) {
-      grasps.push_back(grasp);
+  for (const GraspEntry& entry : ListGraspEntries(config, inputs, hand, object)) {
+    for (const Grasp* grasp : entry.grasps) {
+      if (std::find(grasps.begin(), grasps.end(), grasp) == grasps.end()) grasps.push_back(grasp);
     }
   }
   return grasps;

@@ -14,6 +14,15 @@ of them can take it: known by geometry before the first trial (core/grasp/predic
 
 namespace graspbench {
 
+/** In a configuration and a plan: the hand's camera chooses the grasp in the trial. */
+inline constexpr const char* kBySight = "by-sight";
+
+/** Whether the hand looks in the trials, conditions left aside: to be positioned or to choose. */
+bool NeedsCamera(const SessionConfig& config);
+
+/** Whether a grasp is chosen by sight in any trial, conditions included. */
+bool HasGraspBySight(const SessionConfig& config);
+
 /** The hand's grasp of this id that may be used on the object; null: none. */
 const Grasp* FindGrasp(const SessionHand& hand, const GraspObject& object, const std::string& id);
 
@@ -42,10 +51,25 @@ struct GraspRank {
 };
 GraspRank RankGrasp(const Grasp& grasp, const GraspPrediction& prediction);
 
+/** What stands in the plan as one grasp. */
+struct GraspEntry {
+  std::string id;
+  std::vector<const Grasp*> grasps;  ///< one, or those of which the camera chooses
+};
+
+/** Of the hand's standard grasps the first of each type that the outline of an object may suggest
+(core/vision/suggest_grasp.h). @throws Error(kUsage) when the hand has none of one type. */
+std::vector<const Grasp*> FindSightGrasps(const SessionHand& hand, const GraspObject& object);
+
 /** As MakePlan says (session_plan.h). "best" is what the object names for this hand, else of those
 that reach and meet it by prediction one that held half of the shapes that its development had not
 met (Grasp::held_share), else any; then the one that keeps most conditions (GraspRank), and of those
 alike the one that meets it lowest. */
+std::vector<GraspEntry> ListGraspEntries(const SessionConfig& config, const SessionInputs& inputs,
+                                         const SessionHand& hand,
+                                         const std::shared_ptr<const GraspObject>& object);
+
+/** All grasps of the entries, each once. */
 std::vector<const Grasp*> FindGrasps(const SessionConfig& config, const SessionInputs& inputs,
                                      const SessionHand& hand,
                                      const std::shared_ptr<const GraspObject>& object);

@@ -9,6 +9,7 @@
 #include "core/shape/approach.h"
 #include "core/trial/positioning.h"
 #include "datasets/plan/firm_grip.h"
+#include "datasets/plan/grasp_choice.h"
 #include "datasets/plan/presets.h"
 #include "datasets/plan/session_keys.h"
 #include "datasets/plan/sim_check.h"
@@ -52,8 +53,7 @@ void CheckUnused(const std::string& name, const Group& group, const std::string&
 }
 
 void CheckSensors(const SessionConfig& config, std::vector<ConfigProblem>& problems) {
-  if (FindRow(kPositionings, config.positioning) &&
-      config.positioning != RowOf(kPositionings, Positioning::kCamera).name) {
+  if (FindRow(kPositionings, config.positioning) && !NeedsCamera(config)) {
     CheckUnused(
         "camera", config.camera,
         "positioning is " + config.positioning + "; set positioning: camera or leave it out",
@@ -235,7 +235,7 @@ Json ToJson(const SessionConfig& config) {
   const SessionConfig defaults;
   json["strategy"] = StrategyToJson(config.strategy);
   if (config.approach == defaults.approach) json.erase("approach");
-  if (config.positioning != RowOf(kPositionings, Positioning::kCamera).name) json.erase("camera");
+  if (!NeedsCamera(config)) json.erase("camera");
   if (config.positioning == defaults.positioning) json.erase("positioning");
   if (config.touch == defaults.touch) {
     json.erase("touch");

@@ -63,10 +63,10 @@ struct Condition {
 struct SessionConfig : TrialConditions {
   std::vector<std::string> hands = {"tum", "shadow"};
   std::vector<std::string> objects = {"all"};
-  std::vector<std::string> grasps = {"best"};  ///< "all", or "best", ids, files
+  std::vector<std::string> grasps = {"best"};  ///< "all", or "best", "by-sight", ids, files
   std::string approach = "automatic";          ///< core/shape/approach.h
   std::string positioning = "nominal";         ///< core/trial/positioning.h
-  CameraConfig camera;                         ///< for positioning by camera
+  CameraConfig camera;                         ///< for positioning, and grasps, by camera
   std::string touch = "exact";                 ///< core/trial/touch_sensors.h
   SensorConfig sensors;                        ///< for touch: sensed
   ImperfectionConfig imperfections;            ///< of the hands; none by default

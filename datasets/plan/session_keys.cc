@@ -10,7 +10,7 @@ const FileKeys& ListSessionKeys() {
       {"preset", "", "named settings in the place of the defaults; graspbench help lists them"},
       {"hands", "", "hands by id, name or folder, or all"},
       {"objects", "", "objects by id, name or folder, or all"},
-      {"grasps", "", "standard grasps by id or name, grasp files (.yaml), best, or all"},
+      {"grasps", "", "standard grasps by id or name, grasp files (.yaml), best, by-sight, or all"},
       {"approach", "",
        "from where hands come: above, side, or automatic (as objects and grasps say)"},
       {"positioning", "",

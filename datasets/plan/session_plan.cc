@@ -28,13 +28,14 @@ Json ToJson(const HandCamera& camera) {
           {"k2", camera.k2}};
 }
 
-/** @pre a hand that looks has a camera, one that feels has a skin. */
+/** @param grasp  one, or the list of those of which the camera chooses.
+@pre a hand that looks has a camera, one that feels has a skin. */
 std::string CalcTrialId(const SessionConfig& config, const Hand& hand, const GraspObject& object,
-                        const Grasp& grasp, int trial) {
+                        const Json& grasp, int trial) {
   Json content = {{"physics", kPhysicsVersion},
                   {"hand", {hand.id, hand.content_hash}},
                   {"object", {object.id, object.content_hash}},
-                  {"grasp", ToJson(grasp)},
+                  {"grasp", grasp},
                   {"variation", ConfigToJson(config.variation)},
                   {"strategy", StrategyToJson(config.strategy)},
                   {"sim", ConfigToJson(config.sim)},
@@ -45,7 +46,7 @@ std::string CalcTrialId(const SessionConfig& config, const Hand& hand, const Gra
   if (config.positioning != SessionConfig().positioning) {
     content["positioning"] = config.positioning;
   }
-  if (config.positioning == RowOf(kPositionings, Positioning::kCamera).name) {
+  if (config.positioning == RowOf(kPositionings, Positioning::kCamera).name || grasp.is_array()) {
     content["camera"] = ConfigToJson(config.camera);
     content["mount"] = ToJson(*hand.camera);
   }
@@ -70,6 +71,7 @@ void CheckNamesFit(const std::string& what, const std::vector<std::string>& name
     const char* fault = !IsUtf8(name)                            ? "is not UTF-8"
                         : has_control                            ? "holds a control character"
                         : name.find_first_of(",\"") != name.npos ? "holds a comma or a quote"
+                        : name == kBySight                       ? "asks for a choice by the camera"
                                                                  : nullptr;
     if (fault) {
       throw Error(ErrorKind::kUsage, "the " + what + " \"" + name + "\" cannot be used: its name " +
@@ -89,9 +91,10 @@ void CheckGraspsExist(const SessionConfig& config, const SessionInputs& inputs) 
     throw Error(ErrorKind::kUsage,
                 "none of the session's hands has any grasp; graspbench hand develop finds some");
   for (const std::string& name : config.grasps) {
-    if (name == "best" || name == "all") continue;
+    if (name == "best" || name == "all" || name == kBySight) continue;
     const std::string id = ResolveGraspName(inputs, name);
     if (std::find(known.begin(), known.end(), id) == known.end()) {
+      known.push_back(kBySight);
       throw Error(ErrorKind::kNotFound, "none of the session's hands can do a grasp \"" + id +
                                             "\"" + SuggestNames(id, known));
     }
@@ -122,13 +125,15 @@ void CheckNamesDiffer(const char* what, const std::vector<std::string>& names) {
 }
 
 void CheckCamerasExist(const SessionConfig& config, const SessionInputs& inputs) {
-  if (config.positioning != RowOf(kPositionings, Positioning::kCamera).name) return;
+  if (!NeedsCamera(config)) return;
+  const bool is_positioned = config.positioning == RowOf(kPositionings, Positioning::kCamera).name;
   for (const SessionHand& hand : inputs.hands) {
     if (hand.hand->camera) continue;
-    throw Error(ErrorKind::kUsage, "the hand \"" + hand.hand->id +
-                                       "\" has no camera to position it; choose another "
-                                       "positioning, or add a camera to its hand.yaml (graspbench "
-                                       "help hand.yaml)");
+    throw Error(ErrorKind::kUsage,
+                "the hand \"" + hand.hand->id + "\" has no camera to " +
+                    (is_positioned ? "position it; choose another positioning"
+                                   : "choose its grasp by sight; name a grasp") +
+                    ", or add a camera to its hand.yaml (graspbench help hand.yaml)");
   }
 }
 
@@ -233,19 +238,24 @@ void PlanPair(const ConditionBlock& block, bool is_threshold, size_t hand_index,
   const SessionHand& hand = block.inputs->hands[hand_index];
   const std::shared_ptr<const GraspObject>& object = block.inputs->objects[object_index];
   const bool can_be_compliant = CanMoveCompliantly(*hand.hand) && CanMoveCompliantly(*object);
-  for (const Grasp* chosen : FindGrasps(*block.config, *block.inputs, hand, object)) {
-    if (is_threshold && !block.is_base &&
-        block.config->strategy.grip_force > CalcGripBound(*hand.hand, *chosen)) {
-      continue;
+  for (const GraspEntry& entry : ListGraspEntries(*block.config, *block.inputs, hand, object)) {
+    const bool is_too_much =
+        std::any_of(entry.grasps.begin(), entry.grasps.end(), [&](const Grasp* grasp) {
+          return block.config->strategy.grip_force > CalcGripBound(*hand.hand, *grasp);
+        });
+    if (is_threshold && !block.is_base && is_too_much) continue;
+    Json grasps = Json::array();
+    for (const Grasp* grasp : entry.grasps) {
+      grasps.push_back(ToJson(FindFitted(*block.inputs, hand, *grasp, object)));
     }
-    const Grasp grasp = FindFitted(*block.inputs, hand, *chosen, object);
+    const Json& grasp = entry.id == kBySight ? grasps : grasps.front();
     for (int trial = 0; trial < block.config->trials; ++trial) {
       const std::string id = CalcTrialId(*block.config, *hand.hand, *object, grasp, trial);
       for (const auto& [name, condition] : block.members) {
         if (condition && condition->is_compliant && !can_be_compliant) continue;
         plan.push_back(
             {condition ? CalcConditionedId(id, *condition, block.is_base ? *name : "") : id,
-             hand.hand->id, object->id, grasp.id, trial, name});
+             hand.hand->id, object->id, entry.id, trial, name});
       }
     }
   }
@@ -384,12 +394,19 @@ TrialSetup MakeTrialSetup(const SessionConfig& config, const SessionInputs& inpu
                    [&](const auto& candidate) { return candidate->id == planned.object; });
   GRASPBENCH_DEMAND(hand != inputs.hands.end() && object != inputs.objects.end(),
                     planned.hand + ", " + planned.object);
-  const Grasp* grasp = FindGrasp(*hand, **object, planned.grasp);
-  GRASPBENCH_DEMAND(grasp, planned.grasp);
   TrialSetup setup;
   setup.hand = hand->hand;
   setup.object = *object;
-  setup.grasp = FindFitted(inputs, *hand, *grasp, *object);
+  if (planned.grasp == kBySight) {
+    for (const Grasp* grasp : FindSightGrasps(*hand, **object)) {
+      setup.sight_grasps.push_back(FindFitted(inputs, *hand, *grasp, *object));
+    }
+    setup.grasp = setup.sight_grasps.front();
+  } else {
+    const Grasp* grasp = FindGrasp(*hand, **object, planned.grasp);
+    GRASPBENCH_DEMAND(grasp, planned.grasp);
+    setup.grasp = FindFitted(inputs, *hand, *grasp, *object);
+  }
   setup.strategy = config.strategy;
   setup.sim = config.sim;
   setup.draw = MakeTrialDraw(config, *hand->hand, **object, planned.trial);

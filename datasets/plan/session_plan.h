@@ -34,7 +34,9 @@ struct PlannedTrial {
     field("hand", &P::hand, FieldColumn{"", "id of the hand"});
     field("object", &P::object, FieldColumn{"", "id of the object"});
     field("grasp", &P::grasp,
-          FieldColumn{"", "id of the standard grasp, g1 to g5, or of an optimised one"});
+          FieldColumn{"",
+                      "id of the standard grasp, g1 to g5, or of an optimised one; by-sight: the "
+                      "camera chose it"});
     field("trial", &P::trial,
           FieldColumn{"", "number of the trial within its hand, object and grasp, from 0"});
     field("condition", &P::condition);
@@ -59,10 +61,13 @@ the grasps
   be anything but "unreachable"); else the first that reaches it, else the first that the hand can
   do, else the hand's first;
 - "all": all that the hand can do;
-- ids and grasp files, "best" among them: those that the hand can do on the object.
+- ids and grasp files, "best" among them: those that the hand can do on the object;
+- "by-sight", which may be among ids: what the hand's camera chooses in the trial
+  (core/trial/grasp_by_sight.h).
 
-@throws Error(kRange) for a bad configuration; Error(kUsage) for two hands or objects of one name or
-when nothing is left to do; Error(kNotFound) for a grasp that none of the hands can do. */
+@throws Error(kRange) for a bad configuration; Error(kUsage) for two hands or objects of one name,
+for a hand that cannot choose by sight or when nothing is left to do; Error(kNotFound) for a grasp
+that none of the hands can do. */
 std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInputs& inputs);
 
 /** The draws of a trial: object pose from (seed, object, trial) only, so that every hand and grasp

@@ -8,6 +8,7 @@
 #include "core/trial/measures/palm_contact.h"
 #include "core/trial/measures/seat.h"
 #include "datasets/plan/conditions.h"
+#include "datasets/plan/grasp_choice.h"
 
 namespace graspbench {
 namespace {
@@ -227,6 +228,18 @@ std::vector<TrialColumn> ListStabilityColumns() {
        TakePart(&Stability::stabilisation, &StabilityPart::opposition)}};
 }
 
+/** Of a session in which a camera chooses the grasp. */
+void AddSightColumn(const SessionConfig& config, std::vector<TrialColumn>& columns) {
+  if (!HasGraspBySight(config)) return;
+  columns.push_back({"sight_grasp", "string", "",
+                     "id of the grasp that the camera chose, or not seen; missing where the grasp "
+                     "was given",
+                     [](const TrialRecord& record) {
+                       const std::optional<std::string>& grasp = record.result.sight_grasp;
+                       return grasp ? Json(*grasp) : Json();
+                     }});
+}
+
 void AddDrawColumns(const SessionConfig& config, std::vector<TrialColumn>& columns) {
   const auto add = [&](const char* name, const char* unit, const char* meaning,
                        double TrialDraw::*part) {
@@ -283,6 +296,7 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
   std::vector<TrialColumn> columns;
   AddFieldColumns<PlannedTrial>(
       [](const TrialRecord& record) -> const PlannedTrial& { return record.plan; }, columns);
+  AddSightColumn(config, columns);
   AddConditionColumns(config, columns);
   const std::vector<TrialColumn> outcome_columns = {
       {"outcome", "string", "", "how the trial ended",

@@ -51,7 +51,7 @@ Html FormatMedians(const CellSummary& cell, Spread ContactTimes::*measure, doubl
 std::string ExplainCodes() {
   std::string text = "Grasps:";
   for (const GraspTaxon& taxon : ListGraspTaxa()) text += " " + taxon.id + " " + taxon.name + ",";
-  text.back() = '.';
+  text += " by-sight what the hand's camera chose, with its number of trials.";
   return text + " " + kEarly +
          " a digit of some trial touched before the start of closure: that trial is left out of "
          "the times. " +
@@ -83,7 +83,7 @@ Html DrawCellTable(const ReportData& data) {
     table.AddRow({DrawFirstThumbnail(data.pictures, cell.key) +
                       LinkTo(cell.key, data.models.NameOfObject(cell.object)),
                   Text(data.models.NameOfHand(cell.hand)),
-                  Element("span", {{"title", NameOfGrasp(cell.grasp)}}, cell.grasp),
+                  Element("span", {{"title", NameOfGrasp(cell.grasp)}}, DescribeGrasp(cell)),
                   Text(std::to_string(tally.finished)), Text(std::to_string(tally.successes())),
                   DrawRate(tally), Text(FormatRateInterval(tally)), ListFailures(tally),
                   FormatMedians(cell, &ContactTimes::gct, 1.0, 3, ""),

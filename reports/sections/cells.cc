@@ -185,7 +185,11 @@ Html FormatDraw(const ReportData& data, const PlannedTrial& planned) {
 Html DrawTrials(const CellSummary& cell, const std::vector<std::string>& digits,
                 const ReportData& data) {
   const Align number = Align::kNumber;
+  const bool is_by_sight =
+      std::any_of(cell.records.begin(), cell.records.end(),
+                  [](const TrialRecord* record) { return record->result.sight_grasp.has_value(); });
   std::vector<Column> columns = {{"Trial"}, {"Outcome"}, {"Why", Align::kProse}};
+  if (is_by_sight) columns.push_back({"Grasp", Align::kText, "that the camera chose"});
   for (const std::string& digit : digits) {
     columns.push_back({data.models.NameOfDigit(cell.hand, digit) + " [s]", number,
                        "first contact since the start of closure"});
@@ -210,6 +214,7 @@ Html DrawTrials(const CellSummary& cell, const std::vector<std::string>& digits,
     const TrialResult& result = record->result;
     std::vector<Html> row = {Text(std::to_string(record->plan.trial)),
                              Text(WordsOf(result.outcome)), Text(ExplainEnd(result))};
+    if (is_by_sight) row.push_back(Text(result.sight_grasp.value_or("n/a")));
     for (const std::string& digit : digits) {
       row.push_back(Text(FormatFixed(FindContactTime(result, digit), 3)));
     }

@@ -6,6 +6,7 @@
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/tactile.h"
 #include "datasets/analysis/sensor_summary.h"
+#include "datasets/plan/grasp_choice.h"
 #include "reports/page/layout.h"
 #include "reports/plots/hand_map.h"
 #include "reports/scenes/sight_picture.h"
@@ -170,7 +171,8 @@ Html DrawSensors(const ReportData& data) {
       })) {
     html += DrawOffsets(offsets, data.models);
   }
-  if (config.positioning == defaults.positioning && config.touch == defaults.touch) {
+  const bool looks = NeedsCamera(config);
+  if (config.positioning == defaults.positioning && config.touch == defaults.touch && !looks) {
     return html + Element("p", {},
                           Text("In the session itself no sensor took part: the hand went to where "
                                "the object should be and knew every contact. With them: ") +
@@ -182,10 +184,8 @@ Html DrawSensors(const ReportData& data) {
     return html + MakeParagraph("So many trials would keep the page waiting for their sensors.");
   }
   const SensorSummary summary = SummariseSensors(data.session);
-  if (config.positioning != defaults.positioning) {
-    if (config.positioning == "camera") html += DrawSights(data);
-    html += DrawPlaces(summary, data.models);
-  }
+  if (looks) html += DrawSights(data);
+  if (config.positioning != defaults.positioning) html += DrawPlaces(summary, data.models);
   if (summary.touches.empty()) return html;
   html += DrawTouches(summary, data.models);
   for (const FeltTouches& felt : summary.touches) html += DrawPeaks(felt, data.models);

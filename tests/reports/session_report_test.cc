@@ -337,6 +337,17 @@ TEST(SessionReport, ShowsWhatTheHandSawAndFelt) {
   }
 }
 
+TEST(SessionReport, ShowsWhatTheCameraChose) {
+  Session session = MakeSession({"tum"}, {"can"}, "by-sight", 3);
+  session.config.grasps = {"by-sight"};
+  for (TrialRecord& record : session.records) record.result.sight_grasp = "g3";
+  session.records[1].result.sight_grasp = "g1";
+  const std::string page = MakePageOf(session);
+  ExpectSoundPage(page);
+  ExpectContains(TextOfSection(page, "table"), "by-sight: 2 g3, 1 g1");
+  EXPECT_EQ(TextOfSection(page, "sensors").find("no sensor took part"), std::string::npos);
+}
+
 TEST(SessionReport, ShowsWhatGoesWithSimultaneity) {
   Session session = MakeSession({"tum"}, {"can", "cup", "box", "key", "pen", "tape"}, "g3", 8);
   for (TrialRecord& record : session.records) {

@@ -7,6 +7,7 @@
 #include "core/base/files/files.h"
 #include "core/base/hash.h"
 #include "core/grasp/grasp_file.h"
+#include "datasets/plan/grasp_choice.h"
 #include "datasets/plan/input_copies.h"
 #include "datasets/plan/session_inputs.h"
 #include "datasets/plan/session_plan.h"
@@ -107,6 +108,11 @@ SceneInputs LoadSceneInputs(SceneConfig& config, const std::filesystem::path& fo
     throw Error(ErrorKind::kUsage, "\"" + config.grasp +
                                        "\" is a grasp file; what is optimised is a standard grasp "
                                        "of the hand, by its id, or best");
+  }
+  if (config.grasp == kBySight) {
+    throw Error(ErrorKind::kUsage,
+                "by-sight chooses a grasp in each trial; what is optimised is one standard "
+                "grasp of the hand, by its id, or best");
   }
   const SessionConfig session = MakeSessionConfig(config);
   const SessionInputs inputs = LoadSessionInputs(session, FieldUse::kNow, folder);

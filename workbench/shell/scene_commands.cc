@@ -89,6 +89,7 @@ void ChooseGrasp(Shell& shell, const ShellArguments& arguments) {
   RefuseAll(JoinName(arguments));
   SceneChoice choice = shell.choice();
   choice.config.grasps = {FindGraspId(JoinName(arguments))};
+  choice.config = SessionConfigFromJson(ToJson(choice.config));  // no camera that is not used
   ForgetEdits(choice);
   Take(shell, choice);
 }

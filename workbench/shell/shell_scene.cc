@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <utility>
 
 #include "core/base/config.h"
 #include "core/base/error.h"
@@ -10,6 +11,7 @@
 #include "core/grasp/placement.h"
 #include "core/hand/coupling.h"
 #include "core/physics/implicit_world.h"
+#include "core/trial/grasp_by_sight.h"
 #include "datasets/plan/session_plan.h"
 
 namespace graspbench {
@@ -18,7 +20,8 @@ namespace {
 constexpr double kFirstSpacing = 0.02;  // of the saved instants [s]
 constexpr size_t kMaxInstants = 320;    // some 0.2 MB each: 64 MB
 
-/** Of the trial with number `draw` of the session that `choice` is part of. */
+/** Of the trial with number `draw` of the session that `choice` is part of, with the object where
+it was moved to. */
 TrialSetup MakeDrawnSetup(const SceneChoice& choice, const SessionInputs& inputs,
                           std::optional<int> draw) {
   SessionConfig config = choice.config;
@@ -32,7 +35,12 @@ TrialSetup MakeDrawnSetup(const SceneChoice& choice, const SessionInputs& inputs
     setup.draw = {};
     setup.draw.joint_error = Eigen::VectorXd::Zero(setup.hand->num_joints());
   }
-  return setup;
+  if (choice.place) {
+    setup.draw.offset_x = choice.place->x;
+    setup.draw.offset_y = choice.place->y;
+    setup.draw.offset_yaw = choice.place->yaw;
+  }
+  return ChooseGraspBySight(std::move(setup));
 }
 
 /** Whether `a` loads the same things as `b`, none of which a user may have changed meanwhile. */
@@ -70,11 +78,6 @@ void ApplyEdit(const Hand& hand, const JointEdit& edit, Grasp& grasp) {
 TrialSetup MakeChosenSetup(const SceneChoice& choice, const SessionInputs& inputs,
                            std::optional<int> draw) {
   TrialSetup setup = MakeDrawnSetup(choice, inputs, draw);
-  if (choice.place) {
-    setup.draw.offset_x = choice.place->x;
-    setup.draw.offset_y = choice.place->y;
-    setup.draw.offset_yaw = choice.place->yaw;
-  }
   if (choice.learned) setup.grasp = *choice.learned;
   for (const JointEdit& edit : choice.joints) ApplyEdit(*setup.hand, edit, setup.grasp);
   for (const auto& [digit, schedule] : choice.closing) setup.grasp.closing[digit] = schedule;
@@ -129,7 +132,7 @@ void ShellScene::Choose(const SceneChoice& choice) {
 }
 
 Grasp ShellScene::unedited_grasp() const {
-  return choice_.learned ? *choice_.learned : MakeDrawnSetup(choice_, *inputs_, std::nullopt).grasp;
+  return choice_.learned ? *choice_.learned : MakeDrawnSetup(choice_, *inputs_, choice_.draw).grasp;
 }
 
 TrialRunner& ShellScene::runner() {

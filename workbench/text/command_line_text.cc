@@ -39,7 +39,7 @@ std::vector<std::string> ListOptionNames(const CLI::App& command) {
 }
 
 std::vector<std::string> ListGraspIds() {
-  std::vector<std::string> ids = {"best", "all"};
+  std::vector<std::string> ids = {"best", "by-sight", "all"};
   for (const GraspTaxon& taxon : ListGraspTaxa()) ids.push_back(taxon.id);
   return ids;
 }

@@ -7,6 +7,7 @@
 
 #include "core/base/text/text.h"
 #include "core/base/units.h"
+#include "core/grasp/standard_grasp.h"
 #include "core/trial/measures/seat.h"
 #include "datasets/records/trace_table.h"
 #include "objects/catalogue.h"
@@ -18,6 +19,16 @@ namespace {
 
 std::string FormatOutcome(const TrialResult& result) {
   return NameOf(result.outcome) + (result.reason.empty() ? "" : ": " + result.reason);
+}
+
+/** Nothing where the grasp was given. */
+std::string FormatSight(const TrialResult& result) {
+  if (!result.sight_grasp) return "";
+  std::string text = *result.sight_grasp;
+  for (const GraspTaxon& taxon : ListGraspTaxa()) {
+    if (taxon.id == text) text += ", " + taxon.name + ", chosen by the outline that the camera saw";
+  }
+  return "grasp    " + text + "\n";
 }
 
 std::string FormatJointErrors(const TrialSetup& setup) {
@@ -231,7 +242,7 @@ std::string FormatTrial(const ExaminedTrial& trial, const std::string& folder) {
   std::string text =
       fmt::format("trial    {} ({}): {}, {}, {}\n", trial.planned.id, NameTrial(trial.planned),
                   trial.setup.hand->name, trial.setup.object->name, trial.planned.grasp) +
-      "outcome  " + FormatOutcome(result) + "\n" + "draw     " +
+      FormatSight(result) + "outcome  " + FormatOutcome(result) + "\n" + "draw     " +
       FormatObjectDraw(trial.setup.draw) + FormatJointErrors(trial.setup) + "\n" + "phases   " +
       FormatPhases(trial.traced, trial.setup.strategy) + "\n";
   if (!result.contacts.empty()) text += FormatDigits(trial);

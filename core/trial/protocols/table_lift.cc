@@ -81,7 +81,25 @@ void TableLift::MakeSensors() {
       FormatJson({setup_.object->id, draw.offset_x, draw.offset_y, draw.offset_yaw}));
 }
 
+Sighting TableLift::Look(WristCamera* camera) const {
+  std::unique_ptr<WristCamera> own;
+  if (!camera) {
+    own = std::make_unique<WristCamera>(setup_.hand, setup_.object, setup_.camera);
+    camera = own.get();
+  }
+  const TrialDraw& draw = setup_.draw;
+  const std::string id =
+      FormatJson({setup_.object->id, draw.offset_x, draw.offset_y, draw.offset_yaw});
+  return camera->FindObject(CalcStartPose(), CalcStartPosture(), id);
+}
+
 void TableLift::Position(WristCamera* camera) {
+  if (setup_.sight) {
+    const bool is_found = !setup_.sight->grasp.empty();
+    notes_.result.sight_grasp = is_found ? setup_.sight->grasp : kNotSeenGrasp;
+    notes_.not_seen = setup_.sight->reason;
+    if (!is_found) return;
+  }
   PlanarPose believed;
   switch (setup_.positioning) {
     case Positioning::kNominal:
@@ -90,15 +108,7 @@ void TableLift::Position(WristCamera* camera) {
       believed = {setup_.draw.offset_x, setup_.draw.offset_y, setup_.draw.offset_yaw};
       break;
     case Positioning::kCamera: {
-      std::unique_ptr<WristCamera> own;
-      if (!camera) {
-        own = std::make_unique<WristCamera>(setup_.hand, setup_.object, setup_.camera);
-        camera = own.get();
-      }
-      const TrialDraw& draw = setup_.draw;
-      const std::string id =
-          FormatJson({setup_.object->id, draw.offset_x, draw.offset_y, draw.offset_yaw});
-      const Sighting sighting = camera->FindObject(CalcStartPose(), CalcStartPosture(), id);
+      const Sighting sighting = Look(camera);
       if (!sighting.is_found) {
         notes_.not_seen = sighting.reason;
         return;

@@ -29,6 +29,7 @@ see tests/bench/sim_bench.cc. */
 #include "core/trial/protocols/table_lift_outcome.h"
 #include "core/trial/trial_result.h"
 #include "core/trial/trial_setup.h"
+#include "core/vision/locate_object.h"
 
 namespace graspbench {
 
@@ -74,6 +75,9 @@ class TableLift : public TrialCourse {
   @throws Error(kUnsupported) for positioning by camera of a hand that has none, and for sensed touch
   of one that feels nothing. */
   TableLift(std::unique_ptr<World> world, const TrialSetup& setup, WristCamera* camera = nullptr);
+
+  /** What the hand's camera sees before the hand comes. @param camera  as of the constructor. */
+  Sighting Look(WristCamera* camera) const;
 
   void Begin() override;
   bool Advance() override;

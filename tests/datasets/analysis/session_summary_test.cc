@@ -108,6 +108,16 @@ TEST(Tally, RateComesWithItsInterval) {
   EXPECT_TRUE(std::isnan(Tally().rate()));
 }
 
+TEST(DescribeGrasp, CountsWhatTheCameraChose) {
+  Session session = MakeSession({"tum"}, {"can"}, "by-sight", 5);
+  EXPECT_EQ(DescribeGrasp(SummariseSession(session).cells.at(0)), "by-sight");
+  for (TrialRecord& record : session.records) record.result.sight_grasp = "g3";
+  session.records[1].result.sight_grasp = "g1";
+  session.records[2].result.sight_grasp = kNotSeenGrasp;
+  EXPECT_EQ(DescribeGrasp(SummariseSession(session).cells.at(0)),
+            "by-sight: 3 g3, 1 g1, 1 not seen");
+}
+
 TEST(CalcContactSpread, IsOfOneDigit) {
   Session session = MakeSession({"tum"}, {"can"}, "g3", 3);
   session.records[2].result.contacts[0].time = std::nan("");

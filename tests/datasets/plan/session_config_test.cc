@@ -198,6 +198,10 @@ TEST(SessionConfig, NominalPositioningIsNotWritten) {
   EXPECT_EQ(SessionConfigFromJson(ToJson(config)).positioning, "true");
   config.positioning = "camera";
   EXPECT_EQ(SessionConfigFromJson(ToJson(config)).camera.noise, 7.0);
+  config.positioning = "nominal";
+  config.grasps = {"g1", "by-sight"};
+  EXPECT_EQ(SessionConfigFromJson(ToJson(config)).camera.noise, 7.0);
+  EXPECT_TRUE(Validate(config).empty());
   EXPECT_EQ(SessionConfigFromJson(ToJson(SessionConfig())).positioning, "nominal");
 }
 

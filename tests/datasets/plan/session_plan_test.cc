@@ -82,6 +82,82 @@ TEST(SessionPlan, AHandWithoutCameraCannotLook) {
             "camera to its hand.yaml (graspbench help hand.yaml)");
 }
 
+SessionInputs MakeLookingInputs() {
+  SessionInputs inputs = MakeFakeInputs();
+  inputs.hands.erase(inputs.hands.begin());  // tum has no g3
+  auto with_camera = std::make_shared<Hand>(*inputs.hands[0].hand);
+  with_camera->camera = HandCamera();
+  with_camera->camera->link = 0;
+  inputs.hands[0].hand = with_camera;
+  for (Grasp& grasp : inputs.hands[0].grasps) grasp.type = FindGraspTaxon(grasp.id).type;
+  return inputs;
+}
+
+TEST(SessionPlan, BySightIsOneConditionAndLeavesTheOthersIds) {
+  const SessionInputs inputs = MakeLookingInputs();
+  SessionConfig config;
+  config.objects = {"mug"};
+  config.trials = 1;
+  config.grasps = {"g2"};
+  const std::set<std::string> given = ListIds(MakePlan(config, inputs));
+  config.grasps = {"by-sight", "g2"};
+  const std::vector<PlannedTrial> plan = MakePlan(config, inputs);
+  EXPECT_EQ(ListCells(plan),
+            (std::vector<std::string>{"shadow mug by-sight", "shadow mug g2",
+                                      "shadow pencil by-sight", "shadow pencil g2"}));
+  config.grasps = {"by-sight"};
+  const std::set<std::string> looking = ListIds(MakePlan(config, inputs));
+  const std::set<std::string> both = ListIds(plan);
+  EXPECT_EQ(both.size(), given.size() + looking.size());
+  for (const std::string& id : looking) EXPECT_TRUE(both.count(id)) << id;
+  const TrialSetup setup = MakeTrialSetup(config, inputs, plan.front());
+  ASSERT_EQ(setup.sight_grasps.size(), 3u);
+  EXPECT_EQ(setup.sight_grasps[0].id, "g1");
+  EXPECT_EQ(setup.sight_grasps[1].id, "g2");
+  EXPECT_EQ(setup.sight_grasps[2].id, "g3");
+  EXPECT_EQ(setup.grasp.id, "g1");
+  EXPECT_TRUE(MakeTrialSetup(config, inputs, plan[1]).sight_grasps.empty());
+
+  // What decides on the choice decides on the id.
+  config.camera.noise = 1.0;
+  for (const std::string& id : ListIds(MakePlan(config, inputs))) EXPECT_FALSE(looking.count(id));
+  config.camera = {};
+  SessionInputs other = inputs;
+  other.hands[0].grasps[2].tilt += 0.1;
+  for (const std::string& id : ListIds(MakePlan(config, other))) EXPECT_FALSE(looking.count(id));
+  other.hands[0].grasps[2] = inputs.hands[0].grasps[2];
+  other.hands[0].grasps[3].tilt += 0.1;  // a pinch is never suggested
+  EXPECT_EQ(ListIds(MakePlan(config, other)), looking);
+}
+
+TEST(SessionPlan, BySightNeedsACameraAndAGraspOfEachType) {
+  SessionConfig config;
+  config.grasps = {"by-sight"};
+  EXPECT_EQ(FindError(config, MakeFakeInputs()).second,
+            "the hand \"tum\" has no camera to choose its grasp by sight; name a grasp, or add a "
+            "camera to its hand.yaml (graspbench help hand.yaml)");
+  SessionInputs inputs = MakeLookingInputs();
+  std::vector<Grasp>& grasps = inputs.hands[0].grasps;
+  grasps.erase(grasps.begin());
+  EXPECT_EQ(MakeTrialSetup(config, inputs, MakePlan(config, inputs)[0]).sight_grasps[0].id, "g5");
+  grasps.pop_back();
+  EXPECT_EQ(FindError(config, inputs).second,
+            "the hand \"shadow\" has no grasp g1 (all finger precision) or g5 (three finger "
+            "special), which --grasp by-sight may choose; add it to its hand.yaml (graspbench help "
+            "hand.yaml), or name a grasp");
+  config.grasps = {"by_sight"};
+  EXPECT_EQ(FindError(config, MakeLookingInputs()).second,
+            "none of the session's hands can do a grasp \"by_sight\"; did you mean \"by-sight\"? "
+            "Known: g1, g2, g3, g4, g5, by-sight");
+  SessionInputs named = MakeLookingInputs();
+  named.hands[0].grasps[4].id = "by-sight";
+  config.grasps = {"all"};
+  EXPECT_EQ(
+      FindError(config, named).second,
+      "the grasp \"by-sight\" cannot be used: its name asks for a choice by the camera; rename "
+      "it");
+}
+
 // Likewise: who does not go by sensed touch has the ids of before, whatever the hand could feel.
 TEST(SessionPlan, IdsDependOnTheSensorsOfThoseWhoFeel) {
   SessionInputs inputs = MakeFakeInputs();
@@ -334,7 +410,7 @@ TEST(SessionPlan, TellsWhatCannotBePlanned) {
   EXPECT_EQ(
       error.second,
       "none of the session's hands can do a grasp \"g7\"; did you mean \"g1\"? Known: g1, g2, "
-      "g3, g4, g5");
+      "g3, g4, g5, by-sight");
 
   SessionInputs inputs = MakeFakeInputs();
   config = SessionConfig();

@@ -229,6 +229,27 @@ TEST(TrialTable, DrawsAreThoseThatTheTrialWasRunWith) {
   }
 }
 
+// Only where a camera chooses, under a condition perhaps, so that other sessions' tables stay.
+TEST(TrialTable, WhatTheCameraChoseHasAColumn) {
+  std::vector<TrialRecord> records = MakeFakeRecords(2);
+  records[0].result.sight_grasp = "g3";
+  const auto find = [&](const SessionConfig& config) {
+    std::vector<Json> values;
+    for (const TrialColumn& column : ListTrialColumns(records, config)) {
+      if (column.name != "sight_grasp") continue;
+      for (const TrialRecord& record : records) values.push_back(column.value(record));
+    }
+    return values;
+  };
+  SessionConfig config;
+  EXPECT_TRUE(find(config).empty());
+  config.grasps = {"g1", "by-sight"};
+  EXPECT_EQ(find(config), (std::vector<Json>{"g3", Json()}));
+  config.grasps = {"best"};
+  config.conditions = {{"seen", {"grasp=by-sight"}}};
+  EXPECT_EQ(find(config), (std::vector<Json>{"g3", Json()}));
+}
+
 TEST(TrialTable, EventsAreATableOfTheirOwn) {
   const auto records = MakeFakeRecords(3);
   std::vector<EventRow> events;

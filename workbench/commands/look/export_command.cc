@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/files/files.h"
+#include "core/trial/grasp_by_sight.h"
 #include "datasets/analysis/export_result.h"
 #include "datasets/mjcf/mjcf_export.h"
 #include "datasets/plan/session_inputs.h"
@@ -54,7 +55,8 @@ void ExportMjcf(const ExportOptions& options, const Session& session) {
   MjcfExporter exporter;
   std::vector<std::string> scenes;
   for (const PlannedTrial& planned : trials) {
-    exporter.Export(MakeTrialSetup(session.config, inputs, planned), staged.path() / planned.id);
+    exporter.Export(ChooseGraspBySight(MakeTrialSetup(session.config, inputs, planned)),
+                    staged.path() / planned.id);
     scenes.push_back((folder / planned.id / "scene.xml").string());
   }
   staged.Commit();

@@ -1,8 +1,10 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "core/trial/grasp_by_sight.h"
 #include "datasets/plan/session_plan.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/output_folder.h"
@@ -35,7 +37,7 @@ TrialSetup MakeNominalSetup(const RenderOptions& options) {
   const SessionInputs inputs = LoadSessionInputs(config);
   TrialSetup setup = MakeTrialSetup(config, inputs, MakePlan(config, inputs).front());
   setup.draw.joint_error.setZero();
-  return setup;
+  return ChooseGraspBySight(std::move(setup));
 }
 
 void Render(const RenderOptions& options) {
@@ -67,7 +69,7 @@ void AddRenderCommand(CLI::App& program, ExitCode&) {
   command.add_option("object", options->object, "object by id or folder")
       ->required()
       ->option_text("OBJECT");
-  command.add_option("grasp", options->grasp, "an id as g1, best, or a grasp file")
+  command.add_option("grasp", options->grasp, "an id as g1, best, by-sight, or a grasp file")
       ->required()
       ->option_text("GRASP");
   AddPictureOptions(command, options->at, options->view, options->size);
