@@ -44,8 +44,7 @@ void SessionOptions::AddTo(CLI::App& command, const std::string& file_text) {
   AddSceneOptions(command, given_);
   AddListOption(command, "--grasp", given_.grasps,
                 "best, by-sight, all, ids or grasp files: g1,my.yaml; by-sight: the type by the "
-                "outline that the hand's camera sees, right for 38 of 51 unseen things; success "
-                "4.5 points below best",
+                "outline that the hand's camera sees, right for 38 of 51 unseen things",
                 "G,..");
   command
       .add_option("--approach", given_.approach, "above or side, whatever objects and grasps say")
