@@ -190,13 +190,14 @@ std::vector<UnreachedObject> FindUnreached(const SessionConfig& config,
     for (const auto& object : inputs.objects) {
       if (takes_best && object->best_grasp.count(hand.hand->id) > 0) continue;
       const std::vector<const Grasp*> chosen = FindGrasps(config, inputs, hand, object);
-      if (chosen.empty() || std::any_of(chosen.begin(), chosen.end(), [&](const Grasp* grasp) {
+      const std::vector<const Grasp*> tried = ListTried(hand, *object, chosen, takes_best);
+      if (chosen.empty() || std::any_of(tried.begin(), tried.end(), [&](const Grasp* grasp) {
             return CanTake(inputs, hand, *grasp, object);
           })) {
         continue;
       }
       UnreachedObject unreached{hand.hand->id, object->id, {}, "", 0.0, 0.0};
-      for (const Grasp* grasp : ListTried(hand, *object, chosen, takes_best)) {
+      for (const Grasp* grasp : tried) {
         const GraspPrediction& prediction = FitOnce(inputs, hand, *grasp, object).prediction;
         const double miss = prediction.reach_miss;
         const double lacking = prediction.needed_room - prediction.room;

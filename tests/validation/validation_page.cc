@@ -76,9 +76,7 @@ std::string FormatValidationPage(const std::vector<ValidationRow>& rows, int phy
           std::to_string(num_met) + " met, " + std::to_string(missed.size()) +
           " not met. Physics version " + std::to_string(physics_version) + "; " +
           FormatCount(num_stale, "figure is", "figures are") +
-          " stale: measured with another version.\n\n"
-          "What was measured with the TUM or the Shadow Hand until 2026-11-25 was measured with the\n"
-          "grasps that are `tum-evolved` and `shadow-evolved` since.\n\n";
+          " stale: measured with another version.\n\n";
   text += "## Bars that are not met\n\n";
   text += missed.empty() ? "None.\n" : FormatTable(missed, physics_version);
   for (const auto& [topic, of_topic] : topics) {

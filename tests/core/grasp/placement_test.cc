@@ -299,7 +299,7 @@ TEST(Placement, TheObjectsWordComesBeforeTheGrasps) {
 }
 
 TEST(Placement, APowerGraspSaysHowNearThePalmComes) {
-  const Hand hand = LoadHand("shadow-evolved");
+  const Hand hand = LoadHand("shadow");
   Grasp grasp = LoadGrasp(hand, "g3");
   grasp.palm_gap = kPalmGap;
   const Vector3d size(0.06, 0.06, 0.09);
