@@ -250,14 +250,9 @@ TEST(SessionPlan, BestReachesTheObjectAsItIs) {
   SessionInputs inputs = MakeFakeInputs();
   inputs.hands = {{hand, LoadStandardGrasps(*hand)}};
   ASSERT_GE(CalcPreGraspWidth(*hand, inputs.hands.front().grasps.front()), 0.06);
-  const auto find_best = [&](double bar_width, const std::vector<std::string>& order) {
-    auto object = MakeBarWithPlate(bar_width);
-    object->grasp_order = order;
-    inputs.objects = {object};
-    return MakePlan(SessionConfig(), inputs).front().grasp;
-  };
-  EXPECT_EQ(find_best(0.03, {"g1", "g3"}), "g1");
-  find_best(0.05, {"g1", "g3"});
+  const auto object = MakeBarWithPlate(0.05);
+  object->grasp_order = {"g1", "g3"};
+  inputs.objects = {object};
   const Grasp& as_it_is = inputs.hands.front().grasps.front();
   EXPECT_FALSE(PredictGrasp(*hand, as_it_is, *CompleteObject(inputs.objects[0])).reaches());
   const TrialSetup setup =
