@@ -23,7 +23,9 @@ constexpr SettingOption kOptions[] = {
     {"--hand", "hands",
      [](const SessionConfig& given, SessionConfig& c) { c.hands = given.hands; }},
     {"--object", "objects",
-     [](const SessionConfig& given, SessionConfig& c) { c.objects = ExpandObjects(given.objects); }},
+     [](const SessionConfig& given, SessionConfig& c) {
+       c.objects = ExpandObjects(given.objects);
+     }},
     {"--grasp", "grasps",
      [](const SessionConfig& given, SessionConfig& c) { c.grasps = given.grasps; }},
     {"--approach", "approach",
