@@ -13,7 +13,8 @@ last digit:
 So no digit is hurried, earlier ones wait, and what is left is how they scatter from trial to trial,
 because the object's place and the joints vary. It is an oracle: it knows the medians of the very
 trials it is shown for. Digits that are late by constants have a floor of 0. A trial in which a
-digit never touched counts as infinite, as no shift makes it touch. Proposed by graspbench. */
+digit never touched counts as infinite, as no shift makes it touch. Medians are not the shifts with
+the smallest median ratio, so GFT% may lie a little below its floor. Proposed by graspbench. */
 
 #include <vector>
 
