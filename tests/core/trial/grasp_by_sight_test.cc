@@ -13,8 +13,8 @@
 namespace graspbench {
 namespace {
 
-/** With g1, g2 and g3 to choose from; the last is at hand, so that a trial that does not choose would
-do g3. */
+/** With g1, g2 and g3 to choose from; the last is at hand, so that a trial that does not choose
+would do g3. */
 TrialSetup MakeTrial(std::shared_ptr<const GraspObject> object) {
   TrialSetup setup;
   setup.hand = std::make_shared<const Hand>(LoadHand("tum"));
