@@ -165,9 +165,9 @@ std::vector<Grasp> ListFinalists(const SearchResult& search, const PostureChange
 
 }  // namespace
 
-DevelopTrialCounts CountDevelopTrials(int budget) {
+int CountDevelopTrials(int budget) {
   const Plan plan = MakePlan(budget);
-  return {plan.CountRace() + plan.num_evaluations * plan.num_shapes / 2, plan.CountFinals()};
+  return plan.CountRace() + plan.num_evaluations * plan.num_shapes / 2 + plan.CountFinals();
 }
 
 DevelopedGrasp DevelopGrasp(const Hand& hand, const std::vector<ProposedGrasp>& proposals,

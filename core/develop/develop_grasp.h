@@ -68,12 +68,7 @@ struct DevelopedGrasp {
 };
 
 /** About how many trials DevelopGrasp asks for. */
-struct DevelopTrialCounts {
-  int draft = 0;  ///< race and search
-  int fine = 0;   ///< finals and check
-  int all() const { return draft + fine; }
-};
-DevelopTrialCounts CountDevelopTrials(int budget);
+int CountDevelopTrials(int budget);
 
 /** @param budget  of trials of this grasp.  @pre `proposals` is not empty, best first. */
 DevelopedGrasp DevelopGrasp(const Hand& hand, const std::vector<ProposedGrasp>& proposals,

@@ -146,7 +146,8 @@ void PredictContacts(const Hand& hand, const Grasp& grasp, const GraspObject& ob
 
 bool ComesFromSide(const Placement& placement) { return std::abs(placement.approach_W.z()) < 0.5; }
 
-/** Of the object's nearest face, along the approach, where the palm stops. */
+/** Whether the palm stops within kPalmNear of the near face of the object's box, along the
+approach. */
 bool IsPalmNear(const Hand& hand, const Grasp& grasp, const GraspObject& object,
                 const Placement& placement) {
   if (!grasp.palm_may_touch) return false;
@@ -177,6 +178,21 @@ Grasp Open(const Hand& hand, const Grasp& grasp, double share) {
   return opened;
 }
 
+/** Opened until it is clear; nothing when it cannot be, or does not reach. */
+std::optional<Grasp> OpenUntilClear(const Hand& hand, const Grasp& grasp,
+                                    const GraspObject& object) {
+  for (int k = 0; k <= kOpeningSteps; ++k) {
+    Grasp opened = k == 0 ? grasp : Open(hand, grasp, static_cast<double>(k) / kOpeningSteps);
+    const Placement placement = CalcPlacement(hand, opened, object);
+    if (!placement.reaches_object) continue;
+    if (CalcRoom(hand, opened, object, placement, MakeObstacle(object)) >=
+        CalcNeededRoom(hand, opened)) {
+      return opened;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 GraspPrediction PredictGrasp(const Hand& hand, const Grasp& grasp, const GraspObject& object) {
@@ -197,25 +213,6 @@ bool ClearsBoundingBox(const Hand& hand, const Grasp& grasp, const GraspObject& 
   const auto calc_box = [&](const Vector3d& p_O) { return CalcBoxDistance(object.size, p_O); };
   return CalcRoom(hand, grasp, object, placement, calc_box) >= CalcNeededRoom(hand, grasp);
 }
-
-namespace {
-
-/** Opened until it is clear; nothing when it cannot be, or does not reach. */
-std::optional<Grasp> OpenUntilClear(const Hand& hand, const Grasp& grasp,
-                                    const GraspObject& object) {
-  for (int k = 0; k <= kOpeningSteps; ++k) {
-    Grasp opened = k == 0 ? grasp : Open(hand, grasp, static_cast<double>(k) / kOpeningSteps);
-    const Placement placement = CalcPlacement(hand, opened, object);
-    if (!placement.reaches_object) continue;
-    if (CalcRoom(hand, opened, object, placement, MakeObstacle(object)) >=
-        CalcNeededRoom(hand, opened)) {
-      return opened;
-    }
-  }
-  return std::nullopt;
-}
-
-}  // namespace
 
 Grasp FitGrasp(const Hand& hand, const Grasp& grasp, const GraspObject& object) {
   if (grasp.placement || !grasp.object.empty()) return grasp;

@@ -41,7 +41,7 @@ struct GraspPrediction {
   /** Of the contacts, thumb against the mean of the others, above the centre of mass [m]; what is
   pushed above it tips. */
   double contact_height = 0.0;
-  bool palm_is_near = false;  ///< it may touch, and the object is about where it stops
+  bool palm_is_near = false;  ///< it may touch, and stops within 3.5 mm of the near face
 
   bool reaches() const { return reach_miss <= 0.0; }
   /** Closing brings the opposing digit and another to the object. */

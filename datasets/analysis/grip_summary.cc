@@ -96,9 +96,8 @@ GripShortfall FindShortfall(const SessionSummary& summary) {
 std::string DescribeExcess(const GripShortfall& shortfall) {
   if (shortfall.pressed.n == 0) return "";
   return fmt::format(
-      "grip     {} of {} pressed more than twice as hard as asked, beside what feels: asked {} N, "
-      "in "
-      "truth {} N (sums, medians)",
+      "grip     {} of {} pressed more than twice as hard as asked, beside what feels: "
+      "asked {} N, in truth {} N (sums, medians)",
       shortfall.pressed.n, FormatCount(shortfall.num_closed, "trial"),
       FormatFixed(shortfall.asked_of_excess.median, 2), FormatFixed(shortfall.pressed.median, 2));
 }

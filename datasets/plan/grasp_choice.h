@@ -30,14 +30,15 @@ const Grasp* FindGrasp(const SessionHand& hand, const GraspObject& object, const
 std::string ResolveGraspName(const SessionInputs& inputs, const std::string& name);
 
 /** The grasp as the trial takes it: fitted to the object (predict_grasp.h), which is found once for
-the session and shared by threads. What is clear of the object's bounding box, was made for the
-object, or is what the object names as best for this hand, stays as it is. */
+the session and shared by threads. What was made for the object, or is what the object names as best
+for this hand, stays as it is; so does what is clear of its bounding box, unless its palm may touch.
+*/
 Grasp FindFitted(const SessionInputs& inputs, const SessionHand& hand, const Grasp& grasp,
                  const std::shared_ptr<const GraspObject>& object);
 
 /** Larger is better. That a grasp reaches the object and meets it when it closes comes first, then
 that its development found it to hold what it had not met, then how many of four conditions it
-keeps, then how low it meets it. */
+keeps, then how low it meets the object: what is pushed above its centre of mass tips. */
 struct GraspRank {
   int meets = -1;
   bool has_held = false;

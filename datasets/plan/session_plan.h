@@ -56,10 +56,8 @@ several delays is undelayed once; what a condition's backend cannot move has no 
 the grasps
 
 - "best": the object's best grasp for that hand; where it names none (a user's hand) or one that the
-  hand cannot do, the first of the object's grasp_order that the hand can do, that opens 10 mm wider
-  than the object and whose placement reaches it (core/grasp/placement.h: no trial of another could
-  be anything but "unreachable"); else the first that reaches it, else the first that the hand can
-  do, else the hand's first;
+  hand cannot do, of the object's grasp_order that of the highest rank by prediction, the first of
+  equal ones (GraspRank of grasp_choice.h); else the hand's first;
 - "all": all that the hand can do;
 - ids and grasp files, "best" among them: those that the hand can do on the object;
 - "by-sight", which may be among ids: what the hand's camera chooses in the trial

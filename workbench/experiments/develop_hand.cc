@@ -27,7 +27,6 @@ constexpr int kNumKept = 32;           ///< of these
 constexpr double kLargestShape = 0.8;  ///< of the widest opening that was proposed
 constexpr double kHoldTime = 0.7;      ///< shorter than the benchmark's: what slips, slips soon [s]
 constexpr double kPlacingTime = 0.5;   ///< likewise: nothing is touched meanwhile [s]
-constexpr double kDraftStep = 0.002;   ///< of the physics in race and search [s]
 /** Of the grip, and of its margin beyond 1, by turn: the mean score of trials that ask less and less
 is higher the lower the threshold of grip is. */
 constexpr double kGripShares[] = {1.0, 0.5, 1.0, 0.25};
@@ -50,13 +49,6 @@ std::vector<std::shared_ptr<const Hand>> MakeCoupledHands(const std::shared_ptr<
     hands.push_back(std::move(other));
   }
   return hands;
-}
-
-bool IsDraft(const std::string& stage) { return stage == "race" || stage == "search"; }
-
-/** In trials of the search; a step half as long costs twice as much. */
-double CalcWork(const std::string& stage, int num_trials) {
-  return IsDraft(stage) ? num_trials : kDraftStep / SimConfig().step * num_trials;
 }
 
 /** Answers what the development of one grasp asks: from the journal, else by simulation. */
@@ -84,9 +76,7 @@ class GraspTrials {
     };
     const auto simulate = [&](std::vector<DevelopmentRecord>& records,
                               const std::vector<size_t>& left) {
-      for (const size_t i : left) {
-        work += CalcWork(requests[i].stage, static_cast<int>(requests[i].trials.size()));
-      }
+      for (const size_t i : left) work += static_cast<double>(requests[i].trials.size());
       Simulate(requests, left, records);
     };
     return journal_.Answer(questions, recall, simulate);
@@ -126,7 +116,6 @@ class GraspTrials {
     setup.strategy.grip_force *= grip;
     setup.strategy.grip_margin = 1.0 + grip * (setup.strategy.grip_margin - 1.0);
     setup.sim = config_.sim;
-    if (IsDraft(request.stage)) setup.sim.step = kDraftStep;
     const Json names = {config_.develop.seed, setup.object->id, trial.draw};
     setup.draw = DrawVariation(config_.variation, *hand_,
                                RandomStream(FormatJson(names), "object pose of development"),
@@ -197,10 +186,6 @@ std::vector<int> ShareBudget(int budget, const std::vector<const GraspTaxon*>& t
   return budgets;
 }
 
-double CalcWork(const DevelopTrialCounts& counts) {
-  return CalcWork("search", counts.draft) + CalcWork("finals", counts.fine);
-}
-
 /** A new folder with a copy of the hand, or the same development in it. */
 void PrepareFolder(const DevelopHandRequest& request, const Hand& hand,
                    const DevelopmentConfig& config) {
@@ -261,7 +246,7 @@ std::vector<DevelopedGrasp> DevelopHand(const DevelopHandRequest& request, Obser
   Stage stage = MakeStage(StageKind::kDevelopment, taxa.size());
   stage.num_trials = 0;
   const std::vector<int> budgets = ShareBudget(request.config.budget, taxa);
-  for (const int budget : budgets) stage.num_trials += CountDevelopTrials(budget).all();
+  for (const int budget : budgets) stage.num_trials += CountDevelopTrials(budget);
   observer.BeginStage(stage);
   BatchStatus status;
   const std::vector<Eigen::Vector3d> judges = ListJudges();
@@ -274,14 +259,14 @@ std::vector<DevelopedGrasp> DevelopHand(const DevelopHandRequest& request, Obser
                       RandomStream(stream, "proposals"));
     GraspTrials trials(hand, config, MakeAllShapes(*taxon, request.config.seed, proposals, judges),
                        journal, pool);
-    double left = CalcWork(CountDevelopTrials(budgets[k])), following = 0.0;
+    double left = CountDevelopTrials(budgets[k]), following = 0.0;
     for (size_t later = k + 1; later < taxa.size(); ++later) {
-      following += CalcWork(CountDevelopTrials(budgets[later]));
+      following += CountDevelopTrials(budgets[later]);
     }
     const auto run = [&](const std::vector<DevelopRequest>& requests) {
       auto answers = trials.Run(requests, status.work_done);
       for (const DevelopRequest& asked : requests) {
-        left -= CalcWork(asked.stage, static_cast<int>(asked.trials.size()));
+        left -= static_cast<double>(asked.trials.size());
       }
       status.work_left = std::max(0.0, left) + following;
       for (const auto& answer : answers) {

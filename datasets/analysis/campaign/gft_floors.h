@@ -25,8 +25,8 @@ struct GftFloors {
 GftFloors CalcGftFloors(const std::vector<SceneVariants>& scenes, Variant variant,
                         const std::string& hand = {});
 
-/** "new pre-grasp: GFT% 9.5 %, floor 7.1 %; 12 of 40 scenes reach at most 1.2 times their floor; 2
-scenes have no floor". */
+/** "new pre-grasp: GFT% 9.5 %, floor 7.1 % (medians); 12 of 40 scenes reach at most 1.2 times their
+floor; 2 scenes without a floor". */
 std::string DescribeGftFloors(const GftFloors& floors, Variant variant);
 
 }  // namespace graspbench

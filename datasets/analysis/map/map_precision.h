@@ -32,8 +32,8 @@ double CalcHalfWidth(const MapCell& cell);
 /** The result points into `map`. A large region without an interval is wide. */
 MapPrecision FindPrecision(const SimultaneityMap& map, const std::string& hand);
 
-/** "Of 158 regions with at least 150 pairs of 20 objects, 150 have a half-width of at most 5 points
-of success for 100 ms (95 % interval)."; that no region is so large. */
+/** "Of 158 regions with at least 150 pairs of 20 objects, 150 have a 95 % interval with a half-width
+of at most 5 points of success for 100 ms."; or that no region is so large. */
 std::string DescribePrecision(const MapPrecision& precision);
 
 }  // namespace graspbench
