@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/base/text/json.h"
 #include "datasets/plan/conditions.h"
+#include "objects/catalogue.h"
 
 namespace graspbench {
 namespace {
@@ -40,6 +42,14 @@ std::vector<std::vector<std::string>> ListSettings(const SessionConfig& config) 
   return settings;
 }
 
+int CountTrials(const MapPart& part, const SessionConfig& base) {
+  constexpr double kTrialsOfRegion = 60.0;
+  const bool takes_all = base.objects == SessionConfig().objects;
+  const size_t num_objects = takes_all ? ListObjects().size() : base.objects.size();
+  const double trials = std::round(kTrialsOfRegion / std::max<size_t>(num_objects, 1));
+  return static_cast<int>(std::clamp(trials, 1.0, static_cast<double>(part.most_trials)));
+}
+
 }  // namespace
 
 const std::vector<MapFactorRow>& ListMapFactors() {
@@ -64,12 +74,12 @@ const std::vector<MapFactorRow>& ListMapFactors() {
 std::vector<MapPart> ListMapParts(bool is_quick) {
   if (is_quick) return {{"success", "Success", true, {0.3}, 1, 0, false, false}};
   return {{"success", "Success", true, {0.1, 0.3}, 3, 0, false, false},
-          {"threshold", "Grip threshold", false, {0.3}, 1, 0, true, false},
+          {"threshold", "Grip threshold", false, {0.3}, 1, 30, true, false},
           {"strength", "Breaking force", false, {0.3}, 1, 5, false, true}};
 }
 
 SessionConfig MakeMapSession(const MapPart& part, SessionConfig base) {
-  base.trials = part.trials;
+  base.trials = CountTrials(part, base);
   base.strategy.grip = "margin";
   base.strategy.grip_force = 0.0;  // a least force would hide the margin
   for (const MapFactorRow& factor : ListMapFactors()) {

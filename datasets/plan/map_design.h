@@ -35,14 +35,16 @@ struct MapPart {
   const char* title;
   bool varies_grip;
   std::vector<double> delays;  ///< of the last and of the first digit [s]
-  int trials;                  ///< of each hand, object and region
+  int most_trials;             ///< of each hand, object and region
   int most_objects;            ///< dealt by the seed; 0: all
   bool with_thresholds, with_judge;
 };
 /** @param is_quick  success alone, with one delay and one draw. */
 std::vector<MapPart> ListMapParts(bool is_quick);
 
-/** @param base  hands, objects and seed are kept; what the factors vary is set.
+/** So many draws of each object as make some sixty trials of a hand in a region: of more objects
+fewer, because more objects tell more than more draws.
+@param base  hands, objects and seed are kept; what the factors vary is set.
 @throws as ApplyCondition. */
 SessionConfig MakeMapSession(const MapPart& part, SessionConfig base);
 

@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    for (const char* id : {"shadow", "shadow-developed", "tum", "tum-courses", "tum-developed"}) {
+    for (const char* id : {"shadow", "shadow-evolved", "tum", "tum-courses", "tum-evolved"}) {
       graspbench::WriteFileAtomically(std::filesystem::path(argv[1]) / id / "tactile.yaml",
                                       graspbench::MakeTactileYaml(graspbench::LoadHand(id)));
     }

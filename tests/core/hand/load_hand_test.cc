@@ -17,8 +17,8 @@ const std::filesystem::path kGood = std::filesystem::path(TEST_DATA_DIR) / "two_
 
 TEST(LoadHandTest, EveryHandOfTheProjectIsFreeOfProblems) {
   EXPECT_EQ(ListHands(),
-            (std::vector<std::string>{"shadow", "shadow-developed", "tum", "tum-courses",
-                                      "tum-developed", "tum-original"}));
+            (std::vector<std::string>{"shadow", "shadow-evolved", "tum", "tum-courses",
+                                      "tum-evolved", "tum-original"}));
   for (const std::string& id : ListHands()) {
     Diagnostics problems;
     CheckHand(id, problems);
@@ -303,7 +303,7 @@ TEST(LoadHandTest, AFolderInPlaceOfTactileElementsIsTold) {
 TEST(LoadHandTest, SaysWhatToGiveInsteadOfAWrongName) {
   EXPECT_EQ(MessageOf("shadw", ErrorKind::kNotFound),
             "no hand and no folder \"shadw\"; did you mean \"shadow\"? Known: shadow, "
-            "shadow-developed, tum, tum-courses, tum-developed, tum-original");
+            "shadow-evolved, tum, tum-courses, tum-evolved, tum-original");
   const std::string file = (kGood / "hand.urdf").string();
   EXPECT_EQ(MessageOf(file, ErrorKind::kNotFound),
             "\"" + file + "\" is a file; give the folder that holds hand.urdf and hand.yaml");

@@ -65,6 +65,18 @@ TEST(MapDesign, TheBaseIsTheFirstLevelOfEachFactor) {
   EXPECT_EQ(ListMapLevels({{}}, config).at(0), std::vector<size_t>(6, 0));
 }
 
+// Some sixty trials of a region: 21 objects three draws each, 29 two, 79 one, one object no more
+// than three.
+TEST(MapDesign, MoreObjectsHaveFewerDraws) {
+  const MapPart part = ListMapParts(false).front();
+  SessionConfig base;
+  EXPECT_EQ(MakeMapSession(part, base).trials, 3);
+  for (const auto& [num_objects, trials] : {std::pair(1, 3), {29, 2}, {79, 1}, {300, 1}}) {
+    base.objects.assign(num_objects, "can");
+    EXPECT_EQ(MakeMapSession(part, base).trials, trials) << num_objects;
+  }
+}
+
 TEST(MapDesign, AMapIsKnownByItsConditions) {
   SessionConfig base;
   base.hands = {"tum"};

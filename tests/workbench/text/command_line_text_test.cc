@@ -61,8 +61,8 @@ TEST_F(CommandLineTextTest, BashCompletesCommandsOptionsAndValues) {
   EXPECT_EQ(Complete("graspbench hand \"\""), "show --help");
   EXPECT_EQ(Complete("graspbench hand show --"), "--help --unit --json");
   EXPECT_EQ(Complete("graspbench hand show --unit \"\""), "m mm");
-  EXPECT_EQ(Complete("graspbench run --hand sh"), "shadow shadow-developed");
-  EXPECT_EQ(Complete("graspbench run --hand tum,shadow-"), "tum,shadow-developed");
+  EXPECT_EQ(Complete("graspbench run --hand sh"), "shadow shadow-evolved");
+  EXPECT_EQ(Complete("graspbench run --hand tum,shadow-"), "tum,shadow-evolved");
   EXPECT_EQ(Complete("graspbench run --jobs \"\""), "");  // a number
   EXPECT_EQ(Complete("graspbench run --jobs 3 --h"), "--help --hand");
 }

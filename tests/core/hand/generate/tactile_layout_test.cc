@@ -9,7 +9,7 @@ namespace graspbench {
 namespace {
 
 TEST(TactileLayoutTest, TheFilesAreWhatTheGeneratorMakes) {
-  for (const char* id : {"shadow", "shadow-developed", "tum", "tum-courses", "tum-developed"}) {
+  for (const char* id : {"shadow", "shadow-evolved", "tum", "tum-courses", "tum-evolved"}) {
     const Hand hand = LoadHand(id);
     EXPECT_EQ(ReadFile(hand.folder + "/tactile.yaml"), MakeTactileYaml(hand)) << id;
   }
