@@ -194,7 +194,7 @@ int main(int argc, char** argv) {
       "hold; deepest [mm]: of the whole trial; grip [N]: sum of normal forces before the lift\n",
       mj_versionString(), config.impratio, config.time_constant, config.impedance_min,
       config.impedance_max, num_pairs);
-  for (const char* hand_id : {"tum", "shadow"}) {
+  for (const char* hand_id : {"tum-evolved", "shadow-evolved"}) {
     const auto hand = std::make_shared<const Hand>(LoadHand(hand_id));
     for (const Scene& scene : kScenes) RunScene(hand, scene, num_pairs);
   }

@@ -93,8 +93,10 @@ void BM_MedianTrial(benchmark::State& state, const char* hand_id) {
   state.counters["median_trial_ms"] = 1e3 * CalcMedian(medians);
   state.counters["slowest_ms"] = 1e3 * *std::max_element(medians.begin(), medians.end());
 }
-BENCHMARK_CAPTURE(BM_MedianTrial, tum, "tum")->Unit(benchmark::kMillisecond)->Iterations(5);
-BENCHMARK_CAPTURE(BM_MedianTrial, shadow, "shadow")->Unit(benchmark::kMillisecond)->Iterations(5);
+BENCHMARK_CAPTURE(BM_MedianTrial, tum, "tum-evolved")->Unit(benchmark::kMillisecond)->Iterations(5);
+BENCHMARK_CAPTURE(BM_MedianTrial, shadow, "shadow-evolved")
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(5);
 
 enum class StepPart { kWhole, kKinematics, kMassMatrix, kBias, kCollision };
 

@@ -53,8 +53,8 @@ class Surroundings : public testing::Test {
               "hand tum\nobject can\nset model.mass_scale 1.5\nrun\nwhy\nscene\ncontacts\n");
     const std::string session = folder + "/s";
     const std::vector<std::vector<std::string>> lines = {
-        {"run", "--hand", "tum", "--object", "golf_ball,can", "--trials", "1", "--set",
-         "model.mass_scale=1.25", "--jobs", "1", "--out", session},
+        {"run", "--hand", "tum", "--object", "golf_ball,can", "--grasp", "g3", "--trials", "1",
+         "--set", "model.mass_scale=1.25", "--jobs", "1", "--out", session},
         {"judge", session, "--jobs", "1"},
         {"export", session, "--mjcf", "all", "--out", folder + "/mjcf"},
         {"trial", session, "tum-can-g3:0", "--json"},

@@ -71,12 +71,14 @@ std::string FormatValidationPage(const std::vector<ValidationRow>& rows, int phy
       "What is measured of graspbench. Made from the rows of `validation/` by\n"
       "`cmake --build build/release --target validation`: change the rows, not this page.\n"
       "`validation/README.md` says how to add one.\n\n";
-  text += FormatCount(static_cast<int64_t>(rows.size()), "figure") + ", " +
-          FormatCount(static_cast<int64_t>(missed.size()) + num_met, "bar") + ": " +
-          std::to_string(num_met) + " met, " + std::to_string(missed.size()) +
-          " not met. Physics version " + std::to_string(physics_version) + "; " +
-          FormatCount(num_stale, "figure is", "figures are") +
-          " stale: measured with another version.\n\n";
+  text +=
+      FormatCount(static_cast<int64_t>(rows.size()), "figure") + ", " +
+      FormatCount(static_cast<int64_t>(missed.size()) + num_met, "bar") + ": " +
+      std::to_string(num_met) + " met, " + std::to_string(missed.size()) +
+      " not met. Physics version " + std::to_string(physics_version) + "; " +
+      FormatCount(num_stale, "figure is", "figures are") +
+      " stale: measured with another version. Until 2026-11-26 `tum` and `shadow` were the hands\n"
+      "that are `tum-evolved` and `shadow-evolved` now, unless a row says \"developed\".\n\n";
   text += "## Bars that are not met\n\n";
   text += missed.empty() ? "None.\n" : FormatTable(missed, physics_version);
   for (const auto& [topic, of_topic] : topics) {

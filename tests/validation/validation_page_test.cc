@@ -39,7 +39,8 @@ TEST(ValidationPage, MissedBarsComeFirstAndOtherPhysicsIsStale) {
       "| y | 1 \\| 2 | - | 4 | **no** | `ask it` | 2026-11-22, program 0.1.0; a machine |\n";
   const std::string expected =
       "4 figures, 2 bars: 1 met, 1 not met. Physics version 9; 1 figure is stale: measured with "
-      "another version.\n\n"
+      "another version. Until 2026-11-26 `tum` and `shadow` were the hands\n"
+      "that are `tum-evolved` and `shadow-evolved` now, unless a row says \"developed\".\n\n"
       "## Bars that are not met\n\n" +
       head + missed + "\n## Apes\n\n" + head +
       "| a | 1 \\| 2 | - | 3 | yes | `ask it` | 2026-11-22, physics 9, program 0.1.0; a machine |\n"

@@ -10,7 +10,8 @@ namespace {
 
 class PostureChangesTest : public testing::Test {
  protected:
-  PostureChangesTest() : hand_(LoadHand("tum")), grasp_(LoadStandardGrasps(hand_).front()) {}
+  PostureChangesTest()
+      : hand_(LoadHand("tum-evolved")), grasp_(LoadStandardGrasps(hand_).front()) {}
 
   double Change(const Grasp& changed, const char* joint) const {
     const int j = hand_.FindJoint(joint);

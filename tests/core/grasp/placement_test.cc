@@ -237,7 +237,7 @@ INSTANTIATE_TEST_SUITE_P(Grasps, PlacementTest,
                          });
 
 TEST(Placement, APowerGraspOfATallThingComesFromTheSide) {
-  const Hand hand = LoadHand("tum");
+  const Hand hand = LoadHand("tum-evolved");
   for (const Grasp& grasp : LoadStandardGrasps(hand)) {
     const Placement placement =
         CalcPlacement(hand, grasp, Vector3d(0.066, 0.066, 0.1156), Vector3d::Zero());

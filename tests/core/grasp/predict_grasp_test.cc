@@ -48,7 +48,7 @@ class PredictGraspTest : public testing::Test {
     }
     throw Error(ErrorKind::kNotFound, id);
   }
-  const Hand hand_ = LoadHand("tum");
+  const Hand hand_ = LoadHand("tum-evolved");
 };
 
 // Brute force: no object anywhere in the box of placement errors comes nearer to a digit on its way,

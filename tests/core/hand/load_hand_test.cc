@@ -16,9 +16,8 @@ namespace {
 const std::filesystem::path kGood = std::filesystem::path(TEST_DATA_DIR) / "two_joint_hand";
 
 TEST(LoadHandTest, EveryHandOfTheProjectIsFreeOfProblems) {
-  EXPECT_EQ(ListHands(),
-            (std::vector<std::string>{"shadow", "shadow-evolved", "tum", "tum-courses",
-                                      "tum-evolved", "tum-original"}));
+  EXPECT_EQ(ListHands(), (std::vector<std::string>{"shadow", "shadow-evolved", "tum", "tum-courses",
+                                                   "tum-evolved", "tum-original"}));
   for (const std::string& id : ListHands()) {
     Diagnostics problems;
     CheckHand(id, problems);

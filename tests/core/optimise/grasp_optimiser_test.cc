@@ -20,7 +20,7 @@ namespace {
 sigma falls with the distance of the thumb's target from a best one. */
 class FakeTrials {
  public:
-  FakeTrials() : hand_(LoadHand("tum")) {
+  FakeTrials() : hand_(LoadHand("tum-evolved")) {
     object_.id = "fake";
     object_.size = Eigen::Vector3d::Constant(0.05);
     static const auto field = std::make_shared<const SignedDistanceField>(

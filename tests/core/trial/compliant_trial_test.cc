@@ -19,7 +19,7 @@ TEST(CompliantTrial, TakesBalls) {
 
 TEST(CompliantTrial, TouchesAndGripsAsOurOwnWorldDoes) {
   TrialSetup setup;
-  setup.hand = std::make_shared<const Hand>(LoadHand("tum"));
+  setup.hand = std::make_shared<const Hand>(LoadHand("tum-evolved"));
   setup.object = LoadObject("golf_ball");
   setup.grasp = LoadStandardGrasps(*setup.hand).front();
   setup.draw.joint_error = Eigen::VectorXd::Zero(setup.hand->num_joints());

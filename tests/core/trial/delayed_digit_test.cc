@@ -21,7 +21,7 @@ class DelayedDigit : public ::testing::Test {
   TracedTrial Trace(const TrialSetup& setup) { return TraceTrial(runner_, setup, 0.0); }
   TracedTrial TraceLate(double delay) { return Trace(DelayDigit(setup_, digit_, delay)); }
 
-  TrialSetup setup_ = MakeSetup("tum", "g2", MakeCube(0.0122, 0.5));
+  TrialSetup setup_ = MakeSetup("tum-evolved", "g2", MakeCube(0.0122, 0.5));
   TrialRunner runner_{setup_.hand, setup_.object};
   int digit_ = FindOpposingDigit(*setup_.hand, setup_.grasp);
   double closure_start_ = Trace(setup_).closure_start;

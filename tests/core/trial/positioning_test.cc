@@ -18,7 +18,7 @@ class PositioningTest : public testing::Test {
  protected:
   static TrialSetup MakeTrial(const char* object, const char* grasp_id) {
     TrialSetup setup;
-    setup.hand = std::make_shared<const Hand>(LoadHand("tum"));
+    setup.hand = std::make_shared<const Hand>(LoadHand("tum-evolved"));
     setup.object = LoadObject(object);
     for (const Grasp& grasp : LoadStandardGrasps(*setup.hand)) {
       if (grasp.id == grasp_id) setup.grasp = grasp;

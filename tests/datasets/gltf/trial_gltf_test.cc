@@ -63,7 +63,7 @@ void FindPoses(const aiNode& node, const aiAnimation& animation, unsigned key, c
 }
 
 class TrialGltf : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Hands, TrialGltf, testing::Values("tum", "shadow"));
+INSTANTIATE_TEST_SUITE_P(Hands, TrialGltf, testing::Values("tum-evolved", "shadow-evolved"));
 
 TEST_P(TrialGltf, NodesAreWhereTheSimulationWas) {
   const DoneTrial& trial = GetTrial(GetParam());
@@ -202,7 +202,7 @@ TEST_P(TrialGltf, PartsMakeTheWhole) {
 }
 
 TEST(TrialGltfNames, StayText) {
-  DoneTrial trial = GetTrial("tum");
+  DoneTrial trial = GetTrial("tum-evolved");
   Hand hand = *trial.setup.hand;
   hand.links[1].name = "\"}],</script>\n";
   trial.setup.hand = std::make_shared<const Hand>(hand);
@@ -213,7 +213,7 @@ TEST(TrialGltfNames, StayText) {
 }
 
 TEST(TrialGltfFailures, OfTheSimulationAreLeftOut) {
-  DoneTrial trial = GetTrial("tum");
+  DoneTrial trial = GetTrial("tum-evolved");
   std::vector<TraceInstant>& trace = trial.traced.trace;
   const size_t middle = trace.size() / 2;
   trace[middle].X_WO.translation().x() = std::numeric_limits<double>::quiet_NaN();

@@ -13,7 +13,7 @@ namespace graspbench {
 namespace {
 
 TEST(CommandedMotion, IsThatOfTheTrial) {
-  const TrialSetup setup = MakeBestGraspSetup("tum", "toy_cube");
+  const TrialSetup setup = MakeBestGraspSetup("tum-evolved", "toy_cube");
   TableLift course(std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim), setup);
   const TrialResult result = course.Run();
   ASSERT_EQ(result.outcome, Outcome::kSuccess);
@@ -25,7 +25,7 @@ TEST(CommandedMotion, IsThatOfTheTrial) {
 }
 
 TEST(CommandedMotion, GoesOnToTheEndOfTheHoldWhenTheObjectIsLost) {
-  TrialSetup setup = MakeBestGraspSetup("tum", "toy_cube");
+  TrialSetup setup = MakeBestGraspSetup("tum-evolved", "toy_cube");
   setup.draw.offset_x = 0.3;  // out of reach
   TableLift course(std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim), setup);
   const TrialResult result = course.Run();

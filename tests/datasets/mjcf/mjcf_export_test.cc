@@ -9,7 +9,7 @@ namespace graspbench {
 namespace {
 
 TEST(MjcfExport, WritesTheSameBytesAgain) {
-  const TrialSetup setup = MakeBestGraspSetup("tum", "toy_cube");
+  const TrialSetup setup = MakeBestGraspSetup("tum-evolved", "toy_cube");
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "mjcf_export";
   MjcfExporter().Export(setup, folder / "a");
   MjcfExporter exporter;

@@ -30,7 +30,7 @@ ImportedHand ExportAndImport(const char* hand_id) {
 }
 
 TEST(MjcfImport, AnExportedHandComesBack) {
-  for (const char* hand_id : {"tum", "shadow"}) {
+  for (const char* hand_id : {"tum-evolved", "shadow-evolved"}) {
     const Hand hand = LoadHand(hand_id);
     const ImportedHand imported = ExportAndImport(hand_id);
     const Hand& other = imported.hand;

@@ -24,7 +24,7 @@ void ForEach(const XMLElement* element, const std::function<void(const XMLElemen
 }
 
 TEST(MjcfScene, HoldsTheWholeHandAndAStateOfItsSize) {
-  for (const char* hand_id : {"tum", "shadow"}) {
+  for (const char* hand_id : {"tum-evolved", "shadow-evolved"}) {
     const TrialSetup setup = MakeBestGraspSetup(hand_id, "toy_cube");
     const CommandedMotion motion = RecordMotion(setup);
     ConvexPart part;

@@ -20,7 +20,7 @@ std::shared_ptr<GraspObject> MakeBlock(const std::string& id, double width) {
 
 /** A hand of a user's, whose fingers do not span 200 mm but 30. */
 SessionInputs MakeInputsOf(const std::vector<std::shared_ptr<const GraspObject>>& objects) {
-  auto hand = std::make_shared<Hand>(LoadHand("tum-developed"));
+  auto hand = std::make_shared<Hand>(LoadHand("tum"));
   hand->id = "mine";
   SessionInputs inputs = MakeFakeInputs();
   inputs.hands = {{hand, LoadStandardGrasps(*hand)}};

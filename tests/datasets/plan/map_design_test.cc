@@ -72,7 +72,8 @@ TEST(MapDesign, MoreObjectsHaveFewerDraws) {
   SessionConfig base;
   EXPECT_EQ(MakeMapSession(part, base).trials, 3);
   for (const auto& [num_objects, trials] : {std::pair(1, 3), {29, 2}, {79, 1}, {300, 1}}) {
-    base.objects.assign(num_objects, "can");
+    base.objects.clear();
+    for (int i = 0; i < num_objects; ++i) base.objects.push_back("thing" + std::to_string(i));
     EXPECT_EQ(MakeMapSession(part, base).trials, trials) << num_objects;
   }
 }

@@ -198,7 +198,7 @@ TEST(SessionPlan, BestTakesTheObjectsWishThenItsOrderThenWhatThereIs) {
 }
 
 TEST(SessionPlan, BestOpensWiderThanTheObject) {
-  auto hand = std::make_shared<Hand>(LoadHand("tum"));
+  auto hand = std::make_shared<Hand>(LoadHand("tum-evolved"));
   SessionInputs inputs = MakeFakeInputs();
   inputs.hands = {{hand, LoadStandardGrasps(*hand)}};
   const auto width_of = [&](size_t grasp) {
@@ -243,10 +243,10 @@ std::shared_ptr<GraspObject> MakeBarWithPlate(double bar_width) {
   return object;
 }
 
-// The open hand of tum-developed's g1 is 10 mm wider between its pads than a bar of 50 mm, but its
+// The open hand of the g1 of tum is 10 mm wider between its pads than a bar of 50 mm, but its
 // fingertips would end inside it, as it is; what the plan takes reaches it.
 TEST(SessionPlan, BestReachesTheObjectAsItIs) {
-  auto hand = std::make_shared<Hand>(LoadHand("tum-developed"));
+  auto hand = std::make_shared<Hand>(LoadHand("tum"));
   SessionInputs inputs = MakeFakeInputs();
   inputs.hands = {{hand, LoadStandardGrasps(*hand)}};
   ASSERT_GE(CalcPreGraspWidth(*hand, inputs.hands.front().grasps.front()), 0.06);

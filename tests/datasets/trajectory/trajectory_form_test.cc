@@ -13,7 +13,7 @@ namespace {
 /** Simulated once for all tests. */
 const TrialTrajectory& GetTrajectory() {
   static const TrialTrajectory trajectory = [] {
-    TrialSetup setup = MakeBestGraspSetup("tum", "golf_ball");
+    TrialSetup setup = MakeBestGraspSetup("tum-evolved", "golf_ball");
     setup.object = CompleteObject(setup.object);
     TrialRunner runner(setup.hand, setup.object);
     const PlannedTrial planned = {"0123456789abcdef", "tum", "golf_ball", "g1", 0};

@@ -19,6 +19,7 @@ class GripThresholdsTest : public testing::Test {
   void SetUp() override {
     config_.hands = {"tum"};
     config_.objects = {"can"};
+    config_.grasps = {"g3"};
     config_.trials = 2;
     request_ = RunNew("session", config_);
   }

@@ -16,7 +16,7 @@ NumericsComparison MakeFlip() {
   NumericsComparison comparison;
   comparison.variant = "half step";
   TrialRecord& before = comparison.before;
-  before.plan = {"cup7", "tum", "cup", "g1", 7};
+  before.plan = {"cup7", "tum-evolved", "cup", "g1", 7};
   before.result.outcome = Outcome::kSuccess;
   before.result.timing = {0.5, kUnset, kUnset, kUnset, kUnset, false};
   before.result.stability.sigma = 2.0;
@@ -52,7 +52,7 @@ TEST(NumericsCheck, VariantsChangeOneThingEach) {
 // first order: every halving halves what is left.
 TEST(NumericsCheck, FingertipsDragOnTheTableAlikeAtEveryStep) {
   SessionConfig config;
-  config.hands = {"shadow"};
+  config.hands = {"shadow-evolved"};
   config.objects = {"pencil"};
   config.trials = 4;
   const SessionInputs inputs = LoadSessionInputs(config);

@@ -13,6 +13,7 @@ class TrialTextTest : public testing::Test {
   TrialTextTest() {
     session_.config.hands = {"tum"};
     session_.config.objects = {"golf_ball"};
+    session_.config.grasps = {"g1"};
     session_.config.trials = 4;
     session_.config.strategy = StrategyConfig();  // by posture, which holds two of them or more
     const SessionInputs inputs = LoadSessionInputs(session_.config);

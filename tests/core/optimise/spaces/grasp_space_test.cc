@@ -120,10 +120,12 @@ TEST_P(GraspSpaceTest, TheHandIsShiftedAndTurnedAboutTheObject) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Hands, GraspSpaceTest,
-                         testing::Values(Case{"tum", 0}, Case{"tum", 1}, Case{"tum", 2},
-                                         Case{"shadow", 0}, Case{"shadow", 1}, Case{"shadow", 4}),
+                         testing::Values(Case{"tum-evolved", 0}, Case{"tum-evolved", 1},
+                                         Case{"tum-evolved", 2}, Case{"shadow", 0},
+                                         Case{"shadow", 1}, Case{"shadow", 4}),
                          [](const auto& test) {
-                           return std::string(test.param.hand) + std::to_string(test.param.grasp);
+                           const std::string hand = test.param.hand;
+                           return hand.substr(0, hand.find('-')) + std::to_string(test.param.grasp);
                          });
 
 TEST(GraspSpace, HasACoordinateForEachThingThatIsSearched) {
@@ -139,7 +141,7 @@ TEST(GraspSpace, HasACoordinateForEachThingThatIsSearched) {
 }
 
 TEST(GraspSpace, SynergiesAreTheDirectionsInWhichThePosturesDiffer) {
-  const Hand hand = LoadHand("tum");
+  const Hand hand = LoadHand("tum-evolved");
   const std::vector<Grasp> all = LoadStandardGrasps(hand);
   const Grasp start = MakeObjectGrasp(hand, Ball(), all.at(2), "made");
   const auto space = MakeGraspSpace("synergy", {hand, Ball(), start});

@@ -46,7 +46,7 @@ TEST(GripRegulator, TwoDigitsHoldTheForceThatWasAsked) {
 // No two sides do with less than m g / (2 mu). These two press at places 8.7 mm apart sideways on a
 // cube of 31 mm: friction has that couple to bear, too; pyramids add at most 8.2 %.
 TEST(GripRegulator, AMarginIsAMultipleOfWhatStaticsAsk) {
-  TrialSetup setup = MakeRegulated("tum", "g2", "margin", 0.0, 0.05, 0.5);
+  TrialSetup setup = MakeRegulated("tum-evolved", "g2", "margin", 0.0, 0.05, 0.5);
   setup.strategy.grip_margin = 2.0;
   const TrialResult result = RunSetup(setup);
   ASSERT_EQ(result.outcome, Outcome::kSuccess) << result.reason;

@@ -25,7 +25,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr const char* kHands[] = {"tum", "shadow"};
+constexpr const char* kHands[] = {"tum-evolved", "shadow-evolved"};
 constexpr const char* kObjects[] = {"toy_cube",  "can",      "tennis_ball", "sharpener",
                                     "cup",       "matchbox", "golf_ball",   "chocolate_bar",
                                     "tea_light", "eraser"};
