@@ -87,27 +87,28 @@ Html DrawPlane(const Plane& plane) {
   std::vector<MapLevel> levels;
   HeatMap drawn;
   drawn.text.title = plane.Name();
-  drawn.text.description =
-      "A table of levels by levels; where both are the same, that level alone.";
+  drawn.text.description = "A table of levels: each alone, and with each level of later factors.";
+  drawn.columns.emplace_back("alone");
+  drawn.groups.emplace_back();
   for (size_t factor = 0; factor < map.factors.size(); ++factor) {
     for (size_t level = 0; level < map.factors[factor].levels.size(); ++level) {
       const MapCell* const alone =
           FindCell(map, plane.measure.value, plane.hand, plane.late, {{factor, level}});
       if (!alone || alone->num_pairs == 0) continue;
       levels.push_back({factor, level});
+      drawn.rows.push_back(map.factors[factor].name + " " + map.factors[factor].levels[level]);
+      if (factor == 0) continue;  // every level stands once with each of another factor
       drawn.columns.push_back(map.factors[factor].levels[level]);
       drawn.groups.push_back(map.factors[factor].name);
-      drawn.rows.push_back(map.factors[factor].name + " " + map.factors[factor].levels[level]);
     }
   }
   const double largest = FindLargestEffect(plane);
   for (const MapLevel& row : levels) {
+    drawn.cells.push_back(DrawCell(plane, {row}, largest));
     for (const MapLevel& column : levels) {
-      std::vector<MapLevel> where = {row, column};
-      if (row.factor == column.factor) where = {row};
-      const bool is_cell =
-          row.factor < column.factor || (row.factor == column.factor && row.level == column.level);
-      drawn.cells.push_back(is_cell ? DrawCell(plane, where, largest) : HeatMap::Cell());
+      if (column.factor == 0) continue;
+      drawn.cells.push_back(row.factor < column.factor ? DrawCell(plane, {row, column}, largest)
+                                                       : HeatMap::Cell());
     }
   }
   return MakeFigure(plane.Name() + ". Hatched: the 95 % interval includes 0.",
