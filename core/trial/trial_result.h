@@ -128,7 +128,7 @@ struct TrialResult {
   std::optional<GripRecord> grip;        ///< of a trial that regulates its grip
   std::optional<TouchRecord> touch;      ///< of a trial that goes by sensed touch
   std::optional<Displacement> closing;   ///< until the last digit touched, where it was asked for
-  /** Where it was asked for: the smallest of the six pulls that take the held object out of the hand,
+  /** Where it was asked for: the smallest of six pulls that take the held object out of the hand,
   its grip regulated on (judge.h); of a lost object negative: m g times the share of lift-off and
   hold in which the hand no longer touched it [N]. */
   std::optional<double> strength;
