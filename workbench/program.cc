@@ -214,6 +214,14 @@ void AddSearchOptions(CLI::App& command, OptimiseConfig& config, const std::stri
       ->check(CLI::IsMember(ListGraspSpaces()))
       ->option_text("SPACE")
       ->capture_default_str();
+  command.add_flag("--race", config.race,
+                   "simulate only those individuals of which earlier ones promise most, 28 %");
+  command
+      .add_option("--fitness", config.fitness,
+                  "what step 2 makes larger: sigma, by statics, or strength, by pulling")
+      ->check(CLI::IsMember(ListNames(kFitnessKinds)))
+      ->option_text("FITNESS")
+      ->capture_default_str();
   command
       .add_option("--grip", config.grip,
                   "what a target may grip with: equal to the start, free, or limit")

@@ -9,11 +9,12 @@ namespace graspbench {
 namespace {
 
 LearningRequest MakeCheckRequest(LearningStage stage, const Grasp& grasp,
-                                 const std::vector<int>& draws) {
+                                 const std::vector<int>& draws, bool finds_strength) {
   LearningRequest request;
   request.stage = stage;
   request.grasp = grasp;
   request.draws = draws;
+  request.finds_strength = finds_strength;
   return request;
 }
 
@@ -43,8 +44,11 @@ GraspCheck CheckGrasp(const Grasp& before, const Grasp& after, const CheckPlan& 
   for (int look = 1; check.decision == PairedDecision::kGoOn && look <= num_looks; ++look) {
     const std::vector<int> draws =
         ListDraws(plan.first_draw + (look - 1) * kPairsPerLook, kPairsPerLook);
-    const auto trials = run({MakeCheckRequest(LearningStage::kCheckBefore, before, draws),
-                             MakeCheckRequest(LearningStage::kCheckAfter, after, draws)});
+    const auto ask = [&](LearningStage stage, const Grasp& grasp) {
+      return MakeCheckRequest(stage, grasp, draws, plan.finds_strength);
+    };
+    const auto trials =
+        run({ask(LearningStage::kCheckBefore, before), ask(LearningStage::kCheckAfter, after)});
     check.before.insert(check.before.end(), trials[0].begin(), trials[0].end());
     check.after.insert(check.after.end(), trials[1].begin(), trials[1].end());
     check.decision = Decide(CollectEvidence(check, plan), look, num_looks);
@@ -52,11 +56,12 @@ GraspCheck CheckGrasp(const Grasp& before, const Grasp& after, const CheckPlan& 
   return check;
 }
 
-GraspCheck CheckOldGrasp(const Grasp& before, int first_draw, const RunLearningTrials& run) {
+GraspCheck CheckOldGrasp(const Grasp& before, const CheckPlan& plan, const RunLearningTrials& run) {
   GraspCheck check;
-  check.before = run({MakeCheckRequest(LearningStage::kCheckBefore, before,
-                                       ListDraws(first_draw, kPairsPerLook))})
-                     .at(0);
+  check.before =
+      run({MakeCheckRequest(LearningStage::kCheckBefore, before,
+                            ListDraws(plan.first_draw, kPairsPerLook), plan.finds_strength)})
+          .at(0);
   return check;
 }
 

@@ -20,10 +20,11 @@ namespace graspbench {
 struct LearningRequest {
   LearningStage stage = LearningStage::kStandard;
   Grasp grasp;
-  std::vector<int> draws;      ///< 0: without variation
-  bool full_hold = true;       ///< else a hold of 0.5 s: enough to take the fitness from
-  bool keep_postures = false;  ///< of the digits' first touches: the lesson of step 1
-  Individual individual;       ///< of the stages that have one
+  std::vector<int> draws;       ///< 0: without variation
+  bool full_hold = true;        ///< else a hold of 0.5 s: enough to take the fitness from
+  bool keep_postures = false;   ///< of the digits' first touches: the lesson of step 1
+  bool finds_strength = false;  ///< what the grasp stands, by pulling
+  Individual individual;        ///< of the stages that have one
 };
 /** The trials of each request, in the order of the requests. */
 using RunLearningTrials =
@@ -41,13 +42,14 @@ struct CheckPlan {
   int most_pairs = kPairsPerLook * kMostLooks;  ///< a multiple of kPairsPerLook
   /** What a trial is worth; larger is better. */
   std::function<double(const LearningTrial&)> goal;
+  bool finds_strength = false;  ///< the goal needs it
 };
 
 GraspCheck CheckGrasp(const Grasp& before, const Grasp& after, const CheckPlan& plan,
                       const RunLearningTrials& run);
 
 /** The old grasp alone, when there is no new one: as many trials as one look has. */
-GraspCheck CheckOldGrasp(const Grasp& before, int first_draw, const RunLearningTrials& run);
+GraspCheck CheckOldGrasp(const Grasp& before, const CheckPlan& plan, const RunLearningTrials& run);
 
 /** "start kept: the new target succeeded less often"; empty when it is taken.
 @param kept  what is kept.  @param changed  what was tried.  @param missed  why not, when it is not

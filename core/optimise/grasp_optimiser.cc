@@ -7,6 +7,7 @@
 
 #include "core/grasp/grasp_file.h"
 #include "core/grasp/placement.h"
+#include "core/optimise/methods/race.h"
 #include "core/statistics/summary.h"
 
 namespace graspbench {
@@ -88,7 +89,7 @@ void Choose(const Grasp& standard, const OptimiseConfig& config, const RunLearni
   }
   step.best = static_cast<int>(best - step.shots.begin());
   step.check = CheckGrasp(standard, best->grasp,
-                          {kFirstPreGraspCheck, config.check_pairs, CalcPreGraspGoal}, run);
+                          {kFirstPreGraspCheck, config.check_pairs, CalcPreGraspGoal, false}, run);
   if (step.check.is_taken()) {
     step.chosen = step.best;
     step.verdict = best->name + " taken";
@@ -140,9 +141,9 @@ PreGraspStep LearnInTwoShots(const Hand& hand, const GraspObject& object, const 
 
 void ChooseFinalist(const TargetSearch& search, const OptimiseConfig& config,
                     const RunLearningTrials& run, TargetStep& step) {
-  const std::vector<Finalist> screened =
-      search.Rank(LearningStage::kScreening, FindCandidates(step.search, kNumCandidates),
-                  ListDraws(kFirstScreeningDraw, kScreeningTrials), run);
+  const std::vector<Finalist> screened = search.Rank(
+      LearningStage::kScreening, FindCandidates(step.search, step.simulated, kNumCandidates),
+      ListDraws(kFirstScreeningDraw, kScreeningTrials), run);
   std::vector<Individual> chosen;
   for (size_t i = 0; i < std::min<size_t>(screened.size(), kNumFinalists); ++i) {
     chosen.push_back(step.search.individuals[static_cast<size_t>(screened[i].number)]);
@@ -158,9 +159,16 @@ TargetStep RunTargetSearch(TargetSearch& search, const OptimiseConfig& config,
   TargetStep step;
   step.coordinates = search.space().coordinates();
   step.space = search.space().box();
-  step.search = RunSearch(
-      config.method, step.space, config.evaluations, search.MakeStream(),
-      [&](const std::vector<Individual>& generation) { return search.Evaluate(generation, run); });
+  Race race(step.space);
+  const auto simulate = [&](const std::vector<Individual>& generation) {
+    for (const Individual& individual : generation) step.simulated.push_back(individual.number);
+    return search.Evaluate(generation, run);
+  };
+  step.search =
+      RunSearch(config.method, step.space, config.evaluations, search.MakeStream(),
+                [&](const std::vector<Individual>& generation) {
+                  return config.race ? race.Evaluate(generation, simulate) : simulate(generation);
+                });
   step.grip_limit = search.grip_limit();
   return step;
 }
@@ -194,7 +202,9 @@ int CountLearningTrials(const OptimiseConfig& config) {
   const OptimiseStepRow& steps = StepsOf(config);
   const int check = static_cast<int>(2.0 * kShareOfPairs * config.check_pairs);
   const int step1 = kNumPreGrasps * config.choice_trials + check;
-  const int step2 = config.evaluations * config.fitness_trials + kNumCandidates * kScreeningTrials +
+  const double simulated = (config.race ? Race::kRacedShare : 1.0) * config.evaluations;
+  const int step2 = static_cast<int>(simulated) * config.fitness_trials +
+                    kNumCandidates * kScreeningTrials +
                     kNumFinalists * kFinalShare * config.choice_trials + check;
   return (steps.learns_pregrasp ? step1 : 0) + (steps.searches_target ? step2 : 0);
 }
@@ -233,15 +243,16 @@ OptimisedGrasp OptimiseGrasp(const Hand& hand, const GraspObject& object, const 
   TargetSearch search(hand, object, start, config);
   step = RunTargetSearch(search, config, run);
   ChooseFinalist(search, config, run, step);
+  const auto goal = [&](const LearningTrial& trial) { return CalcFitness(trial, step.grip_limit); };
+  const CheckPlan plan = {kFirstTargetCheck, config.check_pairs, goal, FindsStrength(config)};
   if (step.found == 0) {
-    step.check = CheckOldGrasp(start, kFirstTargetCheck, run);
+    step.check = CheckOldGrasp(start, plan, run);
     step.verdict = "start kept: the search tried nothing else";
     return result;
   }
   const Individual& best = step.search.individuals[static_cast<size_t>(step.found)];
   const Grasp found = RoundAngles(hand, search.space().MakeGrasp(best.genome), standard.id);
-  const auto goal = [&](const LearningTrial& trial) { return CalcFitness(trial, step.grip_limit); };
-  step.check = CheckGrasp(start, found, {kFirstTargetCheck, config.check_pairs, goal}, run);
+  step.check = CheckGrasp(start, found, plan, run);
   step.verdict = step.check.is_taken()
                      ? "new target taken"
                      : DescribeRefusal(step.check, "start", "the new target",

@@ -63,6 +63,7 @@ struct TargetStep {
   SearchSpace space;             ///< of them [rad]
   double grip_limit = kAnyGrip;  ///< that holds for the search [N]
   SearchResult search;
+  std::vector<int> simulated;  ///< numbers of the individuals that were, rising: of a race not all
   std::vector<Finalist> finalists;  ///< the best first
   int found = 0;                    ///< number of the best finalist; 0: the start
   GraspCheck check;

@@ -9,7 +9,8 @@
 namespace graspbench {
 namespace {
 
-constexpr double kFarAway = 1.0;  ///< the distance of a digit that was never measured [m]
+constexpr double kFarAway = 1.0;   ///< the distance of a digit that was never measured [m]
+constexpr double kGapForce = 1.0;  ///< what it costs a lost object [N/m]
 
 }  // namespace
 
@@ -20,6 +21,7 @@ LearningTrial MakeLearningTrial(int draw, const TrialResult& result, bool keep_p
   trial.sigma = std::isfinite(result.stability.sigma) ? result.stability.sigma : 0.0;
   trial.stability = result.stability.hold;
   trial.contacts = result.contacts;
+  trial.strength = result.strength;
   trial.timing = CalcContactTiming(result.contacts, 0.0);  // NaN when the simulation gave up
   trial.opposing_gap = kFarAway;
   for (size_t d = 0; d < result.touches.size(); ++d) {
@@ -37,9 +39,11 @@ double CalcFitness(const LearningTrial& trial, double grip_limit) {
       std::any_of(trial.contacts.begin(), trial.contacts.end(), [](const DigitContact& contact) {
         return contact.is_opposing && std::isnan(contact.time);
       });
-  if (is_missing) return -trial.opposing_gap;
   const double grip = trial.stability.normal_force;
-  return grip > grip_limit ? trial.sigma * grip_limit / grip : trial.sigma;
+  const double share = grip > grip_limit ? grip_limit / grip : 1.0;
+  if (!trial.strength) return is_missing ? -trial.opposing_gap : share * trial.sigma;
+  if (*trial.strength > 0.0) return share * *trial.strength;
+  return *trial.strength - (is_missing ? kGapForce * trial.opposing_gap : 0.0);
 }
 
 double CalcFitness(const std::vector<LearningTrial>& trials, double grip_limit) {
@@ -72,6 +76,14 @@ int CountSuccesses(const std::vector<LearningTrial>& trials) {
   return static_cast<int>(std::count_if(trials.begin(), trials.end(), [](const auto& trial) {
     return trial.outcome == Outcome::kSuccess;
   }));
+}
+
+double CalcMeanStrength(const std::vector<LearningTrial>& trials) {
+  std::vector<double> strengths;
+  for (const LearningTrial& trial : trials) {
+    if (trial.strength) strengths.push_back(std::max(0.0, *trial.strength));
+  }
+  return CalcMean(strengths);
 }
 
 double CalcMeanGrip(const std::vector<LearningTrial>& trials) {

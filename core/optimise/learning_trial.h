@@ -2,18 +2,22 @@
 /** @file
 What the optimisation keeps of a simulated trial, and the fitness it takes from it:
 
-    fitness = sigma (core/trial/measures/stability.h), which is 0 when the object is lost,
+    sigma     sigma (core/trial/measures/stability.h), which is 0 when the object is lost,
               times G / g when the hand grips with g, more than the grip G that it may use
               (g: sum of its normal forces in the hold [N]), or
-            = - the opposing digit's smallest distance to the object [m] when that digit never
+              - the opposing digit's smallest distance to the object [m] when that digit never
               touches, so that a thumb in the air is led towards the object
+    strength  TrialResult::strength [N], of a held object times G / g, too, of a lost one minus
+              1 N/m times the same distance
 
-and for several trials their mean. Larger is better. All contact forces at a posture grow about as
-one, so a pull that is withstood by squeezing twice as hard is worth half; a grasp that needs less
-grip than it may use gains nothing by that. */
+and for several trials their mean. Larger is better. Strength is found by pulling, with the grip
+regulated on and drives that yield; sigma by statics beforehand. A trial that has a strength counts
+with it. All contact forces at a posture grow about as one, so a pull that is withstood by squeezing
+twice as hard is worth half; a grasp that needs less grip than it may use gains nothing by that. */
 
 #include <Eigen/Core>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "core/base/text/json.h"
@@ -36,7 +40,8 @@ struct LearningTrial {
   /** Joints of the whole hand at those touches (num_joints) [rad]; empty for a digit that never
   touched. No element unless they were asked for. */
   std::vector<Eigen::VectorXd> touch_postures;
-  double opposing_gap = 0.0;  ///< smallest distance of the opposing digit [m]
+  double opposing_gap = 0.0;       ///< smallest distance of the opposing digit [m]
+  std::optional<double> strength;  ///< where it was asked for [N]
   ContactTiming timing;
 
   template <class V>
@@ -50,6 +55,7 @@ struct LearningTrial {
     field("slip_speed_m_per_s", &T::stability, &StabilityPart::slip_speed);
     field("opposition", &T::stability, &StabilityPart::opposition);
     field("opposing_gap_m", &T::opposing_gap);
+    field("strength_n", &T::strength);
     field("digits", &LearningDigitsToJson, &ReadLearningDigits);
   }
 };
@@ -66,6 +72,9 @@ double CalcFitness(const LearningTrial& trial, double grip_limit = kAnyGrip);
 double CalcFitness(const std::vector<LearningTrial>& trials, double grip_limit = kAnyGrip);
 
 int CountSuccesses(const std::vector<LearningTrial>& trials);
+/** Mean of what the grasps stand, 0 where the object is lost [N]; NaN when it was never asked for.
+*/
+double CalcMeanStrength(const std::vector<LearningTrial>& trials);
 /** Mean grip in the hold, of the trials that got there [N]; NaN without any. */
 double CalcMeanGrip(const std::vector<LearningTrial>& trials);
 

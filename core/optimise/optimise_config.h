@@ -17,10 +17,12 @@ struct OptimiseConfig {
   /** Per evaluation; 1: without variation, more: so many drawn ones. At the same number of trials
   the one without variation found targets that hold better on unseen draws (README.md). */
   int fitness_trials = 1;
-  std::string grip = "equal";  ///< of kGripBudgets
-  double grip_limit = 0.0;     ///< for the grip "limit" [N]
-  int choice_trials = 10;      ///< by which pre-grasps are compared; of finalists twice as many
-  int check_pairs = 100;       ///< of the old and the new grasp, at most; 20 are one look
+  bool race = false;              ///< not all are simulated (methods/race.h)
+  std::string fitness = "sigma";  ///< of kFitnessKinds
+  std::string grip = "equal";     ///< of kGripBudgets
+  double grip_limit = 0.0;        ///< for the grip "limit" [N]
+  int choice_trials = 10;         ///< by which pre-grasps are compared; of finalists twice as many
+  int check_pairs = 100;          ///< of the old and the new grasp, at most; 20 are one look
   int seed = 1;
 
   template <class V>
@@ -30,6 +32,8 @@ struct OptimiseConfig {
     v("method", method);
     v("evaluations", evaluations);
     v("fitness_trials", fitness_trials);
+    v("race", race);
+    v("fitness", fitness);
     v("grip", grip);
     v("grip_limit_n", grip_limit);
     v("choice_trials", choice_trials);
@@ -45,6 +49,13 @@ inline const OptimiseStepRow& StepsOf(const OptimiseConfig& config) {
 /** The same for its grip. */
 inline const GripBudgetRow& GripOf(const OptimiseConfig& config) {
   return RowFromName(kGripBudgets, config.grip, "grip");
+}
+/** The same for its fitness. */
+inline const FitnessKindRow& FitnessOf(const OptimiseConfig& config) {
+  return RowFromName(kFitnessKinds, config.fitness, "fitness");
+}
+inline bool FindsStrength(const OptimiseConfig& config) {
+  return FitnessOf(config).value == FitnessKind::kStrength;
 }
 
 }  // namespace graspbench

@@ -30,6 +30,18 @@ inline constexpr GripBudgetRow kGripBudgets[] = {
     {GripBudget::kLimit, "limit", "as much as grip_limit_n says"},
 };
 
+/** What step 2 makes larger (learning_trial.h). */
+enum class FitnessKind { kSigma, kStrength };
+struct FitnessKindRow {
+  FitnessKind value;
+  const char* name;  ///< in files and options
+  const char* words;
+};
+inline constexpr FitnessKindRow kFitnessKinds[] = {
+    {FitnessKind::kSigma, "sigma", "the stability sigma"},
+    {FitnessKind::kStrength, "strength", "the smallest of six pulls that break the grasp"},
+};
+
 enum class LearningStage {
   kStandard,
   kOneShot,

@@ -35,6 +35,7 @@ LearningRequest TargetSearch::MakeRequest(LearningStage stage, const Individual&
   request.grasp = space_->MakeGrasp(individual.genome);
   request.draws = draws;
   request.full_hold = false;
+  request.finds_strength = FindsStrength(config_);
   request.individual = individual;
   return request;
 }
@@ -81,8 +82,12 @@ std::vector<Finalist> TargetSearch::Rank(LearningStage stage,
   return ranked;
 }
 
-std::vector<Individual> FindCandidates(const SearchResult& search, int most) {
-  std::vector<Individual> sorted(search.individuals.begin() + 1, search.individuals.end());
+std::vector<Individual> FindCandidates(const SearchResult& search,
+                                       const std::vector<int>& simulated, int most) {
+  std::vector<Individual> sorted;
+  for (const int number : simulated) {
+    if (number > 0) sorted.push_back(search.individuals[static_cast<size_t>(number)]);
+  }
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const auto& a, const auto& b) { return a.fitness > b.fitness; });
   std::vector<Individual> candidates;

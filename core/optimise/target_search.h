@@ -57,8 +57,9 @@ class TargetSearch {
 };
 
 /** The fittest individuals, so many at most, that differ by 2 deg or more in some coordinate; never
-the start. */
-std::vector<Individual> FindCandidates(const SearchResult& search, int most);
+the start. @param simulated  numbers of those that count, rising. */
+std::vector<Individual> FindCandidates(const SearchResult& search,
+                                       const std::vector<int>& simulated, int most);
 
 /** @throws Error when the space or the method cannot be used here: a grid of many coordinates. */
 void CheckSearch(const Hand& hand, const GraspObject& object, const Grasp& start,

@@ -128,7 +128,11 @@ struct TrialResult {
   std::optional<GripRecord> grip;        ///< of a trial that regulates its grip
   std::optional<TouchRecord> touch;      ///< of a trial that goes by sensed touch
   std::optional<Displacement> closing;   ///< until the last digit touched, where it was asked for
-  double energy_residual = 0.0;          ///< unexplained energy of the whole trial [J]
+  /** Where it was asked for: the smallest of six pulls that take the held object out of the hand,
+  its grip regulated on (judge.h); of a lost object negative: m g times the share of lift-off and
+  hold in which the hand no longer touched it [N]. */
+  std::optional<double> strength;
+  double energy_residual = 0.0;  ///< unexplained energy of the whole trial [J]
   int num_steps = 0;
   int num_unconverged = 0;      ///< steps whose solve did not reach its tolerance
   double simulated_time = 0.0;  ///< [s]
@@ -182,6 +186,7 @@ struct TrialResult {
     field("grip", &R::grip);
     field("touch", &R::touch);
     field("closing_displacement", &R::closing);
+    field("strength_n", &R::strength);
     field("energy_residual_j", &R::energy_residual,
           FieldColumn{"J", "energy of the whole trial that nothing explains"});
     field("num_steps", &R::num_steps, FieldColumn{"", "simulation steps"});

@@ -180,6 +180,7 @@ JudgedTrial TrialRunner::Impl::Run(const TrialSetup& setup, bool is_judged,
           fmt::format("mass matrix or bias differs from Simbody's by {:.1e}", difference);
       return trial;
     }
+    if (setup.finds_strength) result.strength = course->FindStrength();
     if (is_judged && course->is_held()) trial.judgement = course->Judge();
   } catch (const std::bad_alloc&) {  // of the machine, not of the trial
     throw;

@@ -66,6 +66,7 @@ struct TrialSetup {
   LateDigit late = LateDigit::kNone;      ///< see delayed_digit.h, which is
   double delay = 0.0;                     ///< so much later [s]
   bool keeps_closing = false;             ///< the result says how far closing moved the object
+  bool finds_strength = false;            ///< the result says what the grasp stands
   bool is_compliant = false;              ///< in the second world (compliant_trial.h)
 };
 

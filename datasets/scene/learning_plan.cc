@@ -4,6 +4,7 @@
 
 #include "core/base/config.h"
 #include "core/base/hash.h"
+#include "core/trial/judge/judgement.h"
 #include "datasets/plan/firm_grip.h"
 #include "datasets/plan/session_plan.h"
 
@@ -19,6 +20,8 @@ constexpr double kFitnessHoldTime = 0.5;
 void CompleteOptimiseConfig(Json& config) {
   if (config.is_object() && config.contains("optimise")) {
     config["optimise"].emplace("search", kThumbSpace);
+    config["optimise"].emplace("race", false);
+    config["optimise"].emplace("fitness", RowOf(kFitnessKinds, FitnessKind::kSigma).name);
   }
 }
 
@@ -46,6 +49,7 @@ std::vector<ConfigProblem> Validate(const OptimiseConfig& config) {
     problems.push_back({key, "\"" + name + "\" is not known" + SuggestNames(name, known)});
   };
   check_name("step", config.step, ListNames(kOptimiseSteps));
+  check_name("fitness", config.fitness, ListNames(kFitnessKinds));
   check_name("grip", config.grip, ListNames(kGripBudgets));
   const bool has_limit = config.grip == RowOf(kGripBudgets, GripBudget::kLimit).name;
   if (has_limit != (config.grip_limit > 0.0)) {
@@ -78,6 +82,7 @@ TrialSetup MakeLearningSetup(const SceneConfig& config, const SceneInputs& input
     setup.strategy.hold_time = std::min(setup.strategy.hold_time, kFitnessHoldTime);
   }
   setup.sim = config.sim;
+  setup.finds_strength = request.finds_strength;
   if (draw == 0) {
     setup.draw.joint_error = Eigen::VectorXd::Zero(hand.num_joints());
     return setup;
@@ -92,17 +97,18 @@ TrialSetup MakeLearningSetup(const SceneConfig& config, const SceneInputs& input
 
 std::string CalcLearningTrialId(const SceneConfig& config, const SceneInputs& inputs,
                                 const LearningRequest& request, int draw) {
-  const Json content = {{"physics", kPhysicsVersion},
-                        {"hand", {inputs.hand->id, inputs.hand->content_hash}},
-                        {"object", {inputs.object->id, inputs.object->content_hash}},
-                        {"grasp", ToJson(request.grasp)},
-                        {"variation", ConfigToJson(config.variation)},
-                        {"strategy", StrategyToJson(config.strategy)},
-                        {"full_hold", request.full_hold},
-                        {"sim", ConfigToJson(config.sim)},
-                        {"model", ConfigToJson(config.model)},
-                        {"seed", config.optimise.seed},
-                        {"learning_draw", draw}};
+  Json content = {{"physics", kPhysicsVersion},
+                  {"hand", {inputs.hand->id, inputs.hand->content_hash}},
+                  {"object", {inputs.object->id, inputs.object->content_hash}},
+                  {"grasp", ToJson(request.grasp)},
+                  {"variation", ConfigToJson(config.variation)},
+                  {"strategy", StrategyToJson(config.strategy)},
+                  {"full_hold", request.full_hold},
+                  {"sim", ConfigToJson(config.sim)},
+                  {"model", ConfigToJson(config.model)},
+                  {"seed", config.optimise.seed},
+                  {"learning_draw", draw}};
+  if (request.finds_strength) content["strength"] = kJudgeVersion;
   return CalcHashHex(FormatJson(content));
 }
 

@@ -36,7 +36,7 @@ struct SceneInputs {
 };
 
 /** Adds to the frozen configuration of a scene or campaign what older ones lack: they searched the
-thumb. */
+thumb for sigma. */
 void CompleteOptimiseConfig(Json& config);
 
 /** All problems of the values, as Validate(SessionConfig) reports them. */

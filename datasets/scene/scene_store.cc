@@ -1,12 +1,14 @@
 #include "datasets/scene/scene_store.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/config.h"
 #include "core/base/files/files.h"
 #include "core/base/hash.h"
 #include "core/base/text/csv.h"
 #include "core/grasp/grasp_file.h"
+#include "core/optimise/headroom.h"
 #include "datasets/journal/json_fault.h"
 #include "datasets/plan/frozen_folder.h"
 #include "datasets/plan/session_plan.h"
@@ -31,6 +33,9 @@ Json MakeScore(const std::vector<LearningTrial>& trials) {
                 {"mean_grip_n", JsonNumber(CalcMeanGrip(trials))},
                 {"median_gft_ratio", JsonNumber(CalcMedianGftRatio(trials))},
                 {"gft_ratio_floor", floor ? Json(*floor) : Json()}};
+  if (const double strength = CalcMeanStrength(trials); std::isfinite(strength)) {
+    score["mean_strength_n"] = strength;
+  }
   if (!floor) score["no_gft_ratio_floor"] = floor.reason();
   return score;
 }
@@ -92,6 +97,13 @@ Json MakeCoordinatesJson(const TargetStep& step, const std::string& space) {
               {"found_rad", JsonAngles(found)}};
 }
 
+Json MakeHeadroomJson(const SceneInputs& inputs, const SceneConfig& config,
+                      const std::vector<LearningTrial>& trials) {
+  if (trials.empty()) return nullptr;
+  const Headroom headroom = CalcHeadroom(trials, *inputs.object, config.sim.gravity);
+  return {{"bound_n", JsonNumber(headroom.bound)}, {"share", JsonNumber(headroom.share)}};
+}
+
 Json MakeTargetJson(const TargetStep& step, const std::string& space) {
   const Individual& best = step.search.individuals[step.search.best];
   Json finalists = Json::array();
@@ -107,6 +119,7 @@ Json MakeTargetJson(const TargetStep& step, const std::string& space) {
   json.update({{"found_individual", step.found},
                {"best_individual", best.number},
                {"evaluations", step.search.individuals.size()},
+               {"simulated", step.simulated.size()},
                {"start_fitness", step.search.individuals.front().fitness},
                {"best_fitness", best.fitness},
                {"finalists", finalists},
@@ -131,8 +144,10 @@ std::string FormatIndividuals(const TargetStep& step) {
     for (const int parent : individual.parents) {
       parents += (parents.empty() ? "" : " ") + std::to_string(parent);
     }
+    const bool is_simulated =
+        std::binary_search(step.simulated.begin(), step.simulated.end(), individual.number);
     std::vector<Json> cells = {individual.number, individual.generation, parents,
-                               individual.fitness, best};
+                               is_simulated ? Json(individual.fitness) : Json(), best};
     for (const Eigen::VectorXd* values : {&individual.genome, &individual.steps}) {
       for (size_t i = 0; i < step.coordinates.size(); ++i) {
         cells.push_back(values->size() > 0 ? Json(step.coordinates[i].per_radian *
@@ -217,6 +232,8 @@ void WriteSceneResult(const fs::path& folder, const SceneConfig& config, const S
   }
   if (StepsOf(config.optimise).searches_target) {
     result["target_step"] = MakeTargetJson(step2, config.optimise.search);
+    result["target_step"]["headroom_before"] = MakeHeadroomJson(inputs, config, step2.check.before);
+    result["target_step"]["headroom_after"] = MakeHeadroomJson(inputs, config, step2.check.after);
     write_grasp(optimised.new_target, ListTold(step2.check));
     WriteFileAtomically(folder / "individuals.csv", FormatIndividuals(step2));
   }

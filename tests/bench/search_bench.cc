@@ -4,6 +4,7 @@
 //
 //   search_bench DIR --scenes training  --spaces thumb,hand-pose --methods es,random,pagmo
 //   search_bench DIR --scenes benchmark --methods es,random --no-judge --evaluations 300
+//   search_bench DIR --scenes benchmark --every 4 --fitness strength --evaluations 100
 //   search_bench DIR --scenes functions --methods es,cmaes,pagmo,random --seeds 21 --evaluations 300
 //
 // "functions" asks no simulation: how far from known optima the methods end.
@@ -24,6 +25,8 @@
 #include "core/develop/training_shapes.h"
 #include "core/grasp/placement.h"
 #include "core/hand/load_hand.h"
+#include "core/optimise/headroom.h"
+#include "core/optimise/methods/race.h"
 #include "core/statistics/bootstrap.h"
 #include "core/statistics/proportion.h"
 #include "core/statistics/summary.h"
@@ -46,8 +49,10 @@ constexpr double kLargestShape = 0.8;
 struct Options {
   std::string folder, scenes = "training";
   std::vector<std::string> hands = {"tum", "shadow"}, spaces = {"thumb"}, methods = {"es"};
+  std::string fitness = "sigma";
   int num_shapes = 8, evaluations = 200, seeds = 1;
-  bool no_judge = false;
+  int every = 1;  // benchmark: only every so many objects, from the first
+  bool no_judge = false, race = false;
   double minutes = 1e9;  // of processor time, then no new scene is begun
 };
 
@@ -61,6 +66,8 @@ struct BenchScene {
 struct Found {
   double fitness = 0.0;  // the best of the search
   double judged = 0.0, grip = 0.0;
+  double seconds = 0.0;  // of processor time in the search, without what its journal had
+  double strength = 0.0, share = 0.0;  // in the mean; of what friction and grip allow
   int successes = 0;
 };
 
@@ -104,7 +111,9 @@ std::vector<BenchScene> ListTrainingScenes(const Options& options) {
 
 std::vector<BenchScene> ListBenchmarkScenes(const Options& options) {
   std::vector<BenchScene> scenes;
+  int number = 0;
   for (const std::string& object : ListObjects()) {
+    if (number++ % options.every != 0) continue;
     for (const std::string& hand : options.hands) {
       SceneConfig config;
       config.hand = hand;
@@ -134,23 +143,36 @@ Found RunOne(const BenchScene& scene, const std::string& space, const std::strin
   config.optimise.search = space;
   config.optimise.method = method == "start" ? "random" : method;
   config.optimise.seed = seed;
+  config.optimise.fitness = options.fitness;
   config.optimise.evaluations = method == "start" ? 1 : options.evaluations;
-  const fs::path path = fs::path(options.folder) / (scene.name + "-" + space + "-" + method + "-" +
-                                                    std::to_string(options.evaluations) + "-" +
-                                                    std::to_string(seed) + ".jsonl");
+  const fs::path path =
+      fs::path(options.folder) /
+      (scene.name + "-" + options.fitness + (options.race ? "-raced-" : "-") + space + "-" +
+       method + "-" + std::to_string(options.evaluations) + "-" + std::to_string(seed) + ".jsonl");
   EvaluationJournal journal(path);
   const RunLearningTrials run =
       MakeJournaledTrials(config, scene.inputs, journal, pool, [](const auto&, const auto&) {});
   TargetSearch search(*scene.inputs.hand, *scene.inputs.object, scene.start, config.optimise);
+  Found found;
+  std::vector<int> simulated;
+  const auto simulate = [&](const std::vector<Individual>& generation) {
+    for (const Individual& individual : generation) simulated.push_back(individual.number);
+    return search.Evaluate(generation, run);
+  };
+  Race race(search.space().box());
+  const bool is_raced = method != "start" && options.race;
+  const std::clock_t begun = std::clock();
   const SearchResult result =
       RunMethod(config.optimise, search.space().box(), search.MakeStream(),
-                [&](const auto& generation) { return search.Evaluate(generation, run); });
-  Found found;
+                [&](const std::vector<Individual>& generation) {
+                  return is_raced ? race.Evaluate(generation, simulate) : simulate(generation);
+                });
+  found.seconds = static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
   found.fitness = result.individuals[static_cast<size_t>(result.best)].fitness;
   if (options.no_judge) return found;
   Individual chosen = result.individuals.front();
   const std::vector<Finalist> screened =
-      search.Rank(LearningStage::kScreening, FindCandidates(result, kCandidates),
+      search.Rank(LearningStage::kScreening, FindCandidates(result, simulated, kCandidates),
                   ListDraws(kFirstScreening, kScreening), run);
   if (!screened.empty()) chosen = result.individuals[static_cast<size_t>(screened[0].number)];
   const std::vector<LearningTrial> trials =
@@ -159,6 +181,8 @@ Found RunOne(const BenchScene& scene, const std::string& space, const std::strin
           .trials;
   found.judged = CalcFitness(trials, search.grip_limit());
   found.grip = CalcMeanGrip(trials);
+  found.strength = CalcMeanStrength(trials);
+  found.share = CalcHeadroom(trials, *scene.inputs.object, config.sim.gravity).share;
   found.successes = CountSuccesses(trials);
   return found;
 }
@@ -189,18 +213,25 @@ void PrintComparison(const std::vector<std::string>& columns, const Table& table
   for (const std::string& column : columns) {
     const std::vector<Found>& found = table.at(column);
     int won = 0, lost = 0;
-    std::vector<double> log_ratios, successes;
+    std::vector<double> log_ratios, log_strengths, successes;
     for (size_t i = 0; i < found.size(); ++i) {
       const double a = value(found[i]), b = value(reference[i]);
       won += a > b;
       lost += a < b;
       if (a > 0.0 && b > 0.0) log_ratios.push_back(std::log(a / b));
+      if (found[i].strength > 0.0 && reference[i].strength > 0.0) {
+        log_strengths.push_back(std::log(found[i].strength / reference[i].strength));
+      }
       successes.push_back(100.0 * (found[i].successes - reference[i].successes) / kJudging);
     }
     std::printf("%-20s won %d, lost %d: %s", column.c_str(), won, lost,
                 FormatRateInterval(won, won + lost).c_str());
     std::printf("; log ratio of the %zu where both hold %s", log_ratios.size(),
                 log_ratios.empty() ? "n/a" : FormatMean(log_ratios, 3).c_str());
+    if (!log_strengths.empty()) {
+      std::printf("; of strength %s, median %.3f", FormatMean(log_strengths, 3).c_str(),
+                  CalcMedian(log_strengths));
+    }
     if (is_judged) std::printf("; success points %s", FormatMean(successes, 1).c_str());
     std::printf("\n");
   }
@@ -292,10 +323,13 @@ int Run(const Options& options) {
         const auto& [space, method] = searches[i];
         const Found found = RunOne(scene, space, method, seed, options, pool);
         table[columns[i]].push_back(found);
-        std::printf("  %-20s fitness %8.4f", columns[i].c_str(), found.fitness);
+        std::printf("  %-20s %7.1f s  fitness %8.4f", columns[i].c_str(), found.seconds,
+                    found.fitness);
         if (!options.no_judge) {
-          std::printf("  judged %8.4f  success %2d of %d  grip %5.1f N", found.judged,
-                      found.successes, kJudging, found.grip);
+          std::printf(
+              "  judged %8.4f  success %2d of %d  grip %5.1f N  strength %.3f N, %.2f of "
+              "what friction allows",
+              found.judged, found.successes, kJudging, found.grip, found.strength, found.share);
         }
         std::printf("\n");
         std::fflush(stdout);
@@ -322,10 +356,13 @@ int main(int argc, char** argv) {
   app.add_option("--spaces", options.spaces)->delimiter(',');
   app.add_option("--methods", options.methods)->delimiter(',');
   app.add_option("--shapes", options.num_shapes);
+  app.add_option("--fitness", options.fitness);
+  app.add_option("--every", options.every);
   app.add_option("--evaluations", options.evaluations);
   app.add_option("--seeds", options.seeds);
   app.add_option("--minutes", options.minutes);
   app.add_flag("--no-judge", options.no_judge);
+  app.add_flag("--race", options.race);
   CLI11_PARSE(app, argc, argv);
   try {
     return graspbench::Run(options);

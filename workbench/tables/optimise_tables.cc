@@ -1,5 +1,6 @@
 #include "workbench/tables/optimise_tables.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/hand/hand.h"
+#include "core/optimise/headroom.h"
 #include "workbench/tables/text_table.h"
 #include "workbench/text/plain_text.h"
 
@@ -22,15 +24,41 @@ std::string FormatAngles(const Hand& hand, const Grasp& grasp, const Eigen::Vect
   return MakePlainText(text);
 }
 
+/** What step 2 makes larger, of trials that were asked for it. */
+std::string FormatGoal(const std::vector<LearningTrial>& trials, bool finds_strength) {
+  const double goal = finds_strength ? CalcMeanStrength(trials) : CalcMeanSigma(trials);
+  return std::isfinite(goal) ? FormatFixed(goal, 3) : "n/a";
+}
+
+/** What is left for another grasp of the same grip. */
+std::string FormatHeadroom(const SceneInputs& inputs, const SceneConfig& config,
+                           const GraspCheck& check) {
+  const auto calc = [&](const std::vector<LearningTrial>& trials) {
+    return CalcHeadroom(trials, *inputs.object, config.sim.gravity);
+  };
+  const Headroom before = calc(check.before);
+  if (!std::isfinite(before.share)) return "headroom not known: the start held nothing\n";
+  std::string text = "headroom the start bears " + FormatFixed(before.share, 2) + " of the " +
+                     FormatFixed(before.bound, 2) +
+                     " N that friction and grip allow by the sides: at equal grip at most times " +
+                     FormatFixed(std::max(1.0, 1.0 / before.share), 2);
+  const Headroom after = calc(check.after);
+  if (!check.after.empty() && std::isfinite(after.share)) {
+    text += "; the new target " + FormatFixed(after.share, 2) + " of " +
+            FormatFixed(after.bound, 2) + " N";
+  }
+  return text + "\n";
+}
+
 void AddDecision(const std::string& step, const std::vector<LearningTrial>& before,
-                 const std::vector<LearningTrial>& after, TextTable& table) {
+                 const std::vector<LearningTrial>& after, bool finds_strength, TextTable& table) {
   const auto add_row = [&](const std::string& when, const std::vector<LearningTrial>& trials) {
     if (trials.empty()) return;
     const double median = CalcMedianGftRatio(trials);
     const Answer<double> floor = CalcGftFloor(trials);
     table.AddRow({step, when,
                   std::to_string(CountSuccesses(trials)) + " of " + std::to_string(trials.size()),
-                  FormatFixed(CalcMeanSigma(trials), 3), FormatFixed(CalcMeanGrip(trials), 1),
+                  FormatGoal(trials, finds_strength), FormatFixed(CalcMeanGrip(trials), 1),
                   std::isfinite(median) ? FormatFixed(100.0 * median, 1) : "n/a",
                   floor ? FormatFixed(100.0 * *floor, 1) : "no floor"});
   };
@@ -62,7 +90,9 @@ std::string FormatOptimisation(const SceneInputs& inputs, const SceneConfig& con
   const Hand& hand = *inputs.hand;
   const PreGraspStep& step1 = result.pregrasp_step;
   const TargetStep& step2 = result.target_step;
-  TextTable decisions({"fresh trials", "", "success", "mean sigma [N]", "mean grip [N]",
+  const bool finds_strength = FindsStrength(config.optimise);
+  TextTable decisions({"fresh trials", "", "success",
+                       finds_strength ? "mean strength [N]" : "mean sigma [N]", "mean grip [N]",
                        "median GFT%", "its floor"});
   TextTable angles(
       {hand.digits[static_cast<size_t>(FindOpposingDigit(hand, inputs.grasp))].name + " [deg]",
@@ -76,7 +106,7 @@ std::string FormatOptimisation(const SceneInputs& inputs, const SceneConfig& con
   if (StepsOf(config.optimise).learns_pregrasp) {
     text += "step 1   " + step1.verdict + "\n";
     AddDecision("step 1", step1.best < 0 ? step1.standard_trials : step1.check.before,
-                step1.check.after, decisions);
+                step1.check.after, finds_strength, decisions);
     add_angles(WordsOf(kNewPreGrasp), result.new_pregrasp);
   }
   if (StepsOf(config.optimise).searches_target) {
@@ -85,8 +115,9 @@ std::string FormatOptimisation(const SceneInputs& inputs, const SceneConfig& con
             FormatFixed(search.individuals.front().fitness, 3) + " -> " +
             FormatFixed(search.individuals[static_cast<size_t>(search.best)].fitness, 3) + " in " +
             FormatCount(static_cast<int>(search.individuals.size()), "evaluation") +
-            "; found number " + std::to_string(step2.found) + "\n";
-    AddDecision("step 2", step2.check.before, step2.check.after, decisions);
+            "; found number " + std::to_string(step2.found) + "\n" +
+            FormatHeadroom(inputs, config, step2.check);
+    AddDecision("step 2", step2.check.before, step2.check.after, finds_strength, decisions);
     add_angles(WordsOf(kNewTarget), result.new_target);
   }
   text += "\n" + decisions.Format() + "\n" + angles.Format();

@@ -28,7 +28,9 @@ double CalcMomentum(const HeldObject& object, const Vector3d& direction_W, bool 
                                        (state.R_WO.transpose() * state.w_WO)));
 }
 
-BreakingLoad FindBreakingLoad(const HeldObject& held, const Vector3d& direction_W, bool is_moment) {
+/** @param enough  the pull ends unbroken when the hand has balanced so much. */
+BreakingLoad FindBreakingLoad(const HeldObject& held, const Vector3d& direction_W, bool is_moment,
+                              double enough = std::numeric_limits<double>::infinity()) {
   HeldObject object = held;
   const double arm = is_moment ? held.radius() : 1.0;
   const double weight = held.mass() * kStandardGravity;
@@ -58,6 +60,7 @@ BreakingLoad FindBreakingLoad(const HeldObject& held, const Vector3d& direction_
     const double resisted = (samples.back().impulse - samples.front().impulse - gained) /
                             (static_cast<double>(window) * held.step());
     result.load = std::max(result.load, resisted);
+    if (result.load >= enough) return result;
     samples.pop_front();
   }
   if (!result.is_broken) result.load = kMostLoad * arm;
@@ -84,6 +87,17 @@ void JudgeQuality(const HeldObject& held, const std::vector<GraspContact>& conta
 
 BreakingLoad FindBreakingForce(const HeldObject& held, const Vector3d& direction_W) {
   return FindBreakingLoad(held, direction_W, false);
+}
+
+double FindWeakestForce(const HeldObject& held) {
+  double weakest = std::numeric_limits<double>::infinity();
+  for (int axis = 2; axis >= 0; --axis) {  // along the approach grasps are weak
+    for (const double sign : {1.0, -1.0}) {
+      const Vector3d direction_W = sign * held.R_WPalm().col(axis);
+      weakest = std::min(weakest, FindBreakingLoad(held, direction_W, false, weakest).load);
+    }
+  }
+  return weakest;
 }
 
 Judgement JudgeGrasp(const HeldObject& held, const std::vector<GraspContact>& contacts) {

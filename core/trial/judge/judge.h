@@ -27,6 +27,11 @@ namespace graspbench {
 /** @param direction_W  unit vector. */
 BreakingLoad FindBreakingForce(const HeldObject& held, const Eigen::Vector3d& direction_W);
 
+/** The smallest of the breaking forces along the six half axes of the palm's frame [N]: the
+breaking_force of JudgeGrasp for a third of its cost, since a pull ends as soon as the hand has
+balanced more of it than of the weakest before. */
+double FindWeakestForce(const HeldObject& held);
+
 /** All tests of a grasp: breaking loads, epsilons of every convention, verdicts.
 @param contacts  those of the moment, positions from the centre of mass, axes of O. */
 Judgement JudgeGrasp(const HeldObject& held, const std::vector<GraspContact>& contacts);

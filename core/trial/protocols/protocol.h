@@ -37,6 +37,8 @@ class TrialCourse {
   virtual bool is_held() const = 0;
   /** @pre is_held() */
   virtual Judgement Judge() const = 0;
+  /** What the grasp stands before it breaks (TrialResult::strength) [N]. @pre it is over */
+  virtual double FindStrength() const = 0;
 
   virtual double time() const = 0;  ///< since the start [s]
   virtual Phase phase() const = 0;

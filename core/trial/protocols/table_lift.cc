@@ -501,9 +501,23 @@ void TableLift::Restore(const TrialInstant& instant) {
   notes_ = instant.notes;
 }
 
+HeldObject TableLift::Hold() const {
+  return HeldObject(*world_, notes_.command, setup_, notes_.grip, notes_.sensors);
+}
+
 Judgement TableLift::Judge() const {
-  return JudgeGrasp(HeldObject(*world_, notes_.command, setup_, notes_.grip, notes_.sensors),
-                    notes_.stability.MakeInstant(*world_).grasp.contacts);
+  return JudgeGrasp(Hold(), notes_.stability.MakeInstant(*world_).grasp.contacts);
+}
+
+double TableLift::FindStrength() const {
+  if (is_held()) return FindWeakestForce(Hold());
+  const double weight = setup_.object->mass_properties.mass * setup_.sim.gravity;
+  const double lift_time = setup_.strategy.lift_time, asked = lift_time + setup_.strategy.hold_time;
+  double borne = notes_.last_touch - notes_.time;  // the time in which it was lost
+  if (notes_.phase == Phase::kLiftOff) borne += notes_.strategy.time_in_phase();
+  if (notes_.phase == Phase::kHold) borne += lift_time + notes_.strategy.time_in_phase();
+  if (notes_.phase == Phase::kDone) borne += asked;
+  return -weight * (1.0 - std::clamp(borne / asked, 0.0, 1.0));
 }
 
 const Protocol& GetTableLift() {

@@ -21,6 +21,7 @@ see tests/bench/sim_bench.cc. */
 #include "core/grasp/strategy.h"
 #include "core/physics/world.h"
 #include "core/trial/grip/grip_regulator.h"
+#include "core/trial/judge/held_object.h"
 #include "core/trial/measures/load_recorder.h"
 #include "core/trial/measures/seat.h"
 #include "core/trial/measures/stability_meter.h"
@@ -100,6 +101,7 @@ class TableLift : public TrialCourse {
   const TrialNotes& notes() const { return notes_; }
   bool is_held() const override;
   Judgement Judge() const override;
+  double FindStrength() const override;
   const WorldCommand& last_command() const override { return notes_.command; }
 
  private:
@@ -120,6 +122,7 @@ class TableLift : public TrialCourse {
   void EnterPhase(Phase phase);
   SceneSnapshot TakeSnapshot(Moment moment) const;
   TrialFacts MakeFacts() const;
+  HeldObject Hold() const;
   double CalcExtent() const;
   std::optional<Opposition> FindHeldOpposition() const;
   double CalcRise() const {

@@ -21,11 +21,11 @@ Html DrawMethods(const CampaignData& data) {
       std::string("Step 2 searches ") + FindGraspSpace(optimise.search).words +
       " within the joint limits and 25 degrees by the method \"" + optimise.method + "\" with " +
       FormatCount(optimise.evaluations, "evaluation") + " of " +
-      FormatCount(optimise.fitness_trials, "trial") +
-      " each. The fitness is the stability sigma, times the grip that the hand may use over the "
-      "one "
-      "it does where that is more; where the thumb never touches, minus its smallest distance to "
-      "the object. The hand may grip with " +
+      FormatCount(optimise.fitness_trials, "trial") + " each. The fitness is " +
+      FitnessOf(optimise).words +
+      ", times the grip that the hand may use over the one it does where that is more; where the "
+      "thumb never touches, it falls with its smallest distance to the object. The hand may grip "
+      "with " +
       GripOf(optimise).words +
       ". The ten fittest individuals that differ clearly are tried again on drawn trials; the one "
       "that succeeds most often, with the highest mean fitness, is checked.");

@@ -85,7 +85,7 @@ TEST(GraspCheck, SaysWhenThePairsWereTooFew) {
 TEST(GraspCheck, WithoutANewGraspTheOldOneIsTriedAlone) {
   MadeTrials trials;
   Grasp old;
-  const GraspCheck check = CheckOldGrasp(old, 1000, trials.MakeRun());
+  const GraspCheck check = CheckOldGrasp(old, {1000, kPairsPerLook, {}, false}, trials.MakeRun());
   EXPECT_EQ(check.before.size(), 20u);
   EXPECT_TRUE(check.after.empty());
   EXPECT_FALSE(check.is_taken());

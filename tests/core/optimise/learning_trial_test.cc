@@ -51,6 +51,30 @@ TEST(Fitness, CountsSigmaAsFarAsTheHandMayGrip) {
   EXPECT_EQ(CalcFitness(MakeLearningTrial(0, MakeResult(kNever, 0.0), false), 10.0), -0.012);
 }
 
+LearningTrial MakeStrong(double strength, double grip, double thumb_time = 0.5) {
+  TrialResult result = MakeResult(thumb_time, 100.0);  // sigma does not count
+  result.strength = strength;
+  result.stability.hold.normal_force = grip;
+  return MakeLearningTrial(0, result, false);
+}
+
+// What holds is better than what is lost, which is better the later it was lost, and with its
+// thumb nearer.
+TEST(Fitness, OfStrengthIsWhatThePullsFoundAndLeadsLostObjectsBack) {
+  EXPECT_DOUBLE_EQ(CalcFitness(MakeStrong(3.0, 20.0), 10.0), 1.5);
+  EXPECT_DOUBLE_EQ(CalcFitness(MakeStrong(3.0, 20.0)), 3.0);
+  EXPECT_DOUBLE_EQ(CalcFitness(MakeStrong(-0.2, 20.0), 10.0), -0.2);
+  EXPECT_DOUBLE_EQ(CalcFitness(MakeStrong(-0.2, kNever, kNever)), -0.212);
+  EXPECT_DOUBLE_EQ(CalcMeanStrength({MakeStrong(3.0, 1.0), MakeStrong(-0.2, 1.0)}), 1.5);
+  EXPECT_TRUE(std::isnan(CalcMeanStrength({MakeLearningTrial(0, MakeResult(0.5, 3.0), false)})));
+}
+
+TEST(LearningTrial, KeepsItsStrength) {
+  const LearningTrial trial = MakeStrong(1.0 / 3.0, 2.0);
+  EXPECT_EQ(LearningTrialFromJson(ToJson(trial)).strength, trial.strength);
+  EXPECT_FALSE(ToJson(MakeLearningTrial(0, MakeResult(0.5, 3.0), false)).contains("strength_n"));
+}
+
 TEST(LearningTrial, IsReadAsItWasWritten) {
   for (const double time : {0.1 + 0.2, kNever}) {
     TrialResult result = MakeResult(time, 1.0 / 3.0);

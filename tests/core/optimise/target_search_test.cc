@@ -27,12 +27,13 @@ TEST(FindCandidates, TakesTheFittestThatDifferByTwoDegreesAndNeverTheStart) {
   const SearchResult result =
       MakeResult({{0.0, 9.0}, {10.0, 3.0}, {11.0, 5.0}, {13.5, 4.0}, {20.0, 1.0}});
   std::vector<int> numbers;
-  for (const Individual& individual : FindCandidates(result, 10)) {
+  for (const Individual& individual : FindCandidates(result, {0, 1, 2, 3, 4}, 10)) {
     numbers.push_back(individual.number);
   }
   EXPECT_EQ(numbers, (std::vector<int>{2, 3, 4}));
-  EXPECT_EQ(FindCandidates(result, 2).size(), 2u);
-  EXPECT_TRUE(FindCandidates(MakeResult({{0.0, 1.0}}), 10).empty());
+  EXPECT_EQ(FindCandidates(result, {0, 1, 2, 3, 4}, 2).size(), 2u);
+  EXPECT_EQ(FindCandidates(result, {0, 1, 3}, 1).at(0).number, 3);
+  EXPECT_TRUE(FindCandidates(MakeResult({{0.0, 1.0}}), {0}, 10).empty());
 }
 
 class TargetSearchTest : public testing::Test {
@@ -88,6 +89,17 @@ TEST_F(TargetSearchTest, TheStartSaysHowHardMayBeGripped) {
   TargetSearch free(hand_, ball_, start_, config_);
   free.Evaluate({MakeIndividual(free, 0)}, MakeRun());
   EXPECT_EQ(free.Evaluate({MakeIndividual(free, 1)}, MakeRun()), std::vector<double>{1.0});
+}
+
+TEST_F(TargetSearchTest, AsksForStrengthWhereThatIsTheFitness) {
+  for (const char* fitness : {"sigma", "strength"}) {
+    config_.fitness = fitness;
+    TargetSearch search(hand_, ball_, start_, config_);
+    search.Evaluate({MakeIndividual(search, 0)}, [&](const auto& requests) {
+      EXPECT_EQ(requests.at(0).finds_strength, fitness == std::string("strength"));
+      return MakeRun()(requests);
+    });
+  }
 }
 
 TEST_F(TargetSearchTest, RanksByWhatHoldsMostOften) {

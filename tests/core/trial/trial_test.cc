@@ -128,6 +128,41 @@ TEST_P(TrialTest, ATooHeavyCubeStaysBehind) {
   EXPECT_LT(0.5 * result.grip_force, 20.0 * kStandardGravity);
 }
 
+// Held: the judge's own smallest pull. Never lifted: the whole weight was not borne; no part of it
+// that is not there.
+TEST_P(TrialTest, StrengthIsTheWeakestPullOrTheWeightThatWasNotBorne) {
+  TrialSetup setup = MakeSetup(GetParam(), "g2", MakeCube(0.0122, 0.5));
+  TrialRunner runner(setup.hand, setup.object);
+  EXPECT_FALSE(runner.Run(setup).strength.has_value());
+  setup.finds_strength = true;
+  const JudgedTrial held = runner.Judge(setup);
+  ASSERT_TRUE(held.judgement.has_value());
+  EXPECT_EQ(held.result.strength, held.judgement->breaking_force);
+  setup.grasp.q_target = setup.grasp.q_pre;
+  EXPECT_DOUBLE_EQ(runner.Run(setup).strength.value(), -0.0122 * kStandardGravity);
+}
+
+TEST_P(TrialTest, AnObjectThatIsLostWhileLiftedIsWorthTheTimeItWasHeld) {
+  TrialSetup setup = MakeSetup(GetParam(), "g2", MakeCube(0.0122, 0.5));
+  setup.finds_strength = true;
+  const Eigen::VectorXd open = setup.grasp.q_pre;
+  std::vector<double> strengths;
+  for (const double time : {3.0, 3.5}) {  // the hand opens in lift-off, or later
+    setup.drives.clear();
+    for (size_t j = 0; j < setup.hand->joints.size(); ++j) {
+      const HandJoint& joint = setup.hand->joints[j];
+      if (joint.coupled_to < 0) {
+        const int index = static_cast<int>(j);
+        setup.drives.push_back({time, index, open[index]});
+      }
+    }
+    strengths.push_back(TrialRunner(setup.hand, setup.object).Run(setup).strength.value());
+  }
+  EXPECT_GT(strengths[0], -0.0122 * kStandardGravity);
+  EXPECT_LT(strengths[0], strengths[1]);
+  EXPECT_LT(strengths[1], 0.0);
+}
+
 TEST_P(TrialTest, TheSameTrialGivesTheSameBitsWhateverRanBefore) {
   TrialSetup setup = MakeSetup(GetParam(), "g2", MakeCube(0.0122, 0.31));
   TrialRunner fresh(setup.hand, setup.object), used(setup.hand, setup.object);

@@ -7,11 +7,14 @@
 namespace graspbench {
 namespace {
 
-// A frozen configuration is complete; those of before there were spaces searched the thumb.
+// A frozen configuration is complete; those of before there were spaces and fitnesses searched the
+// thumb for sigma.
 TEST(CompleteOptimiseConfig, AddsWhatOlderConfigurationsLack) {
   Json frozen = ConfigToJson(SceneConfig());
   const Json whole = frozen;
   frozen["optimise"].erase("search");
+  frozen["optimise"].erase("fitness");
+  frozen["optimise"].erase("race");
   ASSERT_NE(frozen, whole);
   CompleteOptimiseConfig(frozen);
   EXPECT_EQ(frozen["optimise"]["search"], "thumb");
@@ -27,6 +30,19 @@ TEST(CompleteOptimiseConfig, AddsWhatOlderConfigurationsLack) {
   Json damaged = Json::array();
   CompleteOptimiseConfig(damaged);
   EXPECT_EQ(damaged, Json::array());
+}
+
+// Journals of before there was strength are answers to the same questions as today's sigma.
+TEST(LearningPlan, AskingForStrengthIsAnotherQuestion) {
+  const auto object = std::make_shared<GraspObject>();
+  const SceneInputs inputs = {std::make_shared<Hand>(), object, {}};
+  LearningRequest request;
+  const SceneConfig config;
+  EXPECT_FALSE(MakeLearningSetup(config, inputs, request, 0).finds_strength);
+  const std::string sigma = CalcLearningTrialId(config, inputs, request, 0);
+  request.finds_strength = true;
+  EXPECT_TRUE(MakeLearningSetup(config, inputs, request, 0).finds_strength);
+  EXPECT_NE(CalcLearningTrialId(config, inputs, request, 0), sigma);
 }
 
 TEST(ValidateOptimiseConfig, NamesTheKnownSpaces) {

@@ -140,8 +140,8 @@ void AddOptimiseCommand(CLI::App& program, ExitCode& exit_code) {
   command.callback([options, &command, &exit_code] {
     if (options->resume) {
       CheckResume(command, {"--hand", "--object", "--grasp", "--step", "--method", "--evaluations",
-                            "--fitness-trials", "--search", "--grip", "--grip-limit", "--seed",
-                            "--set", "--plan-only", "--replay"});
+                            "--fitness-trials", "--search", "--fitness", "--race", "--grip",
+                            "--grip-limit", "--seed", "--set", "--plan-only", "--replay"});
     }
     exit_code = options->replay ? Replay(*options) : Optimise(*options);
   });

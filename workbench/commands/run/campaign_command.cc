@@ -139,9 +139,9 @@ void AddCampaignCommand(CLI::App& program, ExitCode& exit_code) {
   AddJsonOption(command, options->json);
   command.callback([options, &command, &exit_code] {
     if (options->resume) {
-      CheckResume(command,
-                  {"--hand", "--object", "--evaluations", "--fitness-trials", "--trials",
-                   "--search", "--grip", "--grip-limit", "--compare", "--set", "--plan-only"});
+      CheckResume(command, {"--hand", "--object", "--evaluations", "--fitness-trials", "--trials",
+                            "--search", "--fitness", "--race", "--grip", "--grip-limit",
+                            "--compare", "--set", "--plan-only"});
     }
     exit_code = Run(*options);
   });

@@ -57,6 +57,7 @@ TEST(Judge, TheSmallestOfSixIsTheBreakingForce) {
   double smallest = 1e9;
   for (int i = 0; i < 6; ++i) smallest = std::min(smallest, judgement.loads[i].load);
   EXPECT_EQ(judgement.breaking_force, smallest);
+  EXPECT_EQ(FindWeakestForce(pinch.MakeHeldObject()), smallest);
   EXPECT_EQ(judgement.loads[5].direction, "force -z");
   EXPECT_EQ(judgement.epsilons.size(), ListQualityConventions().size());
   EXPECT_GT(judgement.volume, 0.0);
