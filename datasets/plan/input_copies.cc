@@ -46,8 +46,9 @@ fs::path FindOwner(const fs::path& folder) {
 
 /** Of the store itself, of the session or of the campaign that it is part of. */
 fs::path FindInputs(const fs::path& part) {
-  const fs::path folder = FindOwner(part);
   std::error_code status;
+  if (fs::exists(part / kInputs, status)) return part / kInputs;
+  const fs::path folder = FindOwner(part);
   if (fs::exists(folder / kInputs, status)) return folder / kInputs;
   for (const fs::path& above : {folder / "..", folder / ".." / ".."}) {
     if (FindStoreKind(above) == &kCampaignStore) return above / kInputs;

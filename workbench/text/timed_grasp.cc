@@ -7,8 +7,6 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/base/files/files.h"
-#include "core/base/text/data_table.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/grasp/grasp_file.h"
@@ -16,8 +14,8 @@
 #include "core/hand/load_hand.h"
 #include "core/statistics/summary.h"
 #include "core/trial/contact_lags.h"
-#include "datasets/journal/sealed_store.h"
 #include "datasets/plan/session_plan.h"
+#include "workbench/text/study_touches.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -27,41 +25,16 @@ namespace {
 /** Of the time between the first and the last contact: by more people's times are lost. */
 constexpr double kMostErrorShare = 0.25;
 
-DataTable ReadStudyTable(const fs::path& study, const char* name,
-                         const std::vector<std::string>& columns, Diagnostics& problems) {
-  const fs::path file = study / name;
-  if (!fs::exists(file)) {
-    throw Error(ErrorKind::kNotFound, "no " + std::string(name) + " in \"" + study.string() +
-                                          "\"; expected the folder of a study, as graspbench "
-                                          "study run writes it");
-  }
-  DataTable table(ReadFile(file), file.string(), problems);
-  for (const std::string& column : columns) table.Require(column);
-  problems.ThrowIfErrors(ErrorKind::kFormat, "the study's tables cannot be read");
-  return table;
-}
-
-/** Contacts of the trials that count, by trial and digit [s]. */
-std::map<std::string, std::map<std::string, double>> ReadContacts(const fs::path& study) {
-  Diagnostics problems;
-  std::set<std::string> kept;
-  const DataTable trials = ReadStudyTable(study, "trials.csv", {"trial_id", "is_kept"}, problems);
-  for (size_t row = 0; row < trials.num_rows(); ++row) {
-    if (trials.Text(row, "is_kept") == "1") kept.insert(trials.Text(row, "trial_id"));
-  }
-  DataTable events = ReadStudyTable(
-      study, "events.csv", {"trial_id", "event", "digit", "is_believed", "time_s"}, problems);
-  std::map<std::string, std::map<std::string, double>> contacts;
-  for (size_t row = 0; row < events.num_rows(); ++row) {
-    const std::string& trial = events.Text(row, "trial_id");
-    if (events.Text(row, "event") != "contact" || events.Text(row, "is_believed") != "1" ||
-        kept.count(trial) == 0) {
-      continue;
+/** By trial and digit [s]. */
+std::vector<std::map<std::string, double>> ReadContacts(const fs::path& study) {
+  std::vector<std::map<std::string, double>> contacts;
+  for (const TrialTouches& trial : ReadStudyTouches(study)) {
+    std::map<std::string, double> times;
+    for (const DigitContact& contact : trial.contacts) {
+      if (!std::isnan(contact.time)) times[std::string(contact.digit)] = contact.time;
     }
-    const double time = events.Number(row, "time_s");
-    if (!std::isnan(time)) contacts[trial][events.Text(row, "digit")] = time;
+    contacts.push_back(std::move(times));
   }
-  problems.ThrowIfErrors(ErrorKind::kFormat, "the study's tables cannot be read");
   return contacts;
 }
 
@@ -110,9 +83,8 @@ std::string DescribeFit(const std::string& object, const std::map<std::string, d
 std::map<std::string, double> ReadStudyLags(const fs::path& study,
                                             const std::vector<std::string>& digits) {
   const auto contacts = ReadContacts(study);
-  VerifyStore(study, OnDamage::kRefuse);
   std::set<std::string> known;
-  for (const auto& [trial, times] : contacts) {
+  for (const auto& times : contacts) {
     for (const auto& [digit, time] : times) known.insert(digit);
   }
   if (known.empty()) {
@@ -128,8 +100,8 @@ std::map<std::string, double> ReadStudyLags(const fs::path& study,
                                        ". Choose a grasp of these digits with --grasp");
   }
   std::map<std::string, std::vector<double>> all;
-  for (const auto& [trial, times] : contacts) {
-    const auto has = [&times = times](const std::string& id) { return times.count(id) > 0; };
+  for (const auto& times : contacts) {
+    const auto has = [&times](const std::string& id) { return times.count(id) > 0; };
     if (!std::all_of(digits.begin(), digits.end(), has)) continue;
     double first = HUGE_VAL;
     for (const std::string& digit : digits) first = std::min(first, times.at(digit));

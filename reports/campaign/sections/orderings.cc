@@ -2,6 +2,7 @@
 #include "core/base/units.h"
 #include "datasets/analysis/grasp_course.h"
 #include "reports/campaign/campaign_section.h"
+#include "reports/people_and_robots.h"
 
 namespace graspbench {
 namespace {
@@ -98,7 +99,8 @@ Html ExplainStart(const std::string& hand, const std::string& object) {
       "thesis only step 2 leads it.");
 }
 
-Html DrawOrderings(const CampaignData& data) {
+/** The courses of events that the thesis tells. */
+Html DrawCourses(const CampaignData& data) {
   Html courses;
   for (const char* hand_id : {"tum", "tum-courses"}) {
     const auto hand = data.models.FindHand(hand_id);
@@ -124,6 +126,11 @@ Html DrawOrderings(const CampaignData& data) {
              "trials; the thumb's place is that of its pad when the grasp is closed. The hand "
              "tum-courses starts both from the faults that the thesis describes.") +
          courses;
+}
+
+Html DrawOrderings(const CampaignData& data) {
+  return DrawCourses(data) + Element("h3", {}, "People and robots") +
+         DrawSchedules(LoadSchedules(data.campaign.benchmark), data.models, "DIR/benchmark");
 }
 
 }  // namespace

@@ -1,8 +1,11 @@
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/text/text.h"
 #include "datasets/analysis/timing_groups.h"
+#include "human_study/events/contact_detector.h"
 #include "reports/page/models.h"
+#include "reports/people_and_robots.h"
 #include "reports/plots/line_plot.h"
 #include "reports/study/study_format.h"
 #include "reports/study/study_section.h"
@@ -94,6 +97,85 @@ Html DrawTable(const std::vector<Group>& groups) {
   return table.ToHtml();
 }
 
+std::vector<TrialTouches> ListTouches(const StudyResult& result) {
+  std::vector<TrialTouches> touches;
+  for (const StudyTrial& trial : result.trials) {
+    if (!trial.IsKept()) continue;
+    TrialTouches made = {trial.object, trial.analysis->closure_start.time, {}};
+    for (const DigitContactEvents& digit : trial.analysis->contacts) {
+      if (IsUnresolved(digit.contact)) continue;
+      made.contacts.push_back({digit.digit, digit.is_thumb, digit.contact.time});
+    }
+    touches.push_back(std::move(made));
+  }
+  return touches;
+}
+
+/** This study's people beside the robot's natural schedule. */
+PeopleFile MakePeople(const StudyPageData& data, const ScheduleComparison& robot) {
+  PeopleFile people;
+  people.study = data.result.study.config.name;
+  const std::vector<TrialTouches> touches = ListTouches(data.result);
+  for (const ScheduleCell& cell : robot.cells) {
+    people.cells.push_back(cell.of);
+    PeopleOnObject& of = people.cells.back();
+    of.people = SummarisePeople(touches, of.object, of.digits);
+  }
+  return people;
+}
+
+/** Tables round to the last digit what this page has in full. */
+bool IsSame(const Answer<TouchLags>& a, const Answer<TouchLags>& b) {
+  constexpr double kRounding = 1e-6;
+  if (!a || !b) return !a && !b;
+  if (a->shares.size() != b->shares.size()) return false;
+  for (size_t i = 0; i < a->shares.size(); ++i) {
+    const double x = a->shares[i].median, y = b->shares[i].median;
+    if (x != y && !(std::abs(x - y) < kRounding)) return false;
+  }
+  return true;
+}
+
+/** Schedules that follow other people are no schedules of this study's. */
+bool IsOfStudy(const ScheduleComparison& comparison, const PeopleFile& people) {
+  for (const ScheduleCell& cell : comparison.cells) {
+    const PeopleOnObject* own = people.Find(cell.of.hand, cell.of.object, cell.of.grasp);
+    if (own && !IsSame(own->people, cell.of.people)) return false;
+  }
+  return true;
+}
+
+Html DrawTimesBesidePeople(const StudyPageData& data) {
+  const Session& session = data.robot->session;
+  const SessionModels models = LoadSessionModels(session);
+  std::vector<ScheduleComparison> shown;
+  Html others;
+  for (const ScheduleComparison& comparison : LoadSchedules(session)) {
+    if (IsOfStudy(comparison, MakePeople(data, comparison))) {
+      shown.push_back(comparison);
+    } else {
+      others += MakeParagraph("Not compared: the schedules in " + comparison.folder + " follow " +
+                              (comparison.study.empty() ? "no study" : comparison.study) +
+                              ", whose people are not this study's.");
+    }
+  }
+  const Html heading = Element("h3", {}, "People and robots: order and times of contact");
+  if (!shown.empty()) return heading + DrawSchedules(shown, models, data.robot->name) + others;
+  const std::vector<ThresholdSummary> thresholds = LoadThresholds(session);
+  const PeopleFile people = MakePeople(data, CompareSchedules(session, {}, thresholds));
+  const bool has_people = std::any_of(people.cells.begin(), people.cells.end(),
+                                      [](const PeopleOnObject& cell) { return bool(cell.people); });
+  if (!has_people) {
+    return heading + others +
+           MakeParagraph("Not compared: " +
+                         (people.cells.empty() ? "the camera chooses the grasps"
+                                               : people.cells[0].people.reason()) +
+                         ".");
+  }
+  return heading + DrawSchedules({}, models, data.robot->name) +
+         DrawPeopleAndRobots(CompareSchedules(session, people, thresholds), models) + others;
+}
+
 Html DrawRobot(const StudyPageData& data) {
   if (data.robot == nullptr) {
     return MakeParagraph(
@@ -105,7 +187,7 @@ Html DrawRobot(const StudyPageData& data) {
                        ". Closure starts at the widest opening for people and with the closing "
                        "command for robots; a robot closes at a speed set by its strategy, so "
                        "compare the ratios, not the times.") +
-         DrawFigure(groups) + DrawTable(groups);
+         DrawFigure(groups) + DrawTable(groups) + DrawTimesBesidePeople(data);
 }
 
 }  // namespace

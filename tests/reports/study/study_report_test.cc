@@ -214,6 +214,23 @@ TEST(StudyReport, HumansStandBesideARobot) {
   EXPECT_EQ(text.find("TUM Hand, all trials"), std::string::npos);  // the same trials once more
   ExpectInStudy(text, "Session: pilot.");
   ExpectInStudy(text, "32.8");  // GFT% of the fixture's middle trial
+  ExpectInStudy(text,
+                "Not compared: people grasped no can in a trial that counts, but cylinder_30mm, "
+                "cylinder_60mm.");
+}
+
+// The robot's digits come at 0.4, 0.5 and 0.6 s: the thumb after 16.7 and the middle finger after
+// 33.3 % of closing, and later draws, by 0.01 s each, somewhat less.
+TEST(StudyReport, OnTheSameObjectsPeopleAndRobotStandInOnePicture) {
+  const RobotSession robot = {"pilot", MakeSession({"tum"}, {"cylinder_60mm"}, "g3", 3)};
+  const std::string page = MakeStudyReport(SmallStudy(), &robot);
+  ExpectSoundPage(page);
+  const std::string text = SectionText(page, "robot");
+  ExpectInStudy(text, "When digits touch: TUM Hand, cylinder_60mm, power (g3)");
+  ExpectInStudy(text, "16.4 (16.3 to 16.5)");
+  ExpectInStudy(text, "32.8 (32.5 to 33.1)");
+  ExpectInStudy(text, "graspbench simultaneity pilot --schedules --people STUDY");
+  EXPECT_EQ(text.find("ot compared"), std::string::npos);
 }
 
 TEST(StudyReport, AStudyWithoutTrialsSaysSo) {

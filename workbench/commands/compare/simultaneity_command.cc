@@ -1,19 +1,24 @@
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 #include <string>
 
 #include "workbench/commands/command.h"
 #include "workbench/experiments/delay_sweep.h"
 #include "workbench/experiments/interrupt.h"
+#include "workbench/experiments/schedule_session.h"
+#include "workbench/tables/schedule_tables.h"
 #include "workbench/tables/simultaneity_tables.h"
 #include "workbench/terminal/terminal_observer.h"
+#include "workbench/text/study_touches.h"
 
 namespace graspbench {
 namespace {
 
 struct SimultaneityOptions {
   ExperimentRequest request;
-  bool delays = false;
+  std::filesystem::path study;
+  bool delays = false, schedules = false;
   int num_workers = 1;
   bool json = false;
 };
@@ -37,7 +42,32 @@ void RunDelays(const SimultaneityOptions& options) {
   PrintResult(FormatDoseResponses(rows));
 }
 
-void Run(const SimultaneityOptions& options) {
+void RunSchedulesOf(const SimultaneityOptions& options) {
+  People people;
+  if (!options.study.empty()) {
+    people = {options.study.lexically_normal().filename().string(),
+              ReadStudyTouches(options.study)};
+  }
+  const PreparedSession schedules = PrepareSchedules(options.request, people);
+  const std::atomic<bool>& stop = CatchInterrupts();
+  TerminalObserver observer(DescribeTasks, stop);
+  DemandFinished(RunSchedules(schedules, options.request, options.num_workers, observer, stop));
+  const Session session =
+      LoadSession(schedules.folder, options.request.on_damage, RecordParts::kBrief);
+  ScheduleComparison found =
+      CompareSchedules(session, LoadPeopleFile(schedules.folder), LoadThresholds(session));
+  found.folder = schedules.folder.string();
+  if (options.json) return PrintJson(ToJson(found));
+  PrintResult(FormatSchedules(found));
+}
+
+void Run(SimultaneityOptions options) {
+  const bool runs = options.delays || options.schedules;
+  if (options.request.trials_per_cell > 0 && !runs) {
+    throw Error(ErrorKind::kUsage, "--trials requires --delay or --schedules");
+  }
+  if (options.schedules) return RunSchedulesOf(options);
+  if (options.request.trials_per_cell == 0) options.request.trials_per_cell = 1;
   if (options.delays) return RunDelays(options);
   const Session session = LoadSession(options.request.folder);
   if (!session.config.conditions.empty()) {
@@ -58,21 +88,30 @@ void AddSimultaneityCommand(CLI::App& program, ExitCode&) {
       program, "simultaneity",
       "Ask a session's trials whether it matters that the digits touch at once.",
       "  graspbench simultaneity results/pilot            within conditions, as the trials came\n"
-      "  graspbench simultaneity results/pilot --delay    the same trials, one digit delayed");
+      "  graspbench simultaneity results/pilot --delay    the same trials, one digit delayed\n"
+      "  graspbench simultaneity results/pilot --schedules --people results/study");
   const auto options = std::make_shared<SimultaneityOptions>();
   AddStoreFolder(command, options->request.folder, "folder of the session");
   CLI::Option* delay = command.add_flag(
       "--delay", options->delays,
       "run trials again with the digit that touched last, or first, 50 to 300 ms later, the object "
       "as it was, light, slippery and off-centre");
-  options->request.trials_per_cell = 1;
+  CLI::Option* schedules = command.add_flag(
+      "--schedules", options->schedules,
+      "run trials again with all digits touching together, and when people's do, and find what "
+      "each costs in grip threshold");
+  schedules->excludes(delay);
+  command
+      .add_option("--people", options->study,
+                  "folder of a study of people on the same objects, for --schedules")
+      ->needs(schedules)
+      ->option_text("STUDY");
   command
       .add_option("--trials", options->request.trials_per_cell,
-                  "trials of each hand, object, grasp to delay")
-      ->needs(delay)
+                  "trials of each hand, object, grasp to run again")
       ->check(CLI::Range(1, 100000))
       ->option_text("N")
-      ->capture_default_str();
+      ->default_str("1; all with --schedules");
   AddPlanOnlyOption(command, options->request.plan_only);
   command.get_option("--plan-only")->needs(delay);
   command

@@ -1,0 +1,251 @@
+#include "datasets/analysis/schedules/schedule_comparison.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include "core/base/error.h"
+#include "core/base/files/files.h"
+#include "core/statistics/summary.h"
+#include "datasets/plan/grasp_choice.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr char kPeoplePath[] = "inputs/grasps/people.json";
+
+using Place = std::tuple<std::string, std::string, std::string>;  // hand, object, natural grasp
+
+TrialTouches FindTouches(const TrialRecord& record) {
+  return {record.plan.object, 0.0, record.result.contacts};
+}
+
+/** Of the first trial in which hand and object were. */
+std::vector<std::string> ListDigits(const CellSummary& cell) {
+  std::vector<std::string> digits;
+  for (const TrialRecord* record : cell.records) {
+    for (const DigitContact& contact : record->result.contacts) {
+      digits.push_back(std::string(contact.digit));
+    }
+    if (!digits.empty()) break;
+  }
+  return digits;
+}
+
+double CalcRatio(double value, double natural) {
+  if (value == natural) return 1.0;  // both infinite, too
+  return std::isinf(natural) ? 0.0 : value / natural;
+}
+
+/** A draw's threshold by cell and number. */
+using Thresholds = std::map<std::pair<std::string, int>, double>;
+
+Thresholds ListByDraw(const ThresholdSummary& summary) {
+  Thresholds values;
+  for (const DrawThreshold& draw : summary.draws) {
+    if (std::isnan(draw.value)) continue;
+    values[{draw.draw.hand + "\n" + draw.draw.object + "\n" + draw.draw.grasp, draw.draw.trial}] =
+        draw.value;
+  }
+  return values;
+}
+
+std::string MakeKey(const CellSummary& cell) {
+  return cell.hand + "\n" + cell.object + "\n" + cell.grasp;
+}
+
+void AddThreshold(const CellSummary& cell, const CellSummary* natural,
+                  const ThresholdSummary& summary, const Thresholds& values, ScheduleRow& row) {
+  for (const CellThreshold& known : summary.cells) {
+    const bool is_this = known.condition.empty() && known.hand == cell.hand &&
+                         known.object == cell.object && known.grasp == cell.grasp;
+    if (!is_this || known.num_draws == 0) continue;
+    row.threshold = known.median;
+    row.threshold_text = FormatMedian(*summary.scale, known);
+  }
+  if (natural == nullptr) return;
+  std::vector<double> ratios;
+  for (const TrialRecord* record : cell.records) {
+    const auto own = values.find({MakeKey(cell), record->plan.trial});
+    const auto other = values.find({MakeKey(*natural), record->plan.trial});
+    if (own == values.end() || other == values.end()) continue;
+    ratios.push_back(CalcRatio(own->second, other->second));
+  }
+  row.num_pairs = static_cast<int>(ratios.size());
+  if (ratios.empty()) return;
+  row.ratio = CalcMedian(ratios);
+  row.interval = CalcMedianInterval(ratios);
+}
+
+ScheduleRow MakeRow(const std::string& schedule, const CellSummary& cell,
+                    const std::vector<std::string>& digits) {
+  std::vector<TrialTouches> trials;
+  for (const TrialRecord* record : cell.records) {
+    if (record->result.outcome != Outcome::kNumericalFailure) {
+      trials.push_back(FindTouches(*record));
+    }
+  }
+  return {schedule, SummariseTouches(trials, digits), cell.tally};
+}
+
+Json ToJson(const PeopleOnObject& cell) {
+  return {{"hand", cell.hand},
+          {"object", cell.object},
+          {"grasp", cell.grasp},
+          {"digits", cell.digits},
+          {"people", cell.people ? ToJson(*cell.people) : Json()},
+          {"not_compared", cell.people ? "" : cell.people.reason()},
+          {"missing", cell.missing}};
+}
+
+}  // namespace
+
+ScheduledGrasp SplitSchedule(const std::string& id) {
+  for (const std::string schedule : kSchedules) {
+    const std::string ending = "-" + schedule;
+    if (id.size() <= ending.size()) continue;
+    const size_t place = id.size() - ending.size();
+    if (id.compare(place, ending.size(), ending) == 0) return {id.substr(0, place), schedule};
+  }
+  return {id, kNatural};
+}
+
+const PeopleOnObject* PeopleFile::Find(const std::string& hand, const std::string& object,
+                                       const std::string& grasp) const {
+  for (const PeopleOnObject& cell : cells) {
+    if (cell.hand == hand && cell.object == object && cell.grasp == grasp) return &cell;
+  }
+  return nullptr;
+}
+
+Json ToJson(const PeopleFile& people) {
+  Json cells = Json::array();
+  for (const PeopleOnObject& cell : people.cells) cells.push_back(ToJson(cell));
+  return {{"study", people.study}, {"cells", cells}};
+}
+
+PeopleFile PeopleFileFromJson(const Json& json, const std::string& file) {
+  try {
+    PeopleFile people;
+    people.study = json.at("study").get<std::string>();
+    for (const Json& cell : json.at("cells")) {
+      PeopleOnObject made = {cell.at("hand").get<std::string>(),
+                             cell.at("object").get<std::string>(),
+                             cell.at("grasp").get<std::string>(),
+                             cell.at("digits").get<std::vector<std::string>>(),
+                             NoAnswer{cell.at("not_compared").get<std::string>()},
+                             cell.at("missing").get<std::map<std::string, std::string>>()};
+      if (!cell.at("people").is_null()) made.people = TouchLagsFromJson(cell.at("people"));
+      people.cells.push_back(std::move(made));
+    }
+    return people;
+  } catch (const Json::exception& e) {
+    throw Error(ErrorKind::kFormat,
+                "\"" + file + "\" does not say what people did: " + e.what() +
+                    "; remove its session's folder and run graspbench simultaneity --schedules "
+                    "again");
+  }
+}
+
+Answer<TouchLags> SummarisePeople(const std::vector<TrialTouches>& people,
+                                  const std::string& object,
+                                  const std::vector<std::string>& digits) {
+  std::vector<TrialTouches> trials;
+  std::set<std::string> known;
+  for (const TrialTouches& trial : people) {
+    known.insert(trial.object);
+    if (trial.object == object) trials.push_back(trial);
+  }
+  if (trials.empty()) {
+    return NoAnswer{"people grasped no " + object + " in a trial that counts, but " +
+                    fmt::format("{}", fmt::join(known, ", "))};
+  }
+  return SummariseTouches(trials, digits);
+}
+
+ScheduleComparison CompareSchedules(const Session& session, const PeopleFile& people,
+                                    const std::vector<ThresholdSummary>& thresholds) {
+  ScheduleComparison comparison;
+  comparison.study = people.study;
+  const ThresholdSummary* known = thresholds.empty() ? nullptr : &thresholds.front();
+  if (known) comparison.scale = known->scale;
+  const Thresholds values = known ? ListByDraw(*known) : Thresholds();
+  const SessionSummary summary = SummariseSession(session);
+  std::map<Place, size_t> places;
+  std::map<Place, const CellSummary*> natural;
+  for (const CellSummary& cell : summary.cells) {
+    const ScheduledGrasp grasp = SplitSchedule(cell.grasp);
+    if (grasp.schedule == kNatural) natural[{cell.hand, cell.object, grasp.grasp}] = &cell;
+  }
+  for (const CellSummary& cell : summary.cells) {
+    if (cell.grasp == kBySight) continue;
+    const ScheduledGrasp grasp = SplitSchedule(cell.grasp);
+    const Place place = {cell.hand, cell.object, grasp.grasp};
+    const auto [found, is_new] = places.emplace(place, comparison.cells.size());
+    if (is_new) {
+      const PeopleOnObject* on = people.Find(cell.hand, cell.object, grasp.grasp);
+      PeopleOnObject none = {cell.hand, cell.object, grasp.grasp, ListDigits(cell), {}, {}};
+      comparison.cells.push_back({on ? *on : none, {}});
+    }
+    ScheduleCell& made = comparison.cells[found->second];
+    ScheduleRow row = MakeRow(grasp.schedule, cell, made.of.digits);
+    const auto other = natural.find(place);
+    if (known) {
+      AddThreshold(cell, other == natural.end() ? nullptr : other->second, *known, values, row);
+    }
+    made.rows.push_back(std::move(row));
+  }
+  return comparison;
+}
+
+PeopleFile LoadPeopleFile(const fs::path& folder) {
+  const fs::path file = folder / kPeoplePath;
+  return PeopleFileFromJson(Json::parse(ReadFile(file), nullptr, /*allow_exceptions=*/false),
+                            file.string());
+}
+
+std::vector<ScheduleComparison> LoadSchedules(const Session& session) {
+  std::vector<ScheduleComparison> all;
+  if (session.folder.empty()) return all;
+  for (const std::string& name : ListMatches(session.folder, {"schedules/*"})) {
+    const fs::path folder = session.folder / name;
+    if (!HasSession(folder)) continue;
+    const Session scheduled = LoadSession(folder, OnDamage::kAccept, RecordParts::kBrief);
+    all.push_back(CompareSchedules(scheduled, LoadPeopleFile(folder), LoadThresholds(scheduled)));
+    all.back().folder = name;
+  }
+  return all;
+}
+
+Json ToJson(const ScheduleComparison& comparison) {
+  Json cells = Json::array();
+  for (const ScheduleCell& cell : comparison.cells) {
+    Json json = ToJson(cell.of);
+    json["schedules"] = Json::array();
+    for (const ScheduleRow& row : cell.rows) {
+      json["schedules"].push_back(
+          {{"schedule", row.schedule},
+           {"lags", row.lags ? ToJson(*row.lags) : Json()},
+           {"not_compared", row.lags ? "" : row.lags.reason()},
+           {"trials", row.tally.finished},
+           {"successes", row.tally.successes()},
+           {"threshold", JsonNumber(row.threshold)},
+           {"pairs", row.num_pairs},
+           {"threshold_ratio", JsonNumber(row.ratio)},
+           {"ratio_low", row.interval ? JsonNumber(row.interval->low) : Json()},
+           {"ratio_high", row.interval ? JsonNumber(row.interval->high) : Json()}});
+    }
+    cells.push_back(std::move(json));
+  }
+  return {{"folder", comparison.folder},
+          {"study", comparison.study},
+          {"scale", comparison.scale ? Json(comparison.scale->name) : Json()},
+          {"cells", cells}};
+}
+
+}  // namespace graspbench
