@@ -74,7 +74,7 @@ const std::vector<MapFactorRow>& ListMapFactors() {
 std::vector<MapPart> ListMapParts(bool is_quick) {
   if (is_quick) return {{"success", "Success", true, {0.3}, 1, 0, false, false}};
   return {{"success", "Success", true, {0.1, 0.3}, 3, 0, false, false},
-          {"threshold", "Grip threshold", false, {0.3}, 1, 30, true, false},
+          {"threshold", "Grip threshold", false, {0.3}, 1, 12, true, false},
           {"strength", "Breaking force", false, {0.3}, 1, 5, false, true}};
 }
 
