@@ -220,6 +220,7 @@ Grasp FitGrasp(const Hand& hand, const Grasp& grasp, const GraspObject& object) 
   if (grasp.approach != Approach::kAutomatic || object.approach != Approach::kAutomatic) {
     return fitted.value_or(grasp);
   }
+  const auto meets = [&](const Grasp& way) { return PredictGrasp(hand, way, object).meets(); };
   const auto palm_bears = [&](const Grasp& way) {
     const GraspPrediction prediction = PredictGrasp(hand, way, object);
     return prediction.palm_is_near && prediction.holds();
@@ -229,12 +230,14 @@ Grasp FitGrasp(const Hand& hand, const Grasp& grasp, const GraspObject& object) 
   other.approach =
       ComesFromSide(CalcPlacement(hand, grasp, object)) ? Approach::kAbove : Approach::kSide;
   const std::optional<Grasp> other_fitted = OpenUntilClear(hand, other, object);
-  if (other_fitted && (!fitted || palm_bears(*other_fitted))) return *other_fitted;
+  if (other_fitted && (fitted ? palm_bears(*other_fitted) : meets(*other_fitted))) {
+    return *other_fitted;
+  }
   if (fitted) return *fitted;
   const auto is_palm_near = [&](const Grasp& way) {
     return IsPalmNear(hand, way, object, CalcPlacement(hand, way, object));
   };
-  return is_palm_near(other) && !is_palm_near(grasp) ? other : grasp;
+  return is_palm_near(other) && !is_palm_near(grasp) && meets(other) ? other : grasp;
 }
 
 }  // namespace graspbench

@@ -53,12 +53,11 @@ const FittedGrasp& FitOnce(const SessionInputs& inputs, const SessionHand& hand,
   });
 }
 
-/** A distance field is made only where the bounding box leaves it open. */
 bool CanTake(const SessionInputs& inputs, const SessionHand& hand, const Grasp& grasp,
              const std::shared_ptr<const GraspObject>& object) {
-  if (grasp.placement || ClearsBoundingBox(*hand.hand, grasp, *object)) return true;
+  if (grasp.placement) return true;
   const GraspPrediction& prediction = FitOnce(inputs, hand, grasp, object).prediction;
-  return prediction.reaches() && prediction.is_clear();
+  return prediction.reaches() && prediction.is_clear() && prediction.meets();
 }
 
 const Grasp& FindBestGrasp(const SessionInputs& inputs, const SessionHand& hand,
@@ -81,19 +80,29 @@ const Grasp& FindBestGrasp(const SessionInputs& inputs, const SessionHand& hand,
   return best ? *best : hand.grasps.front();
 }
 
-/** What was looked at before "best" was chosen, and what else the session tries. */
-std::vector<const Grasp*> ListTried(const SessionHand& hand, const GraspObject& object,
-                                    const std::vector<const Grasp*>& chosen, bool takes_best) {
-  std::vector<const Grasp*> tried;
-  const auto add = [&](const Grasp* grasp) {
-    if (grasp && std::find(tried.begin(), tried.end(), grasp) == tried.end()) {
-      tried.push_back(grasp);
+/** What each name of the session stands for on an object: one grasp, all those of which the camera
+chooses, those that "best" is chosen of, or "all". Names whose choice is believed are left out. */
+std::vector<std::vector<const Grasp*>> ListTried(const SessionConfig& config,
+                                                 const SessionInputs& inputs,
+                                                 const SessionHand& hand,
+                                                 const std::shared_ptr<const GraspObject>& object) {
+  std::vector<std::vector<const Grasp*>> tried;
+  for (const std::string& name : config.grasps) {
+    std::vector<const Grasp*> group;
+    const auto add = [&](const Grasp* grasp) {
+      if (grasp) group.push_back(grasp);
+    };
+    if (name == "all") {
+      for (const Grasp& grasp : hand.grasps) add(FindGrasp(hand, *object, grasp.id));
+    } else if (name == kBySight) {
+      group = FindSightGrasps(hand, *object);
+    } else if (name != "best") {
+      add(FindGrasp(hand, *object, ResolveGraspName(inputs, name)));
+    } else if (object->best_grasp.count(hand.hand->id) == 0) {
+      for (const std::string& id : object->grasp_order) add(FindGrasp(hand, *object, id));
     }
-  };
-  if (takes_best) {
-    for (const std::string& id : object.grasp_order) add(FindGrasp(hand, object, id));
+    if (!group.empty()) tried.push_back(std::move(group));
   }
-  for (const Grasp* grasp : chosen) add(grasp);
   return tried;
 }
 
@@ -185,31 +194,32 @@ std::vector<const Grasp*> FindGrasps(const SessionConfig& config, const SessionI
 std::vector<UnreachedObject> FindUnreached(const SessionConfig& config,
                                            const SessionInputs& inputs) {
   std::vector<UnreachedObject> all;
-  const bool takes_best = std::count(config.grasps.begin(), config.grasps.end(), "best") > 0;
   for (const SessionHand& hand : inputs.hands) {
     for (const auto& object : inputs.objects) {
-      if (takes_best && object->best_grasp.count(hand.hand->id) > 0) continue;
-      const std::vector<const Grasp*> chosen = FindGrasps(config, inputs, hand, object);
-      const std::vector<const Grasp*> tried = ListTried(hand, *object, chosen, takes_best);
-      if (chosen.empty() || std::any_of(tried.begin(), tried.end(), [&](const Grasp* grasp) {
-            return CanTake(inputs, hand, *grasp, object);
-          })) {
-        continue;
-      }
-      UnreachedObject unreached{hand.hand->id, object->id, {}, "", 0.0, 0.0};
-      for (const Grasp* grasp : tried) {
-        const GraspPrediction& prediction = FitOnce(inputs, hand, *grasp, object).prediction;
-        const double miss = prediction.reach_miss;
-        const double lacking = prediction.needed_room - prediction.room;
-        if (unreached.tried.empty() ||
-            std::pair(miss, lacking) < std::pair(unreached.miss, unreached.lacking_room)) {
-          unreached.nearest = grasp->id;
-          unreached.miss = miss;
-          unreached.lacking_room = lacking;
+      for (const auto& tried : ListTried(config, inputs, hand, object)) {
+        const auto can_take = [&](const Grasp* grasp) {
+          return CanTake(inputs, hand, *grasp, object);
+        };
+        if (std::any_of(tried.begin(), tried.end(), can_take)) continue;
+        UnreachedObject unreached;
+        unreached.hand = hand.hand->id;
+        unreached.object = object->id;
+        unreached.width = std::min(object->size.x(), object->size.y());
+        for (const Grasp* grasp : tried) {
+          const auto& [fitted, prediction] = FitOnce(inputs, hand, *grasp, object);
+          const double miss = prediction.reach_miss;
+          const double lacking = std::max(0.0, prediction.needed_room - prediction.room);
+          if (unreached.tried.empty() ||
+              std::pair(miss, lacking) < std::pair(unreached.miss, unreached.lacking_room)) {
+            unreached.nearest = grasp->id;
+            unreached.miss = miss;
+            unreached.lacking_room = lacking;
+            unreached.opening = CalcPreGraspWidth(*hand.hand, fitted);
+          }
+          unreached.tried.push_back(grasp->id);
         }
-        unreached.tried.push_back(grasp->id);
+        all.push_back(std::move(unreached));
       }
-      all.push_back(std::move(unreached));
     }
   }
   return all;
@@ -221,16 +231,25 @@ std::string DescribeUnreached(const UnreachedObject& unreached) {
   const bool is_one = unreached.tried.size() == 1;
   const std::string who =
       unreached.hand + ", " + unreached.object + ": " + (is_one ? tried : "none of " + tried);
-  if (unreached.miss <= 0.0) {
-    return who + (is_one ? " does not come" : " comes") +
-           " to it without touching it, so times of contact do not compare; " +
-           (is_one ? "it" : "nearest is " + unreached.nearest + ", which") + " lacks " +
-           FormatFixed(MmFromM(unreached.lacking_room), 1) + " mm beside the object";
+  const auto format = [](double length) { return FormatFixed(MmFromM(length), 1) + " mm"; };
+  if (unreached.miss > 0.0) {
+    const bool is_wide = unreached.opening > 0.0 && unreached.width > unreached.opening;
+    return who + (is_one ? " does not reach it" : " reaches it") +
+           ", so every trial will be unreachable; " +
+           (is_one ? "its" : "nearest is " + unreached.nearest + ", whose") + " pads stop " +
+           format(unreached.miss) + " short" +
+           (is_wide ? ": it is " + format(unreached.width) + " wide, and they open to " +
+                          format(unreached.opening)
+                    : "");
   }
-  return who + (is_one ? " does not reach it" : " reaches it") +
-         ", so every trial will be unreachable; " +
-         (is_one ? "its" : "nearest is " + unreached.nearest + ", whose") + " pads stop " +
-         FormatFixed(MmFromM(unreached.miss), 1) + " mm short";
+  if (unreached.lacking_room > 0.0) {
+    return who + (is_one ? " is not" : " is") +
+           " clear of it wherever a draw puts it, so digits may touch it before they close; " +
+           (is_one ? "it" : "nearest is " + unreached.nearest + ", which") + " lacks " +
+           format(unreached.lacking_room) + " beside the object";
+  }
+  return who + (is_one ? " does not meet it" : " meets it") +
+         " with its opposing digit and another when it closes";
 }
 
 std::vector<std::string> ListObjectWarnings(const SessionConfig& config,

@@ -75,23 +75,28 @@ std::vector<const Grasp*> FindGrasps(const SessionConfig& config, const SessionI
                                      const SessionHand& hand,
                                      const std::shared_ptr<const GraspObject>& object);
 
-/** An object that none of the session's grasps of a hand can take: none reaches it and comes to it
-clear of it. */
+/** An object that a hand cannot take by one of the session's names of grasps: none that it stands for
+reaches it, comes to it clear of it and meets it. */
 struct UnreachedObject {
   std::string hand, object;
   std::vector<std::string> tried;  ///< ids of grasps, the object's order for "best"
   std::string nearest;             ///< of these
   double miss = 0.0;               ///< by which its pads stop short [m]; 0: it reaches the object
   double lacking_room = 0.0;       ///< of one that reaches it, beside the open digits [m]
+  double width = 0.0;              ///< the object's, the smaller one on the table [m]
+  double opening = 0.0;            ///< of the nearest grasp's pads [m]
 };
 
-/** In the order hand, object. What an object names as its best grasp for a hand is believed. */
+/** In the order hand, object, name of grasp. What an object names as its best grasp for a hand is
+believed. */
 std::vector<UnreachedObject> FindUnreached(const SessionConfig& config,
                                            const SessionInputs& inputs);
 
 /** "allegro, carton: none of g1, g2 reaches it, so every trial will be unreachable; nearest is g2,
-whose pads stop 6.2 mm short"; or "..: none of g1, g2 comes to it without touching it, so times of
-contact do not compare; nearest is g2, which lacks 6.2 mm beside the object". */
+whose pads stop 6.2 mm short", with the widths where the object is too wide; or "..: none of g1, g2
+is clear of it wherever a draw puts it, so digits may touch it before they close; nearest is g2,
+which lacks 6.2 mm beside the object"; or "..: none of g1, g2 meets it with its opposing
+digit and another when it closes". */
 std::string DescribeUnreached(const UnreachedObject& unreached);
 
 /** What is to be said of the session's objects before it: those that no grasp takes, then those

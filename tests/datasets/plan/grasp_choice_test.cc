@@ -84,11 +84,40 @@ TEST(GraspChoice, AnObjectThatNamesItsGraspIsNotAskedAbout) {
 TEST(GraspChoice, WhatNoGraspClearsIsKnownBeforeTheSession) {
   EXPECT_EQ(
       DescribeUnreached({"mine", "slab", {"g4", "g1"}, "g1", 0.0, 0.0031}),
-      "mine, slab: none of g4, g1 comes to it without touching it, so times of contact do not "
-      "compare; nearest is g1, which lacks 3.1 mm beside the object");
+      "mine, slab: none of g4, g1 is clear of it wherever a draw puts it, so digits may touch "
+      "it before they close; nearest is g1, which lacks 3.1 mm beside the object");
   EXPECT_EQ(DescribeUnreached({"mine", "slab", {"g1"}, "g1", 0.0, 0.0031}),
-            "mine, slab: g1 does not come to it without touching it, so times of contact do not "
-            "compare; it lacks 3.1 mm beside the object");
+            "mine, slab: g1 is not clear of it wherever a draw puts it, so digits may touch it "
+            "before they close; it lacks 3.1 mm beside the object");
+  EXPECT_EQ(DescribeUnreached({"mine", "slab", {"g1"}, "g1", 0.01, 0.0, 0.12, 0.1014}),
+            "mine, slab: g1 does not reach it, so every trial will be unreachable; its pads stop "
+            "10.0 mm short: it is 120.0 mm wide, and they open to 101.4 mm");
+}
+
+// A sheet below the pads: they close above it, and nothing is in their way.
+TEST(GraspChoice, WhatNoGraspMeetsIsKnownBeforeTheSession) {
+  auto sheet = MakeFakeObject("sheet");
+  sheet->size = Eigen::Vector3d(0.05, 0.05, 0.0004);
+  sheet->mesh = MakeRoundedBox(sheet->size, 1e-5);
+  SessionConfig config;
+  config.grasps = {"g1"};
+  const std::vector<UnreachedObject> unreached = FindUnreached(config, MakeInputsOf({sheet}));
+  ASSERT_EQ(unreached.size(), 1u);
+  EXPECT_EQ(DescribeUnreached(unreached[0]),
+            "mine, sheet: g1 does not meet it with its opposing digit and another when it closes");
+}
+
+// Each name is a promise: that another works does not help one that never does.
+TEST(GraspChoice, EveryNamedGraspIsAskedAbout) {
+  auto beam = MakeBlock("beam", 0.06);
+  beam->approach = Approach::kAbove;
+  SessionConfig config;
+  config.grasps = {"g1", "g4"};
+  const std::vector<UnreachedObject> unreached = FindUnreached(config, MakeInputsOf({beam}));
+  ASSERT_EQ(unreached.size(), 1u);
+  EXPECT_EQ(unreached[0].tried, std::vector<std::string>{"g4"});
+  config.grasps = {"all"};
+  EXPECT_TRUE(FindUnreached(config, MakeInputsOf({beam})).empty());
 }
 
 // The grasp that comes first in the object's order is not taken where it is not clear of it.
