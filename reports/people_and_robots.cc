@@ -148,16 +148,13 @@ Html DrawNotCompared(const ScheduleComparison& comparison, const SessionModels& 
 }  // namespace
 
 Html DrawPeopleAndRobots(const ScheduleComparison& comparison, const SessionModels& models) {
-  std::string text =
+  const bool has_people = !comparison.study.empty();
+  const std::string text =
       "Times of contact count from the first digit's, in shares of the closing time, because a "
-      "robot closes at a set speed; only the digits of the robot's grasp are compared. ";
-  if (comparison.study.empty()) {
-    text += "No study of people was named.";
-  } else {
-    text += "People: " + comparison.study +
-            ". Under people-like each digit touches, in a trial without variation, when people's "
-            "median digit does.";
-  }
+      "robot closes at a set speed; only the digits of the robot's grasp are compared. " +
+      (has_people ? "People: " + comparison.study + "." : "No study of people was named.") +
+      " The delays of simultaneous and people-like closing are found in a trial without variation; "
+      "where an object stands spreads its contacts again.";
   return MakeParagraph(text) + DrawScheduleFigures(comparison, models) +
          DrawScheduleCosts(comparison, models) + DrawNotCompared(comparison, models);
 }

@@ -14,7 +14,8 @@ namespace graspbench {
 
 /** @param name  of the experiment's folder, from the session's.
 @throws Error(kFormat) where it is of another session: of another configuration but for the number
-of trials and the conditions. Another version of an object under the same name is not noticed. */
+of trials and the conditions, below schedules/ also the grasps. Another version of an object under
+the same name is not noticed. */
 void CheckIsExperimentOn(const Session& session, const Session& experiment,
                          const std::string& name);
 

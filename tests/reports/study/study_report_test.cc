@@ -226,7 +226,7 @@ TEST(StudyReport, OnTheSameObjectsPeopleAndRobotStandInOnePicture) {
   const std::string page = MakeStudyReport(SmallStudy(), &robot);
   ExpectSoundPage(page);
   const std::string text = SectionText(page, "robot");
-  ExpectInStudy(text, "When digits touch: TUM Hand, cylinder_60mm, power (g3)");
+  ExpectInStudy(text, "When digits touch: tum, cylinder_60mm, power (g3)");
   ExpectInStudy(text, "16.4 (16.3 to 16.5)");
   ExpectInStudy(text, "32.8 (32.5 to 33.1)");
   ExpectInStudy(text, "graspbench simultaneity pilot --schedules --people STUDY");
