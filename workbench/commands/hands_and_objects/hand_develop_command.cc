@@ -89,7 +89,7 @@ void AddHandDevelopCommand(CLI::App& program, ExitCode&) {
       *program.get_subcommand("hand"), "develop",
       "Find a hand's grasps g1 to g5, by geometry, then in simulation on shapes made for it.",
       "  graspbench hand develop allegro --out allegro-developed\n"
-      "  graspbench hand develop shadow --budget 20000 --seed 2 --out shadow-developed");
+      "  graspbench hand develop shadow --budget 20000 --seed 2 --out my-shadow");
   command.add_option("hand", request->hand, "id, or folder with hand.urdf and hand.yaml")
       ->required()
       ->option_text("HAND");
