@@ -24,9 +24,9 @@ struct People {
   std::vector<TrialTouches> touches;  ///< of its trials that count
 };
 
-/** Makes the folder, or finds it. @throws Error(kUsage) for a session with conditions or of schedules
-itself, for one whose grasps have no second schedule, and for a study that has none of its objects
-or digits; as PrepareExperiment. */
+/** Makes the folder, or finds it. @throws Error(kUsage) for a session with conditions or of
+schedules itself, for one whose grasps have no second schedule, and for a study that has none of its
+objects or digits; as PrepareExperiment. */
 PreparedSession PrepareSchedules(const ExperimentRequest& request, const People& people);
 
 /** Runs what is left, thresholds of margins too. @returns whether nothing is left. */
