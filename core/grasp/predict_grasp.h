@@ -57,12 +57,12 @@ GraspPrediction PredictGrasp(const Hand& hand, const Grasp& grasp, const GraspOb
 box; needs no distance field. Such a grasp need not be fitted. */
 bool ClearsBoundingBox(const Hand& hand, const Grasp& grasp, const GraspObject& object);
 
-/** The grasp as the hand does it on this object: its pre-grasp opened, along the line from target to
-pre-grasp and within the joints' limits, until the way is clear. Where nobody says from where the
+/** The grasp as the hand does it on this object: its pre-grasp opened, along the line from target
+to pre-grasp and within the joints' limits, until the way is clear. Where nobody says from where the
 hand comes, it comes by the rule's way (placement.h), or by the other one if only that is clear,
 reaches and meets it, or if only there the palm of a grasp that holds bears with the digits; where
-neither is clear, from where the palm comes near. Itself when it is clear as it is, was made for an object, or
-when nothing helps. @pre as PredictGrasp. */
+neither is clear, from where the palm comes near. Itself when it is clear as it is, was made for an
+object, or when nothing helps. @pre as PredictGrasp. */
 Grasp FitGrasp(const Hand& hand, const Grasp& grasp, const GraspObject& object);
 
 }  // namespace graspbench

@@ -40,9 +40,11 @@ double CalcFitness(const LearningTrial& trial, double grip_limit) {
         return contact.is_opposing && std::isnan(contact.time);
       });
   const double grip = trial.stability.normal_force;
-  const double share = grip > grip_limit ? grip_limit / grip : 1.0;
-  if (!trial.strength) return is_missing ? -trial.opposing_gap : share * trial.sigma;
-  if (*trial.strength > 0.0) return share * *trial.strength;
+  const auto limit = [&](double value) {
+    return grip > grip_limit ? value * grip_limit / grip : value;
+  };
+  if (!trial.strength) return is_missing ? -trial.opposing_gap : limit(trial.sigma);
+  if (*trial.strength > 0.0) return limit(*trial.strength);
   return *trial.strength - (is_missing ? kGapForce * trial.opposing_gap : 0.0);
 }
 

@@ -75,8 +75,8 @@ std::vector<const Grasp*> FindGrasps(const SessionConfig& config, const SessionI
                                      const SessionHand& hand,
                                      const std::shared_ptr<const GraspObject>& object);
 
-/** An object that a hand cannot take by one of the session's names of grasps: none that it stands for
-reaches it, comes to it clear of it and meets it. */
+/** An object that a hand cannot take by one of the session's names of grasps: none that it stands
+for reaches it, comes to it clear of it and meets it. */
 struct UnreachedObject {
   std::string hand, object;
   std::vector<std::string> tried;  ///< ids of grasps, the object's order for "best"

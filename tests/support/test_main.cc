@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
   const int status = RUN_ALL_TESTS();
   std::error_code ignored;  // what a test made unreadable stays
   std::filesystem::remove_all(folder, ignored);
-  if (testing::UnitTest::GetInstance()->test_to_run_count() == 0) {
+  if (!GTEST_FLAG_GET(list_tests) && testing::UnitTest::GetInstance()->test_to_run_count() == 0) {
     std::fputs("no test has that name: nothing was tested\n", stderr);
     return 1;
   }

@@ -9,8 +9,9 @@ grasp may close on the same draws of the same object, and what each schedule cos
                   people's closing time, of the closing time that the natural grasp has there
 
 A schedule is a grasp of its own, "g3-people-like", in a session below `schedules/` of the one whose
-grasps they are (workbench/experiments/schedule_session.h); a grasp without such an ending is natural.
-What people did, and why a schedule is missing, stands in that session's inputs/grasps/people.json.
+grasps they are (workbench/experiments/schedule_session.h); a grasp without such an ending is
+natural. What people did, and why a schedule is missing, stands in that session's
+inputs/grasps/people.json.
 
 The cost in threshold is the ratio of the draw's grip threshold to that of the natural schedule, the
 median over draws with the interval of order statistics (threshold_summary.h). Where no grip held
@@ -92,8 +93,8 @@ struct ScheduleComparison {
   std::vector<ScheduleCell> cells;        ///< in the order of the plan
 };
 
-/** Of a session of schedules, or of any other, whose grasps are natural. Grasps that the camera chose
-take no part.
+/** Of a session of schedules, or of any other, whose grasps are natural. Grasps that the camera
+chose take no part.
 @param thresholds  of this session; the first scale counts. */
 ScheduleComparison CompareSchedules(const Session& session, const PeopleFile& people,
                                     const std::vector<ThresholdSummary>& thresholds);

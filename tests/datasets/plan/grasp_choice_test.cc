@@ -5,6 +5,7 @@
 #include "core/grasp/placement.h"
 #include "core/hand/load_hand.h"
 #include "core/shape/primitives.h"
+#include "objects/catalogue.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {
@@ -109,15 +110,14 @@ TEST(GraspChoice, WhatNoGraspMeetsIsKnownBeforeTheSession) {
 
 // Each name is a promise: that another works does not help one that never does.
 TEST(GraspChoice, EveryNamedGraspIsAskedAbout) {
-  auto beam = MakeBlock("beam", 0.06);
-  beam->approach = Approach::kAbove;
+  const SessionInputs inputs = MakeInputsOf({LoadObject("cup")});
   SessionConfig config;
-  config.grasps = {"g1", "g4"};
-  const std::vector<UnreachedObject> unreached = FindUnreached(config, MakeInputsOf({beam}));
+  config.grasps = {"g5", "g4"};
+  const std::vector<UnreachedObject> unreached = FindUnreached(config, inputs);
   ASSERT_EQ(unreached.size(), 1u);
   EXPECT_EQ(unreached[0].tried, std::vector<std::string>{"g4"});
   config.grasps = {"all"};
-  EXPECT_TRUE(FindUnreached(config, MakeInputsOf({beam})).empty());
+  EXPECT_TRUE(FindUnreached(config, inputs).empty());
 }
 
 // The grasp that comes first in the object's order is not taken where it is not clear of it.

@@ -16,7 +16,7 @@ NumericsComparison MakeFlip() {
   NumericsComparison comparison;
   comparison.variant = "half step";
   TrialRecord& before = comparison.before;
-  before.plan = {"cup7", "tum-evolved", "cup", "g1", 7};
+  before.plan = {"cup7", "tum", "cup", "g1", 7};
   before.result.outcome = Outcome::kSuccess;
   before.result.timing = {0.5, kUnset, kUnset, kUnset, kUnset, false};
   before.result.stability.sigma = 2.0;

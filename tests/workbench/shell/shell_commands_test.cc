@@ -16,7 +16,7 @@ TEST(ShellCommands, CompletesWhatFits) {
   Shell shell;
   EXPECT_EQ(FindCompletions(shell, "con"), Names({"contacts"}));
   EXPECT_EQ(FindCompletions(shell, "joi"), Names({"joint", "joints"}));
-  EXPECT_EQ(FindCompletions(shell, " hand s"), Names({"shadow", "shadow-evolved"}));
+  EXPECT_EQ(FindCompletions(shell, " hand shad"), Names({"shadow", "shadow-evolved"}));
   EXPECT_EQ(FindCompletions(shell, "joint FFq"), Names({"FFq1", "FFq2", "FFq3"}));
   EXPECT_EQ(FindCompletions(shell, "set sim.step"), Names({"sim.step_s"}));
   EXPECT_EQ(FindCompletions(shell, "HAND shadow-"), Names({"shadow-evolved"}));
