@@ -174,5 +174,22 @@ TEST_F(PredictGraspTest, APowerGraspComesFromWhereThePalmBears) {
   EXPECT_EQ(FitGrasp(hand_, above, drum).approach, Approach::kAbove) << "who says above gets it";
 }
 
+// A block across the hand, lower than the digits when they come from the side: clear of it there,
+// they close above it, and every trial ends without a contact. From above they hold it.
+TEST_F(PredictGraspTest, TheOtherWayIsNotTakenPastTheObject) {
+  const GraspObject block = MakeObject(MakeRoundedBox({0.04, 0.09, 0.025}, 1e-5));
+  const Hand hand = LoadHand("tum");
+  const Grasp power = LoadStandardGrasps(hand).at(2);
+  ASSERT_EQ(power.id, "g3");
+  Grasp side = power;
+  side.approach = Approach::kSide;
+  const GraspPrediction past = PredictGrasp(hand, side, block);
+  ASSERT_TRUE(past.reaches() && past.is_clear());
+  ASSERT_FALSE(past.meets());
+  const Grasp fitted = FitGrasp(hand, power, block);
+  EXPECT_NE(fitted.approach, Approach::kSide);
+  EXPECT_TRUE(PredictGrasp(hand, fitted, block).meets());
+}
+
 }  // namespace
 }  // namespace graspbench
