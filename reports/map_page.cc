@@ -78,7 +78,8 @@ HeatMap::Cell DrawCell(const Plane& plane, const std::vector<MapLevel>& where, d
                FormatCount(cell->num_objects, "object") + ", " +
                RowOf(kMapVerdicts, cell->verdict).name;
   const double cost = plane.measure.harm * cell->estimate;
-  drawn.rate = ExcludesZero(*cell) ? 0.5 + 0.5 * cost / largest : kUnset;
+  drawn.is_gain = cost < 0.0;
+  drawn.rate = ExcludesZero(*cell) ? std::abs(cost) / largest : kUnset;
   return drawn;
 }
 
@@ -111,10 +112,11 @@ Html DrawPlane(const Plane& plane) {
                                                        : HeatMap::Cell());
     }
   }
-  return MakeFigure(plane.Name() + ". Hatched: the 95 % interval includes 0.",
-                    "shaded rows or columns: a factor with which a late digit matters; dark is "
-                    "cost, light is gain.",
-                    MakeScroll(plane.Name(), DrawHeatMap(drawn)));
+  return MakeFigure(
+      plane.Name() + ". Hatched: the 95 % interval includes 0.",
+      "shaded rows or columns: a factor with which a late digit matters; blue is cost, "
+      "ochre is gain, the darker the more.",
+      MakeScroll(plane.Name(), DrawHeatMap(drawn)));
 }
 
 Html DrawFindings(const MapView& view) {
@@ -160,7 +162,8 @@ Html DrawRegionTable(const std::vector<std::pair<const MapPartResult*, const Map
   for (const auto& [part, cell] : rows) {
     std::string verdict = RowOf(kMapVerdicts, cell->verdict).name;
     if (cell->num_objects_to_decide > 0) {
-      verdict += ": some " + FormatCount(cell->num_objects_to_decide, "object") + " would decide";
+      verdict +=
+          ": some " + FormatCount(cell->num_objects_to_decide, "object") + " in all would decide";
     }
     table.AddRow({Text(cell->hand), Text(RowOf(kMapMeasures, cell->measure).label),
                   Text(NameLateDigit(cell->late)), Text(NameWhere(part->map, *cell)),

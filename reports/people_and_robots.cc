@@ -136,6 +136,9 @@ Html DrawNotCompared(const ScheduleComparison& comparison, const SessionModels& 
     for (const ScheduleRow& row : cell.rows) {
       if (!row.lags) reasons.push_back(name + row.schedule + ": " + row.lags.reason());
     }
+    for (const std::string& text : DescribeUnknown(cell)) {
+      reasons.push_back(NameScheduleCell(cell.of, models) + ", " + text);
+    }
     for (const auto& [schedule, reason] : cell.of.missing) {
       if (cell.of.people || schedule != kPeopleLike) {
         reasons.push_back(name + schedule + ": " + reason);

@@ -9,9 +9,7 @@
 #include "core/statistics/summary.h"
 
 namespace graspbench {
-namespace {
 
-/** m_i of each digit; NaN for one that never touched. */
 std::vector<double> CalcMedianTimes(const std::vector<std::vector<DigitContact>>& trials) {
   std::vector<double> medians;
   for (size_t digit = 0;; ++digit) {
@@ -26,8 +24,6 @@ std::vector<double> CalcMedianTimes(const std::vector<std::vector<DigitContact>>
     medians.push_back(CalcMedian(times));
   }
 }
-
-}  // namespace
 
 Answer<double> CalcGftFloor(const std::vector<std::vector<DigitContact>>& trials, double t0) {
   const std::vector<double> medians = CalcMedianTimes(trials);

@@ -28,6 +28,10 @@ inline constexpr int kLeastTrialsOfFloor = 5;
 /** GFT% of at most so many floors: hardly anything but scatter is left. */
 inline constexpr double kNearGftFloor = 1.2;
 
+/** m_i of each digit [s]; NaN for one that never touched.
+@param trials  the contacts of each, of the same digits in the same order; empty: it gave up. */
+std::vector<double> CalcMedianTimes(const std::vector<std::vector<DigitContact>>& trials);
+
 /** As a ratio.
 @param trials  the contacts of each, of the same digits in the same order; empty: it gave up.
 @param t0  start of closure [s].

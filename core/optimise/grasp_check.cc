@@ -69,7 +69,9 @@ std::string DescribeRefusal(const GraspCheck& check, const std::string& kept,
                             const std::string& changed, const std::string& missed) {
   switch (check.decision) {
     case PairedDecision::kTaken:
-      return "";
+      return check.is_taken() ? ""
+                              : kept + " kept: " + changed + " held in none of " +
+                                    FormatCount(static_cast<int>(check.after.size()), "trial");
     case PairedDecision::kSucceedsLess:
       return kept + " kept: " + changed + " succeeded less often";
     case PairedDecision::kIsNotBetter:

@@ -34,7 +34,8 @@ struct GraspCheck {
   std::vector<LearningTrial> before, after;  ///< of the same draws; `after` empty: no new grasp
   PairedDecision decision = PairedDecision::kGoOn;
 
-  bool is_taken() const { return decision == PairedDecision::kTaken; }
+  /** Shown to be better; not by trials of which none holds. */
+  bool is_taken() const { return decision == PairedDecision::kTaken && CountSuccesses(after) > 0; }
 };
 
 struct CheckPlan {

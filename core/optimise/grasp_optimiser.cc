@@ -7,6 +7,7 @@
 
 #include "core/grasp/grasp_file.h"
 #include "core/grasp/placement.h"
+#include "core/optimise/delay_learning.h"
 #include "core/optimise/methods/race.h"
 #include "core/statistics/summary.h"
 
@@ -21,11 +22,10 @@ constexpr int kFirstScreeningDraw = 4000;
 constexpr int kFirstPreGraspCheck = 5000;
 
 constexpr double kSameAngle = 1e-5;  ///< relative; two pre-grasps that differ by less are one
+constexpr double kDelayGains[] = {1.0, 0.5};
 constexpr int kNumCandidates = 100;
 constexpr int kScreeningTrials = 3;
 constexpr int kNumFinalists = 10;
-/** Finalists are tried on so many times the trials of a choice. */
-constexpr int kFinalShare = 2;
 
 std::vector<LearningTrial> RunOne(const RunLearningTrials& run, LearningStage stage,
                                   const Grasp& grasp, const std::vector<int>& draws,
@@ -51,6 +51,13 @@ constexpr WidthChoice kWidthChoices[] = {{"widest", PreGraspWidth::kWidest},
                                          {"above the table", PreGraspWidth::kAboveTable},
                                          {"half", PreGraspWidth::kHalf}};
 
+/** Of so many trials of the standard grasp the successes that a pre-grasp needs: not more, because
+one of twenty that fell otherwise says nothing of it. */
+int CountEnough(const std::vector<LearningTrial>& standard) {
+  const double margin = kSuccessMargin * static_cast<double>(standard.size());
+  return CountSuccesses(standard) - static_cast<int>(margin + 1e-9);
+}
+
 /** More successes than `enough` do not count. */
 bool IsBetter(const std::vector<LearningTrial>& a, const std::vector<LearningTrial>& b,
               int enough) {
@@ -62,7 +69,8 @@ bool IsBetter(const std::vector<LearningTrial>& a, const std::vector<LearningTri
 
 bool IsTried(const std::vector<PreGraspShot>& shots, const Grasp& grasp) {
   return std::any_of(shots.begin(), shots.end(), [&](const PreGraspShot& shot) {
-    return shot.grasp.q_pre.isApprox(grasp.q_pre, kSameAngle);
+    return shot.grasp.q_pre.isApprox(grasp.q_pre, kSameAngle) &&
+           shot.grasp.closing == grasp.closing;
   });
 }
 
@@ -71,31 +79,85 @@ double CalcPreGraspGoal(const LearningTrial& trial) {
   return std::isnan(ratio) ? -std::numeric_limits<double>::infinity() : -ratio;
 }
 
-/** Checks the best of the shots against the standard grasp, or says why none of them is taken. */
+/** Of the shots that `is_asked` the best one; -1: there is none. */
+template <class IsAsked>
+int FindBest(const std::vector<PreGraspShot>& shots, int enough, const IsAsked& is_asked) {
+  int best = -1;
+  for (size_t i = 0; i < shots.size(); ++i) {
+    if (!is_asked(shots[i])) continue;
+    if (best < 0 || IsBetter(shots[i].trials, shots[static_cast<size_t>(best)].trials, enough)) {
+      best = static_cast<int>(i);
+    }
+  }
+  return best;
+}
+
+/** Checks a shot against the standard grasp, or says why it is not worth it. */
+void Check(int number, const Grasp& standard, const OptimiseConfig& config,
+           const RunLearningTrials& run, PreGraspStep& step) {
+  const PreGraspShot& shot = step.shots[static_cast<size_t>(number)];
+  const std::string missed = "contacts were not more simultaneous";
+  if (!(CalcMedianGftRatio(shot.trials) < CalcMedianGftRatio(step.standard_trials))) {
+    if (step.verdict.empty()) step.verdict = "standard kept: " + missed;
+    return;
+  }
+  step.best = number;
+  step.check = CheckGrasp(standard, shot.grasp,
+                          {kFirstPreGraspCheck, config.check_pairs, CalcPreGraspGoal, false}, run);
+  if (step.check.is_taken()) {
+    step.chosen = number;
+    step.verdict = shot.name + " taken" + DescribeDelays(shot.grasp);
+  } else {
+    step.verdict = DescribeRefusal(step.check, "standard", "the new pre-grasp", missed);
+  }
+}
+
+/** The best of the shots; where it is refused, the best of the other kind: delayed, or not. */
 void Choose(const Grasp& standard, const OptimiseConfig& config, const RunLearningTrials& run,
             PreGraspStep& step) {
   if (step.shots.empty()) {
     step.verdict = "standard kept: there was nothing to learn, too few digits touched or no room";
     return;
   }
-  const int enough = CountSuccesses(step.standard_trials);
-  const auto best = std::min_element(
-      step.shots.begin(), step.shots.end(),
-      [&](const auto& a, const auto& b) { return IsBetter(a.trials, b.trials, enough); });
-  const std::string missed = "contacts were not more simultaneous";
-  if (!(CalcMedianGftRatio(best->trials) < CalcMedianGftRatio(step.standard_trials))) {
-    step.verdict = "standard kept: " + missed;
-    return;
+  const int enough = CountEnough(step.standard_trials);
+  const int best = FindBest(step.shots, enough, [](const PreGraspShot&) { return true; });
+  Check(best, standard, config, run, step);
+  if (step.chosen >= 0) return;
+  const auto is_delayed = [&](const PreGraspShot& shot) {
+    return !(shot.grasp.closing == standard.closing);
+  };
+  const bool was_delayed = is_delayed(step.shots[static_cast<size_t>(best)]);
+  const int other = FindBest(step.shots, enough, [&](const PreGraspShot& shot) {
+    return is_delayed(shot) != was_delayed;
+  });
+  if (other >= 0) Check(other, standard, config, run, step);
+}
+
+/** Appends shots in which digits wait, made from one and its trials. */
+void LearnToWait(const Hand& hand, PreGraspShot shot, const std::string& made_from,
+                 const RunLearningTrials& run, std::vector<PreGraspShot>& shots) {
+  const std::string name = shot.name;
+  for (const double gain : kDelayGains) {
+    shot.name += shot.name == name ? ", delayed" : " twice";
+    const Grasp before = shot.grasp;
+    shot.grasp.closing = LearnDelays(shot.grasp, shot.trials, gain);
+    shot.grasp = RoundAngles(hand, shot.grasp, made_from);
+    if (shot.grasp.closing == before.closing) return;
+    std::vector<int> draws;
+    for (const LearningTrial& trial : shot.trials) draws.push_back(trial.draw);
+    shot.trials = RunOne(run, LearningStage::kDelayed, shot.grasp, draws);
+    shots.push_back(shot);
   }
-  step.best = static_cast<int>(best - step.shots.begin());
-  step.check = CheckGrasp(standard, best->grasp,
-                          {kFirstPreGraspCheck, config.check_pairs, CalcPreGraspGoal, false}, run);
-  if (step.check.is_taken()) {
-    step.chosen = step.best;
-    step.verdict = best->name + " taken";
-  } else {
-    step.verdict = DescribeRefusal(step.check, "standard", "the new pre-grasp", missed);
-  }
+}
+
+PreGraspShot MakeStandardShot(const Hand& hand, const Grasp& start, const PreGraspStep& step) {
+  PreGraspShot shot;
+  shot.name = "standard pre-grasp";
+  shot.learned.q_pre = start.q_pre;
+  shot.learned.opening = shot.learned.required_opening = CalcOpening(hand, start, start.q_pre);
+  shot.grasp = start;
+  shot.trials = step.standard_trials;
+  return shot;
 }
 
 PreGraspStep LearnInTwoShots(const Hand& hand, const GraspObject& object, const Grasp& start,
@@ -104,7 +166,7 @@ PreGraspStep LearnInTwoShots(const Hand& hand, const GraspObject& object, const 
   PreGraspStep step;
   const std::vector<int> draws = ListDraws(0, config.choice_trials);
   step.standard_trials = RunOne(run, LearningStage::kStandard, start, draws, true);
-  const int enough = CountSuccesses(step.standard_trials);
+  const int enough = CountEnough(step.standard_trials);
   Grasp grasp = start;
   LearningTrial lesson = step.standard_trials.front();
   std::vector<Eigen::VectorXd> expected;
@@ -114,7 +176,7 @@ PreGraspStep LearnInTwoShots(const Hand& hand, const GraspObject& object, const 
         CalcDeviations(hand, grasp, lesson.closings, lesson.touch_postures);
     if (expected.empty()) expected = seen;
     for (size_t d = 0; d < seen.size(); ++d) expected[d] = 0.5 * (expected[d] + seen[d]);
-    const size_t first = step.shots.size();
+    std::vector<PreGraspShot> shots;
     for (const WidthChoice& choice : kWidthChoices) {
       PreGraspShot shot;
       shot.learned = LearnPreGrasp(hand, object, grasp, expected, choice.width);
@@ -124,17 +186,23 @@ PreGraspStep LearnInTwoShots(const Hand& hand, const GraspObject& object, const 
       shot.grasp = grasp;
       shot.grasp.q_pre = shot.learned.q_pre;
       shot.grasp = RoundAngles(hand, shot.grasp, made_from);
-      if (IsTried(step.shots, shot.grasp)) continue;
+      if (IsTried(step.shots, shot.grasp) || IsTried(shots, shot.grasp)) continue;
       shot.trials = RunOne(run, stage, shot.grasp, draws, true);
-      step.shots.push_back(shot);
+      shots.push_back(shot);
     }
-    if (step.shots.size() == first) break;
-    const auto best = std::min_element(
-        step.shots.begin() + static_cast<std::ptrdiff_t>(first), step.shots.end(),
-        [&](const auto& a, const auto& b) { return IsBetter(a.trials, b.trials, enough); });
-    grasp = best->grasp;
-    lesson = best->trials.front();
+    const int best = FindBest(shots, enough, [](const PreGraspShot&) { return true; });
+    step.shots.insert(step.shots.end(), shots.begin(), shots.end());
+    if (best < 0) break;
+    grasp = shots[static_cast<size_t>(best)].grasp;
+    lesson = shots[static_cast<size_t>(best)].trials.front();
   }
+  const int best = FindBest(step.shots, enough, [](const PreGraspShot&) { return true; });
+  const PreGraspShot standard = MakeStandardShot(hand, start, step);
+  if (best >= 0) {
+    const PreGraspShot new_pregrasp = step.shots[static_cast<size_t>(best)];
+    LearnToWait(hand, new_pregrasp, made_from, run, step.shots);
+  }
+  LearnToWait(hand, standard, made_from, run, step.shots);
   Choose(start, config, run, step);
   return step;
 }
@@ -149,7 +217,7 @@ void ChooseFinalist(const TargetSearch& search, const OptimiseConfig& config,
     chosen.push_back(step.search.individuals[static_cast<size_t>(screened[i].number)]);
   }
   step.finalists = search.Rank(LearningStage::kFinalist, chosen,
-                               ListDraws(kFirstFinalDraw, kFinalShare * config.choice_trials), run);
+                               ListDraws(kFirstFinalDraw, config.choice_trials), run);
   if (!step.finalists.empty()) step.found = step.finalists.front().number;
 }
 
@@ -198,14 +266,14 @@ double CalcMeanSigma(const std::vector<LearningTrial>& trials) {
 
 int CountLearningTrials(const OptimiseConfig& config) {
   constexpr double kShareOfPairs = 0.6;  // until a check is decided, in the campaigns run so far
-  constexpr int kNumPreGrasps = 5;       // the standard one and, of six, those that differ
+  constexpr int kNumPreGrasps = 9;       // the standard one and, of ten, those that differ
   const OptimiseStepRow& steps = StepsOf(config);
   const int check = static_cast<int>(2.0 * kShareOfPairs * config.check_pairs);
   const int step1 = kNumPreGrasps * config.choice_trials + check;
   const double simulated = (config.race ? Race::kRacedShare : 1.0) * config.evaluations;
   const int step2 = static_cast<int>(simulated) * config.fitness_trials +
-                    kNumCandidates * kScreeningTrials +
-                    kNumFinalists * kFinalShare * config.choice_trials + check;
+                    kNumCandidates * kScreeningTrials + kNumFinalists * config.choice_trials +
+                    check;
   return (steps.learns_pregrasp ? step1 : 0) + (steps.searches_target ? step2 : 0);
 }
 

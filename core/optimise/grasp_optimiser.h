@@ -5,7 +5,8 @@ Makes a standard grasp object-specific in simulation, in two steps (Roethling 20
 1. the new pre-grasp, learned in one or two shots (pregrasp_learning.h): shot 1 learns from the
    standard grasp's trial without variation, shot 2 from that of the best of shot 1, because fingers
    hold each other back in another way when they close in another order; so it expects the mean of
-   what both lessons showed. Each shot is tried in three widths;
+   what both lessons showed. Each shot is tried in three widths. What no pre-grasp reaches digits
+   wait for (delay_learning.h), from the best of them and from the standard pre-grasp;
 2. the new target grasp: the opposing digit's (the thumb's) target angles, evolved from there within
    the joint limits and +-25 deg, or another search space (grasp_space.h); fitness sigma
    (learning_trial.h).
@@ -25,8 +26,10 @@ No step makes a grasp worse; this rule is proposed by graspbench. The best new p
 found target are each tried beside the old one on up to a hundred draws that nothing has seen, and
 taken when it is shown that they succeed at most 5 points less often and are better by the goal in
 most pairs (grasp_check.h): a lower GFT% (a trial in which a digit never touches counts as
-infinite), a higher fitness. Otherwise the old one is kept, and the verdict says why. The check's
-draws come from streams that no benchmark uses. */
+infinite), a higher fitness. Where the best pre-grasp is refused, the best of the other kind is
+checked, too: one whose digits do not wait, or do; so one that is no better is taken in up to a
+tenth of scenes, not a twentieth. Otherwise the old one is kept, and the verdict says why. The
+check's draws come from streams that no benchmark uses. */
 
 #include <string>
 #include <vector>
@@ -42,10 +45,10 @@ draws come from streams that no benchmark uses. */
 namespace graspbench {
 
 struct PreGraspShot {
-  std::string name;  ///< "one-shot, widest", "two-shot, above the table", "one-shot, half", ...
-  LearnedPreGrasp learned;
+  std::string name;  ///< "one-shot, widest", "standard pre-grasp, delayed", ...
+  LearnedPreGrasp learned;       ///< of one whose digits wait that from which they were delayed
   bool was_pushed_away = false;  ///< the trial it learned from ended with the object out of reach
-  Grasp grasp;                   ///< with the new pre-grasp
+  Grasp grasp;                   ///< with the new pre-grasp and closing schedules
   std::vector<LearningTrial> trials;  ///< of the choice; the first one is without variation
 };
 

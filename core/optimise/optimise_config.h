@@ -21,7 +21,7 @@ struct OptimiseConfig {
   std::string fitness = "sigma";  ///< of kFitnessKinds
   std::string grip = "equal";     ///< of kGripBudgets
   double grip_limit = 0.0;        ///< for the grip "limit" [N]
-  int choice_trials = 10;         ///< by which pre-grasps are compared; of finalists twice as many
+  int choice_trials = 20;         ///< by which pre-grasps, and step 2's finalists, are compared
   int check_pairs = 100;          ///< of the old and the new grasp, at most; 20 are one look
   int seed = 1;
 

@@ -51,11 +51,14 @@ Json MakePreGraspScore(const std::vector<LearningTrial>& trials) {
 
 Json MakeShotJson(const PreGraspShot& shot, const Grasp& start) {
   Json cases = Json::object();
-  for (size_t d = 0; d < start.digits.size(); ++d) {
+  for (size_t d = 0; d < shot.learned.digit_cases.size(); ++d) {
     cases[start.digits[d]] = NameOf(shot.learned.digit_cases[d]);
   }
+  Json delays = Json::object();
+  for (const auto& [digit, schedule] : shot.grasp.closing) delays[digit] = schedule.delay;
   return Json{{"name", shot.name},
               {"digits", cases},
+              {"delays_s", delays},
               {"object_pushed_away", shot.was_pushed_away},
               {"common_closing", shot.learned.common_closing},
               {"opening_m", shot.learned.opening},

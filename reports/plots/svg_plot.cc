@@ -48,6 +48,18 @@ double CalcColumnWidth(const HeatMap& map) {
   return width;
 }
 
+/** Slanted lines over a cell as high as `height`. */
+Html Hatch(double x, double y, double width, double height) {
+  constexpr double kStep = 9.0;
+  Html lines;
+  for (double foot = kStep / 2.0 - height; foot < width; foot += kStep) {
+    const double left = std::max(foot, 0.0), right = std::min(foot + height, width);
+    lines +=
+        Line("hatch", x + left, y + height - (left - foot), x + right, y + height - (right - foot));
+  }
+  return lines;
+}
+
 std::string Numbered(const char* stem, size_t index) { return stem + std::to_string(index); }
 
 }  // namespace
@@ -86,6 +98,7 @@ Html DrawHeatMap(const HeatMap& map) {
       const double x = left + column_width * static_cast<double>(c);
       const bool is_known = std::isfinite(cell.rate);
       const std::string css_class = !is_known          ? "heat unknown"
+                                    : cell.is_gain     ? "heat gain"
                                     : cell.rate == 0.0 ? "heat zero"
                                                        : "heat";
       const Html box = Element("rect",
@@ -96,8 +109,9 @@ Html DrawHeatMap(const HeatMap& map) {
                                 {"height", Px(kRow - kCellGap)},
                                 {"fill-opacity", FormatFixed(is_known ? cell.rate : 0.0, 2)}},
                                Hint(cell.hint));
-      content += MaybeLink(
-          cell.anchor, box + Label("middle", x + column_width / 2.0, y + kRow / 2.0, cell.text));
+      content += MaybeLink(cell.anchor,
+                           box + (is_known ? Html() : Hatch(x, y, column_width, kRow)) +
+                               Label("middle", x + column_width / 2.0, y + kRow / 2.0, cell.text));
     }
   }
   const double width = left + column_width * static_cast<double>(map.columns.size());

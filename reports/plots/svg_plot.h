@@ -18,10 +18,11 @@ namespace graspbench {
 /** Rates as a table of shaded cells. */
 struct HeatMap {
   struct Cell {
-    double rate = 0.0;   ///< 0..1 shades the cell; NaN: nothing known, hatched
-    std::string text;    ///< in the cell; empty: no such cell
-    std::string hint;    ///< shown when pointed at
-    std::string anchor;  ///< where the cell leads
+    double rate = 0.0;     ///< 0..1 shades the cell; NaN: nothing known, hatched
+    std::string text;      ///< in the cell; empty: no such cell
+    std::string hint;      ///< shown when pointed at
+    std::string anchor;    ///< where the cell leads
+    bool is_gain = false;  ///< shaded in another colour
   };
   PlotText text;
   std::vector<std::string> columns;

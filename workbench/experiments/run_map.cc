@@ -1,9 +1,11 @@
 #include "workbench/experiments/run_map.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/base/random.h"
 #include "datasets/plan/map_design.h"
 #include "workbench/experiments/run_sweep.h"
@@ -26,9 +28,24 @@ std::vector<std::string> DealObjects(const SessionInputs& inputs,
   return objects;
 }
 
+/** Copies of one body would count as so many objects to draw from.
+@throws Error(kUsage). */
+void CheckObjectsDiffer(const SessionInputs& inputs) {
+  std::map<std::string, std::string> ids;
+  for (const auto& object : inputs.objects) {
+    const auto [first, is_new] = ids.emplace(object->content_hash, object->id);
+    if (is_new) continue;
+    throw Error(ErrorKind::kUsage,
+                "the objects \"" + first->second + "\" and \"" + object->id +
+                    "\" are the same body (mesh, mass and surface); a map draws objects, so copies "
+                    "would feign certainty: leave one of them out");
+  }
+}
+
 }  // namespace
 
 PreparedSession PrepareMap(const MapRequest& request) {
+  CheckObjectsDiffer(LoadSessionInputs(request.base, FieldUse::kLater));
   SessionRequest session;
   session.config = MakeMapSession(ListMapParts(request.is_quick).front(), request.base);
   session.name = "map";

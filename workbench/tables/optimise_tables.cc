@@ -31,6 +31,8 @@ std::string FormatGoal(const std::vector<LearningTrial>& trials, bool finds_stre
 }
 
 /** What is left for another grasp of the same grip. */
+constexpr char kMoreThanSides[] = ", so it does not hold by the sides alone";
+
 std::string FormatHeadroom(const SceneInputs& inputs, const SceneConfig& config,
                            const GraspCheck& check) {
   const auto calc = [&](const std::vector<LearningTrial>& trials) {
@@ -38,14 +40,17 @@ std::string FormatHeadroom(const SceneInputs& inputs, const SceneConfig& config,
   };
   const Headroom before = calc(check.before);
   if (!std::isfinite(before.share)) return "headroom not known: the start held nothing\n";
-  std::string text = "headroom the start bears " + FormatFixed(before.share, 2) + " of the " +
-                     FormatFixed(before.bound, 2) +
-                     " N that friction and grip allow by the sides: at equal grip at most times " +
-                     FormatFixed(std::max(1.0, 1.0 / before.share), 2);
+  std::string text =
+      "headroom the start bears " + FormatFixed(before.share, 2) + " of the " +
+      FormatFixed(before.bound, 2) + " N that friction and grip allow by the sides" +
+      (before.share > 1.0 ? std::string(kMoreThanSides)
+                          : ": at equal grip at most times " + FormatFixed(1.0 / before.share, 2) +
+                                " by the sides");
   const Headroom after = calc(check.after);
   if (!check.after.empty() && std::isfinite(after.share)) {
     text += "; the new target " + FormatFixed(after.share, 2) + " of " +
-            FormatFixed(after.bound, 2) + " N";
+            FormatFixed(after.bound, 2) + " N" +
+            (after.share > 1.0 && before.share <= 1.0 ? kMoreThanSides : "");
   }
   return text + "\n";
 }

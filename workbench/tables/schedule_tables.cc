@@ -60,6 +60,9 @@ std::string FormatSchedules(const ScheduleComparison& comparison) {
            row.threshold_text.empty() ? "n/a" : row.threshold_text, FormatRatio(row)});
       if (!row.lags) reasons += where + ", " + row.schedule + ": " + row.lags.reason() + "\n";
     }
+    for (const std::string& text : DescribeUnknown(cell)) {
+      reasons += of.object + ", " + of.hand + " " + of.grasp + ", " + text + "\n";
+    }
     for (const auto& [schedule, reason] : of.missing) {
       if (comparison.study.empty() && schedule == kPeopleLike) continue;
       if (!of.people && schedule == kPeopleLike) continue;  // said above
@@ -68,7 +71,7 @@ std::string FormatSchedules(const ScheduleComparison& comparison) {
   }
   return table.Format() + reasons +
          "medians over trials; thresholds are margins, and beside them the ratio to the natural "
-         "schedule's, draw by draw, with its 95 % interval\n";
+         "schedule's, draw by draw, with its 95 % interval (of six draws or more)\n";
 }
 
 }  // namespace graspbench

@@ -11,7 +11,10 @@ constexpr double kMapDose = 0.1;  // effects are for so much delay [s]
 
 double CalcSign(double change) { return change > 0.0 ? 1.0 : change < 0.0 ? -1.0 : 0.0; }
 
-/** NaN where a trial of the pair has no value. */
+using PairKey = std::tuple<std::string, int, std::vector<size_t>>;
+
+}  // namespace
+
 double CalcPairEffect(MapMeasure measure, double undelayed,
                       const std::vector<std::pair<double, double>>& delayed) {
   double products = 0.0, squares = 0.0, signs = 0.0;
@@ -25,10 +28,6 @@ double CalcPairEffect(MapMeasure measure, double undelayed,
   if (measure == MapMeasure::kPush) return signs / static_cast<double>(delayed.size());
   return kMapDose * products / squares;
 }
-
-using PairKey = std::tuple<std::string, int, std::vector<size_t>>;
-
-}  // namespace
 
 std::vector<MapPair> ListMapPairs(const MapData& data, const std::string& hand, LateDigit late,
                                   MapMeasure measure) {

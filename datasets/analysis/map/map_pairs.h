@@ -20,6 +20,10 @@ struct MapPair {
   std::string changed;  ///< name of a late trial with another value; empty: none
 };
 
+/** @param delayed  delays [s] and the measure's values. NaN where one has none, and without any. */
+double CalcPairEffect(MapMeasure measure, double undelayed,
+                      const std::vector<std::pair<double, double>>& delayed);
+
 /** Of one hand, late digit and measure, those that have a value. */
 std::vector<MapPair> ListMapPairs(const MapData& data, const std::string& hand, LateDigit late,
                                   MapMeasure measure);

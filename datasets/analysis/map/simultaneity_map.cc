@@ -9,6 +9,7 @@
 #include "core/base/random.h"
 #include "core/base/text/text.h"
 #include "core/statistics/multiple_tests.h"
+#include "core/statistics/proportion.h"
 #include "datasets/analysis/map/map_pairs.h"
 
 namespace graspbench {
@@ -40,17 +41,40 @@ double CalcPooledMean(const std::vector<ObjectSum>& objects, const std::vector<s
   return all.sum / all.count;
 }
 
-Answer<Interval> CalcCellInterval(const std::vector<ObjectSum>& objects, const std::string& id) {
+/** What a change of one (an end, a doubling, a sign) would add to the pair's effect. */
+double CalcUnitEffect(const MapPair& pair, MapMeasure measure) {
+  MapPair changed = pair;
+  changed.undelayed = 0.0;
+  for (auto& [delay, value] : changed.delayed) value = 1.0;
+  return CalcPairEffect(measure, changed.undelayed, changed.delayed);
+}
+
+/** Where every object has the same mean nothing is left to draw: the share of pairs that differ
+from it, at most, by Wilson's interval, times a change of one. */
+Interval CalcAlikeInterval(double mean, const std::vector<const MapPair*>& pairs,
+                           MapMeasure measure) {
+  double unit = 0.0;
+  int num_other = 0;
+  for (const MapPair* pair : pairs) {
+    unit = std::max(unit, CalcUnitEffect(*pair, measure));
+    num_other += pair->effect == mean ? 0 : 1;
+  }
+  const double half = unit * CalcWilsonInterval(num_other, static_cast<int>(pairs.size())).high;
+  return {mean - half, mean + half};
+}
+
+Answer<Interval> CalcCellInterval(const std::vector<ObjectSum>& objects,
+                                  const std::vector<const MapPair*>& pairs, MapMeasure measure,
+                                  const std::string& id) {
   const auto calc_mean = [&](const std::vector<size_t>& members) {
     return CalcPooledMean(objects, members);
   };
   constexpr size_t kMinObjects = 5;
-  // Objects that all say the same leave nothing to draw.
   const double first = objects.front().sum / objects.front().count;
   const bool are_alike = std::all_of(objects.begin(), objects.end(), [&](const ObjectSum& one) {
     return one.sum / one.count == first;
   });
-  if (are_alike && objects.size() >= kMinObjects) return Interval{first, first};
+  if (are_alike && objects.size() >= kMinObjects) return CalcAlikeInterval(first, pairs, measure);
   const Answer<BootstrapInterval> drawn =
       CalcBootstrap(objects.size(), calc_mean, id, kNumMapResamples);
   return drawn ? Answer<Interval>(drawn->interval) : Answer<Interval>(drawn.none());
@@ -76,16 +100,18 @@ double CalcSignP(const std::vector<ObjectSum>& objects, const std::string& id) {
 MapCell MakeCell(const std::vector<MapPair>& pairs, MapCell cell, const std::string& id) {
   std::map<std::string, ObjectSum> by_object;
   double undelayed = 0.0;
+  std::vector<const MapPair*> own;
   for (const MapPair& pair : pairs) {
     if (!IsWithin(pair, cell.where)) continue;
-    ++cell.num_pairs;
+    own.push_back(&pair);
     by_object[pair.object].sum += pair.effect;
     by_object[pair.object].count += 1.0;
     undelayed += pair.undelayed;
     const bool is_shown = cell.measure == MapMeasure::kSuccess && !pair.changed.empty();
     if (is_shown && cell.changed.size() < kMostChanged) cell.changed.push_back(pair.changed);
   }
-  if (cell.num_pairs == 0) return cell;
+  cell.num_pairs = static_cast<int>(own.size());
+  if (own.empty()) return cell;
   std::vector<ObjectSum> objects;
   for (const auto& [name, sum] : by_object) objects.push_back(sum);
   cell.num_objects = static_cast<int>(objects.size());
@@ -93,7 +119,7 @@ MapCell MakeCell(const std::vector<MapPair>& pairs, MapCell cell, const std::str
   std::vector<size_t> all(objects.size());
   std::iota(all.begin(), all.end(), size_t{0});
   cell.estimate = CalcPooledMean(objects, all);
-  cell.interval = CalcCellInterval(objects, id);
+  cell.interval = CalcCellInterval(objects, own, cell.measure, id);
   cell.p = CalcSignP(objects, id);
   return cell;
 }
@@ -135,7 +161,9 @@ void Decide(MapCell& cell) {
   } else if (cell.interval->low > -measure.bound && cell.interval->high < measure.bound) {
     cell.verdict = is_rate && cell.undelayed >= kCeiling ? MapVerdict::kCeiling : MapVerdict::kNone;
   } else {
-    cell.num_objects_to_decide = CountObjectsToDecide(cell, measure.bound);
+    const int wanted = CountObjectsToDecide(cell, measure.bound);
+    // Not too wide an interval, but too many regions, or signs of too few objects.
+    cell.num_objects_to_decide = wanted > cell.num_objects ? wanted : 0;
   }
 }
 
@@ -286,7 +314,8 @@ std::string DescribeMap(const SimultaneityMap& map, const std::string& hand, Map
   std::string text = DescribeRegions(map, list(MapVerdict::kCosts), num_all, verbs.costs);
   const std::vector<const MapCell*> gains = list(MapVerdict::kGains);
   if (!gains.empty()) text += DescribeRegions(map, gains, num_all, verbs.gains);
-  text += "It makes no difference in " + std::to_string(list(MapVerdict::kNone).size());
+  text += "Of regions of two factors it makes no difference in " +
+          std::to_string(list(MapVerdict::kNone).size());
   const size_t num_ends = list(MapVerdict::kCeiling).size() + list(MapVerdict::kFloor).size();
   if (num_ends > 0) text += ", success is at its ceiling or floor in " + std::to_string(num_ends);
   return text + ", and " + std::to_string(list(MapVerdict::kUndecided).size()) +

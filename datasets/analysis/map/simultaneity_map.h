@@ -16,7 +16,9 @@ its binary logarithm; a draw that no grip held counts as one step above the larg
 that was lost breaks at 0 N.
 
 A cell of the map is a hand, a late digit and one or two levels; its estimate is the mean over its
-pairs. 95 % intervals come from drawing objects with replacement (core/statistics/bootstrap.h). p is
+pairs. 95 % intervals come from drawing objects with replacement (core/statistics/bootstrap.h); of
+objects whose means are all the same they say how many pairs may yet differ by one, by Wilson's
+interval of those that do. p is
 of the hypothesis that the effect of an object is as often above as below zero: the signs of all
 objects' sums are drawn (R. A. Fisher, The Design of Experiments (1935), 21),
 
@@ -30,7 +32,8 @@ verdict:
     none           the interval lies within the smallest effect of interest (MapMeasure::bound)
     ceiling        none, but without delay at least 97.5 % succeed: the grip's reserve may hide it
     floor          without delay at most 2.5 % succeed: nothing is left to lose
-    undecided      else, with the number of objects that would decide it
+    undecided      else, with the number of objects that would decide it where it is more
+                   than there are
 
 A correlation among trials without delay stands beside this and decides nothing: where both times
 and success follow from a common cause, as where the object lay, it is no effect of the times

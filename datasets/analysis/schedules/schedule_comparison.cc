@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
+#include "core/base/units.h"
 #include "core/statistics/summary.h"
 #include "datasets/plan/grasp_choice.h"
 
@@ -37,20 +38,27 @@ std::vector<std::string> ListDigits(const CellSummary& cell) {
   return digits;
 }
 
-double CalcRatio(double value, double natural) {
-  if (value == natural) return 1.0;  // both infinite, too
-  return std::isinf(natural) ? 0.0 : value / natural;
+struct Threshold {
+  double value = 0.0;
+  bool is_at_most = false;  ///< the least grip holds
+};
+
+/** NaN: not known. */
+double CalcRatio(const Threshold& own, const Threshold& natural) {
+  const bool never_held = std::isinf(own.value) && std::isinf(natural.value);
+  if (never_held || (own.is_at_most && natural.is_at_most)) return kUnset;
+  return std::isinf(natural.value) ? 0.0 : own.value / natural.value;
 }
 
 /** A draw's threshold by cell and number. */
-using Thresholds = std::map<std::pair<std::string, int>, double>;
+using Thresholds = std::map<std::pair<std::string, int>, Threshold>;
 
 Thresholds ListByDraw(const ThresholdSummary& summary) {
   Thresholds values;
   for (const DrawThreshold& draw : summary.draws) {
     if (std::isnan(draw.value)) continue;
-    values[{draw.draw.hand + "\n" + draw.draw.object + "\n" + draw.draw.grasp, draw.draw.trial}] =
-        draw.value;
+    values[{draw.draw.hand + "\n" + draw.draw.object + "\n" + draw.draw.grasp, draw.draw.trial}] = {
+        draw.value, draw.found.is_below_range};
   }
   return values;
 }
@@ -74,10 +82,11 @@ void AddThreshold(const CellSummary& cell, const CellSummary* natural,
     const auto own = values.find({MakeKey(cell), record->plan.trial});
     const auto other = values.find({MakeKey(*natural), record->plan.trial});
     if (own == values.end() || other == values.end()) continue;
-    ratios.push_back(CalcRatio(own->second, other->second));
+    ++row.num_pairs;
+    const double ratio = CalcRatio(own->second, other->second);
+    std::isnan(ratio) ? ++row.num_not_known : (ratios.push_back(ratio), 0);
   }
-  row.num_pairs = static_cast<int>(ratios.size());
-  if (ratios.empty()) return;
+  if (2 * ratios.size() <= static_cast<size_t>(row.num_pairs)) return;
   row.ratio = CalcMedian(ratios);
   row.interval = CalcMedianInterval(ratios);
 }
@@ -203,6 +212,32 @@ ScheduleComparison CompareSchedules(const Session& session, const PeopleFile& pe
   return comparison;
 }
 
+std::vector<std::string> DescribeUnknown(const ScheduleCell& cell) {
+  std::vector<std::string> texts;
+  const auto gft_of = [](const ScheduleRow& row) { return row.lags ? row.lags->gft : kUnset; };
+  double natural = kUnset;
+  for (const ScheduleRow& row : cell.rows) {
+    if (row.schedule == kNatural) natural = gft_of(row);
+  }
+  for (const ScheduleRow& row : cell.rows) {
+    if (row.schedule == kNatural) continue;
+    if (row.num_not_known > 0) {
+      texts.push_back(fmt::format(
+          "{}: in {} of {} draws the least grip of the scale holds here and under natural, or none "
+          "does: no ratio",
+          row.schedule, row.num_not_known, row.num_pairs));
+    }
+    if (row.schedule == kSimultaneous && gft_of(row) >= natural) {
+      texts.push_back(
+          fmt::format("{}: GFT is not smaller over the draws ({:.0f} ms, natural {:.0f} ms): what "
+                      "it costs says "
+                      "nothing of simultaneity",
+                      row.schedule, MsFromS(gft_of(row)), MsFromS(natural)));
+    }
+  }
+  return texts;
+}
+
 PeopleFile LoadPeopleFile(const fs::path& folder) {
   const fs::path file = folder / kPeoplePath;
   return PeopleFileFromJson(Json::parse(ReadFile(file), nullptr, /*allow_exceptions=*/false),
@@ -236,6 +271,7 @@ Json ToJson(const ScheduleComparison& comparison) {
            {"successes", row.tally.successes()},
            {"threshold", JsonNumber(row.threshold)},
            {"pairs", row.num_pairs},
+           {"pairs_not_known", row.num_not_known},
            {"threshold_ratio", JsonNumber(row.ratio)},
            {"ratio_low", row.interval ? JsonNumber(row.interval->low) : Json()},
            {"ratio_high", row.interval ? JsonNumber(row.interval->high) : Json()}});

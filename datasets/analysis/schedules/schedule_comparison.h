@@ -14,8 +14,13 @@ natural. What people did, and why a schedule is missing, stands in that session'
 inputs/grasps/people.json.
 
 The cost in threshold is the ratio of the draw's grip threshold to that of the natural schedule, the
-median over draws with the interval of order statistics (threshold_summary.h). Where no grip held
-under either schedule the ratio is 1; under one of them infinite, or 0. */
+median over draws with the interval of order statistics (threshold_summary.h). Where under both the
+least grip of the scale holds, or none does, it is not known: such draws are counted and left out,
+and where they are half of the draws or more there is no ratio. Where no grip held under one schedule
+the ratio is infinite, or 0.
+
+What a schedule costs says something of simultaneity only where it changes it: DescribeUnknown names
+a simultaneous schedule under which GFT is not smaller over the draws. */
 
 #include <filesystem>
 #include <map>
@@ -76,6 +81,7 @@ struct ScheduleRow {
   double threshold = kUnset;              ///< median; infinite: no grip held in half of the draws
   std::string threshold_text = {};        ///< as FormatMedian says it; empty: none was looked for
   int num_pairs = 0;                      ///< draws with a threshold here and under natural
+  int num_not_known = 0;                  ///< of these, whose ratio is not known
   double ratio = kUnset;                  ///< to natural's
   std::optional<Interval> interval = {};  ///< of the ratio, 95 %; none: too few draws
 };
@@ -98,6 +104,10 @@ chose take no part.
 @param thresholds  of this session; the first scale counts. */
 ScheduleComparison CompareSchedules(const Session& session, const PeopleFile& people,
                                     const std::vector<ThresholdSummary>& thresholds);
+
+/** Why a schedule's ratio is not known, or tells nothing of simultaneity: one sentence each, that
+begins with the schedule's name. */
+std::vector<std::string> DescribeUnknown(const ScheduleCell& cell);
 
 /** inputs/grasps/people.json of a session of schedules. @throws Error(kFormat, kIo). */
 PeopleFile LoadPeopleFile(const std::filesystem::path& folder);

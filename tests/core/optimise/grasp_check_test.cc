@@ -11,6 +11,7 @@ namespace {
 struct MadeTrials {
   int new_loses_every = 0;
   double gain = 0.0;
+  bool nothing_holds = false;
   std::vector<LearningRequest> asked;
 
   RunLearningTrials MakeRun() {
@@ -25,7 +26,7 @@ struct MadeTrials {
           trial.draw = draw;
           trial.sigma = 1.0 + 0.01 * (draw % 7) + (is_new ? gain : 0.0);
           const bool is_lost = is_new && new_loses_every > 0 && draw % new_loses_every == 0;
-          trial.outcome = is_lost ? Outcome::kSlippedInLiftOff : Outcome::kSuccess;
+          trial.outcome = is_lost || nothing_holds ? Outcome::kSlippedInLiftOff : Outcome::kSuccess;
         }
       }
       return answers;
@@ -56,6 +57,17 @@ TEST(GraspCheck, TriesBothOnTheSameFreshDrawsUntilItIsShown) {
   EXPECT_EQ(draws.size(), 80u);
   EXPECT_EQ(*draws.begin(), 5000);
   EXPECT_EQ(DescribeRefusal(check, "start", "it", "no"), "");
+}
+
+// A heavy object that nothing lifts: lost later is no better grasp.
+TEST(GraspCheck, WhatHoldsInNoTrialIsNotTaken) {
+  MadeTrials trials;
+  trials.gain = 0.1;
+  trials.nothing_holds = true;
+  const GraspCheck check = Check(trials);
+  EXPECT_FALSE(check.is_taken());
+  EXPECT_EQ(DescribeRefusal(check, "start", "the new target", "no"),
+            "start kept: the new target held in none of 80 trials");
 }
 
 TEST(GraspCheck, GivesUpAtTheFirstLook) {

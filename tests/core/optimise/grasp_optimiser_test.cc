@@ -38,7 +38,10 @@ class FakeTrials {
     for (const std::string& id : grasp.digits) {
       // The search asks for sigma alone.
       const double s = request.stage == LearningStage::kSearch ? 0.5 : FindTouch(grasp, id);
-      trial.contacts.push_back({id, id == "TH", s});
+      const auto own = grasp.closing.find(id);
+      const double delay = own == grasp.closing.end() ? 0.0 : own->second.delay;
+      const bool lures = fails_when_delayed && !grasp.closing.empty();
+      trial.contacts.push_back({id, id == "TH", lures ? 0.5 : delay + s});
       trial.closings.push_back(s);
       if (request.keep_postures) {
         trial.touch_postures.push_back(CalcClosingPosture(hand_, grasp, s));
@@ -49,7 +52,8 @@ class FakeTrials {
     for (const char* joint : {"THq1", "THq2", "THq3"}) {
       miss += std::pow(grasp.q_target[hand_.FindJoint(joint)] - RadFromDeg(20.0), 2);
     }
-    trial.sigma = draw >= 1000 && draw < 2000 && is_overfitted ? 1.0 + miss : std::exp(-miss);
+    trial.sigma =
+        draw >= kFirstUnseen && draw < 2000 && is_overfitted ? 1.0 + miss : std::exp(-miss);
     trial.outcome = Outcome::kSuccess;
     trial.stability.normal_force = 10.0;
     if (likes_change) {
@@ -69,7 +73,10 @@ class FakeTrials {
       trial.sigma = is_lost ? 0.0 : 2.0;
       if (is_lost) trial.outcome = Outcome::kSlippedInLiftOff;
     }
-    if (fails_when_changed && grasp.q_pre != first_q_pre) trial.outcome = Outcome::kPushedAway;
+    if ((fails_when_opened && grasp.q_pre != first_q_pre) ||
+        (fails_when_delayed && draw >= kFirstUnseen && !grasp.closing.empty())) {
+      trial.outcome = Outcome::kPushedAway;
+    }
     return trial;
   }
 
@@ -96,7 +103,9 @@ class FakeTrials {
   std::vector<LearningRequest> asked;
   Eigen::VectorXd first_q_pre;
   bool is_overfitted = false;       ///< sigma of unseen trials falls where that of seen ones rises
-  bool fails_when_changed = false;  ///< any new pre-grasp fails
+  bool fails_when_opened = false;   ///< any new pre-grasp fails
+  bool fails_when_delayed = false;  ///< they touch together, and fail on unseen draws
+  static constexpr int kFirstUnseen = 1000;
   bool squeezes_harder = false;
   bool likes_change = false;      ///< sigma grows with any change of the target or the hand's pose
   bool has_fragile_peak = false;  ///< near the best target sigma is twice as high, but outside the
@@ -153,19 +162,50 @@ TEST(OptimiseGrasp, TakesBothStepsOnALinearHand) {
   EXPECT_TRUE(result.new_target.placement->X_WH.isApprox(placement.X_WH, 1e-8));
 }
 
-TEST(OptimiseGrasp, KeepsTheStandardPreGraspWhenTheNewOneSucceedsLessOften) {
-  FakeTrials fake;
-  fake.fails_when_changed = true;
+OptimisedGrasp LearnPreGraspOf(FakeTrials& fake) {
   OptimiseConfig config = MakeConfig();
   config.step = "1";
-  const OptimisedGrasp result =
-      OptimiseGrasp(fake.hand(), fake.object(), fake.grasp(), config, fake.MakeRun());
+  return OptimiseGrasp(fake.hand(), fake.object(), fake.grasp(), config, fake.MakeRun());
+}
+
+TEST(OptimiseGrasp, KeepsTheStandardPreGraspWhenTheNewOneSucceedsLessOften) {
+  FakeTrials fake;
+  fake.fails_when_opened = fake.fails_when_delayed = true;
+  const OptimisedGrasp result = LearnPreGraspOf(fake);
   EXPECT_EQ(result.pregrasp_step.chosen, -1);
   EXPECT_EQ(result.pregrasp_step.verdict, "standard kept: the new pre-grasp succeeded less often");
   ASSERT_GE(result.pregrasp_step.shots.size(), 2u);
-  EXPECT_LE(result.pregrasp_step.shots.size(), 6u);  // three widths, twice
-  EXPECT_TRUE(result.pregrasp_step.shots.back().was_pushed_away);
+  EXPECT_LE(result.pregrasp_step.shots.size(), 10u);  // three widths, twice; two starts, twice
+  EXPECT_TRUE(result.new_pregrasp.closing.empty());
   EXPECT_EQ(result.new_pregrasp.q_pre, fake.first_q_pre);
+}
+
+// The hand moves as it is told, so each digit waits for what it comes before the last one.
+TEST(OptimiseGrasp, DelaysDigitsWhereAnotherPreGraspSucceedsLessOften) {
+  FakeTrials fake;
+  fake.fails_when_opened = true;
+  const OptimisedGrasp result = LearnPreGraspOf(fake);
+  const std::string& verdict = result.pregrasp_step.verdict;
+  EXPECT_EQ(verdict.rfind("standard pre-grasp, delayed taken: ", 0), 0u) << verdict;
+  EXPECT_EQ(result.new_pregrasp.q_pre, fake.first_q_pre);
+  EXPECT_LT(CalcMedianGftRatio(result.pregrasp_step.check.after), 1e-4);
+  const Grasp start = MakeObjectGrasp(fake.hand(), fake.object(), fake.grasp(), "start");
+  double last = 0.0;
+  for (const std::string& id : start.digits) last = std::max(last, fake.FindTouch(start, id));
+  for (const std::string& id : start.digits) {
+    const auto own = result.new_pregrasp.closing.find(id);
+    const double delay = own == result.new_pregrasp.closing.end() ? 0.0 : own->second.delay;
+    EXPECT_NEAR(delay, last - fake.FindTouch(start, id), 1e-6) << id;
+  }
+}
+
+TEST(OptimiseGrasp, TakesTheNewPreGraspWhereDelayedDigitsSucceedLessOften) {
+  FakeTrials fake;
+  fake.fails_when_delayed = true;
+  const OptimisedGrasp result = LearnPreGraspOf(fake);
+  ASSERT_GE(result.pregrasp_step.chosen, 0) << result.pregrasp_step.verdict;
+  EXPECT_TRUE(result.new_pregrasp.closing.empty());
+  EXPECT_NE(result.new_pregrasp.q_pre, fake.first_q_pre);
 }
 
 TEST(OptimiseGrasp, KeepsTheStartWhenTheTargetIsNotBetterOnUnseenTrials) {

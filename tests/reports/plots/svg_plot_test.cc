@@ -26,10 +26,32 @@ TEST(DrawHeatMap, ShadesSaysAndLinks) {
   ASSERT_EQ(shaded.size(), 1u);
   EXPECT_STREQ(shaded[0]->Attribute("fill-opacity"), "0.90");
   EXPECT_EQ(drawing.Find("rect", "heat zero").size(), 1u);
-  EXPECT_EQ(drawing.Find("rect", "heat unknown").size(), 1u);
+  const auto unknown = drawing.Find("rect", "heat unknown");
+  ASSERT_EQ(unknown.size(), 1u);
+  const auto hatch = drawing.Find("line", "hatch");
+  EXPECT_GT(hatch.size(), 3u);
+  for (const auto* line : hatch) {  // within the cell, rising by as much as it goes right
+    const double x1 = line->DoubleAttribute("x1"), x2 = line->DoubleAttribute("x2");
+    EXPECT_GE(x1, unknown[0]->DoubleAttribute("x") - 2.0);
+    EXPECT_LE(x2, unknown[0]->DoubleAttribute("x") + unknown[0]->DoubleAttribute("width") + 2.0);
+    EXPECT_NEAR(line->DoubleAttribute("y1") - line->DoubleAttribute("y2"), x2 - x1, 0.2);
+  }
   EXPECT_EQ(ListAttribute(*drawing.svg, "href"),
             (std::vector<std::string>{"#tum-can-g3", "#tum-cup-g3"}));
   EXPECT_NE(ListText(*drawing.svg).find("9 / 10"), std::string::npos);
+}
+
+TEST(DrawHeatMap, GainsHaveTheirOwnColour) {
+  HeatMap map;
+  map.text = {"t", "d"};
+  map.columns = {"alone"};
+  map.rows = {"costs", "gains"};
+  map.cells = {{0.5, "1.0", "", "", false}, {1.0, "-2.0", "", "", true}};
+  const Drawing drawing(DrawHeatMap(map));
+  EXPECT_EQ(drawing.Find("rect", "heat").size(), 1u);
+  const auto gains = drawing.Find("rect", "heat gain");
+  ASSERT_EQ(gains.size(), 1u);
+  EXPECT_STREQ(gains[0]->Attribute("fill-opacity"), "1.00");
 }
 
 // Over the middle of the columns that it heads.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/error.h"
+#include "core/base/files/files.h"
 #include "datasets/plan/map_design.h"
 #include "tests/datasets/session/fake_session.h"
 
@@ -23,6 +25,28 @@ TEST(RunMap, IsASessionThatGoesOnAndRefusesAnother) {
   EXPECT_EQ(PrepareMap(request).session.plan.size(), map.session.plan.size());
   request.base.objects = {"can"};
   EXPECT_THROW(PrepareMap(request), Error);
+}
+
+TEST(RunMap, CopiesOfOneBodyAreRefusedBeforeAnythingIsMade) {
+  const TemporaryFolder temporary;
+  const std::filesystem::path ball = FindDataRoot() / "objects" / "catalogue" / "golf_ball";
+  MapRequest request;
+  request.base.hands = {"tum"};
+  for (const char* id : {"one", "two"}) {
+    std::filesystem::copy(ball, temporary.path() / id, std::filesystem::copy_options::recursive);
+    request.base.objects.push_back((temporary.path() / id).string());
+  }
+  request.base.objects.erase(request.base.objects.begin());  // "all"
+  request.out = temporary.path() / "map";
+  try {
+    PrepareMap(request);
+    FAIL() << "copies were taken";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("\"one\" and \"two\" are the same body"),
+              std::string::npos)
+        << error.what();
+  }
+  EXPECT_FALSE(std::filesystem::exists(request.out));
 }
 
 }  // namespace

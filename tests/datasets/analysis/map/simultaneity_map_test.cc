@@ -43,9 +43,9 @@ TEST(SimultaneityMap, NeverTouchedIsTheWorstRankOfThePush) {
 }
 
 TEST(SimultaneityMap, ALevelHoldsItsOwnPairs) {
-  const MapData data = MakeData(12, [](int object, int draw, double delay) {
+  const MapData data = MakeData(50, [](int object, int draw, double delay) {
     const bool is_lost = draw % 2 == 0 && delay > 0.0;
-    return Values{is_lost || object == 11 ? 0.0 : 1.0, kUnset, kUnset, kUnset};
+    return Values{is_lost || object >= 45 ? 0.0 : 1.0, kUnset, kUnset, kUnset};
   });
   const SimultaneityMap map = MapSimultaneity(data);
   const MapCell& weak = Find(map, MapMeasure::kSuccess, {{0, 0}});
@@ -54,12 +54,12 @@ TEST(SimultaneityMap, ALevelHoldsItsOwnPairs) {
   EXPECT_EQ(NameWhere(map, weak), "grip weak");
   EXPECT_EQ(firm.estimate, 0.0);
   EXPECT_EQ(firm.verdict, MapVerdict::kNone);
-  EXPECT_NEAR(firm.undelayed, 11.0 / 12.0, 1e-12);
+  EXPECT_NEAR(firm.undelayed, 0.9, 1e-12);
 }
 
 TEST(SimultaneityMap, NothingIsSaidAtTheCeilingOrAtTheFloor) {
   for (const double success : {0.0, 1.0}) {
-    const MapData data = MakeData(8, [&](int, int, double) {
+    const MapData data = MakeData(40, [&](int, int, double) {
       return Values{success, kUnset, kUnset, kUnset};
     });
     EXPECT_EQ(Find(MapSimultaneity(data), MapMeasure::kSuccess).verdict,
@@ -77,6 +77,29 @@ TEST(SimultaneityMap, WhatTheIntervalLeavesOpenIsUndecided) {
   EXPECT_NEAR(cell.estimate, 0.0, 1e-12);
   EXPECT_EQ(cell.verdict, MapVerdict::kUndecided);
   EXPECT_GT(cell.num_objects_to_decide, 20);
+}
+
+// Of 20 pairs none changed: by Wilson's interval up to 3.84 / 23.84 of such pairs may, each by
+// 0.1 (0.1 + 0.3) / (0.01 + 0.09) = 0.4.
+TEST(SimultaneityMap, FewPairsWithoutChangeSayLittle) {
+  const MapData data = MakeData(5, [](int object, int, double) {
+    return Values{object == 0 ? 0.0 : 1.0, kUnset, kUnset, kUnset};
+  });
+  const MapCell& cell = Find(MapSimultaneity(data), MapMeasure::kSuccess);
+  ASSERT_TRUE(cell.interval);
+  EXPECT_NEAR(cell.interval->high, 0.4 * 3.8415 / 23.8415, 1e-4);
+  EXPECT_NEAR(cell.interval->low, -cell.interval->high, 1e-12);
+  EXPECT_EQ(cell.verdict, MapVerdict::kUndecided);
+}
+
+// Of each object one draw is pushed farther and one less far by any delay.
+TEST(SimultaneityMap, ChangesThatCancelAreNotTakenForNone) {
+  const MapData data = MakeData(30, [](int, int draw, double delay) {
+    return Values{kUnset, kUnset, 1.0 + (draw < 2 ? delay : -delay), kUnset};
+  });
+  const MapCell& cell = Find(MapSimultaneity(data), MapMeasure::kPush);
+  EXPECT_EQ(cell.estimate, 0.0);
+  EXPECT_EQ(cell.verdict, MapVerdict::kUndecided);
 }
 
 TEST(SimultaneityMap, FewerThanFiveObjectsHaveNoInterval) {

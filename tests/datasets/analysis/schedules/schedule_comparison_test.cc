@@ -111,10 +111,39 @@ TEST(ScheduleComparison, ADrawThatNoGripHeldKeepsItsPlace) {
   const ScheduleComparison found = CompareSchedules(session, {}, {thresholds});
   const std::vector<ScheduleRow>& rows = found.cells[0].rows;
   EXPECT_EQ(rows[1].num_pairs, kTrials);
+  EXPECT_EQ(rows[1].num_not_known, 1);  // never under either
   EXPECT_EQ(rows[1].ratio, 1.0);
   EXPECT_TRUE(std::isinf(rows[2].ratio));
-  EXPECT_EQ(rows[2].interval->low, 1.0);  // never under either
+  EXPECT_TRUE(std::isinf(rows[2].interval->low));
   EXPECT_FALSE(found.cells[0].of.people);
+}
+
+// The least grip holds most draws under both: either may need less, so 1 is not their ratio.
+TEST(ScheduleComparison, DrawsAtTheEndOfTheScaleHaveNoRatio) {
+  const Session session = MakeScheduled();
+  ThresholdSummary thresholds = MakeThresholds(
+      session, {{"g3-natural", 1.0}, {"g3-simultaneous", 1.0}, {"g3-people-like", 1.0}});
+  for (DrawThreshold& draw : thresholds.draws) draw.found.is_below_range = draw.draw.trial < 5;
+  const ScheduleCell cell = CompareSchedules(session, {}, {thresholds}).cells[0];
+  EXPECT_EQ(cell.rows[2].num_not_known, 5);
+  EXPECT_TRUE(std::isnan(cell.rows[2].ratio));
+  EXPECT_FALSE(cell.rows[2].interval);
+  ASSERT_EQ(DescribeUnknown(cell).size(), 2u);
+  EXPECT_EQ(DescribeUnknown(cell)[0],
+            "simultaneous: in 5 of 8 draws the least grip of the scale holds here and under "
+            "natural, or none does: no ratio");
+}
+
+TEST(ScheduleComparison, AScheduleThatMakesContactsNoMoreSimultaneousIsNamed) {
+  Session session;
+  AddSchedule("g3-natural", 0.1, session);
+  AddSchedule("g3-simultaneous", 0.12, session);
+  const std::vector<std::string> texts =
+      DescribeUnknown(CompareSchedules(session, {}, {}).cells[0]);
+  ASSERT_EQ(texts.size(), 1u);
+  EXPECT_EQ(texts[0],
+            "simultaneous: GFT is not smaller over the draws (120 ms, natural 100 ms): what it "
+            "costs says nothing of simultaneity");
 }
 
 TEST(ScheduleComparison, AnObjectThatPeopleDidNotGraspIsNamedWithTheirs) {
