@@ -41,7 +41,7 @@ std::string FormatHeadroom(const SceneInputs& inputs, const SceneConfig& config,
   std::string text = "headroom the start bears " + FormatFixed(before.share, 2) + " of the " +
                      FormatFixed(before.bound, 2) +
                      " N that friction and grip allow by the sides: at equal grip at most times " +
-                     FormatFixed(std::max(1.0, 1.0 / before.share), 2);
+                     FormatFixed(CalcMostGain(before.share), 2);
   const Headroom after = calc(check.after);
   if (!check.after.empty() && std::isfinite(after.share)) {
     text += "; the new target " + FormatFixed(after.share, 2) + " of " +
