@@ -10,6 +10,8 @@ double CalcFrictionBound(double normal_force, double friction, double weight) {
   return std::max(0.0, friction * normal_force - weight);
 }
 
+double CalcMostGain(double share) { return std::max(1.0, 1.0 / share); }
+
 Headroom CalcHeadroom(const std::vector<LearningTrial>& trials, const GraspObject& object,
                       double gravity) {
   const double weight = object.mass_properties.mass * gravity;

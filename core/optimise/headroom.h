@@ -29,6 +29,9 @@ struct Headroom {
   /** Mean strength (sigma where it was not asked for) of the trials that held, over the bound. */
   double share = 0.0;
 };
+/** By what factor a grasp by the sides may be stronger at equal grip: 1 / share, at least 1. */
+double CalcMostGain(double share);
+
 /** @param gravity  [m/s^2] */
 Headroom CalcHeadroom(const std::vector<LearningTrial>& trials, const GraspObject& object,
                       double gravity);

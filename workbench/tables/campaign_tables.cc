@@ -6,6 +6,7 @@
 #include "core/base/text/text.h"
 #include "core/statistics/proportion.h"
 #include "datasets/analysis/campaign/campaign_summary.h"
+#include "datasets/analysis/campaign/headrooms.h"
 #include "workbench/tables/optimise_tables.h"
 #include "workbench/tables/text_table.h"
 
@@ -50,13 +51,18 @@ std::string FormatComparisonTable(const Campaign& campaign) {
 std::string FormatCampaign(const Campaign& campaign, const std::filesystem::path& folder,
                            const std::filesystem::path& report) {
   const std::string comparison = FormatComparisonTable(campaign);
+  std::string headroom;
+  for (const Headrooms& hand : ListHeadrooms(campaign)) {
+    headroom += "\nheadroom " + hand.hand + ": " + DescribeHeadrooms(hand);
+  }
   return "\n" + FormatVariantsTable(campaign) + (comparison.empty() ? "" : "\n" + comparison) +
-         "\nreport   " + report.string() + "\ndata     " + (folder / "summary.csv").string() + "\n";
+         headroom + "\nreport   " + report.string() + "\ndata     " +
+         (folder / "summary.csv").string() + "\n";
 }
 
 Json MakeCampaignJson(const Campaign& campaign, const std::filesystem::path& folder,
                       const std::filesystem::path& report) {
-  Json variants = Json::array(), methods = Json::array();
+  Json variants = Json::array(), methods = Json::array(), headrooms = Json::array();
   for (const VariantTotal& total : ListVariantTotals(campaign)) {
     variants.push_back({{"variant", NameOf(total.variant)},
                         {"scenes", total.num_scenes},
@@ -75,11 +81,20 @@ Json MakeCampaignJson(const Campaign& campaign, const std::filesystem::path& fol
                        {"reached_90", total.num_reached_90},
                        {"median_evaluations_to_90", JsonNumber(total.median_evaluations_to_90)}});
   }
+  for (const Headrooms& hand : ListHeadrooms(campaign)) {
+    headrooms.push_back({{"hand", hand.hand},
+                         {"scenes", hand.num_scenes},
+                         {"median_share_start", JsonNumber(hand.median_start)},
+                         {"median_share_kept", JsonNumber(hand.median_kept)},
+                         {"scenes_without", hand.num_without},
+                         {"why_without", hand.why_without}});
+  }
   return {{"campaign", folder.string()},
           {"report", report.string()},
           {"scenes", campaign.scenes.size()},
           {"variants", variants},
-          {"methods", methods}};
+          {"methods", methods},
+          {"headroom", headrooms}};
 }
 
 std::string DescribeNumericalFailures(const Campaign& campaign) {

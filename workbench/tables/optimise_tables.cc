@@ -30,9 +30,9 @@ std::string FormatGoal(const std::vector<LearningTrial>& trials, bool finds_stre
   return std::isfinite(goal) ? FormatFixed(goal, 3) : "n/a";
 }
 
-/** What is left for another grasp of the same grip. */
 constexpr char kMoreThanSides[] = ", so it does not hold by the sides alone";
 
+/** What is left for another grasp of the same grip. */
 std::string FormatHeadroom(const SceneInputs& inputs, const SceneConfig& config,
                            const GraspCheck& check) {
   const auto calc = [&](const std::vector<LearningTrial>& trials) {
@@ -44,8 +44,8 @@ std::string FormatHeadroom(const SceneInputs& inputs, const SceneConfig& config,
       "headroom the start bears " + FormatFixed(before.share, 2) + " of the " +
       FormatFixed(before.bound, 2) + " N that friction and grip allow by the sides" +
       (before.share > 1.0 ? std::string(kMoreThanSides)
-                          : ": at equal grip at most times " + FormatFixed(1.0 / before.share, 2) +
-                                " by the sides");
+                          : ": at equal grip at most times " +
+                                FormatFixed(CalcMostGain(before.share), 2) + " by the sides");
   const Headroom after = calc(check.after);
   if (!check.after.empty() && std::isfinite(after.share)) {
     text += "; the new target " + FormatFixed(after.share, 2) + " of " +

@@ -6,6 +6,7 @@
 #include "core/base/text/csv.h"
 #include "datasets/analysis/campaign/campaign_summary.h"
 #include "datasets/analysis/campaign/gft_floors.h"
+#include "datasets/analysis/campaign/headrooms.h"
 #include "datasets/journal/sealed_store.h"
 
 namespace graspbench {
@@ -41,6 +42,18 @@ VariantSummary Summarise(const std::vector<const TrialRecord*>& records) {
   return summary;
 }
 
+/** NaN: none. */
+double FindHeadroomShare(const Campaign& campaign, const VariantSummary& summary) {
+  if (summary.variant == kStandardGrasp) return kUnset;
+  for (const SceneRecord& scene : campaign.scenes) {
+    if (scene.config.hand != summary.hand || scene.config.object != summary.object) continue;
+    const Answer<SceneHeadroom> headroom = FindHeadroom(scene);
+    if (!headroom) return kUnset;
+    return summary.variant == kNewTarget ? headroom->kept_share : headroom->start_share;
+  }
+  return kUnset;
+}
+
 std::string FormatComparison(const std::vector<ComparisonRun>& runs) {
   std::string csv = FormatCsvLine({"hand", "object", "method", "seed", "evaluations",
                                    "start_fitness", "best_fitness", "evaluations_to_90"});
@@ -55,14 +68,16 @@ std::string FormatComparison(const std::vector<ComparisonRun>& runs) {
 
 }  // namespace
 
-std::vector<VariantSummary> SummariseVariants(const Session& benchmark) {
+std::vector<VariantSummary> SummariseVariants(const Campaign& campaign) {
   std::vector<VariantSummary> summaries;
   std::vector<const TrialRecord*> cell;
   const auto finish_cell = [&] {
-    if (!cell.empty()) summaries.push_back(Summarise(cell));
+    if (cell.empty()) return;
+    summaries.push_back(Summarise(cell));
+    summaries.back().headroom_share = FindHeadroomShare(campaign, summaries.back());
     cell.clear();
   };
-  for (const TrialRecord& record : benchmark.records) {
+  for (const TrialRecord& record : campaign.benchmark.records) {
     if (!cell.empty()) {
       const PlannedTrial& last = cell.back()->plan;
       if (last.hand != record.plan.hand || last.object != record.plan.object ||
@@ -81,7 +96,7 @@ void ExportCampaign(const fs::path& folder, const Campaign& campaign) {
   AddFieldColumns<VariantSummary>(
       [](const VariantSummary& summary) -> const VariantSummary& { return summary; }, columns);
   std::map<std::string, std::string> tables = {
-      {"summary.csv", FormatCsv(columns, SummariseVariants(campaign.benchmark))}};
+      {"summary.csv", FormatCsv(columns, SummariseVariants(campaign))}};
   if (!campaign.comparison.empty()) {
     tables["comparison.csv"] = FormatComparison(campaign.comparison);
   }

@@ -29,6 +29,7 @@ struct VariantSummary {
   double median_grip = kUnset;            ///< [N]
   double median_sigma_ratio = kUnset;     ///< of the grip
   double median_breaking_ratio = kUnset;  ///< of the grip
+  double headroom_share = kUnset;         ///< step 2's (headrooms.h): start and what was kept
 
   template <class V>
   static void ListFields(V&& field) {
@@ -41,11 +42,12 @@ struct VariantSummary {
     field("successes", &S::successes, FieldColumn{"", "those that succeeded"});
     field("mean_sigma", &S::mean_sigma, FieldColumn{"N", "a trial without sigma counts 0"});
     field("median_gft_ratio", &S::median_gft_ratio,
-          FieldColumn{"", "of the trials in which every digit touched"});
+          FieldColumn{"", "a trial in which a digit never touched counts as infinite"});
     field("gft_ratio_floor", &S::gft_ratio_floor,
-          FieldColumn{"", "of GFT% of the same trials, were only their scatter left; empty: none"});
-    field("median_got_ratio", &S::median_got_ratio, FieldColumn{"", "of the same trials"});
-    field("median_gct_s", &S::median_gct, FieldColumn{"s", "of the same trials"});
+          FieldColumn{"", "of GFT%, were only the trials' scatter left; empty: none"});
+    field("median_got_ratio", &S::median_got_ratio, FieldColumn{"", "as of GFT%"});
+    field("median_gct_s", &S::median_gct,
+          FieldColumn{"s", "of the trials in which every digit touched"});
     field("mean_breaking_force_n", &S::mean_breaking_force,
           FieldColumn{"N", "of the judged trials; a lost object counts 0"});
     field("median_grip_n", &S::median_grip,
@@ -53,9 +55,14 @@ struct VariantSummary {
     field("median_sigma_per_grip", &S::median_sigma_ratio, FieldColumn{"", "of what was held"});
     field("median_breaking_per_grip", &S::median_breaking_ratio,
           FieldColumn{"", "of what was held and judged"});
+    field(
+        "headroom_share", &S::headroom_share,
+        FieldColumn{"",
+                    "of mu N - m g, borne in step 2's check: of the new pre-grasp, its start, and "
+                    "of the new target, what it kept; empty: none"});
   }
 };
-std::vector<VariantSummary> SummariseVariants(const Session& benchmark);
+std::vector<VariantSummary> SummariseVariants(const Campaign& campaign);
 
 /** Writes summary.csv and, when there is one, comparison.csv, and seals them in the campaign's
 manifest.

@@ -53,24 +53,29 @@ double CalcDifference(double a, double b) {
 
 const std::vector<VariantMeasure>& ListVariantMeasures() {
   static const std::vector<VariantMeasure> measures = {
-      {"success [%]", "share of successful trials", 100.0, 0, true, true,
+      {"success [%]", "share of successful trials", 100.0, 0, true, VariantMeasure::kMean,
        [](const TrialRecord& r) { return r.result.outcome == Outcome::kSuccess ? 1.0 : 0.0; }},
-      {"sigma [N]", "stability; 0 when the object is lost", 1.0, 2, true, true, SigmaOf},
+      {"sigma [N]", "stability; 0 when the object is lost", 1.0, 2, true, VariantMeasure::kMean,
+       SigmaOf},
       {"breaking force [N]",
        "smallest pull in six directions that breaks the grasp; 0 when the object was lost", 1.0, 2,
-       true, true, BreakingForceOf},
+       true, VariantMeasure::kMean, BreakingForceOf},
       {"grip [N]", "sum of the hand's normal forces on the object in the hold", 1.0, 1, false,
-       false, GripForceOf},
+       VariantMeasure::kMedianOfHaving, GripForceOf},
       {"sigma/grip [%]",
        "of what is held: more means that it holds better, not that it squeezes harder", 100.0, 1,
-       true, false, [](const TrialRecord& r) { return DivideByGrip(SigmaOf(r), r); }},
+       true, VariantMeasure::kMedianOfHaving,
+       [](const TrialRecord& r) { return DivideByGrip(SigmaOf(r), r); }},
       {"breaking/grip [%]", "of what is held: the breaking force at equal grip", 100.0, 1, true,
-       false, [](const TrialRecord& r) { return DivideByGrip(BreakingForceOf(r), r); }},
-      {"GFT% [%]", "grasp forming time over grasp closure time", 100.0, 1, false, false,
+       VariantMeasure::kMedianOfHaving,
+       [](const TrialRecord& r) { return DivideByGrip(BreakingForceOf(r), r); }},
+      {"GFT% [%]", "grasp forming time over grasp closure time", 100.0, 1, false,
+       VariantMeasure::kMedianMissingIsInfinite,
        [](const TrialRecord& r) { return r.result.timing.gft_ratio; }},
-      {"GOT% [%]", "grasp opposing time over grasp closure time", 100.0, 1, false, false,
+      {"GOT% [%]", "grasp opposing time over grasp closure time", 100.0, 1, false,
+       VariantMeasure::kMedianMissingIsInfinite,
        [](const TrialRecord& r) { return r.result.timing.got_ratio; }},
-      {"GCT [s]", "grasp closure time", 1.0, 3, false, false,
+      {"GCT [s]", "grasp closure time", 1.0, 3, false, VariantMeasure::kMedianOfHaving,
        [](const TrialRecord& r) { return r.result.timing.gct; }},
   };
   return measures;
@@ -99,10 +104,15 @@ double CalcCellValue(const VariantMeasure& measure, const CellSummary& cell) {
   std::vector<double> values;
   for (const TrialRecord* record : cell.records) {
     const double value = measure.value(*record);
-    if (std::isfinite(value)) values.push_back(value);
+    if (std::isfinite(value)) {
+      values.push_back(value);
+    } else if (measure.of_cell == VariantMeasure::kMedianMissingIsInfinite) {
+      values.push_back(std::numeric_limits<double>::infinity());
+    }
   }
-  if (!measure.is_mean || values.empty()) return CalcMedian(values);
-  return CalcMoments(values).mean;
+  if (measure.of_cell == VariantMeasure::kMean && !values.empty()) return CalcMoments(values).mean;
+  const double median = CalcMedian(values);
+  return std::isinf(median) ? kMissing : median;
 }
 
 std::vector<double> ListPairedDifferences(const VariantMeasure& measure, const SceneVariants& scene,
@@ -201,7 +211,7 @@ std::vector<LowerSuccess> ListSignificantlyLower(const std::vector<SceneVariants
 }
 
 std::vector<VariantTotal> ListVariantTotals(const Campaign& campaign) {
-  const std::vector<VariantSummary> summaries = SummariseVariants(campaign.benchmark);
+  const std::vector<VariantSummary> summaries = SummariseVariants(campaign);
   std::vector<VariantTotal> totals;
   for (const VariantRow& row : kVariants) {
     VariantTotal total;

@@ -5,7 +5,9 @@ variants of every scene's grasp, tried on the same trial poses, so that trials o
 are pairs.
 
 A cell's value of a measure is the mean over its trials for what every trial has (success, sigma,
-breaking force) and the median over the trials that have it for the others. */
+breaking force) and the median over the trials that have it for the others. GFT% and GOT% have
+medians over all trials, as in the optimisation: one in which a digit never touched counts as
+infinite. */
 
 #include <array>
 #include <functional>
@@ -26,7 +28,7 @@ struct VariantMeasure {
   double unit;          ///< what is shown = unit * value
   int decimals;
   bool is_larger_better;
-  bool is_mean;  ///< every trial has it; else the median of those that have
+  enum CellValue { kMean, kMedianOfHaving, kMedianMissingIsInfinite } of_cell;
   std::function<double(const TrialRecord&)> value;  ///< NaN: this trial has none
 };
 const std::vector<VariantMeasure>& ListVariantMeasures();
@@ -42,7 +44,7 @@ struct SceneVariants {
   bool IsComplete() const;  ///< all variants have a finished trial
 };
 
-/** NaN when no trial has it. */
+/** NaN when no trial has it, or half of them or more count as infinite. */
 double CalcCellValue(const VariantMeasure& measure, const CellSummary& cell);
 
 /** Differences b - a of the trials that have the measure under both variants. */

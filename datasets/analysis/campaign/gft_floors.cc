@@ -1,7 +1,5 @@
 #include "datasets/analysis/campaign/gft_floors.h"
 
-#include <cmath>
-
 #include "core/base/text/text.h"
 #include "core/grasp/gft_floor.h"
 #include "core/statistics/summary.h"
@@ -10,10 +8,7 @@ namespace graspbench {
 
 Answer<double> CalcGftFloorOf(const std::vector<const TrialRecord*>& records) {
   std::vector<std::vector<DigitContact>> trials;
-  for (const TrialRecord* record : records) {
-    if (!std::isfinite(record->result.timing.gft_ratio)) continue;
-    trials.push_back(record->result.contacts);
-  }
+  for (const TrialRecord* record : records) trials.push_back(record->result.contacts);
   return CalcGftFloor(trials);
 }
 

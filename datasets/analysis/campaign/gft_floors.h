@@ -11,7 +11,7 @@ scatter from trial to trial, which no pre-grasp can take away. */
 
 namespace graspbench {
 
-/** Of the same trials as a cell's GFT%: those in which every digit touched. */
+/** Of the same trials as a cell's GFT%: all of them. */
 Answer<double> CalcGftFloorOf(const std::vector<const TrialRecord*>& records);
 
 /** One variant over complete scenes that have both. */

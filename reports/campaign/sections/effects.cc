@@ -3,6 +3,7 @@
 #include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
 #include "datasets/analysis/campaign/gft_floors.h"
+#include "datasets/analysis/campaign/headrooms.h"
 #include "reports/campaign/campaign_section.h"
 
 namespace graspbench {
@@ -124,6 +125,45 @@ Html DrawFloors(const CampaignData& data) {
          MakeList(lines) + DrawFloorTable(data);
 }
 
+/** What step 2 started from and what it kept, scene by scene. */
+Html DrawHeadroomTable(const CampaignData& data) {
+  const Align number = Align::kNumber;
+  Table table("Share of what friction and grip allow by an object's sides, scene by scene.",
+              {{"Scene"},
+               {"Start: share", number, "of mu N - m g, in the trials of step 2's check"},
+               {"Allowed [N]", number, "mu N - m g"},
+               {"Kept: share", number, "the start's where the new target was not taken"},
+               {"Allowed [N]", number, "mu N - m g"}});
+  for (const SceneVariants& scene : data.scenes) {
+    const Answer<SceneHeadroom> headroom = FindHeadroom(*scene.scene);
+    std::vector<Html> row = {Text(data.NameOfScene(scene))};
+    if (headroom) {
+      for (const double value : {headroom->start_share, headroom->start_bound, headroom->kept_share,
+                                 headroom->kept_bound}) {
+        row.push_back(Text(FormatFixed(value, 2)));
+      }
+    } else {
+      row.push_back(Text("no figure: " + headroom.reason()));
+      for (int i = 0; i < 3; ++i) row.push_back(Text("-"));
+    }
+    table.AddRow(row);
+  }
+  return MakeDetails("Headroom of step 2, scene by scene", table.ToHtml());
+}
+
+Html DrawHeadrooms(const CampaignData& data) {
+  std::vector<std::string> lines;
+  for (const Headrooms& headrooms : ListHeadrooms(data.campaign)) {
+    lines.push_back(data.models.NameOfHand(headrooms.hand) + ": " + DescribeHeadrooms(headrooms) +
+                    ".");
+  }
+  return MakeParagraph(
+             "Pulled straight down, a grasp by an object's sides resists with friction alone: at "
+             "most the coefficient times the grip, less the object's weight. The share of it that "
+             "a grasp bears says what is left for another grasp of the same grip.") +
+         MakeList(lines) + DrawHeadroomTable(data);
+}
+
 Html DrawEffects(const CampaignData& data) {
   const int num_complete =
       CalcStepEffect(FindVariantMeasure("success"), data.scenes, kStandardGrasp, kNewTarget)
@@ -135,7 +175,8 @@ Html DrawEffects(const CampaignData& data) {
       "posture for stability. Then all three variants were tried on the same " +
       FormatCount(data.campaign.config.session.trials, "trial pose") +
       ", none of which the optimisation had seen.");
-  html += DrawEffects(data, {}, "All hands") + DescribeWithoutVariation(data) + DrawFloors(data);
+  html += DrawEffects(data, {}, "All hands") + DescribeWithoutVariation(data) + DrawFloors(data) +
+          DrawHeadrooms(data);
   if (data.benchmark.hands.size() > 1) {
     for (const std::string& hand : data.benchmark.hands) {
       html += MakeDetails(data.models.NameOfHand(hand) + " alone",

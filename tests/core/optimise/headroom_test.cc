@@ -51,5 +51,10 @@ TEST(Headroom, IsThatOfTheTrialsThatHeld) {
   EXPECT_TRUE(std::isnan(CalcHeadroom({MakeTrial(-0.3, 0.0)}, MakeCube(), 9.8).share));
 }
 
+TEST(Headroom, AGraspAboveItsBoundLeavesNothingToGain) {
+  EXPECT_EQ(CalcMostGain(0.8), 1.25);
+  EXPECT_EQ(CalcMostGain(1.4), 1.0);
+}
+
 }  // namespace
 }  // namespace graspbench

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/optimise/grasp_optimiser.h"
 #include "tests/datasets/analysis/made_results.h"
 
 namespace graspbench {
@@ -48,6 +49,43 @@ TEST(GftFloors, CountsScenesNearTheirFloor) {
   const std::string text = DescribeGftFloors(floors, kNewPreGrasp);
   EXPECT_NE(text.find("1 of 2 scenes reach at most 1.2 times their floor"), std::string::npos)
       << text;
+}
+
+// GFT% is 0, 10, .. 90 % in ten trials: median 45 %. Where the digits of the last ones never touch,
+// the others keep their places, until half are infinite.
+TEST(GftFloors, ATrialWithoutContactIsTheWorstAsInTheOptimisation) {
+  for (const int num_touching : {10, 7, 6, 5}) {
+    Campaign campaign = MakeCampaign();
+    std::vector<LearningTrial> trials;
+    for (TrialRecord& record : campaign.benchmark.records) {
+      if (record.plan.object != "can" || record.plan.grasp != "new-pregrasp") continue;
+      const int k = record.plan.trial;
+      // Thumb and finger change places, so that their medians are nearly the same.
+      const double first = 1.0 - 0.1 * k, later = 1.0;
+      record.result.contacts = {{"TH", true, k % 2 == 0 ? first : later},
+                                {"FF", false, k % 2 == 0 ? later : first}};
+      if (k >= num_touching) record.result.contacts[0].time = std::nan("");
+      record.result.timing = CalcContactTiming(record.result.contacts, 0.0);
+      LearningTrial trial;
+      trial.contacts = record.result.contacts;
+      trial.timing = record.result.timing;
+      trials.push_back(trial);
+    }
+    const Summarised summarised(campaign);
+    const CellSummary& cell = summarised.scenes[0].cell(kNewPreGrasp);
+    const double ratio = CalcCellValue(FindVariantMeasure("GFT%"), cell);
+    const Answer<double> floor = CalcGftFloorOf(cell.records);
+    const Answer<double> learned = CalcGftFloor(trials);
+    ASSERT_EQ(floor.has_value(), learned.has_value()) << num_touching;
+    if (num_touching == 5) {
+      EXPECT_FALSE(floor);
+      EXPECT_TRUE(std::isnan(ratio));
+      continue;
+    }
+    EXPECT_NEAR(ratio, 0.45, 1e-12) << num_touching;
+    EXPECT_EQ(ratio, CalcMedianGftRatio(trials));
+    EXPECT_EQ(*floor, *learned);
+  }
 }
 
 TEST(GftFloors, WithoutContactsThereIsNone) {

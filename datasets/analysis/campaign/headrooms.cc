@@ -1,0 +1,91 @@
+#include "datasets/analysis/campaign/headrooms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/base/text/text.h"
+#include "core/optimise/headroom.h"
+#include "core/statistics/summary.h"
+
+namespace graspbench {
+namespace {
+
+Headrooms CalcHeadrooms(const std::vector<SceneRecord>& scenes, const std::string& hand) {
+  Headrooms headrooms;
+  headrooms.hand = hand;
+  std::vector<double> start, kept;
+  std::set<std::string> reasons;
+  for (const SceneRecord& scene : scenes) {
+    if (scene.config.hand != hand) continue;
+    const Answer<SceneHeadroom> headroom = FindHeadroom(scene);
+    if (!headroom) {
+      ++headrooms.num_without;
+      reasons.insert(headroom.reason());
+      continue;
+    }
+    start.push_back(headroom->start_share);
+    kept.push_back(headroom->kept_share);
+  }
+  headrooms.num_scenes = static_cast<int>(start.size());
+  headrooms.median_start = CalcMedian(start);
+  headrooms.median_kept = CalcMedianOfFinite(kept);
+  for (const std::string& reason : reasons) {
+    headrooms.why_without += (headrooms.why_without.empty() ? "" : "; ") + reason;
+  }
+  return headrooms;
+}
+
+}  // namespace
+
+Answer<SceneHeadroom> FindHeadroom(const SceneRecord& scene) {
+  if (!scene.result.is_object()) return NoAnswer{"the scene is not finished"};
+  const auto step = scene.result.find("target_step");
+  if (step == scene.result.end()) return NoAnswer{"step 2 was not run"};
+  if (!step->contains("headroom_before")) return NoAnswer{"recorded by an older program"};
+  SceneHeadroom headroom;
+  const auto read = [&](const char* key, double& share, double& bound) {
+    const Json& recorded = step->at(key);
+    if (!recorded.is_object()) return;
+    share = NumberFrom(recorded.at("share"));
+    bound = NumberFrom(recorded.at("bound_n"));
+  };
+  read("headroom_before", headroom.start_share, headroom.start_bound);
+  if (headroom.start_bound == 0.0) return NoAnswer{"the grip does not bear the weight by friction"};
+  if (std::isnan(headroom.start_share)) return NoAnswer{"the start held nothing"};
+  const bool is_taken = step->at("taken").get<bool>();
+  read(is_taken ? "headroom_after" : "headroom_before", headroom.kept_share, headroom.kept_bound);
+  return headroom;
+}
+
+std::vector<Headrooms> ListHeadrooms(const Campaign& campaign) {
+  std::vector<Headrooms> list;
+  for (const SceneRecord& scene : campaign.scenes) {
+    const auto is_listed = [&](const Headrooms& other) { return other.hand == scene.config.hand; };
+    if (std::none_of(list.begin(), list.end(), is_listed)) {
+      list.push_back(CalcHeadrooms(campaign.scenes, scene.config.hand));
+    }
+  }
+  return list;
+}
+
+std::string DescribeHeadrooms(const Headrooms& headrooms) {
+  const std::string without =
+      FormatCount(headrooms.num_without, "scene") + " without a figure (" + headrooms.why_without;
+  if (headrooms.num_scenes == 0) return "headroom not known: " + without + ")";
+  const double gain = CalcMostGain(headrooms.median_start);
+  std::string text = "step 2 starts from grasps that bear " +
+                     FormatFixed(headrooms.median_start, 2) +
+                     " of what friction and grip allow by an object's sides and keeps grasps that "
+                     "bear " +
+                     FormatFixed(headrooms.median_kept, 2) + " (medians of " +
+                     FormatCount(headrooms.num_scenes, "scene") + "): ";
+  text += gain > 1.0 ? "at equal grip no grasp by the sides is more than " + FormatFixed(gain, 2) +
+                           " times as strong as the median start; one that reaches beneath the "
+                           "object may be"
+                     : "the median start is as strong as any grasp by the sides at equal grip";
+  if (headrooms.num_without > 0) text += "; " + without;
+  return text;
+}
+
+}  // namespace graspbench
