@@ -45,7 +45,7 @@ check's draws come from streams that no benchmark uses. */
 namespace graspbench {
 
 struct PreGraspShot {
-  std::string name;  ///< "one-shot, widest", "standard pre-grasp, delayed", ...
+  std::string name;              ///< "one-shot, widest", "standard pre-grasp, delayed", ...
   LearnedPreGrasp learned;       ///< of one whose digits wait that from which they were delayed
   bool was_pushed_away = false;  ///< the trial it learned from ended with the object out of reach
   Grasp grasp;                   ///< with the new pre-grasp and closing schedules

@@ -228,11 +228,13 @@ std::vector<std::string> DescribeUnknown(const ScheduleCell& cell) {
           row.schedule, row.num_not_known, row.num_pairs));
     }
     if (row.schedule == kSimultaneous && gft_of(row) >= natural) {
-      texts.push_back(
-          fmt::format("{}: GFT is not smaller over the draws ({:.0f} ms, natural {:.0f} ms): what "
-                      "it costs says "
-                      "nothing of simultaneity",
-                      row.schedule, MsFromS(gft_of(row)), MsFromS(natural)));
+      const std::string gft =
+          std::isinf(gft_of(row))
+              ? "a digit does not touch in half of them"
+              : fmt::format("{:.0f} ms, natural {:.0f} ms", MsFromS(gft_of(row)), MsFromS(natural));
+      texts.push_back(fmt::format(
+          "{}: GFT is not smaller over the draws ({}): what it costs says nothing of simultaneity",
+          row.schedule, gft));
     }
   }
   return texts;
