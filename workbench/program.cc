@@ -166,6 +166,22 @@ void RefuseLineFeeds(int argc, const char* const* argv) {
   }
 }
 
+/** Adds the names of "g1,g2". @throws Error(kUsage) where one is empty. */
+void SplitNames(const std::string& option, const std::string& given,
+                std::vector<std::string>& names) {
+  size_t number = 1;
+  for (size_t start = 0; start <= given.size(); ++number) {
+    const size_t comma = std::min(given.find(',', start), given.size());
+    if (comma == start) {
+      throw Error(ErrorKind::kUsage, option + " \"" + given + "\": name " + std::to_string(number) +
+                                         " of the list is empty; expected names with one comma "
+                                         "between two");
+    }
+    names.push_back(given.substr(start, comma - start));
+    start = comma + 1;
+  }
+}
+
 }  // namespace
 
 CLI::App& AddSubcommand(CLI::App& parent, const std::string& name, const std::string& description,
@@ -180,8 +196,15 @@ void AddListOption(CLI::App& command, const std::string& name, std::vector<std::
                    const std::string& text, const std::string& form) {
   std::string names;
   for (const std::string& item : list) names += (names.empty() ? "" : ",") + item;
-  command.add_option(name, list, text)
-      ->delimiter(',')
+  // Not by CLI's own delimiter, which drops empty names.
+  command
+      .add_option_function<std::vector<std::string>>(
+          name,
+          [name, &list](const std::vector<std::string>& given) {
+            list.clear();
+            for (const std::string& one : given) SplitNames(name, one, list);
+          },
+          text)
       ->allow_extra_args(false)
       ->option_text(form)
       ->default_str(names);

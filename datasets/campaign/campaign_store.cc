@@ -109,7 +109,11 @@ void CheckCampaignConfig(const CampaignConfig& config) {
   }
   add("optimise", Validate(config.optimise));
   if (config.optimise.step != "both") {
-    add("optimise", {{"step", "a campaign takes both steps; expected \"both\""}});
+    add("optimise",
+        {{"step",
+          "a campaign compares three variants of a grasp and takes both steps for them; "
+          "expected \"both\"; one step alone: graspbench optimise --hand H --object O "
+          "--step N, scene by scene"}});
   }
   OptimiseConfig search;  // all else is checked above
   search.evaluations = config.comparison.evaluations;
@@ -157,6 +161,15 @@ std::vector<CampaignScene> PlanScenes(const CampaignConfig& config, const Sessio
     static_cast<TrialConditions&>(scene.config) = config.session;
     scene.inputs = {setup.hand, setup.object, setup.grasp};
     scene.folder = folder / "scenes" / (planned.hand + "-" + planned.object);
+    const auto same = std::find_if(scenes.begin(), scenes.end(), [&](const CampaignScene& other) {
+      return other.folder == scene.folder;
+    });
+    if (same != scenes.end()) {
+      throw Error(ErrorKind::kUsage,
+                  "the scenes " + same->config.hand + ", " + same->config.object + " and " +
+                      planned.hand + ", " + planned.object + " come to the same folder " +
+                      scene.folder.filename().string() + "; rename a hand or an object");
+    }
     scenes.push_back(std::move(scene));
   }
   return scenes;

@@ -38,16 +38,37 @@ std::string FindCell(const Session& session, const std::string& name) {
   return keys.size() == 1 ? keys.front() : name;
 }
 
+/** The trial of that name, in whatever case where no other has it; null: none.
+@throws Error(kUsage) where several names differ from it in their case alone. */
+const PlannedTrial* FindByName(const Session& session, const std::string& given,
+                               const std::string& lower) {
+  std::vector<const PlannedTrial*> found;
+  for (const PlannedTrial& planned : session.plan) {
+    const std::string name = NameTrial(planned);
+    if (name == given) return &planned;
+    if (ToLower(name) == lower) found.push_back(&planned);
+  }
+  if (found.size() > 1) {
+    throw Error(ErrorKind::kUsage, "\"" + given + "\" is " + NameTrial(*found[0]) + " and " +
+                                       NameTrial(*found[1]) +
+                                       ", which differ in capital letters; write them as they are");
+  }
+  return found.empty() ? nullptr : found.front();
+}
+
 /** @throws Error(kNotFound) for a cell or number that is not in the plan. */
-const PlannedTrial& FindByNumber(const Session& session, const std::string& name) {
+const PlannedTrial& FindByNumber(const Session& session, const std::string& given) {
+  const std::string name = ToLower(given);
   const std::string cell = FindCell(session, name.substr(0, name.find(':')));
   const std::string number = name.substr(name.find(':') + 1);
+  if (const PlannedTrial* found = FindByName(session, given, cell + name.substr(name.find(':')))) {
+    return *found;
+  }
   std::vector<std::string> cells;
   std::string under_conditions;
   int num_trials = 0;
   for (const PlannedTrial& planned : session.plan) {
     const std::string key = NameCell(planned);
-    if (ToLower(NameTrial(planned)) == cell + ":" + number) return planned;
     if (key == cell && !planned.condition) ++num_trials;
     if (key == cell && planned.condition && std::to_string(planned.trial) == number) {
       under_conditions += (under_conditions.empty() ? "" : ", ") + NameTrial(planned);
@@ -75,7 +96,7 @@ std::string NameTrial(const PlannedTrial& planned) {
 
 const PlannedTrial& FindPlannedTrial(const Session& session, const std::string& given) {
   const std::string name = ToLower(given);
-  if (name.find(':') != name.npos) return FindByNumber(session, name);
+  if (name.find(':') != name.npos) return FindByNumber(session, given);
   const PlannedTrial* found = nullptr;
   for (const PlannedTrial& planned : session.plan) {
     if (planned.id == name) return planned;

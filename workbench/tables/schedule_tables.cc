@@ -37,7 +37,52 @@ std::string FormatRatio(const ScheduleRow& row) {
   return FormatWithRange(row.ratio, range.low, range.high, 2);
 }
 
+struct PlannedSchedule {
+  const PeopleOnObject* of = nullptr;
+  const char* name = nullptr;
+  int64_t num_trials = 0;
+  std::string missing;  ///< why there is none
+};
+std::vector<PlannedSchedule> ListPlanned(const SchedulePlan& plan) {
+  std::vector<PlannedSchedule> rows;
+  const std::vector<PlannedTrial>& trials = plan.session->plan;
+  for (const PeopleOnObject& of : plan.people.cells) {
+    for (const char* name : kSchedules) {
+      const auto missing = of.missing.find(name);
+      const auto is_planned = [&](const PlannedTrial& trial) {
+        return trial.hand == of.hand && trial.object == of.object &&
+               trial.grasp == of.grasp + "-" + name;
+      };
+      rows.push_back({&of, name, std::count_if(trials.begin(), trials.end(), is_planned),
+                      missing == of.missing.end() ? "" : missing->second});
+    }
+  }
+  return rows;
+}
+
 }  // namespace
+
+std::string FormatSchedulePlan(const SchedulePlan& plan) {
+  TextTable table({"object", "hand", "grasp", "schedule", "trials", "why none"});
+  for (const PlannedSchedule& row : ListPlanned(plan)) {
+    table.AddRow({row.of->object, row.of->hand, row.of->grasp, row.name,
+                  std::to_string(row.num_trials), row.missing});
+  }
+  return table.Format() + "and the grip threshold of each draw, which takes several trials more\n";
+}
+
+Json ToJson(const SchedulePlan& plan) {
+  Json list = Json::array();
+  for (const PlannedSchedule& row : ListPlanned(plan)) {
+    list.push_back({{"object", row.of->object},
+                    {"hand", row.of->hand},
+                    {"grasp", row.of->grasp},
+                    {"schedule", row.name},
+                    {"trials", row.num_trials},
+                    {"missing", row.missing}});
+  }
+  return list;
+}
 
 std::string FormatSchedules(const ScheduleComparison& comparison) {
   TextTable table({"object", "hand", "grasp", "schedule", "touches after the first [% of closing]",

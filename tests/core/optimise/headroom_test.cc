@@ -20,7 +20,9 @@ LearningTrial MakeTrial(double strength, double grip) {
 }
 
 GraspObject MakeCube() {
-  return *TestPinch(3.0, kMass, kMu, Eigen::Vector3d::Zero()).setup().object;
+  GraspObject cube = *TestPinch(3.0, kMass, kMu, Eigen::Vector3d::Zero()).setup().object;
+  cube.surface.friction_dynamic = 0.5 * kMu;  // what is held does not slide
+  return cube;
 }
 
 // Two pads on a block bear mu F each, of which the weight has its part: by pulling in physics the

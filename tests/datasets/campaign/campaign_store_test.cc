@@ -63,6 +63,28 @@ TEST(CampaignStore, PlansOneSceneForEachHandAndObject) {
   EXPECT_EQ(scenes[3].folder, fs::path("c/scenes/shadow-pencil"));
 }
 
+TEST(CampaignStore, ScenesOfOneFolderAreRefused) {
+  SessionInputs inputs = MakeFakeInputs();
+  const char* const object_ids[] = {"b-mug", "mug"};
+  const char* const hand_ids[] = {"a", "a-b"};
+  for (size_t i = 0; i < 2; ++i) {
+    auto object = std::make_shared<GraspObject>(*inputs.objects[i]);
+    object->id = object_ids[i];
+    object->best_grasp = {{"a", "g2"}, {"a-b", "g2"}};
+    inputs.objects[i] = object;
+    auto hand = std::make_shared<Hand>(*inputs.hands[i].hand);
+    hand->id = hand_ids[i];
+    inputs.hands[i].hand = hand;
+  }
+  try {
+    PlanScenes(MakeConfig(), inputs, "c");
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("come to the same folder a-b-mug"), std::string::npos)
+        << e.what();
+  }
+}
+
 // Machines that load other hands or objects than the one that planned are told.
 TEST(CampaignStore, KnowsWhetherScenesAreThosePlanned) {
   const TemporaryFolder folder;

@@ -59,6 +59,22 @@ TEST(FindTrial, UnderAConditionTheNameHasIt) {
   EXPECT_NE(FindMessage(session, "tum-mug-g2:1@light"), "");
 }
 
+TEST(FindTrial, NamesThatDifferInCapitalsAreKeptApart) {
+  Session session = MakeSession(2);
+  for (const char* condition : {"grasp=Pinch", "grasp=pinch"}) {
+    PlannedTrial planned = session.plan.front();
+    planned.condition = condition;
+    planned.id = condition;
+    session.plan.push_back(planned);
+  }
+  const std::string name = NameTrial(session.plan.front());
+  for (const char* condition : {"grasp=Pinch", "grasp=pinch"}) {
+    EXPECT_EQ(FindPlannedTrial(session, name + "@" + condition).condition, condition);
+  }
+  EXPECT_NE(FindMessage(session, name + "@grasp=PINCH").find("differ in capital letters"),
+            std::string::npos);
+}
+
 TEST(FindTrial, WhatIsNoneIsRefusedWithWhatThereIs) {
   Session session = MakeSession(3);
   EXPECT_NE(FindMessage(session, "tum-mug-g2:3").find("has tum-mug-g2:0 to tum-mug-g2:2"),

@@ -40,5 +40,27 @@ TEST(ScheduleTables, ARowASchedulePeopleFirstThenWhatIsMissing) {
   expect("not compared: can, tum g3, people-like: TH does not touch\n");
 }
 
+TEST(ScheduleTables, ThePlanCountsTrialsAndSaysWhatIsMissing) {
+  Session session;
+  for (const char* grasp : {"g3-natural", "g3-simultaneous", "g30-natural"}) {
+    for (int trial = 0; trial < 4; ++trial) {
+      session.plan.push_back({"id", "tum", "can", grasp, trial});
+    }
+  }
+  session.plan.push_back({"id", "tum", "cup", "g3-natural", 0});
+  SchedulePlan plan;
+  plan.session = &session;
+  plan.people.cells = {{"tum", "can", "g3", {}, {}, {{kPeopleLike, "TH never touched"}}}};
+  const Json json = ToJson(plan);
+  ASSERT_EQ(json.size(), 3u);
+  EXPECT_EQ(json[0]["trials"], 4);
+  EXPECT_EQ(json[1]["trials"], 4);
+  EXPECT_EQ(json[1]["missing"], "");
+  EXPECT_EQ(json[2]["trials"], 0);
+  EXPECT_EQ(json[2]["missing"], "TH never touched");
+  const std::string text = FormatSchedulePlan(plan);
+  EXPECT_NE(text.find("TH never touched"), std::string::npos) << text;
+}
+
 }  // namespace
 }  // namespace graspbench

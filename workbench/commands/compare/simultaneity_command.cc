@@ -49,6 +49,14 @@ void RunSchedulesOf(const SimultaneityOptions& options) {
               ReadStudyTouches(options.study)};
   }
   const PreparedSession schedules = PrepareSchedules(options.request, people);
+  if (options.request.plan_only) {
+    const SchedulePlan plan = {LoadPeopleFile(schedules.folder), &schedules.session};
+    if (options.json) {
+      return PrintJson({{"folder", schedules.folder.string()}, {"schedules", ToJson(plan)}});
+    }
+    PrintResult(FormatSchedulePlan(plan));
+    return PrintExperimentPlan(schedules);
+  }
   const std::atomic<bool>& stop = CatchInterrupts();
   TerminalObserver observer(DescribeTasks, stop);
   DemandFinished(RunSchedules(schedules, options.request, options.num_workers, observer, stop));
@@ -65,6 +73,9 @@ void Run(SimultaneityOptions options) {
   const bool runs = options.delays || options.schedules;
   if (options.request.trials_per_cell > 0 && !runs) {
     throw Error(ErrorKind::kUsage, "--trials requires --delay or --schedules");
+  }
+  if (options.request.plan_only && !runs) {
+    throw Error(ErrorKind::kUsage, "--plan-only requires --delay or --schedules");
   }
   if (options.schedules) return RunSchedulesOf(options);
   if (options.request.trials_per_cell == 0) options.request.trials_per_cell = 1;
@@ -113,7 +124,6 @@ void AddSimultaneityCommand(CLI::App& program, ExitCode&) {
       ->option_text("N")
       ->default_str("1; all with --schedules");
   AddPlanOnlyOption(command, options->request.plan_only);
-  command.get_option("--plan-only")->needs(delay);
   command
       .add_flag("--judge", options->request.with_judge,
                 "find breaking forces of the delayed, too; some five times as long")

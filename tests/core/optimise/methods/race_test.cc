@@ -108,5 +108,50 @@ TEST(Race, SimulatesWhereEarlierOnesWereGood) {
   for (const size_t i : {0, 2, 3, 4, 5, 7}) EXPECT_LT(fitness[i], 0.88);
 }
 
+// By hand: the five nearest are 0.1 .. 0.5 of the box away and have the fitness 1 .. 5; a sixth, which
+// was there first, is farther. What was given up has its promise, or less than what was simulated.
+TEST(Race, APromiseIsTheWeightedMeanOfTheFiveNearest) {
+  SearchSpace box = MakeBox(2);
+  box.lower[1] = -10.0;
+  box.upper[1] = 10.0;
+  const auto make = [](int generation, const std::vector<Eigen::Vector2d>& places) {
+    std::vector<Individual> individuals;
+    for (const Eigen::Vector2d& place : places) {
+      Individual individual;
+      individual.number = static_cast<int>(individuals.size());
+      individual.generation = generation;
+      individual.genome = place;
+      individuals.push_back(individual);
+    }
+    return individuals;
+  };
+  Race race(box);
+  size_t num_asked = 0;
+  const auto answer = [&](const std::vector<double>& fitness) {
+    return [&num_asked, fitness](const std::vector<Individual>& generation) {
+      num_asked = generation.size();
+      return std::vector<double>(fitness.begin(),
+                                 fitness.begin() + static_cast<std::ptrdiff_t>(num_asked));
+    };
+  };
+  race.Evaluate(make(0, {{1.0, 10.0}}), answer({-1000.0}));
+  race.Evaluate(make(1, {{0.2, 0.0}, {-0.4, 0.0}, {0.0, 6.0}, {0.8, 0.0}, {0.0, -10.0}}),
+                answer({1.0, 2.0, 3.0, 4.0, 5.0}));
+  EXPECT_EQ(num_asked, 5u);
+  const std::vector<double> fitness = race.Evaluate(
+      make(2, {{0.0, 0.0}, {0.3, 0.0}, {0.0, -9.9}, {0.1, 0.0}}), answer({1e6, 1e6, 1e6, 1e6}));
+  EXPECT_EQ(num_asked, 1u);
+  EXPECT_EQ(fitness[2], 1e6);
+  const double sum = 1.0 / 0.01 + 2.0 / 0.04 + 3.0 / 0.09 + 4.0 / 0.16 + 5.0 / 0.25;
+  const double weights = 1.0 / 0.01 + 1.0 / 0.04 + 1.0 / 0.09 + 1.0 / 0.16 + 1.0 / 0.25;
+  EXPECT_NEAR(fitness[0], sum / weights, 1e-9);
+  // Of two, too, one is simulated.
+  const std::vector<double> worse =
+      race.Evaluate(make(3, {{0.0, 0.0}, {0.0, -9.9}}), answer({-5.0}));
+  EXPECT_EQ(num_asked, 1u);
+  EXPECT_EQ(worse[1], -5.0);
+  EXPECT_LT(worse[0], -5.0);
+}
+
 }  // namespace
 }  // namespace graspbench

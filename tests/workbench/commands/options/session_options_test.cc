@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
+#include "core/base/error.h"
 #include "core/base/files/files.h"
 
 namespace graspbench {
@@ -42,6 +43,30 @@ TEST_F(SessionOptionsTest, OptionsOverrideSettingsAndSettingsTheFile) {
   EXPECT_EQ(config.hands, std::vector<std::string>{"tum"});
   EXPECT_EQ(config.trials, 9);
   EXPECT_EQ(config.seed, 6);
+}
+
+TEST_F(SessionOptionsTest, AListWithAnEmptyNameIsRefused) {
+  for (const char* list : {"g1,,g2", "g1,", ",g1"}) {
+    for (const char* option : {"--grasp", "--hand", "--object"}) {
+      CLI::App command;
+      SessionOptions options;
+      options.AddTo(command);
+      try {
+        command.parse(std::string(option) + " " + list, false);
+        FAIL() << option << " " << list;
+      } catch (const Error& e) {
+        const std::string place = list[0] == ',' ? "1" : "2";
+        EXPECT_EQ(std::string(e.what()).find(std::string(option) + " \"" + list + "\": name " +
+                                             place + " of the list is empty"),
+                  0u)
+            << e.what();
+      }
+    }
+  }
+  command_.parse("--grasp g1,g2 --grasp g3 --hand tum", false);
+  const SessionConfig config = options_.MakeConfig();
+  EXPECT_EQ(config.grasps, (std::vector<std::string>{"g1", "g2", "g3"}));
+  EXPECT_EQ(config.hands, std::vector<std::string>{"tum"});
 }
 
 TEST_F(SessionOptionsTest, APresetStandsInThePlaceOfAFile) {
