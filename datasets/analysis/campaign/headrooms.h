@@ -29,8 +29,8 @@ struct Headrooms {
 /** In the order of the campaign's hands. */
 std::vector<Headrooms> ListHeadrooms(const Campaign& campaign);
 
-/** "step 2 starts from grasps that bear 0.81 of what friction and grip allow by an object's sides and
-keeps ones that bear 0.84 (medians of 21 scenes): ..." */
+/** "step 2 starts from grasps that bear 0.81 of what friction and grip allow by an object's sides
+and keeps grasps that bear 0.84 (medians of 21 scenes): ..." */
 std::string DescribeHeadrooms(const Headrooms& headrooms);
 
 }  // namespace graspbench

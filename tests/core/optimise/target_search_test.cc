@@ -114,6 +114,24 @@ TEST_F(TargetSearchTest, RanksByWhatHoldsMostOften) {
   EXPECT_EQ(CountSuccesses(ranked[1].trials), 1);
 }
 
+// With twice the grip that may be used 1.5 N count as 0.75 N, less than 1 N without squeezing.
+TEST_F(TargetSearchTest, RanksEqualsByWhatTheyHoldWithTheGripThatTheyMayUse) {
+  TargetSearch search(hand_, ball_, start_, config_);
+  search.Evaluate({MakeIndividual(search, 0)}, MakeRun());
+  const auto run = [&](const std::vector<LearningRequest>& requests) {
+    std::vector<std::vector<LearningTrial>> answers = MakeRun()(requests);
+    for (size_t i = 0; i < requests.size(); ++i) {
+      if (requests[i].individual.number == 3) answers[i][0].stability.normal_force = 10.0;
+      if (requests[i].individual.number == 1) answers[i][0].sigma = 1.5;
+    }
+    return answers;
+  };
+  const std::vector<Finalist> ranked = search.Rank(
+      LearningStage::kScreening, {MakeIndividual(search, 1), MakeIndividual(search, 3)}, {2}, run);
+  ASSERT_EQ(ranked.size(), 2u);
+  EXPECT_EQ(ranked[0].number, 3);
+}
+
 TEST_F(TargetSearchTest, EverySpaceAndMethodHasItsOwnStream) {
   const auto draw = [&](const char* space, const char* method) {
     config_.search = space;

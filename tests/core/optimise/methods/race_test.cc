@@ -108,8 +108,9 @@ TEST(Race, SimulatesWhereEarlierOnesWereGood) {
   for (const size_t i : {0, 2, 3, 4, 5, 7}) EXPECT_LT(fitness[i], 0.88);
 }
 
-// By hand: the five nearest are 0.1 .. 0.5 of the box away and have the fitness 1 .. 5; a sixth, which
-// was there first, is farther. What was given up has its promise, or less than what was simulated.
+// By hand: the five nearest are 0.1 .. 0.5 of the box away and have the fitness 1 .. 5; a sixth,
+// which was there first, is farther. What was given up has its promise, or less than what was
+// simulated.
 TEST(Race, APromiseIsTheWeightedMeanOfTheFiveNearest) {
   SearchSpace box = MakeBox(2);
   box.lower[1] = -10.0;

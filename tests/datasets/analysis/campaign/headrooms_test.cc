@@ -28,7 +28,8 @@ TEST(Headrooms, OfAKeptStartIsTheStarts) {
   EXPECT_EQ(taken->kept_bound, 2.5);
 }
 
-// TUM: starts 0.5, 0.8, 1.6: median 0.8, 1 / 0.8 = 1.25; kept 0.75, 0.8, 1.6. Shadow reaches beneath.
+// TUM: starts 0.5, 0.8, 1.6: median 0.8, 1 / 0.8 = 1.25; kept 0.75, 0.8, 1.6. Shadow reaches
+// beneath.
 TEST(Headrooms, MediansAreOfEachHandsScenes) {
   Campaign campaign;
   campaign.scenes = {MakeScene("tum", 0.5, 0.75, true), MakeScene("tum", 0.8, 0.9, false),
