@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 
+#include "core/base/text/text.h"
 #include "core/grasp/grasp_file.h"
 #include "core/grasp/placement.h"
 #include "core/optimise/delay_learning.h"
@@ -241,6 +242,15 @@ TargetStep RunTargetSearch(TargetSearch& search, const OptimiseConfig& config,
   return step;
 }
 
+/** Empty where it grips about as the start does, or may grip as it likes. */
+std::string DescribeGrip(const TargetStep& step) {
+  constexpr double kHarder = 1.05;
+  const double times = CalcMeanGrip(step.check.after) / CalcMeanGrip(step.check.before);
+  if (!(times > kHarder) || std::isinf(step.grip_limit)) return "";
+  return ", which grips " + FormatFixed(times, 2) +
+         " times as hard as the start; what it holds counted for as much grip as it may use";
+}
+
 }  // namespace
 
 double CalcMedianGftRatio(const std::vector<LearningTrial>& trials) {
@@ -322,7 +332,7 @@ OptimisedGrasp OptimiseGrasp(const Hand& hand, const GraspObject& object, const 
   const Grasp found = RoundAngles(hand, search.space().MakeGrasp(best.genome), standard.id);
   step.check = CheckGrasp(start, found, plan, run);
   step.verdict = step.check.is_taken()
-                     ? "new target taken"
+                     ? "new target taken" + DescribeGrip(step)
                      : DescribeRefusal(step.check, "start", "the new target",
                                        "it did not hold better with the grip that it may use");
   if (step.check.is_taken()) result.new_target = found;
