@@ -18,8 +18,8 @@ struct MapRequest {
   double trial_time_limit = kTrialTimeLimit;  ///< later a trial is a numerical failure [s]
 };
 
-/** Makes the map's folder, or finds it. @throws as PrepareSession; Error(kUsage) for two objects that
-are the same body. */
+/** Makes the map's folder, or finds it. @throws as PrepareSession; Error(kUsage) for two objects
+that are the same body. */
 PreparedSession PrepareMap(const MapRequest& request);
 
 /** Runs what is left of all parts. @returns whether nothing is left.
