@@ -84,7 +84,11 @@ void AddThreshold(const CellSummary& cell, const CellSummary* natural,
     if (own == values.end() || other == values.end()) continue;
     ++row.num_pairs;
     const double ratio = CalcRatio(own->second, other->second);
-    std::isnan(ratio) ? ++row.num_not_known : (ratios.push_back(ratio), 0);
+    if (std::isnan(ratio)) {
+      ++row.num_not_known;
+    } else {
+      ratios.push_back(ratio);
+    }
   }
   if (2 * ratios.size() <= static_cast<size_t>(row.num_pairs)) return;
   row.ratio = CalcMedian(ratios);
