@@ -12,9 +12,7 @@ namespace graspbench {
 std::map<std::string, ClosingSchedule> LearnDelays(const Grasp& grasp,
                                                    const std::vector<LearningTrial>& trials,
                                                    double gain) {
-  std::vector<std::vector<DigitContact>> contacts;
-  for (const LearningTrial& trial : trials) contacts.push_back(trial.contacts);
-  const std::vector<double> medians = CalcMedianTimes(contacts);
+  const std::vector<double> medians = CalcMedianTimes(ListContacts(trials));
   double latest = -HUGE_VAL, least = HUGE_VAL;
   for (const double median : medians) {
     if (!std::isnan(median)) latest = std::max(latest, median);
@@ -40,7 +38,7 @@ std::string DescribeDelays(const Grasp& grasp) {
   for (const std::string& digit : grasp.digits) {
     const auto own = grasp.closing.find(digit);
     if (own == grasp.closing.end() || own->second.delay <= 0.0) continue;
-    text += (text.empty() ? ": " : ", ") + digit + (text.empty() ? " waits " : " ") +
+    text += (text.empty() ? digit + " waits " : ", " + digit + " ") +
             FormatFixed(MsFromS(own->second.delay), 0) + " ms";
   }
   return text;

@@ -25,7 +25,7 @@ std::map<std::string, ClosingSchedule> LearnDelays(const Grasp& grasp,
                                                    const std::vector<LearningTrial>& trials,
                                                    double gain);
 
-/** ": TH waits 88 ms, FF 26 ms"; empty where no digit waits. */
+/** "TH waits 88 ms, FF 26 ms"; empty where no digit waits. */
 std::string DescribeDelays(const Grasp& grasp);
 
 }  // namespace graspbench

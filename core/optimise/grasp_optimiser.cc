@@ -80,6 +80,8 @@ double CalcPreGraspGoal(const LearningTrial& trial) {
   return std::isnan(ratio) ? -std::numeric_limits<double>::infinity() : -ratio;
 }
 
+bool IsAny(const PreGraspShot&) { return true; }
+
 /** Of the shots that `is_asked` the best one; -1: there is none. */
 template <class IsAsked>
 int FindBest(const std::vector<PreGraspShot>& shots, int enough, const IsAsked& is_asked) {
@@ -107,7 +109,8 @@ void Check(int number, const Grasp& standard, const OptimiseConfig& config,
                           {kFirstPreGraspCheck, config.check_pairs, CalcPreGraspGoal, false}, run);
   if (step.check.is_taken()) {
     step.chosen = number;
-    step.verdict = shot.name + " taken" + DescribeDelays(shot.grasp);
+    const std::string delays = DescribeDelays(shot.grasp);
+    step.verdict = shot.name + " taken" + (delays.empty() ? "" : ": " + delays);
   } else {
     step.verdict = DescribeRefusal(step.check, "standard", "the new pre-grasp", missed);
   }
@@ -121,7 +124,7 @@ void Choose(const Grasp& standard, const OptimiseConfig& config, const RunLearni
     return;
   }
   const int enough = CountEnough(step.standard_trials);
-  const int best = FindBest(step.shots, enough, [](const PreGraspShot&) { return true; });
+  const int best = FindBest(step.shots, enough, IsAny);
   Check(best, standard, config, run, step);
   if (step.chosen >= 0) return;
   const auto is_delayed = [&](const PreGraspShot& shot) {
@@ -191,13 +194,13 @@ PreGraspStep LearnInTwoShots(const Hand& hand, const GraspObject& object, const 
       shot.trials = RunOne(run, stage, shot.grasp, draws, true);
       shots.push_back(shot);
     }
-    const int best = FindBest(shots, enough, [](const PreGraspShot&) { return true; });
+    const int best = FindBest(shots, enough, IsAny);
     step.shots.insert(step.shots.end(), shots.begin(), shots.end());
     if (best < 0) break;
     grasp = shots[static_cast<size_t>(best)].grasp;
     lesson = shots[static_cast<size_t>(best)].trials.front();
   }
-  const int best = FindBest(step.shots, enough, [](const PreGraspShot&) { return true; });
+  const int best = FindBest(step.shots, enough, IsAny);
   const PreGraspShot standard = MakeStandardShot(hand, start, step);
   if (best >= 0) {
     const PreGraspShot new_pregrasp = step.shots[static_cast<size_t>(best)];
@@ -263,9 +266,7 @@ double CalcMedianGftRatio(const std::vector<LearningTrial>& trials) {
 }
 
 Answer<double> CalcGftFloor(const std::vector<LearningTrial>& trials) {
-  std::vector<std::vector<DigitContact>> contacts;
-  for (const LearningTrial& trial : trials) contacts.push_back(trial.contacts);
-  return CalcGftFloor(contacts);
+  return CalcGftFloor(ListContacts(trials));
 }
 
 double CalcMeanSigma(const std::vector<LearningTrial>& trials) {

@@ -74,6 +74,12 @@ void ReadLearningDigits(const Json& json, LearningTrial& trial) {
   CheckOneThumb(trial.contacts, "digits");
 }
 
+std::vector<std::vector<DigitContact>> ListContacts(const std::vector<LearningTrial>& trials) {
+  std::vector<std::vector<DigitContact>> contacts;
+  for (const LearningTrial& trial : trials) contacts.push_back(trial.contacts);
+  return contacts;
+}
+
 int CountSuccesses(const std::vector<LearningTrial>& trials) {
   return static_cast<int>(std::count_if(trials.begin(), trials.end(), [](const auto& trial) {
     return trial.outcome == Outcome::kSuccess;

@@ -48,7 +48,7 @@ double CalcColumnWidth(const HeatMap& map) {
   return width;
 }
 
-/** Slanted lines over a cell as high as `height`. */
+/** Slanted lines over a box. */
 Html Hatch(double x, double y, double width, double height) {
   constexpr double kStep = 9.0;
   Html lines;
@@ -96,6 +96,8 @@ Html DrawHeatMap(const HeatMap& map) {
       const HeatMap::Cell& cell = map.cells[r * map.columns.size() + c];
       if (cell.text.empty()) continue;
       const double x = left + column_width * static_cast<double>(c);
+      const double box_x = x + kCellGap / 2.0, box_y = y + kCellGap / 2.0;
+      const double box_width = column_width - kCellGap, box_height = kRow - kCellGap;
       const bool is_known = std::isfinite(cell.rate);
       const std::string css_class = !is_known          ? "heat unknown"
                                     : cell.is_gain     ? "heat gain"
@@ -103,14 +105,14 @@ Html DrawHeatMap(const HeatMap& map) {
                                                        : "heat";
       const Html box = Element("rect",
                                {{"class", css_class},
-                                {"x", Px(x + kCellGap / 2.0)},
-                                {"y", Px(y + kCellGap / 2.0)},
-                                {"width", Px(column_width - kCellGap)},
-                                {"height", Px(kRow - kCellGap)},
+                                {"x", Px(box_x)},
+                                {"y", Px(box_y)},
+                                {"width", Px(box_width)},
+                                {"height", Px(box_height)},
                                 {"fill-opacity", FormatFixed(is_known ? cell.rate : 0.0, 2)}},
                                Hint(cell.hint));
       content += MaybeLink(cell.anchor,
-                           box + (is_known ? Html() : Hatch(x, y, column_width, kRow)) +
+                           box + (is_known ? Html() : Hatch(box_x, box_y, box_width, box_height)) +
                                Label("middle", x + column_width / 2.0, y + kRow / 2.0, cell.text));
     }
   }

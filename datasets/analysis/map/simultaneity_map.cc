@@ -43,10 +43,9 @@ double CalcPooledMean(const std::vector<ObjectSum>& objects, const std::vector<s
 
 /** What a change of one (an end, a doubling, a sign) would add to the pair's effect. */
 double CalcUnitEffect(const MapPair& pair, MapMeasure measure) {
-  MapPair changed = pair;
-  changed.undelayed = 0.0;
-  for (auto& [delay, value] : changed.delayed) value = 1.0;
-  return CalcPairEffect(measure, changed.undelayed, changed.delayed);
+  auto delayed = pair.delayed;
+  for (auto& [delay, value] : delayed) value = 1.0;
+  return CalcPairEffect(measure, 0.0, delayed);
 }
 
 /** Where every object has the same mean nothing is left to draw: the share of pairs that differ

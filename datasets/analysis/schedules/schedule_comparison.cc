@@ -228,7 +228,7 @@ std::vector<std::string> DescribeUnknown(const ScheduleCell& cell) {
     if (row.num_not_known > 0) {
       texts.push_back(fmt::format(
           "{}: in {} of {} draws the least grip of the scale holds here and under natural, or none "
-          "does: no ratio",
+          "does: such draws have no ratio",
           row.schedule, row.num_not_known, row.num_pairs));
     }
     if (row.schedule == kSimultaneous && gft_of(row) >= natural) {

@@ -55,7 +55,7 @@ TEST(DescribeDelays, NamesTheDigitsThatWait) {
   Grasp grasp = MakeGrasp();
   EXPECT_EQ(DescribeDelays(grasp), "");
   grasp.closing = {{"FF", {0.026, 1.0}}, {"MF", {0.0, 2.0}}, {"TH", {0.0879, 1.0}}};
-  EXPECT_EQ(DescribeDelays(grasp), ": TH waits 88 ms, FF 26 ms");
+  EXPECT_EQ(DescribeDelays(grasp), "TH waits 88 ms, FF 26 ms");
 }
 
 }  // namespace

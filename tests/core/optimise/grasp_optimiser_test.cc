@@ -180,7 +180,7 @@ TEST(OptimiseGrasp, KeepsTheStandardPreGraspWhenTheNewOneSucceedsLessOften) {
   EXPECT_EQ(result.new_pregrasp.q_pre, fake.first_q_pre);
 }
 
-// The hand moves as it is told, so each digit waits for what it comes before the last one.
+// This hand follows its commands exactly, so each digit waits for what it comes before the last one.
 TEST(OptimiseGrasp, DelaysDigitsWhereAnotherPreGraspSucceedsLessOften) {
   FakeTrials fake;
   fake.fails_when_opened = true;

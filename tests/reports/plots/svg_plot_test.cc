@@ -32,8 +32,8 @@ TEST(DrawHeatMap, ShadesSaysAndLinks) {
   EXPECT_GT(hatch.size(), 3u);
   for (const auto* line : hatch) {  // within the cell, rising by as much as it goes right
     const double x1 = line->DoubleAttribute("x1"), x2 = line->DoubleAttribute("x2");
-    EXPECT_GE(x1, unknown[0]->DoubleAttribute("x") - 2.0);
-    EXPECT_LE(x2, unknown[0]->DoubleAttribute("x") + unknown[0]->DoubleAttribute("width") + 2.0);
+    EXPECT_GE(x1, unknown[0]->DoubleAttribute("x") - 0.1);
+    EXPECT_LE(x2, unknown[0]->DoubleAttribute("x") + unknown[0]->DoubleAttribute("width") + 0.1);
     EXPECT_NEAR(line->DoubleAttribute("y1") - line->DoubleAttribute("y2"), x2 - x1, 0.2);
   }
   EXPECT_EQ(ListAttribute(*drawing.svg, "href"),

@@ -131,7 +131,7 @@ TEST(ScheduleComparison, DrawsAtTheEndOfTheScaleHaveNoRatio) {
   ASSERT_EQ(DescribeUnknown(cell).size(), 2u);
   EXPECT_EQ(DescribeUnknown(cell)[0],
             "simultaneous: in 5 of 8 draws the least grip of the scale holds here and under "
-            "natural, or none does: no ratio");
+            "natural, or none does: such draws have no ratio");
 }
 
 TEST(ScheduleComparison, AScheduleThatMakesContactsNoMoreSimultaneousIsNamed) {
