@@ -10,7 +10,8 @@ namespace graspbench {
 namespace {
 
 // The longest ending first.
-constexpr std::pair<const char*, const char*> kUnits[] = {{"_kg_per_m3", "kg/m3"},
+constexpr std::pair<const char*, const char*> kUnits[] = {{"_grey_levels", "grey levels"},
+                                                          {"_kg_per_m3", "kg/m3"},
                                                           {"_nms_per_rad", "N m s/rad"},
                                                           {"_nm_per_rad", "N m/rad"},
                                                           {"_ns_per_m", "N s/m"},
@@ -18,6 +19,7 @@ constexpr std::pair<const char*, const char*> kUnits[] = {{"_kg_per_m3", "kg/m3"
                                                           {"_n_per_m", "N/m"},
                                                           {"_m_per_s", "m/s"},
                                                           {"_hz", "Hz"},
+                                                          {"_px", "px"},
                                                           {"_kg", "kg"},
                                                           {"_mm", "mm"},
                                                           {"_nm", "N m"},

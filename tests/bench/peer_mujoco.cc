@@ -27,14 +27,14 @@
 namespace graspbench {
 namespace {
 
-struct Scene {
+struct PeerScene {
   const char* object;
   PrimitiveShape shape;
 };
-constexpr Scene kScenes[] = {{"tennis_ball", PrimitiveShape::kSphere},
-                             {"golf_ball", PrimitiveShape::kSphere},
-                             {"can", PrimitiveShape::kCylinder},
-                             {"toy_cube", PrimitiveShape::kBox}};
+constexpr PeerScene kScenes[] = {{"tennis_ball", PrimitiveShape::kSphere},
+                                 {"golf_ball", PrimitiveShape::kSphere},
+                                 {"can", PrimitiveShape::kCylinder},
+                                 {"toy_cube", PrimitiveShape::kBox}};
 
 /** A world that remembers how it was started and what it was asked for; its clones do not. */
 template <class AnyWorld>
@@ -100,7 +100,7 @@ std::string FormatQuartiles(std::vector<double> values, double scale, int decima
   return text;
 }
 
-void RunScene(const std::shared_ptr<const Hand>& hand, const Scene& scene, int num_pairs) {
+void RunScene(const std::shared_ptr<const Hand>& hand, const PeerScene& scene, int num_pairs) {
   TrialSetup setup;
   setup.hand = hand;
   setup.object = LoadObject(scene.object);
@@ -196,6 +196,6 @@ int main(int argc, char** argv) {
       config.impedance_max, num_pairs);
   for (const char* hand_id : {"tum-evolved", "shadow-evolved"}) {
     const auto hand = std::make_shared<const Hand>(LoadHand(hand_id));
-    for (const Scene& scene : kScenes) RunScene(hand, scene, num_pairs);
+    for (const PeerScene& scene : kScenes) RunScene(hand, scene, num_pairs);
   }
 }

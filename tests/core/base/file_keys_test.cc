@@ -16,6 +16,8 @@ TEST(FileKeysTest, TheEndOfAKeyNamesItsUnit) {
   EXPECT_EQ(FindUnit("drives.force_limit_n"), "N");
   EXPECT_EQ(FindUnit("movement.speed_threshold_m_per_s"), "m/s");
   EXPECT_EQ(FindUnit("slide_accuracy_mm"), "mm");
+  EXPECT_EQ(FindUnit("camera.blur_px"), "px");
+  EXPECT_EQ(FindUnit("camera.noise_grey_levels"), "grey levels");
   EXPECT_EQ(FindUnit("pad_offsets_m.thumb"), "m");
   EXPECT_EQ(FindUnit("friction_static"), "");
   EXPECT_EQ(FindUnit("_m"), "");

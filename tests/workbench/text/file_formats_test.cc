@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "core/base/text/yaml.h"
@@ -12,6 +13,7 @@
 #include "core/hand/load_hand.h"
 #include "core/hand/tactile_yaml.h"
 #include "datasets/pipeline/pipeline_file.h"
+#include "datasets/plan/session_config.h"
 #include "objects/object_file.h"
 #include "workbench/text/new_files.h"
 
@@ -43,6 +45,43 @@ TEST(FileFormatsTest, EveryKeyHasAMeaning) {
     EXPECT_FALSE(format.keys.empty()) << format.name;
     for (const FileKey& key : format.keys) EXPECT_NE(key.meaning, "") << format.name << key.key;
   }
+}
+
+TEST(FileFormatsTest, EverySettingOfRunIsExplained) {
+  for (const std::string& key : ListConfigKeys(SessionConfig())) {
+    const std::string text = ExplainFileKey(key);
+    EXPECT_EQ(text.find(key + "\n  "), 0u) << text;
+    EXPECT_NE(text.find("\n  default "), text.npos) << text;
+    EXPECT_NE(text.find("session.yaml"), text.npos) << text;
+    EXPECT_NE(text.find("graspbench run --set " + key + "=VALUE\n"), text.npos) << text;
+  }
+}
+
+TEST(FileFormatsTest, ASettingIsExplainedWithUnitRangeDefaultAndPlace) {
+  EXPECT_EQ(ExplainFileKey("sim.step_s"),
+            "sim.step_s\n"
+            "  time step of the physics\n"
+            "  unit     s\n"
+            "  range    0.0001 to 0.01\n"
+            "  default  0.002\n"
+            "  set in   session.yaml, sweep.yaml, profile.yaml\n"
+            "  or by    graspbench run --set sim.step_s=VALUE\n");
+  // A number without unit.
+  const std::string scale = ExplainFileKey("model.friction_scale");
+  EXPECT_NE(scale.find("  unit     none\n  range    0 to 10\n  default  1.0\n"), scale.npos)
+      << scale;
+  // A key of another file is set there only.
+  const std::string mass = ExplainFileKey("mass_kg");
+  EXPECT_NE(mass.find("object.yaml"), mass.npos) << mass;
+  EXPECT_EQ(mass.find("--set"), mass.npos) << mass;
+  EXPECT_EQ(ExplainFileKey("model.friction_scal"), "");
+}
+
+TEST(FileFormatsTest, AMisspeltSettingOrItsLastPartSuggestsItsName) {
+  const std::string suggestion = "; did you mean \"model.friction_scale\"?";
+  EXPECT_EQ(SuggestFileKeys("model.frction_scale", {"run"}), suggestion);
+  EXPECT_EQ(SuggestFileKeys("friction_scale", {"run"}), suggestion);
+  EXPECT_EQ(SuggestFileKeys("rum", {"run"}), "; did you mean \"run\"?");
 }
 
 TEST(FileFormatsTest, ObjectsAreReadByTheirRows) {

@@ -59,14 +59,16 @@ std::string FormatOverview(const CLI::App& program, const std::vector<std::strin
   return help + "\nPresets (graspbench run --preset NAME, or preset: NAME in a session file):\n" +
          presets + "\nFiles (graspbench help FILE):\n  " + ListNames(files) +
          "\n\nGrasp types and what others call them: graspbench help grasp-types\n"
+         "A setting, for example: graspbench help model.friction_scale\n"
          "A measure or a column of a table, for example: graspbench help gft\n";
 }
 
-/** What "graspbench WORDS --help" prints, or what a word means. @throws Error(kUsage) when it is
-neither. */
+/** What "graspbench WORDS --help" prints, and what a word means as a measure, a column or a setting.
+@throws Error(kUsage) when it is none of these. */
 std::string FindCommandHelp(const CLI::App& program, const std::vector<std::string>& words) {
   const CLI::App* command = &program;
   std::string above;
+  const std::string setting = words.size() == 1 ? ExplainFileKey(words.front()) : "";
   for (const std::string& word : words) {
     std::vector<std::string> names;
     if (command == &program) {
@@ -81,16 +83,17 @@ std::string FindCommandHelp(const CLI::App& program, const std::vector<std::stri
     }
     if (!next && command == &program) {
       const std::vector<GlossaryEntry> entries = FindInGlossary(JoinWords(words));
-      if (!entries.empty()) return FormatGlossary(entries);
+      if (!entries.empty() || !setting.empty()) return FormatGlossary(entries) + setting;
     }
     if (!next) {
-      throw Error(ErrorKind::kUsage,
-                  "\"" + word + "\" is no command, file or word" + SuggestNames(word, names));
+      throw Error(ErrorKind::kUsage, "\"" + word + "\" is no command, file, setting or word" +
+                                         (command == &program ? SuggestFileKeys(word, names)
+                                                              : SuggestNames(word, names)));
     }
     above += (above.empty() ? "" : " ") + command->get_name();
     command = next;
   }
-  return command->help(above);
+  return command->help(above) + (setting.empty() ? "" : "\n" + setting);
 }
 
 /** Completion takes it from the option's type. */
@@ -107,11 +110,13 @@ std::string JoinForCompletion(const std::vector<std::string>& files, const CLI::
 
 void AddHelpCommand(CLI::App& program, ExitCode&) {
   CLI::App& command = AddSubcommand(
-      program, "help", "Explain a command, or every key of a file: unit, range and default.",
+      program, "help",
+      "Explain a command, a setting, or every key of a file: unit, range and default.",
       "  graspbench help                       commands, presets and files\n"
       "  graspbench help object.yaml\n"
       "  graspbench help session.yaml --json\n"
       "  graspbench help study.yaml --schema   for an editor or validator\n"
+      "  graspbench help model.friction_scale  a setting\n"
       "  graspbench help gft                   a measure or a column of a table\n"
       "  graspbench help hand develop          as graspbench hand develop --help");
   std::vector<std::string> files;
@@ -120,10 +125,10 @@ void AddHelpCommand(CLI::App& program, ExitCode&) {
   const auto json = std::make_shared<bool>(false), schema = std::make_shared<bool>(false);
   command
       .add_option("topic", *words,
-                  "a command, grasp-types, a measure, or one of " + ListNames(files) +
+                  "a command, grasp-types, a measure, a setting, or one of " + ListNames(files) +
                       "; absent: all there is")
       ->type_name("{" + JoinForCompletion(files, program) + "}")
-      ->option_text("COMMAND|FILE|WORD");
+      ->option_text("COMMAND|FILE|KEY|WORD");
   command.add_flag("--json", *json, "of a file: print one JSON object");
   command.add_flag("--schema", *schema, "of a file: print its JSON Schema")->excludes("--json");
   command.callback([&program, files, words, json, schema] {
