@@ -91,10 +91,19 @@ NumberTable ReadArray(const PickleValue& array) {
   return table;
 }
 
-/** Puts the numbers of a row behind those of the table. */
+/** Puts the numbers of a row behind those of the table. A file may name one array many times, so
+that its own size is no bound. */
 void AppendRow(const PickleValue& row, const std::string& where, NumberTable& table) {
+  constexpr size_t kMaxNumbers = 16'000'000;
   const size_t before = table.numbers.size();
-  if (HasNumbers(row) && row.shape.size() == 1) {
+  const bool is_array = HasNumbers(row) && row.shape.size() == 1;
+  const size_t count = is_array ? static_cast<size_t>(row.shape.front()) : row.items.size();
+  if (count > kMaxNumbers - before) {
+    throw Error(ErrorKind::kFormat, fmt::format("{} is a list of more than {} numbers; expected an "
+                                                "array, or fewer grasps in one file",
+                                                where, kMaxNumbers));
+  }
+  if (is_array) {
     const NumberTable inner = ReadArray(row);
     table.numbers.insert(table.numbers.end(), inner.numbers.begin(), inner.numbers.end());
   } else if (IsList(row)) {
@@ -214,6 +223,11 @@ NumberTable ReadNumbers(const PickleValue& wrapped, const std::string& where) {
   const PickleValue& value = Unwrap(wrapped);
   NumberTable table;
   if (HasNumbers(value) && value.shape.size() <= 2) {
+    // The file pays for every number, but not for rows without any.
+    if (value.shape.size() == 2 && value.shape.front() > 0 && value.shape.back() == 0) {
+      throw Error(ErrorKind::kFormat, where + " is " + DescribeValue(value) +
+                                          ", expected at least one number in each row");
+    }
     table = ReadArray(value);
   } else if (IsScalar(value)) {
     table = {1, 1, 0, {ReadScalar(value)}};

@@ -34,7 +34,8 @@ const PickleValue& Unwrap(const PickleValue& value);
 const PickleValue* FindItem(const PickleValue& dict, std::string_view key);
 
 /** @param where  of the value: "grasps.npy: grasp_qpos".
-@throws Error(kFormat) for anything else than finite numbers in at most two dimensions. */
+@throws Error(kFormat) for anything else than finite numbers in at most two dimensions, for rows
+without numbers, and for a list of more than 16 million numbers. */
 NumberTable ReadNumbers(const PickleValue& value, const std::string& where);
 
 /** One number. @throws Error(kFormat). */

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -22,6 +23,7 @@ namespace {
 
 constexpr int kMaxListed = 4;              // places reported per problem
 constexpr int64_t kMaxCrossings = 200000;  // then counting stops
+constexpr int64_t kMaxPairs = 50'000'000;  // of triangles whose boxes meet: seconds
 constexpr double kMinFlatness = 1e-9;      // volume against the cube of the extent: flat below
 
 std::string FormatPoint(const Eigen::Vector3d& p) {
@@ -95,22 +97,27 @@ struct Crossings {
   int64_t count = 0;
   std::vector<std::pair<int, int>> first;  // some of them
   std::vector<bool> is_folded;             // by shell: some are within it
+  int64_t num_pairs = 0;                   // looked at; above kMaxPairs nothing is settled
 };
 
 Crossings FindCrossings(const TriMesh& mesh, const Shells& shells) {
   const TriangleTree tree(mesh);
   Crossings crossings;
   crossings.is_folded.assign(shells.count, false);
-  std::vector<int> near;
+  std::vector<int> near, crossed;
   for (int i = 0; i < mesh.num_triangles(); ++i) {
     const Eigen::Vector3i& t = mesh.triangles[i];
     Eigen::AlignedBox3d box(mesh.vertices[t[0]]);
     box.extend(mesh.vertices[t[1]]).extend(mesh.vertices[t[2]]);
     near.clear();
     tree.FindNear(box, near);
-    std::sort(near.begin(), near.end());
-    for (const int j : near) {
-      if (j <= i || !AreCrossing(mesh, t, mesh.triangles[j])) continue;
+    crossings.num_pairs += static_cast<int64_t>(near.size());
+    if (crossings.num_pairs > kMaxPairs) break;
+    crossed.clear();
+    std::copy_if(near.begin(), near.end(), std::back_inserter(crossed),
+                 [&](int j) { return j > i && AreCrossing(mesh, t, mesh.triangles[j]); });
+    std::sort(crossed.begin(), crossed.end());
+    for (const int j : crossed) {
       ++crossings.count;
       if (crossings.first.size() < kMaxListed) crossings.first.emplace_back(i, j);
       const int shell = shells.of_triangle[i];
@@ -122,6 +129,16 @@ Crossings FindCrossings(const TriMesh& mesh, const Shells& shells) {
     }
   }
   return crossings;
+}
+
+// The vertex of the most triangles, and of how many.
+std::pair<int, int> FindCrowdedVertex(const TriMesh& mesh) {
+  std::vector<int> counts(mesh.vertices.size());
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    for (const int corner : t) ++counts[static_cast<size_t>(corner)];
+  }
+  const auto most = std::max_element(counts.begin(), counts.end());
+  return {static_cast<int>(most - counts.begin()), *most};
 }
 
 // Which of the two ways around its corners does a triangle run?
@@ -341,6 +358,16 @@ class Checker {
 
   void CheckCrossings() {
     const Crossings crossings = FindCrossings(mesh_, shells_);
+    if (crossings.num_pairs > kMaxPairs) {
+      const auto [vertex, count] = FindCrowdedVertex(mesh_);
+      Add(MeshFault::kTooMany,
+          fmt::format("the mesh has {} triangles, {} of them at the corner {} [mm]: it takes more "
+                      "than {} tests to tell whether they cross; reduce it (decimate) in a "
+                      "modelling program",
+                      mesh_.num_triangles(), count, FormatPoint(mesh_.vertices[vertex]),
+                      kMaxPairs));
+      return;
+    }
     if (crossings.count > 0 && !AreFoldsSmall(crossings)) {
       Add(MeshFault::kSelfCrossing,
           FormatCrossings(crossings) + "; unite the parts (boolean union) in a modelling program");

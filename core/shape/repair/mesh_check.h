@@ -31,7 +31,7 @@ enum class MeshFault {
   kSelfCrossing,  ///< a part that cuts through itself, changing the volume by 0.1 % or more
   kApart,         ///< parts that do not touch the rest, of 1 % of the volume or more
   kNested,        ///< parts inside others that are no cavities, of 1 % of the volume or more
-  kTooMany,       ///< more triangles than kMaxUsableTriangles
+  kTooMany,       ///< more triangles than kMaxUsableTriangles, or too many in one place
 };
 
 struct MeshProblem {

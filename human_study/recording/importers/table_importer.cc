@@ -6,6 +6,7 @@ its heading, or by their numbers. Tabs, semicolons, commas or blanks between the
 #include <cmath>
 #include <fstream>
 #include <optional>
+#include <unordered_set>
 
 #include "core/base/text/text.h"
 #include "core/base/text/yaml.h"
@@ -105,9 +106,19 @@ class Heading {
   std::vector<std::string> names_, absent_;
 };
 
-void AddTrial(std::string_view trial, std::vector<std::string>& trials) {
-  if (std::find(trials.begin(), trials.end(), trial) == trials.end()) trials.emplace_back(trial);
-}
+/** In the order of their first rows; a table may hold tens of thousands. */
+class TrialNames {
+ public:
+  void Add(std::string_view trial) {
+    if (!names_.empty() && trial == names_.back()) return;  // most rows go on with a trial
+    if (known_.emplace(trial).second) names_.emplace_back(trial);
+  }
+  const std::vector<std::string>& names() const { return names_; }
+
+ private:
+  std::vector<std::string> names_;
+  std::unordered_set<std::string> known_;
+};
 
 /** A glove's columns and the points that its angles make. */
 class GloveRows {
@@ -287,7 +298,7 @@ Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
   std::string_view line;
   Cells cells;
   std::vector<double> times;
-  std::vector<std::string> trials;
+  TrialNames trials;
   OddSamples odd;
   size_t num_occluded = 0;
   int first_line = 0;
@@ -296,7 +307,7 @@ Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
     if (IsBlank(cells)) continue;
     if (!HasAllColumns(cells, heading.size(), reader, options, recording)) break;
     if (trial != kNoColumn) {
-      if (trials.empty() || cells[trial] != trials.back()) AddTrial(cells[trial], trials);
+      trials.Add(cells[trial]);
       if (!options.trial.empty() && cells[trial] != options.trial) continue;
     }
     if (recording.num_frames == 0) first_line = reader.line();
@@ -317,7 +328,7 @@ Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
     }
     ++recording.num_frames;
   }
-  CheckTrial(source, options, trials, recording);
+  CheckTrial(source, options, trials.names(), recording);
   ScaleLengths(mapping.scale, recording);
   NoteOdd(odd, recording);
   if (num_occluded > 0) {
@@ -478,17 +489,15 @@ std::vector<std::string> FindTableTrials(const std::filesystem::path& table,
   Heading heading(reader, mapping);
   const size_t column = heading.Find(mapping.trial);
   heading.Check(reader);
-  std::vector<std::string> trials;
+  TrialNames trials;
   LineReader rows = OpenRows(stream, table.string(), heading.num_lines());
   std::string_view line;
   Cells cells;
   while (column != kNoColumn && rows.Next(line)) {
     SplitRow(line, heading.delimiter(), cells);
-    if (column < cells.size() && (trials.empty() || cells[column] != trials.back())) {
-      AddTrial(cells[column], trials);
-    }
+    if (column < cells.size()) trials.Add(cells[column]);
   }
-  return trials;
+  return trials.names();
 }
 
 Importer MakeTableImporter() {

@@ -1,6 +1,7 @@
 #include "human_study/study/design/study_config.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <map>
@@ -268,25 +269,43 @@ std::vector<PlannedReach> ReadTrials(const Study& study, DataTable& table, Diagn
 
 /** Parts of one recording may follow each other; what is mostly in another is the same. */
 bool IsSamePart(const PlannedReach& a, const PlannedReach& b) {
-  if (a.table_trial != b.table_trial || a.hand != b.hand) return false;
   const double both = std::min(a.end, b.end) - std::max(a.start, b.start);
   return both > 0.0 && both >= 0.5 * std::min(a.end - a.start, b.end - b.start);
 }
 
+/** Parts of one recording by their start, no two the same. Then at most two of them hold any one
+instant, so that a part is the same as one of its neighbours or as none. */
+class RecordedParts {
+ public:
+  /** Null: the part is new, and is kept. */
+  const PlannedReach* FindSameOrAdd(const PlannedReach& part) {
+    const auto next = parts_.upper_bound(part.start);
+    if (next != parts_.end() && IsSamePart(*next->second, part)) return next->second;
+    auto before = next;
+    for (int i = 0; i < 2 && before != parts_.begin(); ++i) {
+      --before;
+      if (IsSamePart(*before->second, part)) return before->second;
+    }
+    parts_.emplace_hint(next, part.start, &part);
+    return nullptr;
+  }
+
+ private:
+  std::map<double, const PlannedReach*> parts_;
+};
+
 void CheckRecordedOnce(const Study& study, const std::string& trials_file, Diagnostics& problems) {
-  std::map<std::string, std::vector<const PlannedReach*>> by_file;
+  std::map<std::array<std::string, 3>, RecordedParts> recordings;
   for (const PlannedReach& trial : study.trials) {
     if (!trial.remove.empty()) continue;
-    auto& others = by_file[fs::path(trial.file).lexically_normal().string()];
-    for (const PlannedReach* other : others) {
-      if (!IsSamePart(*other, trial)) continue;
-      problems.Fail(trials_file, trial.line,
-                    "\"" + trial.file + "\" is already in line " + std::to_string(other->line) +
-                        ", and one recording counts once; several trials in it need start_s and "
-                        "end_s, table_trial or hand, and a row too many a reason under remove");
-      break;
-    }
-    others.push_back(&trial);
+    const std::string file = fs::path(trial.file).lexically_normal().string();
+    RecordedParts& parts = recordings[{file, trial.table_trial, trial.hand}];
+    const PlannedReach* other = parts.FindSameOrAdd(trial);
+    if (other == nullptr) continue;
+    problems.Fail(trials_file, trial.line,
+                  "\"" + trial.file + "\" is already in line " + std::to_string(other->line) +
+                      ", and one recording counts once; several trials in it need start_s and "
+                      "end_s, table_trial or hand, and a row too many a reason under remove");
   }
 }
 

@@ -61,6 +61,27 @@ TEST(PythonValues, RowsMustBeOfOneLength) {
             std::string::npos);
 }
 
+// Few bytes announce rows without numbers for hours, or one row again and again.
+TEST(PythonValues, WhatTheFileDoesNotHoldIsRefused) {
+  const PickleValue nothing = MakeBytes("");
+  const PickleValue rows = MakeArray('f', 8, nothing, {1'000'000'000'000, 0});
+  EXPECT_EQ(FindGraspError([&] { ReadNumbers(rows, "x"); }),
+            "x is an array of numpy (type f, 1000000000000 x 0), expected at least one number in "
+            "each row");
+  EXPECT_EQ(ReadNumbers(MakeArray('f', 8, nothing, {0, 29}), "x").num_rows, 0);
+
+  const PickleValue bytes = MakeBytes(std::string(100'000, '\0'));
+  const PickleValue row = MakeArray('u', 1, bytes, {100'000});
+  PickleValue list;
+  list.kind = PickleValue::Kind::kList;
+  list.items.assign(160, &row);
+  EXPECT_EQ(ReadNumbers(list, "x").num_rows, 160);
+  list.items.push_back(&row);
+  EXPECT_EQ(FindGraspError([&] { ReadNumbers(list, "x"); }),
+            "x is a list of more than 16000000 numbers; expected an array, or fewer grasps in one "
+            "file");
+}
+
 TEST(PythonValues, TheLastOfTwoEqualKeysCounts) {
   PickleValue key, first, last, dict;
   key.kind = PickleValue::Kind::kText;

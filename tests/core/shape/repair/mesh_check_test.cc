@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/units.h"
 #include "core/shape/primitives.h"
 #include "core/shape/repair/mesh_repair.h"
 #include "core/shape/repair/weld_vertices.h"
@@ -116,6 +117,29 @@ TriMesh MakeCrumb(double share) {
 }
 
 // The box is 40 mm long, so that what is 0.04 mm away touches it.
+/** Two cones of so many faces with one base. */
+TriMesh MakeTwoCones(int num_faces) {
+  TriMesh mesh;
+  mesh.vertices = {{0.0, 0.0, 0.04}, {0.0, 0.0, -0.04}};
+  for (int i = 0; i < num_faces; ++i) {
+    const double angle = 2.0 * kPi * i / num_faces;
+    mesh.vertices.emplace_back(0.03 * std::cos(angle), 0.03 * std::sin(angle), 0.0);
+    const int here = i + 2, next = (i + 1) % num_faces + 2;
+    mesh.triangles.emplace_back(0, here, next);
+    mesh.triangles.emplace_back(1, next, here);
+  }
+  return mesh;
+}
+
+// Of n faces that meet in one corner, n * n lie in each other's boxes.
+TEST(MeshCheckTest, FacesThatCrowdInOneCornerAreRefusedWithTheirCount) {
+  EXPECT_EQ(FormatProblems(CheckMesh(MakeTwoCones(2000))), "");
+  EXPECT_EQ(FormatProblems(CheckMesh(MakeTwoCones(20'000))),
+            "the mesh has 40000 triangles, 20000 of them at the corner (0, 0, 40) [mm]: it takes "
+            "more than 50000000 tests to tell whether they cross; reduce it (decimate) in a "
+            "modelling program");
+}
+
 TEST(MeshCheckTest, AFloatingCrumbIsRefusedOrTold) {
   const MeshReport large = CheckMesh(JoinMeshes(MakeBox(), MakeCrumb(0.011), {0.04, 0.0, 0.0}));
   EXPECT_EQ(FaultsOf(large), std::vector<MeshFault>{MeshFault::kApart});

@@ -1,3 +1,4 @@
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -6,6 +7,7 @@
 #include "core/base/files/files.h"
 #include "human_study/recording/importers/table_mapping.h"
 #include "tests/human_study/recording/synthetic_recording.h"
+#include "tests/support/processor_time.h"
 
 namespace graspbench {
 namespace {
@@ -319,6 +321,34 @@ TEST(Table, AMappingNamesTheColumns) {
             "Known: n, t, a, b");
   EXPECT_EQ(ImportFault(kTable, "table"),
             "file: a plain table needs a mapping that names its columns (--mapping columns.yaml)");
+}
+
+TEST(Table, TimeIsLinearInItsTrials) {
+  ImportOptions options;
+  options.mapping = WriteText("mapping.yaml", kMapping);
+  const TableMapping mapping = LoadTableMapping(options.mapping);
+  const auto make_table = [](int num_trials) {
+    std::string table = "n;t;a;b;c;o\n";
+    for (int row = 0; row < 4 * num_trials; ++row) {
+      table += fmt::format("{};{};1;2;3;0\n", row / 4 + 1, 10 * (row % 4));
+    }
+    return table;
+  };
+  for (const int num_trials : {10'000, 40'000}) {
+    WriteText("table_" + std::to_string(num_trials), make_table(num_trials));
+  }
+  EXPECT_LT(FindTimeRatio([&](int num_trials) {
+              const std::filesystem::path path = testing::TempDir();
+              const auto trials =
+                  FindTableTrials(path / ("table_" + std::to_string(num_trials)), mapping);
+              EXPECT_EQ(trials.size(), static_cast<size_t>(num_trials));
+            }),
+            8.0);
+  EXPECT_LT(FindTimeRatio([&](int num_trials) {
+              options.trial = std::to_string(num_trials);
+              EXPECT_EQ(ImportBytes(make_table(num_trials), "table", options).num_frames, 4u);
+            }),
+            8.0);
 }
 
 TEST(Table, ANumberThatIsNoPlaceIsMissingAndCounted) {

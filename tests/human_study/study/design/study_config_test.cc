@@ -5,6 +5,8 @@
 #include <cmath>
 #include <fstream>
 
+#include "tests/support/processor_time.h"
+
 namespace graspbench {
 namespace {
 
@@ -83,11 +85,40 @@ TEST_F(StudyFolder, OneRecordingCountsOnce) {
   ExpectFault("trials.csv:3: error: \"a.c3d\" is already in line 2");
   write("01,1,a.c3d,0,4,,\n01,2,a.c3d,1,3,,\n");
   ExpectFault("trials.csv:3: error: \"a.c3d\" is already in line 2");
+  // The same part, wherever the other one stands in the table.
+  const std::string parts =
+      "01,1,a.c3d,10,20,,\n01,2,a.c3d,0,4,,\n01,3,a.c3d,19,30,,\n01,4,a.c3d,3.5,9,,\n";
+  for (const char* copy : {"12,13", "9,21", "17,21", "19.5,19.9", "0,3", "24,"}) {
+    const std::string times(copy);
+    write(parts + "01,5,a.c3d," + times + ",,\n");
+    ExpectFault("trials.csv:6: error: \"a.c3d\" is already in line ");
+  }
+  write(parts + "01,5,a.c3d,29,40,,\n");
+  EXPECT_EQ(FindFault(), "");
   // Parts that follow each other, another hand, and what does not count.
   write(
       "01,1,a.c3d,,5,left,\n01,2,a.c3d,4.5,9,left,\n01,3,a.c3d,9,,left,\n"
       "01,4,a.c3d,,5,right,\n01,5,a.c3d,,5,left,a copy\n");
   EXPECT_EQ(FindFault(), "");
+}
+
+TEST_F(StudyFolder, TimeIsLinearInTrials) {
+  Write("study.yaml", "markers: {thumb: t, index: i}\n");
+  // Trials of one table, then parts of one recording.
+  for (const bool is_table : {true, false}) {
+    EXPECT_LT(FindTimeRatio([&](int num_trials) {
+                std::string rows = "participant,file,table_trial,start_s,end_s\n";
+                for (int i = 0; i < num_trials; ++i) {
+                  const std::string number = std::to_string(i);
+                  rows += is_table ? "01,a.csv," + number + ",,\n"
+                                   : "01,a.csv,," + number + "," + number + ".9\n";
+                }
+                Write("trials.csv", rows);
+                const Study study = LoadStudy(folder_ / "study.yaml");
+                EXPECT_EQ(study.trials.size(), static_cast<size_t>(num_trials));
+              }),
+              8.0);
+  }
 }
 
 TEST_F(StudyFolder, EveryThingWrittenArrives) {
