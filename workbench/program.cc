@@ -21,6 +21,7 @@
 #include "core/base/text/escape.h"
 #include "core/base/text/text.h"
 #include "core/base/version.h"
+#include "datasets/journal/file_lock.h"
 #include "datasets/plan/scene_names.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/machines/machine.h"
@@ -382,6 +383,7 @@ void AddCommands(CLI::App& program, ExitCode& exit_code) {
 }
 
 int RunProgram(int argc, const char* const* argv) {
+  WarnOfMissingLocks([](const std::string& text) { PrintMessage(text); });
   ExitCode exit_code = kExitOk;
   CLI::App program;
   try {

@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
+#include "datasets/journal/file_lock.h"
 
 namespace graspbench {
 
@@ -59,11 +60,7 @@ AppendFile::AppendFile(const std::filesystem::path& path, const std::string& in_
   impl_->path = path;
   impl_->file = ::open(impl_->path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (impl_->file < 0) impl_->Fail("open");
-  if (::flock(impl_->file, LOCK_EX | LOCK_NB) != 0) {
-    const bool has_no_locks = errno == ENOLCK || errno == ENOSYS || errno == EOPNOTSUPP;
-    if (errno != EWOULDBLOCK && !has_no_locks) impl_->Fail("lock");
-    if (!has_no_locks) throw Error(ErrorKind::kIo, in_use);
-  }
+  if (LockFile(impl_->file, path) == FileLock::kTaken) throw Error(ErrorKind::kIo, in_use);
   struct stat status;
   if (::fstat(impl_->file, &status) != 0) impl_->Fail("read");
   char last = '\n';

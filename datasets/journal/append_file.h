@@ -20,7 +20,7 @@ bool IsBeingWritten(const std::filesystem::path& path);
 
 class AppendFile {
  public:
-  /** A file system without locks is written without one: then a second writer is not noticed.
+  /** A file system without locks is written without one, after a warning (file_lock.h).
   @throws Error(kIo) when it cannot be written or another process writes it. */
   explicit AppendFile(const std::filesystem::path& path);
   /** @param in_use  what to say when another process writes it. */

@@ -1,7 +1,8 @@
 /** @file
 What surrounds the program changes no byte of its results: another language, a calendar that leaps
 (tests/support/jump_clock.cc), a folder for temporary files that takes nothing, a second process on
-the same folder. A umask that forbids everything ends a command with 5 and a sentence. */
+the same folder, a file system without locks. Signals that were ignored stay so; others end a command
+with 75. A umask that forbids everything ends one with 5 and a sentence. */
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -133,7 +134,64 @@ TEST_F(Surroundings, NoPlaceForTemporaryFilesChangesNothing) {
     ::unsetenv("HOME");  // then the cache is there, too
   });
 }
+
+/** As on some clusters' file systems. */
+TEST_F(Surroundings, WithoutFileLocksResultsAreTheSameAfterAWarning) {
+  const auto take_locks = [](const char* reason) {
+    return [reason] {
+      ::setenv("LD_PRELOAD", GRASPBENCH_FAIL_FILES, 1);
+      ::setenv("GRASPBENCH_FLOCK", reason, 1);
+    };
+  };
+  ExpectAsAlways(take_locks("ENOSYS"));
+  for (const char* reason : {"ENOSYS", "ENOLCK"}) {
+    EXPECT_EQ(Run({"new", "study", reason}, take_locks(reason)), 0) << Log();
+    const std::string begin =
+        "warning: the file system of \"" + top_.string() + "\" has no file locks";
+    EXPECT_EQ(Log().rfind(begin, 0), 0u) << Log();
+    EXPECT_EQ(Log().find("warning", 1), std::string::npos) << Log();
+  }
+  // Nobody knows whether what another program began is abandoned.
+  fs::create_directory(top_ / ".again.part-1");
+  WriteFile(top_ / ".again.part-1" / ".lock", "");
+  EXPECT_EQ(Run({"new", "study", "again"}, take_locks("ENOSYS")), 0) << Log();
+  EXPECT_TRUE(fs::exists(top_ / ".again.part-1" / ".lock"));
+  EXPECT_EQ(Run({"new", "study", "third"}, take_locks("EIO")), 5) << Log();
+}
 #endif
+
+// As nohup starts them, and a script whose commands run in the background.
+TEST_F(Surroundings, IgnoredSignalsStopNothing) {
+  const pid_t run = Begin({"run", "--hand", "tum", "--object", "golf_ball,tea_light", "--trials",
+                           "2", "--jobs", "1", "--out", "s"},
+                          [] {
+                            ::signal(SIGHUP, SIG_IGN);
+                            ::signal(SIGINT, SIG_IGN);
+                          });
+  while (!fs::exists(top_ / "s" / "journal" / "0.jsonl") && !HasEnded(run)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_FALSE(HasEnded(run)) << Log();
+  for (const int signal : {SIGHUP, SIGINT, SIGHUP, SIGINT}) ::kill(run, signal);
+  EXPECT_EQ(WaitFor(run), 0) << Log();
+}
+
+TEST_F(Surroundings, AStudyEndsAtASignalAndLeavesNothing) {
+  ASSERT_EQ(Run({"study", "demo", "--out", "demo"}), 0) << Log();
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const pid_t study = Begin({"study", "run", "demo/input/study.yaml", "--out", "out"});
+    const fs::path staged = top_ / (".out.part-" + std::to_string(study));
+    while (!fs::exists(staged) && !HasEnded(study)) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    EXPECT_FALSE(HasEnded(study)) << Log();
+    ::kill(study, signal);
+    EXPECT_EQ(WaitFor(study), 75) << Log();
+    EXPECT_EQ(Log(), "graspbench: stopped; nothing was written. The same command begins again\n");
+    EXPECT_FALSE(fs::exists(staged));
+    EXPECT_FALSE(fs::exists(top_ / "out"));
+  }
+}
 
 // As another user, because root may do everything.
 TEST_F(Surroundings, AMaskThatForbidsEverythingIsTold) {

@@ -4,7 +4,9 @@
 // written first), fsync, fdatasync, ftruncate, rename and close (the file is closed all the same).
 // GRASPBENCH_FAULTS="at N EIO|ENOSPC TEXT": the Nth of these operations fails with that reason, and
 // no other; GRASPBENCH_COUNT names a file for how many there were.
+// GRASPBENCH_FLOCK="ENOSYS|ENOLCK|EIO": every flock fails with that reason, whatever the file.
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -130,6 +132,15 @@ int fdatasync(int file) {
 
 int ftruncate(int file, off_t length) noexcept {
   return FailsFile(file) ? Fail(EIO) : static_cast<int>(::syscall(SYS_ftruncate, file, length));
+}
+
+int flock(int file, int operation) noexcept {
+  const char* reason = std::getenv("GRASPBENCH_FLOCK");
+  if (!reason) return static_cast<int>(::syscall(SYS_flock, file, operation));
+  errno = std::strcmp(reason, "ENOSYS") == 0   ? ENOSYS
+          : std::strcmp(reason, "ENOLCK") == 0 ? ENOLCK
+                                               : EIO;
+  return -1;
 }
 
 int rename(const char* from, const char* to) noexcept {

@@ -14,8 +14,8 @@ static_assert(std::atomic<bool>::is_always_lock_free);  // so a signal handler m
 /** Less than the ten seconds after which service managers kill. [s] */
 constexpr unsigned kPatience = 8;
 constexpr char kGivenUp[] =
-    "graspbench: stopped without waiting longer for what was running; everything finished before "
-    "is kept, the same command continues a session, an optimisation or a campaign\n";
+    "graspbench: stopped without waiting longer for what was running. The same command continues "
+    "a session, an optimisation or a campaign, and begins anything else again\n";
 
 extern "C" void OnInterrupt(int) {
   if (is_interrupted.exchange(true)) ::_exit(kExitInterrupted);
@@ -31,11 +31,17 @@ extern "C" void OnPatienceOver(int) {
 
 }  // namespace
 
+void CatchUnlessIgnored(int signal, const struct sigaction& action) {
+  struct sigaction former {};
+  ::sigaction(signal, nullptr, &former);
+  if (former.sa_handler != SIG_IGN) ::sigaction(signal, &action, nullptr);
+}
+
 const std::atomic<bool>& CatchInterrupts() {
   struct sigaction action {};
   action.sa_handler = OnInterrupt;
   action.sa_flags = SA_RESTART;
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::sigaction(signal, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) CatchUnlessIgnored(signal, action);
   action.sa_handler = OnPatienceOver;
   ::sigaction(SIGALRM, &action, nullptr);
   return is_interrupted;

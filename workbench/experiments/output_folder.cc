@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <stdio.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -14,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "core/base/version.h"
+#include "datasets/journal/file_lock.h"
 #include "datasets/journal/manifest.h"
 #include "datasets/journal/store_kind.h"
 #include "datasets/journal/store_sources.h"
@@ -194,7 +194,8 @@ void RemoveStaged(const fs::path& folder) {
   fs::remove(folder, status);
 }
 
-/** Removes what killed programs left beside the target: nobody holds its lock any more. */
+/** Removes what killed programs left beside the target: nobody holds its lock any more. Without
+locks nobody knows, and it stays. */
 void RemoveAbandoned(const fs::path& target) {
   const std::string head = "." + target.filename().string() + ".part-";
   std::error_code status;
@@ -211,7 +212,7 @@ void RemoveAbandoned(const fs::path& target) {
       fs::remove(folder, status);  // where it is empty; any other without a lock is not ours
       continue;
     }
-    if (::flock(lock, LOCK_EX | LOCK_NB) == 0) RemoveStaged(folder);
+    if (LockFile(lock, folder) == FileLock::kHeld) RemoveStaged(folder);
     ::close(lock);
   }
 }
@@ -219,7 +220,12 @@ void RemoveAbandoned(const fs::path& target) {
 /** Makes the folder and returns its lock, or -1 where another program took it for abandoned before
 the lock was there. */
 int TryStage(const fs::path& folder) {
-  if (::mkdir(folder.c_str(), 0777) != 0) FailOnSystem("cannot create", folder);
+  if (::mkdir(folder.c_str(), 0777) != 0) {
+    if (errno != EEXIST) FailOnSystem("cannot create", folder);
+    throw Error(ErrorKind::kIo, "\"" + folder.string() +
+                                    "\" is there already; wait for the program that fills it, or "
+                                    "remove it if none does");
+  }
   const int lock = ::open((folder / kLock).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (lock < 0 && errno == ENOENT) return -1;
   if (lock < 0) {
@@ -228,8 +234,7 @@ int TryStage(const fs::path& folder) {
     errno = reason;
     FailOnSystem("cannot lock", folder);
   }
-  const bool is_taken = ::flock(lock, LOCK_EX | LOCK_NB) != 0;
-  if (is_taken && errno != EWOULDBLOCK) FailOnSystem("cannot lock", folder);
+  const bool is_taken = LockFile(lock, folder) == FileLock::kTaken;
   if (!is_taken && fs::exists(folder / kLock)) return lock;
   ::close(lock);
   RemoveStaged(folder);

@@ -9,6 +9,7 @@
 #include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/base/text/text.h"
+#include "workbench/experiments/interrupt.h"
 #include "workbench/shell/line_editor.h"
 #include "workbench/shell/shell_commands.h"
 #include "workbench/terminal/terminal.h"
@@ -42,11 +43,10 @@ extern "C" void HandleCrash(int signal) {
   ::raise(signal);
 }
 
-void Catch(int signal, void (*handler)(int), int flags = 0, struct sigaction* former = nullptr) {
+void Catch(int signal, void (*handler)(int)) {
   struct sigaction action {};
   action.sa_handler = handler;  // without SA_RESTART: reading a line ends, too
-  action.sa_flags = flags;
-  ::sigaction(signal, &action, former);
+  CatchUnlessIgnored(signal, action);
 }
 
 size_t CountEdits(const SceneChoice& choice) {
@@ -60,8 +60,11 @@ void CatchCrashes() {
   alternative.ss_sp = stack;
   alternative.ss_size = sizeof stack;
   ::sigaltstack(&alternative, nullptr);
+  struct sigaction action {};
+  action.sa_handler = &HandleCrash;
+  action.sa_flags = SA_ONSTACK;
   for (size_t i = 0; i < std::size(kCrashes); ++i) {
-    Catch(kCrashes[i], &HandleCrash, SA_ONSTACK, &former_actions[i]);
+    ::sigaction(kCrashes[i], &action, &former_actions[i]);
   }
 }
 

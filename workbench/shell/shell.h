@@ -85,8 +85,8 @@ class Shell {
 std::string FormatPrompt(Shell& shell);
 
 /** From now on Ctrl-C stops the work of a shell; a second one before it has stopped ends the
-program. SIGTERM and SIGHUP stop it too and let the program end in order. A crash gives the terminal
-its settings back. */
+program. SIGTERM and SIGHUP stop it too and let the program end in order. A signal that was
+ignored stays ignored. A crash gives the terminal its settings back. */
 void CatchShellSignals();
 bool MustShellEnd();
 /** Forgets a Ctrl-C; true when there was one. */

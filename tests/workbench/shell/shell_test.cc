@@ -1,6 +1,7 @@
 #include "workbench/shell/shell.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>
 
 #include <algorithm>
 
@@ -49,6 +50,18 @@ TEST_F(ShellTest, RedoTakesEveryUndoBack) {
   shell_.Execute("undo");
   shell_.Execute("draw 5");  // from here on there is another future
   EXPECT_EQ(shell_.Execute("redo"), Shell::Reply::kRefused);
+}
+
+TEST(ShellSignals, AnIgnoredSignalStaysIgnored) {
+  ::signal(SIGHUP, SIG_IGN);
+  CatchShellSignals();
+  ::raise(SIGHUP);
+  EXPECT_FALSE(MustShellEnd());
+  ::raise(SIGINT);
+  EXPECT_TRUE(TakeShellInterrupt());
+  for (const int signal : {SIGHUP, SIGINT, SIGTERM, SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL}) {
+    ::signal(signal, SIG_DFL);
+  }
 }
 
 TEST_F(ShellTest, ThePromptSaysWhatIsChosenAndWhen) {

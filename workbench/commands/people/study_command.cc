@@ -9,6 +9,7 @@
 #include "human_study/study/synthetic/demo_study.h"
 #include "reports/study/study_report.h"
 #include "workbench/commands/command.h"
+#include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/text/study_text.h"
 
@@ -35,6 +36,12 @@ std::optional<RobotSession> LoadRobot(const StudyOptions& options, const Study& 
   return RobotSession{folder.lexically_normal().filename().string(), LoadSession(folder)};
 }
 
+void StopIfAsked(const std::atomic<bool>& stop) {
+  if (!stop) return;
+  throw Error(ErrorKind::kInterrupted,
+              "stopped; nothing was written. The same command begins again");
+}
+
 /** A line for every tenth of the trials, once there are enough for it to matter. */
 void ShowProgress(size_t num_done, size_t num_planned) {
   const size_t step = num_planned / 10;
@@ -42,15 +49,21 @@ void ShowProgress(size_t num_done, size_t num_planned) {
   PrintMessage(std::to_string(num_done) + " of " + std::to_string(num_planned) + " trials");
 }
 
-/** Analyses the study into the folder that will become --out. */
-StudyResult RunAndWrite(const StudyOptions& options, StagedFolder& staged) {
+/** Analyses the study into the folder that will become --out. @throws Error(kInterrupted). */
+StudyResult RunAndWrite(const StudyOptions& options, StagedFolder& staged,
+                        const std::atomic<bool>& stop) {
   const Study study = LoadStudy(options.study_file, options.data, options.settings);
   if (!study.warnings.entries().empty()) PrintMessage(study.warnings.Format());
   const std::optional<RobotSession> robot = LoadRobot(options, study);
-  StudyResult result = AnalyseStudy(study, staged.path(), ShowProgress);
+  StudyResult result = AnalyseStudy(study, staged.path(), [&](size_t num_done, size_t num_planned) {
+    StopIfAsked(stop);
+    ShowProgress(num_done, num_planned);
+  });
+  StopIfAsked(stop);
   const fs::path page = WriteStudyReport(staged.path(), result, robot ? &*robot : nullptr);
   const fs::path out = options.out;
   const fs::path report = out / page.lexically_relative(staged.path());
+  StopIfAsked(stop);
   staged.Commit();
   options.json ? PrintJson(MakeStudyJson(result, out, report))
                : PrintResult(FormatStudy(result, out, report));
@@ -58,13 +71,14 @@ StudyResult RunAndWrite(const StudyOptions& options, StagedFolder& staged) {
 }
 
 StudyResult RunStudyFile(const StudyOptions& options) {
+  const std::atomic<bool>& stop = CatchInterrupts();  // before there is a folder to leave behind
   StagedFolder staged({options.out,
                        "study",
                        options.replace,
                        {options.study_file, options.data, options.robot},
                        "",
                        {kWrittenByR}});
-  return RunAndWrite(options, staged);
+  return RunAndWrite(options, staged, stop);
 }
 
 /** Writes the choices beside study.yaml, once. */
@@ -76,12 +90,13 @@ void Freeze(const StudyOptions& options) {
 }
 
 void RunDemo(StudyOptions options) {
+  const std::atomic<bool>& stop = CatchInterrupts();
   StagedFolder staged({options.out, "study", options.replace, {options.robot}, "", {kWrittenByR}});
   const fs::path input = staged.path() / "input";
   const std::vector<SyntheticTrial> trials = MakeSyntheticStudy(MakeDemoOptions());
   WriteDemoStudy(trials, input);
   options.study_file = (input / "study.yaml").string();
-  const TruthComparison comparison = CompareWithTruth(RunAndWrite(options, staged), trials);
+  const TruthComparison comparison = CompareWithTruth(RunAndWrite(options, staged, stop), trials);
   PrintResult(FormatTruth(comparison));
 }
 
