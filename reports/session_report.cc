@@ -47,9 +47,7 @@ std::filesystem::path WriteReport(const std::filesystem::path& folder, const Ses
                                   const SessionSummary& summary, const SessionModels& models,
                                   const TrialTracer& trace) {
   const CellPictures pictures = RenderCellPictures(session, summary, models);
-  Diagnostics findings;  // whoever ran the sensitivity was told
-  const SensitivitySummary sensitivity =
-      SummariseSensitivity(session, LoadSensitivity(session, findings));
+  const SensitivitySummary sensitivity = SummariseSensitivity(session, LoadSensitivity(session));
   const std::vector<NumericsSummary> numerics = SummariseNumerics(LoadNumericsComparisons(session));
   const SessionViews views =
       trace ? DrawSessionViews(session, summary, models, trace) : SessionViews();

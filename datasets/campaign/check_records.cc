@@ -26,11 +26,8 @@ std::optional<Session> CheckSession(const fs::path& folder, const std::string& n
       if (damage.line == 0) continue;  // a manifest that was made again, as the state says
       state.damages.push_back({name + damage.path, damage.line, damage.text});
     }
-    // Of an older session the state itself says that its files cannot be compared.
-    if (state.is_sealed) {
-      for (const Diagnostic& one : session.findings.entries()) {
-        findings.Warn(name + one.file, one.line, one.text);
-      }
+    for (const Diagnostic& one : session.findings.entries()) {
+      findings.Warn(name + one.file, one.line, one.text);
     }
     return session;
   } catch (const Error& error) {

@@ -8,11 +8,13 @@ The last member is the checksum: XXH64 of all bytes of the line before `,"xxh64"
 JSON Lines to every other program, and a flipped bit is found before the line is parsed. */
 
 #include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
 
+#include "core/base/error.h"
 #include "core/base/text/json.h"
 
 namespace graspbench {
@@ -29,6 +31,17 @@ std::string_view FindCheckedBody(std::string_view line);
 /** @returns the object, its checksum included.
 @throws Error(kFormat) saying what is wrong with the line: cut off, or its checksum. */
 Json ParseCheckedLine(std::string_view line);
+
+/** `read(object)`. @throws Error(kFormat) as ParseCheckedLine, and where `read` throws. */
+template <class Read>
+auto ReadCheckedLine(std::string_view line, Read&& read) {
+  const Json json = ParseCheckedLine(line);
+  try {
+    return read(json);
+  } catch (const std::exception& e) {  // of the JSON library, or an Error of a value
+    throw Error(ErrorKind::kFormat, std::string("it is no record of this version: ") + e.what());
+  }
+}
 
 /** Calls `take(line, number, is_whole)` for every non-empty line; the last one is whole only when
 it ends in a line break. */

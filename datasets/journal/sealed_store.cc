@@ -101,12 +101,11 @@ StoreState CheckOwnFiles(const StoreKind& kind, const fs::path& folder,
   Manifest manifest;
   if (!HasManifest(folder)) {
     try {
-      state.is_sealed = LoadVersions(kind, folder).at("schema").get<int>() >= kind.sealed_schema;
-      if (state.is_sealed) state.damages.push_back({kManifestFile, 0, "is missing"});
+      LoadVersions(kind, folder);
+      state.damages.push_back({kManifestFile, 0, "is missing"});
     } catch (const Error&) {
       state.damages.push_back({kind.file, 0, "is no configuration"});
     }
-    if (!state.is_sealed) return state;
   } else {
     try {
       manifest = LoadManifest(folder);
@@ -220,7 +219,7 @@ bool RepairDerived(const StoreKind& kind, const fs::path& folder, const StoreSta
 
 void RepairOwnFiles(const StoreKind& kind, const fs::path& folder, StoreRepair& repair) {
   const StoreState state = CheckOwnFiles(kind, folder);
-  if (!state.is_sealed || state.damages.empty()) return;
+  if (state.damages.empty()) return;
   Manifest before = FindManifest(folder).value_or(Manifest());
   if (before.files.empty()) {
     before.versions = LoadVersions(kind, folder);

@@ -31,7 +31,6 @@ struct StaleResult {
 
 struct StoreState {
   std::string kind;                ///< as in Manifest
-  bool is_sealed = true;           ///< false: older than manifests
   bool is_made_anew = false;       ///< a manifest was: what had changed before is not noticed
   std::vector<Damage> damages;     ///< names from the folder, those of stores inside it too
   std::vector<StaleResult> stale;  ///< of the outputs, where they were checked

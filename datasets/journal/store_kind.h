@@ -22,9 +22,7 @@ struct LineKind {
 struct StoreKind {
   const char* name;     ///< "session"
   const char* file;     ///< of the frozen configuration: its presence makes the folder one
-  int schema;           ///< of the layout and the records that this program writes
-  int oldest_schema;    ///< that it still reads
-  int sealed_schema;    ///< from here on there is a manifest
+  int schema;           ///< of the layout and the records: the only one that is written and read
   const char* command;  ///< "graspbench run": starts one
   const char* remedy;   ///< for another schema: "rerun the session into a new folder"
 

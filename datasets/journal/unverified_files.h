@@ -1,8 +1,7 @@
 #pragma once
 /** @file
 Files that a store has made and of which no hash is kept, so that nobody can tell whether they have
-changed: tables of programs that kept none, what a program that was killed had just written, and
-tables and pages whose manifest is gone. */
+changed: what a program that was killed had just written, and tables and pages whose manifest is gone. */
 
 #include <filesystem>
 #include <string>
@@ -10,8 +9,7 @@ tables and pages whose manifest is gone. */
 
 namespace graspbench {
 
-/** From the folder, those of stores inside it too; none in a store older than manifests, of whose
-files no hash is kept at all, and in what is no store. @throws Error(kIo). */
+/** From the folder, those of stores inside it too; none in what is no store. @throws Error(kIo). */
 std::vector<std::string> FindUnverified(const std::filesystem::path& folder);
 
 /** As a line for a person. */

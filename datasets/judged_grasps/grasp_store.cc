@@ -62,14 +62,11 @@ std::string JudgedGrasp::Format(const JudgedGrasp& record) {
 }
 
 JudgedGrasp JudgedGrasp::Parse(std::string_view line) {
-  const Json json = ParseCheckedLine(line);
-  try {
+  return ReadCheckedLine(line, [](const Json& json) {
     JudgedGrasp record;
     ReadRecord(json, record);
     return record;
-  } catch (const std::exception& e) {  // of the JSON library, or an Error of a value
-    throw Error(ErrorKind::kFormat, std::string("it is no record of this version: ") + e.what());
-  }
+  });
 }
 
 bool HasJudgedGrasps(const fs::path& folder) { return HasFrozen(kJudgedGraspStore, folder); }

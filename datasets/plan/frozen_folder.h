@@ -17,7 +17,6 @@ bool HasFrozen(const StoreKind& kind, const std::filesystem::path& folder);
 struct Frozen {
   Json config;                 ///< as it was written
   int physics_version = 0;     ///< kPhysicsVersion of the program that wrote it; 0: not said
-  bool is_sealed = true;       ///< false: older than manifests
   std::vector<Damage> damage;  ///< of the whole store: when it is accepted, and a lost manifest
 };
 /** The door through which a store is read: it is verified first.
@@ -28,9 +27,8 @@ Frozen LoadFrozen(const StoreKind& kind, const std::filesystem::path& folder,
                   const std::vector<std::string>& only = {});
 
 /** Writes the manifest of what is there already, and then the file, whose presence makes the folder
-a store; the folder exists. @param schema  0: the kind's. @throws Error(kIo). */
-void WriteFrozen(const StoreKind& kind, const std::filesystem::path& folder, const Json& config,
-                 int schema = 0);
+a store; the folder exists. @throws Error(kIo). */
+void WriteFrozen(const StoreKind& kind, const std::filesystem::path& folder, const Json& config);
 
 /** Every difference on a line of its own, indented; empty: none. */
 std::string ListDifferences(const std::vector<std::string>& differences);

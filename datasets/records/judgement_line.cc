@@ -1,6 +1,5 @@
 #include "datasets/records/judgement_line.h"
 
-#include "core/base/error.h"
 #include "datasets/journal/checked_line.h"
 
 namespace graspbench {
@@ -12,14 +11,11 @@ std::string FormatJudgementLine(const std::string& trial_id, const Judgement& ju
 }
 
 Judgement ParseJudgementLine(std::string_view line) {
-  const Json json = ParseCheckedLine(line);
-  try {
+  return ReadCheckedLine(line, [](const Json& json) {
     Judgement judgement;
     ReadRecord(json.at("judgement"), judgement);
     return judgement;
-  } catch (const std::exception& e) {  // of the JSON library, or an Error of a value
-    throw Error(ErrorKind::kFormat, std::string("it is no judgement of this version: ") + e.what());
-  }
+  });
 }
 
 }  // namespace graspbench

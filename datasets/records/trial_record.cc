@@ -1,6 +1,5 @@
 #include "datasets/records/trial_record.h"
 
-#include "core/base/error.h"
 #include "core/base/text/record_text.h"
 #include "datasets/journal/checked_line.h"
 
@@ -52,12 +51,9 @@ std::optional<TrialRecord> ReadAsWritten(std::string_view line) {
 
 TrialRecord ParseJournalLine(std::string_view line) {
   if (std::optional<TrialRecord> record = ReadAsWritten(line)) return *std::move(record);
-  const Json json = ParseCheckedLine(line);
-  try {
-    return {PlannedTrialFromJson(json), TrialResultFromJson(json.at("result"))};
-  } catch (const std::exception& e) {  // of the JSON library, or an Error of a value
-    throw Error(ErrorKind::kFormat, std::string("it is no record of this version: ") + e.what());
-  }
+  return ReadCheckedLine(line, [](const Json& json) {
+    return TrialRecord{PlannedTrialFromJson(json), TrialResultFromJson(json.at("result"))};
+  });
 }
 
 }  // namespace graspbench

@@ -348,7 +348,7 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
       {"seat", "string", "",
        "kept, or reseated: closure_rise_m is above 5 mm and 43 % of object_height_m, and "
        "closure_slide_m above 1 mm; grip forces of the two do not compare; missing when it was not "
-       "lifted or the record is of physics 10 or older",
+       "lifted",
        [](const TrialRecord& record) {
          const Seat seat = FindSeat(record.result);
          return seat == Seat::kUnknown ? Json() : Json(NameOf(seat));

@@ -70,14 +70,11 @@ std::string DevelopmentRecord::Format(const DevelopmentRecord& record) {
 }
 
 DevelopmentRecord DevelopmentRecord::Parse(std::string_view line) {
-  const Json json = ParseCheckedLine(line);
-  try {
+  return ReadCheckedLine(line, [](const Json& json) {
     DevelopmentRecord record;
     ReadRecord(json, record);
     return record;
-  } catch (const std::exception& e) {  // of the JSON library, or an Error of a value
-    throw Error(ErrorKind::kFormat, std::string("it is no record of this version: ") + e.what());
-  }
+  });
 }
 
 }  // namespace graspbench

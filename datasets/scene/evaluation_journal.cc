@@ -23,8 +23,7 @@ std::string EvaluationRecord::Format(const EvaluationRecord& record) {
 }
 
 EvaluationRecord EvaluationRecord::Parse(std::string_view line) {
-  const Json json = ParseCheckedLine(line);
-  try {
+  return ReadCheckedLine(line, [](const Json& json) {
     EvaluationRecord record;
     record.request = json.contains("request") ? IntFrom(json.at("request")) : -1;
     if (json.contains("search")) record.search = json.at("search").get<std::string>();
@@ -40,9 +39,7 @@ EvaluationRecord EvaluationRecord::Parse(std::string_view line) {
     ReadRecord(json, record.individual);
     record.individual.fitness = CalcFitness(record.trials);
     return record;
-  } catch (const std::exception& e) {  // of the JSON library, or an Error of a value
-    throw Error(ErrorKind::kFormat, std::string("it is no record of this version: ") + e.what());
-  }
+  });
 }
 
 }  // namespace graspbench

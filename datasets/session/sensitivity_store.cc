@@ -13,15 +13,6 @@ namespace {
 
 constexpr char kSensitivityFolder[] = "sensitivity";
 
-/** False: the line's trial has other measures already. @throws Json::exception, Error(kFormat). */
-bool AddLine(const Json& json, const std::string& id, SensitivityData& data) {
-  const auto setting = json.at("setting").get<std::string>();
-  TrialMeasures measures;
-  ReadRecord(json.at("measures"), measures);
-  const auto [known, is_new] = data[setting].emplace(id, measures);
-  return is_new || RecordToJson(known->second) == RecordToJson(measures);
-}
-
 }  // namespace
 
 TrialMeasures MakeTrialMeasures(const TrialResult& result) {
@@ -66,29 +57,9 @@ void AddConditions(const Session& session, const Session& varied, SensitivityDat
 
 }  // namespace
 
-SensitivityData LoadSensitivity(const Session& session, Diagnostics& findings) {
+SensitivityData LoadSensitivity(const Session& session) {
   SensitivityData data;
-  const std::vector<std::filesystem::path> journals =
-      session.folder.empty() ? std::vector<std::filesystem::path>()
-                             : ListJournals(session.folder, kSensitivityFolder);
-  std::set<std::string> ids;
-  for (const TrialRecord& record : session.records) ids.insert(record.plan.id);
   Diagnostics conflicts;
-  for (const std::filesystem::path& path : journals) {
-    const std::string file = std::string(kSensitivityFolder) + "/" + path.filename().string();
-    const auto take = [&](const FileLine& line) {
-      const Json json = ParseCheckedLine(line.text);
-      const auto id = json.at("trial_id").get<std::string>();
-      if (ids.count(id) == 0) {  // its record was set aside
-        findings.Warn(file, line.number, "skipped: " + DescribeUnfinished(id));
-      } else if (!AddLine(json, id, data)) {
-        conflicts.Fail(file, line.number, "a trial has two different results under one setting");
-      }
-    };
-    std::vector<Damage> damage;
-    ReadJournal(session.folder, file, take, findings, damage);
-    for (const Damage& one : damage) conflicts.Fail(file, one.line, one.text);
-  }
   for (const Session& varied : LoadExperiments(session, kSensitivityFolder)) {
     AddConditions(session, varied, data, conflicts);
   }

@@ -1,11 +1,7 @@
 #pragma once
 /** @file
-What single settings make of a session's trials: the sessions in sensitivity/, whose conditions have
-one setting each, and the lines that earlier programs kept there,
-
-    sensitivity/<n>.jsonl    a line = setting, id of the session's trial, measures, checksum
-
-Equal duplicates are fine, unequal ones are an error. */
+Effects of single settings on a session's trials: the sessions in sensitivity/, whose conditions have
+one setting each. Equal duplicates are fine, unequal ones are an error. */
 
 #include <filesystem>
 #include <map>
@@ -41,9 +37,8 @@ TrialMeasures MakeTrialMeasures(const TrialResult& result);
 using VariedTrials = std::map<std::string, TrialMeasures>;
 using SensitivityData = std::map<std::string, VariedTrials>;  ///< by setting
 
-/** What is stored in the session's folder; of earlier programs damaged lines become `findings`.
-Nothing for a session
-that stands in no folder. @throws Error(kFormat) for unequal duplicates, Error(kIo). */
-SensitivityData LoadSensitivity(const Session& session, Diagnostics& findings);
+/** From the session's folder; nothing for a session that stands in no folder.
+@throws Error(kFormat) for unequal duplicates, Error(kIo). */
+SensitivityData LoadSensitivity(const Session& session);
 
 }  // namespace graspbench

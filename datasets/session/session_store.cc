@@ -169,11 +169,7 @@ void CreateSession(const fs::path& folder, const SessionConfig& config,
   for (const PlannedTrial& planned : plan) lines += FormatJson(ToJson(planned)) + "\n";
   MakeFolder(folder / "journal");
   WriteFileAtomically(folder / "plan.jsonl", lines);
-  // What sessions without conditions write has not changed; earlier programs read it.
-  constexpr int kPlainSchema = 4;
-  const bool is_plain = config.conditions.empty() && config.draws == SessionConfig().draws;
-  WriteFrozen(kSessionStore, folder, ToJson(config),
-              is_plain ? kPlainSchema : kSessionStore.schema);
+  WriteFrozen(kSessionStore, folder, ToJson(config));
 }
 
 namespace {
@@ -189,43 +185,6 @@ void RefuseForeign(const Session& session, size_t num_known, OnDamage on_damage)
       "with --accept-damage");
 }
 
-/** Settings of another physics as far as they are still settings: those that it did not have stand
-as they do by default. @param added, dropped  their names, behind `prefix`. */
-Json AdaptSettings(const Json& stored, const Json& known, const std::string& prefix,
-                   std::string& added, std::string& dropped) {
-  const auto list = [&](std::string& names, const std::string& key) {
-    names += (names.empty() ? "" : ", ") + prefix + key;
-  };
-  Json settings = known;
-  for (auto& [key, value] : settings.items()) {
-    if (!stored.contains(key)) {
-      list(added, key);
-    } else if (value.is_object() && stored.at(key).is_object()) {
-      value = AdaptSettings(stored.at(key), value, prefix + key + ".", added, dropped);
-    } else {
-      value = stored.at(key);
-    }
-  }
-  for (const auto& item : stored.items()) {
-    if (!known.contains(item.key())) list(dropped, item.key());
-  }
-  return settings;
-}
-
-/** The configuration of an earlier physics, which may have had other settings. */
-Json AdaptToPhysics(const Frozen& frozen, Diagnostics& findings) {
-  if (frozen.physics_version >= kPhysicsVersion || !frozen.config.is_object()) return frozen.config;
-  std::string added, dropped;
-  Json config = AdaptSettings(frozen.config, ToJson(SessionConfig()), "", added, dropped);
-  const std::string text = (added.empty() ? "" : "; it had no " + added + ", shown as by default") +
-                           (dropped.empty() ? "" : "; it had " + dropped + ", not shown");
-  if (!text.empty()) {
-    findings.Warn(kSessionStore.file, 0,
-                  "the session is of physics " + std::to_string(frozen.physics_version) + text);
-  }
-  return config;
-}
-
 /** Without judgements. @param only  patterns of the files that may be read; empty: all. */
 Session LoadFiles(const fs::path& folder, OnDamage on_damage, RecordParts parts,
                   const std::vector<std::string>& only) {
@@ -234,13 +193,7 @@ Session LoadFiles(const fs::path& folder, OnDamage on_damage, RecordParts parts,
   session.folder = folder;
   session.damage = std::move(frozen.damage);
   const size_t num_damages = session.damage.size();
-  if (!frozen.is_sealed) {
-    session.findings.Warn(kSessionStore.file, 0,
-                          "the session is older than manifests: changes of its configuration, its "
-                          "plan and missing lines are not noticed");
-  }
-  session.config = SessionConfigFromJson(AdaptToPhysics(frozen, session.findings),
-                                         (folder / kSessionStore.file).string());
+  session.config = SessionConfigFromJson(frozen.config, (folder / kSessionStore.file).string());
   session.physics_version = frozen.physics_version;
   session.plan = LoadPlan(folder / "plan.jsonl");
   Merger merger(folder, session, parts);

@@ -14,7 +14,6 @@ A session's folder:
     delays/<hash>/
     thresholds/<hash>/    of each draw those trials that its bisection asked for
     map/<part>/           of a map of simultaneity its other sessions (datasets/plan/map_design.h)
-    sensitivity/<n>.jsonl what earlier programs kept of the first
     progress/<n>.jsonl    what the journals of shards hold, see journal_index.h; may be deleted
     workers/<n>.jsonl     where shards were worked on, and their sentinel trials, see worker_log.h
     index.sqlite          made from plan and journals, may be deleted at any time

@@ -86,20 +86,15 @@ std::string DescribeDistance(const TrialRecord& trial, const Distance& distance)
          distance.here + " and " + distance.there + by;
 }
 
-/** @throws Error(kFormat). */
 WorkerStart ReadStart(const Json& json) {
-  try {
-    WorkerStart start{
-        json.at("shard").get<std::string>(), json.at("started_utc").get<std::string>(), {}, {}};
-    ReadRecord(json.at("machine"), start.machine);
-    for (const Json& record : json.at("sentinels")) {
-      start.sentinels.push_back(
-          {PlannedTrialFromJson(record), TrialResultFromJson(record.at("result"))});
-    }
-    return start;
-  } catch (const std::exception& e) {  // of the JSON library, or an Error of a value
-    throw Error(ErrorKind::kFormat, std::string("it is no record of this version: ") + e.what());
+  WorkerStart start{
+      json.at("shard").get<std::string>(), json.at("started_utc").get<std::string>(), {}, {}};
+  ReadRecord(json.at("machine"), start.machine);
+  for (const Json& record : json.at("sentinels")) {
+    start.sentinels.push_back(
+        {PlannedTrialFromJson(record), TrialResultFromJson(record.at("result"))});
   }
+  return start;
 }
 
 }  // namespace
@@ -120,7 +115,7 @@ std::string FormatWorkerLine(const WorkerEnd& end) {
       {{"shard", end.shard}, {"ended_utc", end.ended_utc}, {"left", end.num_left}});
 }
 
-WorkerStart ParseWorkerLine(std::string_view line) { return ReadStart(ParseCheckedLine(line)); }
+WorkerStart ParseWorkerLine(std::string_view line) { return ReadCheckedLine(line, ReadStart); }
 
 Workers LoadWorkers(const fs::path& folder, Diagnostics& findings) {
   Workers workers;
@@ -137,7 +132,7 @@ Workers LoadWorkers(const fs::path& folder, Diagnostics& findings) {
     ForEachLine(ReadFile(path), [&](std::string_view line, int number, bool is_whole) {
       if (!is_whole) return;  // the worker was killed, and its next start has a line
       try {
-        read(ParseCheckedLine(line));
+        ReadCheckedLine(line, read);
       } catch (const std::exception& e) {  // of the JSON library, or an Error
         findings.Warn(file, number, std::string("skipped: ") + e.what());
       }

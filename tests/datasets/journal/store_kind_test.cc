@@ -15,7 +15,6 @@ TEST(StoreKind, IsNamedByTheFrozenConfiguration) {
     WriteFile(folder.path() / kind->file, "{}");
     EXPECT_EQ(FindStoreKind(folder.path()), kind);
     EXPECT_TRUE(IsMatch(kind->file, kind->files));
-    EXPECT_LE(kind->oldest_schema, kind->schema);
   }
 }
 

@@ -12,8 +12,6 @@ namespace {
 const StoreKind kKind = {"experiment",
                          "experiment.json",
                          4,
-                         4,
-                         4,
                          "graspbench try",
                          "try anew into another folder",
                          {"experiment.json"},

@@ -28,12 +28,6 @@ class RunSensitivityTest : public testing::Test {
   bool Run(const SensitivityRequest& request, int num_workers) {
     return RunExperiment(PrepareSensitivity(request), request, num_workers, observer_, stop_);
   }
-  SensitivityData Load(const Session& session) {
-    Diagnostics findings;
-    SensitivityData data = LoadSensitivity(session, findings);
-    EXPECT_TRUE(findings.entries().empty()) << findings.Format();
-    return data;
-  }
 
   TemporaryFolder temporary_;
   Observer observer_;
@@ -49,7 +43,7 @@ TEST_F(RunSensitivityTest, FindsWhatASessionOfThatSettingFinds) {
   request.folder = session.folder;
   request.settings = settings;
   ASSERT_TRUE(Run(request, 2));
-  const SensitivityData data = Load(session);
+  const SensitivityData data = LoadSensitivity(session);
   ASSERT_EQ(data.size(), settings.size());
   for (const std::string& setting : settings) {
     const Session other = RunWith("with " + setting, setting);
@@ -84,10 +78,10 @@ TEST_F(RunSensitivityTest, GoesOnWhereItStopped) {
   EXPECT_FALSE(Run(request, 1));
   stop_ = false;
   ASSERT_TRUE(Run(request, 1));
-  EXPECT_EQ(Load(session).at("model.mass_scale=2.0").size(), 1u);
+  EXPECT_EQ(LoadSensitivity(session).at("model.mass_scale=2.0").size(), 1u);
   request.trials_per_cell = 0;
   ASSERT_TRUE(Run(request, 1));
-  const SensitivityData data = Load(session);
+  const SensitivityData data = LoadSensitivity(session);
   EXPECT_EQ(data.at("model.mass_scale=2.0").size(), 2u);
   EXPECT_EQ(data.at("model.mass_scale=3.0").size(), 2u);
   // Of the session and of the experiment with one trial a cell nothing has run again.
@@ -106,7 +100,7 @@ TEST_F(RunSensitivityTest, RefusesASettingNamedTwiceBeforeAnythingRuns) {
   request.folder = session.folder;
   request.settings = {"model.mass_scale=2", "model.mass_scale=2.0"};
   EXPECT_THROW(Run(request, 1), Error);
-  EXPECT_TRUE(Load(session).empty());
+  EXPECT_TRUE(LoadSensitivity(session).empty());
 }
 
 TEST(DefaultVariations, AreUsableAndDifferFromTheSession) {

@@ -32,9 +32,7 @@ void Run(const SensitivityOptions& options) {
   TerminalObserver observer(DescribeTasks, stop);
   DemandFinished(RunExperiment(experiment, request, options.num_workers, observer, stop));
   const Session session = LoadSession(folder, request.on_damage, RecordParts::kBrief);
-  Diagnostics findings;
-  const SensitivityData data = LoadSensitivity(session, findings);
-  if (!findings.entries().empty()) PrintMessage(findings.Format());
+  const SensitivityData data = LoadSensitivity(session);
   const std::filesystem::path report = WriteSessionReport(folder, session, MakeKeptTracer(session));
   const SensitivitySummary summary = SummariseSensitivity(session, data);
   if (options.json) {

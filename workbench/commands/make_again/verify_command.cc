@@ -17,8 +17,7 @@ struct VerifyOptions {
 };
 
 const char* NameState(const StoreState& state) {
-  if (!state.damages.empty()) return "damaged";
-  return state.is_sealed ? "whole" : "older than manifests";
+  return state.damages.empty() ? "whole" : "damaged";
 }
 
 Json MakeVerifyJson(const VerifyOptions& options, const StoreRepair& repair) {
@@ -46,9 +45,6 @@ std::string FormatVerdict(const VerifyOptions& options, const StoreRepair& repai
   std::string text;
   for (const std::string& action : repair.actions) text += "repaired " + action + "\n";
   text += options.folder + ": the " + repair.state.kind + " is " + NameState(repair.state);
-  if (!repair.state.is_sealed) {
-    text += "; only the checksums of its journals' lines can be checked, when they are read";
-  }
   if (repair.state.is_made_anew) {
     text += "; its manifest was lost and made again: what had changed before is not noticed";
   }
