@@ -183,7 +183,8 @@ Html DrawEffectTable(const std::vector<SweepEffect>& effects, const std::string&
                         {"Change", Align::kNumber,
                          "mean over draws, in the measure's unit; of a threshold a ratio, the "
                          "geometric mean"},
-                        {"95 % interval", Align::kProse}});
+                        {"95 % interval", Align::kProse},
+                        {"Left out", Align::kProse, "planned draws that the change leaves out"}});
   for (const SweepEffect& effect : effects) {
     const SweepMeasure& measure = FindSweepMeasure(effect.measure);
     const std::string no_change = measure.threshold ? ", excludes 1" : ", excludes 0";
@@ -191,8 +192,9 @@ Html DrawEffectTable(const std::vector<SweepEffect>& effects, const std::string&
                                                        (effect.excludes_zero() ? no_change : "")
                                                  : effect.interval.reason();
     table.AddRow({Text(NameEffect(effect)), Text(effect.hand), Text(measure.label),
-                  Text(std::to_string(effect.num_draws)), Text(std::to_string(effect.num_objects)),
-                  Text(FormatChange(measure, effect.estimate)), Text(interval)});
+                  Text(CountDraws(effect)), Text(std::to_string(effect.num_objects)),
+                  Text(FormatChange(measure, effect.estimate)), Text(interval),
+                  Text(effect.why_left_out.empty() ? "none" : effect.why_left_out)});
   }
   return table.ToHtml();
 }
@@ -281,7 +283,8 @@ Html DrawSweepMethods(const SweepView& view) {
        FormatCount(static_cast<int>(view.session.config.conditions.size()) + 1, "condition") +
        " of the factors " + factors +
        ", the base's level first. Every condition met the same draws of the object's place and of "
-       "the joints' errors. Effects are means over draws of the differences between conditions "
+       "the joints' errors. A best grasp is chosen at the base's levels. Effects are means over "
+       "draws of the differences between conditions "
        "that differ in one factor alone (or, where a design has none, between means over "
        "conditions); interactions are differences of such differences. 95 % intervals are "
        "bias-corrected and accelerated, from drawing objects with replacement."});

@@ -58,7 +58,7 @@ std::vector<OffsetClass> ListOffsetClasses(const Session& session, const Sensiti
       if (!positioning.trials) {
         found->tally.Count(record.result.outcome);
       } else if (const auto trial = positioning.trials->find(record.plan.id);
-                 trial != positioning.trials->end()) {
+                 trial != positioning.trials->end() && trial->second.outcome != Outcome::kNotRun) {
         found->tally.Count(trial->second.outcome);
       }
       found += kNumClasses;

@@ -5,7 +5,7 @@ the session as it is configured. A setting is
 
     KEY=VALUE            any of a session that leaves the draws of its trials: model.mass_scale=0.5;
                          half-widths of the variation scale the same unit variates
-    grasp=ID             another grasp: best, g1, ..
+    grasp=ID             another grasp: best (of the base), g1, ..
     delay.last=SECONDS   the digit that touches last, or first, without delay closes later
     delay.first=SECONDS  (core/trial/delayed_digit.h)
     backend=NAME         implicit, or compliant (core/trial/compliant_trial.h)

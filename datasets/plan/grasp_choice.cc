@@ -60,8 +60,8 @@ bool CanTake(const SessionInputs& inputs, const SessionHand& hand, const Grasp& 
   return prediction.reaches() && prediction.is_clear() && prediction.meets();
 }
 
-const Grasp& FindBestGrasp(const SessionInputs& inputs, const SessionHand& hand,
-                           const std::shared_ptr<const GraspObject>& object) {
+const Grasp& ChooseBestGrasp(const SessionInputs& inputs, const SessionHand& hand,
+                             const std::shared_ptr<const GraspObject>& object) {
   const auto named = object->best_grasp.find(hand.hand->id);
   if (named != object->best_grasp.end()) {
     if (const Grasp* grasp = FindGrasp(hand, *object, named->second)) return *grasp;
@@ -78,6 +78,21 @@ const Grasp& FindBestGrasp(const SessionInputs& inputs, const SessionHand& hand,
     best_rank = rank;
   }
   return best ? *best : hand.grasps.front();
+}
+
+/** Under a condition the one that the base chooses; null: the hand does not have it here. */
+const Grasp* FindBestGrasp(const SessionInputs& inputs, const SessionHand& hand,
+                           const std::shared_ptr<const GraspObject>& object) {
+  if (!inputs.base) return &ChooseBestGrasp(inputs, hand, object);
+  const SessionInputs& base = *inputs.base;
+  const auto base_hand =
+      std::find_if(base.hands.begin(), base.hands.end(),
+                   [&](const SessionHand& one) { return one.hand->id == hand.hand->id; });
+  const auto base_object = std::find_if(base.objects.begin(), base.objects.end(),
+                                        [&](const auto& one) { return one->id == object->id; });
+  GRASPBENCH_DEMAND(base_hand != base.hands.end() && base_object != base.objects.end(),
+                    hand.hand->id + ", " + object->id);
+  return FindGrasp(hand, *object, ChooseBestGrasp(base, *base_hand, *base_object).id);
 }
 
 /** What each name of the session stands for on an object: one grasp, all those of which the camera
@@ -168,7 +183,7 @@ std::vector<GraspEntry> ListGraspEntries(const SessionConfig& config, const Sess
       entries.push_back({kBySight, FindSightGrasps(hand, *object)});
       continue;
     }
-    const Grasp* grasp = name == "best" ? &FindBestGrasp(inputs, hand, object)
+    const Grasp* grasp = name == "best" ? FindBestGrasp(inputs, hand, object)
                                         : FindGrasp(hand, *object, ResolveGraspName(inputs, name));
     const bool is_new =
         grasp && std::none_of(entries.begin(), entries.end(), [&](const GraspEntry& entry) {

@@ -81,13 +81,15 @@ SessionInputs LoadBaseInputs(const SessionConfig& config, FieldUse field_use,
 SessionInputs LoadSessionInputs(const SessionConfig& config, FieldUse field_use,
                                 const std::filesystem::path& folder) {
   SessionInputs inputs = LoadBaseInputs(config, field_use, folder);
-  std::map<Json, std::shared_ptr<const SessionInputs>> known;
-  known[DescribeInputs(config)] = std::make_shared<SessionInputs>(inputs);
+  const std::shared_ptr<const SessionInputs> base = std::make_shared<SessionInputs>(inputs);
+  std::map<Json, std::shared_ptr<const SessionInputs>> known = {{DescribeInputs(config), base}};
   for (const Condition& condition : config.conditions) {
     ConditionInputs made = ApplyCondition(condition, config);
     std::shared_ptr<const SessionInputs>& shared = known[DescribeInputs(made.config)];
     if (!shared) {
-      shared = std::make_shared<SessionInputs>(LoadBaseInputs(made.config, field_use, folder));
+      SessionInputs changed = LoadBaseInputs(made.config, field_use, folder);
+      changed.base = base;
+      shared = std::make_shared<SessionInputs>(std::move(changed));
     }
     made.inputs = shared;
     inputs.conditions.emplace(condition.name, std::move(made));

@@ -42,6 +42,9 @@ struct SessionInputs {
   std::map<std::string, std::string> grasp_files;  ///< path in the configuration -> the grasp's id
   std::map<std::string, ConditionInputs> conditions;                        ///< by name
   std::shared_ptr<FittedGrasps> fitted = std::make_shared<FittedGrasps>();  ///< those asked for
+  /** Of a condition with other hands or objects: the base's, where "best" is chosen for both, so
+  that all conditions compare one grasp. Null: here. */
+  std::shared_ptr<const SessionInputs> base = nullptr;
 };
 
 /** Loads what the configuration names, with its `model` applied; "all" is every hand and object that

@@ -162,8 +162,9 @@ std::string DescribeTrial(const PlannedTrial& planned) {
          std::to_string(planned.trial) + (planned.condition ? ", under " + *planned.condition : "");
 }
 
-std::string NameDraw(PlannedTrial planned) {
+std::string NameDraw(PlannedTrial planned, bool is_any_grasp) {
   planned.condition.reset();
+  if (is_any_grasp) planned.grasp.clear();
   return DescribeTrial(planned);
 }
 

@@ -47,8 +47,9 @@ bool operator==(const PlannedTrial& a, const PlannedTrial& b);
 /** "tum, golf_ball, g1, number 3", for a person. */
 std::string DescribeTrial(const PlannedTrial& planned);
 
-/** The same without the condition: what the trials of one draw share. */
-std::string NameDraw(PlannedTrial planned);
+/** The same without the condition: what the trials of one draw share.
+@param is_any_grasp  without the grasp, too: where grasps are compared. */
+std::string NameDraw(PlannedTrial planned, bool is_any_grasp = false);
 
 /** Cells in the order hand, object, grasp. Under several conditions: hand, object, settings, grasp,
 trial, condition, so that a world serves as many trials in a row as it can and the same trial with
@@ -57,7 +58,9 @@ the grasps
 
 - "best": the object's best grasp for that hand; where it names none (a user's hand) or one that the
   hand cannot do, of the object's grasp_order that of the highest rank by prediction, the first of
-  equal ones (GraspRank of grasp_choice.h); else the hand's first;
+  equal ones (GraspRank of grasp_choice.h); else the hand's first. Conditions use the one that the
+  base chooses, so that every draw has a pair; how the hand does it on the object (FindFitted) each
+  finds with its own settings, as a session of its own would;
 - "all": all that the hand can do;
 - ids and grasp files, "best" among them: those that the hand can do on the object;
 - "by-sight", which may be among ids: what the hand's camera chooses in the trial

@@ -31,24 +31,41 @@ TrialMeasures MakeTrialMeasures(const TrialResult& result) {
 
 namespace {
 
-/** @returns whether all trials that are known have the same measures. */
+/** The ids of the session's trials by their draws. @param is_any_grasp  of whatever grasp: only
+draws that one grasp has met. */
+std::map<std::string, std::string> ListDrawIds(const Session& session, bool is_any_grasp) {
+  std::map<std::string, std::string> ids;
+  std::set<std::string> repeated;
+  for (const PlannedTrial& planned : session.plan) {
+    const std::string name = NameDraw(planned, is_any_grasp);
+    if (!ids.emplace(name, planned.id).second) repeated.insert(name);
+  }
+  for (const std::string& name : repeated) ids.erase(name);
+  return ids;
+}
+
 void AddConditions(const Session& session, const Session& varied, SensitivityData& data,
                    Diagnostics& conflicts) {
-  std::map<std::string, std::string> ids;
-  for (const TrialRecord& record : session.records) {
-    ids.emplace(NameDraw(record.plan), record.plan.id);
-  }
+  const std::map<std::string, std::string> ids[] = {ListDrawIds(session, false),
+                                                    ListDrawIds(session, true)};
   std::map<std::string, std::string> settings;
   for (const Condition& condition : varied.config.conditions) {
-    settings.emplace(condition.name, condition.settings.at(0));
+    const std::string& setting = condition.settings.at(0);
+    settings.emplace(condition.name, setting);
+    for (const PlannedTrial& planned : session.plan) {
+      if (planned.trial < varied.config.trials) data[setting][planned.id];
+    }
   }
   for (const TrialRecord& record : varied.records) {
-    const auto id = ids.find(NameDraw(record.plan));
-    if (!record.plan.condition || id == ids.end()) continue;
+    if (!record.plan.condition) continue;
+    const std::string& setting = settings.at(*record.plan.condition);
+    const bool is_any_grasp = setting.rfind("grasp=", 0) == 0;
+    const auto id = ids[is_any_grasp].find(NameDraw(record.plan, is_any_grasp));
+    if (id == ids[is_any_grasp].end()) continue;
     const TrialMeasures measures = MakeTrialMeasures(record.result);
-    const auto [known, is_new] =
-        data[settings.at(*record.plan.condition)].emplace(id->second, measures);
-    if (is_new || RecordToJson(known->second) == RecordToJson(measures)) continue;
+    TrialMeasures& known = data[setting][id->second];
+    if (known.outcome == Outcome::kNotRun) known = measures;
+    if (RecordToJson(known) == RecordToJson(measures)) continue;
     conflicts.Fail(
         varied.folder.filename().string(), 0,
         "trial " + id->second + " has two different results under " + *record.plan.condition);

@@ -33,7 +33,8 @@ struct TrialMeasures {
 };
 TrialMeasures MakeTrialMeasures(const TrialResult& result);
 
-/** The trials of one setting by the id of the session's trial with the same draws. */
+/** The trials of one setting by the id of the session's trial with the same draws. One that is not
+run is planned under the setting, or would be: its pair is missing. */
 using VariedTrials = std::map<std::string, TrialMeasures>;
 using SensitivityData = std::map<std::string, VariedTrials>;  ///< by setting
 

@@ -1,3 +1,4 @@
+#include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "reports/outcome_words.h"
@@ -69,7 +70,8 @@ Html DrawNumerics(const std::vector<NumericsSummary>& numerics) {
   const Align number = Align::kNumber;
   Table counts("Trials repeated under other numerics.",
                {{"Variant"},
-                {"Trials", number},
+                {"Trials", number,
+                 "n of N: the others are not finished, or the variant's backend cannot move them"},
                 {"Verdict flips", number, "a success becomes a failure, or the reverse"},
                 {"Held", number, "before and after"},
                 {"Seat flips", number, "of them"},
@@ -82,11 +84,12 @@ Html DrawNumerics(const std::vector<NumericsSummary>& numerics) {
   }
   Table changes("Median (and largest) relative change of trials held in the same seat.", columns);
   for (const NumericsSummary& summary : numerics) {
-    counts.AddRow({Text(summary.variant), Text(std::to_string(summary.num_trials)),
-                   Text(std::to_string(summary.num_flips)), Text(std::to_string(summary.num_held)),
-                   Text(std::to_string(summary.num_seat_flips)),
-                   Text(std::to_string(summary.num_flagged)),
-                   Text(std::to_string(summary.num_large))});
+    counts.AddRow(
+        {Text(summary.variant),
+         Text(FormatCountOf(summary.num_trials, summary.num_trials + summary.num_left_out)),
+         Text(std::to_string(summary.num_flips)), Text(std::to_string(summary.num_held)),
+         Text(std::to_string(summary.num_seat_flips)), Text(std::to_string(summary.num_flagged)),
+         Text(std::to_string(summary.num_large))});
     for (const SeatNumerics& seat : summary.seats) {
       std::vector<Html> row = {Text(summary.variant), Text(WordsOf(seat.seat)),
                                Text(std::to_string(seat.num_held))};

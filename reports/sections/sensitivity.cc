@@ -11,12 +11,6 @@
 namespace graspbench {
 namespace {
 
-std::string FormatChange(const SettingChange& change, const char* measure, double scale,
-                         int decimals) {
-  const MeasureChange& part = change.Find(measure);
-  return FormatWithRange(scale * part.change(), scale * part.low, scale * part.high, decimals);
-}
-
 Html DrawRates(const std::string& hand, const SensitivitySummary& summary) {
   IntervalPlot plot;
   plot.text.title = "What single settings change of the success rate of the " + hand;
@@ -29,6 +23,7 @@ Html DrawRates(const std::string& hand, const SensitivitySummary& summary) {
     row.low = 100.0 * change.rate_change_low;
     row.high = 100.0 * change.rate_change_high;
     row.text = FormatWithRange(row.value, row.low, row.high, 1);
+    if (change.num_left_out > 0) row.text += ", " + CountPairs(change) + " pairs";
     plot.rows.push_back(row);
   }
   return MakeFigure(plot.text.title + ", on the same draws.",
@@ -45,6 +40,7 @@ Html DrawMeasures(const std::string& hand, const SensitivitySummary& summary) {
       {{"Setting"},
        {"Was", number, "the session's value"},
        {"Pairs", number, "trials of the same draws"},
+       {"Left out", Align::kProse, "trials without a pair"},
        {"Lost", number, "successes that fail under the setting"},
        {"Won", number, "failures that succeed under the setting"},
        {"GCT [ms]", number},
@@ -54,8 +50,8 @@ Html DrawMeasures(const std::string& hand, const SensitivitySummary& summary) {
        {"sigma [N]", number}});
   for (const SettingChange& change : summary.changes) {
     table.AddRow({Element("code", {}, FormatSetting(change.setting)),
-                  Text(FormatSetting(change.value)),
-                  Text(std::to_string(change.successes.num_pairs())),
+                  Text(FormatSetting(change.value)), Text(CountPairs(change)),
+                  Text(change.why_left_out.empty() ? "none" : change.why_left_out),
                   Text(std::to_string(change.successes.first_only)),
                   Text(std::to_string(change.successes.second_only)),
                   Text(FormatChange(change, "gct_s", MsFromS(1.0), 0)),

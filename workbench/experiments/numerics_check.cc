@@ -105,6 +105,7 @@ Json MakeNumericsJson(const std::vector<NumericsSummary>& summaries,
   for (const NumericsSummary& summary : summaries) {
     variants.push_back({{"variant", summary.variant},
                         {"trials", summary.num_trials},
+                        {"left_out", summary.num_left_out},
                         {"successes_before", summary.num_successes_before},
                         {"successes", summary.num_successes},
                         {"flips", summary.num_flips},

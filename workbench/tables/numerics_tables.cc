@@ -1,5 +1,6 @@
 #include "workbench/tables/numerics_tables.h"
 
+#include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
 #include "workbench/tables/text_table.h"
 
@@ -37,8 +38,11 @@ std::string FormatNumericsTables(const std::vector<NumericsSummary>& summaries,
   TextTable table({"variant", "trials", "held before", "held now", "flips", "seat flips", "flagged",
                    "others above 10 %"});
   int num_flips = 0, num_failures = 0;
+  bool leaves_out = false;
   for (const NumericsSummary& summary : summaries) {
-    table.AddRow({summary.variant, std::to_string(summary.num_trials),
+    leaves_out = leaves_out || summary.num_left_out > 0;
+    table.AddRow({summary.variant,
+                  FormatCountOf(summary.num_trials, summary.num_trials + summary.num_left_out),
                   std::to_string(summary.num_successes_before),
                   std::to_string(summary.num_successes), std::to_string(summary.num_flips),
                   std::to_string(summary.num_seat_flips), std::to_string(summary.num_flagged),
@@ -47,6 +51,9 @@ std::string FormatNumericsTables(const std::vector<NumericsSummary>& summaries,
     num_failures += summary.num_numerical_failures;
   }
   std::string text = table.Format() +
+                     (leaves_out ? "n of N trials: the others are not finished, or the variant's "
+                                   "backend cannot move them\n"
+                                 : "") +
                      "flagged: held, but reseated or caged; above 10 %: grip, sigma or breaking "
                      "force of the other held\n\n" +
                      FormatChanges(summaries) + "median (largest) of each seat\n";

@@ -58,15 +58,19 @@ std::string FormatDoseResponses(const std::vector<DoseResponse>& rows) {
   }
   TextTable table({"object", "late digit", "hand", "of the trial", "trials",
                    "means at " + delays + " ms", "change for 100 ms"});
+  bool leaves_out = false;
   for (const DoseResponse& row : rows) {
+    leaves_out = leaves_out || row.num_left_out > 0;
     const Interval range = row.interval ? *row.interval : Interval{kUnset, kUnset};
     const double scale = row.response.scale;
     table.AddRow({row.condition, row.digit, row.hand, row.response.label,
-                  std::to_string(row.num_trials), FormatMeans(row),
+                  FormatCountOf(row.num_trials, row.num_trials + row.num_left_out),
+                  FormatMeans(row),
                   FormatWithRange(scale * row.change, scale * range.low, scale * range.high,
                                   std::max(row.response.decimals, 1))});
   }
   return table.Format() +
+         (leaves_out ? "n of N trials: the others have no value at some delay\n" : "") +
          "the same trials on the same draws with one digit late; 95 % intervals from drawing "
          "conditions; all but success, pushes and turns are of trials that succeed at every "
          "delay\n";

@@ -31,13 +31,25 @@ std::string FormatConditions(const SweepSummary& summary) {
 }
 
 std::string FormatEffects(const std::vector<SweepEffect>& effects) {
-  TextTable table({"level", "hand", "measure", "draws", "change", "95 % interval"});
+  std::vector<std::string> heading = {"level", "hand",   "measure",
+                                      "draws", "change", "95 % interval"};
+  const bool leaves_out =
+      std::any_of(effects.begin(), effects.end(),
+                  [](const SweepEffect& effect) { return effect.num_left_out > 0; });
+  if (leaves_out) heading.push_back("left out");
+  TextTable table(heading);
   for (const SweepEffect& effect : effects) {
     const SweepMeasure& measure = FindSweepMeasure(effect.measure);
-    table.AddRow({NameEffect(effect), effect.hand, measure.label, std::to_string(effect.num_draws),
-                  FormatChange(measure, effect.estimate),
-                  effect.interval ? FormatChangeInterval(measure, *effect.interval)
-                                  : effect.interval.reason()});
+    std::vector<std::string> cells = {NameEffect(effect),
+                                      effect.hand,
+                                      measure.label,
+                                      CountDraws(effect),
+                                      FormatChange(measure, effect.estimate),
+                                      effect.interval
+                                          ? FormatChangeInterval(measure, *effect.interval)
+                                          : effect.interval.reason()};
+    if (leaves_out) cells.push_back(effect.why_left_out);
+    table.AddRow(cells);
   }
   return table.Format();
 }

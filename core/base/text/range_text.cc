@@ -15,4 +15,9 @@ std::string FormatWithRange(double estimate, double low, double high, int decima
   return std::isfinite(low) ? text + " (" + FormatRange(low, high, decimals) + ")" : text;
 }
 
+std::string FormatCountOf(int64_t count, int64_t num_all) {
+  const std::string text = std::to_string(count);
+  return count == num_all ? text : text + " of " + std::to_string(num_all);
+}
+
 }  // namespace graspbench

@@ -110,6 +110,7 @@ DoseResponse CalcDoseResponse(const Block& block, const DelayResponse& response)
       cell.push_back(kDelayDose * CalcSlope(values));
     }
     row.num_trials += static_cast<int>(cell.size());
+    row.num_left_out += static_cast<int>(courses.size() - cell.size());
     if (!cell.empty()) slopes.push_back(cell);
   }
   row.num_cells = static_cast<int>(slopes.size());
@@ -158,6 +159,7 @@ Json ToJson(const DoseResponse& row) {
                {"hand", row.hand},
                {"response", row.response.id},
                {"trials", row.num_trials},
+               {"left_out", row.num_left_out},
                {"cells", row.num_cells},
                {"delays_s", ListDelays()},
                {"means", row.means},

@@ -40,6 +40,7 @@ struct DoseResponse {
   std::string condition, digit, hand;
   ShownQuantity response;
   int num_trials = 0;
+  int num_left_out = 0;  ///< trials without a value at some delay
   int num_cells = 0;
   std::vector<double> means;  ///< at each of ListDelays()
   double change = kUnset;     ///< for kDelayDose of delay: the mean slope times that

@@ -90,6 +90,7 @@ std::vector<NumericsSummary> SummariseNumerics(const std::vector<NumericsCompari
   std::vector<NumericsSummary> summaries;
   std::map<std::string, size_t> places;
   std::vector<std::map<Seat, std::vector<const NumericsComparison*>>> held;
+  std::set<std::string> bases;
   for (const NumericsComparison& comparison : comparisons) {
     const auto [place, is_new] = places.emplace(comparison.variant, summaries.size());
     if (is_new) {
@@ -98,10 +99,12 @@ std::vector<NumericsSummary> SummariseNumerics(const std::vector<NumericsCompari
       held.emplace_back();
     }
     Add(comparison, summaries[place->second]);
+    bases.insert(comparison.before.plan.id);
     if (!comparison.is_held() || comparison.is_seat_flipped()) continue;
     held[place->second][FindSeat(comparison.before.result)].push_back(&comparison);
   }
   for (size_t i = 0; i < summaries.size(); ++i) {
+    summaries[i].num_left_out = static_cast<int>(bases.size()) - summaries[i].num_trials;
     for (const Seat seat : kSeats) {
       if (held[i][seat].empty()) continue;
       SeatNumerics& one = summaries[i].seats.emplace_back();

@@ -57,6 +57,7 @@ struct SeatNumerics {
 struct NumericsSummary {
   std::string variant;
   int num_trials = 0;
+  int num_left_out = 0;  ///< that other variants have and this one has not
   int num_successes_before = 0;
   int num_successes = 0;
   int num_flips = 0;

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <set>
 #include <string_view>
 #include <tuple>
 
 #include "core/base/error.h"
+#include "core/base/text/range_text.h"
+#include "core/base/text/text.h"
 #include "core/statistics/bootstrap.h"
 #include "core/statistics/summary.h"
 #include "datasets/plan/conditions.h"
@@ -120,7 +123,7 @@ SettingChange Compare(const std::string& setting, const std::string& hand,
   return change;
 }
 
-/** The pairs of each hand, by cell; hands and cells in the plan's order. */
+/** The pairs of each hand that has a trial among them, by cell; in the plan's order. */
 std::vector<std::pair<std::string, std::vector<CellPairs>>> ListPairs(const Session& session,
                                                                       const VariedTrials& trials) {
   std::vector<std::pair<std::string, std::vector<CellPairs>>> hands;
@@ -130,12 +133,36 @@ std::vector<std::pair<std::string, std::vector<CellPairs>>> ListPairs(const Sess
     if (varied == trials.end()) continue;
     const PlannedTrial& plan = record.plan;
     if (hands.empty() || hands.back().first != plan.hand) hands.push_back({plan.hand, {}});
+    if (varied->second.outcome == Outcome::kNotRun) continue;
     const std::tuple cell(plan.hand, plan.object, plan.grasp);
     if (cell != cell_before) hands.back().second.emplace_back();
     cell_before = cell;
     hands.back().second.back().push_back({MakeTrialMeasures(record.result), varied->second});
   }
   return hands;
+}
+
+void CountLeftOut(const Session& session, const VariedTrials& trials, SettingChange& change) {
+  std::set<std::string> finished;
+  for (const TrialRecord& record : session.records) finished.insert(record.plan.id);
+  int num_unfinished = 0, num_without_pair = 0;
+  for (const PlannedTrial& planned : session.plan) {
+    const auto varied = trials.find(planned.id);
+    if (planned.hand != change.hand || varied == trials.end()) continue;
+    if (finished.count(planned.id) == 0) {
+      ++num_unfinished;
+    } else if (varied->second.outcome == Outcome::kNotRun) {
+      ++num_without_pair;
+    }
+  }
+  change.num_left_out = num_unfinished + num_without_pair;
+  const auto add = [&](int num, const char* why) {
+    if (num == 0) return;
+    change.why_left_out +=
+        (change.why_left_out.empty() ? "" : ", ") + std::to_string(num) + " " + why;
+  };
+  add(num_unfinished, "not finished in the session");
+  add(num_without_pair, "without a trial under the setting");
 }
 
 }  // namespace
@@ -159,11 +186,44 @@ std::string FormatSetting(const std::string& setting) {
   return setting.substr(0, start) + fmt::format("{:.4g}", value);
 }
 
+std::string CountPairs(const SettingChange& change) {
+  const int num_pairs = change.successes.num_pairs();
+  return FormatCountOf(num_pairs, num_pairs + change.num_left_out);
+}
+
+std::string FormatChange(const SettingChange& change, const char* measure, double scale,
+                         int decimals) {
+  const MeasureChange& part = change.Find(measure);
+  const int num_pairs = change.successes.num_pairs();
+  std::string text =
+      FormatWithRange(scale * part.change(), scale * part.low, scale * part.high, decimals);
+  if (part.num_pairs < num_pairs) {
+    text += ", " + std::to_string(part.num_pairs) + " of " + FormatCount(num_pairs, "pair");
+  }
+  return text;
+}
+
+std::string DescribeChanges(const std::vector<SettingChange>& changes) {
+  const auto lacks_values = [](const SettingChange& change) {
+    const int num_pairs = change.successes.num_pairs();
+    return std::any_of(
+        change.measures.begin(), change.measures.end(),
+        [num_pairs](const MeasureChange& measure) { return measure.num_pairs < num_pairs; });
+  };
+  return std::string(
+             "changes of the success rate and of medians, with 95 % intervals, on the same "
+             "draws\n") +
+         (std::any_of(changes.begin(), changes.end(), lacks_values)
+              ? "n of N pairs: in each other pair a trial has no value\n"
+              : "");
+}
+
 std::vector<SettingChange> ListChanges(const Session& session, const std::string& setting,
                                        const VariedTrials& trials) {
   std::vector<SettingChange> changes;
   for (const auto& [hand, cells] : ListPairs(session, trials)) {
     changes.push_back(Compare(setting, hand, cells));
+    CountLeftOut(session, trials, changes.back());
   }
   return changes;
 }

@@ -7,7 +7,7 @@ Success is compared over all pairs: the difference of the rates with Newcombe's 
 (core/statistics/proportion.h). A measure is compared over the pairs in which both trials have it:
 the difference of the two medians, with an interval from drawing cells (hand, object, grasp) with
 replacement, because trials of one cell are alike. Both at 95 %; with tens of settings some
-intervals miss 0 by chance. */
+intervals miss 0 by chance. What lacks its pair is counted beside the estimate. */
 
 #include <string>
 #include <vector>
@@ -48,7 +48,9 @@ struct SettingChange {
   std::string setting;  ///< "model.mass_scale=0.5"
   std::string value;    ///< of the same key in the session: "1.0"
   std::string hand;
-  PairedCounts successes;  ///< first: as the session has it, second: under the setting
+  PairedCounts successes;    ///< first: as the session has it, second: under the setting
+  int num_left_out = 0;      ///< trials of the session that are planned under the setting, too
+  std::string why_left_out;  ///< "2 not finished in the session"; empty: none is
   double rate_change_low = kUnset, rate_change_high = kUnset;  ///< of the rate after - before
   std::vector<MeasureChange> measures;  ///< gct_s, gft_s, gft_ratio, got_ratio, sigma_n
 
@@ -68,6 +70,8 @@ struct SettingChange {
     field("success_before_only", &C::successes, &PairedCounts::first_only);
     field("success_after_only", &C::successes, &PairedCounts::second_only);
     field("success_neither", &C::successes, &PairedCounts::neither);
+    field("left_out", &C::num_left_out);
+    field("why_left_out", &C::why_left_out);
     field("rate_change_low", &C::rate_change_low);
     field("rate_change_high", &C::rate_change_high);
     field("measures", &C::measures);
@@ -89,6 +93,17 @@ struct SensitivitySummary {
 /** A setting or its value as tables show it, a long number with four digits:
 "variation.yaw_rad=0.1745". */
 std::string FormatSetting(const std::string& setting);
+
+/** "10", or "6 of 10" where pairs are left out. */
+std::string CountPairs(const SettingChange& change);
+
+/** A measure's change as tables show it: "-8 (-12 to -3)", and "-8 (-12 to -3), 5 of 10 pairs" where
+not all pairs have it. */
+std::string FormatChange(const SettingChange& change, const char* measure, double scale,
+                         int decimals);
+
+/** What a table of changes says below it, with a line feed. */
+std::string DescribeChanges(const std::vector<SettingChange>& changes);
 
 /** How the session's trials compare with others of the same draws, a change for each hand.
 @param setting  its name. */

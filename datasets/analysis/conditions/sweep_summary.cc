@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "core/base/text/csv.h"
+#include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
 #include "core/statistics/summary.h"
 
@@ -36,6 +36,7 @@ std::vector<Treatment> ListTreatments(const SessionConfig& config,
 struct Draw {
   std::string object;
   std::vector<SweepTrial> trials;
+  std::vector<bool> is_planned;
 };
 
 /** Thresholds of each of the session's records. */
@@ -59,16 +60,20 @@ std::vector<Draw> ListDraws(const Session& session, const std::vector<Treatment>
   for (size_t i = 0; i < treatments.size(); ++i) places.emplace(treatments[i].name, i);
   std::map<std::string, size_t> known;
   std::vector<Draw> draws;
+  for (const PlannedTrial& planned : session.plan) {
+    if (planned.hand != hand) continue;
+    const auto [place, is_new] = known.emplace(NameDraw(planned, is_grasp_a_factor), draws.size());
+    if (is_new) {
+      draws.push_back({planned.object, std::vector<SweepTrial>(treatments.size()),
+                       std::vector<bool>(treatments.size(), false)});
+    }
+    draws[place->second].is_planned[places.at(planned.condition)] = true;
+  }
   for (size_t i = 0; i < session.records.size(); ++i) {
     const TrialRecord& record = session.records[i];
     if (record.plan.hand != hand) continue;
-    PlannedTrial draw = record.plan;
-    if (is_grasp_a_factor) draw.grasp.clear();
-    const auto [place, is_new] = known.emplace(NameDraw(draw), draws.size());
-    if (is_new) {
-      draws.push_back({draw.object, std::vector<SweepTrial>(treatments.size())});
-    }
-    SweepTrial& trial = draws[place->second].trials[places.at(record.plan.condition)];
+    Draw& draw = draws[known.at(NameDraw(record.plan, is_grasp_a_factor))];
+    SweepTrial& trial = draw.trials[places.at(record.plan.condition)];
     trial.record = &record;
     for (size_t scale = 0; scale < thresholds.size(); ++scale) {
       trial.thresholds[scale] = thresholds[scale][i];
@@ -141,34 +146,89 @@ double CalcContrast(const Draw& draw, const Contrast& contrast, const SweepMeasu
   return sum;
 }
 
-/** Whether the trials that a contrast compares have both outcomes among them. */
-std::string ExplainUndecided(int num_successes, int num_finished) {
-  if (num_finished == 0) return "no trial is finished";
-  if (num_successes == num_finished) {
-    return "cannot decide success: all " + FormatCount(num_finished, "trial") + " succeed";
+struct OutcomeCounts {
+  int num_finished = 0, num_successes = 0;
+};
+
+OutcomeCounts CountOutcomes(const std::set<const TrialRecord*>& records) {
+  OutcomeCounts counts;
+  for (const TrialRecord* record : records) {
+    ++counts.num_finished;
+    counts.num_successes += IsSuccess(record->result.outcome);
   }
-  if (num_successes == 0) {
-    return "cannot decide success: all " + FormatCount(num_finished, "trial") + " fail";
-  }
-  return "";
+  return counts;
 }
 
-/** Estimate and interval of the mean over draws. */
+/** Whether compared trials have both outcomes among them.
+@param left_out  finished trials of the same conditions that are not compared. */
+std::string ExplainUndecided(const OutcomeCounts& compared, const OutcomeCounts& left_out = {}) {
+  const auto [num, num_successes] = compared;
+  if (num == 0) return "no trial is finished";
+  if (num_successes > 0 && num_successes < num) return "";
+  const bool succeed = num_successes == num;
+  const int num_others =
+      succeed ? left_out.num_finished - left_out.num_successes : left_out.num_successes;
+  if (num_others == 0) {
+    return "cannot decide success: all " + FormatCount(num, "trial") +
+           (succeed ? " succeed" : " fail");
+  }
+  return "cannot decide success: " + std::to_string(num_others) + " of " +
+         FormatCount(left_out.num_finished, "trial") + " left out " +
+         (num_others == 1 ? (succeed ? "fails" : "succeeds") : (succeed ? "fail" : "succeed")) +
+         ", none of the " + std::to_string(num) + " compared";
+}
+
+/** Why a draw has no value of every contrast. */
+enum class Gap { kNotPlanned, kNotFinished, kNoValue };
+constexpr const char* kGapTexts[] = {"without a trial in each condition", "not finished",
+                                     "without a value"};
+
+Gap FindGap(const Draw& draw, const std::vector<Contrast>& contrasts) {
+  Gap gap = Gap::kNoValue;
+  for (const Contrast& contrast : contrasts) {
+    for (const auto& part : contrast) {
+      if (!draw.is_planned[part.first]) return Gap::kNotPlanned;
+      if (!draw.trials[part.first].record) gap = Gap::kNotFinished;
+    }
+  }
+  return gap;
+}
+
+std::string DescribeGaps(const std::map<Gap, int>& gaps) {
+  std::string text;
+  for (const auto& [gap, num] : gaps) {
+    text += (text.empty() ? "" : ", ") + std::to_string(num) + " " +
+            kGapTexts[static_cast<size_t>(gap)];
+  }
+  return text;
+}
+
+bool IsSuccessRate(const SweepMeasure& measure) { return &measure == &ListSweepMeasures().front(); }
+
+/** Estimate and interval of the mean over draws. @pre there is a contrast. */
 void Estimate(const std::vector<Draw>& draws, const std::vector<Contrast>& contrasts,
               const SweepMeasure& measure, SweepEffect& effect) {
   std::map<std::string, size_t> places;
   std::vector<std::vector<double>> objects;
   std::vector<double> all;
-  std::set<const TrialRecord*> used;
+  std::set<const TrialRecord*> compared, left_out;
+  std::map<Gap, int> gaps;
   for (const Draw& draw : draws) {
     std::vector<double> values;
+    std::set<const TrialRecord*> records;
     for (const Contrast& contrast : contrasts) {
       const double value = CalcContrast(draw, contrast, measure);
-      if (!std::isfinite(value)) continue;
-      values.push_back(value);
-      for (const auto& part : contrast) used.insert(draw.trials[part.first].record);
+      if (std::isfinite(value)) values.push_back(value);
+      for (const auto& part : contrast) {
+        if (const TrialRecord* record = draw.trials[part.first].record) records.insert(record);
+      }
     }
-    if (values.size() < contrasts.size() || values.empty()) continue;
+    const bool is_compared = values.size() == contrasts.size();
+    (is_compared ? compared : left_out).insert(records.begin(), records.end());
+    if (!is_compared) {
+      ++gaps[FindGap(draw, contrasts)];
+      continue;
+    }
     const auto [place, is_new] = places.emplace(draw.object, objects.size());
     if (is_new) objects.emplace_back();
     objects[place->second].push_back(CalcMean(values));
@@ -177,14 +237,13 @@ void Estimate(const std::vector<Draw>& draws, const std::vector<Contrast>& contr
   effect.measure = measure.id;
   effect.num_draws = static_cast<int>(all.size());
   effect.num_objects = static_cast<int>(objects.size());
+  effect.num_left_out = static_cast<int>(draws.size() - all.size());
+  effect.why_left_out = DescribeGaps(gaps);
   if (all.empty()) return;
   effect.estimate = CalcMean(all);
-  if (measure.id == ListSweepMeasures().front().id) {
-    const int num_successes =
-        static_cast<int>(std::count_if(used.begin(), used.end(), [](const TrialRecord* record) {
-          return IsSuccess(record->result.outcome);
-        }));
-    const std::string undecided = ExplainUndecided(num_successes, static_cast<int>(used.size()));
+  if (IsSuccessRate(measure)) {
+    const std::string undecided =
+        ExplainUndecided(CountOutcomes(compared), CountOutcomes(left_out));
     if (!undecided.empty()) {
       effect.interval = NoAnswer{undecided};
       return;
@@ -219,8 +278,9 @@ void AddEffects(const std::vector<Treatment>& treatments, const std::vector<Draw
         contrasts.push_back(MakeMarginal(treatments, factor, f, factor.levels[l]));
       }
       for (const SweepMeasure& measure : ListSweepMeasures()) {
-        Estimate(draws, contrasts, measure, effect);
-        if (effect.num_draws > 0) summary.effects.push_back(effect);
+        SweepEffect one = effect;
+        Estimate(draws, contrasts, measure, one);
+        if (one.num_draws > 0 || IsSuccessRate(measure)) summary.effects.push_back(one);
       }
     }
   }
@@ -258,9 +318,11 @@ void AddInteractions(const std::vector<Treatment>& treatments, const std::vector
           effect.hand = hand;
           const std::vector<Contrast> contrasts =
               ListSquares(treatments, factors, f, g, effect.levels[0], effect.levels[1]);
+          if (contrasts.empty()) continue;
           for (const SweepMeasure& measure : ListSweepMeasures()) {
-            Estimate(draws, contrasts, measure, effect);
-            if (effect.num_draws > 0) summary.interactions.push_back(effect);
+            SweepEffect one = effect;
+            Estimate(draws, contrasts, measure, one);
+            if (one.num_draws > 0 || IsSuccessRate(measure)) summary.interactions.push_back(one);
           }
         }
       }
@@ -294,7 +356,7 @@ ConditionRow MakeRow(const Treatment& treatment, size_t place, const std::string
     row.medians.push_back(of_measure.empty() ? kUnset : CalcMedian(of_measure));
   }
   row.medians.front() = CalcShare(row.num_successes, row.num_finished);
-  row.undecided = ExplainUndecided(row.num_successes, row.num_finished);
+  row.undecided = ExplainUndecided({row.num_finished, row.num_successes});
   return row;
 }
 
@@ -316,76 +378,6 @@ ConditionThresholds SummariseCondition(const ThresholdSummary& summary, const st
   return row;
 }
 
-std::vector<CsvColumn<ConditionRow>> ListConditionColumns(const SweepSummary& summary) {
-  using Row = ConditionRow;
-  std::vector<CsvColumn<Row>> columns = {{"condition", "string", "",
-                                          "name of the condition; empty: the base",
-                                          [](const Row& row) { return Json(row.name); }}};
-  for (size_t i = 0; i < summary.factors.size(); ++i) {
-    std::string name = summary.factors[i].key;
-    std::replace(name.begin(), name.end(), '.', '_');
-    columns.push_back({name, "string", "", "level of the factor " + summary.factors[i].key,
-                       [i](const Row& row) { return Json(row.levels[i]); }});
-  }
-  const auto add = [&](const char* name, const char* meaning, int Row::*member) {
-    columns.push_back(
-        {name, "integer", "", meaning, [member](const Row& row) { return Json(row.*member); }});
-  };
-  columns.push_back(
-      {"hand", "string", "", "id of the hand", [](const Row& row) { return Json(row.hand); }});
-  add("planned", "trials of the plan", &Row::num_planned);
-  add("finished", "finished trials", &Row::num_finished);
-  add("successes", "of these", &Row::num_successes);
-  add("numerical_failures", "of the finished trials", &Row::num_numerical);
-  for (size_t i = 1; i < ListSweepMeasures().size(); ++i) {
-    const std::string id = ListSweepMeasures()[i].id;
-    columns.push_back({"median_" + id, "number", "",
-                       ListSweepMeasures()[i].threshold
-                           ? "over the draws; empty: not looked for, or half never held"
-                           : "over the trials that have it",
-                       [i](const Row& row) { return JsonNumber(row.medians[i]); }});
-  }
-  columns.push_back({"undecided", "string", "",
-                     "why these trials cannot decide success; empty: some succeed, some fail",
-                     [](const Row& row) { return Json(row.undecided); }});
-  return columns;
-}
-
-std::vector<CsvColumn<SweepEffect>> ListEffectColumns() {
-  using Row = SweepEffect;
-  const auto take = [](std::vector<std::string> Row::*list, size_t place) {
-    return [list, place](const Row& row) {
-      return (row.*list).size() > place ? Json((row.*list)[place]) : Json();
-    };
-  };
-  return {
-      {"factor", "string", "", "key of the factor", take(&Row::factors, 0)},
-      {"level", "string", "", "its level, against that of the base", take(&Row::levels, 0)},
-      {"with_factor", "string", "", "of an interaction the second factor", take(&Row::factors, 1)},
-      {"with_level", "string", "", "and its level", take(&Row::levels, 1)},
-      {"hand", "string", "", "id of the hand", [](const Row& row) { return Json(row.hand); }},
-      {"measure", "string", "",
-       "success (0 or 1), gft_ratio, sigma_n, breaking_force_n; threshold_margin and "
-       "threshold_force_n as binary logarithms: a change of 1 is twice the grip",
-       [](const Row& row) { return Json(row.measure); }},
-      {"draws", "integer", "", "that have every value",
-       [](const Row& row) { return Json(row.num_draws); }},
-      {"objects", "integer", "", "of these draws",
-       [](const Row& row) { return Json(row.num_objects); }},
-      {"marginal", "boolean", "",
-       "1 when no two conditions differ in the factor alone, so that means over all conditions "
-       "are compared",
-       [](const Row& row) { return Json(row.is_marginal ? 1 : 0); }},
-      {"change", "number", "", "mean over draws, in the measure's unit",
-       [](const Row& row) { return JsonNumber(row.estimate); }},
-      {"low", "number", "", "95 % interval from drawing objects",
-       [](const Row& row) { return row.interval ? JsonNumber(row.interval->low) : Json(); }},
-      {"high", "number", "", "likewise",
-       [](const Row& row) { return row.interval ? JsonNumber(row.interval->high) : Json(); }},
-      {"no_interval", "string", "", "why there is none",
-       [](const Row& row) { return Json(row.interval ? "" : row.interval.reason()); }}};
-}
-
 }  // namespace
 
 bool SweepSummary::Shows(size_t measure) const {
@@ -401,6 +393,10 @@ std::string NameEffect(const SweepEffect& effect) {
     name += (i > 0 ? " and " : "") + effect.factors[i] + "=" + effect.levels[i];
   }
   return name;
+}
+
+std::string CountDraws(const SweepEffect& effect) {
+  return FormatCountOf(effect.num_draws, effect.num_draws + effect.num_left_out);
 }
 
 SweepSummary SummariseSweep(const Session& session,
@@ -433,46 +429,6 @@ SweepSummary SummariseSweep(const Session& session,
     }
   }
   return summary;
-}
-
-std::vector<ExportTable> MakeSweepTables(const SweepSummary& summary) {
-  const auto conditions = ListConditionColumns(summary);
-  const auto effects = ListEffectColumns();
-  std::vector<SweepEffect> all = summary.effects;
-  all.insert(all.end(), summary.interactions.begin(), summary.interactions.end());
-  return {{"conditions", FormatCsv(conditions, summary.rows), MakeTableSchema(conditions, "")},
-          {"effects", FormatCsv(effects, all), MakeTableSchema(effects, "")}};
-}
-
-Json ToJson(const SweepSummary& summary) {
-  const auto list = [](const auto& columns, const auto& rows) {
-    Json json = Json::array();
-    for (const auto& row : rows) {
-      Json object = Json::object();
-      for (const auto& column : columns) object[column.name] = column.value(row);
-      json.push_back(object);
-    }
-    return json;
-  };
-  Json factors = Json::array();
-  for (const SweepFactor& factor : summary.factors) {
-    factors.push_back({{"key", factor.key}, {"levels", factor.levels}});
-  }
-  Json thresholds = Json::array();
-  for (const ConditionThresholds& row : summary.thresholds) {
-    thresholds.push_back({{"scale", row.scale->name},
-                          {"condition", row.name},
-                          {"hand", row.hand},
-                          {"draws", row.num_draws},
-                          {"held_by_least", row.num_below},
-                          {"never_held", row.num_never},
-                          {"not_monotone", row.not_monotone}});
-  }
-  return {{"factors", factors},
-          {"thresholds", thresholds},
-          {"conditions", list(ListConditionColumns(summary), summary.rows)},
-          {"effects", list(ListEffectColumns(), summary.effects)},
-          {"interactions", list(ListEffectColumns(), summary.interactions)}};
 }
 
 }  // namespace graspbench

@@ -12,10 +12,11 @@ c with the base's level. The interaction of two levels l and m of A and B: the m
 
     y(l, m) - y(l, 0) - y(0, m) + y(0, 0)    over all such four conditions.
 
-Estimates are means over draws, of those that have every value; 95 % intervals from drawing objects
-with replacement (core/statistics/bootstrap.h), because draws of one object are alike. Many intervals
-are shown: one in twenty misses 0 by chance. Of a
-grip threshold y is its binary logarithm (sweep_measures.h). */
+Estimates are means over draws, of those that have every value; each says how many planned draws it
+leaves out, and why. Success is undecided where all compared trials succeed, or none. 95 % intervals
+come from drawing objects with replacement (core/statistics/bootstrap.h), because draws of one object
+are alike. Many intervals are shown: one in twenty misses 0 by chance. Of a grip threshold y is its
+binary logarithm (sweep_measures.h). */
 
 #include <string>
 #include <vector>
@@ -44,6 +45,8 @@ struct SweepEffect {
   std::vector<std::string> factors, levels;  ///< one or two: an interaction
   std::string measure, hand;
   int num_draws = 0, num_objects = 0;
+  int num_left_out = 0;      ///< of the planned draws
+  std::string why_left_out;  ///< "2 not finished, 1 without a value"; empty: none is
   bool is_marginal = false;  ///< no two conditions differ in the factor alone
   double estimate = kUnset;
   Answer<Interval> interval = NoAnswer{"no draw has every value"};
@@ -75,6 +78,9 @@ SweepSummary SummariseSweep(const Session& session,
 
 /** "model.mass_scale=0.5 and grasp=g2". */
 std::string NameEffect(const SweepEffect& effect);
+
+/** "18", or "16 of 18" where draws are left out. */
+std::string CountDraws(const SweepEffect& effect);
 
 /** conditions.csv and effects.csv with their dictionaries. */
 std::vector<ExportTable> MakeSweepTables(const SweepSummary& summary);

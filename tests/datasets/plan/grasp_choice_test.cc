@@ -160,6 +160,25 @@ TEST(GraspChoice, WhatDidNotHoldInDevelopmentComesLast) {
   EXPECT_EQ(best(), "g4");
 }
 
+// A condition under which another grasp would be best compares the base's all the same.
+TEST(GraspChoice, UnderAConditionTheBaseChooses) {
+  const auto bar = MakeBlock("bar", 0.03);
+  const SessionInputs base = MakeInputsOf({bar});
+  SessionInputs changed = MakeInputsOf({MakeBlock("bar", 0.03)});
+  for (Grasp& grasp : changed.hands[0].grasps) {
+    if (grasp.id == "g4") grasp.held_share = 0.1;
+  }
+  const auto best = [&] {
+    return FindGrasps(SessionConfig(), changed, changed.hands[0], changed.objects[0]);
+  };
+  ASSERT_EQ(best().at(0)->id, "g1");
+  changed.base = std::make_shared<const SessionInputs>(base);
+  ASSERT_EQ(best().at(0)->id, "g4");
+  EXPECT_EQ(best().at(0)->held_share, 0.1) << "as the condition's hand does it";
+  changed.hands[0].grasps.erase(changed.hands[0].grasps.begin() + 3);
+  EXPECT_TRUE(best().empty()) << "it cannot do the base's";
+}
+
 // Nor is it taken for coming clear of an object, where another reaches it and is known to hold.
 TEST(GraspChoice, HoldingInDevelopmentCountsMoreThanRoom) {
   GraspPrediction clear, tight, short_of_it;

@@ -92,6 +92,15 @@ TEST(NumericsCheck, TablesListTheFlips) {
   const std::string calm = FormatNumericsTables(SummariseNumerics(same), same);
   EXPECT_NE(calm.find("no verdict flips\n"), std::string::npos) << calm;
   EXPECT_NE(calm.find("25 (25)"), std::string::npos) << calm;
+  std::vector<NumericsComparison> partial(3, MakeFlip());
+  partial[1].before.plan.id = "cup8";
+  partial[2].variant = "compliant";
+  const std::string short_of_one = FormatNumericsTables(SummariseNumerics(partial), partial);
+  for (const char* part :
+       {"\ncompliant  1 of 2  ", "\nn of N trials: the others are not finished"}) {
+    EXPECT_NE(short_of_one.find(part), std::string::npos) << short_of_one;
+    EXPECT_EQ(calm.find(part), std::string::npos) << calm;
+  }
 }
 
 }  // namespace

@@ -2,13 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "datasets/analysis/export_result.h"
 #include "datasets/plan/conditions.h"
 #include "datasets/session/merge_sessions.h"
+#include "datasets/session/sensitivity_store.h"
 #include "tests/datasets/session/fake_session.h"
+#include "workbench/experiments/delay_sweep.h"
 #include "workbench/experiments/machines/run_shard.h"
+#include "workbench/experiments/numerics_check.h"
 
 namespace graspbench {
 namespace {
@@ -82,6 +87,73 @@ TEST_F(SessionExperiment, TakesWhatTheSessionKnowsAndStandsWithinIt) {
   WriteFile(experiment.folder / "journal" / "0.jsonl", journal);
   EXPECT_THROW(LoadSession(session.folder), Error);
   EXPECT_FALSE(CheckStore(session.folder).damages.empty());
+}
+
+// Under less friction the golf ball would be grasped otherwise; no pair may vanish for it.
+TEST_F(SessionExperiment, EveryConditionHasTheDrawsOfTheBase) {
+  config_.objects = {"golf_ball", "pencil"};
+  SessionConfig slippery = config_;
+  slippery.model.friction_scale = 0.7;
+  const auto list_draws = [](const std::vector<PlannedTrial>& plan, const auto& condition) {
+    std::set<std::string> draws;
+    for (const PlannedTrial& planned : plan) {
+      if (planned.condition == condition) draws.insert(NameDraw(planned));
+    }
+    return draws;
+  };
+  const auto make_plan = [](const SessionConfig& config) {
+    return MakePlan(config, LoadSessionInputs(config, FieldUse::kLater));
+  };
+  const std::optional<std::string> base;
+  EXPECT_NE(list_draws(make_plan(slippery), base), list_draws(make_plan(config_), base));
+  const SessionConfig plain = config_;
+  for (const auto& conditions :
+       {ListDelayConditions(plain), ListNumericsVariants(plain),
+        std::vector<Condition>{{"slippery", {"model.friction_scale=0.7"}}}}) {
+    config_.conditions = conditions;
+    const std::vector<PlannedTrial> plan = make_plan(config_);
+    for (const Condition& condition : conditions) {
+      if (condition.name == "compliant") continue;  // cannot move all of them
+      EXPECT_EQ(list_draws(plan, condition.name), list_draws(plan, base)) << condition.name;
+    }
+  }
+}
+
+// As a level of a factor, too, best is what the base chooses.
+TEST_F(SessionExperiment, BestAsALevelIsTheBasesBest) {
+  config_.objects = {"pencil"};
+  config_.trials = 1;
+  const std::string best = Prepare("best").session.plan.at(0).grasp;
+  config_.grasps = {"g3"};
+  config_.conditions = {{"best", {"grasp=best"}},
+                        {"slippery", {"model.friction_scale=0.7"}},
+                        {"both", {"grasp=best", "model.friction_scale=0.7"}}};
+  std::vector<std::string> grasps;
+  for (const PlannedTrial& planned : Prepare("sweep").session.plan) grasps.push_back(planned.grasp);
+  EXPECT_EQ(grasps, (std::vector<std::string>{"g3", best, "g3", best}));
+}
+
+// Where the grasp is the setting, each draw is compared with itself under another grasp.
+TEST_F(SessionExperiment, AGraspAsTheSettingIsComparedDrawByDraw) {
+  config_.objects = {"golf_ball"};
+  config_.grasps = {"g1"};
+  const PreparedSession prepared = Prepare("session");
+  RunSession(prepared, 1, observer_, stop_);
+  const Session session = LoadSession(prepared.folder, OnDamage::kRefuse, RecordParts::kBrief);
+  ExperimentRequest request;
+  request.folder = prepared.folder;
+  const PreparedSession experiment =
+      PrepareExperiment(session, "sensitivity", {{"grasp=g2", {"grasp=g2"}}}, request);
+  EXPECT_TRUE(RunExperiment(experiment, request, 1, observer_, stop_));
+  Diagnostics findings;
+  const SensitivityData data = LoadSensitivity(session, findings);
+  for (const TrialRecord& record : LoadSession(experiment.folder).records) {
+    if (!record.plan.condition) continue;
+    EXPECT_EQ(record.plan.grasp, "g2");
+    const std::string& id = session.plan.at(static_cast<size_t>(record.plan.trial)).id;
+    EXPECT_EQ(RecordToJson(data.at("grasp=g2").at(id)),
+              RecordToJson(MakeTrialMeasures(record.result)));
+  }
 }
 
 TEST_F(SessionExperiment, NeedsATrialAndNoConditions) {

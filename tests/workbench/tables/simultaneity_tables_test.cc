@@ -45,6 +45,13 @@ TEST(SimultaneityTables, ADoseShowsItsMeansInTheUnitOfItsLabel) {
   EXPECT_NE(text.find("1.00 2.00 3.00 5.00 7.00"), std::string::npos) << text;
   EXPECT_NE(text.find("2.00 (1.50 to 2.60)"), std::string::npos) << text;
   EXPECT_NE(text.find("means at 0, 50, 100, 200, 300 ms"), std::string::npos) << text;
+  EXPECT_EQ(text.find("no value at some delay"), std::string::npos) << text;
+  row.num_left_out = 3;
+  const std::string partial = FormatDoseResponses({row});
+  EXPECT_NE(partial.find("  12 of 15  "), std::string::npos) << partial;
+  EXPECT_NE(partial.find("\nn of N trials: the others have no value at some delay\n"),
+            std::string::npos)
+      << partial;
 }
 
 }  // namespace

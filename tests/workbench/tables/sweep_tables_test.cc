@@ -39,6 +39,15 @@ TEST(SweepTables, NameInteractionsThatExcludeZeroAndConditionsThatDecideNothing)
             "interactions whose interval excludes 0\n"
             "level                              hand  measure    draws  change  95 % interval\n"
             "model.mass_scale=2.0 and grasp=g2  tum   sigma [N]      4   -0.50  -0.75 to -0.25\n");
+  summary.effects[0].num_left_out = 2;
+  summary.effects[0].why_left_out = "2 without a value";
+  EXPECT_NE(FormatSweepTables(summary).find(
+                "level                 hand  measure    draws   change  95 % interval            "
+                "left out\n"
+                "model.mass_scale=2.0  tum   sigma [N]  4 of 6   -0.50  fewer than five objects  "
+                "2 without a value\n"),
+            std::string::npos)
+      << FormatSweepTables(summary);
   summary.interactions[0].interval = Interval{-0.75, 0.25};
   EXPECT_NE(FormatSweepTables(summary).find("no interval of an interaction excludes 0\n"),
             std::string::npos);

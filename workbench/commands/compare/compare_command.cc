@@ -25,19 +25,15 @@ std::string FormatChanges(const std::vector<SettingChange>& changes) {
   TextTable table({"hand", "pairs", "won", "lost", "success [points]", "GFT [ms]", "GFT% [points]",
                    "sigma [N]"});
   for (const SettingChange& change : changes) {
-    const auto format = [&](const char* measure, double scale, int decimals) {
-      const MeasureChange& part = change.Find(measure);
-      return FormatWithRange(scale * part.change(), scale * part.low, scale * part.high, decimals);
-    };
     table.AddRow(
         {change.hand, std::to_string(change.successes.num_pairs()),
          std::to_string(change.successes.second_only), std::to_string(change.successes.first_only),
          FormatWithRange(100.0 * change.rate_change(), 100.0 * change.rate_change_low,
                          100.0 * change.rate_change_high, 1),
-         format("gft_s", 1e3, 0), format("gft_ratio", 100.0, 1), format("sigma_n", 1.0, 2)});
+         FormatChange(change, "gft_s", 1e3, 0), FormatChange(change, "gft_ratio", 100.0, 1),
+         FormatChange(change, "sigma_n", 1.0, 2)});
   }
-  return table.Format() +
-         "changes of the success rate and of medians, with 95 % intervals, on the same draws\n";
+  return table.Format() + DescribeChanges(changes);
 }
 
 std::string FormatPair(const TrialPair& pair) {
@@ -81,8 +77,10 @@ void Compare(const CompareOptions& options) {
     Json changes = Json::array();
     for (const SettingChange& change : comparison.changes) {
       changes.push_back(RecordToJson(change));
-      changes.back().erase("setting");  // of a sensitivity; here all that differ stand above
-      changes.back().erase("session_value");
+      // Of a sensitivity; here all that differ and all without a pair stand above.
+      for (const char* key : {"setting", "session_value", "left_out", "why_left_out"}) {
+        changes.back().erase(key);
+      }
     }
     return PrintJson({{"pairs", comparison.pairs.size()},
                       {"only_before", comparison.num_only_before},

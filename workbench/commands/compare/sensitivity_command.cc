@@ -55,7 +55,8 @@ void AddSensitivityCommand(CLI::App& program, ExitCode&) {
   AddStoreFolder(command, request.folder, "folder of the session");
   command
       .add_option("--set", request.settings,
-                  "a setting to try instead of the usual ones; may be repeated")
+                  "a setting to try instead of the usual ones, with the session's grasps; may be "
+                  "repeated")
       ->allow_extra_args(false)
       ->option_text("KEY=VALUE");
   command

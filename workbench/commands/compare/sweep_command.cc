@@ -119,7 +119,7 @@ void AddSweepCommand(CLI::App& program, ExitCode& exit_code) {
   command
       .add_option("--factor", options->factors,
                   "a setting, grasp, delay.last, delay.first [s] or backend with its levels, the "
-                  "base's first; may be repeated")
+                  "base's first; best is chosen at the base's levels; may be repeated")
       ->allow_extra_args(false)
       ->option_text("KEY=A,B,..");
   command

@@ -13,5 +13,10 @@ TEST(RangeText, NamesTheRangeBehindTheValue) {
   EXPECT_EQ(FormatWithRange(0.5, std::nan(""), std::nan(""), 1), "0.5");
 }
 
+TEST(RangeText, NamesAllWhereOnlySomeCount) {
+  EXPECT_EQ(FormatCountOf(6, 10), "6 of 10");
+  EXPECT_EQ(FormatCountOf(10, 10), "10");
+}
+
 }  // namespace
 }  // namespace graspbench

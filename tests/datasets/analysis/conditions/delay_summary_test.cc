@@ -59,8 +59,10 @@ TEST(DelaySummary, StabilityIsComparedAmongTrialsThatSucceedAtEveryDelay) {
   trials[4].record.result.outcome = Outcome::kPushedAway;
   const auto rows = SummariseDelays(trials);
   EXPECT_EQ(Find(rows, "sigma_n").num_trials, 11);
+  EXPECT_EQ(Find(rows, "sigma_n").num_left_out, 1);
   const DoseResponse& success = Find(rows, "success");
   EXPECT_EQ(success.num_trials, 12);
+  EXPECT_EQ(success.num_left_out, 0);
   EXPECT_NEAR(success.means.back(), 11.0 / 12.0, 1e-12);
 }
 

@@ -69,6 +69,16 @@ TEST(NumericsSummary, ChangesAreRelativeAndOfOneSeat) {
   EXPECT_NEAR(summary.seats[1].changes[4].max, 0.5, 1e-12);
 }
 
+TEST(NumericsSummary, AVariantCountsWhatOnlyOthersHave) {
+  std::vector<NumericsComparison> comparisons(3, Compare(MakeHeld(10.0, 1.0), MakeHeld(10.0, 1.0)));
+  comparisons[1].before.plan.id = comparisons[1].after.plan.id = "other";
+  comparisons[2].variant = "compliant";
+  const std::vector<NumericsSummary> summaries = SummariseNumerics(comparisons);
+  ASSERT_EQ(summaries.size(), 2u);
+  EXPECT_EQ(summaries[0].num_left_out, 0);
+  EXPECT_EQ(summaries[1].num_left_out, 1);
+}
+
 TEST(NumericsSummary, ASessionInNoFolderWasNotChecked) {
   EXPECT_TRUE(LoadNumericsComparisons(Session()).empty());
   EXPECT_TRUE(SummariseNumerics(std::vector<NumericsComparison>()).empty());

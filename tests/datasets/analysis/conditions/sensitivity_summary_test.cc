@@ -140,6 +140,27 @@ TEST(SensitivitySummary, SaysWhyThereIsNoInterval) {
   EXPECT_EQ(change.Find("gct_s").no_interval, "no pair has it twice");
 }
 
+// What was planned under the setting and is missing on one side is counted; what nobody asked for
+// is not.
+TEST(SensitivitySummary, CountsWhatLacksItsPair) {
+  Session session = MakeSession({"tum", "shadow"}, {"a", "b"}, "g1", 5);
+  SensitivityData data = RepeatUnchanged(session);
+  VariedTrials& trials = data[kSetting];
+  for (size_t i = 0; i < 4; ++i) trials[session.plan[i].id] = TrialMeasures();
+  trials.erase(session.plan[4].id);
+  session.records.erase(session.records.begin() + 3);
+  session.records.erase(session.records.begin() + 8);  // the session's trial 9
+  for (size_t i = 10; i < 20; ++i) trials[session.plan[i].id] = TrialMeasures();
+  const SensitivitySummary summary = SummariseSensitivity(session, data);
+  ASSERT_EQ(summary.changes.size(), 2u);
+  EXPECT_EQ(CountPairs(summary.changes[0]), "4 of 9");
+  EXPECT_EQ(summary.changes[0].why_left_out,
+            "2 not finished in the session, 3 without a trial under the setting");
+  EXPECT_EQ(CountPairs(summary.changes[1]), "0 of 10");
+  EXPECT_EQ(summary.changes[1].why_left_out, "10 without a trial under the setting");
+  EXPECT_TRUE(std::isnan(summary.changes[1].rate_change()));
+}
+
 TEST(SensitivitySummary, IsReadAsItWasWritten) {
   const Session session = MakeNoisySession();
   const Json json = RecordToJson(SummariseSensitivity(session, RepeatUnchanged(session)));

@@ -118,6 +118,56 @@ TEST_F(PlantedSweep, ADrawWithoutOneOfTheValuesCountsNot) {
   EXPECT_EQ(summary.rows[0].num_finished, kNumObjects * kNumTrials - 1);
 }
 
+// Under A two objects are grasped otherwise, and all their trials fail: what the others say must not
+// pass for what all say.
+TEST_F(PlantedSweep, SaysWhichDrawsItLeavesOutAndDecidesNothingOfThem) {
+  Plant([](bool, bool, int, int) { return 1.0; },
+        [](bool a, bool, int object, int) { return !a || object > 1; });
+  for (size_t i = 0; i < session_.plan.size(); ++i) {
+    PlannedTrial& planned = session_.plan[i];
+    const bool a = planned.condition == "A" || planned.condition == "AB";
+    if (a && (planned.object == "object0" || planned.object == "object1")) planned.grasp = "g2";
+    session_.records[i].plan = planned;
+  }
+  const SweepSummary summary = SummariseSweep(session_, {});
+  const SweepEffect& a = Find(summary.effects, "model.mass_scale=2.0", "success");
+  EXPECT_EQ(a.num_draws, 12);
+  EXPECT_EQ(a.num_left_out, 12) << "six of g1, six of g2";
+  EXPECT_EQ(a.why_left_out, "12 without a trial in each condition");
+  EXPECT_EQ(CountDraws(a), "12 of 24");
+  ASSERT_FALSE(a.interval);
+  EXPECT_EQ(a.interval.reason(),
+            "cannot decide success: 12 of 24 trials left out fail, none of the 48 compared");
+  // Nothing is compared at all: the line stays and says so.
+  for (PlannedTrial& planned : session_.plan) {
+    planned.grasp = planned.condition == "A" || planned.condition == "AB" ? "g2" : "g1";
+  }
+  for (size_t i = 0; i < session_.plan.size(); ++i) session_.records[i].plan = session_.plan[i];
+  const SweepSummary apart = SummariseSweep(session_, {});
+  const SweepEffect& none = Find(apart.effects, "model.mass_scale=2.0", "success");
+  EXPECT_EQ(CountDraws(none), "0 of 36");
+  EXPECT_TRUE(std::isnan(none.estimate));
+  EXPECT_EQ(none.interval.reason(), "no draw has every value");
+}
+
+TEST_F(PlantedSweep, SaysWhatIsNotFinishedAndWhatHasNoValue) {
+  Plant([](bool a, bool, int, int trial) { return a && trial == 0 ? kUnset : 1.0; },
+        [](bool, bool, int, int) { return false; });
+  session_.records.erase(session_.records.begin());  // object0, trial 0
+  session_.records.pop_back();                       // object5, trial 2, under AB
+  const SweepSummary summary = SummariseSweep(session_, {});
+  const SweepEffect& sigma = Find(summary.effects, "model.mass_scale=2.0", "sigma_n");
+  EXPECT_EQ(sigma.why_left_out, "2 not finished, 5 without a value");
+  EXPECT_EQ(CountDraws(sigma), "11 of 18");
+  const SweepEffect& success = Find(summary.effects, "model.mass_scale=2.0", "success");
+  EXPECT_EQ(success.why_left_out, "2 not finished");
+  EXPECT_EQ(success.interval.reason(), "cannot decide success: all 64 trials fail");
+  session_.records.front().result.outcome = Outcome::kSuccess;  // of the unfinished draw
+  EXPECT_EQ(Find(SummariseSweep(session_, {}).effects, "model.mass_scale=2.0", "success")
+                .interval.reason(),
+            "cannot decide success: 1 of 6 trials left out succeeds, none of the 64 compared");
+}
+
 TEST_F(PlantedSweep, HasTablesWithTheirDictionaries) {
   Plant([](bool a, bool, int, int) { return 1.0 + a; },
         [](bool, bool, int object, int) { return object > 0; });
@@ -131,6 +181,7 @@ TEST_F(PlantedSweep, HasTablesWithTheirDictionaries) {
             std::string::npos)
       << tables[1].csv;
   EXPECT_EQ(tables[0].schema.at("fields").size(), 14u);
+  EXPECT_EQ(tables[1].schema.at("fields").size(), 15u);
 }
 
 }  // namespace
