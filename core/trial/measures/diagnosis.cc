@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/base/text/text.h"
+#include "core/base/units.h"
 #include "core/trial/measures/load_recorder.h"
 #include "core/trial/trial_result.h"
 
@@ -24,9 +25,30 @@ constexpr float kBehind = 0.08f;      // of the closing
 constexpr float kBehindShare = 0.5f;  // of the closing of the one that touched
 constexpr double kClosed = 0.99;      // of the way to the target posture
 constexpr double kLowFriction = 0.75;
+constexpr double kPushedAside = 0.005;   // [m]
+constexpr double kOpposingForce = 0.05;  // of each of two parts [N]
+constexpr double kOpposingTime = 0.02;   // [s]
+const double kOpposingCosine = std::cos(RadFromDeg(110.0));
 
 std::string Times(double time) { return FormatFixed(time, 3) + " s"; }
 std::string Newtons(double force) { return FormatFixed(force, force < 0.1 ? 3 : 2) + " N"; }
+
+bool IsOpposing(const PartSample& a, const PartSample& b) {
+  const double force_a = a.normal_W.norm(), force_b = b.normal_W.norm();
+  return std::min(force_a, force_b) >= kOpposingForce &&
+         a.normal_W.dot(b.normal_W) < kOpposingCosine * force_a * force_b;
+}
+
+/** Two parts that press against each other through the object, for kOpposingTime or longer. */
+struct Opposing {
+  size_t a, b;  // parts
+  double from, until;
+};
+
+struct PushingDigit {
+  size_t digit;
+  double time;  // at which the object had moved by kPushedAside
+};
 
 /** A part and the sample in which its last run of slipping or not touching begins. */
 struct Loss {
@@ -170,6 +192,46 @@ class Course {
                          : fmt::format("The drive of {} of {}", joint, NameOfPart(digit));
   }
 
+  /** The first that goes on after a time. */
+  std::optional<Opposing> FindOpposing(double after) const {
+    std::optional<Opposing> first;
+    for (size_t a = 0; a < samples_.front().parts.size(); ++a) {
+      for (size_t b = 0; b < a; ++b) {
+        double from = kUnset;
+        for (const LoadSample& sample : samples_) {
+          if (!IsOpposing(sample.parts[a], sample.parts[b])) {
+            from = kUnset;
+            continue;
+          }
+          if (std::isnan(from)) from = sample.time;
+          if (sample.time < after || sample.time - from < kOpposingTime - 1e-9) continue;
+          if (!first || from < first->from) first = Opposing{a, b, from, sample.time};
+          break;
+        }
+      }
+    }
+    return first;
+  }
+
+  /** The digit that pressed most until the object had moved by kPushedAside, with no two parts that
+  pressed against each other before; none: another part did. */
+  std::optional<PushingDigit> FindPushingDigit() const {
+    const std::optional<Opposing> opposing = FindOpposing(0.0);
+    std::vector<double> pressed(samples_.front().parts.size(), 0.0);
+    for (const LoadSample& sample : samples_) {
+      if (opposing && sample.time >= opposing->from) break;
+      for (size_t part = 0; part < pressed.size(); ++part) {
+        pressed[part] += sample.parts[part].force;
+      }
+      if (sample.shift <= kPushedAside) continue;
+      const auto most = std::max_element(pressed.begin(), pressed.end());
+      const auto part = static_cast<size_t>(most - pressed.begin());
+      if (*most > 0.0 && part < num_digits()) return PushingDigit{part, sample.time};
+      break;
+    }
+    return std::nullopt;
+  }
+
   double FindEndOfClosing() const {
     return std::isnan(lift_off_) ? samples_.back().time : lift_off_;
   }
@@ -287,6 +349,7 @@ std::optional<Diagnosis> FindDiagnosis(const TrialResult& result,
     diagnosis.text = text;
   };
 
+  const bool is_lifted = !std::isnan(course.lift_off());
   const LoadSample* push = course.FindPush();
   if (push) {
     diagnosis.cause = FailureCause::kPush;
@@ -322,27 +385,42 @@ std::optional<Diagnosis> FindDiagnosis(const TrialResult& result,
           fmt::format("{} never touched the object; its nearest was {} mm.",
                       course.NameOfPart(*missing),
                       FormatFixed(1e3 * result.touches[*missing].smallest_gap, 1)));
-  } else if (std::isnan(course.lift_off()) && course.FindFirstDigit()) {
-    const size_t first = *course.FindFirstDigit();
-    diagnosis.time = course.FindTouch(first);
-    blame(FailureCause::kPushedByDigit, first,
-          fmt::format("{} touched first, at {}, and pushed the object aside before another digit "
-                      "held against it.",
-                      course.NameOfPart(first), Times(diagnosis.time)));
-  } else if (loads.bearable < result.weight) {
+  } else if (is_lifted && loads.bearable < result.weight && !before.is_on_table) {
     diagnosis.cause = FailureCause::kWeakGrip;
     diagnosis.text = "The grip was too weak: friction could bear " + Newtons(loads.bearable) +
                      " of the weight of " + Newtons(result.weight) + ".";
-  } else if (loads.bearable < loads.pressing) {
+  } else if (is_lifted && loads.bearable >= result.weight && loads.bearable < loads.pressing) {
     diagnosis.cause = FailureCause::kPressedOut;
     diagnosis.text = "The object was pressed out of the grip: normal forces and weight left " +
                      Newtons(loads.pressing) + " to friction, which could bear " +
                      Newtons(loads.bearable) + ".";
-  } else {
+  } else if (is_lifted && loads.bearable >= result.weight) {
     diagnosis.cause = FailureCause::kTurned;
     diagnosis.text = "The object turned in the grip: friction could have borne the forces (" +
                      Newtons(loads.bearable) + " of " + Newtons(loads.pressing) +
                      "), but their moments did not balance.";
+  } else if (const auto pushing = course.FindPushingDigit()) {
+    diagnosis.time = pushing->time;
+    blame(FailureCause::kPushedByDigit, pushing->digit,
+          fmt::format(
+              "{} pushed the object aside, by more than {:.0f} mm at {}, before two parts of "
+              "the hand pressed against each other.",
+              course.NameOfPart(pushing->digit), MmFromM(kPushedAside), Times(diagnosis.time)));
+  } else if (const auto squeeze = course.FindOpposing(lost_at - kMostInterruption);
+             squeeze && squeeze->from <= lost_at) {
+    const std::vector<PartSample>& parts = course.At(squeeze->until).parts;
+    diagnosis.cause = FailureCause::kSqueezedOut;
+    diagnosis.text = fmt::format(
+        "The object was squeezed out while both sides pressed: {} with {} and {} with {} at {}, "
+        "against each other from {} on.",
+        course.NameOfPart(squeeze->b), Newtons(parts[squeeze->b].force),
+        course.NameOfPart(squeeze->a), Newtons(parts[squeeze->a].force), Times(squeeze->until),
+        Times(squeeze->from));
+  } else {
+    diagnosis.cause = FailureCause::kNotIdentified;
+    diagnosis.text =
+        "The cause was not identified: no two parts of the hand pressed against each other at " +
+        Times(lost_at) + ".";
   }
   if (loss) {
     diagnosis.text += fmt::format(

@@ -16,11 +16,20 @@ first of these that holds (all limits proposed by graspbench):
                   others
     weak digit    some, not all, of the digits had a drive at its limit in most of the 0.3 s before
     no touch      a digit never touched, though it was asked for all of its way before the loss
-    pushed by a digit   the trial was over before lift-off
-    weak grip     friction, sum mu N, could not bear the weight
-    pressed out   nor what the normal forces leave over, |sum N n + m g|; the table bears what of it
-                  presses on it
-    turned        it could have: no lack of force, but their moments did not balance */
+
+Then, of a hand that was lifted:
+
+    weak grip     friction, sum mu N, could not bear the weight, which the table no longer bore
+    pressed out   it could, but not what the normal forces leave over, |sum N n + m g|; the table
+                  bears what of it presses on it
+    turned        it could bear both: no lack of force, but their moments did not balance
+
+Of what is left, where two parts press against each other through the object while their summed
+normal forces are 0.05 N or more each and more than 110 degrees apart, for 20 ms or longer:
+
+    pushed by a digit     the object moved by more than 5 mm before two parts did
+    squeezed out          two parts did when the object was lost, or up to 30 ms before
+    cause not identified  neither */
 
 #include <optional>
 #include <string>
@@ -46,6 +55,8 @@ enum class FailureCause {
   kWeakGrip,
   kPressedOut,
   kTurned,
+  kSqueezedOut,
+  kNotIdentified,
 };
 struct FailureCauseRow {
   FailureCause value;
@@ -60,7 +71,9 @@ inline constexpr FailureCauseRow kFailureCauses[] = {
     {FailureCause::kPushedByDigit, "pushed by a digit"},
     {FailureCause::kWeakGrip, "weak grip"},
     {FailureCause::kPressedOut, "pressed out"},
-    {FailureCause::kTurned, "turned"}};
+    {FailureCause::kTurned, "turned"},
+    {FailureCause::kSqueezedOut, "squeezed out"},
+    {FailureCause::kNotIdentified, "cause not identified"}};
 inline const char* NameOf(FailureCause cause) { return RowOf(kFailureCauses, cause).name; }
 inline Json ToJson(FailureCause cause) { return NameOf(cause); }
 /** @throws Json::exception or Error(kFormat). */

@@ -79,7 +79,18 @@ OutcomeReason FindBreakdown(const TrialFacts& facts) {
   return {Outcome::kNotRun, ""};
 }
 
-/** Why an object stayed behind that did not tip over. */
+/** Whether an object is up in the hand, whatever bears it; only on the table it "stayed behind". */
+bool IsUp(const TrialFacts& facts) {
+  return facts.grip_force > 0.0 && facts.rise > kLiftedShare * facts.lift_distance;
+}
+
+std::string DescribeEnd(const TrialFacts& facts) {
+  if (!IsUp(facts)) return "stayed behind";
+  return fmt::format("hangs in the hand {:.0f} mm up and still touches the table",
+                     MmFromM(facts.rise));
+}
+
+/** Why an object was not lifted off the table that did not tip over. */
 OutcomeReason FindLoss(const TrialFacts& facts) {
   int num_touched = 0;
   std::string untouched;
@@ -92,17 +103,15 @@ OutcomeReason FindLoss(const TrialFacts& facts) {
   }
   if (num_touched < 2) return {Outcome::kNoContact, "never touched by " + untouched};
   if (facts.displacement > kPushedAway) {
-    return {Outcome::kPushedAway,
-            fmt::format("the object was pushed {:.0f} mm aside and stayed behind",
-                        MmFromM(facts.displacement))};
+    return {Outcome::kPushedAway, fmt::format("the object was pushed {:.0f} mm aside and {}",
+                                              MmFromM(facts.displacement), DescribeEnd(facts))};
   }
   if (!untouched.empty()) return {Outcome::kNoContact, "never touched by " + untouched};
   if (facts.closed_grip_force == 0.0) {
     return {Outcome::kLostWhileClosing, "all digits had touched, but none did before lift-off"};
   }
-  return {
-      Outcome::kSlippedInLiftOff,
-      fmt::format("gripped with {:.2f} N in all, but it stayed behind", facts.closed_grip_force)};
+  return {Outcome::kSlippedInLiftOff, fmt::format("gripped with {:.2f} N in all, but it {}",
+                                                  facts.closed_grip_force, DescribeEnd(facts))};
 }
 
 }  // namespace
@@ -113,10 +122,7 @@ double CalcContactForceLimit(const Hand& hand, double arm_force_limit) {
   return arm_force_limit + torque / kShortestLever;
 }
 
-bool IsHeld(const TrialFacts& facts) {
-  return facts.grip_force > 0.0 && facts.table_force == 0.0 &&
-         facts.rise > kLiftedShare * facts.lift_distance;
-}
+bool IsHeld(const TrialFacts& facts) { return IsUp(facts) && facts.table_force == 0.0; }
 
 bool IsDecided(const TrialFacts& facts) {
   if (!facts.is_finite || facts.unconverged_time > kMaxUnconvergedTime) return true;
@@ -163,7 +169,9 @@ OutcomeReason FindOutcome(const TrialFacts& facts) {
             fmt::format("fell out of the hand {:.2f} s into the hold", facts.time_in_phase)};
   }
   if (std::abs(facts.extent - facts.rest_extent) > kTippedShare * facts.rest_extent) {
-    return {Outcome::kKnockedOver, "the object tipped over and stayed behind"};
+    return {Outcome::kKnockedOver,
+            (IsUp(facts) ? "the object tilted and " : "the object tipped over and ") +
+                DescribeEnd(facts)};
   }
   return FindLoss(facts);
 }

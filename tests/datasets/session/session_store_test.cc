@@ -361,7 +361,7 @@ TEST_F(SessionStore, RefusesAnotherSchema) {
   const auto [kind, text] = FindError([&] { LoadSession(folder()); });
   EXPECT_EQ(kind, ErrorKind::kVersion);
   ExpectHas(text, "has schema 7, this program (");
-  ExpectHas(text, "reads schemas 3 to 5; use graspbench 9.9.9 for it, or rerun the session");
+  ExpectHas(text, "reads schema 6; use graspbench 9.9.9 for it, or rerun the session");
 }
 
 TEST_F(SessionStore, TellsOfADamagedConfigurationOrPlan) {
@@ -393,20 +393,6 @@ TEST_F(SessionStore, TellsOfADamagedConfigurationOrPlan) {
   ExpectHas(error.second, "plan.jsonl:1: error: ");
   ExpectHas(error.second, "plan.jsonl:6: error: trial ");
   ExpectHas(error.second, " is planned twice");
-}
-
-TEST_F(SessionStore, OneOlderThanManifestsIsReadAndSaysSo) {
-  const auto plan = CreateFakeSession(folder(), 1);
-  AppendAll(0, plan);
-  Json frozen = Json::parse(ReadFile(folder() / "session.json"));
-  frozen["schema"] = 3;
-  WriteText(folder() / "session.json", frozen.dump());
-  fs::remove(folder() / "manifest.json");
-  const Session session = LoadSession(folder());
-  EXPECT_EQ(JsonOf(session.records), JsonOfFakes(plan));
-  ExpectHas(session.findings.Format(), "older than manifests");
-  SealStore(kSessionStore, folder());
-  EXPECT_EQ(LoadSession(folder()).findings.Format(), "");
 }
 
 TEST_F(SessionStore, ListsTheSettingsThatDifferOnResume) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "core/base/units.h"
 #include "core/grasp/strategy.h"
 #include "core/trial/measures/load_recorder.h"
 #include "core/trial/trial_result.h"
@@ -160,6 +163,65 @@ TEST(Diagnosis, ADriveAtItsLimitIsToBlameUnlessAllAre) {
     for (PartSample& part : sample.parts) part.is_at_limit = true;
   }
   EXPECT_NE(story.Find().cause, FailureCause::kWeakDigit);
+}
+
+TEST(Diagnosis, AWeakGripIsNotSaidWhileTheTableBearsTheObject) {
+  Story story(2.2, 0.3);
+  for (LoadSample& sample : story.samples) sample.is_on_table = sample.time < 2.1;
+  EXPECT_EQ(story.Find().cause, FailureCause::kWeakGrip);
+  for (LoadSample& sample : story.samples) sample.is_on_table = true;
+  EXPECT_EQ(story.Find().cause, FailureCause::kNotIdentified);
+}
+
+/** A trial that is over before lift-off: the digits press along x, the thumb from 1.5 s on with
+`thumb`, the fingers from then on with 2 N at `angle` from it, 1 N each. */
+Story MakeSqueeze(double thumb, double angle, double shift_before = 0.0) {
+  Story story(2.2);
+  story.result.outcome = Outcome::kPushedAway;
+  story.result.phases.pop_back();
+  for (LoadSample& sample : story.samples) {
+    sample.is_on_table = true;
+    sample.shift = sample.time < 1.2 ? 0.0 : sample.time < 1.5 ? shift_before : 0.05;
+    const auto x = static_cast<float>(std::cos(angle)), y = static_cast<float>(std::sin(angle));
+    if (sample.time >= 1.5) {
+      sample.parts[0].normal_W = Eigen::Vector3f(static_cast<float>(thumb), 0.0f, 0.0f);
+      sample.parts[1].normal_W = sample.parts[2].normal_W = Eigen::Vector3f(x, y, 0.0f);
+    } else if (sample.time >= 1.1) {
+      sample.parts[1].force = 0.5f;  // of FF, whoever touches first
+    }
+  }
+  return story;
+}
+
+TEST(Diagnosis, AnObjectThatBothSidesPressBeforeItMovesIsSqueezedOut) {
+  const Diagnosis found = MakeSqueeze(2.0, kPi, 0.0049).Find();
+  EXPECT_EQ(found.cause, FailureCause::kSqueezedOut);
+  EXPECT_EQ(found.digit, "");
+  EXPECT_NE(found.text.find("TH with 4.00 N and FF with 2.00 N"), std::string::npos) << found.text;
+  EXPECT_NE(found.text.find("from 1.500 s on"), std::string::npos) << found.text;
+}
+
+TEST(Diagnosis, AnObjectThatMovesBeforeBothSidesPressIsPushed) {
+  const Diagnosis found = MakeSqueeze(2.0, kPi, 0.0051).Find();
+  EXPECT_EQ(found.cause, FailureCause::kPushedByDigit);
+  EXPECT_EQ(found.digit, "FF");
+  EXPECT_NEAR(found.time, 1.2, 0.011);
+}
+
+TEST(Diagnosis, PartsOpposeEachOtherFrom110DegreesAnd50MillinewtonsOn) {
+  EXPECT_EQ(MakeSqueeze(2.0, RadFromDeg(111.0)).Find().cause, FailureCause::kSqueezedOut);
+  EXPECT_EQ(MakeSqueeze(2.0, RadFromDeg(109.0)).Find().cause, FailureCause::kPushedByDigit);
+  EXPECT_EQ(MakeSqueeze(0.051, kPi).Find().cause, FailureCause::kSqueezedOut);
+  EXPECT_EQ(MakeSqueeze(0.049, kPi).Find().cause, FailureCause::kPushedByDigit);
+}
+
+TEST(Diagnosis, PartsThatOpposeEachOtherForLessThan20MsDoNotSqueeze) {
+  Story story = MakeSqueeze(2.0, kPi);
+  for (size_t at = 0; at < story.samples.size(); ++at) {
+    if (at % 2 == 0) story.samples[at].parts[0].normal_W.setZero();
+    story.samples[at].shift = 0.0;
+  }
+  EXPECT_EQ(story.Find().cause, FailureCause::kNotIdentified);
 }
 
 TEST(Diagnosis, SurvivesItsRecord) {

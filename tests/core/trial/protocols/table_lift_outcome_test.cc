@@ -78,6 +78,18 @@ TEST(TrialOutcome, EveryFailureHasItsName) {
                 "the solver did not converge for 0.11 s, up to 4.000 s into the trial");
 }
 
+TEST(TrialOutcome, AnObjectThatHangsInTheHandDidNotStayBehind) {
+  TrialFacts facts = MakeGoodEnd();
+  facts.rise = 0.09;
+  facts.table_force = 0.1;
+  ExpectOutcome(facts, Outcome::kSlippedInLiftOff,
+                "gripped with 3.00 N in all, but it hangs in the hand 90 mm up and still touches "
+                "the table");
+  facts.extent = 0.05;
+  ExpectOutcome(facts, Outcome::kKnockedOver,
+                "the object tilted and hangs in the hand 90 mm up and still touches the table");
+}
+
 TEST(TrialOutcome, WhatNoRealHandCouldDoIsNoSuccess) {
   TrialFacts facts = MakeGoodEnd();
   facts.penetration = 0.00099;
