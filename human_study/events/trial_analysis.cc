@@ -34,14 +34,20 @@ void CheckUp(const LiftOffOptions& lift_off) {
                           lift_off.up_z, lift_off.up_x, lift_off.up_y));
 }
 
-void CheckCutoff(const char* key, double cutoff, double rate) {
-  const double limit = 0.4 * rate;  // as MakeLowPass
-  if (cutoff < limit) return;
-  throw Error(ErrorKind::kRange,
-              fmt::format("{} is {:.6g}; this recording of {:.6g} Hz allows less than {:.6g}, so "
-                          "choose a lower one",
-                          key, cutoff, rate, limit));
-}
+struct CutoffKey {
+  const char* key;
+  double& (*of)(AnalysisOptions& options);
+};
+
+constexpr CutoffKey kCutoffs[] = {
+    {"movement.cutoff_hz", [](AnalysisOptions& o) -> double& { return o.movement.cutoff; }},
+    {"hold.cutoff_hz", [](AnalysisOptions& o) -> double& { return o.hold.cutoff; }},
+    {"opening.cutoff_hz", [](AnalysisOptions& o) -> double& { return o.opening.cutoff; }},
+    {"contact.cutoff_hz", [](AnalysisOptions& o) -> double& { return o.contact.cutoff; }},
+    {"contact.object_cutoff_hz",
+     [](AnalysisOptions& o) -> double& { return o.contact.object_cutoff; }},
+    {"lift_off.cutoff_hz", [](AnalysisOptions& o) -> double& { return o.lift_off.cutoff; }},
+};
 
 /** Path whose speed is the movement's: the wrist, else the centroid of the tips. */
 Trajectory FindTransport(const ReachTrial& trial) {
@@ -261,6 +267,43 @@ void CheckOptions(const AnalysisOptions& options) {
   CheckNotNegative("plausibility.min_carried_m", plausibility.min_carried);
 }
 
+Cutoffs ListCutoffs(AnalysisOptions options) {
+  Cutoffs cutoffs;
+  for (const CutoffKey& cutoff : kCutoffs) cutoffs.emplace_back(cutoff.key, cutoff.of(options));
+  return cutoffs;
+}
+
+double FitCutoff(const AnalysisOptions& options, const std::string& key, double cutoff,
+                 double rate) {
+  if (options.stated_cutoffs.count(key) > 0) return cutoff;
+  return std::fmin(cutoff, kMaxCutoffShare * rate);  // a rate that is NaN changes nothing
+}
+
+AnalysisOptions FitCutoffs(AnalysisOptions options, double rate) {
+  for (const CutoffKey& cutoff : kCutoffs) {
+    cutoff.of(options) = FitCutoff(options, cutoff.key, cutoff.of(options), rate);
+  }
+  return options;
+}
+
+std::string FindCutoffFault(const Cutoffs& cutoffs, double rate) {
+  const double limit = 0.4 * rate;  // as MakeLowPass
+  std::string found;
+  for (const auto& [key, cutoff] : cutoffs) {
+    if (cutoff < limit) continue;
+    found += fmt::format("{}{} is {:.6g}", found.empty() ? "" : ", ", key, cutoff);
+  }
+  if (found.empty()) return "";
+  return fmt::format(
+      "{}; this recording of {:.6g} Hz allows less than {:.6g}. Choose a lower one, or leave the "
+      "key out: the cut-off then follows the rate",
+      found, rate, limit);
+}
+
+double CalcRate(const ReachTrial& trial) {
+  return static_cast<double>(trial.times.size() - 1) / (trial.times.back() - trial.times.front());
+}
+
 double FindLastContact(const std::vector<DigitContactEvents>& contacts) {
   double last = std::nan("");
   for (const DigitContactEvents& digit : contacts) {
@@ -272,17 +315,12 @@ double FindLastContact(const std::vector<DigitContactEvents>& contacts) {
 TrialAnalysis AnalyseTrial(FilteredTrial& filtered, const AnalysisOptions& options) {
   CheckOptions(options);
   const ReachTrial& trial = filtered.trial();
-  const double rate =
-      static_cast<double>(trial.times.size() - 1) / (trial.times.back() - trial.times.front());
-  CheckCutoff("movement.cutoff_hz", options.movement.cutoff, rate);
-  CheckCutoff("hold.cutoff_hz", options.hold.cutoff, rate);
-  CheckCutoff("opening.cutoff_hz", options.opening.cutoff, rate);
-  CheckCutoff("contact.cutoff_hz", options.contact.cutoff, rate);
-  CheckCutoff("contact.object_cutoff_hz", options.contact.object_cutoff, rate);
-  CheckCutoff("lift_off.cutoff_hz", options.lift_off.cutoff, rate);
+  const std::string fault = FindCutoffFault(ListCutoffs(options), CalcRate(trial));
+  if (!fault.empty()) throw Error(ErrorKind::kRange, fault);
   TrialAnalysis analysis;
   analysis.low_pass = trial.low_pass;
-  analysis.trial_doubts = FindWrongUnit(trial.digits);
+  analysis.trial_doubts = FindFrameJump(trial);
+  for (Doubt& doubt : FindWrongUnit(trial.digits)) analysis.trial_doubts.push_back(doubt);
   for (const auto& find : {FindHandCentred, FindNoMovement, FindLabelJump}) {
     for (Doubt& doubt : find(trial.digits)) analysis.trial_doubts.push_back(std::move(doubt));
   }

@@ -8,7 +8,9 @@ movement (onset, end, before the hold) -> contacts (between onset and hold) -> w
 measures. */
 
 #include <limits>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/grasp/contact_order.h"
@@ -46,6 +48,9 @@ struct AnalysisOptions {
   OpeningOptions opening;
   ContactOptions contact;
   PlausibilityOptions plausibility;
+  /** Keys of the cut-offs that a user stated: they stay as they are, the others follow the rate
+  (FitCutoffs). No setting. */
+  std::set<std::string> stated_cutoffs;
 
   template <class V>
   void Visit(V&& v) {
@@ -61,6 +66,25 @@ struct AnalysisOptions {
 /** @throws Error(kNotFound) for an unknown rule, detector or measure, Error(kRange) for a number
 outside its range; both name the key. */
 void CheckOptions(const AnalysisOptions& options);
+
+/** Key and value [Hz]. */
+using Cutoffs = std::vector<std::pair<std::string, double>>;
+/** "movement.cutoff_hz" and so on: those that AnalyseTrial filters at. */
+Cutoffs ListCutoffs(AnalysisOptions options);
+
+/** Share of the rate that a cut-off has at most which nobody stated. MakeLowPass allows 0.4. */
+inline constexpr double kMaxCutoffShare = 0.34;
+/** The cut-off of a recording of `rate` [Hz]; a stated one stays as it is. */
+double FitCutoff(const AnalysisOptions& options, const std::string& key, double cutoff,
+                 double rate);
+/** All of ListCutoffs. */
+AnalysisOptions FitCutoffs(AnalysisOptions options, double rate);
+
+/** Names every cut-off that a recording of `rate` [Hz] does not allow; empty without any. */
+std::string FindCutoffFault(const Cutoffs& cutoffs, double rate);
+
+/** Samples a second [Hz]. */
+double CalcRate(const ReachTrial& trial);
 
 struct TrialAnalysis {
   ObjectEvents object;

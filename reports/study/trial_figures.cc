@@ -179,8 +179,9 @@ std::string DescribeTrial(const StudyTrial& trial, const std::vector<Factor>& fa
 Html DrawTrialTips(const StudyTrial& trial, const ReachTrial& reach,
                    const AnalysisOptions& options) {
   FilteredTrial filtered(reach);
+  const ContactOptions contact = FitCutoffs(options, CalcRate(reach)).contact;
   const std::vector<TipAgainstObject>& tips =
-      filtered.FilterTipsAgainstObject(options.contact.cutoff, options.contact.object_cutoff);
+      filtered.FilterTipsAgainstObject(contact.cutoff, contact.object_cutoff);
   const bool has_shape = std::any_of(tips.begin(), tips.end(), [](const TipAgainstObject& tip) {
     return tip.distance.size() > 0;
   });

@@ -77,6 +77,13 @@ std::string MakeStudy() {
   config.markers.tips.thumb = {"thumb_tip"};
   config.markers.tips.index = {"index_tip"};
   config.analysis.contact.detector = "auto";
+  // Stated ones would not follow the recordings' rate.
+  AnalysisOptions& a = config.analysis;
+  for (double* cutoff : {&a.movement.cutoff, &a.lift_off.cutoff, &a.hold.cutoff, &a.opening.cutoff,
+                         &a.contact.cutoff, &a.contact.object_cutoff}) {
+    *cutoff = std::nan("");
+  }
+  config.multiverse.cutoff.clear();
   return "# What `graspbench study run study.yaml --out DIR` analyses; all but `markers` may be "
          "left "
          "out.\n# The recordings are named in trials.csv.\n" +

@@ -22,16 +22,14 @@ std::string FormatErrors(const Answer<Summary>& errors) {
          std::to_string(errors->count);
 }
 
-/** Which trials, and what would change it. */
-std::string FormatGroup(const RemovalGroup& group) {
+std::string FormatTrials(const RemovalGroup& group) {
   constexpr size_t kNamed = 6;
   std::string names;
   for (size_t i = 0; i < group.trials.size() && i < kNamed; ++i) {
     names += (i > 0 ? ", " : "") + group.trials[i];
   }
   if (group.trials.size() > kNamed) names += " ..";
-  return "         trials: " + names + "\n         keys: " + FindRemovalAdvice(group.code).keys +
-         "\n";
+  return "         trials: " + names + "\n";
 }
 
 /** Where half of the trials were looked at and do not count. */
@@ -44,7 +42,7 @@ std::string FormatAdvice(const StudyResult& result) {
   const bool is_elsewhere = study.recordings != study.folder;
   return "advice   graspbench study suggest " + QuoteForShell(study.file) +
          (is_elsewhere ? " --data " + QuoteForShell(study.recordings.string()) : "") +
-         " proposes keys from these recordings\n";
+         " looks for keys with which more trials count\n";
 }
 
 }  // namespace
@@ -53,7 +51,7 @@ std::string FormatRemoved(const StudyResult& result) {
   std::string text = result.CountKept() == 0 ? "no trial counts:\n" : "";
   for (const RemovalGroup& group : GroupRemoved(result.trials)) {
     text += fmt::format("removed  {} [{}] {}\n", group.trials.size(), group.code, group.text) +
-            FormatGroup(group);
+            FormatTrials(group) + "         keys: " + FindRemovalAdvice(group.code).keys + "\n";
   }
   return text + FormatAdvice(result);
 }
@@ -107,7 +105,10 @@ std::string FormatSuggestions(const StudySuggestions& suggestions) {
                       FormatCount(suggestions.num_trials_then, "trial"));
   for (const RemovalGroup& group : suggestions.others) {
     text += fmt::format("left     {} [{}] {}\n", group.trials.size(), group.code, group.text) +
-            FormatGroup(group);
+            FormatTrials(group);
+    // No setting that was tried mends it.
+    const std::string advice = FindAdviceBeyondSettings(group.code);
+    if (!advice.empty()) text += "         look at: " + advice + "\n";
   }
   return text;
 }

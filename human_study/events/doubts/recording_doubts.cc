@@ -67,6 +67,115 @@ Vector3d FindMiddle(const std::vector<SmoothPath>& tips, size_t sample) {
 
 }  // namespace
 
+namespace {
+
+/** How one marker goes from each frame to the next. */
+struct FrameSteps {
+  Eigen::Matrix3Xd own;   ///< what it moves a frame by the frames around; NaN where one is hidden
+  Eigen::Matrix3Xd jump;  ///< how far it goes beyond that
+  double limit = 0.0;     ///< a jump below is none [m]
+};
+
+constexpr Column kSide = 4;  // frames that tell a marker's own motion, before and after
+
+FrameSteps CalcFrameSteps(const Trajectory& track, double interval) {
+  constexpr double kLeast = 1e-3, kUsual = 4.0;  // [m], of the usual jump
+  constexpr double kJerk = 1000.0;               // of a hand [m/s^3]
+  const auto num_frames = static_cast<Column>(track.size());
+  FrameSteps steps;
+  steps.own = steps.jump = Eigen::Matrix3Xd::Constant(3, num_frames, std::nan(""));
+  std::vector<double> jumps;
+  for (Column i = kSide; i + kSide <= num_frames; ++i) {
+    const auto first = track.states.begin() + (i - kSide);
+    if (std::count(first, first + 2 * kSide, SampleState::kInvalid) > 0) continue;
+    const auto& p = track.p;
+    steps.own.col(i) = (p.col(i - 1) - p.col(i - kSide) + p.col(i + kSide - 1) - p.col(i)) /
+                       (2.0 * static_cast<double>(kSide - 1));
+    steps.jump.col(i) = p.col(i) - p.col(i - 1) - steps.own.col(i);
+    jumps.push_back(steps.jump.col(i).norm());
+  }
+  const double of_motion = 2.0 * kJerk * std::pow(interval, 3);
+  if (jumps.empty()) return steps;
+  steps.limit = std::max({kLeast, of_motion, kUsual * CalcMedian(std::move(jumps))});
+  return steps;
+}
+
+/** The marker moves on as before and after: no single sample is off. */
+bool IsKept(const Trajectory& track, const FrameSteps& steps, Column i) {
+  const double most = std::max(steps.limit, 0.5 * steps.jump.col(i).norm());
+  return (track.p.col(i + 1) - track.p.col(i) - steps.own.col(i)).norm() <= most &&
+         (track.p.col(i - 1) - track.p.col(i - 2) - steps.own.col(i)).norm() <= most;
+}
+
+Trajectory FindObjectPath(const ReachTrial& trial) {
+  Trajectory path;
+  path.times = trial.times;
+  path.states = trial.object.states;
+  path.p.resize(3, static_cast<Column>(trial.times.size()));
+  for (size_t i = 0; i < trial.times.size(); ++i) {
+    path.p.col(static_cast<Column>(i)) = trial.object.X_LO[i] * trial.object.p_OC;
+  }
+  return path;
+}
+
+}  // namespace
+
+std::vector<Doubt> FindFrameJump(const ReachTrial& trial) {
+  constexpr double kFewestFrames = 0.8, kTolerance = 0.5;
+  constexpr size_t kEnough = 3;  // markers that show it
+  std::vector<Trajectory> tracks;
+  for (const DigitTrack& digit : trial.digits) tracks.push_back(digit.tip);
+  if (trial.wrist.size() > 0) tracks.push_back(trial.wrist);
+  const size_t num_of_hand = tracks.size();
+  if (trial.object.IsRecorded()) tracks.push_back(FindObjectPath(trial));
+  const double interval =
+      (trial.times.back() - trial.times.front()) / static_cast<double>(trial.times.size() - 1);
+  std::vector<FrameSteps> steps;
+  for (const Trajectory& track : tracks) steps.push_back(CalcFrameSteps(track, interval));
+  const auto num_frames = static_cast<Column>(trial.times.size());
+  for (Column i = kSide; i + kSide <= num_frames; ++i) {
+    double along = 0.0, squares = 0.0, least = INFINITY, most = 0.0;
+    size_t num_seen = 0, num_seen_of_hand = 0, num_jumping = 0, num_jumping_of_hand = 0;
+    bool is_kept = true;
+    for (size_t m = 0; m < tracks.size(); ++m) {
+      const double jump = steps[m].jump.col(i).norm();
+      if (std::isnan(jump)) continue;
+      const bool does_jump = jump > 2.0 * steps[m].limit;
+      ++num_seen;
+      num_jumping += does_jump;
+      num_seen_of_hand += m < num_of_hand;
+      num_jumping_of_hand += m < num_of_hand && does_jump;
+      along += steps[m].jump.col(i).dot(steps[m].own.col(i));
+      squares += steps[m].own.col(i).squaredNorm();
+      least = does_jump ? std::min(least, jump) : least;
+      most = std::max(most, jump);
+      is_kept = is_kept && IsKept(tracks[m], steps[m], i);
+    }
+    if (num_jumping == 0 || !is_kept) continue;
+    const bool does_hand_jump =
+        num_seen_of_hand >= kEnough && num_jumping_of_hand == num_seen_of_hand;
+    const double lost = along / squares;  // frames
+    bool is_lost = lost >= kFewestFrames && num_jumping >= std::min(kEnough, num_seen);
+    for (const FrameSteps& s : steps) {
+      const Vector3d skipped = lost * s.own.col(i);
+      is_lost =
+          is_lost && !((s.jump.col(i) - skipped).norm() > s.limit + kTolerance * skipped.norm());
+    }
+    if (num_seen < 2 || !(is_lost || does_hand_jump)) continue;
+    const std::string cause = is_lost
+                                  ? fmt::format("as if {:.0f} frames were missing", lost)
+                                  : "as if frames were missing or the frame of reference had moved";
+    return {
+        {"frame_jump",
+         fmt::format("at {:.3f} s {} of {} markers jump together, by {:.0f} to {:.0f} mm beyond "
+                     "their own motion, {}: the time stamps do not show it. Export the "
+                     "recording again with all its frames",
+                     trial.times[static_cast<size_t>(i)], num_jumping, num_seen, MmFromM(least),
+                     MmFromM(most), cause)}};
+  }
+  return {};
+}
+
 std::vector<Doubt> FindLeftBehind(const std::vector<SmoothPath>& tips, const ObjectTravel& travel,
                                   const Hold& hold, const LiftOffOptions& lift_off,
                                   const PlausibilityOptions& options) {

@@ -1,6 +1,17 @@
 #pragma once
 /** @file
-Two more doubts of plausibility.h, about what the markers stand for.
+Three more doubts of plausibility.h, about the frames and what the markers stand for.
+
+  frame_jump: frames are missing although the time stamps are even, or the frame of reference moved.
+    A marker's own motion in a frame is the mean of its three steps before and its three after; its
+    jump is what it goes beyond that, while the steps next to it stay as they were. All markers must
+    say the same of one frame, in one of two ways. Either every marker of the hand that is seen, of
+    at least three, jumps by more than twice its limit. Or all markers, the object's middle too,
+    jump by the same number k >= 0.8 of their own motions, within the limit and half of that: those
+    that move jump (three at least, or all), one at rest stays. The limit is the largest of 1 mm,
+    four times the marker's usual jump (its noise), and what a jerk of 1000 m/s^3 makes of a healthy
+    reach: 2 mm at 100 Hz, 9 mm at 60 Hz, 74 mm at 30 Hz. So a slow camera shows long losses only,
+    and a hand at rest none.
 
   object_left_behind: in the grip of the hold, or without one of the recording's end, the digits rise
     together by 30 mm (or plausibility.min_carried_m, if that is less), and the recorded object
@@ -14,6 +25,9 @@ Two more doubts of plausibility.h, about what the markers stand for.
 #include "human_study/events/doubts/plausibility.h"
 
 namespace graspbench {
+
+/** Doubt about the frames, from digits, wrist and the middle of the object's markers. */
+std::vector<Doubt> FindFrameJump(const ReachTrial& trial);
 
 /** @param tips  filtered. @param travel  of the object, which was recorded and not lifted. */
 std::vector<Doubt> FindLeftBehind(const std::vector<SmoothPath>& tips, const ObjectTravel& travel,

@@ -1,6 +1,8 @@
 /** @file
 C3D, all processors, integer and floating point. The format's rules: c3d.org user guide. */
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -279,14 +281,13 @@ void ReadEventGroup(const C3dParameters& parameters, Recording& recording) {
   const std::vector<std::string> contexts = parameters.Texts("EVENT", "CONTEXTS");
   size_t count = times.size() / 2;
   if (!used.empty()) {
-    if (used[0] > static_cast<double>(count)) {
-      recording.Note("event_count_disputed", "EVENT:USED",
-                     "counts " + std::to_string(static_cast<int>(used[0])) +
-                         " events, EVENT:TIMES holds " + std::to_string(count) +
-                         "; those are taken");
-    } else {
-      count = static_cast<size_t>(used[0]);
+    const std::optional<size_t> stated = FindCount(used[0], static_cast<double>(count));
+    if (!stated) {
+      recording.Note(
+          "event_count_disputed", "EVENT:USED",
+          fmt::format("counts {:g} events, EVENT:TIMES holds {}; those are taken", used[0], count));
     }
+    count = stated.value_or(count);
   }
   for (size_t i = 0; i < count; ++i) {
     recording.events.push_back({i < labels.size() ? labels[i] : "",

@@ -14,21 +14,27 @@ constexpr double kMaxFrames = 2147483647.0;
 
 std::string FormatWhole(double value) { return std::to_string(static_cast<int64_t>(value)); }
 
-/** A whole number in [0, max] from a parameter, or NaN. */
+/** A whole number in [0, max], or NaN. */
+double RoundCount(double value, double max) {
+  const std::optional<size_t> count = FindCount(value, max);
+  return count ? static_cast<double>(*count) : std::nan("");
+}
+
+/** The same of a parameter. */
 double FindCount(const C3dParameters& parameters, const char* group, const char* name,
                  double max = kC3dMaxCount) {
   const C3dParameter* parameter = parameters.Find(group, name);
-  const double value = parameter == nullptr ? std::nan("") : std::round(parameter->Unsigned());
-  return value >= 0 && value <= max ? value : std::nan("");
+  return RoundCount(parameter == nullptr ? std::nan("") : parameter->Unsigned(), max);
 }
 
 /** Two 16-bit halves, low first, as TRIAL stores frame numbers. */
 double FindLongCount(const C3dParameters& parameters, const char* name) {
   const C3dParameter* parameter = parameters.Find("TRIAL", name);
   if (parameter == nullptr || parameter->num_numbers() < 2) return std::nan("");
-  const double value = parameter->Unsigned(0) + 65536.0 * parameter->Unsigned(1);
+  const double value =
+      RoundCount(parameter->Unsigned(0) + 65536.0 * parameter->Unsigned(1), kMaxFrames);
   // 65,535 is what writers put that know no better (-1, 0).
-  return value <= kMaxFrames && value != kC3dMaxCount ? value : std::nan("");
+  return value != kC3dMaxCount ? value : std::nan("");
 }
 
 void FindPointCount(const C3dHead& head, const C3dParameters& parameters, C3dLayout& layout,

@@ -31,6 +31,12 @@ bool IsAnyOf(std::string_view name, std::initializer_list<std::string_view> name
 
 }  // namespace
 
+std::optional<size_t> FindCount(double value, double max) {
+  const double whole = std::round(value);
+  if (!(whole >= 0.0 && whole <= max)) return std::nullopt;
+  return static_cast<size_t>(whole);
+}
+
 C3dHead ReadC3dHead(std::istream& stream, const std::string& file) {
   C3dHead head;
   stream.seekg(0, std::ios::end);

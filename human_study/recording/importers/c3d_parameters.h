@@ -7,6 +7,7 @@ go forward and always ends. Groups may come after their parameters. */
 
 #include <cstdint>
 #include <istream>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,10 @@ go forward and always ends. Groups may come after their parameters. */
 #include "human_study/recording/recording.h"
 
 namespace graspbench {
+
+/** A number of the file as a count or an index, rounded to the next whole one; none when it is not a
+number, negative or above `max`. Every foreign number becomes a size through here. */
+std::optional<size_t> FindCount(double value, double max);
 
 /** What stands before the data. */
 struct C3dHead {

@@ -3,8 +3,10 @@ OptiTrack Motive's CSV export, raw and cleaned.
 
 Raw: a line of key-value pairs (rates, length unit), rows Type, Name, ID and Position/Rotation, the
 row "Frame, Time (Seconds), X, Y, Z, ..", one row a frame. Blank cells are hidden markers. Columns
-of rotations and errors are left out. Cleaned: one row of names "<marker>_position_x", .. after
-frame and time; it states neither rate nor unit, and metres, Motive's own unit, are taken. */
+of rotations and errors are left out. Motive 1.5 to 1.7 (format version 1.1) write the same rows in
+the same order without their titles, "Time" without its unit, and no unit of length. Cleaned: one
+row of names "<marker>_position_x", .. after frame and time; it states neither rate nor unit. Where
+no unit is stated, metres, Motive's own unit, are taken. */
 
 #include <algorithm>
 #include <cmath>
@@ -69,6 +71,11 @@ void MakePoints(const std::vector<PointColumn>& columns, const std::string& unit
   }
 }
 
+void NoteConventionalUnit(Recording& recording) {
+  recording.Note("unit_by_convention", "file",
+                 "no unit is stated; metres, Motive's own unit, are taken (--unit changes it)");
+}
+
 Recording ImportRaw(LineReader& reader, const Cells& pairs, const ImportOptions& options) {
   Recording recording;
   std::string unit = options.unit;
@@ -84,7 +91,8 @@ Recording ImportRaw(LineReader& reader, const Cells& pairs, const ImportOptions&
     }
   }
   recording.rate = std::isfinite(export_rate) ? export_rate : capture_rate;
-  std::vector<std::string> types, names, kinds;
+  std::vector<std::string> names, kinds;
+  std::vector<std::vector<std::string>> untitled;  // of format version 1.1: types, names, ids
   Cells cells;
   do {
     SplitCells(reader.Require("the row \"Frame, Time (Seconds), ..\""), ',', cells);
@@ -92,11 +100,18 @@ Recording ImportRaw(LineReader& reader, const Cells& pairs, const ImportOptions&
     const auto keep = [&](std::vector<std::string>& row) {
       row.assign(cells.begin(), cells.end());
     };
-    if (title == "type") keep(types);
     if (title == "name") keep(names);
     // The row of kinds has no title.
-    if (cells.size() > 2 && (cells[2] == "Position" || cells[2] == "Rotation")) keep(kinds);
+    if (cells.size() > 2 && (cells[2] == "Position" || cells[2] == "Rotation")) {
+      keep(kinds);
+    } else if (cells.size() > 2 && title.empty() && !IsBlank(cells)) {
+      keep(untitled.emplace_back());
+    }
   } while (ToLower(cells[0]) != "frame");
+  const bool has_titles = !names.empty() || untitled.size() < 2;
+  if (!has_titles) names = untitled[1];
+  const bool is_unit_conventional = !has_titles && unit.empty();
+  if (is_unit_conventional) unit = "m";
   if (names.empty()) reader.Fail("no row \"Name\" stands above the row \"Frame, ..\"");
   std::vector<PointColumn> columns;
   for (size_t c = 2; c + 2 < cells.size() && c < names.size(); ++c) {
@@ -104,6 +119,7 @@ Recording ImportRaw(LineReader& reader, const Cells& pairs, const ImportOptions&
     if (is_triple && c < kinds.size() && kinds[c] == "Position") columns.push_back({names[c], c});
   }
   MakePoints(columns, unit, "row Name", reader, recording);
+  if (is_unit_conventional) NoteConventionalUnit(recording);
   ReadRows(reader, columns, options, recording);
   return recording;
 }
@@ -118,10 +134,7 @@ Recording ImportCleaned(LineReader& reader, const Cells& names, const ImportOpti
     columns.push_back({std::string(name.substr(0, name.size() - end.size())), c});
   }
   MakePoints(columns, options.unit.empty() ? "m" : options.unit, "line 1", reader, recording);
-  if (options.unit.empty()) {
-    recording.Note("unit_by_convention", "file",
-                   "no unit is stated; metres, Motive's own unit, are taken (--unit changes it)");
-  }
+  if (options.unit.empty()) NoteConventionalUnit(recording);
   ReadRows(reader, columns, options, recording);
   return recording;
 }

@@ -10,6 +10,7 @@
 #include "core/base/config.h"
 #include "core/base/files/files.h"
 #include "core/base/text/data_table.h"
+#include "human_study/study/design/study_cutoffs.h"
 #include "human_study/study/design/study_keys.h"
 #include "human_study/study/design/study_levels.h"
 #include "objects/catalogue.h"
@@ -488,6 +489,7 @@ StudyConfig ParseStudyConfig(const std::string& text, const std::string& file,
   ReadConfig(root, file, "study", config, problems);
   if (problems.num_errors() > 0) return config;  // defaults would give misleading follow-ups
   for (const std::string& setting : settings) SetConfigValue(setting, config);
+  config.analysis.stated_cutoffs = FindStatedCutoffs(root, settings);
   ConfigChecker check(root, file, problems);
   CheckConfig(config, check);
   return config;

@@ -165,6 +165,7 @@ struct MultiverseConfig {
   std::vector<double> cutoff = {10.0, 20.0};  ///< of the contact detectors [Hz]
   std::vector<std::string> detector;          ///< empty: all there are
   std::vector<std::string> opening = {"aperture", "virtual_finger"};
+  bool is_left_out = false;  ///< the study's own choices alone. No setting
 
   template <class V>
   void Visit(V&& v) {

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "core/statistics/summary.h"
+#include "human_study/study/design/study_cutoffs.h"
 #include "human_study/study/run/run_study.h"
 
 namespace graspbench {
@@ -85,7 +86,7 @@ std::vector<BiasRow> CalcBias(const StudyResult& result) {
   const double rate = std::clamp(result.rate, 20.0, 1000.0);
   if (!std::isfinite(result.rate) || !std::isfinite(result.noise)) return {};
   if (result.study.config.bias_trials == 0) return {};
-  const AnalysisOptions& own = result.study.config.analysis;
+  const AnalysisOptions own = FitCutoffs(result.study.config.analysis, rate);
   BiasCase like_study;  // as many digits, lifted and with the object recorded as in the study
   like_study.noise = result.noise;
   like_study.num_digits = static_cast<int>(result.digits.size());
@@ -97,6 +98,7 @@ std::vector<BiasRow> CalcBias(const StudyResult& result) {
   const auto add = [&](std::string text, double case_rate, const AnalysisOptions& options) {
     // A filter needs its cut-off well below half the rate.
     if (options.contact.cutoff >= 0.35 * case_rate) return;
+    if (!FindCutoffFault(ListCutoffs(options), case_rate).empty()) return;
     BiasCase bias = like_study;
     bias.text = std::move(text);
     bias.rate = case_rate;
@@ -159,6 +161,15 @@ std::vector<TrialMeasure> ListStudyMeasures(const Study& study) {
 std::vector<Universe> ListUniverses(const StudyConfig& config) {
   const MultiverseConfig& multiverse = config.multiverse;
   const AnalysisOptions& own = config.analysis;
+  if (multiverse.is_left_out) {
+    Universe universe;
+    universe.onset = own.movement.rule;
+    universe.opening = own.opening.measure;
+    universe.cutoff = own.contact.cutoff;
+    universe.detector = own.contact.detector;
+    universe.is_own = true;
+    return {universe};
+  }
   std::vector<std::string> others = multiverse.detector;
   if (others.empty()) {
     for (const ContactDetector& detector : ContactDetectorList()) others.push_back(detector.id);
@@ -184,11 +195,13 @@ std::vector<Universe> ListUniverses(const StudyConfig& config) {
   return universes;
 }
 
-AnalysisOptions MakeOptions(const AnalysisOptions& own, const Universe& universe) {
-  AnalysisOptions options = own;
+AnalysisOptions MakeOptions(const StudyConfig& config, const Universe& universe, double rate) {
+  AnalysisOptions options = FitCutoffs(config.analysis, rate);
   options.movement.rule = universe.onset;
   options.opening.measure = universe.opening;
-  options.contact.cutoff = universe.cutoff;
+  if (universe.cutoff != config.analysis.contact.cutoff) {
+    options.contact.cutoff = FitCutoff(config.analysis, kMultiverseCutoff, universe.cutoff, rate);
+  }
   options.contact.detector = universe.detector;
   return options;
 }

@@ -66,8 +66,8 @@ struct UniverseSummary {
 };
 UniverseSummary SummariseUniverses(const std::vector<Universe>& universes);
 
-/** The study's options under one of them. */
-AnalysisOptions MakeOptions(const AnalysisOptions& own, const Universe& universe);
+/** The study's options under one of them, for a recording of `rate` [Hz]. */
+AnalysisOptions MakeOptions(const StudyConfig& config, const Universe& universe, double rate);
 
 /** A row a kept trial. */
 MeasureTable MakeMeasureTable(const StudyResult& result, const TrialMeasure& measure);

@@ -11,6 +11,8 @@ const RemovalAdvice& FindRemovalAdvice(const std::string& code) {
       {"left_out", Curve::kNone, "remove in trials.csv: a person left it out"},
       {"unreadable", Curve::kNone,
        "the recording itself, start_s and end_s of trials.csv, or recording.format, unit, mapping"},
+      {"cutoff_too_high", Curve::kNone,
+       "the cut-offs that the reason names: lower, or left out; they then follow the rate"},
       {"missing_marker", Curve::kNone, "markers: a label that this recording has"},
       {"same_recording", Curve::kNone,
        "file in trials.csv: the recording of this trial; or leave the row out"},
@@ -42,6 +44,9 @@ const RemovalAdvice& FindRemovalAdvice(const std::string& code) {
        "recording.unit, or unit of the mapping; for one digit alone its label under markers"},
       {"label_jump", Curve::kOpening,
        "the recording: markers exchanged their labels; removal.implausible: false keeps it"},
+      {"frame_jump", Curve::kSpeed,
+       "the recording: export it again with all frames; start_s and end_s of trials.csv, if the "
+       "jump is outside the reach; removal.implausible: false keeps it"},
       {"no_movement", Curve::kSpeed, "start_s and end_s of trials.csv; markers"},
       {"far_digit", Curve::kOpening, "the marker of that digit under markers"},
       {"hand_centred", Curve::kNone, "the recording: places in a frame that stands still"},
@@ -63,6 +68,24 @@ const RemovalAdvice& FindRemovalAdvice(const std::string& code) {
       std::find_if(std::begin(kAdvice), std::end(kAdvice),
                    [&](const RemovalAdvice& advice) { return advice.code == code; });
   return found == std::end(kAdvice) ? kDoubted : *found;
+}
+
+std::string FindAdviceBeyondSettings(const std::string& code) {
+  const std::string advice = FindRemovalAdvice(code).keys, separator = "; ";
+  std::string kept;
+  for (size_t at = 0; at < advice.size();) {
+    const size_t end = std::min(advice.find(separator, at), advice.size());
+    std::string part = advice.substr(at, end - at);
+    if (part.rfind("or ", 0) == 0) part.erase(0, 3);
+    const auto is_named = [&](const char* group) { return part.find(group) != std::string::npos; };
+    const char* const settings[] = {"movement.", "hold.",         "cleaning.", "contact.",
+                                    "removal.",  "plausibility.", "lift_off.", "cut."};
+    if (std::none_of(std::begin(settings), std::end(settings), is_named)) {
+      kept += (kept.empty() ? "" : separator) + part;
+    }
+    at = end + separator.size();
+  }
+  return kept;
 }
 
 }  // namespace graspbench

@@ -11,6 +11,7 @@
 #include "core/base/text/escape.h"
 #include "core/statistics/summary.h"
 #include "human_study/recording/cleaning/residual_analysis.h"
+#include "human_study/study/design/study_cutoffs.h"
 #include "human_study/study/run/prepare_recording.h"
 #include "human_study/study/run/trial_removal.h"
 
@@ -139,6 +140,11 @@ class Runner {
         Remove({"missing_marker", prepared_.missing.front().text}, trial);
         return Add(trial);
       }
+      if (const std::string fault = FindCutoffFault(study_.config, prepared_.rate);
+          !fault.empty()) {
+        Remove({"cutoff_too_high", fault}, trial);
+        return Add(trial);
+      }
     } catch (const Error& error) {
       Remove({"unreadable", error.what()}, trial);
       loaded_.clear();
@@ -150,13 +156,16 @@ class Runner {
   void Finish() {
     CheckMarkersFound();
     CheckReviews();
-    result_.rate = CalcMedian(rates_);
-    if (!rates_.empty()) {
-      result_.lowest_rate = *std::min_element(rates_.begin(), rates_.end());
-      result_.highest_rate = *std::max_element(rates_.begin(), rates_.end());
-    }
+    CountRates();
     result_.noise = CalcMedian(noises_);
     result_.advised_cutoff = CalcMedian(cutoffs_);
+  }
+
+  void CountRates() {
+    result_.rate = CalcMedian(rates_);
+    if (rates_.empty()) return;
+    result_.lowest_rate = *std::min_element(rates_.begin(), rates_.end());
+    result_.highest_rate = *std::max_element(rates_.begin(), rates_.end());
   }
 
  private:
@@ -222,7 +231,7 @@ class Runner {
       reach = MakeReachTrial(prepared_, part, study_.config, study_.FindObject(planned.object));
       trial.begin = reach->times.front();
       trial.end = reach->times.back();
-      const AnalysisOptions& options = study_.config.analysis;
+      const AnalysisOptions options = FitCutoffs(study_.config.analysis, prepared_.rate);
       FilteredTrial filtered(*reach);
       trial.analysis = AnalyseTrial(filtered, options);
       Review(planned, options, trial, *trial.analysis);
@@ -291,7 +300,7 @@ class Runner {
     const Universe* previous = nullptr;
     TrialAnalysis analysis;
     for (const Universe& universe : result_.universes) {
-      const AnalysisOptions options = MakeOptions(study_.config.analysis, universe);
+      const AnalysisOptions options = MakeOptions(study_.config, universe, prepared_.rate);
       // Detectors vary fastest in the list, and one analysis asks all of them.
       if (previous != nullptr && DiffersInDetectorOnly(*previous, universe)) {
         BelieveDetector(universe.detector, options, analysis);
@@ -374,7 +383,7 @@ class Runner {
 };
 
 /** Trials of every n-th row, analysed once and with every contact, however uncertain. */
-std::vector<StudyTrial> RunSome(const Study& study) {
+StudyResult RunSome(const Study& study) {
   constexpr size_t kMaxRows = 120;
   StudyResult result;
   result.study = study;
@@ -384,7 +393,8 @@ std::vector<StudyTrial> RunSome(const Study& study) {
   Runner runner(nobody, result);
   const size_t step = (study.trials.size() + kMaxRows - 1) / kMaxRows;
   for (size_t i = 0; i < study.trials.size(); i += step) runner.Run(study.trials[i]);
-  return result.trials;
+  runner.CountRates();
+  return result;
 }
 
 }  // namespace
@@ -396,21 +406,20 @@ int StudyResult::CountKept() const {
 
 Study LeaveOutReport(Study study) {
   study.config.bias_trials = 0;
-  study.config.multiverse.onset.clear();
-  study.config.multiverse.opening.clear();
-  study.config.multiverse.cutoff.clear();
-  study.config.multiverse.detector = {study.config.analysis.contact.detector};
+  study.config.multiverse.is_left_out = true;
   return study;
 }
 
 StudyResult RunTrials(const Study& study, const StudyWatch& watch) {
   StudyResult result;
   result.study = study;
-  LearnFrom(RunSome(study), result);
+  const StudyResult some = RunSome(study);
+  result.study.config = FitCutoffs(study.config, some.highest_rate);  // slower ones lower theirs
+  LearnFrom(some.trials, result);
   for (int digit = 0; digit < PerDigit<int>::kNumDigits; ++digit) {
     if (!study.config.markers.tips[digit].empty()) result.digits.push_back(IdOfDigit(digit));
   }
-  result.universes = ListUniverses(study.config);
+  result.universes = ListUniverses(result.study.config);
   result.trials.reserve(study.trials.size());
   Runner runner(watch, result);
   for (size_t i = 0; i < study.trials.size(); ++i) {

@@ -10,6 +10,7 @@
 
 #include "core/base/config.h"
 #include "core/base/units.h"
+#include "human_study/study/design/study_cutoffs.h"
 #include "human_study/study/run/run_study.h"
 #include "human_study/study/suggest/marker_evidence.h"
 
@@ -159,6 +160,17 @@ Candidates TryUnits(const Question&) {
   return candidates;
 }
 
+Candidates LowerCutoffs(const Question& question) {
+  const double rate = question.result.lowest_rate;
+  return {
+      {LowerStatedCutoffs(question.result.study.config, rate),
+       fmt::format("a recording has {:.4g} samples a second, and a filter's cut-off must be "
+                   "below 0.4 of that",
+                   rate),
+       "all recordings are filtered at it; without the key the cut-off follows the rate of each "
+       "recording"}};
+}
+
 /** A limit above which a trial is doubted or not usable: larger ones are tried, then none. */
 struct Limit {
   const char* code;
@@ -224,12 +236,13 @@ struct Maker {
 
 const std::vector<Maker>& MakerList() {
   static const std::vector<Maker> makers = {
-      {"no_onset", UseRegression},      {"no_opening", UseCompanions},
-      {"no_contact", UseCompanions},    {"no_hold", UseCompanions},
-      {"not_usable", UseCompanions},    {"gap_event", UseCompanions},
-      {"filled_event", UseCompanions},  {"detectors_disagree", UseSpeedDetector},
-      {"not_usable", UseSpeedDetector}, {"no_contact", UseSpeedDetector},
-      {"other_lift_axis", TryLiftAxes}, {"wrong_unit", TryUnits},
+      {"no_onset", UseRegression},       {"no_opening", UseCompanions},
+      {"no_contact", UseCompanions},     {"no_hold", UseCompanions},
+      {"not_usable", UseCompanions},     {"gap_event", UseCompanions},
+      {"filled_event", UseCompanions},   {"detectors_disagree", UseSpeedDetector},
+      {"not_usable", UseSpeedDetector},  {"no_contact", UseSpeedDetector},
+      {"other_lift_axis", TryLiftAxes},  {"wrong_unit", TryUnits},
+      {"cutoff_too_high", LowerCutoffs},
   };
   return makers;
 }

@@ -79,6 +79,10 @@ std::string DescribeEvents(const StudyResult& result) {
                         " Hz for the object's pose, " +
                         FormatSignificant(options.lift_off.cutoff, 3) + " Hz for its lift-off"
                   : "") +
+      (ListCutoffs(FitCutoffs(options, result.lowest_rate)) == ListCutoffs(options)
+           ? ""
+           : "; of slower recordings at most " + FormatSignificant(kMaxCutoffShare, 2) +
+                 " of their rate") +
       ". Onset and end of the movement: " + TextOf(MovementRuleList(), options.movement.rule) +
       DescribeThreshold(options.movement) +
       ". First contact of each digit: " + TextOf(ContactDetectorList(), options.contact.detector) +

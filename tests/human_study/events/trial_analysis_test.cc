@@ -366,6 +366,27 @@ TEST(AnalyseTrial, SpoiltTrialsGiveAnswersOrReasonsAndNeverFail) {
   }
 }
 
+// Three tenths to four tenths of the rate: below the filter's limit.
+TEST(FitCutoffs, LowersWhatNobodyStatedForASlowRecordingAlone) {
+  const AnalysisOptions defaults;
+  for (const double rate : {60.0, 100.0, 200.0, 1000.0}) {
+    EXPECT_EQ(ListCutoffs(FitCutoffs(defaults, rate)), ListCutoffs(defaults)) << rate;
+  }
+  for (const double rate : {10.0, 25.0, 30.0, 50.0}) {
+    const AnalysisOptions fitted = FitCutoffs(defaults, rate);
+    EXPECT_EQ(FindCutoffFault(ListCutoffs(fitted), rate), "") << rate;
+    EXPECT_GT(fitted.contact.cutoff, 0.3 * rate);
+  }
+  AnalysisOptions stated;
+  stated.stated_cutoffs = {"contact.cutoff_hz", "opening.cutoff_hz"};
+  const AnalysisOptions fitted = FitCutoffs(stated, 20.0);
+  EXPECT_EQ(fitted.contact.cutoff, stated.contact.cutoff);
+  EXPECT_LT(fitted.contact.object_cutoff, 8.0);
+  EXPECT_EQ(FindCutoffFault(ListCutoffs(fitted), 20.0),
+            "opening.cutoff_hz is 10, contact.cutoff_hz is 20; this recording of 20 Hz allows less "
+            "than 8. Choose a lower one, or leave the key out: the cut-off then follows the rate");
+}
+
 TEST(AnalyseTrial, ACutoffThatTheRateDoesNotAllowNamesItsKey) {
   SyntheticOptions options;
   options.num_people = options.trials_per_size = 1;
@@ -373,8 +394,8 @@ TEST(AnalyseTrial, ACutoffThatTheRateDoesNotAllowNamesItsKey) {
   const ReachTrial trial = MakeReachTrial(MakeSyntheticStudy(options)[0]);
   EXPECT_EQ(
       FaultOf([&] { AnalyseTrial(trial, AnalysisOptions()); }),
-      "contact.cutoff_hz is 20; this recording of 40 Hz allows less than 16, so choose a lower "
-      "one");
+      "contact.cutoff_hz is 20; this recording of 40 Hz allows less than 16. Choose a lower one, "
+      "or leave the key out: the cut-off then follows the rate");
 }
 
 TEST(CheckOptions, NamesTheKeyAndTheChoices) {

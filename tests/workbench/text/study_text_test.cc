@@ -46,11 +46,12 @@ TEST(FormatRemoved, WhereHalfOfTheAnalysedDoNotCountTheWayOnIsNamed) {
   result.trials[0].removed_code = result.trials[0].removed = "no_hold";
   EXPECT_EQ(FormatRemoved(result).find("advice"), std::string::npos);
   result.trials[1].removed_code = result.trials[1].removed = "no_hold";
-  EXPECT_NE(FormatRemoved(result).find("advice   graspbench study suggest 'my study.yaml' proposes "
-                                       "keys from these recordings\n"),
-            std::string::npos);
+  EXPECT_NE(
+      FormatRemoved(result).find("advice   graspbench study suggest 'my study.yaml' looks for "
+                                 "keys with which more trials count\n"),
+      std::string::npos);
   result.study.recordings = "elsewhere";
-  EXPECT_NE(FormatRemoved(result).find("'my study.yaml' --data elsewhere proposes"),
+  EXPECT_NE(FormatRemoved(result).find("'my study.yaml' --data elsewhere looks"),
             std::string::npos);
 }
 
@@ -77,9 +78,8 @@ TEST(FormatSuggestions, SaysWhyWhatItCostsAndWhatIsLeft) {
       "         why: no rest\n         cost: it is less exact\n         then 15 trials count\n"
       "then     15 of 21 trials count\n"
       "left     1 [no_contact] no contact of the thumb: hidden\n         trials: p1-1\n"
-      "         keys: the marker of that digit under markers; markers.companions, if it is hidden; "
-      "contact.max_pad_offset_m and "
-      "max_looseness, if it does touch\n");
+      "         look at: the marker of that digit under markers; markers.companions, if it is "
+      "hidden\n");
 }
 
 TEST(FormatWarnings, OneLineEachWithItsCode) {

@@ -1,6 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
+
 #include "tests/human_study/recording/synthetic_recording.h"
+#include "tests/support/shared_data.h"
 
 namespace graspbench {
 namespace {
@@ -293,6 +297,61 @@ TEST(C3dImporter, EventsWithoutContextsKeepTheirTimes) {
   ASSERT_EQ(read.events.size(), 4u);
   EXPECT_EQ(read.events[1].context, "");
   EXPECT_FLOAT_EQ(read.events[1].time, 75.5f);
+}
+
+/** Turns the words of the parameter at `name` into these floats. */
+void SetFloats(std::string& bytes, size_t name, const std::string& text,
+               const std::vector<float>& values) {
+  const size_t pointer = name + text.size(), type = pointer + 2;
+  const size_t data = type + 2 + static_cast<uint8_t>(bytes[type + 1]);
+  const size_t grown = 2 * values.size(), end = FindData(bytes);
+  ASSERT_EQ(bytes.substr(end - grown, grown), std::string(grown, '\0')) << "no room";
+  std::string floats;
+  for (const float value : values) AppendC3dFloat(floats, C3dProcessor::kIntel, value);
+  const auto distance =
+      DecodeC3dWord(C3dProcessor::kIntel, reinterpret_cast<const uint8_t*>(&bytes[pointer]));
+  SetWord(bytes, pointer, static_cast<uint16_t>(distance + grown));
+  bytes[type] = 4;
+  bytes.erase(end - grown, grown);
+  bytes.replace(data, 2 * values.size(), floats);
+}
+
+constexpr float kNoCounts[] = {-1.0f, -1e30f, 1e30f, NAN, INFINITY, -INFINITY};
+
+TEST(C3dImporter, AnEventCountThatIsNoneIsNotedAndNotTaken) {
+  const std::string good = FormatC3d(MakeSyntheticRecording(60, 5));
+  for (const float value : kNoCounts) {
+    std::string bytes = good;
+    SetFloats(bytes, bytes.find("USED", FindName(bytes, "EVENT")), "USED", {value});
+    const Recording read = ImportBytes(bytes, "c3d");
+    ASSERT_EQ(read.findings.size(), 1u) << value;
+    EXPECT_EQ(read.findings[0].where, "EVENT:USED");
+    EXPECT_EQ(read.findings[0].text.find("counts "), 0u);
+    EXPECT_EQ(read.events.size(), 4u) << "those of EVENT:TIMES and of the header";
+  }
+}
+
+TEST(C3dImporter, FrameNumbersThatAreNoneAreLeftOut) {
+  const std::string good = FormatC3d(MakeSyntheticRecording(60, 5));
+  for (const float value : kNoCounts) {
+    std::string bytes = good;
+    SetFloats(bytes, FindName(bytes, "ACTUAL_START_FIELD"), "ACTUAL_START_FIELD", {value, 0.0f});
+    const Recording read = ImportBytes(bytes, "c3d");
+    EXPECT_EQ(read.first_frame, 5) << value << ": the header's";
+    EXPECT_EQ(read.num_frames, 60u);
+  }
+}
+
+TEST(C3dImporter, AStrangersEventCountsAreReported) {
+  for (const char* name : {"event_used_neg.c3d", "event_used_nan.c3d"}) {
+    const std::filesystem::path file = FindSharedData() / "strangers" / "files" / name;
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << "shared data are not here";
+    const Recording read = LoadRecording(file);
+    EXPECT_EQ(std::count_if(read.findings.begin(), read.findings.end(),
+                            [](const auto& f) { return f.where == "EVENT:USED"; }),
+              1)
+        << name;
+  }
 }
 
 TEST(C3dImporter, BrokenFilesAreRefusedWithTheirByte) {

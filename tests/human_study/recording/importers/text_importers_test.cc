@@ -177,6 +177,27 @@ TEST(MotiveCsv, CleanedIsMetresAndSaysSo) {
   EXPECT_EQ(CountFindings(read, "rate_from_times"), 1u);
 }
 
+// Format version 1.1: NaturalPoint's Motive 1.5 to 1.7 leave the titles of the rows out.
+TEST(MotiveCsv, RowsWithoutTitlesAreThoseOfVersions15To17) {
+  const Recording read = ImportBytes(
+      "Format Version,1.1,Take Name,take,Capture Frame Rate,100.000000,Total Frames,2\n\n"
+      ",,Marker,Marker,Marker,Marker,Marker,Marker\n"
+      ",,Hand:thumb,Hand:thumb,Hand:thumb,Hand:index,Hand:index,Hand:index\n"
+      ",,A1,A1,A1,A2,A2,A2\n"
+      ",,Position,Position,Position,Position,Position,Position\n"
+      "Frame,Time,X,Y,Z,X,Y,Z\n"
+      "0,0.00,0.1,0.2,0.3,,,\n"
+      "1,0.01,0.1,0.2,0.4,0.5,0.6,0.7\n",
+      "motive_csv");
+  ASSERT_EQ(read.points.size(), 2u);
+  EXPECT_EQ(read.points[0].label, "Hand:thumb");
+  EXPECT_EQ(read.points[1].label, "Hand:index");
+  EXPECT_NEAR(read.points[0].Position(1).z(), 0.4, 1e-7);
+  EXPECT_EQ(read.points[1].states[0], SampleState::kInvalid);
+  EXPECT_EQ(read.rate, 100.0);
+  EXPECT_EQ(CountFindings(read, "unit_by_convention"), 1u);
+}
+
 TEST(MotiveCsv, FaultsNameTheirLine) {
   EXPECT_EQ(ImportFault("Format Version,1.23\n\n,Type,Marker\n", "motive_csv"),
             "file:4: the file ends before the row \"Frame, Time (Seconds), ..\"");

@@ -15,11 +15,20 @@ TEST(RemovalAdvice, EveryReasonHasItsOwn) {
         "carried_unseen",     "other_lift_axis",   "wrong_unit",         "label_jump",
         "no_movement",        "far_digit",         "hand_centred",       "wrong_shape",
         "contact_after_end",  "closure_too_long",  "detectors_disagree", "moved_before_touch",
-        "object_left_behind", "thumb_not_opposed", "same_recording"}) {
+        "object_left_behind", "thumb_not_opposed", "same_recording",     "cutoff_too_high",
+        "frame_jump"}) {
     EXPECT_STREQ(FindRemovalAdvice(code).code, code);
   }
   EXPECT_EQ(FindRemovalAdvice("of_tomorrow").curve, RemovalCurve::kOpening);
   EXPECT_EQ(FindRemovalAdvice("no_onset").curve, RemovalCurve::kSpeed);
+}
+
+// Limits and rules are what study suggest tries by itself.
+TEST(RemovalAdvice, BeyondSettingsIsWhatAPersonCanLookAt) {
+  EXPECT_EQ(FindAdviceBeyondSettings("no_onset"), "start_s, for a rest before it");
+  EXPECT_EQ(FindAdviceBeyondSettings("closure_too_long"), "");
+  EXPECT_EQ(FindAdviceBeyondSettings("wrong_shape"),
+            "sizes and centre in objects.csv, pad_offsets_m");
 }
 
 // "movement.rule: regression" must be a key of today.
