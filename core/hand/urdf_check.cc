@@ -139,6 +139,8 @@ void UrdfChecker::CheckOrigin(XMLElement& parent, const std::string& where) {
       Fail(*origin, where + ": farther than 2 m away (URDF is in metres)");
     }
     Numbers(*origin, "rpy", 3, where, false);
+    const std::string unknown = FindUnknownInOrigin(*origin);
+    if (!unknown.empty()) Fail(*origin, where + unknown);
   }
 }
 
@@ -473,6 +475,26 @@ UrdfOutline UrdfChecker::Check(const std::string& text) {
 UrdfOutline CheckUrdf(const std::string& text, const std::string& file,
                       const std::filesystem::path& folder, Diagnostics& problems) {
   return UrdfChecker(file, folder, problems).Check(text);
+}
+
+std::string FindUnknownInOrigin(const XMLElement& origin) {
+  std::string found;
+  for (const tinyxml2::XMLAttribute* a = origin.FirstAttribute(); a && found.empty();
+       a = a->Next()) {
+    const std::string name = a->Name();
+    if (name != "xyz" && name != "rpy") found = "attribute \"" + name + "\"";
+  }
+  for (const tinyxml2::XMLNode* n = origin.FirstChild(); n && found.empty(); n = n->NextSibling()) {
+    if (const XMLElement* element = n->ToElement()) {
+      found = std::string("element <") + element->Name() + ">";
+    } else if (n->ToText()) {
+      found = std::string("text \"") + n->Value() + "\"";
+    }
+  }
+  if (found.empty()) return "";
+  return ": its <origin> has the " + found +
+         "; expected the attributes \"xyz\" (a place in metres) and \"rpy\" (roll, pitch, yaw in "
+         "radians) alone; give the place and the rotation by these";
 }
 
 }  // namespace graspbench

@@ -13,6 +13,10 @@ document: the part of URDF that describes a hand, without comments, extensions (
 
 #include "core/base/diagnostics.h"
 
+namespace tinyxml2 {
+class XMLElement;
+}
+
 namespace graspbench {
 
 /** What a URDF names, known even when some of it is broken. */
@@ -26,5 +30,9 @@ struct UrdfOutline {
 @param folder  meshes are found relative to it. */
 UrdfOutline CheckUrdf(const std::string& text, const std::string& file,
                       const std::filesystem::path& folder, Diagnostics& problems);
+
+/** What an <origin> has beside `xyz` and `rpy`, to stand behind where it is: another attribute
+(`quat_xyzw`), an element, text. Whoever ignored it would put its part elsewhere. Empty: nothing. */
+std::string FindUnknownInOrigin(const tinyxml2::XMLElement& origin);
 
 }  // namespace graspbench

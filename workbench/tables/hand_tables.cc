@@ -141,4 +141,36 @@ std::string FormatHand(const Hand& hand) {
   return text + table.Format();
 }
 
+Json MakeProtrusionJson(const std::vector<LinkProtrusion>& protrusions) {
+  Json list = Json::array();
+  for (const auto& [link, protrusion] : protrusions) {
+    list.push_back({{"link", link}, {"outside_hull_mm", std::round(protrusion * 1e5) / 1e2}});
+  }
+  return list;
+}
+
+std::string FormatProtrusions(const std::vector<LinkProtrusion>& protrusions,
+                              const std::string& of) {
+  if (protrusions.empty()) return "";
+  TextTable table({"link", "[mm]"});
+  for (const auto& [link, protrusion] : protrusions) {
+    table.AddRow({link, FormatFixed(MmFromM(protrusion), 1)});
+  }
+  return "\ncontact outside the convex hull of each " + of + "\n" + table.Format();
+}
+
+std::string DescribeFarOut(const std::vector<LinkProtrusion>& protrusions) {
+  int64_t num_links = 0;
+  LinkProtrusion most;
+  for (const LinkProtrusion& one : protrusions) {
+    num_links += one.protrusion > kMostProtrusion;
+    if (one.protrusion > most.protrusion) most = one;
+  }
+  if (num_links == 0) return "";
+  return "contact shapes of " + FormatCount(num_links, "link") +
+         " stick out of the convex hull of the link's picture by more than 5 mm, those of \"" +
+         most.link + "\" by " + FormatFixed(MmFromM(most.protrusion), 1) +
+         " mm; outside the neighbouring links, objects are touched there where nothing is seen";
+}
+
 }  // namespace graspbench

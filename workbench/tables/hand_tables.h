@@ -3,8 +3,10 @@
 Hands for a person and for a program. */
 
 #include <string>
+#include <vector>
 
 #include "core/base/text/json.h"
+#include "core/hand/contact_protrusion.h"
 #include "core/hand/hand.h"
 
 namespace graspbench {
@@ -20,5 +22,15 @@ DescribedHands DescribeHands();
 Json MakeHandJson(const Hand& hand);
 /** The same as text with a table of the joints. */
 std::string FormatHand(const Hand& hand);
+
+/** How far contact sticks out of the convex hull of each link, in millimetres. */
+///@{
+Json MakeProtrusionJson(const std::vector<LinkProtrusion>& protrusions);
+/** @param of  whose hull it is, for the heading: "link's picture". */
+std::string FormatProtrusions(const std::vector<LinkProtrusion>& protrusions,
+                              const std::string& of);
+/** Of a hand against its pictures: the links above 5 mm, for a warning; empty: none is. */
+std::string DescribeFarOut(const std::vector<LinkProtrusion>& protrusions);
+///@}
 
 }  // namespace graspbench

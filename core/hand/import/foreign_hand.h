@@ -44,6 +44,7 @@ struct ForeignLink {
   int line = 0;
   std::optional<ForeignInertia> inertia;
   std::vector<ForeignShape> visuals, collisions;
+  bool is_decoration = false;         ///< only looked at (decoration.h)
   std::vector<ForeignShape> weights;  ///< make the inertia; shapes of the others among them
   Pose X_LF = Pose::Identity();  ///< the frame that bears the name, where its joint lies elsewhere
 };

@@ -4,6 +4,7 @@
 
 #include "core/hand/import/checks/find_implausible.h"
 #include "core/hand/import/cover_links.h"
+#include "core/hand/import/decoration.h"
 #include "core/hand/import/free_joints.h"
 #include "core/hand/import/guess_hand.h"
 #include "core/hand/import/import_record.h"
@@ -25,6 +26,7 @@ ImportedFiles ImportInOrder(const std::string& text, const HandSource& source,
   if (has_failed()) return {};
   SetLengthUnit(source.unit, source.file, problems, foreign);
   if (has_failed()) return {};
+  FindDecoration(source.file, problems, foreign);
   ShapeLoader loader(source, problems);
   if (!loader.CheckMeshes(foreign)) return {};
   loader.InferMeshUnit(foreign);
@@ -53,9 +55,10 @@ ImportedFiles ImportInOrder(const std::string& text, const HandSource& source,
       static_cast<int>(std::count_if(hand.joints.begin(), hand.joints.end(),
                                      [](const HandJoint& joint) { return joint.coupled_to < 0; }));
   const std::string name = std::filesystem::path(source.file).filename().string();
+  result.protrusions = imported.protrusions;
   result.files = FormatHandFiles(imported, name, problems);
   result.files["import.json"] =
-      FormatImportRecord(text, read, source, palm, hand, problems, result.files);
+      FormatImportRecord(text, read, source, palm, imported, problems, result.files);
   return result;
 }
 

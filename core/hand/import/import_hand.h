@@ -16,12 +16,14 @@ colours within a mesh. */
 
 #include "core/base/diagnostics.h"
 #include "core/hand/import/shapes/load_shapes.h"
+#include "core/hand/import/weld_links.h"
 
 namespace graspbench {
 
 struct ImportedFiles {
   std::map<std::string, std::string> files;  ///< name below the hand's folder -> content
   int num_digits = 0, num_joints = 0, num_driven = 0;
+  std::vector<LinkProtrusion> protrusions;  ///< as ImportedHand::protrusions
 };
 
 /** @param text  of the description; `source` says where it lies and reads its meshes.

@@ -1,5 +1,7 @@
 #include "core/hand/import/import_record.h"
 
+#include <cmath>
+
 #include "core/base/files/files.h"
 #include "core/base/sha256.h"
 #include "core/base/text/json.h"
@@ -42,6 +44,14 @@ Json DescribeGuesses(const Hand& hand) {
           {"drives", drives}};
 }
 
+Json ListProtrusions(const std::vector<LinkProtrusion>& protrusions) {
+  Json list = Json::array();
+  for (const auto& [link, protrusion] : protrusions) {
+    list.push_back({{"link", link}, {"outside_hull_mm", std::round(protrusion * 1e5) / 1e2}});
+  }
+  return list;
+}
+
 /** As one would give them in the description's folder. */
 Json ListPackagePath(const HandSource& source) {
   Json paths = Json::array();
@@ -70,8 +80,8 @@ Json HashFiles(const std::set<std::filesystem::path>& paths) {
 }  // namespace
 
 std::string FormatImportRecord(const std::string& text, const std::set<std::filesystem::path>& read,
-                               const HandSource& source, const std::string& palm, const Hand& hand,
-                               const Diagnostics& problems,
+                               const HandSource& source, const std::string& palm,
+                               const ImportedHand& imported, const Diagnostics& problems,
                                const std::map<std::string, std::string>& files) {
   Json repairs = Json::array();
   for (const Diagnostic& problem : problems.entries()) {
@@ -96,7 +106,8 @@ std::string FormatImportRecord(const std::string& text, const std::set<std::file
                   : *source.in_degrees ? "deg"
                                        : "rad"}}},
       {"repairs", repairs},
-      {"guesses", DescribeGuesses(hand)},
+      {"protrusion", ListProtrusions(imported.protrusions)},
+      {"guesses", DescribeGuesses(imported.hand)},
       {"files", hashes}};
   return FormatJson(record, 2) + "\n";
 }

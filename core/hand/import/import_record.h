@@ -7,10 +7,12 @@ compared.
      "read": {"palm.stl": "sha256..", ..},
      "options": {"palm": "", "palm_normal": null, "unit_m": 0, "mesh_unit_m": 0, "package_path": [],
                  "angle": ""},
-     "repairs": [{"line": 12, "text": ".."}], "guesses": {"palm": {..}, "digits": [..], ..},
+     "repairs": [{"line": 12, "text": ".."}],
+     "protrusion": [{"link": "palm", "outside_hull_mm": 1.23}, ..], "guesses": {"palm": {..}, "digits": [..], ..},
      "files": {"hand.urdf": "sha256..", ..}}
 
-`read` is what the description refers to, meshes and included files. `unit_m` 0: inferred. Paths are
+`protrusion` is how far contact sticks out of the convex hull of a link of the description, rounded
+to 10 micrometres (core/hand/contact_protrusion.h). `read` is what the description refers to, meshes and included files. `unit_m` 0: inferred. Paths are
 names without their folder; of two files of one name the second is "palm.stl (2)". Folders of
 `package_path` are relative to that of the description. */
 
@@ -28,8 +30,8 @@ namespace graspbench {
 /** @param text  of the description. @param read  paths of what it refers to.
 @param palm  as asked for. @param files  of the hand, by name. */
 std::string FormatImportRecord(const std::string& text, const std::set<std::filesystem::path>& read,
-                               const HandSource& source, const std::string& palm, const Hand& hand,
-                               const Diagnostics& problems,
+                               const HandSource& source, const std::string& palm,
+                               const ImportedHand& imported, const Diagnostics& problems,
                                const std::map<std::string, std::string>& files);
 
 }  // namespace graspbench

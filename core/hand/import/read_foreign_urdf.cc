@@ -13,6 +13,7 @@
 #include "core/base/units.h"
 #include "core/hand/import/checks/joint_limits.h"
 #include "core/hand/import/foreign_xml.h"
+#include "core/hand/urdf_check.h"
 
 namespace graspbench {
 namespace {
@@ -74,14 +75,6 @@ class ForeignUrdfReader {
   std::vector<std::string> without_effort_, with_great_effort_;  // joints
 };
 
-/** True for the <origin> of a <joint>, false for those of shapes and masses: these can be guessed.
- */
-bool IsPlaceOfJoint(const XMLElement& element) {
-  const tinyxml2::XMLNode* parent = element.Parent();
-  return std::strcmp(element.Name(), "origin") == 0 && parent && parent->ToElement() &&
-         std::strcmp(parent->ToElement()->Name(), "joint") == 0;
-}
-
 template <size_t kCount>
 std::array<double, kCount> ForeignUrdfReader::Numbers(XMLElement* element, const char* attribute,
                                                       std::array<double, kCount> otherwise,
@@ -96,8 +89,9 @@ std::array<double, kCount> ForeignUrdfReader::Numbers(XMLElement* element, const
                             FormatCount(kCount, "finite number") + ", found \"" + text + "\"";
   if (std::strstr(text, "${")) {
     Fail(*element, fault + ", a macro: expand the file first (xacro FILE.xacro > FILE.urdf)");
-  } else if (IsPlaceOfJoint(*element)) {
-    Fail(*element, fault + "; without it nobody knows where the joint is");
+  } else if (std::strcmp(element->Name(), "origin") == 0) {
+    Fail(*element,
+         fault + "; without it nobody knows where the " + element->Parent()->Value() + " is");
   } else {
     Warn(*element, fault + "; taken as if it were not there");
   }
@@ -106,6 +100,12 @@ std::array<double, kCount> ForeignUrdfReader::Numbers(XMLElement* element, const
 
 Pose ForeignUrdfReader::ReadOrigin(XMLElement& parent, const std::string& where) {
   XMLElement* origin = parent.FirstChildElement("origin");
+  if (!origin) return Pose::Identity();
+  const std::string unknown = FindUnknownInOrigin(*origin);
+  if (!unknown.empty()) Fail(*origin, where + unknown);
+  if (XMLElement* second = origin->NextSiblingElement("origin")) {
+    Fail(*second, where + ": a second <origin>; one is allowed");
+  }
   const Vector3d xyz = Vector(origin, "xyz", Vector3d::Zero(), where);
   Vector3d rpy = Vector(origin, "rpy", Vector3d::Zero(), where);
   if (const double largest = rpy.cwiseAbs().maxCoeff(); largest > kWholeTurn) {

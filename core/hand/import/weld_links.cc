@@ -64,6 +64,7 @@ class Welder {
   Eigen::AlignedBox3d CalcOwnBounds(int link) const;
   double CalcLeastDensity(int link) const;
   static void MoveRootFrame(const Pose& X_NR, ImportedHand& imported);
+  std::string MeasureProtrusion(int member, ImportedHand& imported);
   void TieFollowers(const std::vector<int>& joint_of, Hand& hand);
   void FillWeightless(ImportedHand& imported);
   void NarrowForFollowers(Hand& hand);
@@ -240,7 +241,8 @@ MassProperties Welder::CalcMass(int link, std::string& note) {
   }
   const auto& shapes = shapes_[link].collisions;
   if (shapes.empty()) {
-    if (published && published->mass > kHeaviestFrame) {
+    const bool is_decoration = foreign_.links[link].is_decoration;
+    if (published && published->mass > (is_decoration ? 0.0 : kHeaviestFrame)) {
       WarnAt(published->line,
              "link \"" + foreign_.links[link].name + "\": " + fault + "; left out");
     }
@@ -374,6 +376,21 @@ void Welder::NarrowForFollowers(Hand& hand) {
   }
 }
 
+/** Of a link of the description with contact; reported above 5 mm. */
+std::string Welder::MeasureProtrusion(int member, ImportedHand& imported) {
+  const std::string& name = foreign_.links[member].name;
+  const double protrusion =
+      CalcContactProtrusion(shapes_[member].collisions, shapes_[member].solids);
+  imported.protrusions.push_back({name, protrusion});
+  const std::string told = FormatFixed(MmFromM(protrusion), 1) + " mm";
+  if (protrusion > kMostProtrusion) {
+    WarnAt(foreign_.links[member].line,
+           "link \"" + name + "\": its contact shapes stick out of its convex hull by up to " +
+               told + "; there objects are touched where the link is not");
+  }
+  return "contact up to " + told + " outside its convex hull";
+}
+
 ImportedHand Welder::Weld(int palm) {
   ImportedHand imported;
   Hand& hand = imported.hand;
@@ -437,6 +454,7 @@ ImportedHand Welder::Weld(int palm) {
     for (const std::string& fitted : shapes.notes) {
       note += (note.empty() ? "" : "; ") + fitted;
     }
+    if (!shapes.collisions.empty()) note += "; " + MeasureProtrusion(member, imported);
     if (!note.empty()) {
       imported.notes[index] +=
           (imported.notes[index].empty() ? "" : "\n") + foreign_.links[member].name + ": " + note;

@@ -13,6 +13,7 @@ metal with hollows. Weightless links between two joint axes get a small ball. */
 #include <string>
 #include <vector>
 
+#include "core/hand/contact_protrusion.h"
 #include "core/hand/hand.h"
 #include "core/hand/import/shapes/load_shapes.h"
 
@@ -31,6 +32,8 @@ struct ImportedHand {
   std::vector<Visual> visuals;
   std::vector<std::string> notes;    ///< by link: where its mass and its contact come from
   std::vector<ForeignDrive> drives;  ///< by joint, as published
+  /** How far contact sticks out of each link of the description that has some, parents first. */
+  std::vector<LinkProtrusion> protrusions;
 };
 
 /** Kept of a link's shapes, by foreign link. Every link of the description whose frame is not that

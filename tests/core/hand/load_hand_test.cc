@@ -411,6 +411,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadHand{"urdf", "xyz=\"0 0 0.02\"", "xyz=\"0 0,02\"",
                 "hand.urdf:23: error: link \"proximal\", inertial, <origin> xyz: expected 3 finite "
                 "numbers, found \"0 0,02\""},
+        BadHand{"urdf", "xyz=\"0 0 0.02\"", "quat_xyzw=\"0 0 0 1\" xyz=\"0 0 0.02\"",
+                "hand.urdf:23: error: link \"proximal\", inertial: its <origin> has the attribute "
+                "\"quat_xyzw\"; expected the attributes \"xyz\" (a place in metres) and \"rpy\" "
+                "(roll, pitch, yaw in radians) alone; give the place and the rotation by these"},
         BadHand{"urdf", "name=\"J1\" type=\"revolute\"", "name=\"J1\" type=\"floating\"",
                 "hand.urdf:32: error: joint \"J1\": type \"floating\" is not supported; a hand's "
                 "joints are revolute or prismatic (with limits), or fixed\n"

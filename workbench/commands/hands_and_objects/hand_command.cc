@@ -27,12 +27,19 @@ ExitCode CheckHandCommand(const std::string& path, bool json) {
       problems.Fail(path, 0, error.what());
     }
   }
+  std::vector<LinkProtrusion> protrusions;
+  if (problems.num_errors() == 0) protrusions = CalcContactProtrusions(hand);
+  const std::string far_out = DescribeFarOut(protrusions);
+  if (!far_out.empty()) problems.Warn(path, 0, far_out);
   if (json) {
-    PrintJson({{"usable", problems.num_errors() == 0}, {"problems", MakeJson(problems)}});
+    PrintJson({{"usable", problems.num_errors() == 0},
+               {"problems", MakeJson(problems)},
+               {"protrusion", MakeProtrusionJson(protrusions)}});
   } else {
     PrintFindings(problems);
     PrintResult(path + ": " + (problems.num_errors() == 0 ? "can be used" : "cannot be used") +
-                FormatFindingCounts(problems) + "\n");
+                FormatFindingCounts(problems) + "\n" +
+                FormatProtrusions(protrusions, "link's picture"));
   }
   return problems.num_errors() == 0 ? kExitOk : kExitBadInput;
 }
@@ -102,9 +109,10 @@ void AddHandCommand(CLI::App& program, ExitCode& exit_code) {
     }
   });
 
-  CLI::App* check = add("check", "Read a hand and list every problem with file and line.",
-                        "  graspbench hand check my_hand/\n"
-                        "  graspbench hand check my_hand/ --json");
+  CLI::App* check =
+      add("check", "Read a hand; list problems with file and line, and contact outside each link.",
+          "  graspbench hand check my_hand/\n"
+          "  graspbench hand check my_hand/ --json");
   add_hand(check);
   check->callback([id, json, &exit_code] { exit_code = CheckHandCommand(*id, *json); });
 

@@ -10,6 +10,7 @@
 #include "objects/load_mesh.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/output_folder.h"
+#include "workbench/tables/hand_tables.h"
 #include "workbench/terminal/diagnostics_output.h"
 
 namespace graspbench {
@@ -65,7 +66,8 @@ ExitCode ImportHandCommand(const HandImportOptions& options, bool json) {
                {"problems", MakeJson(problems)},
                {"digits", imported.num_digits},
                {"joints", imported.num_joints},
-               {"driven", imported.num_driven}});
+               {"driven", imported.num_driven},
+               {"protrusion", MakeProtrusionJson(imported.protrusions)}});
   } else {
     PrintFindings(problems);
     PrintResult(options.file + ": " + (is_usable ? "imported" : "cannot be imported") +
@@ -74,7 +76,8 @@ ExitCode ImportHandCommand(const HandImportOptions& options, bool json) {
       PrintResult(options.out + ": " + FormatCount(imported.num_digits, "digit") + ", " +
                   FormatCount(imported.num_joints, "joint") + ", " +
                   std::to_string(imported.num_driven) +
-                  " driven; look at the lines with \"guess\" in hand.yaml\n");
+                  " driven; look at the lines with \"guess\" in hand.yaml\n" +
+                  FormatProtrusions(imported.protrusions, "link of the description"));
     }
   }
   return is_usable ? kExitOk : kExitBadInput;
@@ -85,12 +88,12 @@ ExitCode ImportHandCommand(const HandImportOptions& options, bool json) {
 void AddHandImportCommand(CLI::App& program, ExitCode& exit_code) {
   const auto import = std::make_shared<HandImportOptions>();
   const auto json = std::make_shared<bool>(false);
-  CLI::App& command =
-      AddSubcommand(*program.get_subcommand("hand"), "import",
-                    "Import a hand from a URDF or MJCF; report repairs and assumptions.",
-                    "  graspbench hand import allegro_hand_right.urdf --out allegro\n"
-                    "  graspbench hand import urdf/svh.urdf --package-path ~/ros/src --out svh\n"
-                    "  graspbench hand import shadow_hand/right_hand.xml --out shadow-mjcf");
+  CLI::App& command = AddSubcommand(
+      *program.get_subcommand("hand"), "import",
+      "Import a hand from a URDF or MJCF; report repairs, assumptions, contact outside each link.",
+      "  graspbench hand import allegro_hand_right.urdf --out allegro\n"
+      "  graspbench hand import urdf/svh.urdf --package-path ~/ros/src --out svh\n"
+      "  graspbench hand import shadow_hand/right_hand.xml --out shadow-mjcf");
   command.add_option("file", import->file, "the description: URDF, or a MuJoCo model")
       ->required()
       ->option_text("FILE");

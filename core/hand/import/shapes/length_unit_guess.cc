@@ -12,13 +12,15 @@ namespace {
 constexpr double kInch = 0.0254;  // [m]
 constexpr double kMostMetres = 0.3, kMostDecimetres = 0.8, kMostInches = 2.5,
                  kMostCentimetres = 9.0, kLeastMillimetres = 14.0, kMostMillimetres = 500.0;
+constexpr double kLeastOfSlide = kMostInches;  // no slide of a hand in metres lies so far away
 
-/** The median distance of a moving joint from the frame it hangs on; 0: all are zero. */
+/** The median distance of a joint from the frame it hangs on; 0: none says anything. */
 double CalcTypicalDistance(const ForeignHand& hand) {
   std::vector<double> distances;
   for (const ForeignJoint& joint : hand.joints) {
     const double distance = joint.X_PJ.translation().norm();
-    if (joint.kind != ForeignJoint::Kind::kFixed && distance > 1e-9) distances.push_back(distance);
+    const double least = joint.kind == ForeignJoint::Kind::kPrismatic ? kLeastOfSlide : 1e-9;
+    if (joint.kind != ForeignJoint::Kind::kFixed && distance > least) distances.push_back(distance);
   }
   if (distances.empty()) return 0.0;
   const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
@@ -107,7 +109,8 @@ std::vector<double> CalcLinkLengths(const ForeignHand& hand) {
   std::vector<double> lengths(hand.links.size(), 0.0), own(hand.links.size(), 0.0);
   std::vector<bool> is_end(hand.links.size(), true);
   for (const ForeignJoint& joint : hand.joints) {
-    const double distance = joint.X_PJ.translation().norm();
+    const bool is_slide = joint.kind == ForeignJoint::Kind::kPrismatic;
+    const double distance = is_slide ? 0.0 : joint.X_PJ.translation().norm();
     double& length = lengths[static_cast<size_t>(joint.parent)];
     length = std::max(length, distance);
     is_end[static_cast<size_t>(joint.parent)] = false;

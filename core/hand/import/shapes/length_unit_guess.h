@@ -10,7 +10,10 @@ those that are not zero, no unit yet) is so
     0.8 to 2.5      inches; told with what centimetres would be
     2.5 to 9        centimetres; told with what inches would be
     14 to 500       millimetres
-    otherwise       nobody knows: an error that asks for --unit */
+    otherwise       nobody knows: an error that asks for --unit
+
+A slide begins anywhere along its axis, so its place gives no length to compare with: one counts
+above 2.5 alone, which cannot be metres. */
 
 #include <string>
 #include <vector>
@@ -26,7 +29,7 @@ theirs (load_shapes.h).
 void SetLengthUnit(double unit, const std::string& file, Diagnostics& problems, ForeignHand& hand);
 
 /** By link: the distance from its joint to the farthest joint on it; at an end that of its own from
-the one before; 0: none, a hub among them [m]. */
+the one before; slides do not count; 0: none, a hub among them [m]. */
 std::vector<double> CalcLinkLengths(const ForeignHand& hand);
 
 }  // namespace graspbench

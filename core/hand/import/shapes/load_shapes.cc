@@ -222,7 +222,7 @@ bool ShapeLoader::CheckMeshes(const ForeignHand& hand) {
   bool is_needed = false;  // something would have no shape to touch with
   const ForeignShape* first = nullptr;
   for (const ForeignLink& link : hand.links) {
-    bool touches = false;
+    bool touches = link.is_decoration;  // then it need not
     for (const auto* shapes : {&link.collisions, &link.visuals}) {
       for (const ForeignShape& shape : *shapes) {
         const bool is_mesh = shape.kind == ForeignShape::Kind::kMesh;
@@ -261,7 +261,7 @@ void ShapeLoader::InferMeshUnit(const ForeignHand& hand) {
     for (const auto* shapes : {&hand.links[i].visuals, &hand.links[i].collisions}) {
       for (const ForeignShape& shape : *shapes) largest = std::max(largest, CalcMeshExtent(shape));
     }
-    if (largest == 0.0 || lengths[i] < kShortestLink) continue;
+    if (largest == 0.0 || lengths[i] < kShortestLink || hand.links[i].is_decoration) continue;
     const auto& inertia = hand.links[i].inertia;
     const double mass = inertia ? std::max(0.0, inertia->mass) : 0.0;
     const auto num_joints =
@@ -359,11 +359,11 @@ void ShapeLoader::AddMesh(const TriMesh& mesh, const std::string& where, int lin
                                      "balls and capsules") +
                          " for a mesh of " + FormatFixed(MmFromM(extent), 1) +
                          " mm: " + FormatFixed(MmFromM(fit.rms_error), 2) +
-                         " mm root mean square from its surface, 95 % within " +
-                         FormatFixed(MmFromM(fit.largest_error), 2) + " mm");
+                         " mm root mean square from its surface");
   if (fit.largest_error > 2.0 * tolerance) {
     problems_.Warn(source_.file, line,
-                   where + ": " + loaded.notes.back() + "; not near: look at it");
+                   where + ": " + loaded.notes.back() + ", one point in twenty farther than " +
+                       FormatFixed(MmFromM(fit.largest_error), 2) + " mm; look at it");
   }
 }
 
@@ -456,7 +456,7 @@ LoadedShapes ShapeLoader::Load(const ForeignLink& link) {
     const TriMesh mesh = LoadMesh(shape, where + ", collision", severity);
     if (!mesh.triangles.empty()) AddMesh(mesh, where + ", collision", shape.line, loaded);
   }
-  if (!loaded.collisions.empty() || loaded.visuals.empty()) return loaded;
+  if (!loaded.collisions.empty() || loaded.visuals.empty() || link.is_decoration) return loaded;
   loaded.notes.push_back("guess: it touches with its picture");
   problems_.Warn(source_.file, link.line,
                  where + " has no collision shape that can be used; it touches with its picture");

@@ -63,7 +63,8 @@ class ShapeLoader {
   large where its mass by the mesh's size says so, too. An error where all are too long,
   some longer than 2 m, and no unit fits. Call before Load. */
   void InferMeshUnit(const ForeignHand& hand);
-  /** A collision mesh becomes capsules; a link that has only pictures gets them from those. */
+  /** A collision mesh becomes capsules; a link that has only pictures gets them from those,
+  unless it is decoration. */
   LoadedShapes Load(const ForeignLink& link);
   /** The inertia of a link that has none, of its shapes that weigh. */
   void Weigh(ForeignLink& link);

@@ -88,6 +88,77 @@ TEST_P(OwnHandTest, IsNotDoubted) {
 }
 INSTANTIATE_TEST_SUITE_P(Models, OwnHandTest, testing::Values("tum", "tum-original", "shadow"));
 
+/** As the loader has it; nothing where the description is not on this machine. */
+std::optional<Hand> ImportAndParse(const fs::path& file, ImportedFiles& imported,
+                                   std::string& told) {
+  if (!fs::exists(file)) return {};
+  Diagnostics problems, of_loading;
+  imported = ImportHand(ReadFile(file), MakeSource(file), "", problems);
+  told = problems.Format();
+  const fs::path out = fs::path(testing::TempDir()) / ("stranger_" + std::to_string(::getpid()));
+  for (const auto& [name, content] : imported.files) {
+    MakeFolder((out / name).parent_path());
+    WriteFile(out / name, content);
+  }
+  const Hand hand = CheckHand(out.string(), of_loading);
+  EXPECT_EQ(of_loading.Format(), "");
+  fs::remove_all(out);
+  return hand;
+}
+
+double CalcMass(const Hand& hand) {
+  double mass = 0.0;
+  for (const HandLink& link : hand.links) mass += link.mass;
+  return mass;
+}
+
+class StrangersHandTest : public testing::Test {
+ protected:
+  bool Import(const char* name) {
+    const auto hand =
+        ImportAndParse(FindSharedData() / "strangers" / "hands" / name, imported_, told_);
+    if (hand) hand_ = *hand;
+    return hand.has_value();
+  }
+  ImportedFiles imported_;
+  std::string told_;
+  Hand hand_;
+};
+
+// 1.5 and twice 0.09 kg; jaws of 140 mm, whatever the 15.5 mm between the slides.
+TEST_F(StrangersHandTest, LongJawsStayAsDrawn) {
+  if (!Import("long_jaws.urdf")) GTEST_SKIP() << "not on this machine";
+  EXPECT_EQ(told_.find("taken to be in"), told_.npos) << told_;
+  EXPECT_NEAR(CalcMass(hand_), 1.68, 1e-9);
+}
+
+// A palm of 0.35 kg, eight links of 0.03 kg, and a frame of 1 mg whose axes are only drawn.
+TEST_F(StrangersHandTest, DrawnAxesNeitherTouchNorWeigh) {
+  if (!Import("axes.urdf")) GTEST_SKIP() << "not on this machine";
+  EXPECT_NE(told_.find("link \"base\" has a picture and no collision shape"), told_.npos) << told_;
+  EXPECT_NEAR(CalcMass(hand_), 0.59 + 1e-6, 1e-9);
+  for (const ContactSphere& ball : hand_.contact_spheres) {
+    if (ball.link != hand_.palm_link) continue;
+    EXPECT_LT((ball.p_LS.cwiseAbs().array() + ball.radius).maxCoeff(),
+              0.0451);  // of the palm's box
+  }
+}
+
+// One capsule of the tube's radius of 42 mm about its axis, which lies in the open side.
+TEST_F(StrangersHandTest, ACapsuleInHalfATubeSticksOutByItsRadius) {
+  if (!Import("cover_palm.urdf")) GTEST_SKIP() << "not on this machine";
+  ASSERT_EQ(imported_.protrusions[0].link, "palm");
+  EXPECT_NEAR(imported_.protrusions[0].protrusion, 0.042, 0.0005);
+  EXPECT_NE(told_.find("link \"palm\": its contact shapes stick out of its convex hull by up to 4"),
+            told_.npos)
+      << told_;
+  EXPECT_EQ(imported_.files.at("README.md").find("95 % within"), std::string::npos);
+  // Balls within boxes.
+  for (size_t k = 1; k < imported_.protrusions.size(); ++k) {
+    EXPECT_LT(imported_.protrusions[k].protrusion, 1e-6) << imported_.protrusions[k].link;
+  }
+}
+
 std::string ErrorOf(const std::string& urdf) {
   Diagnostics problems;
   const ImportedFiles imported = ImportHand(urdf, MakeSourceWithoutMeshes(), "", problems);

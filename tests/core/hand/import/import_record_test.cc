@@ -17,9 +17,11 @@ TEST(ImportRecordTest, SaysWhatWasReadWithWhatAndWhatWasRepaired) {
   source.unit = 0.0254;
   source.folder = "/somebody/elsewhere/./urdf/";
   source.package_path = {"/somebody/ros/", "/somebody/elsewhere/urdf/own"};
-  Hand hand;
+  ImportedHand imported;
+  Hand& hand = imported.hand;
   hand.links.resize(1);
   hand.links[0].name = "palm";
+  imported.protrusions = {{"palm", 0.0123456}};
   Diagnostics problems;
   problems.Warn("claw.urdf", 12, "a limit is reversed; exchanged");
   const std::filesystem::path folder = testing::TempDir();
@@ -29,7 +31,7 @@ TEST(ImportRecordTest, SaysWhatWasReadWithWhatAndWhatWasRepaired) {
     MakeFolder(path.parent_path());
     WriteFile(path, path == palm ? "abc" : "other");
   }
-  const Json record = Json::parse(FormatImportRecord("abc", {palm, other}, source, "palm", hand,
+  const Json record = Json::parse(FormatImportRecord("abc", {palm, other}, source, "palm", imported,
                                                      problems, {{"hand.yaml", "abc"}}));
   const std::string hash = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
   EXPECT_EQ(record["source"]["file"], "claw.urdf");
@@ -45,6 +47,7 @@ TEST(ImportRecordTest, SaysWhatWasReadWithWhatAndWhatWasRepaired) {
   EXPECT_EQ(record["repairs"][0]["line"], 12);
   EXPECT_EQ(record["repairs"][0]["text"], "a limit is reversed; exchanged");
   EXPECT_EQ(record["guesses"]["palm"]["link"], "palm");
+  EXPECT_EQ(record["protrusion"], Json::parse(R"([{"link": "palm", "outside_hull_mm": 12.35}])"));
 }
 
 TEST(ImportRecordTest, OfAnImportHasEveryRepairAndNoPath) {

@@ -96,6 +96,28 @@ INSTANTIATE_TEST_SUITE_P(
         OddUrdf{"origin xyz=\"0 0 0.06\"", "origin xyz=\"nan 0 0.06\"",
                 "g.urdf:33: error: joint \"slide_left\", <origin> xyz: expected 3 finite numbers, "
                 "found \"nan 0 0.06\"; without it nobody knows where the joint is"},
+        OddUrdf{"origin xyz=\"0 0 0.03\"", "origin xyz=\"0 0\"",
+                "g.urdf:14: error: link \"the hand\", collision, <origin> xyz: expected 3 finite "
+                "numbers, found \"0 0\"; without it nobody knows where the collision is"},
+        OddUrdf{"origin xyz=\"0 0 0.03\"", "origin xyz=\"0 0 0.03\" quat_xyzw=\"0 0 0.7 0.7\"",
+                "g.urdf:14: error: link \"the hand\", collision: its <origin> has the attribute "
+                "\"quat_xyzw\"; expected the attributes \"xyz\" (a place in metres) and \"rpy\" "
+                "(roll, pitch, yaw in radians) alone; give the place and the rotation by these"},
+        OddUrdf{"origin xyz=\"0 0 0.06\"", "origin pos=\"0 0 0.06\"",
+                "g.urdf:33: error: joint \"slide_left\": its <origin> has the attribute \"pos\"; "
+                "expected the attributes \"xyz\" (a place in metres) and \"rpy\" (roll, pitch, yaw "
+                "in radians) alone; give the place and the rotation by these"},
+        OddUrdf{"<origin xyz=\"0 0 0.03\"/>", "<origin><!-- here --><xyz>0 0 0.03</xyz></origin>",
+                "g.urdf:14: error: link \"the hand\", collision: its <origin> has the element "
+                "<xyz>; expected the attributes \"xyz\" (a place in metres) and \"rpy\" (roll, "
+                "pitch, yaw in radians) alone; give the place and the rotation by these"},
+        OddUrdf{"<origin xyz=\"0 0 0.03\"/>", "<origin>0 0 0.03</origin>",
+                "g.urdf:14: error: link \"the hand\", collision: its <origin> has the text \"0 0 "
+                "0.03\"; expected the attributes \"xyz\" (a place in metres) and \"rpy\" (roll, "
+                "pitch, yaw in radians) alone; give the place and the rotation by these"},
+        OddUrdf{"<origin xyz=\"0 0 0.03\"/>", "<origin xyz=\"0 0 0.03\"/><origin rpy=\"1 0 0\"/>",
+                "g.urdf:14: error: link \"the hand\", collision: a second <origin>; one is "
+                "allowed"},
         OddUrdf{"mass value=\"0.7\"", "mass value=\"${m}\"",
                 "g.urdf:10: error: link \"the hand\", <mass> value: expected 1 finite number, "
                 "found \"${m}\", a macro: expand the file first (xacro FILE.xacro > FILE.urdf)"},

@@ -72,6 +72,23 @@ TEST(SetLengthUnitTest, TellsWhichUnitItInfersAndWhy) {
   }
 }
 
+// Jaws may begin anywhere along their slides.
+TEST(SetLengthUnitTest, SlidesSayNothing) {
+  ForeignHand hand = MakeFinger(1.0);
+  ForeignHand jaws = MakeFinger(0.1);
+  for (ForeignJoint& joint : jaws.joints) {
+    joint.kind = ForeignJoint::Kind::kPrismatic;
+    joint.upper = 0.05;
+  }
+  Diagnostics problems;
+  SetLengthUnit(0.0, "h", problems, jaws);
+  EXPECT_EQ(problems.Format(), "");
+  EXPECT_NEAR(jaws.joints[1].X_PJ.translation().z(), 0.45, 1e-12);
+  hand.joints[1].kind = ForeignJoint::Kind::kPrismatic;
+  EXPECT_EQ(CalcLinkLengths(hand), (std::vector<double>{0.095, 0.0, 0.025, 0.025}));
+  EXPECT_EQ(CalcLinkLengths(jaws), (std::vector<double>{0.0, 0.0, 0.0, 0.0}));
+}
+
 TEST(CalcLinkLengthsTest, ToTheFarthestJointOrFromTheOneBefore) {
   EXPECT_EQ(CalcLinkLengths(MakeFinger(1.0)), (std::vector<double>{0.095, 0.045, 0.025, 0.025}));
   ForeignHand hub = MakeFinger(1.0);  // the next joint lies where its own does
