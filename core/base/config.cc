@@ -37,8 +37,7 @@ JsonConfigReader::JsonConfigReader(const Json& json, std::string file, std::stri
 const Json* JsonConfigReader::FindChild(const std::string& key) {
   known_.push_back(key);
   if (!json_->is_object()) return nullptr;
-  const auto child = json_->find(key);
-  if (child != json_->end()) return &*child;
+  if (const Json* const child = json_->find(key)) return child;
   Fail(key, "is missing");
   return nullptr;
 }
@@ -81,9 +80,9 @@ void JsonConfigReader::Read(const std::string& key, const Json& json,
 
 void JsonConfigReader::FinishKnownKeys() {
   if (!json_->is_object()) return;
-  for (const auto& item : json_->items()) {
-    if (std::find(known_.begin(), known_.end(), item.key()) == known_.end()) {
-      Fail(item.key(), "unknown key" + SuggestNames(item.key(), known_));
+  for (const auto& [key, value] : json_->items()) {
+    if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
+      Fail(key, "unknown key" + SuggestNames(key, known_));
     }
   }
 }
@@ -191,13 +190,12 @@ std::vector<std::pair<std::string, std::string>> FindOutOfRange(
 
 void FindDifferences(const Json& a, const Json& b, const std::string& where,
                      std::vector<std::string>& differences) {
-  for (const auto& item : a.items()) {
-    const Json& other = b.at(item.key());
-    if (item.value().is_object()) {
-      FindDifferences(item.value(), other, where + item.key() + ".", differences);
-    } else if (item.value() != other) {
-      differences.push_back(where + item.key() + ": " + FormatJson(item.value()) + " and " +
-                            FormatJson(other));
+  for (const auto& [key, value] : a.items()) {
+    const Json& other = b.at(key);
+    if (value.is_object()) {
+      FindDifferences(value, other, where + key + ".", differences);
+    } else if (value != other) {
+      differences.push_back(where + key + ": " + FormatJson(value) + " and " + FormatJson(other));
     }
   }
 }

@@ -47,8 +47,7 @@ class ObjectReader {
   /** The key's value; null if it is missing, after a complaint if it is needed. */
   const Json* Find(const std::string& key, bool is_needed) {
     known_.push_back(key);
-    const auto found = json_.find(key);
-    if (found != json_.end()) return &*found;
+    if (const Json* const found = json_.find(key)) return found;
     if (is_needed) Fail("the key \"" + key + "\" is missing");
     return nullptr;
   }
@@ -70,9 +69,9 @@ class ObjectReader {
     return std::nullopt;
   }
   void FinishKnownKeys() {
-    for (const auto& item : json_.items()) {
-      if (std::find(known_.begin(), known_.end(), item.key()) == known_.end()) {
-        Fail("unknown key \"" + item.key() + "\"" + SuggestNames(item.key(), known_));
+    for (const auto& [key, value] : json_.items()) {
+      if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
+        Fail("unknown key \"" + key + "\"" + SuggestNames(key, known_));
       }
     }
   }

@@ -86,7 +86,7 @@ int FindOrAddMaterial(const Eigen::Vector3f& colour, GlbFile& file) {
        {{"baseColorFactor", factors}, {"metallicFactor", 0.0}, {"roughnessFactor", 0.6}}}};
   Json& materials = file.root["materials"];
   const auto found = std::find(materials.begin(), materials.end(), material);
-  const auto index = static_cast<int>(found - materials.begin());
+  const auto index = static_cast<int>(std::distance(materials.begin(), found));
   if (found == materials.end()) materials.push_back(material);
   return index;
 }

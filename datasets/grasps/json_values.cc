@@ -12,7 +12,7 @@ namespace graspbench {
 Json ParseJsonObject(std::string_view bytes, const std::string& file) {
   Json json;
   try {
-    json = Json::parse(bytes.begin(), bytes.end());
+    json = Json::parse(bytes);
   } catch (const Json::exception& fault) {
     throw Error(ErrorKind::kFormat, file + " cannot be used: " + DescribeJsonFault(fault));
   }
@@ -23,8 +23,8 @@ Json ParseJsonObject(std::string_view bytes, const std::string& file) {
 }
 
 const Json& GetJson(const Json& object, const std::string& key, const std::string& file) {
-  const auto found = object.is_object() ? object.find(key) : object.end();
-  if (found == object.end()) {
+  const Json* const found = object.find(key);
+  if (found == nullptr) {
     throw Error(ErrorKind::kFormat, file + ": the key \"" + key + "\" is missing");
   }
   return *found;

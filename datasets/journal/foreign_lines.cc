@@ -40,7 +40,7 @@ Members ListMembers(std::string_view line, const LineKind& kind) {
   text.Demand("}");
   if (!text.has_failed() && text.rest().empty()) return members;
   members.clear();
-  const Json json = Json::parse(line, nullptr, /*allow_exceptions=*/false);
+  const Json json = Json::try_parse(line);
   if (!json.is_object()) return members;
   for (const auto& [key, value] : json.items()) add(key, FormatJson(value));
   return members;
@@ -80,7 +80,7 @@ std::optional<uintmax_t> FindLastLength(const LineKind& kind, const std::string&
 /** Of the frozen configuration, whichever program has written it. */
 std::string CalcJournalId(const StoreKind& kind, const fs::path& folder,
                           const std::string& journal) {
-  Json frozen = Json::parse(ReadFile(folder / kind.file), nullptr, /*allow_exceptions=*/false);
+  Json frozen = Json::try_parse(ReadFile(folder / kind.file));
   if (frozen.is_object()) frozen.erase("program_version");
   return CalcHashHex(FormatJson(Json{frozen, journal}));
 }

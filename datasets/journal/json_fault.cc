@@ -17,7 +17,7 @@ std::string FindBetween(const std::string& text, const std::string& before,
 
 std::string DescribeJsonFault(const Json::exception& fault) {
   const std::string text = fault.what();
-  if (dynamic_cast<const Json::parse_error*>(&fault)) {
+  if (text.rfind("[json.exception.parse_error", 0) == 0) {
     const std::string place = FindBetween(text, "parse error at ", ":");
     return place.empty() ? "it is no JSON" : "it is no JSON from " + place + " on";
   }

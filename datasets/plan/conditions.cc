@@ -152,9 +152,8 @@ std::string FindBaseLevel(const SessionConfig& config, const std::string& key) {
   const Json* value = &json;
   for (size_t start = 0; start <= key.size();) {
     const size_t dot = std::min(key.find('.', start), key.size());
-    const auto child = value->find(key.substr(start, dot - start));
-    if (child == value->end()) return "";
-    value = &*child;
+    value = value->find(key.substr(start, dot - start));
+    if (value == nullptr) return "";
     start = dot + 1;
   }
   return value->is_string() ? value->get<std::string>() : FormatJson(*value);

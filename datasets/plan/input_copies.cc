@@ -94,7 +94,7 @@ const std::regex& MeshPattern() {
 void CopyObject(const fs::path& from, const fs::path& to) {
   std::vector<std::string> files = {"object.yaml", LoadObjectFile(from / "object.yaml").mesh};
   if (fs::path(files[1]).extension() == ".gltf") {
-    const Json gltf = Json::parse(ReadFile(from / files[1]), nullptr, /*allow_exceptions=*/false);
+    const Json gltf = Json::try_parse(ReadFile(from / files[1]));
     for (const Json& buffer : gltf.value("buffers", Json::array())) {
       const std::string uri = buffer.value("uri", "");
       if (!uri.empty() && uri.rfind("data:", 0) != 0) files.push_back(uri);

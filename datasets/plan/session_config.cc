@@ -156,7 +156,7 @@ namespace {
 
 /** What a session has written: a complete configuration, alone or in its session.json. */
 SessionConfig ParseFrozenConfig(const std::string& text, const std::string& file) {
-  const Json json = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+  const Json json = Json::try_parse(text);
   if (json.is_discarded()) {
     throw Error(ErrorKind::kFormat, file + ": not valid JSON; it may be cut off");
   }

@@ -82,10 +82,11 @@ SessionInputs LoadSessionInputs(const SessionConfig& config, FieldUse field_use,
                                 const std::filesystem::path& folder) {
   SessionInputs inputs = LoadBaseInputs(config, field_use, folder);
   const std::shared_ptr<const SessionInputs> base = std::make_shared<SessionInputs>(inputs);
-  std::map<Json, std::shared_ptr<const SessionInputs>> known = {{DescribeInputs(config), base}};
+  std::map<std::string, std::shared_ptr<const SessionInputs>> known = {
+      {FormatJson(DescribeInputs(config)), base}};
   for (const Condition& condition : config.conditions) {
     ConditionInputs made = ApplyCondition(condition, config);
-    std::shared_ptr<const SessionInputs>& shared = known[DescribeInputs(made.config)];
+    std::shared_ptr<const SessionInputs>& shared = known[FormatJson(DescribeInputs(made.config))];
     if (!shared) {
       SessionInputs changed = LoadBaseInputs(made.config, field_use, folder);
       changed.base = base;

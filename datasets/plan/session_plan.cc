@@ -205,13 +205,13 @@ struct ConditionBlock {
 
 std::vector<ConditionBlock> ListBlocks(const SessionConfig& config, const SessionInputs& inputs) {
   std::vector<ConditionBlock> blocks = {{&config, &inputs, {{std::nullopt, nullptr}}, true}};
-  std::map<Json, size_t> places;
+  std::map<std::string, size_t> places;  // by configuration, as text
   SessionConfig base = config;
   base.conditions.clear();
-  places.emplace(ToJson(base), 0);
+  places.emplace(FormatJson(ToJson(base)), 0);
   for (const Condition& condition : config.conditions) {
     const ConditionInputs& made = inputs.conditions.at(condition.name);
-    const auto [place, is_new] = places.emplace(ToJson(made.config), blocks.size());
+    const auto [place, is_new] = places.emplace(FormatJson(ToJson(made.config)), blocks.size());
     if (is_new) blocks.push_back({&made.config, made.inputs.get(), {}, false});
     blocks[place->second].members.emplace_back(condition.name, &made);
   }

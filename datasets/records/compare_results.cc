@@ -1,20 +1,41 @@
 #include "datasets/records/compare_results.h"
 
+#include <algorithm>
+
 #include "core/base/text/json.h"
 
 namespace graspbench {
 namespace {
 
-std::optional<FieldDifference> Compare(const Json& a, const Json& b) {
-  const Json changes = Json::diff(a, b);  // RFC 6902, in the order of the fields
-  if (changes.empty()) return std::nullopt;
-  const auto path = changes.front().at("path").get<std::string>();
-  const auto format = [&path](const Json& json) {
-    const Json::json_pointer place(path);
-    return json.contains(place) ? FormatJson(json.at(place)) : std::string("missing");
-  };
-  return FieldDifference{path.substr(1), format(a), format(b)};
+/** The first in the order of the fields. @param a, b  null pointers where the field is missing.
+@param field  of both; empty: the whole. */
+std::optional<FieldDifference> Compare(const Json* a, const Json* b, const std::string& field) {
+  const auto format = [](const Json* json) { return json ? FormatJson(*json) : "missing"; };
+  if (a == nullptr || b == nullptr) return FieldDifference{field, format(a), format(b)};
+  if (*a == *b) return std::nullopt;
+  const std::string before = field.empty() ? "" : field + "/";
+  std::optional<FieldDifference> difference;
+  if (a->is_array() && b->is_array()) {
+    const auto find = [](const Json& json, size_t i) {
+      return i < json.size() ? &json[i] : nullptr;
+    };
+    for (size_t i = 0; i < std::max(a->size(), b->size()) && !difference; ++i) {
+      difference = Compare(find(*a, i), find(*b, i), before + std::to_string(i));
+    }
+    return difference;
+  }
+  if (a->is_object() && b->is_object()) {
+    for (const Json* const json : {a, b}) {
+      for (const auto& [key, value] : json->items()) {
+        if (!difference) difference = Compare(a->find(key), b->find(key), before + key);
+      }
+    }
+    return difference;
+  }
+  return FieldDifference{field, format(a), format(b)};
 }
+
+std::optional<FieldDifference> Compare(const Json& a, const Json& b) { return Compare(&a, &b, ""); }
 
 }  // namespace
 

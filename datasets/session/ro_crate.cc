@@ -101,7 +101,7 @@ Json MakeCrate(const fs::path& folder) {
   Json graph = Json::array(), parts = Json::array(), actions = Json::array(),
        tables = Json::array();
   const auto add = [&graph](Json entity, Json& list) {
-    list.push_back(Refer(entity.at("@id")));
+    list.push_back(Refer(entity.at("@id").str()));
     graph.push_back(std::move(entity));
   };
   graph.push_back({{"@id", "ro-crate-metadata.json"},

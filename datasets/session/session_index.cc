@@ -76,7 +76,7 @@ class SessionIndex::Database {
     if (value.is_null()) {
       sqlite3_bind_null(insert, place);
     } else if (value.is_string()) {
-      const auto& text = value.get_ref<const std::string&>();
+      const auto& text = value.str();
       sqlite3_bind_text(insert, place, text.data(), static_cast<int>(text.size()),
                         SQLITE_TRANSIENT);
     } else if (value.is_number_integer()) {

@@ -38,8 +38,8 @@ void Compare(const Json& here, const Json& there, const std::string& key, Distan
   const bool are_alike = here.type() == there.type() && here.size() == there.size();
   if (are_alike && here.is_object()) {
     for (const auto& [name, value] : here.items()) {
-      const auto other = there.find(name);
-      Compare(value, other == there.end() ? Json() : *other, JoinKey(key, name), distance);
+      const Json* const other = there.find(name);
+      Compare(value, other == nullptr ? Json() : *other, JoinKey(key, name), distance);
     }
     return;
   }

@@ -17,12 +17,6 @@ std::string FormatUnit(const Recording& recording) {
   return text;
 }
 
-/** Appends without looking for the key first, which would cost the square of the number of labels;
-labels are unique. */
-void AppendKey(Json::object_t& object, const std::string& key, Json value) {
-  object.Json::object_t::Container::emplace_back(key, std::move(value));
-}
-
 const char* NameOf(EventSource source) {
   return source == EventSource::kHeader ? "header" : "event_group";
 }
@@ -32,13 +26,13 @@ const char* NameOf(EventSource source) {
 Json DescribeRecording(const Recording& recording) {
   Json labels = Json::array(), analog_labels = Json::array(), events = Json::array(),
        findings = Json::array();
-  Json::object_t invalid, filled, means;
+  Json::object_t invalid, filled, means;  // labels are unique
   for (const RecordedPoint& point : recording.points) {
     const Eigen::Vector3d mean = point.CalcMeanPosition();
     labels.push_back(point.label);
-    AppendKey(invalid, point.label, point.CountStates(SampleState::kInvalid));
-    AppendKey(filled, point.label, point.CountStates(SampleState::kFilled));
-    AppendKey(means, point.label, mean.allFinite() ? JsonVector(mean) : Json(nullptr));
+    invalid.emplace_back(point.label, point.CountStates(SampleState::kInvalid));
+    filled.emplace_back(point.label, point.CountStates(SampleState::kFilled));
+    means.emplace_back(point.label, mean.allFinite() ? JsonVector(mean) : Json(nullptr));
   }
   for (const AnalogChannel& channel : recording.analog) analog_labels.push_back(channel.label);
   for (const RecordedEvent& event : recording.events) {

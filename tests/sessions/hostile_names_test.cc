@@ -12,7 +12,6 @@ much must be accepted stands with each text. */
 #include <cstdlib>
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <vector>
@@ -55,7 +54,7 @@ std::string QuoteForShell(const std::string& text) {
 }
 
 /** A JSON string is one of YAML, too. */
-std::string QuoteForYaml(const std::string& text) { return nlohmann::json(text).dump(); }
+std::string QuoteForYaml(const std::string& text) { return FormatJson(text); }
 
 /** Elements with their attributes, as a browser finds them: "img", "img onerror". Scripts and styles
 are texts to it, up to their end. */

@@ -82,9 +82,9 @@ TEST_P(OneDiagnosisSlow, IsTheSameEverywhere) {
   const std::string table = ReadFile(folder() + "/export/trials.csv");
   int num_same = 0;
   for (const Json& record : failures) {
-    const std::string id = record["trial_id"];
+    const std::string& id = record["trial_id"].str();
     const Json diagnosis = record["result"]["diagnosis"];
-    const std::string text = diagnosis["text"];
+    const std::string& text = diagnosis["text"].str();
     SCOPED_TRACE(id + ": " + text);
     const std::string page_file = (top_ / (id + ".html")).string();
     ASSERT_EQ(Run({"trial", folder(), id, "--json", "--page", page_file}, "json"), 0);
@@ -94,7 +94,7 @@ TEST_P(OneDiagnosisSlow, IsTheSameEverywhere) {
         Run({"shell", "-c", "open '" + folder() + "' " + id, "-c", "run", "-c", "why"}, "why"), 0);
     EXPECT_NE(Read("why").find("why      " + text + "\n"), std::string::npos) << Read("why");
     EXPECT_NE(Read(id + ".html").find(">" + text + "<"), std::string::npos);
-    const std::string name = trial["name"];
+    const std::string& name = trial["name"].str();
     EXPECT_NE(FindRow(report, ">" + name + "<").find(text), std::string::npos) << name;
     EXPECT_NE(table.find(text), std::string::npos);
     num_same += !testing::Test::HasFailure();

@@ -12,9 +12,7 @@ void PrintControlled(std::FILE* stream, std::string_view text) {
 
 void PrintResult(std::string_view text) { PrintControlled(stdout, EscapeForTerminal(text)); }
 
-void PrintJson(const Json& json) {
-  PrintResult(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-}
+void PrintJson(const Json& json) { PrintResult(FormatJson(json, 2) + "\n"); }
 
 void PrintMessage(std::string_view text) {
   PrintControlled(stderr, EscapeForTerminal(text) + "\n");

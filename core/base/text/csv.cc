@@ -40,7 +40,7 @@ std::string UnguardCell(const std::string& cell) {
 std::string FormatCsvCell(const Json& value) {
   if (value.is_null()) return "";
   if (!value.is_string()) return FormatJson(value);
-  const std::string text = GuardCell(value.get_ref<const std::string&>());
+  const std::string text = GuardCell(value.str());
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);

@@ -59,7 +59,7 @@ inline void ReadPoseText(JsonCursor& text, Pose& pose) {
 /** By way of JSON: an enumeration's name, a text with other letters than ASCII, a rare type. */
 template <class Use>
 void UseJsonText(JsonCursor& text, Use use) {
-  const Json json = Json::parse(text.ReadValue(), nullptr, /*allow_exceptions=*/false);
+  const Json json = Json::try_parse(text.ReadValue());
   if (text.has_failed() || json.is_discarded()) return text.Fail();
   try {
     use(json);

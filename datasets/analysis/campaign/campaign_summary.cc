@@ -262,8 +262,8 @@ std::vector<MethodTotal> ListMethodTotals(const Campaign& campaign) {
 GftWithoutVariation CalcGftWithoutVariation(const std::vector<SceneVariants>& scenes) {
   std::vector<double> before, after;
   for (const SceneVariants& scene : scenes) {
-    const auto step = scene.scene->result.find("pregrasp_step");
-    if (step == scene.scene->result.end() || !step->contains("standard")) continue;
+    const Json* const step = scene.scene->result.find("pregrasp_step");
+    if (step == nullptr || !step->contains("standard")) continue;
     const auto find_ratio = [](const Json& score) {
       return NumberFrom(score.at("gft_ratio_without_variation"));
     };

@@ -40,8 +40,8 @@ Headrooms CalcHeadrooms(const std::vector<SceneRecord>& scenes, const std::strin
 
 Answer<SceneHeadroom> FindHeadroom(const SceneRecord& scene) {
   if (!scene.result.is_object()) return NoAnswer{"the scene is not finished"};
-  const auto step = scene.result.find("target_step");
-  if (step == scene.result.end()) return NoAnswer{"step 2 was not run"};
+  const Json* const step = scene.result.find("target_step");
+  if (step == nullptr) return NoAnswer{"step 2 was not run"};
   SceneHeadroom headroom;
   const auto read = [&](const char* key, double& share, double& bound) {
     const Json& recorded = step->at(key);

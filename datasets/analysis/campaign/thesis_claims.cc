@@ -140,8 +140,8 @@ ThesisClaim JudgeSigma(const Scenes& scenes) {
       "sigma", "sigma", "Sigma says what breaks a grasp.", kPairedDraws, kMoreScenes, 0.5, {}};
   int num_alike = 0, num_changed = 0;
   for (const SceneVariants& scene : scenes) {
-    const auto step = scene.scene->result.find("target_step");
-    if (!scene.IsComplete() || step == scene.scene->result.end() || !step->value("taken", false)) {
+    const Json* const step = scene.scene->result.find("target_step");
+    if (!scene.IsComplete() || step == nullptr || !step->value("taken", false)) {
       continue;
     }
     const auto change = [&](const char* measure) {

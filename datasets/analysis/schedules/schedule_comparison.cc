@@ -246,8 +246,7 @@ std::vector<std::string> DescribeUnknown(const ScheduleCell& cell) {
 
 PeopleFile LoadPeopleFile(const fs::path& folder) {
   const fs::path file = folder / kPeoplePath;
-  return PeopleFileFromJson(Json::parse(ReadFile(file), nullptr, /*allow_exceptions=*/false),
-                            file.string());
+  return PeopleFileFromJson(Json::try_parse(ReadFile(file)), file.string());
 }
 
 std::vector<ScheduleComparison> LoadSchedules(const Session& session) {

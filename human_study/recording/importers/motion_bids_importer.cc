@@ -61,10 +61,10 @@ std::vector<Channel> ParseChannels(const std::string& text, const std::string& f
 }
 
 double ParseRate(const std::string& text, const std::string& file) {
-  const Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded() || !json.is_object()) FailAtLine(file, 1, "is not a JSON object");
-  const auto rate = json.find("SamplingFrequency");
-  if (rate == json.end() || !rate->is_number() || !(rate->get<double>() > 0) ||
+  const Json json = Json::try_parse(text);
+  if (!json.is_object()) FailAtLine(file, 1, "is not a JSON object");
+  const Json* const rate = json.find("SamplingFrequency");
+  if (rate == nullptr || !rate->is_number() || !(rate->get<double>() > 0) ||
       !(rate->get<double>() < 1e6)) {
     FailAtLine(file, 1, "SamplingFrequency is absent or not a number above 0");
   }

@@ -19,11 +19,20 @@ namespace {
 
 constexpr const char* kWhat = "graspbench: choices of a study, frozen";
 
-/** What a choice is called in study.yaml: "contact.cutoff_hz". */
-std::string NameOfPointer(const std::string& pointer) {
-  std::string name = pointer.substr(1);
-  for (char& c : name) c = c == '/' ? '.' : c;
-  return name;
+using TextOfChoice = std::map<std::string, std::string>;
+
+/** By what it is called in study.yaml ("contact.cutoff_hz"), the text of every value in `json`. */
+void ListTexts(const Json& json, const std::string& name, TextOfChoice& texts) {
+  const std::string before = name.empty() ? "" : name + ".";
+  if (json.empty()) {
+    texts[name] = "null";
+  } else if (json.is_object()) {
+    for (const auto& [key, value] : json.items()) ListTexts(value, before + key, texts);
+  } else if (json.is_array()) {
+    for (size_t i = 0; i < json.size(); ++i) ListTexts(json[i], before + std::to_string(i), texts);
+  } else {
+    texts[name] = FormatJson(json);
+  }
 }
 
 /** Every setting that is a choice of the analysis. */
@@ -95,18 +104,13 @@ std::string HashChoices(const Json& choices) { return CalcSha256(FormatJson(choi
 }
 
 void CompareSettings(const Json& frozen, const Json& used, FreezeCheck& check) {
-  const Json a = frozen.flatten(), b = used.flatten();
-  std::set<std::string> pointers;
-  for (const Json* settings : {&a, &b}) {
-    for (const auto& [pointer, value] : settings->items()) pointers.insert(pointer);
-  }
-  for (const std::string& pointer : pointers) {
-    const auto show = [&](const Json& settings) {
-      return settings.contains(pointer) ? settings[pointer].dump() : std::string("nothing");
-    };
-    if (show(a) != show(b)) {
-      check.deviations.push_back({NameOfPointer(pointer), show(a), show(b)});
-    }
+  TextOfChoice before, now;
+  ListTexts(frozen, "", before);
+  ListTexts(used, "", now);
+  for (const auto& [name, text] : before) now.try_emplace(name, "nothing");
+  for (const auto& [name, text] : now) {
+    const std::string& old = before.try_emplace(name, "nothing").first->second;
+    if (old != text) check.deviations.push_back({name, old, text});
   }
 }
 
@@ -175,7 +179,7 @@ std::string MakeFreeze(const fs::path& study_file, const fs::path& recordings) {
 
 FreezeCheck CompareWithFreeze(const std::string& text, const std::string& name,
                               const Study& study) {
-  Json frozen = Json::parse(text, nullptr, false);
+  Json frozen = Json::try_parse(text);
   if (!frozen.is_object() || frozen.value("what", Json()) != kWhat ||
       !frozen.value("sha256", Json()).is_string()) {
     FailFreeze(name,

@@ -23,7 +23,7 @@ void AddDesign(const StudyResult& result, TrialColumns& columns) {
     columns.push_back({factor.name, is_number ? "number" : "string", "", "factor of the design",
                        [i, is_number](const StudyTrial* trial) {
                          const std::string& level = trial->levels[i];
-                         return is_number ? Json::parse(level, nullptr, false) : Json(level);
+                         return is_number ? Json::try_parse(level) : Json(level);
                        }});
   }
   for (size_t i = 0; i < result.study.groups.size(); ++i) {

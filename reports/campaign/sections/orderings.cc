@@ -74,8 +74,7 @@ Html ExplainSteps(const SceneVariants& scene) {
   std::string decisions;
   for (const auto& [step, name] :
        {std::pair("pregrasp_step", "Step 1: "), std::pair("target_step", "Step 2: ")}) {
-    const auto found = scene.scene->result.find(step);
-    if (found != scene.scene->result.end()) {
+    if (const Json* const found = scene.scene->result.find(step)) {
       decisions += name + found->at("verdict").get<std::string>() + ". ";
     }
   }

@@ -98,10 +98,10 @@ Html DrawScene(const SceneVariants& scene, const CampaignData& data) {
     content += MakeParagraph("Not finished.");
   } else {
     content += DrawPictures(scene, data) + DrawStrips(scene, data);
-    if (const auto step = result.find("pregrasp_step"); step != result.end()) {
+    if (const Json* const step = result.find("pregrasp_step")) {
       content += MakeParagraph("Step 1: " + step->at("verdict").get<std::string>());
     }
-    if (const auto step = result.find("target_step"); step != result.end()) {
+    if (const Json* const step = result.find("target_step")) {
       content += MakeParagraph("Step 2: " + step->at("verdict").get<std::string>());
       content += step->contains("joints") ? DrawThumb(*step, scene, data)
                                           : DrawCoordinates(*step, scene, data);

@@ -23,7 +23,7 @@ TEST(GltfMesh, VerticesOfASphereStayOnIt) {
                             indices = glb.Numbers(2);
   ASSERT_EQ(positions.size(), normals.size());
   const Eigen::Vector3d offset = VectorFrom(node["translation"]);
-  const double unit = node["scale"][0];
+  const double unit = node["scale"][0].get<double>();
   EXPECT_LE(unit, 2.0 * radius / 65533.0);
   for (size_t i = 0; i < positions.size(); i += 3) {
     const Eigen::Vector3d p =

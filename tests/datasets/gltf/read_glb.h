@@ -37,13 +37,13 @@ struct ReadGlb {
   std::vector<double> Numbers(int index) const {
     const Json& accessor = json.at("accessors").at(static_cast<size_t>(index));
     const Json& view = json.at("bufferViews").at(accessor.at("bufferView").get<size_t>());
-    const std::string type = accessor.at("type");
+    const std::string& type = accessor.at("type").str();
     const size_t num_parts = type == "SCALAR" ? 1 : type == "VEC3" ? 3 : 4;
-    const int component = accessor.at("componentType");
+    const int component = accessor.at("componentType").get<int>();
     const size_t size = component == 5120 ? 1 : component == 5122 || component == 5123 ? 2 : 4;
     const size_t stride = view.value("byteStride", num_parts * size);
     std::vector<double> numbers;
-    for (size_t element = 0; element < accessor.at("count"); ++element) {
+    for (size_t element = 0; element < accessor.at("count").get<size_t>(); ++element) {
       for (size_t part = 0; part < num_parts; ++part) {
         const char* from =
             bytes.data() + view.at("byteOffset").get<size_t>() + element * stride + part * size;
@@ -61,7 +61,7 @@ struct ReadGlb {
   size_t CountTriangles() const {
     size_t count = 0;
     for (const Json& mesh : json.value("meshes", Json::array())) {
-      const size_t indices = mesh.at("primitives").at(0).at("indices");
+      const auto indices = mesh.at("primitives").at(0).at("indices").get<size_t>();
       count += json.at("accessors").at(indices).at("count").get<size_t>() / 3;
     }
     return count;

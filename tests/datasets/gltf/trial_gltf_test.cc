@@ -110,12 +110,12 @@ TEST_P(TrialGltf, EndsWhereTheRecordSays) {
     if (node["name"] != "object" || channel["target"]["path"] != "translation") continue;
     const Json& sampler =
         glb.json["animations"][0]["samplers"].at(channel["sampler"].get<size_t>());
-    const std::vector<double> keys = glb.Numbers(sampler["output"]);
+    const std::vector<double> keys = glb.Numbers(sampler["output"].get<int>());
     for (int axis = 0; axis < 3; ++axis) {
       EXPECT_NEAR(keys[keys.size() - 3 + static_cast<size_t>(axis)], last.X_WO.translation()[axis],
                   1e-7);
     }
-    EXPECT_NEAR(glb.Numbers(sampler["input"]).back(), last.time, 1e-6);
+    EXPECT_NEAR(glb.Numbers(sampler["input"].get<int>()).back(), last.time, 1e-6);
     return;
   }
   FAIL() << "the object does not move";
@@ -127,11 +127,11 @@ TEST_P(TrialGltf, HoldsPhasesAndContacts) {
   const Json& extras = glb.json["scenes"][0]["extras"];
   EXPECT_EQ(extras["outcome"], NameOf(trial.traced.result.outcome));
   std::vector<std::string> phases;
-  for (const Json& phase : extras["phases"]) phases.push_back(phase["name"]);
+  for (const Json& phase : extras["phases"]) phases.push_back(phase["name"].str());
   EXPECT_EQ(phases,
             (std::vector<std::string>{"placing", "closure", "stabilisation", "lift-off", "hold"}));
   for (const Json& phase : extras["phases"]) {  // it begins when the one before ends
-    const double start = phase["time_s"];
+    const double start = phase["time_s"].get<double>();
     for (const TraceInstant& instant : trial.traced.trace) {
       if (NameOf(instant.phase) == phase["name"].get<std::string>()) {
         EXPECT_GE(instant.time, start - 1e-4);
@@ -158,7 +158,7 @@ TEST_P(TrialGltf, HoldsPhasesAndContacts) {
         sum_W[axis] += 1e-3 * contacts[c][7 + at].get<double>();
       }
       force_W += contact.normal_force * contact.nhat_W + contact.friction_W;
-      const size_t state = contacts[c][11];
+      const size_t state = contacts[c][11].get<size_t>();
       EXPECT_EQ(extras["contacts"]["states"][state], DescribeState(contact));
     }
     EXPECT_LT((sum_W - force_W).norm(), 1e-3 * static_cast<double>(contacts.size() + 1));
@@ -171,7 +171,7 @@ TEST_P(TrialGltf, LeavesOutWhatStandsStillAndIsCoarse) {
   const ReadGlb glb(MakeTrialGlb(*trial.setup.hand, *trial.setup.object, trial.traced));
   for (const Json& channel : glb.json["animations"][0]["channels"]) {
     const Json& target = channel["target"];
-    const std::string name = glb.json["nodes"].at(target["node"].get<size_t>())["name"];
+    const std::string& name = glb.json["nodes"].at(target["node"].get<size_t>())["name"].str();
     if (name == "hand" || name == "object") continue;
     EXPECT_EQ(target["path"], "rotation") << name;
     const int link = trial.setup.hand->FindLink(name.substr(5));
@@ -194,7 +194,7 @@ TEST_P(TrialGltf, PartsMakeTheWhole) {
   EXPECT_EQ(motion.json["scenes"], all.json["scenes"]);
   EXPECT_EQ(motion.json["animations"], all.json["animations"]);
   for (const Json& node : hand.json["nodes"]) {
-    const int part = node["extras"]["part"];
+    const int part = node["extras"]["part"].get<int>();
     const Json& at = motion.json["nodes"].at(static_cast<size_t>(part) + 2);
     EXPECT_EQ(at["extras"]["part"], part);
   }
@@ -218,7 +218,8 @@ TEST(TrialGltfFailures, OfTheSimulationAreLeftOut) {
   const size_t middle = trace.size() / 2;
   trace[middle].X_WO.translation().x() = std::numeric_limits<double>::quiet_NaN();
   const ReadGlb glb(MakeTrialGlb(*trial.setup.hand, *trial.setup.object, trial.traced));
-  EXPECT_NEAR(glb.json["scenes"][0]["extras"]["times_s"].back(), trace[middle - 1].time, 1e-4);
+  EXPECT_NEAR(glb.json["scenes"][0]["extras"]["times_s"].back().get<double>(),
+              trace[middle - 1].time, 1e-4);
   trace.clear();
   try {
     MakeTrialGlb(*trial.setup.hand, *trial.setup.object, trial.traced);

@@ -40,6 +40,12 @@ TEST(CompareResults, NamesTheFirstPlaceWithinLists) {
   const auto difference = FindFirstDifference(recorded, now);
   EXPECT_EQ(difference->field, "phases/1");
   EXPECT_EQ(difference->now, "missing");
+  now = recorded;
+  now.phases.insert(now.phases.end(), 2, now.phases.back());
+  const std::string first = "phases/" + std::to_string(recorded.phases.size());
+  EXPECT_EQ(FindFirstDifference(recorded, now)->field, first);
+  EXPECT_EQ(FindFirstDifference(recorded, now)->recorded, "missing");
+  EXPECT_EQ(FindFirstDifference(now, recorded)->field, first);
 }
 
 }  // namespace

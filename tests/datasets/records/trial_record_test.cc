@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "tests/datasets/session/fake_session.h"
@@ -100,18 +102,23 @@ TEST(TrialRecord, SaysWhatIsWrong) {
   };
   has(FindProblem(Seal("{")), "it is no record of this version");
   has(FindProblem(Seal("{\"trial_id\":\"a\"")), "key 'hand' not found");
-  const auto change = [](const char* pointer, const Json& value) {
+  const auto change = [](const std::string& path, const Json& value) {
     Json json = ToJson(MakeFakeRecord(kPlanned));
-    json[Json::json_pointer(pointer)] = value;
+    Json* place = &json;
+    std::istringstream parts(path);
+    for (std::string part; std::getline(parts, part, '/');) {
+      place = place->is_array() ? &(*place)[std::stoul(part)] : &(*place)[part];
+    }
+    *place = value;
     std::string body = json.dump();
     body.pop_back();
     return FindProblem(Seal(body));
   };
-  has(change("/trial", 1e300), "expected a whole number");
-  has(change("/result/num_steps", 4294967296), "expected a whole number");
-  has(change("/result/outcome", "sucess"), "did you mean \"success\"?");
-  has(change("/result/contacts/0/is_thumb", true), "more than one thumb");
-  has(change("/result/snapshots/0/X_WO/R", Json::array()), "out of range");
+  has(change("trial", 1e300), "expected a whole number");
+  has(change("result/num_steps", 4294967296), "expected a whole number");
+  has(change("result/outcome", "sucess"), "did you mean \"success\"?");
+  has(change("result/contacts/0/is_thumb", true), "more than one thumb");
+  has(change("result/snapshots/0/X_WO/R", Json::array()), "out of range");
 }
 
 }  // namespace

@@ -320,9 +320,9 @@ TEST(TrialTable, SchemaDescribesEveryColumn) {
   const std::pair<const char*, const char*> suffixes[] = {
       {"_m_per_s", "m/s"}, {"_s", "s"}, {"_m", "m"}, {"_n", "N"}, {"_j", "J"}};
   for (size_t i = 0; i < fields.size(); ++i) {
-    const std::string name = fields[i].at("name");
+    const std::string& name = fields[i].at("name").str();
     EXPECT_EQ(name, columns[i].name);
-    EXPECT_EQ(types.count(fields[i].at("type")), 1u) << name;
+    EXPECT_EQ(types.count(fields[i].at("type").str()), 1u) << name;
     EXPECT_FALSE(fields[i].at("description").get<std::string>().empty()) << name;
     for (const auto& [suffix, unit] : suffixes) {
       const std::string end = suffix;

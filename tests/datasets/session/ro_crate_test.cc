@@ -36,7 +36,7 @@ TEST_F(RoCrate, IsAGraphWithoutLooseEnds) {
   const Json crate = Json::parse(text);
   std::set<std::string> known, wanted;
   for (const Json& entity : crate["@graph"]) {
-    EXPECT_TRUE(known.insert(entity["@id"]).second) << entity["@id"];
+    EXPECT_TRUE(known.insert(entity["@id"].str()).second) << entity["@id"];
     EXPECT_TRUE(entity.contains("@type"));
     for (const auto& [key, value] : entity.items()) {
       for (const Json& one : value.is_array() ? value : Json::array({value})) {
