@@ -8,7 +8,7 @@
 
 namespace graspbench {
 
-ExitCode ReplayPackFile(const CLI::App& program, const PackReplayOptions& options) {
+ExitCode ReplayPackFile(const Command& program, const PackReplayOptions& options) {
   PackReplayRequest request;
   request.pack = options.pack;
   request.folder = options.folder;

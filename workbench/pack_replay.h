@@ -6,11 +6,9 @@ What graspbench replay PACK and graspbench pipeline replay PACK do. */
 
 #include "core/base/error.h"
 
-namespace CLI {
-class App;
-}  // namespace CLI
-
 namespace graspbench {
+
+class Command;
 
 struct PackReplayOptions {
   std::filesystem::path pack;
@@ -20,6 +18,6 @@ struct PackReplayOptions {
 };
 
 /** Prints what it found. @returns kExitBadInput when a byte differs. @throws as ReplayPack. */
-ExitCode ReplayPackFile(const CLI::App& program, const PackReplayOptions& options);
+ExitCode ReplayPackFile(const Command& program, const PackReplayOptions& options);
 
 }  // namespace graspbench

@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -32,44 +31,6 @@
 namespace graspbench {
 namespace {
 
-/** The examples, kept in the footer, come first. */
-class HelpFormatter : public CLI::Formatter {
- public:
-  std::string make_help(const CLI::App* app, std::string name,
-                        CLI::AppFormatMode mode) const override {
-    return "Examples:\n" + app->get_footer() + "\n\n" + CLI::Formatter::make_help(app, name, mode);
-  }
-  std::string make_footer(const CLI::App*) const override { return {}; }
-  /** The default stands at the end, taken from where the program has it. */
-  std::string make_option_desc(const CLI::Option* option) const override {
-    const std::string text = CLI::Formatter::make_option_desc(option);
-    const std::string value = option->get_default_str();
-    return value.empty() ? text : text + " (default " + value + ")";
-  }
-};
-
-/** The command that the user was typing when the parser gave up. */
-const CLI::App& FindCurrentCommand(const CLI::App& program) {
-  const std::vector<CLI::App*> parsed = program.get_subcommands();
-  return parsed.empty() ? program : FindCurrentCommand(*parsed.back());
-}
-
-std::vector<std::string> ListSubcommands(const CLI::App& command) {
-  std::vector<std::string> names;
-  for (const CLI::App* subcommand : command.get_subcommands([](const CLI::App*) { return true; })) {
-    names.push_back(subcommand->get_name());
-  }
-  return names;
-}
-
-std::vector<std::string> ListOptions(const CLI::App& command) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : command.get_options()) {
-    if (!option->get_positional()) names.push_back(option->get_name());
-  }
-  return names;
-}
-
 /** What a room of commands/ is called in the help: "hands_and_objects" as "Hands and objects". */
 std::string MakeHeading(std::string room) {
   std::replace(room.begin(), room.end(), '_', ' ');
@@ -78,69 +39,39 @@ std::string MakeHeading(std::string room) {
 }
 
 /** Lists what `add` adds to the program under the heading of its room. */
-void AddToRoom(const std::string& room, void (*add)(CLI::App&, ExitCode&), CLI::App& program,
+void AddToRoom(const std::string& room, void (*add)(Command&, ExitCode&), Command& program,
                ExitCode& exit_code) {
-  const auto all = [](const CLI::App*) { return true; };
-  const size_t num_before = program.get_subcommands(all).size();
+  const size_t num_before = program.subcommands().size();
   add(program, exit_code);
-  const std::vector<CLI::App*> commands = program.get_subcommands(all);
-  for (size_t i = num_before; i < commands.size(); ++i) commands[i]->group(MakeHeading(room));
-}
-
-/** The parser's complaint in our words, with suggestions. */
-std::string Explain(const CLI::ParseError& fault, const CLI::App& program) {
-  const CLI::App& command = FindCurrentCommand(program);
-  const std::vector<std::string> subcommands = ListSubcommands(command);
-  std::string typed = "graspbench";
-  if (&command != &program) {
-    if (command.get_parent() != &program) typed += " " + command.get_parent()->get_name();
-    typed += " " + command.get_name();
+  for (size_t i = num_before; i < program.subcommands().size(); ++i) {
+    program.subcommands()[i]->SetHeading(MakeHeading(room));
   }
-  std::vector<std::string> extras = command.remaining();
-  std::string text;
-  if (!extras.empty() && extras.front().rfind('-', 0) == 0) {
-    extras.front() = extras.front().substr(0, extras.front().find('='));
-    text = "unknown option \"" + extras.front() + "\"" +
-           SuggestNames(extras.front(), ListOptions(command));
-  } else if (!extras.empty() && !subcommands.empty()) {
-    text = "unknown command \"" + extras.front() + "\"" + SuggestNames(extras.front(), subcommands);
-  } else if (!extras.empty()) {
-    text = "unexpected argument \"" + extras.front() + "\"";
-  } else if (fault.get_name() == "RequiredError" && !subcommands.empty()) {
-    text = "a command is missing" + SuggestNames("", subcommands);
-  } else if (fault.get_name() == "ConversionError") {
-    const std::string what = fault.what();  // "Could not convert: --trials = ten"
-    text = what.substr(what.find("--")) + ": a whole number is expected";
-  } else {
-    text = fault.what();
-  }
-  return text + "\nsee: " + typed + " --help";
 }
 
 /** An empty argument is a variable of a script that was not set: never silently the default. */
-void RefuseEmptyNames(CLI::App& command) {
-  for (CLI::Option* option : command.get_options()) {
-    if (option->get_expected_max() == 0) continue;  // flags
-    option->check([](const std::string& value) {
+void RefuseEmptyNames(const Command& command) {
+  for (const auto& option : command.options()) {
+    if (!option->takes_value()) continue;
+    option->Check([](const std::string& value) {
       return value.empty() ? std::string("an empty name; expected a value") : std::string();
     });
   }
-  for (CLI::App* subcommand : command.get_subcommands([](CLI::App*) { return true; })) {
+  for (const auto& subcommand : command.subcommands()) {
     RefuseEmptyNames(*subcommand);
   }
 }
 
 /** Wherever a command takes an id, it takes the name too. */
-void AcceptNames(CLI::App& command) {
+void AcceptNames(const Command& command) {
   const std::pair<const char*, std::string (*)(const std::string&)> kinds[] = {
       {"hand", &FindHandId}, {"object", &FindObjectId}, {"grasp", &FindGraspId}};
-  for (CLI::Option* option : command.get_options()) {
-    const std::string name = option->get_name();
+  for (const auto& option : command.options()) {
+    const std::string name = option->name();
     for (const auto& [kind, find_id] : kinds) {
-      if (name == kind || name == std::string("--") + kind) option->transform(find_id);
+      if (name == kind || name == std::string("--") + kind) option->Transform(find_id);
     }
   }
-  for (CLI::App* subcommand : command.get_subcommands([](CLI::App*) { return true; })) {
+  for (const auto& subcommand : command.subcommands()) {
     AcceptNames(*subcommand);
   }
 }
@@ -185,83 +116,73 @@ void SplitNames(const std::string& option, const std::string& given,
 
 }  // namespace
 
-CLI::App& AddSubcommand(CLI::App& parent, const std::string& name, const std::string& description,
-                        const std::string& examples) {
-  CLI::App* command = parent.add_subcommand(name, description);
-  command->footer(examples);
-  command->group("Subcommands");  // not the heading that the parent stands under
-  return *command;
-}
-
-void AddListOption(CLI::App& command, const std::string& name, std::vector<std::string>& list,
+void AddListOption(Command& command, const std::string& name, std::vector<std::string>& list,
                    const std::string& text, const std::string& form) {
   std::string names;
   for (const std::string& item : list) names += (names.empty() ? "" : ",") + item;
-  // Not by CLI's own delimiter, which drops empty names.
+  // Not by SplitAtCommas(), which drops empty names.
   command
-      .add_option_function<std::vector<std::string>>(
+      .AddOptionFunction<std::vector<std::string>>(
           name,
           [name, &list](const std::vector<std::string>& given) {
             list.clear();
             for (const std::string& one : given) SplitNames(name, one, list);
           },
           text)
-      ->allow_extra_args(false)
-      ->option_text(form)
-      ->default_str(names);
+      ->OneValueEach()
+      ->ValueName(form)
+      ->ShowDefault(names);
 }
 
-void AddSceneOptions(CLI::App& command, SessionConfig& config) {
+void AddSceneOptions(Command& command, SessionConfig& config) {
   AddListOption(command, "--hand", config.hands, "hands by id or folder, or all", "H,..");
   AddListOption(command, "--object", config.objects,
                 "objects by id or folder, all, or a folder of such folders", "O,..");
 }
 
-void AddSettingsOption(CLI::App& command, std::vector<std::string>& settings,
+void AddSettingsOption(Command& command, std::vector<std::string>& settings,
                        const std::string& example) {
-  command.add_option("--set", settings, "any other setting, e.g. " + example)
-      ->allow_extra_args(false)
-      ->option_text("KEY=VALUE");
+  command.AddOption("--set", settings, "any other setting, e.g. " + example)
+      ->OneValueEach()
+      ->ValueName("KEY=VALUE");
 }
 
-void AddSearchOptions(CLI::App& command, OptimiseConfig& config, const std::string& of) {
-  command.add_option("--evaluations", config.evaluations, of)
-      ->option_text("N")
-      ->capture_default_str();
+void AddSearchOptions(Command& command, OptimiseConfig& config, const std::string& of) {
+  command.AddOption("--evaluations", config.evaluations, of)->ValueName("N")->ShowDefault();
   command
-      .add_option("--fitness-trials", config.fitness_trials,
-                  "trials of an evaluation: 1 without variation, or so many drawn ones")
-      ->option_text("N")
-      ->capture_default_str();
+      .AddOption("--fitness-trials", config.fitness_trials,
+                 "trials of an evaluation: 1 without variation, or so many drawn ones")
+      ->ValueName("N")
+      ->ShowDefault();
   command
-      .add_option("--search", config.search, "what step 2 changes: " + ListNames(ListGraspSpaces()))
-      ->check(CLI::IsMember(ListGraspSpaces()))
-      ->option_text("SPACE")
-      ->capture_default_str();
-  command.add_flag("--race", config.race,
-                   "simulate only those individuals of which earlier ones promise most, 28 %");
+      .AddOption("--search", config.search, "what step 2 changes: " + ListNames(ListGraspSpaces()))
+      ->OneOf(ListGraspSpaces())
+      ->ValueName("SPACE")
+      ->ShowDefault();
+  command.AddFlag("--race", config.race,
+                  "simulate only those individuals of which earlier ones promise most, 28 %");
   command
-      .add_option("--fitness", config.fitness,
-                  "what step 2 makes larger: sigma, by statics, or strength, by pulling")
-      ->check(CLI::IsMember(ListNames(kFitnessKinds)))
-      ->option_text("FITNESS")
-      ->capture_default_str();
+      .AddOption("--fitness", config.fitness,
+                 "what step 2 makes larger: sigma, by statics, or strength, by pulling")
+      ->OneOf(ListNames(kFitnessKinds))
+      ->ValueName("FITNESS")
+      ->ShowDefault();
   command
-      .add_option("--grip", config.grip,
-                  "what a target may grip with: equal to the start, free, or limit")
-      ->check(CLI::IsMember(ListNames(kGripBudgets)))
-      ->option_text("GRIP")
-      ->capture_default_str();
-  command.add_option("--grip-limit", config.grip_limit, "for --grip limit [N]")->option_text("N");
+      .AddOption("--grip", config.grip,
+                 "what a target may grip with: equal to the start, free, or limit")
+      ->OneOf(ListNames(kGripBudgets))
+      ->ValueName("GRIP")
+      ->ShowDefault();
+  command.AddOption("--grip-limit", config.grip_limit, "for --grip limit [N]")->ValueName("N");
 }
 
-void AddReplaceOption(CLI::App& command, bool& replace) {
-  command.add_flag("--replace", replace,
-                   "write in the place of an earlier result, if all its files are as written");
+void AddReplaceOption(Command& command, bool& replace) {
+  command.AddFlag("--replace", replace,
+                  "write in the place of an earlier result, if all its files are as written");
 }
 
-void AddPlanOnlyOption(CLI::App& command, bool& plan_only) {
-  command.add_flag("--plan-only", plan_only, "make the folder and run nothing: see work, submit");
+void AddPlanOnlyOption(Command& command, bool& plan_only) {
+  command.AddFlag("--plan-only", plan_only, "make the folder and run nothing: see work, submit");
 }
 
 void PrintPlan(const std::filesystem::path& folder, int count, const std::string& unit,
@@ -285,78 +206,77 @@ void DemandFinished(bool is_finished) {
               "stopped; what has run is kept. Continue with the same command");
 }
 
-void AddJsonOption(CLI::App& command, bool& as_json) {
-  command.add_flag("--json", as_json, "print one JSON object");
+void AddJsonOption(Command& command, bool& as_json) {
+  command.AddFlag("--json", as_json, "print one JSON object");
 }
 
-void AddResumeOption(CLI::App& command, bool& resume) {
-  command.add_flag("--resume", resume,
-                   "continue what is in the folder of --out, with its own settings");
+void AddResumeOption(Command& command, bool& resume) {
+  command.AddFlag("--resume", resume,
+                  "continue what is in the folder of --out, with its own settings");
 }
 
-void CheckResume(const CLI::App& command, const std::vector<std::string>& settings) {
-  if (command.count("--out") == 0) {
+void CheckResume(const Command& command, const std::vector<std::string>& settings) {
+  if (!command.IsGiven("--out")) {
     throw Error(ErrorKind::kUsage, "--resume needs --out DIR, the folder to be continued");
   }
   for (const std::string& name : settings) {
-    if (command.count(name) == 0) continue;
+    if (!command.IsGiven(name)) continue;
     throw Error(ErrorKind::kUsage, name +
                                        " does not go with --resume: what is continued keeps its "
                                        "own settings; leave it out");
   }
 }
 
-void AddAcceptDamageOption(CLI::App& command, OnDamage& on_damage) {
-  command.add_flag_callback(
+void AddAcceptDamageOption(Command& command, OnDamage& on_damage) {
+  command.AddFlag(
       "--accept-damage", [&on_damage] { on_damage = OnDamage::kAccept; },
       "go on with what is whole in a damaged folder; the report names the damage");
 }
 
-void AddSecondsOption(CLI::App& command, const std::string& name, double& seconds,
+void AddSecondsOption(Command& command, const std::string& name, double& seconds,
                       const std::string& text) {
   const auto check = [](const std::string& value) {
     double number = 0.0;
-    const bool is_time =
-        CLI::detail::lexical_cast(value, number) && std::isfinite(number) && number > 0.0;
+    const bool is_time = ReadNumber(value, number) && std::isfinite(number) && number > 0.0;
     return is_time ? std::string() : "\"" + value + "\": expected a number of seconds above 0";
   };
-  command.add_option(name, seconds, text)->check(check)->option_text("S")->capture_default_str();
+  command.AddOption(name, seconds, text)->Check(check)->ValueName("S")->ShowDefault();
 }
 
-void AddTrialTimeoutOption(CLI::App& command, double& seconds) {
+void AddTrialTimeoutOption(Command& command, double& seconds) {
   AddSecondsOption(
       command, "--trial-timeout", seconds,
       "seconds of processor time after which a trial is given up as a numerical failure");
 }
 
-void AddStoreFolder(CLI::App& command, std::filesystem::path& folder, const std::string& text) {
+void AddStoreFolder(Command& command, std::filesystem::path& folder, const std::string& text) {
   const auto name = [](const std::string& value) {
     return value == "." ? std::filesystem::current_path().string() : value;
   };
-  command.add_option("folder", folder, text)->required()->transform(name)->option_text("DIR");
+  command.AddOption("folder", folder, text)->Require()->Transform(name)->ValueName("DIR");
 }
 
-std::vector<CLI::Option*> AddPictureOptions(CLI::App& command, std::string& at,
-                                            std::vector<std::string>& view, std::string& size) {
+std::vector<Option*> AddPictureOptions(Command& command, std::string& at,
+                                       std::vector<std::string>& view, std::string& size) {
   return {command
-              .add_option("--at,--phase", at,
-                          "which instant: a time as 1.25s, or the end of a phase; else of "
-                          "stabilisation")
-              ->option_text("TIME|PHASE"),
-          command.add_option("--camera", view, "from where: " + ListNames(ListSceneViews()))
-              ->expected(1, 4)
-              ->option_text("VIEW [AZ EL [ZOOM]]"),
-          command.add_option("--size", size, "of the picture, in pixels")
-              ->option_text("WxH")
-              ->capture_default_str()};
+              .AddOption("--at,--phase", at,
+                         "which instant: a time as 1.25s, or the end of a phase; else of "
+                         "stabilisation")
+              ->ValueName("TIME|PHASE"),
+          command.AddOption("--camera", view, "from where: " + ListNames(ListSceneViews()))
+              ->NumValues(1, 4)
+              ->ValueName("VIEW [AZ EL [ZOOM]]"),
+          command.AddOption("--size", size, "of the picture, in pixels")
+              ->ValueName("WxH")
+              ->ShowDefault()};
 }
 
-void AddJobsOption(CLI::App& command, int& num_workers, const std::string& what) {
+void AddJobsOption(Command& command, int& num_workers, const std::string& what) {
   num_workers = CountProcessors();
-  command.add_option("--jobs", num_workers, what + " at a time")
-      ->check(CLI::Range(1, 1024))
-      ->option_text("N")
-      ->default_str("processors");
+  command.AddOption("--jobs", num_workers, what + " at a time")
+      ->Within(1, 1024)
+      ->ValueName("N")
+      ->ShowDefault("processors");
 }
 
 std::string ListNames(const std::vector<std::string>& names) {
@@ -365,18 +285,16 @@ std::string ListNames(const std::vector<std::string>& names) {
   return text;
 }
 
-void AddCommands(CLI::App& program, ExitCode& exit_code) {
-  program.name("graspbench");
-  program.description("Grasping experiments with simulated robot hands.");
-  program.formatter(std::make_shared<HelpFormatter>());
-  program.footer(
-      "  graspbench run                       both hands, 21 objects, then a report\n"
-      "  graspbench render shadow can g3 --at closed --out can.png");
-  program.require_subcommand(1);
-  program.set_version_flag("--version,-V", std::string("graspbench ") + program_version(),
-                           "Print the version of the program and exit");
+void AddCommands(Command& program, ExitCode& exit_code) {
+  program.Describe("graspbench", "Grasping experiments with simulated robot hands.",
+                   "  graspbench run                       both hands, 21 objects, then a report\n"
+                   "  graspbench render shadow can g3 --at closed --out can.png");
+  program.RequireSubcommand();
+  program.AddVersionFlag("--version,-V", std::string("graspbench ") + program_version(),
+                         "Print the version of the program and exit");
 #define GRASPBENCH_COMMAND(Name, room) AddToRoom(#room, &Add##Name##Command, program, exit_code);
 #include "workbench/commands/command_list.inc"
+#include "workbench/terminal/command_line.h"
 #undef GRASPBENCH_COMMAND
   RefuseEmptyNames(program);
   AcceptNames(program);
@@ -385,28 +303,24 @@ void AddCommands(CLI::App& program, ExitCode& exit_code) {
 int RunProgram(int argc, const char* const* argv) {
   WarnOfMissingLocks([](const std::string& text) { PrintMessage(text); });
   ExitCode exit_code = kExitOk;
-  CLI::App program;
+  Command program;
   try {
     AddCommands(program, exit_code);
     RefuseLineFeeds(argc, argv);
-    if (argc == 1 && ::isatty(STDIN_FILENO) && ::isatty(STDOUT_FILENO)) {
-      program.parse(std::vector<std::string>{"shell"});
-    } else {
-      program.parse(argc, argv);
+    std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+    if (argc == 1 && ::isatty(STDIN_FILENO) && ::isatty(STDOUT_FILENO)) words = {"shell"};
+    const Command::Parsed parsed = program.Parse(words);
+    if (!parsed.fault.empty()) {
+      if (IsJsonTyped(argc, argv)) PrintJson({{"error", parsed.fault}});
+      PrintFault(parsed.fault);
+      return kExitUsage;
+    }
+    if (parsed.answer) {
+      PrintResult(*parsed.answer);
+      return kExitOk;
     }
     FlushResults();
     return exit_code;
-  } catch (const CLI::ParseError& fault) {
-    if (fault.get_exit_code() == 0) {  // --help, --version
-      std::ostringstream help, none;
-      program.exit(fault, help, none);
-      PrintResult(help.str());
-      return kExitOk;
-    }
-    const std::string text = Explain(fault, program);
-    if (IsJsonTyped(argc, argv)) PrintJson({{"error", text}});
-    PrintFault(text);
-    return kExitUsage;
   } catch (const Error& error) {
     PrintFault(error.what());
     return ExitCodeOf(error.kind());

@@ -5,15 +5,13 @@ and an exit code of core/base/error.h. */
 
 #include "core/base/error.h"
 
-namespace CLI {
-class App;
-}
-
 namespace graspbench {
+
+class Command;
 
 /** Makes an empty parser that of graspbench: its name, help and every command, whose callbacks leave
 the exit code. */
-void AddCommands(CLI::App& program, ExitCode& exit_code);
+void AddCommands(Command& program, ExitCode& exit_code);
 
 int RunProgram(int argc, const char* const* argv);
 

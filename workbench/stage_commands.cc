@@ -1,8 +1,9 @@
 #include "workbench/stage_commands.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <utility>
+
+#include "workbench/terminal/command_line.h"
 
 namespace graspbench {
 namespace {
@@ -32,12 +33,12 @@ constexpr const char* kOwnOptions[] = {"out",           "paper",     "mjcf",    
                                        "resume",        "plan-only", "help",         "replay",
                                        "accept-damage", "replace",   "trial-timeout"};
 
-StageOption MakeStageOption(const CLI::Option& option, StagePlace place) {
+StageOption MakeStageOption(const Option& option, StagePlace place) {
   StageOption made;
-  made.is_argument = option.get_positional();
-  made.name = option.get_lnames().empty() ? option.get_name() : option.get_lnames().front();
-  made.takes_value = option.get_expected_max() > 0;
-  made.is_needed = option.get_required();
+  made.is_argument = option.is_argument();
+  made.name = option.long_names().empty() ? option.name() : option.long_names().front();
+  made.takes_value = option.takes_value();
+  made.is_needed = option.is_required();
   made.is_own = std::find(std::begin(kOwnOptions), std::end(kOwnOptions), made.name) !=
                     std::end(kOwnOptions) ||
                 (made.name == "json" && place != StagePlace::kText);
@@ -46,15 +47,15 @@ StageOption MakeStageOption(const CLI::Option& option, StagePlace place) {
 
 }  // namespace
 
-std::vector<StageCommand> ListStageCommands(const CLI::App& program) {
+std::vector<StageCommand> ListStageCommands(const Command& program) {
   std::vector<StageCommand> commands;
   for (const auto& [name, place] : kStageCommands) {
     const std::string words = name;
     const size_t blank = words.find(' ');
-    const CLI::App* command = program.get_subcommand(words.substr(0, blank));
-    if (blank != words.npos) command = command->get_subcommand(words.substr(blank + 1));
+    const Command* command = &program.Subcommand(words.substr(0, blank));
+    if (blank != words.npos) command = &command->Subcommand(words.substr(blank + 1));
     StageCommand made = {words, place, {}};
-    for (const CLI::Option* option : command->get_options()) {
+    for (const auto& option : command->options()) {
       made.options.push_back(MakeStageOption(*option, place));
     }
     commands.push_back(std::move(made));

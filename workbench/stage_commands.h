@@ -6,13 +6,11 @@ The commands that a stage of a pipeline can be, with the options that they have.
 
 #include "datasets/pipeline/pipeline_file.h"
 
-namespace CLI {
-class App;
-}  // namespace CLI
-
 namespace graspbench {
 
+class Command;
+
 /** @param program  the command line, complete. */
-std::vector<StageCommand> ListStageCommands(const CLI::App& program);
+std::vector<StageCommand> ListStageCommands(const Command& program);
 
 }  // namespace graspbench

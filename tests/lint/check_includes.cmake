@@ -1,5 +1,5 @@
 # Every #include keeps to the allowed directions of the root CMakeLists, and heavy third-party
-# headers stay in the one room that owns them.
+# headers stay in the one room, or file, that owns them.
 include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 
 file(READ ${SOURCE}/CMakeLists.txt text)
@@ -23,7 +23,7 @@ endfunction()
 
 set(owned_headers "Simbody.h|SimTK" "assimp/" "sqlite3.h" "GL/" "CLI/" "kainjow/" "libqhull"
   "boost/" "opencv2/")
-set(owners core_physics objects datasets_session core_render workbench reports core_quality
+set(owners core_physics objects datasets_session core_render workbench/terminal/command_line.cc reports core_quality
   core_statistics core_vision)
 # The JSON library's values are behind ours in one file; in tests, too.
 set(json_file core/base/text/json.cc)
@@ -49,7 +49,7 @@ foreach(file IN LISTS files)
     elseif(include MATCHES "^#include <(.*)>")
       set(path ${CMAKE_MATCH_1})
       foreach(pattern owner IN ZIP_LISTS owned_headers owners)
-        if(path MATCHES "^(${pattern})" AND NOT library STREQUAL owner)
+        if(path MATCHES "^(${pattern})" AND NOT owner MATCHES "^(${library}|${file})$")
           list(APPEND offences "${file}: <${path}> belongs in ${owner} only")
         endif()
       endforeach()

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
-
 #include "core/base/files/files.h"
 #include "tests/datasets/session/fake_session.h"
 #include "workbench/commands/command.h"
@@ -14,7 +12,7 @@ namespace {
 // What a good pack gives is told by tests/workbench/experiments/pipelines/replay_pack_test.cc.
 TEST(PackReplayCommand, WhatIsNoPackIsRefusedByName) {
   ExitCode exit_code = kExitOk;
-  CLI::App program;
+  Command program;
 #define GRASPBENCH_COMMAND(Name, room) Add##Name##Command(program, exit_code);
 #include "workbench/commands/command_list.inc"
 #undef GRASPBENCH_COMMAND

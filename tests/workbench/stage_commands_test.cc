@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "workbench/commands/command.h"
@@ -32,7 +31,7 @@ class StageCommands : public testing::Test {
   }
 
   ExitCode exit_code_ = kExitOk;
-  CLI::App program_;
+  Command program_;
 };
 
 TEST_F(StageCommands, OptionsAreThoseOfTheCommandLine) {

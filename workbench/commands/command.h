@@ -13,46 +13,36 @@ Results go to stdout, messages and progress to stderr. `--json` prints one objec
 #include "core/optimise/grasp_optimiser.h"
 #include "datasets/journal/sealed_store.h"
 #include "datasets/plan/session_config.h"
+#include "workbench/terminal/command_line.h"
 #include "workbench/terminal/terminal.h"
 
 namespace graspbench {
+
 struct PreparedSession;
-}
-
-namespace CLI {
-class App;
-class Option;
-}  // namespace CLI
-
-namespace graspbench {
 
 #define GRASPBENCH_COMMAND(Name, room) \
-  void Add##Name##Command(CLI::App& program, ExitCode& exit_code);
+  void Add##Name##Command(Command& program, ExitCode& exit_code);
 #include "workbench/commands/command_list.inc"
 #undef GRASPBENCH_COMMAND
-
-/** Adds a subcommand whose help starts with `examples`, one indented line each. */
-CLI::App& AddSubcommand(CLI::App& parent, const std::string& name, const std::string& description,
-                        const std::string& examples);
 
 /** Options that several commands share. */
 ///@{
 /** A list in one word: "--object can,cup"; what it holds is shown as the default. */
-void AddListOption(CLI::App& command, const std::string& name, std::vector<std::string>& list,
+void AddListOption(Command& command, const std::string& name, std::vector<std::string>& list,
                    const std::string& text, const std::string& form);
 /** "--hand" and "--object", with the configuration's defaults. */
-void AddSceneOptions(CLI::App& command, SessionConfig& config);
+void AddSceneOptions(Command& command, SessionConfig& config);
 /** "--set KEY=VALUE", may be repeated. */
-void AddSettingsOption(CLI::App& command, std::vector<std::string>& settings,
+void AddSettingsOption(Command& command, std::vector<std::string>& settings,
                        const std::string& example);
 /** "--evaluations" and "--fitness-trials". */
-void AddSearchOptions(CLI::App& command, OptimiseConfig& config, const std::string& of);
+void AddSearchOptions(Command& command, OptimiseConfig& config, const std::string& of);
 /** "--json": one object instead of lines for a person. */
-void AddJsonOption(CLI::App& command, bool& as_json);
+void AddJsonOption(Command& command, bool& as_json);
 /** "--replace": an older result of the command's own kind. */
-void AddReplaceOption(CLI::App& command, bool& replace);
+void AddReplaceOption(Command& command, bool& replace);
 /** "--plan-only": for several machines. */
-void AddPlanOnlyOption(CLI::App& command, bool& plan_only);
+void AddPlanOnlyOption(Command& command, bool& plan_only);
 /** Says what was planned and how to go on. */
 void PrintPlan(const std::filesystem::path& folder, int count, const std::string& unit,
                bool as_json = false);
@@ -61,24 +51,24 @@ void PrintExperimentPlan(const PreparedSession& experiment, bool as_json = false
 /** @throws Error(kInterrupted) saying how to go on, unless it is. */
 void DemandFinished(bool is_finished);
 /** "--resume": with the settings and the copies of the inputs that are in the folder of --out. */
-void AddResumeOption(CLI::App& command, bool& resume);
+void AddResumeOption(Command& command, bool& resume);
 /** When it was given. @throws Error(kUsage) when one of `settings` was too, or no folder. */
-void CheckResume(const CLI::App& command, const std::vector<std::string>& settings);
+void CheckResume(const Command& command, const std::vector<std::string>& settings);
 /** "--accept-damage": go on with what is left of a damaged store. */
-void AddAcceptDamageOption(CLI::App& command, OnDamage& on_damage);
+void AddAcceptDamageOption(Command& command, OnDamage& on_damage);
 /** A number of seconds, finite and above 0; the value is the default. */
-void AddSecondsOption(CLI::App& command, const std::string& name, double& seconds,
+void AddSecondsOption(Command& command, const std::string& name, double& seconds,
                       const std::string& text);
 /** "--trial-timeout". */
-void AddTrialTimeoutOption(CLI::App& command, double& seconds);
+void AddTrialTimeoutOption(Command& command, double& seconds);
 /** The folder of a store, the command's argument. "." is replaced by its path, so that what is
 advised holds anywhere. */
-void AddStoreFolder(CLI::App& command, std::filesystem::path& folder, const std::string& text);
+void AddStoreFolder(Command& command, std::filesystem::path& folder, const std::string& text);
 /** "--at", "--camera" and "--size" of a picture (workbench/pictures/trial_picture.h). */
-std::vector<CLI::Option*> AddPictureOptions(CLI::App& command, std::string& at,
-                                            std::vector<std::string>& view, std::string& size);
+std::vector<Option*> AddPictureOptions(Command& command, std::string& at,
+                                       std::vector<std::string>& view, std::string& size);
 /** "--jobs": sets num_workers to the number of processors, unless told otherwise. */
-void AddJobsOption(CLI::App& command, int& num_workers, const std::string& what = "trials");
+void AddJobsOption(Command& command, int& num_workers, const std::string& what = "trials");
 ///@}
 
 /** "a, b, c", for help texts. */

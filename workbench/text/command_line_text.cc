@@ -1,26 +1,22 @@
 #include "workbench/text/command_line_text.h"
 
-#include <CLI/CLI.hpp>
 #include <functional>
 
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/load_hand.h"
 #include "objects/catalogue.h"
+#include "workbench/terminal/command_line.h"
+#include "workbench/text/typed_words.h"
 
 namespace graspbench {
 namespace {
 
-std::vector<const CLI::App*> GetSubcommands(const CLI::App& command) {
-  const auto found = command.get_subcommands([](const CLI::App*) { return true; });
-  return {found.begin(), found.end()};
-}
-
 /** visit(path, command): "graspbench hand import" and what it is, in the order of the help. */
-void ForEachCommand(const CLI::App& command, const std::string& path,
-                    const std::function<void(const std::string&, const CLI::App&)>& visit) {
+void ForEachCommand(const Command& command, const std::string& path,
+                    const std::function<void(const std::string&, const Command&)>& visit) {
   visit(path, command);
-  for (const CLI::App* subcommand : GetSubcommands(command)) {
-    ForEachCommand(*subcommand, path + " " + subcommand->get_name(), visit);
+  for (const auto& subcommand : command.subcommands()) {
+    ForEachCommand(*subcommand, path + " " + subcommand->name(), visit);
   }
 }
 
@@ -30,10 +26,10 @@ std::string JoinByBlanks(const std::vector<std::string>& words) {
   return text;
 }
 
-std::vector<std::string> ListOptionNames(const CLI::App& command) {
+std::vector<std::string> ListOptionNames(const Command& command) {
   std::vector<std::string> names;
-  for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  for (const auto& option : command.options()) {
+    for (const std::string& name : option->long_names()) names.push_back("--" + name);
   }
   return names;
 }
@@ -45,30 +41,24 @@ std::vector<std::string> ListGraspIds() {
 }
 
 /** What an option or argument may be, where that is a short list. */
-std::vector<std::string> ListValues(const CLI::Option& option) {
-  const std::string& name =
-      option.get_lnames().empty() ? option.get_name(true) : option.get_lnames().front();
+std::vector<std::string> ListValues(const Option& option) {
+  const std::string name =
+      option.long_names().empty() ? option.name() : option.long_names().front();
   if (name == "hand") return ListHands();
   if (name == "object") return ListObjects();
   if (name == "grasp") return ListGraspIds();
   if (name == "shell") return ListShells();
-  // The parser describes a list of names as {a,b,c}.
-  const std::string type = option.get_type_name();
-  const size_t begin = type.find('{'), end = type.find('}');
-  if (begin == type.npos || end == type.npos) return {};
-  return CLI::detail::split(type.substr(begin + 1, end - begin - 1), ',');
+  return option.choices();
 }
 
-bool TakesValue(const CLI::Option& option) { return option.get_expected_max() > 0; }
-
 /** What may follow a command: subcommands, its arguments' values, its options. */
-std::vector<std::string> ListWords(const CLI::App& command) {
+std::vector<std::string> ListWords(const Command& command) {
   std::vector<std::string> words;
-  for (const CLI::App* subcommand : GetSubcommands(command)) {
-    words.push_back(subcommand->get_name());
+  for (const auto& subcommand : command.subcommands()) {
+    words.push_back(subcommand->name());
   }
-  for (const CLI::Option* option : command.get_options()) {
-    if (!option->get_positional()) continue;
+  for (const auto& option : command.options()) {
+    if (!option->is_argument()) continue;
     for (const std::string& value : ListValues(*option)) words.push_back(value);
   }
   for (const std::string& name : ListOptionNames(command)) words.push_back(name);
@@ -77,14 +67,14 @@ std::vector<std::string> ListWords(const CLI::App& command) {
 
 /** The part that bash and zsh share: $place is the command typed so far, $prev the word before the
 cursor; sets $choices to what may stand there, empty: a file. */
-std::string FormatCases(const CLI::App& program) {
+std::string FormatCases(const Command& program) {
   std::string commands, values, words;
-  ForEachCommand(program, "graspbench", [&](const std::string& path, const CLI::App& command) {
+  ForEachCommand(program, "graspbench", [&](const std::string& path, const Command& command) {
     if (&command != &program) commands += (commands.empty() ? "\"" : "|\"") + path + "\"";
     words += "    \"" + path + "\") choices=\"" + JoinByBlanks(ListWords(command)) + "\" ;;\n";
-    for (const CLI::Option* option : command.get_options()) {
-      if (option->get_lnames().empty() || !TakesValue(*option)) continue;
-      values += "    \"" + path + " --" + option->get_lnames().front() + "\") choices=\"" +
+    for (const auto& option : command.options()) {
+      if (option->long_names().empty() || !option->takes_value()) continue;
+      values += "    \"" + path + " --" + option->long_names().front() + "\") choices=\"" +
                 JoinByBlanks(ListValues(*option)) + "\"; is_value=1 ;;\n";
     }
   });
@@ -93,7 +83,7 @@ std::string FormatCases(const CLI::App& program) {
          "  esac\n  [ -n \"$is_value\" ] || case \"$place\" in\n" + words + "  esac\n";
 }
 
-std::string FormatBash(const CLI::App& program) {
+std::string FormatBash(const Command& program) {
   return "# bash completion of graspbench: source it, or put it into\n"
          "# ~/.local/share/bash-completion/completions/graspbench\n"
          "_graspbench() {\n  local place=graspbench choices= is_value= word\n"
@@ -106,7 +96,7 @@ std::string FormatBash(const CLI::App& program) {
          "complete -o default -F _graspbench graspbench\n";
 }
 
-std::string FormatZsh(const CLI::App& program) {
+std::string FormatZsh(const Command& program) {
   return "#compdef graspbench\n"
          "# zsh completion of graspbench: source it, or put it as _graspbench into a folder of "
          "$fpath\n"
@@ -132,32 +122,32 @@ std::string QuoteForFish(const std::string& text) {
   return "'" + quoted + "'";
 }
 
-std::string FormatFish(const CLI::App& program) {
+std::string FormatFish(const Command& program) {
   std::string text =
       "# fish completion of graspbench: as ~/.config/fish/completions/graspbench.fish\n"
       "complete -c graspbench -e\n";
-  ForEachCommand(program, "", [&](const std::string& path, const CLI::App& command) {
+  ForEachCommand(program, "", [&](const std::string& path, const Command& command) {
     std::string condition = "__fish_use_subcommand";
     if (!path.empty()) {
       condition.clear();
-      for (const std::string& word : CLI::detail::split(path.substr(1), ' ')) {
+      for (const std::string& word : SplitWords(path.substr(1))) {
         condition += (condition.empty() ? "" : "; and ") + ("__fish_seen_subcommand_from " + word);
       }
     }
     const std::string start = "complete -c graspbench -n " + QuoteForFish(condition);
-    for (const CLI::App* subcommand : GetSubcommands(command)) {
-      text += start + " -f -a " + subcommand->get_name() + " -d " +
-              QuoteForFish(subcommand->get_description()) + "\n";
+    for (const auto& subcommand : command.subcommands()) {
+      text += start + " -f -a " + subcommand->name() + " -d " +
+              QuoteForFish(subcommand->description()) + "\n";
     }
-    for (const CLI::Option* option : command.get_options()) {
+    for (const auto& option : command.options()) {
       const std::vector<std::string> values = ListValues(*option);
-      if (option->get_positional() && !values.empty()) {
+      if (option->is_argument() && !values.empty()) {
         text += start + " -a " + QuoteForFish(JoinByBlanks(values)) + "\n";
       }
-      if (option->get_lnames().empty()) continue;
-      text += start + " -l " + option->get_lnames().front() + (TakesValue(*option) ? " -r" : "") +
+      if (option->long_names().empty()) continue;
+      text += start + " -l " + option->long_names().front() + (option->takes_value() ? " -r" : "") +
               (values.empty() ? "" : " -f -a " + QuoteForFish(JoinByBlanks(values))) + " -d " +
-              QuoteForFish(option->get_description()) + "\n";
+              QuoteForFish(option->description()) + "\n";
     }
   });
   return text;
@@ -185,34 +175,34 @@ std::string EscapeForMan(const std::string& text) {
 
 std::vector<std::string> ListShells() { return {"bash", "zsh", "fish"}; }
 
-std::string FormatCompletion(const CLI::App& program, const std::string& shell) {
+std::string FormatCompletion(const Command& program, const std::string& shell) {
   if (shell == "zsh") return FormatZsh(program);
   return shell == "fish" ? FormatFish(program) : FormatBash(program);
 }
 
-std::string FormatManPage(const CLI::App& program) {
+std::string FormatManPage(const Command& program) {
   std::string text = ".TH GRASPBENCH 1\n.SH NAME\ngraspbench \\- " +
-                     EscapeForMan(program.get_description()) +
+                     EscapeForMan(program.description()) +
                      "\n.SH SYNOPSIS\n.B graspbench\n.I COMMAND\n[\\fIOPTIONS\\fR]\n.SH COMMANDS\n";
-  ForEachCommand(program, "graspbench", [&](const std::string& path, const CLI::App& command) {
+  ForEachCommand(program, "graspbench", [&](const std::string& path, const Command& command) {
     if (&command == &program) return;
-    text += ".SS " + EscapeForMan(path) + "\n" + EscapeForMan(command.get_description()) +
-            "\n.PP\n.nf\n" + EscapeForMan(command.get_footer()) + "\n.fi\n";
-    for (const CLI::Option* option : command.get_options()) {
-      const bool is_argument = option->get_positional();
-      const std::string value = option->get_option_text();
-      if (option->get_name() == "--help" || option->get_name() == "-h,--help") continue;
+    text += ".SS " + EscapeForMan(path) + "\n" + EscapeForMan(command.description()) +
+            "\n.PP\n.nf\n" + EscapeForMan(command.examples()) + "\n.fi\n";
+    for (const auto& option : command.options()) {
+      const bool is_argument = option->is_argument();
+      const std::string value = option->value_name();
+      if (option->name() == "--help") continue;
       text += ".TP\n";
       if (is_argument) {
-        text += ".I " + EscapeForMan(value.empty() ? option->get_name(true) : value) + "\n";
+        text += ".I " + EscapeForMan(value.empty() ? option->name() : value) + "\n";
       } else {
-        text += ".B " + EscapeForMan(option->get_name()) +
-                (TakesValue(*option) ? " \\fI" + EscapeForMan(value) + "\\fR" : "") + "\n";
+        text += ".B " + EscapeForMan(option->name()) +
+                (option->takes_value() ? " \\fI" + EscapeForMan(value) + "\\fR" : "") + "\n";
       }
-      const std::string usual = option->get_default_str();
-      text += EscapeForMan(option->get_description() +
-                           (usual.empty() ? "" : " (default " + usual + ")")) +
-              "\n";
+      const std::string usual = option->shown_default();
+      text +=
+          EscapeForMan(option->description() + (usual.empty() ? "" : " (default " + usual + ")")) +
+          "\n";
     }
   });
   return text +

@@ -1,6 +1,5 @@
 #include "workbench/text/forward_kinematics.h"
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -9,6 +8,7 @@
 #include "core/hand/coupling.h"
 #include "core/hand/load_hand.h"
 #include "workbench/tables/text_table.h"
+#include "workbench/terminal/command_line.h"
 #include "workbench/terminal/terminal.h"
 
 namespace graspbench {
@@ -27,8 +27,7 @@ void SetJoint(const std::string& assignment, const Hand& hand, Eigen::VectorXd& 
                 "the " + hand.name + " has no joint \"" + name + "\"" + SuggestNames(name, known));
   }
   double angle_deg = 0.0;
-  if (equals == std::string::npos ||
-      !CLI::detail::lexical_cast(assignment.substr(equals + 1), angle_deg) ||
+  if (equals == std::string::npos || !ReadNumber(assignment.substr(equals + 1), angle_deg) ||
       !std::isfinite(angle_deg)) {
     throw Error(
         ErrorKind::kUsage,

@@ -2,11 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 
 #include "core/base/error.h"
 #include "core/base/text/text.h"
+#include "workbench/terminal/command_line.h"
 
 namespace graspbench {
 
@@ -50,7 +50,7 @@ double ParseNumber(const std::string& word, const std::string& what, const std::
     digits.resize(digits.size() - unit.size());
   }
   double value = 0.0;
-  if (CLI::detail::lexical_cast(digits, value) && value >= low && value <= high) return value;
+  if (ReadNumber(digits, value) && value >= low && value <= high) return value;
   throw Error(ErrorKind::kUsage,
               fmt::format("{} is \"{}\"; expected a number from {} to {}{}{}", what, word,
                           FormatSignificant(low, 6), FormatSignificant(high, 6),
@@ -59,7 +59,7 @@ double ParseNumber(const std::string& word, const std::string& what, const std::
 
 int ParseCount(const std::string& word, const std::string& what, int low, int high) {
   int value = 0;
-  if (CLI::detail::lexical_cast(word, value) && value >= low && value <= high) return value;
+  if (ReadNumber(word, value) && value >= low && value <= high) return value;
   throw Error(ErrorKind::kUsage, fmt::format("{} is \"{}\"; expected a whole number from {} to {}",
                                              what, word, low, high));
 }

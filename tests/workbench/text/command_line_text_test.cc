@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <filesystem>
 
 #include "core/base/files/files.h"
+#include "workbench/terminal/command_line.h"
 
 namespace graspbench {
 namespace {
@@ -16,15 +16,15 @@ namespace fs = std::filesystem;
 // A program of its own: "tool hand show --unit m|mm" and "tool run --hand H --jobs N".
 class CommandLineTextTest : public testing::Test {
  protected:
-  CommandLineTextTest() : program_("What it is.", "graspbench") {
-    CLI::App& run = *program_.add_subcommand("run", "Runs.");
-    run.add_option("--hand", hand_, "a hand")->option_text("H");
-    run.add_option("--jobs", jobs_, ".5 at a time")->option_text("N")->default_str("2");
-    run.footer("  graspbench run");
-    CLI::App& show =
-        *program_.add_subcommand("hand", "Hands.")->add_subcommand("show", "It's a hand.");
-    show.add_option("--unit", hand_, "of length")->check(CLI::IsMember({"m", "mm"}));
-    show.add_flag("--json", "as JSON");
+  CommandLineTextTest() {
+    program_.Describe("graspbench", "What it is.", "");
+    Command& run = AddSubcommand(program_, "run", "Runs.", "  graspbench run");
+    run.AddOption("--hand", hand_, "a hand")->ValueName("H");
+    run.AddOption("--jobs", jobs_, ".5 at a time")->ValueName("N")->ShowDefault("2");
+    Command& show =
+        AddSubcommand(AddSubcommand(program_, "hand", "Hands.", ""), "show", "It's a hand.", "");
+    show.AddOption("--unit", hand_, "of length")->OneOf({"m", "mm"});
+    show.AddFlag("--json", "as JSON");
   }
 
   fs::path Write(const std::string& shell) {
@@ -50,7 +50,7 @@ class CommandLineTextTest : public testing::Test {
     return text;
   }
 
-  CLI::App program_;
+  Command program_;
   std::string hand_;
   int jobs_ = 2;
 };

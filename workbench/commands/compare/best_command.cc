@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -101,17 +100,17 @@ void FindBest(const BestOptions& options) {
 
 }  // namespace
 
-void AddBestCommand(CLI::App& program, ExitCode&) {
-  CLI::App& command = AddSubcommand(
+void AddBestCommand(Command& program, ExitCode&) {
+  Command& command = AddSubcommand(
       program, "best", "Compare each object's best grasp with the usual one, from a session.",
       "  graspbench run --grasp all --out results/all\n"
       "  graspbench best results/all");
   const auto options = std::make_shared<BestOptions>();
-  command.add_option("session", options->session, "a session with several grasps")
-      ->required()
-      ->option_text("DIR");
-  command.add_flag("--json", options->json, "print one JSON object");
-  command.callback([options] { FindBest(*options); });
+  command.AddOption("session", options->session, "a session with several grasps")
+      ->Require()
+      ->ValueName("DIR");
+  command.AddFlag("--json", options->json, "print one JSON object");
+  command.SetAction([options] { FindBest(*options); });
 }
 
 }  // namespace graspbench

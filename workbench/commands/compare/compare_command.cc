@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
@@ -104,18 +103,18 @@ void Compare(const CompareOptions& options) {
 
 }  // namespace
 
-void AddCompareCommand(CLI::App& program, ExitCode&) {
-  CLI::App& command =
+void AddCompareCommand(Command& program, ExitCode&) {
+  Command& command =
       AddSubcommand(program, "compare", "Compare two sessions trial by trial, on the same draws.",
                     "  graspbench compare results/before results/after\n"
                     "  graspbench compare results/standard results/optimised --json");
   const auto options = std::make_shared<CompareOptions>();
-  command.add_option("before", options->before, "a session")->required()->option_text("DIR");
-  command.add_option("after", options->after, "the session to compare it with")
-      ->required()
-      ->option_text("DIR");
-  command.add_flag("--json", options->json, "print one JSON object");
-  command.callback([options] { Compare(*options); });
+  command.AddOption("before", options->before, "a session")->Require()->ValueName("DIR");
+  command.AddOption("after", options->after, "the session to compare it with")
+      ->Require()
+      ->ValueName("DIR");
+  command.AddFlag("--json", options->json, "print one JSON object");
+  command.SetAction([options] { Compare(*options); });
 }
 
 }  // namespace graspbench

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
@@ -64,35 +63,35 @@ void ConvertGrasps(const ConvertRequest& request) {
 
 }  // namespace
 
-void AddGraspsCommand(CLI::App& program, ExitCode& exit_code) {
-  CLI::App& group = AddSubcommand(program, "grasps", "Read and convert grasps that others made.",
-                                  "  graspbench grasps info downloaded/\n"
-                                  "  graspbench grasps info mug.npy --hand shadow");
-  group.require_subcommand(1);
+void AddGraspsCommand(Command& program, ExitCode& exit_code) {
+  Command& group = AddSubcommand(program, "grasps", "Read and convert grasps that others made.",
+                                 "  graspbench grasps info downloaded/\n"
+                                 "  graspbench grasps info mug.npy --hand shadow");
+  group.RequireSubcommand();
 
   const auto request = std::make_shared<InfoRequest>();
-  CLI::App& info = AddSubcommand(
+  Command& info = AddSubcommand(
       group, "info", "Say what files of grasps hold, and which could not be read.",
       "  graspbench grasps info downloaded/\n"
       "  graspbench grasps info mug.npy --hand shadow\n"
       "  graspbench grasps info mug.yaml --hand-frame panda_hand --object-frame mesh --json");
   request->grasps.AddTo(info);
-  info.add_option("--hand", request->hand, "also try the grasps on a hand: id, or its folder")
-      ->option_text("HAND");
+  info.AddOption("--hand", request->hand, "also try the grasps on a hand: id, or its folder")
+      ->ValueName("HAND");
   AddJsonOption(info, request->json);
-  info.callback([request, &exit_code] { exit_code = ShowGrasps(*request); });
+  info.SetAction([request, &exit_code] { exit_code = ShowGrasps(*request); });
 
   const auto conversion = std::make_shared<ConvertRequest>();
-  CLI::App& convert =
+  Command& convert =
       AddSubcommand(group, "convert", "Write grasps as a file of another tool.",
                     "  graspbench grasps convert mug.npy --to isaac --out mug.yaml\n"
                     "  graspbench grasps convert downloaded/mug/ --to dexgraspbench --out mug.npy");
   conversion->grasps.AddTo(convert);
-  convert.add_option("--to", conversion->format, "one of " + ListNames(ListWrittenFormats()))
-      ->required()
-      ->option_text("NAME");
-  convert.add_option("--out", conversion->out, "new file")->required()->option_text("FILE");
-  convert.callback([conversion] { ConvertGrasps(*conversion); });
+  convert.AddOption("--to", conversion->format, "one of " + ListNames(ListWrittenFormats()))
+      ->Require()
+      ->ValueName("NAME");
+  convert.AddOption("--out", conversion->out, "new file")->Require()->ValueName("FILE");
+  convert.SetAction([conversion] { ConvertGrasps(*conversion); });
 }
 
 }  // namespace graspbench

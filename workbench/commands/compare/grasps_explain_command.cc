@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
@@ -58,26 +57,24 @@ void Explain(const ExplainOptions& options) {
 
 }  // namespace
 
-void AddGraspsExplainCommand(CLI::App& program, ExitCode&) {
+void AddGraspsExplainCommand(Command& program, ExitCode&) {
   const auto options = std::make_shared<ExplainOptions>();
-  CLI::App& command = AddSubcommand(
-      *program.get_subcommand("grasps"), "explain",
+  Command& command = AddSubcommand(
+      program.Subcommand("grasps"), "explain",
       "Say which value of a profile turns the verdict on a grasp.",
       "  graspbench grasps explain mug.npy --objects meshes\n"
       "  graspbench grasps explain mug.npy --grasp 3 --from own --to mine.yaml --objects meshes");
   options->inputs.AddTo(command);
-  command.add_option("--grasp", options->number, "which of the files' grasps, from 0 on")
-      ->check(CLI::Range(0, 100000000))
-      ->option_text("N")
-      ->capture_default_str();
-  command.add_option("--from", options->from, "profile to begin with, by name or file")
-      ->option_text("P")
-      ->capture_default_str();
-  command.add_option("--to", options->to, "profile to arrive at")
-      ->option_text("P")
-      ->capture_default_str();
+  command.AddOption("--grasp", options->number, "which of the files' grasps, from 0 on")
+      ->Within(0, 100000000)
+      ->ValueName("N")
+      ->ShowDefault();
+  command.AddOption("--from", options->from, "profile to begin with, by name or file")
+      ->ValueName("P")
+      ->ShowDefault();
+  command.AddOption("--to", options->to, "profile to arrive at")->ValueName("P")->ShowDefault();
   AddJsonOption(command, options->json);
-  command.callback([options] { Explain(*options); });
+  command.SetAction([options] { Explain(*options); });
 }
 
 }  // namespace graspbench

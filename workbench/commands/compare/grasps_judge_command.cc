@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
@@ -83,10 +82,10 @@ ExitCode Judge(const JudgeGraspsOptions& options) {
 
 }  // namespace
 
-void AddGraspsJudgeCommand(CLI::App& program, ExitCode& exit_code) {
+void AddGraspsJudgeCommand(Command& program, ExitCode& exit_code) {
   const auto options = std::make_shared<JudgeGraspsOptions>();
-  CLI::App& command = AddSubcommand(
-      *program.get_subcommand("grasps"), "judge", "Judge grasps that others made under profiles.",
+  Command& command = AddSubcommand(
+      program.Subcommand("grasps"), "judge", "Judge grasps that others made under profiles.",
       "  graspbench grasps judge downloaded/ --objects meshes --out judged\n"
       "  graspbench grasps judge downloaded/ --objects meshes --profile dexgraspbench-fc,own "
       "--jitter 20 --out judged");
@@ -94,37 +93,35 @@ void AddGraspsJudgeCommand(CLI::App& program, ExitCode& exit_code) {
   AddListOption(command, "--profile", options->profiles,
                 "profiles by name (datasets/profiles) or file", "P,P..");
   command
-      .add_option(
+      .AddOption(
           "--jitter", options->request.jitter,
           "also judge each grasp so often with its root moved by 1 mm and turned by 1 degree")
-      ->check(CLI::Range(0, 1000))
-      ->option_text("N")
-      ->capture_default_str();
+      ->Within(0, 1000)
+      ->ValueName("N")
+      ->ShowDefault();
   AddJobsOption(command, options->request.num_workers, "grasps");
   command
-      .add_option("--out", options->request.out,
-                  "folder for verdicts and report; the same command again continues it")
-      ->required()
-      ->option_text("DIR");
+      .AddOption("--out", options->request.out,
+                 "folder for verdicts and report; the same command again continues it")
+      ->Require()
+      ->ValueName("DIR");
   command
-      .add_option("--shard", options->shard,
-                  "every Nth grasp alone, from the Kth on; grasps merge makes one folder of all")
-      ->option_text("K/N");
+      .AddOption("--shard", options->shard,
+                 "every Nth grasp alone, from the Kth on; grasps merge makes one folder of all")
+      ->ValueName("K/N");
   AddJsonOption(command, options->json);
-  command.callback([options, &exit_code] { exit_code = Judge(*options); });
+  command.SetAction([options, &exit_code] { exit_code = Judge(*options); });
 
   const auto merged = std::make_shared<MergeOptions>();
-  CLI::App& merge = AddSubcommand(
-      *program.get_subcommand("grasps"), "merge", "Make one folder of the shards of a judgement.",
+  Command& merge = AddSubcommand(
+      program.Subcommand("grasps"), "merge", "Make one folder of the shards of a judgement.",
       "  graspbench grasps judge downloaded/ --objects meshes --shard 1/2 --out part1\n"
       "  graspbench grasps judge downloaded/ --objects meshes --shard 2/2 --out part2\n"
       "  graspbench grasps merge part1 part2 --out judged");
-  merge.add_option("parts", merged->parts, "folders of all shards")
-      ->required()
-      ->option_text("DIRS..");
-  merge.add_option("--out", merged->out, "new folder")->required()->option_text("DIR");
+  merge.AddOption("parts", merged->parts, "folders of all shards")->Require()->ValueName("DIRS..");
+  merge.AddOption("--out", merged->out, "new folder")->Require()->ValueName("DIR");
   AddJsonOption(merge, merged->json);
-  merge.callback([merged] {
+  merge.SetAction([merged] {
     MergeJudgedGrasps(merged->parts, merged->out);
     ShowJudged(merged->out, LoadGraspConfig(merged->out).at("unread").size(), merged->json);
   });

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
@@ -51,24 +50,24 @@ void Show(const ShowGraspOptions& options) {
 
 }  // namespace
 
-void AddGraspsShowCommand(CLI::App& program, ExitCode&) {
+void AddGraspsShowCommand(Command& program, ExitCode&) {
   const auto options = std::make_shared<ShowGraspOptions>();
-  CLI::App& command = AddSubcommand(
-      *program.get_subcommand("grasps"), "show",
+  Command& command = AddSubcommand(
+      program.Subcommand("grasps"), "show",
       "Draw one grasp under a profile: a page with a 3-D view of its course.",
       "  graspbench grasps show mug.npy --objects meshes --out mug.html\n"
       "  graspbench grasps show mug.npy --grasp 3 --profile own --objects meshes --out mug.html");
   options->inputs.AddTo(command);
-  command.add_option("--grasp", options->number, "which of the files' grasps, from 0 on")
-      ->check(CLI::Range(0, 100000000))
-      ->option_text("N")
-      ->capture_default_str();
-  command.add_option("--profile", options->profile, "profile by name or file")
-      ->option_text("P")
-      ->capture_default_str();
-  command.add_option("--out", options->out, "new page")->required()->option_text("FILE");
+  command.AddOption("--grasp", options->number, "which of the files' grasps, from 0 on")
+      ->Within(0, 100000000)
+      ->ValueName("N")
+      ->ShowDefault();
+  command.AddOption("--profile", options->profile, "profile by name or file")
+      ->ValueName("P")
+      ->ShowDefault();
+  command.AddOption("--out", options->out, "new page")->Require()->ValueName("FILE");
   AddJsonOption(command, options->json);
-  command.callback([options] { Show(*options); });
+  command.SetAction([options] { Show(*options); });
 }
 
 }  // namespace graspbench

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -77,21 +76,21 @@ ExitCode Judge(const JudgeOptions& options) {
 
 }  // namespace
 
-void AddJudgeCommand(CLI::App& program, ExitCode& exit_code) {
-  CLI::App& command = AddSubcommand(
+void AddJudgeCommand(Command& program, ExitCode& exit_code) {
+  Command& command = AddSubcommand(
       program, "judge",
       "Pull and twist the held objects of a finished session until they leave the hand.",
       "  graspbench judge results/pilot             breaking loads, verdicts, evidence\n"
       "  graspbench judge results/pilot --jobs 1    the same bytes, on one processor");
   const auto options = std::make_shared<JudgeOptions>();
-  command.add_option("folder", options->folder, "folder of the session")
-      ->required()
-      ->option_text("DIR");
+  command.AddOption("folder", options->folder, "folder of the session")
+      ->Require()
+      ->ValueName("DIR");
   AddJobsOption(command, options->num_workers, "grasps");
   AddTrialTimeoutOption(command, options->trial_time_limit);
   AddAcceptDamageOption(command, options->on_damage);
-  command.add_flag("--json", options->json, "print the evidence as one JSON object");
-  command.callback([options, &exit_code] { exit_code = Judge(*options); });
+  command.AddFlag("--json", options->json, "print the evidence as one JSON object");
+  command.SetAction([options, &exit_code] { exit_code = Judge(*options); });
 }
 
 }  // namespace graspbench

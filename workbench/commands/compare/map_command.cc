@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
@@ -57,11 +56,11 @@ ExitCode Run(MapOptions& options) {
 
 }  // namespace
 
-void AddMapCommand(CLI::App& program, ExitCode& exit_code) {
-  CLI::App& group = AddSubcommand(program, "map", "Map where something matters.",
-                                  "  graspbench map simultaneity --quick --out results/quick");
-  group.require_subcommand(1);
-  CLI::App& command = AddSubcommand(
+void AddMapCommand(Command& program, ExitCode& exit_code) {
+  Command& group = AddSubcommand(program, "map", "Map where something matters.",
+                                 "  graspbench map simultaneity --quick --out results/quick");
+  group.RequireSubcommand();
+  Command& command = AddSubcommand(
       group, "simultaneity",
       "Map where it matters that the digits touch at once: one digit is made late on the same "
       "draws.",
@@ -71,19 +70,19 @@ void AddMapCommand(CLI::App& program, ExitCode& exit_code) {
       "The same command again continues it.");
   const auto options = std::make_shared<MapOptions>();
   AddSceneOptions(command, options->base);
-  command.add_option("--seed", options->base.seed, "another seed gives other draws")
-      ->capture_default_str()
-      ->option_text("N");
-  command.add_flag("--quick", options->request.is_quick,
-                   "success alone, one delay and one draw of each object and region");
+  command.AddOption("--seed", options->base.seed, "another seed gives other draws")
+      ->ShowDefault()
+      ->ValueName("N");
+  command.AddFlag("--quick", options->request.is_quick,
+                  "success alone, one delay and one draw of each object and region");
   AddJobsOption(command, options->num_workers);
-  command.add_option("--out", options->out, "folder of the map")
-      ->option_text("DIR")
-      ->default_str("results/map-HASH");
+  command.AddOption("--out", options->out, "folder of the map")
+      ->ValueName("DIR")
+      ->ShowDefault("results/map-HASH");
   AddAcceptDamageOption(command, options->request.on_damage);
   AddTrialTimeoutOption(command, options->request.trial_time_limit);
   AddJsonOption(command, options->json);
-  command.callback([options, &exit_code] { exit_code = Run(*options); });
+  command.SetAction([options, &exit_code] { exit_code = Run(*options); });
 }
 
 }  // namespace graspbench

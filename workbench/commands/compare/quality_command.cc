@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "core/base/files/files.h"
@@ -42,10 +41,10 @@ std::string ListConventions() {
 
 }  // namespace
 
-void AddQualityCommand(CLI::App& program, ExitCode&) {
+void AddQualityCommand(Command& program, ExitCode&) {
   const auto path = std::make_shared<std::string>();
   const auto json = std::make_shared<bool>(false);
-  CLI::App& command =
+  Command& command =
       AddSubcommand(program, "quality", "Measure how well a set of contacts holds an object.",
                     "  graspbench quality contacts.json\n"
                     "  graspbench quality contacts.json --json\n\n"
@@ -61,11 +60,9 @@ void AddQualityCommand(CLI::App& program, ExitCode&) {
                     "convention:\n"
                     "  " +
                         ListConventions() + ".");
-  command.add_option("contacts", *path, "file of contacts")
-      ->required()
-      ->option_text("CONTACTS.json");
-  command.add_flag("--json", *json, "print one JSON object");
-  command.callback([path, json] { ShowQuality(*path, *json); });
+  command.AddOption("contacts", *path, "file of contacts")->Require()->ValueName("CONTACTS.json");
+  command.AddFlag("--json", *json, "print one JSON object");
+  command.SetAction([path, json] { ShowQuality(*path, *json); });
 }
 
 }  // namespace graspbench

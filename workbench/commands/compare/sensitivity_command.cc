@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -44,8 +43,8 @@ void Run(const SensitivityOptions& options) {
 
 }  // namespace
 
-void AddSensitivityCommand(CLI::App& program, ExitCode&) {
-  CLI::App& command = AddSubcommand(
+void AddSensitivityCommand(Command& program, ExitCode&) {
+  Command& command = AddSubcommand(
       program, "sensitivity",
       "Run a session's trials again under one changed setting each and show what that changes.",
       "  graspbench sensitivity results/pilot       unmeasured parameters at 0.5 and 2 times\n"
@@ -54,23 +53,23 @@ void AddSensitivityCommand(CLI::App& program, ExitCode&) {
   SensitivityRequest& request = options->request;
   AddStoreFolder(command, request.folder, "folder of the session");
   command
-      .add_option("--set", request.settings,
-                  "a setting to try instead of the usual ones, with the session's grasps; may be "
-                  "repeated")
-      ->allow_extra_args(false)
-      ->option_text("KEY=VALUE");
+      .AddOption("--set", request.settings,
+                 "a setting to try instead of the usual ones, with the session's grasps; may be "
+                 "repeated")
+      ->OneValueEach()
+      ->ValueName("KEY=VALUE");
   command
-      .add_option("--trials", request.trials_per_cell,
-                  "finished trials of each hand, object, grasp to take")
-      ->check(CLI::Range(1, 100000))
-      ->option_text("N")
-      ->default_str("all");
+      .AddOption("--trials", request.trials_per_cell,
+                 "finished trials of each hand, object, grasp to take")
+      ->Within(1, 100000)
+      ->ValueName("N")
+      ->ShowDefault("all");
   AddJobsOption(command, options->num_workers);
   AddPlanOnlyOption(command, request.plan_only);
   AddTrialTimeoutOption(command, request.trial_time_limit);
   AddAcceptDamageOption(command, request.on_damage);
-  command.add_flag("--json", options->json, "print the summary as one JSON object");
-  command.callback([options] { Run(*options); });
+  command.AddFlag("--json", options->json, "print the summary as one JSON object");
+  command.SetAction([options] { Run(*options); });
 }
 
 }  // namespace graspbench

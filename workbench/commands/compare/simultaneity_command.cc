@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -94,8 +93,8 @@ void Run(SimultaneityOptions options) {
 
 }  // namespace
 
-void AddSimultaneityCommand(CLI::App& program, ExitCode&) {
-  CLI::App& command = AddSubcommand(
+void AddSimultaneityCommand(Command& program, ExitCode&) {
+  Command& command = AddSubcommand(
       program, "simultaneity",
       "Ask a session's trials whether it matters that the digits touch at once.",
       "  graspbench simultaneity results/pilot            within conditions, as the trials came\n"
@@ -103,34 +102,34 @@ void AddSimultaneityCommand(CLI::App& program, ExitCode&) {
       "  graspbench simultaneity results/pilot --schedules --people results/study");
   const auto options = std::make_shared<SimultaneityOptions>();
   AddStoreFolder(command, options->request.folder, "folder of the session");
-  CLI::Option* delay = command.add_flag(
+  Option* delay = command.AddFlag(
       "--delay", options->delays,
       "run trials again with the digit that touched last, or first, 50 to 300 ms later, the object "
       "as it was, light, slippery and off-centre");
-  CLI::Option* schedules = command.add_flag(
+  Option* schedules = command.AddFlag(
       "--schedules", options->schedules,
       "run trials again with all digits touching together, and when people's do, and find what "
       "each costs in grip threshold");
-  schedules->excludes(delay);
+  schedules->Excludes(delay);
   command
-      .add_option("--people", options->study,
-                  "folder of a study of people on the same objects, for --schedules")
-      ->needs(schedules)
-      ->option_text("STUDY");
+      .AddOption("--people", options->study,
+                 "folder of a study of people on the same objects, for --schedules")
+      ->Needs(schedules)
+      ->ValueName("STUDY");
   command
-      .add_option("--trials", options->request.trials_per_cell,
-                  "trials of each hand, object, grasp to run again")
-      ->check(CLI::Range(1, 100000))
-      ->option_text("N")
-      ->default_str("1; all with --schedules");
+      .AddOption("--trials", options->request.trials_per_cell,
+                 "trials of each hand, object, grasp to run again")
+      ->Within(1, 100000)
+      ->ValueName("N")
+      ->ShowDefault("1; all with --schedules");
   AddPlanOnlyOption(command, options->request.plan_only);
   command
-      .add_flag("--judge", options->request.with_judge,
-                "find breaking forces of the delayed, too; some five times as long")
-      ->needs(delay);
+      .AddFlag("--judge", options->request.with_judge,
+               "find breaking forces of the delayed, too; some five times as long")
+      ->Needs(delay);
   AddJobsOption(command, options->num_workers);
-  command.add_flag("--json", options->json, "print one JSON object");
-  command.callback([options] { Run(*options); });
+  command.AddFlag("--json", options->json, "print one JSON object");
+  command.SetAction([options] { Run(*options); });
 }
 
 }  // namespace graspbench

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -109,40 +108,40 @@ ExitCode Sweep(const SweepOptions& options) {
 }
 }  // namespace
 
-void AddSweepCommand(CLI::App& program, ExitCode& exit_code) {
-  CLI::App& command = AddSubcommand(
+void AddSweepCommand(Command& program, ExitCode& exit_code) {
+  Command& command = AddSubcommand(
       program, "sweep", "Run a session under every combination of some settings and compare them.",
       "  graspbench sweep --object can,cup --factor model.mass_scale=1,2 --factor grasp=g1,g2\n"
       "  graspbench sweep sweep.yaml --design one-at-a-time --plan-only --out results/sweep");
   const auto options = std::make_shared<SweepOptions>();
   options->session.AddTo(command, "sweep.yaml (graspbench new sweep)");
   command
-      .add_option("--factor", options->factors,
-                  "a setting, grasp, delay.last, delay.first [s] or backend with its levels, the "
-                  "base's first; best is chosen at the base's levels; may be repeated")
-      ->allow_extra_args(false)
-      ->option_text("KEY=A,B,..");
+      .AddOption("--factor", options->factors,
+                 "a setting, grasp, delay.last, delay.first [s] or backend with its levels, the "
+                 "base's first; best is chosen at the base's levels; may be repeated")
+      ->OneValueEach()
+      ->ValueName("KEY=A,B,..");
   command
-      .add_option("--design", options->design,
-                  "full, one-at-a-time, or latin:N: base and at most N of a Latin hypercube")
-      ->option_text("DESIGN")
-      ->default_str("full");
-  command.add_flag("--judge", options->judge, "also break what is held; some five times as long");
+      .AddOption("--design", options->design,
+                 "full, one-at-a-time, or latin:N: base and at most N of a Latin hypercube")
+      ->ValueName("DESIGN")
+      ->ShowDefault("full");
+  command.AddFlag("--judge", options->judge, "also break what is held; some five times as long");
   command
-      .add_option("--threshold", options->threshold,
-                  "also find the smallest margin, or force, with which each draw succeeds, under "
-                  "every condition; at most six more trials each")
-      ->check(CLI::IsMember(ListNames(kThresholdScales)))
-      ->option_text("SCALE");
+      .AddOption("--threshold", options->threshold,
+                 "also find the smallest margin, or force, with which each draw succeeds, under "
+                 "every condition; at most six more trials each")
+      ->OneOf(ListNames(kThresholdScales))
+      ->ValueName("SCALE");
   AddJobsOption(command, options->num_workers);
-  command.add_option("--out", options->out, "folder of the sweep")
-      ->option_text("DIR")
-      ->default_str("results/sweep-HASH");
-  command.add_flag("--resume", options->resume, "continue the sweep in the folder of --out");
+  command.AddOption("--out", options->out, "folder of the sweep")
+      ->ValueName("DIR")
+      ->ShowDefault("results/sweep-HASH");
+  command.AddFlag("--resume", options->resume, "continue the sweep in the folder of --out");
   AddPlanOnlyOption(command, options->plan_only);
   AddAcceptDamageOption(command, options->on_damage);
   AddTrialTimeoutOption(command, options->trial_time_limit);
-  command.add_flag("--json", options->json, "print the summary as one JSON object");
-  command.callback([options, &exit_code] { exit_code = Sweep(*options); });
+  command.AddFlag("--json", options->json, "print the summary as one JSON object");
+  command.SetAction([options, &exit_code] { exit_code = Sweep(*options); });
 }
 }  // namespace graspbench

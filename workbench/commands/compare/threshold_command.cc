@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 
@@ -47,8 +46,8 @@ void Run(const ThresholdOptions& options) {
 
 }  // namespace
 
-void AddThresholdCommand(CLI::App& program, ExitCode&) {
-  CLI::App& command = AddSubcommand(
+void AddThresholdCommand(Command& program, ExitCode&) {
+  Command& command = AddSubcommand(
       program, "threshold", "Find the smallest grip with which each draw of a session succeeds.",
       "  graspbench threshold results/pilot             margins of 1 to 16, by bisection\n"
       "  graspbench threshold results/pilot --by force --trials 3\n"
@@ -57,23 +56,23 @@ void AddThresholdCommand(CLI::App& program, ExitCode&) {
   ExperimentRequest& request = options->request;
   AddStoreFolder(command, request.folder, "folder of the session");
   command
-      .add_option("--by", options->scale,
-                  "what is bisected: margin (1 to 16), force (0.1 to 12.8 N)")
-      ->check(CLI::IsMember(ListNames(kThresholdScales)))
-      ->option_text("SCALE")
-      ->capture_default_str();
+      .AddOption("--by", options->scale,
+                 "what is bisected: margin (1 to 16), force (0.1 to 12.8 N)")
+      ->OneOf(ListNames(kThresholdScales))
+      ->ValueName("SCALE")
+      ->ShowDefault();
   command
-      .add_option("--trials", request.trials_per_cell,
-                  "finished trials of each hand, object, grasp to take")
-      ->check(CLI::Range(1, 100000))
-      ->option_text("N")
-      ->default_str("all");
+      .AddOption("--trials", request.trials_per_cell,
+                 "finished trials of each hand, object, grasp to take")
+      ->Within(1, 100000)
+      ->ValueName("N")
+      ->ShowDefault("all");
   AddPlanOnlyOption(command, request.plan_only);
   AddJobsOption(command, options->num_workers);
   AddTrialTimeoutOption(command, request.trial_time_limit);
   AddAcceptDamageOption(command, request.on_damage);
-  command.add_flag("--json", options->json, "print the thresholds as one JSON object");
-  command.callback([options] { Run(*options); });
+  command.AddFlag("--json", options->json, "print the thresholds as one JSON object");
+  command.SetAction([options] { Run(*options); });
 }
 
 }  // namespace graspbench

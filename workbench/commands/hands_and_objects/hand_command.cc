@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 #include <vector>
@@ -53,52 +52,52 @@ void ShowGrasps(const Hand& hand, const std::string& csv) {
 
 }  // namespace
 
-void AddHandCommand(CLI::App& program, ExitCode& exit_code) {
-  CLI::App& group = AddSubcommand(program, "hand", "Show and check hands.",
-                                  "  graspbench hand list\n"
-                                  "  graspbench hand check my_hand/");
-  group.require_subcommand(1);
+void AddHandCommand(Command& program, ExitCode& exit_code) {
+  Command& group = AddSubcommand(program, "hand", "Show and check hands.",
+                                 "  graspbench hand list\n"
+                                 "  graspbench hand check my_hand/");
+  group.RequireSubcommand();
   const auto id = std::make_shared<std::string>();
   const auto joints = std::make_shared<std::vector<std::string>>();
   const auto json = std::make_shared<bool>(false);
   const auto add = [&](const char* name, const char* description, const char* examples) {
-    CLI::App& command = AddSubcommand(group, name, description, examples);
-    command.add_flag("--json", *json, "print one JSON object");
+    Command& command = AddSubcommand(group, name, description, examples);
+    command.AddFlag("--json", *json, "print one JSON object");
     return &command;
   };
-  const auto add_hand = [&](CLI::App* command) {
-    command->add_option("hand", *id, "id, or folder with hand.urdf and hand.yaml")
-        ->required()
-        ->option_text("HAND");
+  const auto add_hand = [&](Command* command) {
+    command->AddOption("hand", *id, "id, or folder with hand.urdf and hand.yaml")
+        ->Require()
+        ->ValueName("HAND");
   };
 
-  CLI::App* list = add("list", "List the hands that come with the program.",
-                       "  graspbench hand list\n"
-                       "  graspbench hand list --json");
-  list->callback([json] {
+  Command* list = add("list", "List the hands that come with the program.",
+                      "  graspbench hand list\n"
+                      "  graspbench hand list --json");
+  list->SetAction([json] {
     const DescribedHands hands = DescribeHands();
     *json ? PrintJson(hands.json) : PrintResult(hands.table);
   });
 
-  CLI::App* show = add("show", "Show joints, limits, drives and grasps of a hand.",
-                       "  graspbench hand show shadow\n"
-                       "  graspbench hand show my_hand/ --collision my_hand.png\n"
-                       "  graspbench hand show tum --grasps --csv grasps.csv\n"
-                       "  graspbench hand show my_hand/ --json");
+  Command* show = add("show", "Show joints, limits, drives and grasps of a hand.",
+                      "  graspbench hand show shadow\n"
+                      "  graspbench hand show my_hand/ --collision my_hand.png\n"
+                      "  graspbench hand show tum --grasps --csv grasps.csv\n"
+                      "  graspbench hand show my_hand/ --json");
   add_hand(show);
   const auto collision = std::make_shared<std::string>();
-  show->add_option("--collision", *collision,
-                   "also draw what of the hand touches beside its pictures, into a new file")
-      ->option_text("FILE");
+  show->AddOption("--collision", *collision,
+                  "also draw what of the hand touches beside its pictures, into a new file")
+      ->ValueName("FILE");
   const auto grasps = std::make_shared<bool>(false);
   const auto csv = std::make_shared<std::string>();
-  CLI::Option* show_grasps = show->add_flag(
+  Option* show_grasps = show->AddFlag(
       "--grasps", *grasps, "show placement, pre-grasp and target of all standard grasps instead");
-  show->add_option("--csv", *csv, "also write those numbers into a new file")
-      ->needs(show_grasps)
-      ->option_text("FILE");
-  show_grasps->excludes("--json");
-  show->callback([id, collision, grasps, csv, json] {
+  show->AddOption("--csv", *csv, "also write those numbers into a new file")
+      ->Needs(show_grasps)
+      ->ValueName("FILE");
+  show_grasps->Excludes("--json");
+  show->SetAction([id, collision, grasps, csv, json] {
     const auto hand = std::make_shared<const Hand>(LoadHand(*id));
     if (*grasps) return ShowGrasps(*hand, *csv);
     if (!collision->empty()) CheckOutputFile(*collision);
@@ -109,28 +108,28 @@ void AddHandCommand(CLI::App& program, ExitCode& exit_code) {
     }
   });
 
-  CLI::App* check =
+  Command* check =
       add("check", "Read a hand; list problems with file and line, and contact outside each link.",
           "  graspbench hand check my_hand/\n"
           "  graspbench hand check my_hand/ --json");
   add_hand(check);
-  check->callback([id, json, &exit_code] { exit_code = CheckHandCommand(*id, *json); });
+  check->SetAction([id, json, &exit_code] { exit_code = CheckHandCommand(*id, *json); });
 
-  CLI::App* fk =
+  Command* fk =
       add("fk", "Calculate forward kinematics: the last link of each digit in the palm's frame.",
           "  graspbench hand fk shadow --joints FFJ3=30,FFJ2=45\n"
           "  graspbench hand fk shadow --joints THJ5=20,THJ4=40 --json");
   add_hand(fk);
-  fk->add_option("--joints", *joints,
-                 "joint angles in degrees; others are zero, coupled ones follow")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->option_text("NAME=DEG,..");
+  fk->AddOption("--joints", *joints,
+                "joint angles in degrees; others are zero, coupled ones follow")
+      ->SplitAtCommas()
+      ->OneValueEach()
+      ->ValueName("NAME=DEG,..");
   const auto link = std::make_shared<std::string>();
-  fk->add_option("--link", *link,
-                 "this link or frame of the description instead of the digits' last links")
-      ->option_text("NAME");
-  fk->callback([id, joints, link, json] { PrintForwardKinematics(*id, *joints, *link, *json); });
+  fk->AddOption("--link", *link,
+                "this link or frame of the description instead of the digits' last links")
+      ->ValueName("NAME");
+  fk->SetAction([id, joints, link, json] { PrintForwardKinematics(*id, *joints, *link, *json); });
 }
 
 }  // namespace graspbench

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
@@ -83,36 +82,36 @@ void Develop(const DevelopHandRequest& request) {
 
 }  // namespace
 
-void AddHandDevelopCommand(CLI::App& program, ExitCode&) {
+void AddHandDevelopCommand(Command& program, ExitCode&) {
   const auto request = std::make_shared<DevelopHandRequest>();
-  CLI::App& command = AddSubcommand(
-      *program.get_subcommand("hand"), "develop",
+  Command& command = AddSubcommand(
+      program.Subcommand("hand"), "develop",
       "Find a hand's grasps g1 to g5, by geometry, then in simulation on shapes made for it.",
       "  graspbench hand develop allegro --out allegro-developed\n"
       "  graspbench hand develop shadow --budget 20000 --seed 2 --out my-shadow");
-  command.add_option("hand", request->hand, "id, or folder with hand.urdf and hand.yaml")
-      ->required()
-      ->option_text("HAND");
+  command.AddOption("hand", request->hand, "id, or folder with hand.urdf and hand.yaml")
+      ->Require()
+      ->ValueName("HAND");
   command
-      .add_option("--out", request->out,
-                  "folder for the hand with its grasps; the same command again continues it")
-      ->required()
-      ->option_text("DIR");
+      .AddOption("--out", request->out,
+                 "folder for the hand with its grasps; the same command again continues it")
+      ->Require()
+      ->ValueName("DIR");
   command
-      .add_option("--budget", request->config.budget,
-                  "trials of all grasps together, about; the least that run are 52 a grasp")
-      ->check(CLI::Range(100, 10000000))
-      ->option_text("N")
-      ->capture_default_str();
-  command.add_option("--seed", request->config.seed, "another seed gives another development")
-      ->check(CLI::Range(0, 2147483647))
-      ->option_text("N")
-      ->capture_default_str();
-  command.add_flag("--any-coupling", request->config.any_coupling,
-                   "the rule of coupled joints is not known: train with all of them");
+      .AddOption("--budget", request->config.budget,
+                 "trials of all grasps together, about; the least that run are 52 a grasp")
+      ->Within(100, 10000000)
+      ->ValueName("N")
+      ->ShowDefault();
+  command.AddOption("--seed", request->config.seed, "another seed gives another development")
+      ->Within(0, 2147483647)
+      ->ValueName("N")
+      ->ShowDefault();
+  command.AddFlag("--any-coupling", request->config.any_coupling,
+                  "the rule of coupled joints is not known: train with all of them");
   AddJobsOption(command, request->num_workers);
   AddTrialTimeoutOption(command, request->trial_time_limit);
-  command.callback([request] { Develop(*request); });
+  command.SetAction([request] { Develop(*request); });
 }
 
 }  // namespace graspbench

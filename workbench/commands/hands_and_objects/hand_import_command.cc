@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 #include <vector>
@@ -85,50 +84,50 @@ ExitCode ImportHandCommand(const HandImportOptions& options, bool json) {
 
 }  // namespace
 
-void AddHandImportCommand(CLI::App& program, ExitCode& exit_code) {
+void AddHandImportCommand(Command& program, ExitCode& exit_code) {
   const auto import = std::make_shared<HandImportOptions>();
   const auto json = std::make_shared<bool>(false);
-  CLI::App& command = AddSubcommand(
-      *program.get_subcommand("hand"), "import",
+  Command& command = AddSubcommand(
+      program.Subcommand("hand"), "import",
       "Import a hand from a URDF or MJCF; report repairs, assumptions, contact outside each link.",
       "  graspbench hand import allegro_hand_right.urdf --out allegro\n"
       "  graspbench hand import urdf/svh.urdf --package-path ~/ros/src --out svh\n"
       "  graspbench hand import shadow_hand/right_hand.xml --out shadow-mjcf");
-  command.add_option("file", import->file, "the description: URDF, or a MuJoCo model")
-      ->required()
-      ->option_text("FILE");
-  command.add_option("--out", import->out, "folder for the hand; new or empty")
-      ->required()
-      ->option_text("DIR");
+  command.AddOption("file", import->file, "the description: URDF, or a MuJoCo model")
+      ->Require()
+      ->ValueName("FILE");
+  command.AddOption("--out", import->out, "folder for the hand; new or empty")
+      ->Require()
+      ->ValueName("DIR");
   command
-      .add_option("--package-path", import->package_path,
-                  "folder with the packages that mesh addresses name; may be repeated")
-      ->allow_extra_args(false)
-      ->option_text("DIR");
+      .AddOption("--package-path", import->package_path,
+                 "folder with the packages that mesh addresses name; may be repeated")
+      ->OneValueEach()
+      ->ValueName("DIR");
   const auto add_unit = [&](const char* name, std::string& unit, const char* description) {
-    command.add_option(name, unit, description)
-        ->check(CLI::IsMember({"m", "dm", "cm", "mm", "in"}))
-        ->option_text("m|dm|cm|mm|in");
+    command.AddOption(name, unit, description)
+        ->OneOf({"m", "dm", "cm", "mm", "in"})
+        ->ValueName("m|dm|cm|mm|in");
   };
   add_unit("--unit", import->unit, "unit of its lengths; otherwise inferred, and reported");
   add_unit("--mesh-unit", import->mesh_unit,
            "unit of its mesh files; otherwise inferred, and reported");
-  command.add_option("--angle", import->angle, "unit of its joint limits (MJCF: of all angles)")
-      ->check(CLI::IsMember({"deg", "rad"}))
-      ->option_text("deg|rad");
+  command.AddOption("--angle", import->angle, "unit of its joint limits (MJCF: of all angles)")
+      ->OneOf({"deg", "rad"})
+      ->ValueName("deg|rad");
   command
-      .add_option("--palm", import->palm,
-                  "link of the palm, where it is not found, or of the hand of a scene")
-      ->option_text("LINK");
+      .AddOption("--palm", import->palm,
+                 "link of the palm, where it is not found, or of the hand of a scene")
+      ->ValueName("LINK");
   command
-      .add_option("--palm-normal", import->palm_normal,
-                  "direction out of the palm in its frame, where it is not found")
-      ->expected(3)
-      ->delimiter(',')
-      ->option_text("X,Y,Z");
+      .AddOption("--palm-normal", import->palm_normal,
+                 "direction out of the palm in its frame, where it is not found")
+      ->NumValues(3, 3)
+      ->SplitAtCommas()
+      ->ValueName("X,Y,Z");
   AddReplaceOption(command, import->replace);
-  command.add_flag("--json", *json, "print one JSON object");
-  command.callback([import, json, &exit_code] { exit_code = ImportHandCommand(*import, *json); });
+  command.AddFlag("--json", *json, "print one JSON object");
+  command.SetAction([import, json, &exit_code] { exit_code = ImportHandCommand(*import, *json); });
 }
 
 }  // namespace graspbench

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
@@ -71,39 +70,37 @@ void WriteNewFiles(const NewOptions& options) {
 
 }  // namespace
 
-void AddNewCommand(CLI::App& program, ExitCode&) {
-  CLI::App& command =
+void AddNewCommand(Command& program, ExitCode&) {
+  Command& command =
       AddSubcommand(program, "new", "Write a small example to start from, every key explained.",
                     "  graspbench new object my_object\n"
                     "  graspbench new session pilot\n"
                     "  graspbench new grasp timed --timing results/study --object golf_ball\n"
                     "      as people close their hands");
   const auto options = std::make_shared<NewOptions>();
-  command.add_option("kind", options->kind, ListNames(ListKinds()))
-      ->required()
-      ->check(CLI::IsMember(ListKinds()))
-      ->option_text("KIND");
-  command.add_option("folder", options->folder, "new or empty")->required()->option_text("DIR");
-  std::vector<CLI::Option*> of_grasp = {
+  command.AddOption("kind", options->kind, ListNames(ListKinds()))
+      ->Require()
+      ->OneOf(ListKinds())
+      ->ValueName("KIND");
+  command.AddOption("folder", options->folder, "new or empty")->Require()->ValueName("DIR");
+  std::vector<Option*> of_grasp = {
       command
-          .add_option("--timing", options->study, "of a grasp: a study whose contact times it has")
-          ->option_text("STUDY"),
+          .AddOption("--timing", options->study, "of a grasp: a study whose contact times it has")
+          ->ValueName("STUDY"),
       command
-          .add_option("--object", options->object,
-                      "with --timing: the object that the digits touch at these times; without, "
-                      "only the starts of closing are so")
-          ->option_text("ID"),
-      command.add_option("--hand", options->hand, "of a grasp")
-          ->option_text("HAND")
-          ->capture_default_str(),
-      command.add_option("--grasp", options->grasp, "of the hand, to begin with")
-          ->option_text("ID")
-          ->capture_default_str()};
-  command.callback([options, of_grasp] {
-    for (const CLI::Option* option : of_grasp) {
-      if (options->kind == kGrasp || option->empty()) continue;
-      throw Error(ErrorKind::kUsage, option->get_name() + " is for a grasp, and \"" +
-                                         options->kind + "\" is not; leave it out");
+          .AddOption("--object", options->object,
+                     "with --timing: the object that the digits touch at these times; without, "
+                     "only the starts of closing are so")
+          ->ValueName("ID"),
+      command.AddOption("--hand", options->hand, "of a grasp")->ValueName("HAND")->ShowDefault(),
+      command.AddOption("--grasp", options->grasp, "of the hand, to begin with")
+          ->ValueName("ID")
+          ->ShowDefault()};
+  command.SetAction([options, of_grasp] {
+    for (const Option* option : of_grasp) {
+      if (options->kind == kGrasp || !option->IsGiven()) continue;
+      throw Error(ErrorKind::kUsage, option->name() + " is for a grasp, and \"" + options->kind +
+                                         "\" is not; leave it out");
     }
     if (!options->object.empty() && options->study.empty()) {
       throw Error(ErrorKind::kUsage,

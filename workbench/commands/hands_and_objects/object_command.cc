@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -88,31 +87,31 @@ ExitCode AnswerInJson(bool json, const Answer& answer) {
 
 }  // namespace
 
-void AddObjectCommand(CLI::App& program, ExitCode& exit_code) {
-  CLI::App& group = AddSubcommand(program, "object", "Show and check things to grasp.",
-                                  "  graspbench object list\n"
-                                  "  graspbench object check mug.stl --unit mm");
-  group.require_subcommand(1);
+void AddObjectCommand(Command& program, ExitCode& exit_code) {
+  Command& group = AddSubcommand(program, "object", "Show and check things to grasp.",
+                                 "  graspbench object list\n"
+                                 "  graspbench object check mug.stl --unit mm");
+  group.RequireSubcommand();
   const auto id = std::make_shared<std::string>();
   const auto json = std::make_shared<bool>(false);
 
-  CLI::App& list = AddSubcommand(group, "list", "List the catalogue's objects.",
-                                 "  graspbench object list\n"
-                                 "  graspbench object list --json");
-  list.add_flag("--json", *json, "print one JSON object");
-  list.callback([json] {
+  Command& list = AddSubcommand(group, "list", "List the catalogue's objects.",
+                                "  graspbench object list\n"
+                                "  graspbench object list --json");
+  list.AddFlag("--json", *json, "print one JSON object");
+  list.SetAction([json] {
     const DescribedObjects objects = DescribeObjects();
     *json ? PrintJson(objects.json) : PrintResult(objects.table);
   });
 
-  CLI::App& show = AddSubcommand(group, "show", "Show sizes, mass and friction of an object.",
-                                 "  graspbench object show can\n"
-                                 "  graspbench object show my_object/ --json");
-  show.add_option("object", *id, "id, or folder with object.yaml and a mesh")
-      ->required()
-      ->option_text("OBJECT");
-  show.add_flag("--json", *json, "print one JSON object");
-  show.callback([id, json, &exit_code] {
+  Command& show = AddSubcommand(group, "show", "Show sizes, mass and friction of an object.",
+                                "  graspbench object show can\n"
+                                "  graspbench object show my_object/ --json");
+  show.AddOption("object", *id, "id, or folder with object.yaml and a mesh")
+      ->Require()
+      ->ValueName("OBJECT");
+  show.AddFlag("--json", *json, "print one JSON object");
+  show.SetAction([id, json, &exit_code] {
     exit_code = AnswerInJson(*json, [&] {
       const auto object = LoadObject(*id);
       *json ? PrintJson(MakeObjectJson(*object)) : PrintResult(FormatObject(*object));
@@ -120,21 +119,21 @@ void AddObjectCommand(CLI::App& program, ExitCode& exit_code) {
     });
   });
 
-  CLI::App& check = AddSubcommand(group, "check", "Report whether a mesh can be used, and why not.",
-                                  "  graspbench object check mug.stl --unit mm\n"
-                                  "  graspbench object check mug.stl --unit mm --repair");
+  Command& check = AddSubcommand(group, "check", "Report whether a mesh can be used, and why not.",
+                                 "  graspbench object check mug.stl --unit mm\n"
+                                 "  graspbench object check mug.stl --unit mm --repair");
   const auto options = std::make_shared<MeshCheckOptions>();
   const std::string what =
       "mesh file (" + ListMeshFormats() + "), or folder with object.yaml and a mesh";
-  check.add_option("path", options->path, what)->required()->option_text("PATH");
-  check.add_option("--unit", options->unit, "of the mesh file's numbers: " + ListNames(kUnits))
-      ->check(CLI::IsMember(kUnits))
-      ->option_text("UNIT")
-      ->default_str("by the size");
-  check.add_flag("--repair", options->repair,
-                 "mend a mesh that cannot be used; writes NAME-repaired.obj if then it can");
-  check.add_flag("--json", options->json, "print one JSON object");
-  check.callback([options, &exit_code] {
+  check.AddOption("path", options->path, what)->Require()->ValueName("PATH");
+  check.AddOption("--unit", options->unit, "of the mesh file's numbers: " + ListNames(kUnits))
+      ->OneOf(kUnits)
+      ->ValueName("UNIT")
+      ->ShowDefault("by the size");
+  check.AddFlag("--repair", options->repair,
+                "mend a mesh that cannot be used; writes NAME-repaired.obj if then it can");
+  check.AddFlag("--json", options->json, "print one JSON object");
+  check.SetAction([options, &exit_code] {
     exit_code = AnswerInJson(options->json, [&] { return ReportMesh(*options); });
   });
 }

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -58,35 +57,33 @@ void Run(const BasinOptions& options) {
 
 }  // namespace
 
-void AddBasinCommand(CLI::App& program, ExitCode&) {
-  CLI::App& command = AddSubcommand(
+void AddBasinCommand(Command& program, ExitCode&) {
+  Command& command = AddSubcommand(
       program, "basin", "Map the placement error that a grasp tolerates.",
       "  graspbench basin --hand tum --object golf_ball --out ball_basin\n"
       "  graspbench basin --hand shadow --object can --grasp g3 --samples 400 --out can_basin");
   const auto options = std::make_shared<BasinOptions>();
   BasinRequest& request = options->request;
-  command.add_option("--hand", request.hand, "hand by id or folder")
-      ->required()
-      ->option_text("HAND");
-  command.add_option("--object", request.object, "object by id or folder")
-      ->required()
-      ->option_text("OBJECT");
-  command.add_option("--grasp", request.grasp, "best, an id or a grasp file")
-      ->option_text("GRASP")
-      ->capture_default_str();
-  command.add_option("--samples", request.num_samples, "offsets to try")
-      ->check(CLI::Range(1, 100000))
-      ->option_text("N")
-      ->capture_default_str();
+  command.AddOption("--hand", request.hand, "hand by id or folder")->Require()->ValueName("HAND");
+  command.AddOption("--object", request.object, "object by id or folder")
+      ->Require()
+      ->ValueName("OBJECT");
+  command.AddOption("--grasp", request.grasp, "best, an id or a grasp file")
+      ->ValueName("GRASP")
+      ->ShowDefault();
+  command.AddOption("--samples", request.num_samples, "offsets to try")
+      ->Within(1, 100000)
+      ->ValueName("N")
+      ->ShowDefault();
   AddJobsOption(command, options->num_workers);
   AddTrialTimeoutOption(command, options->trial_time_limit);
   AddPlanOnlyOption(command, options->plan_only);
-  command.add_option("--out", request.out, "folder for report and basin.csv")
-      ->required()
-      ->option_text("DIR");
+  command.AddOption("--out", request.out, "folder for report and basin.csv")
+      ->Require()
+      ->ValueName("DIR");
   AddReplaceOption(command, request.replace);
   AddJsonOption(command, options->json);
-  command.callback([options] { Run(*options); });
+  command.SetAction([options] { Run(*options); });
 }
 
 }  // namespace graspbench

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -88,56 +87,53 @@ ExitCode Replay(const OptimiseOptions& options) {
   return replayed.is_same ? kExitOk : kExitFailed;
 }
 
-void AddOptions(CLI::App& command, OptimiseOptions& options) {
+void AddOptions(Command& command, OptimiseOptions& options) {
   SceneConfig& scene = options.config;
   OptimiseConfig& config = scene.optimise;
   scene.grasp = "best";
-  command.add_option("--hand", scene.hand, "hand by id or folder")->option_text("H");
-  command.add_option("--object", scene.object, "object by id or folder")->option_text("O");
-  command.add_option("--grasp", scene.grasp, "standard grasp")
-      ->option_text("G")
-      ->capture_default_str();
-  command.add_option("--step", config.step, "1: new pre-grasp, 2: new target grasp, both")
-      ->check(CLI::IsMember(ListNames(kOptimiseSteps)))
-      ->option_text("STEP")
-      ->capture_default_str();
+  command.AddOption("--hand", scene.hand, "hand by id or folder")->ValueName("H");
+  command.AddOption("--object", scene.object, "object by id or folder")->ValueName("O");
+  command.AddOption("--grasp", scene.grasp, "standard grasp")->ValueName("G")->ShowDefault();
+  command.AddOption("--step", config.step, "1: new pre-grasp, 2: new target grasp, both")
+      ->OneOf(ListNames(kOptimiseSteps))
+      ->ValueName("STEP")
+      ->ShowDefault();
   command
-      .add_option("--method", config.method, "search of step 2: " + ListNames(ListSearchMethods()))
-      ->check(CLI::IsMember(ListSearchMethods()))
-      ->option_text("METHOD")
-      ->capture_default_str();
+      .AddOption("--method", config.method, "search of step 2: " + ListNames(ListSearchMethods()))
+      ->OneOf(ListSearchMethods())
+      ->ValueName("METHOD")
+      ->ShowDefault();
   AddSearchOptions(command, config, "of step 2");
-  command.add_option("--seed", config.seed, "another seed gives another search")
-      ->option_text("N")
-      ->capture_default_str();
+  command.AddOption("--seed", config.seed, "another seed gives another search")
+      ->ValueName("N")
+      ->ShowDefault();
   AddSettingsOption(command, options.settings, "model.mass_scale=2");
   AddPlanOnlyOption(command, options.plan_only);
   AddJobsOption(command, options.num_workers);
   command
-      .add_option("--out", options.out,
-                  "folder of the results; the same command again continues it")
-      ->option_text("DIR")
-      ->default_str("results/optimise-HAND-OBJECT-HASH");
+      .AddOption("--out", options.out, "folder of the results; the same command again continues it")
+      ->ValueName("DIR")
+      ->ShowDefault("results/optimise-HAND-OBJECT-HASH");
   AddResumeOption(command, options.resume);
   AddTrialTimeoutOption(command, options.trial_time_limit);
   AddJsonOption(command, options.json);
   command
-      .add_option("--replay", options.replay,
-                  "simulate individual N of the finished folder again and save its grasp")
-      ->option_text("N");
+      .AddOption("--replay", options.replay,
+                 "simulate individual N of the finished folder again and save its grasp")
+      ->ValueName("N");
 }
 
 }  // namespace
 
-void AddOptimiseCommand(CLI::App& program, ExitCode& exit_code) {
-  CLI::App& command =
+void AddOptimiseCommand(Command& program, ExitCode& exit_code) {
+  Command& command =
       AddSubcommand(program, "optimise", "Make a standard grasp fit one object, in two steps.",
                     "  graspbench optimise --hand tum --object adhesive_tape --out results/tape\n"
                     "  graspbench run --hand tum --object adhesive_tape --grasp "
                     "best,results/tape/new-target.yaml");
   const auto options = std::make_shared<OptimiseOptions>();
   AddOptions(command, *options);
-  command.callback([options, &command, &exit_code] {
+  command.SetAction([options, &command, &exit_code] {
     if (options->resume) {
       CheckResume(command, {"--hand", "--object", "--grasp", "--step", "--method", "--evaluations",
                             "--fitness-trials", "--search", "--fitness", "--race", "--grip",

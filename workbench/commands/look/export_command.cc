@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <set>
 #include <string>
@@ -95,34 +94,34 @@ void Export(const ExportOptions& options) {
 
 }  // namespace
 
-void AddExportCommand(CLI::App& program, ExitCode&) {
-  CLI::App& command =
+void AddExportCommand(Command& program, ExitCode&) {
+  Command& command =
       AddSubcommand(program, "export", "Write the trials of a session as CSV and SQLite.",
                     "  graspbench export results/benchmark-1a2b3c4d\n"
                     "  column -ts, \"$(graspbench export results/pilot)\" | less -S\n"
                     "  graspbench export results/pilot --mjcf all --out scenes");
   const auto options = std::make_shared<ExportOptions>();
-  command.add_option("folder", options->folder, "folder of the session")
-      ->required()
-      ->option_text("DIR");
+  command.AddOption("folder", options->folder, "folder of the session")
+      ->Require()
+      ->ValueName("DIR");
   command
-      .add_option("--mjcf", options->mjcf,
-                  "instead: scene and commanded motion of these trials for MuJoCo")
-      ->delimiter(',')
-      ->option_text("ID,..|all");
-  command.add_option("--out", options->out, "folder for a session that cannot be written")
-      ->option_text("DIR")
-      ->default_str("that of the session");
-  command.add_flag("--records", options->with_records,
-                   "also records.jsonl: everything, a line a trial, as the journals hold it");
-  CLI::Option* ro_crate = command.add_flag(
+      .AddOption("--mjcf", options->mjcf,
+                 "instead: scene and commanded motion of these trials for MuJoCo")
+      ->SplitAtCommas()
+      ->ValueName("ID,..|all");
+  command.AddOption("--out", options->out, "folder for a session that cannot be written")
+      ->ValueName("DIR")
+      ->ShowDefault("that of the session");
+  command.AddFlag("--records", options->with_records,
+                  "also records.jsonl: everything, a line a trial, as the journals hold it");
+  Option* ro_crate = command.AddFlag(
       "--ro-crate", options->with_ro_crate,
       "also ro-crate-metadata.json: what is in the folder and how it came about, for archives");
-  ro_crate->excludes("--out")->excludes("--mjcf");
+  ro_crate->Excludes("--out")->Excludes("--mjcf");
   AddReplaceOption(command, options->replace);
   AddJsonOption(command, options->json);
   AddAcceptDamageOption(command, options->on_damage);
-  command.callback([options] { Export(*options); });
+  command.SetAction([options] { Export(*options); });
 }
 
 }  // namespace graspbench

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 #include <utility>
@@ -57,26 +56,22 @@ void Render(const RenderOptions& options) {
 
 }  // namespace
 
-void AddRenderCommand(CLI::App& program, ExitCode&) {
-  CLI::App& command = AddSubcommand(
+void AddRenderCommand(Command& program, ExitCode&) {
+  Command& command = AddSubcommand(
       program, "render", "Run one trial without variation and draw it with its forces.",
       "  graspbench render shadow can g3 --at closed --out can.png\n"
       "  graspbench render tum golf_ball best --at 1.25s --camera top --out ball.png");
   const auto options = std::make_shared<RenderOptions>();
-  command.add_option("hand", options->hand, "hand by id or folder")
-      ->required()
-      ->option_text("HAND");
-  command.add_option("object", options->object, "object by id or folder")
-      ->required()
-      ->option_text("OBJECT");
-  command.add_option("grasp", options->grasp, "an id as g1, best, by-sight, or a grasp file")
-      ->required()
-      ->option_text("GRASP");
+  command.AddOption("hand", options->hand, "hand by id or folder")->Require()->ValueName("HAND");
+  command.AddOption("object", options->object, "object by id or folder")
+      ->Require()
+      ->ValueName("OBJECT");
+  command.AddOption("grasp", options->grasp, "an id as g1, best, by-sight, or a grasp file")
+      ->Require()
+      ->ValueName("GRASP");
   AddPictureOptions(command, options->at, options->view, options->size);
-  command.add_option("--out", options->out, "the picture (PNG)")
-      ->required()
-      ->option_text("FILE.PNG");
-  command.callback([options] { Render(*options); });
+  command.AddOption("--out", options->out, "the picture (PNG)")->Require()->ValueName("FILE.PNG");
+  command.SetAction([options] { Render(*options); });
 }
 
 }  // namespace graspbench

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -69,8 +68,8 @@ void Report(const ReportOptions& options) {
 
 }  // namespace
 
-void AddReportCommand(CLI::App& program, ExitCode&) {
-  CLI::App& command =
+void AddReportCommand(Command& program, ExitCode&) {
+  Command& command =
       AddSubcommand(program, "report", "Write the report of any result, finished or not.",
                     "  graspbench report results/benchmark-1a2b3c4d\n"
                     "  xdg-open \"$(graspbench report results/pilot --3d)\"\n"
@@ -78,40 +77,40 @@ void AddReportCommand(CLI::App& program, ExitCode&) {
                     "  graspbench compare results/a results/b          what differs between two");
   const auto options = std::make_shared<ReportOptions>();
   command
-      .add_option("folder", options->folder, "folder of a session, a campaign, a study or a basin")
-      ->required()
-      ->option_text("DIR");
-  command.add_option("--out", options->out, "folder for a result that cannot be written")
-      ->option_text("DIR")
-      ->default_str("that of the result");
-  CLI::Option* paper =
+      .AddOption("folder", options->folder, "folder of a session, a campaign, a study or a basin")
+      ->Require()
+      ->ValueName("DIR");
+  command.AddOption("--out", options->out, "folder for a result that cannot be written")
+      ->ValueName("DIR")
+      ->ShowDefault("that of the result");
+  Option* paper =
       command
-          .add_option(
+          .AddOption(
               "--paper", options->paper,
               "folder for the page's figures, tables as CSV and LaTeX, methods.md and refs.bib")
-          ->option_text("DIR");
+          ->ValueName("DIR");
   command
-      .add_option("--figures", options->figures,
-                  "of --paper: shown (what the page shows unfolded, at most 20 figures and 12 "
-                  "tables) or all")
-      ->check(CLI::IsMember({"shown", "all"}))
-      ->needs(paper)
-      ->option_text("WHICH")
-      ->default_str("shown");
+      .AddOption("--figures", options->figures,
+                 "of --paper: shown (what the page shows unfolded, at most 20 figures and 12 "
+                 "tables) or all")
+      ->OneOf({"shown", "all"})
+      ->Needs(paper)
+      ->ValueName("WHICH")
+      ->ShowDefault("shown");
   const auto add_views = [&](const char* name, PageViews views, const char* text) {
-    return command.add_flag_callback(
+    return command.AddFlag(
         name, [options, views] { options->views = views; }, text);
   };
-  CLI::Option* with = add_views("--3d", PageViews::kWith,
-                                "of a session: one trial of each outcome and condition carried out "
-                                "again, as a scene to turn and play; a page that has them keeps "
-                                "them");
+  Option* with = add_views("--3d", PageViews::kWith,
+                           "of a session: one trial of each outcome and condition carried out "
+                           "again, as a scene to turn and play; a page that has them keeps "
+                           "them");
   add_views("--no-3d", PageViews::kWithout, "leave them out of a page that has them")
-      ->excludes(with);
+      ->Excludes(with);
   AddReplaceOption(command, options->replace);
   AddJsonOption(command, options->json);
   AddAcceptDamageOption(command, options->on_damage);
-  command.callback([options] { Report(*options); });
+  command.SetAction([options] { Report(*options); });
 }
 
 }  // namespace graspbench

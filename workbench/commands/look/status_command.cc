@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -35,8 +34,8 @@ ExitCode ShowStatus(const StatusOptions& options) {
 
 }  // namespace
 
-void AddStatusCommand(CLI::App& program, ExitCode& exit_code) {
-  CLI::App& command = AddSubcommand(
+void AddStatusCommand(Command& program, ExitCode& exit_code) {
+  Command& command = AddSubcommand(
       program, "status", "Show how far the shards of a session or campaign are, by its journals.",
       "  graspbench status results/pilot            every line is checked; damaged: exit code 3\n"
       "  graspbench status results/large --quick    above 1 GB, where checking takes minutes\n"
@@ -46,9 +45,9 @@ void AddStatusCommand(CLI::App& program, ExitCode& exit_code) {
                  "folder of a session, campaign, optimisation or development");
   AddSecondsOption(command, "--stale-after", options->stale_after,
                    "seconds without a new line after which an unfinished shard is stale");
-  command.add_flag("--quick", options->quick, "count, do not check; else 1 GB and more end with 1");
-  command.add_flag("--json", options->json, "print one JSON object");
-  command.callback([options, &exit_code] { exit_code = ShowStatus(*options); });
+  command.AddFlag("--quick", options->quick, "count, do not check; else 1 GB and more end with 1");
+  command.AddFlag("--json", options->json, "print one JSON object");
+  command.SetAction([options, &exit_code] { exit_code = ShowStatus(*options); });
 }
 
 }  // namespace graspbench

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -103,8 +102,8 @@ ExitCode Watch(const WatchOptions& options) {
 
 }  // namespace
 
-void AddWatchCommand(CLI::App& program, ExitCode& exit_code) {
-  CLI::App& command = AddSubcommand(
+void AddWatchCommand(Command& program, ExitCode& exit_code) {
+  Command& command = AddSubcommand(
       program, "watch", "Follow a running session or campaign by its journals, until its end.",
       "  graspbench watch results/pilot\n"
       "  graspbench watch results/pilot --interval 10 | tee progress.txt");
@@ -114,8 +113,8 @@ void AddWatchCommand(CLI::App& program, ExitCode& exit_code) {
   AddSecondsOption(command, "--interval", options->interval, "seconds between two looks");
   AddSecondsOption(command, "--stale-after", options->stale_after,
                    "seconds without a new line after which an unfinished shard is stale");
-  command.add_flag("--quick", options->quick, "count, do not check; else 1 GB and more end with 1");
-  command.callback([options, &exit_code] { exit_code = Watch(*options); });
+  command.AddFlag("--quick", options->quick, "count, do not check; else 1 GB and more end with 1");
+  command.SetAction([options, &exit_code] { exit_code = Watch(*options); });
 }
 
 }  // namespace graspbench

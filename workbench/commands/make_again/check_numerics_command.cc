@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -68,8 +67,8 @@ void Check(const NumericsOptions& options) {
 
 }  // namespace
 
-void AddCheckNumericsCommand(CLI::App& program, ExitCode&) {
-  CLI::App& command =
+void AddCheckNumericsCommand(Command& program, ExitCode&) {
+  Command& command =
       AddSubcommand(program, "check-numerics",
                     "Run trials again with other numerics and list the verdicts that flip.",
                     "  graspbench check-numerics results/benchmark-1a2b3c4d\n"
@@ -78,18 +77,18 @@ void AddCheckNumericsCommand(CLI::App& program, ExitCode&) {
   AddStoreFolder(command, options->request.folder, "folder of the session");
   options->request.trials_per_cell = 1;
   command
-      .add_option("--trials", options->request.trials_per_cell,
-                  "finished trials of each hand, object, grasp to take")
-      ->check(CLI::Range(1, 100000))
-      ->option_text("N")
-      ->capture_default_str();
+      .AddOption("--trials", options->request.trials_per_cell,
+                 "finished trials of each hand, object, grasp to take")
+      ->Within(1, 100000)
+      ->ValueName("N")
+      ->ShowDefault();
   AddJobsOption(command, options->num_workers);
   AddPlanOnlyOption(command, options->request.plan_only);
-  command.add_option("--out", options->out, "table of all comparisons")
-      ->option_text("FILE")
-      ->default_str("check-numerics/numerics.csv in the session");
-  command.add_flag("--json", options->json, "print one JSON object");
-  command.callback([options] { Check(*options); });
+  command.AddOption("--out", options->out, "table of all comparisons")
+      ->ValueName("FILE")
+      ->ShowDefault("check-numerics/numerics.csv in the session");
+  command.AddFlag("--json", options->json, "print one JSON object");
+  command.SetAction([options] { Check(*options); });
 }
 
 }  // namespace graspbench

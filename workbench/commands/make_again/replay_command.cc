@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -59,7 +58,7 @@ void WriteTrajectories(TrajectoryOutput& output) {
                " could not begin: there is nothing to be written of them");
 }
 
-ExitCode ReplayWholePack(const CLI::App& program, const ReplayOptions& options) {
+ExitCode ReplayWholePack(const Command& program, const ReplayOptions& options) {
   if (options.failed || !options.names.empty() || !options.trajectory.name.empty()) {
     throw Error(ErrorKind::kUsage, "a packed pipeline is replayed as a whole; name no trials");
   }
@@ -103,8 +102,8 @@ ExitCode Replay(ReplayOptions options) {
 
 }  // namespace
 
-void AddReplayCommand(CLI::App& program, ExitCode& exit_code) {
-  CLI::App& command = AddSubcommand(
+void AddReplayCommand(Command& program, ExitCode& exit_code) {
+  Command& command = AddSubcommand(
       program, "replay", "Run trials of a session again and compare them with their records.",
       "  graspbench replay results/pilot --all --verify    exit code 3 when one differs\n"
       "  graspbench replay pilot.tar --verify              a packed pipeline, byte for byte\n"
@@ -114,34 +113,34 @@ void AddReplayCommand(CLI::App& program, ExitCode& exit_code) {
   TrajectoryRequest& trajectory = options->trajectory;
   AddStoreFolder(command, options->folder, "a session, or DIR/benchmark of a campaign; or a pack");
   command
-      .add_option("trials", options->names,
-                  "trials, each its trial_id, the first letters of it, or hand-object-grasp:number")
-      ->option_text("ID|CONDITION:N ..");
-  CLI::Option* failed =
-      command.add_flag("--failed", options->failed, "the finished trials that are no success");
-  command.add_flag("--all", options->all, "every trial of the plan")->excludes(failed);
-  command.add_flag("--verify", options->verify,
-                   "name only trials that are not as recorded, and count those without a record");
+      .AddOption("trials", options->names,
+                 "trials, each its trial_id, the first letters of it, or hand-object-grasp:number")
+      ->ValueName("ID|CONDITION:N ..");
+  Option* failed =
+      command.AddFlag("--failed", options->failed, "the finished trials that are no success");
+  command.AddFlag("--all", options->all, "every trial of the plan")->Excludes(failed);
+  command.AddFlag("--verify", options->verify,
+                  "name only trials that are not as recorded, and count those without a record");
   std::string forms;
   for (const TrajectoryForm& form : ListTrajectoryForms()) {
     forms += (forms.empty() ? "" : "; ") + std::string(form.name) + ": " + form.text;
   }
-  command.add_option("--trajectory", trajectory.name, "write what happened; " + forms)
-      ->option_text("FILE|FORM");
-  command.add_option("--fps", trajectory.rate, "instants a second of a trajectory")
-      ->check(CLI::Range(1.0, 1000.0))
-      ->option_text("RATE")
-      ->default_str("60")
-      ->needs("--trajectory");
-  command.add_option("--out", trajectory.out, "new folder for trajectories of FORM")
-      ->option_text("DIR")
-      ->needs("--trajectory");
+  command.AddOption("--trajectory", trajectory.name, "write what happened; " + forms)
+      ->ValueName("FILE|FORM");
+  command.AddOption("--fps", trajectory.rate, "instants a second of a trajectory")
+      ->Within(1.0, 1000.0)
+      ->ValueName("RATE")
+      ->ShowDefault("60")
+      ->Needs("--trajectory");
+  command.AddOption("--out", trajectory.out, "new folder for trajectories of FORM")
+      ->ValueName("DIR")
+      ->Needs("--trajectory");
   AddReplaceOption(command, trajectory.replace);
   AddJobsOption(command, options->num_workers);
   AddTrialTimeoutOption(command, options->trial_time_limit);
   AddAcceptDamageOption(command, options->on_damage);
-  command.add_flag("--json", options->json, "print one JSON object");
-  command.callback([&program, options, &exit_code] {
+  command.AddFlag("--json", options->json, "print one JSON object");
+  command.SetAction([&program, options, &exit_code] {
     const bool is_file = std::filesystem::is_regular_file(options->folder);
     exit_code = is_file ? ReplayWholePack(program, *options) : Replay(*options);
   });

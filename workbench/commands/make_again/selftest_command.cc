@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 
 #include "core/base/text/text.h"
 #include "core/physics/known_answers/known_answer.h"
@@ -63,13 +62,13 @@ ExitCode RunSelftest(bool json) {
 
 }  // namespace
 
-void AddSelftestCommand(CLI::App& program, ExitCode& exit_code) {
-  CLI::App& command = AddSubcommand(
+void AddSelftestCommand(Command& program, ExitCode& exit_code) {
+  Command& command = AddSubcommand(
       program, "selftest", "Run the physics on problems with known answers and print the sheet.",
       "  graspbench selftest\n"
       "  graspbench selftest --json");
-  CLI::Option* json = command.add_flag("--json", "print one JSON object");
-  command.callback([json, &exit_code] { exit_code = RunSelftest(json->count() > 0); });
+  Option* json = command.AddFlag("--json", "print one JSON object");
+  command.SetAction([json, &exit_code] { exit_code = RunSelftest(json->IsGiven()); });
 }
 
 }  // namespace graspbench

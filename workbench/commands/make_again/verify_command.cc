@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
@@ -79,20 +78,18 @@ ExitCode Verify(const VerifyOptions& options) {
 
 }  // namespace
 
-void AddVerifyCommand(CLI::App& program, ExitCode& exit_code) {
-  CLI::App& command = AddSubcommand(
+void AddVerifyCommand(Command& program, ExitCode& exit_code) {
+  Command& command = AddSubcommand(
       program, "verify", "Compare a result folder with the hashes in its manifest.",
       "  graspbench verify results/pilot             damaged: exit code 3; else stale: exit code "
       "1\n"
       "  graspbench verify results/pilot --repair    sets damaged lines aside, seals the rest");
   const auto options = std::make_shared<VerifyOptions>();
-  command.add_option("folder", options->folder, "folder of any result")
-      ->required()
-      ->option_text("DIR");
-  command.add_flag("--repair", options->repair,
-                   "move damaged lines into files beside their journals; nothing is thrown away");
-  command.add_flag("--json", options->json, "print the verdict as one JSON object");
-  command.callback([options, &exit_code] { exit_code = Verify(*options); });
+  command.AddOption("folder", options->folder, "folder of any result")->Require()->ValueName("DIR");
+  command.AddFlag("--repair", options->repair,
+                  "move damaged lines into files beside their journals; nothing is thrown away");
+  command.AddFlag("--json", options->json, "print the verdict as one JSON object");
+  command.SetAction([options, &exit_code] { exit_code = Verify(*options); });
 }
 
 }  // namespace graspbench

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -129,22 +128,22 @@ ExitCode Merge(const MergeOptions& options) {
 
 }  // namespace
 
-void AddMergeCommand(CLI::App& program, ExitCode& exit_code) {
-  CLI::App& command = AddSubcommand(
+void AddMergeCommand(Command& program, ExitCode& exit_code) {
+  Command& command = AddSubcommand(
       program, "merge", "Put the shards of a session or campaign together and write its report.",
       "  graspbench merge results/pilot                 after graspbench work, on one disk\n"
       "  graspbench merge results/pilot node1/pilot node2/pilot");
   const auto options = std::make_shared<MergeOptions>();
   AddStoreFolder(command, options->folder, "folder of a session, campaign or optimisation");
-  command.add_option("others", options->others, "folders of the same one on other disks")
-      ->option_text("OTHER..");
+  command.AddOption("others", options->others, "folders of the same one on other disks")
+      ->ValueName("OTHER..");
   command
-      .add_option(
+      .AddOption(
           "--set-aside", options->aside,
           "leave out what a journal of DIR holds and keep it beside, as journal/2of7-0.jsonl")
-      ->allow_extra_args(false)
-      ->option_text("FILE");
-  command.add_flag("--json", options->json, "print summary and machines as one JSON object");
-  command.callback([options, &exit_code] { exit_code = Merge(*options); });
+      ->OneValueEach()
+      ->ValueName("FILE");
+  command.AddFlag("--json", options->json, "print summary and machines as one JSON object");
+  command.SetAction([options, &exit_code] { exit_code = Merge(*options); });
 }
 }  // namespace graspbench

@@ -1,6 +1,5 @@
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -68,8 +67,8 @@ void Submit(const SubmitOptions& options) {
 
 }  // namespace
 
-void AddSubmitCommand(CLI::App& program, ExitCode&) {
-  CLI::App& command = AddSubcommand(
+void AddSubmitCommand(Command& program, ExitCode&) {
+  Command& command = AddSubcommand(
       program, "submit", "Work on all shards of a session and merge them.",
       "  graspbench submit results/pilot --engine slurm --array 50 --dry-run\n"
       "  graspbench submit results/pilot --engine local\n\n"
@@ -79,16 +78,16 @@ void AddSubmitCommand(CLI::App& program, ExitCode&) {
   SubmitRequest& request = options->request;
   request.num_shards = 0;
   AddStoreFolder(command, request.folder, "folder made with --plan-only");
-  command.add_option("--engine", request.engine, "what starts the workers: local, parallel, slurm")
-      ->required()
-      ->option_text("ENGINE");
-  command.add_option("--array", request.num_shards, "number of shards")
-      ->check(CLI::Range(1, 1000000))
-      ->option_text("N")
-      ->default_str("as begun; or else processors, slurm: 10");
-  command.add_flag("--judge", request.judge, "break what was held, after a merge");
-  command.add_flag("--dry-run", options->dry_run, "print the script and start nothing");
-  command.callback([options] { Submit(*options); });
+  command.AddOption("--engine", request.engine, "what starts the workers: local, parallel, slurm")
+      ->Require()
+      ->ValueName("ENGINE");
+  command.AddOption("--array", request.num_shards, "number of shards")
+      ->Within(1, 1000000)
+      ->ValueName("N")
+      ->ShowDefault("as begun; or else processors, slurm: 10");
+  command.AddFlag("--judge", request.judge, "break what was held, after a merge");
+  command.AddFlag("--dry-run", options->dry_run, "print the script and start nothing");
+  command.SetAction([options] { Submit(*options); });
 }
 
 }  // namespace graspbench

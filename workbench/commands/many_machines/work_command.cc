@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
 #include <memory>
@@ -76,31 +75,31 @@ void Work(const WorkOptions& options) {
 
 }  // namespace
 
-void AddWorkCommand(CLI::App& program, ExitCode&) {
-  CLI::App& command = AddSubcommand(
+void AddWorkCommand(Command& program, ExitCode&) {
+  Command& command = AddSubcommand(
       program, "work", "Run one machine's part of a session or campaign that several work on.",
       "  graspbench work results/pilot --shard 3/7\n"
       "  graspbench work results/pilot --shard 3/7 --time-budget 25m --judge");
   const auto options = std::make_shared<WorkOptions>();
   ShardRequest& request = options->request;
   AddStoreFolder(command, request.folder, "folder made with --plan-only");
-  command.add_option("--shard", options->shard, "which part of how many, from 1/N to N/N")
-      ->required()
-      ->option_text("K/N");
-  command.add_flag("--judge", request.judge, "break what the shard's trials held; after a merge");
+  command.AddOption("--shard", options->shard, "which part of how many, from 1/N to N/N")
+      ->Require()
+      ->ValueName("K/N");
+  command.AddFlag("--judge", request.judge, "break what the shard's trials held; after a merge");
   command
-      .add_option("--time-budget", options->time_budget,
-                  "stop when this time is over, finish the current trial, exit with 75")
-      ->option_text("TIME")
-      ->default_str("none; 90s, 25m, 2h");
-  command.add_option("--jobs", request.num_workers, "trials at a time")
-      ->check(CLI::Range(1, 1024))
-      ->option_text("N")
-      ->capture_default_str();
+      .AddOption("--time-budget", options->time_budget,
+                 "stop when this time is over, finish the current trial, exit with 75")
+      ->ValueName("TIME")
+      ->ShowDefault("none; 90s, 25m, 2h");
+  command.AddOption("--jobs", request.num_workers, "trials at a time")
+      ->Within(1, 1024)
+      ->ValueName("N")
+      ->ShowDefault();
   AddTrialTimeoutOption(command, request.trial_time_limit);
-  command.add_flag("--allow-build", request.allow_build,
-                   "work with another build of graspbench than the one that made the plan");
-  command.callback([options] { Work(*options); });
+  command.AddFlag("--allow-build", request.allow_build,
+                  "work with another build of graspbench than the one that made the plan");
+  command.SetAction([options] { Work(*options); });
 }
 
 }  // namespace graspbench

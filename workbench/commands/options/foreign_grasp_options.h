@@ -9,15 +9,13 @@ The options by which a command names grasps that others made, and what their fil
 #include "datasets/grasps/grasp_files.h"
 #include "workbench/experiments/grasp_inputs.h"
 
-namespace CLI {
-class App;
-}
-
 namespace graspbench {
+
+class Command;
 
 class ForeignGraspOptions {
  public:
-  void AddTo(CLI::App& command);
+  void AddTo(Command& command);
   /** @throws as ReadGraspCollection. */
   GraspCollection Read() const;
 
@@ -32,7 +30,7 @@ class ForeignGraspOptions {
 /** Also the hand that does them, and where their objects' meshes are. */
 class GraspInputOptions {
  public:
-  void AddTo(CLI::App& command);
+  void AddTo(Command& command);
   /** @throws as ReadGraspCollection, LoadGraspInputs. */
   GraspInputs Load(const std::vector<FreeSpaceProfile>& profiles) const;
 

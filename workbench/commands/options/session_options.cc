@@ -1,6 +1,5 @@
 #include "workbench/commands/options/session_options.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
@@ -36,33 +35,37 @@ constexpr SettingOption kOptions[] = {
 
 }  // namespace
 
-void SessionOptions::AddTo(CLI::App& command, const std::string& file_text) {
-  command.add_option("session", session_file_, file_text)->option_text("SESSION");
+void SessionOptions::AddTo(Command& command, const std::string& file_text) {
+  command.AddOption("session", session_file_, file_text)->ValueName("SESSION");
+  std::vector<std::string> presets;
   std::string names;
-  for (const Preset& preset : ListPresets()) names += (names.empty() ? "" : ",") + preset.name;
-  command.add_option("--preset", preset_, "named settings instead of a session file: " + names)
-      ->type_name("{" + names + "}")
-      ->option_text("NAME");
+  for (const Preset& preset : ListPresets()) {
+    presets.push_back(preset.name);
+    names += (names.empty() ? "" : ",") + preset.name;
+  }
+  command.AddOption("--preset", preset_, "named settings instead of a session file: " + names)
+      ->Suggest(presets)
+      ->ValueName("NAME");
   AddSceneOptions(command, given_);
   AddListOption(command, "--grasp", given_.grasps,
                 "best, by-sight, all, ids or grasp files: g1,my.yaml; by-sight: the type by the "
                 "outline that the hand's camera sees, right for 38 of 51 unseen things",
                 "G,..");
   command
-      .add_option("--approach", given_.approach, "above or side, whatever objects and grasps say")
-      ->option_text("FROM")
-      ->capture_default_str();
-  command.add_option("--trials", given_.trials, "trials of each hand, object, grasp")
-      ->option_text("N")
-      ->capture_default_str();
-  command.add_option("--seed", given_.seed, "another seed gives other variations")
-      ->option_text("N")
-      ->capture_default_str();
+      .AddOption("--approach", given_.approach, "above or side, whatever objects and grasps say")
+      ->ValueName("FROM")
+      ->ShowDefault();
+  command.AddOption("--trials", given_.trials, "trials of each hand, object, grasp")
+      ->ValueName("N")
+      ->ShowDefault();
+  command.AddOption("--seed", given_.seed, "another seed gives other variations")
+      ->ValueName("N")
+      ->ShowDefault();
   AddSettingsOption(command, settings_, "sim.step_s=0.001");
   command_ = &command;
 }
 
-bool SessionOptions::IsGiven(const char* option) const { return command_->count(option) > 0; }
+bool SessionOptions::IsGiven(const char* option) const { return command_->IsGiven(option); }
 
 bool SessionOptions::HasAny() const {
   return IsGiven("session") || IsGiven("--preset") || IsGiven("--set") ||

@@ -8,18 +8,16 @@ it. */
 
 #include "datasets/plan/session_config.h"
 
-namespace CLI {
-class App;
-}
-
 namespace graspbench {
+
+class Command;
 
 class SessionOptions {
  public:
   /** @param file_text  what the file is that may be named. */
-  void AddTo(CLI::App& command, const std::string& file_text =
-                                    "session file: YAML, or session.json of a session; absent: the "
-                                    "benchmark");
+  void AddTo(Command& command, const std::string& file_text =
+                                   "session file: YAML, or session.json of a session; absent: the "
+                                   "benchmark");
   /** Whether any of them was given. */
   bool HasAny() const;
   /** The session file or the preset, then --set, then the options. @throws Error(kUsage) for a
@@ -38,7 +36,7 @@ class SessionOptions {
   std::string session_file_, preset_;
   SessionConfig given_;  ///< the values of the options that were given, else defaults
   std::vector<std::string> settings_;
-  const CLI::App* command_ = nullptr;
+  const Command* command_ = nullptr;
 };
 
 }  // namespace graspbench

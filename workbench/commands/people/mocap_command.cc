@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 
@@ -37,26 +36,26 @@ void PrintFindings(const Recording& recording) {
   }
 }
 
-void AddImportOptions(CLI::App& command, const SharedOptions& options) {
-  command.add_option("file", options->in, "recording")->required()->option_text("FILE");
+void AddImportOptions(Command& command, const SharedOptions& options) {
+  command.AddOption("file", options->in, "recording")->Require()->ValueName("FILE");
   std::string formats;
   for (const Importer& importer : ImporterList()) {
     formats += (formats.empty() ? "" : ", ") + std::string(importer.id);
   }
-  command.add_option("--format", options->import.format,
-                     "instead of finding it by content and name: " + formats);
-  command.add_option("--unit", options->import.unit,
-                     "length unit of a file that states none: mm, cm, m, in");
+  command.AddOption("--format", options->import.format,
+                    "instead of finding it by content and name: " + formats);
+  command.AddOption("--unit", options->import.unit,
+                    "length unit of a file that states none: mm, cm, m, in");
   command
-      .add_option("--mapping", options->import.mapping,
-                  "YAML file that names the columns of a plain table")
-      ->option_text("FILE");
-  command.add_option("--trial", options->import.trial,
-                     "plain table with several trials: the one to read");
-  command.add_flag("--accept-truncated", options->import.accept_truncated,
-                   "read a file that is cut off as far as it goes");
-  command.add_flag("--trust-residuals", options->import.trust_residuals,
-                   "C3D: believe residuals that call every sample invalid");
+      .AddOption("--mapping", options->import.mapping,
+                 "YAML file that names the columns of a plain table")
+      ->ValueName("FILE");
+  command.AddOption("--trial", options->import.trial,
+                    "plain table with several trials: the one to read");
+  command.AddFlag("--accept-truncated", options->import.accept_truncated,
+                  "read a file that is cut off as far as it goes");
+  command.AddFlag("--trust-residuals", options->import.trust_residuals,
+                  "C3D: believe residuals that call every sample invalid");
 }
 
 void ShowRecording(const MocapOptions& options) {
@@ -100,43 +99,42 @@ void RedactFile(const MocapOptions& options) {
 
 }  // namespace
 
-void AddMocapCommand(CLI::App& program, ExitCode&) {
-  CLI::App& group =
-      AddSubcommand(program, "mocap", "Show, draw, convert and redact motion capture.",
-                    "  graspbench mocap info reach01.c3d\n"
-                    "  graspbench mocap convert reach01.tsv reach01.c3d");
-  group.require_subcommand(1);
+void AddMocapCommand(Command& program, ExitCode&) {
+  Command& group = AddSubcommand(program, "mocap", "Show, draw, convert and redact motion capture.",
+                                 "  graspbench mocap info reach01.c3d\n"
+                                 "  graspbench mocap convert reach01.tsv reach01.c3d");
+  group.RequireSubcommand();
   const auto options = std::make_shared<MocapOptions>();
 
-  CLI::App& info =
+  Command& info =
       AddSubcommand(group, "info", "Show what a recording holds and what had to be assumed.",
                     "  graspbench mocap info reach01.c3d\n"
                     "  graspbench mocap info table.txt --mapping columns.yaml --json");
   AddImportOptions(info, options);
-  info.add_flag("--json", options->json, "print one JSON object, with the mean of every point");
-  info.callback([options] { ShowRecording(*options); });
+  info.AddFlag("--json", options->json, "print one JSON object, with the mean of every point");
+  info.SetAction([options] { ShowRecording(*options); });
 
-  CLI::App& convert = AddSubcommand(group, "convert",
-                                    "Write a recording as .c3d, .tsv (Qualisys) or .csv (metres).",
-                                    "  graspbench mocap convert reach01.n3d reach01.c3d\n"
-                                    "  graspbench mocap convert take.csv take.c3d --unit mm");
+  Command& convert = AddSubcommand(group, "convert",
+                                   "Write a recording as .c3d, .tsv (Qualisys) or .csv (metres).",
+                                   "  graspbench mocap convert reach01.n3d reach01.c3d\n"
+                                   "  graspbench mocap convert take.csv take.c3d --unit mm");
   AddImportOptions(convert, options);
-  convert.add_option("out", options->out, "file to write")->required()->option_text("OUT");
-  convert.callback([options] { ConvertRecording(*options); });
+  convert.AddOption("out", options->out, "file to write")->Require()->ValueName("OUT");
+  convert.SetAction([options] { ConvertRecording(*options); });
 
-  CLI::App& plot =
+  Command& plot =
       AddSubcommand(group, "plot", "Draw gaps, height and speed of every point into one HTML page.",
                     "  graspbench mocap plot reach01.c3d reach01.html");
   AddImportOptions(plot, options);
-  plot.add_option("out", options->out, "HTML file to write")->required()->option_text("OUT");
-  plot.callback([options] { PlotRecording(*options); });
+  plot.AddOption("out", options->out, "HTML file to write")->Require()->ValueName("OUT");
+  plot.SetAction([options] { PlotRecording(*options); });
 
-  CLI::App& redact = AddSubcommand(
+  Command& redact = AddSubcommand(
       group, "redact", "Copy a recording with names, dates and paths blanked; data stay.",
       "  graspbench mocap redact reach01.c3d share/reach01.c3d");
-  redact.add_option("file", options->in, "recording")->required()->option_text("FILE");
-  redact.add_option("out", options->out, "file to write")->required()->option_text("OUT");
-  redact.callback([options] { RedactFile(*options); });
+  redact.AddOption("file", options->in, "recording")->Require()->ValueName("FILE");
+  redact.AddOption("out", options->out, "file to write")->Require()->ValueName("OUT");
+  redact.SetAction([options] { RedactFile(*options); });
 }
 
 }  // namespace graspbench

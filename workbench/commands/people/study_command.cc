@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -102,59 +101,59 @@ void RunDemo(StudyOptions options) {
 
 }  // namespace
 
-void AddStudyCommand(CLI::App& program, ExitCode& exit_code) {
-  CLI::App& group =
+void AddStudyCommand(Command& program, ExitCode& exit_code) {
+  Command& group =
       AddSubcommand(program, "study", "Analyse people's reaching and grasping from recordings.",
                     "  graspbench study demo --out demo\n"
                     "  graspbench study freeze study.yaml\n"
                     "  graspbench study run study.yaml --out results/pilot");
-  group.require_subcommand(1);
+  group.RequireSubcommand();
   const auto options = std::make_shared<StudyOptions>();
-  const auto add_common = [&](CLI::App& command) {
-    command.add_option("--out", options->out, "folder for tables, BIDS derivative and report")
-        ->required()
-        ->option_text("DIR");
+  const auto add_common = [&](Command& command) {
+    command.AddOption("--out", options->out, "folder for tables, BIDS derivative and report")
+        ->Require()
+        ->ValueName("DIR");
     command
-        .add_option("--robot", options->robot,
-                    "a session of graspbench run to put beside the people")
-        ->option_text("SESSION");
+        .AddOption("--robot", options->robot,
+                   "a session of graspbench run to put beside the people")
+        ->ValueName("SESSION");
     AddReplaceOption(command, options->replace);
   };
 
-  CLI::App& run = AddSubcommand(
+  Command& run = AddSubcommand(
       group, "run", "Turn recordings into tables, statistics and a report.",
       "  graspbench study run study.yaml --out results/pilot\n"
       "  graspbench study run study.yaml --data /data/mocap --out out --robot results/benchmark");
-  run.add_option("study", options->study_file, "what was recorded and every choice")
-      ->required()
-      ->option_text("STUDY.YAML");
-  run.add_option("--data", options->data, "folder of the recordings")
-      ->option_text("DIR")
-      ->default_str("that of study.yaml");
+  run.AddOption("study", options->study_file, "what was recorded and every choice")
+      ->Require()
+      ->ValueName("STUDY.YAML");
+  run.AddOption("--data", options->data, "folder of the recordings")
+      ->ValueName("DIR")
+      ->ShowDefault("that of study.yaml");
   AddSettingsOption(run, options->settings, "contact.detector=surface");
   add_common(run);
   AddJsonOption(run, options->json);
-  run.callback([options, &exit_code] {
+  run.SetAction([options, &exit_code] {
     if (RunStudyFile(*options).CountKept() == 0) exit_code = kExitFailed;
   });
 
-  CLI::App& freeze = AddSubcommand(
+  Command& freeze = AddSubcommand(
       group, "freeze", "Write down every choice before the data; a run lists what deviates.",
       "  graspbench study freeze study.yaml");
-  freeze.add_option("study", options->study_file, "what will be recorded and every choice")
-      ->required()
-      ->option_text("STUDY.YAML");
-  freeze.add_option("--data", options->data, "folder of the recordings")
-      ->option_text("DIR")
-      ->default_str("that of study.yaml");
-  freeze.callback([options] { Freeze(*options); });
+  freeze.AddOption("study", options->study_file, "what will be recorded and every choice")
+      ->Require()
+      ->ValueName("STUDY.YAML");
+  freeze.AddOption("--data", options->data, "folder of the recordings")
+      ->ValueName("DIR")
+      ->ShowDefault("that of study.yaml");
+  freeze.SetAction([options] { Freeze(*options); });
 
-  CLI::App& demo = AddSubcommand(
+  Command& demo = AddSubcommand(
       group, "demo", "Make up a study with known contacts, analyse it and report the errors.",
       "  graspbench study demo --out demo\n"
       "  graspbench study demo --out demo --robot results/benchmark-1a2b3c4d");
   add_common(demo);
-  demo.callback([options] { RunDemo(*options); });
+  demo.SetAction([options] { RunDemo(*options); });
 }
 
 }  // namespace graspbench

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "core/base/text/range_text.h"
@@ -86,38 +85,37 @@ void RunPlan(PlanOptions options) {
 
 }  // namespace
 
-void AddStudyPlanCommand(CLI::App& program, ExitCode&) {
+void AddStudyPlanCommand(Command& program, ExitCode&) {
   const auto options = std::make_shared<PlanOptions>();
-  CLI::App& plan = AddSubcommand(
-      *program.get_subcommand("study"), "plan",
+  Command& plan = AddSubcommand(
+      program.Subcommand("study"), "plan",
       "Persons and trials that a difference needs, by simulation.",
       "  graspbench study plan results/pilot --difference 0.01\n"
       "  graspbench study plan --difference 0.01 --trial-sd 0.03 --person-sd 0.01 --trials 5,10");
-  plan.add_option("pilot", options->pilot, "result of graspbench study run: its variances")
-      ->option_text("[DIR]");
-  plan.add_option("--difference", options->request.difference,
-                  "to be shown, in the measure's SI unit; never the pilot's own")
-      ->required();
-  plan.add_option("--measure", options->question.measure, "id, as in measures.csv")
-      ->capture_default_str();
-  plan.add_option("--factor", options->question.factor, "column of the pilot whose levels differ")
-      ->default_str("the first");
-  plan.add_option("--levels", options->question.levels, "two of them: 0.03,0.06")
-      ->delimiter(',')
-      ->default_str("the first and the last");
-  plan.add_option("--trial-sd", options->request.stated.trial_sd,
-                  "of trials of a person in a condition");
-  plan.add_option("--person-sd", options->request.stated.person_sd,
-                  "of persons' true differences; with --groups of their true means");
-  plan.add_flag("--groups", options->request.stated.is_between,
-                "two groups of persons instead of two conditions");
-  plan.add_option("--trials", options->request.trials, "of a person in a condition")
-      ->delimiter(',')
-      ->capture_default_str();
-  plan.add_option("--persons", options->request.num_persons, "the power of so many, of each group")
-      ->default_str("as many as the power needs");
-  plan.add_option("--power", options->request.wanted, "wanted")->capture_default_str();
-  plan.callback([options] { RunPlan(*options); });
+  plan.AddOption("pilot", options->pilot, "result of graspbench study run: its variances")
+      ->ValueName("[DIR]");
+  plan.AddOption("--difference", options->request.difference,
+                 "to be shown, in the measure's SI unit; never the pilot's own")
+      ->Require();
+  plan.AddOption("--measure", options->question.measure, "id, as in measures.csv")->ShowDefault();
+  plan.AddOption("--factor", options->question.factor, "column of the pilot whose levels differ")
+      ->ShowDefault("the first");
+  plan.AddOption("--levels", options->question.levels, "two of them: 0.03,0.06")
+      ->SplitAtCommas()
+      ->ShowDefault("the first and the last");
+  plan.AddOption("--trial-sd", options->request.stated.trial_sd,
+                 "of trials of a person in a condition");
+  plan.AddOption("--person-sd", options->request.stated.person_sd,
+                 "of persons' true differences; with --groups of their true means");
+  plan.AddFlag("--groups", options->request.stated.is_between,
+               "two groups of persons instead of two conditions");
+  plan.AddOption("--trials", options->request.trials, "of a person in a condition")
+      ->SplitAtCommas()
+      ->ShowDefault();
+  plan.AddOption("--persons", options->request.num_persons, "the power of so many, of each group")
+      ->ShowDefault("as many as the power needs");
+  plan.AddOption("--power", options->request.wanted, "wanted")->ShowDefault();
+  plan.SetAction([options] { RunPlan(*options); });
 }
 
 }  // namespace graspbench

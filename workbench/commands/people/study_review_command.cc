@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 
@@ -60,26 +59,26 @@ void RunReview(const ReviewOptions& options) {
 
 }  // namespace
 
-void AddStudyReviewCommand(CLI::App& program, ExitCode&) {
+void AddStudyReviewCommand(Command& program, ExitCode&) {
   const auto options = std::make_shared<ReviewOptions>();
-  CLI::App& review =
-      AddSubcommand(*program.get_subcommand("study"), "review",
+  Command& review =
+      AddSubcommand(program.Subcommand("study"), "review",
                     "Pages to look at every contact, and a table for verdicts that a run replays.",
                     "  graspbench study review study.yaml --out review\n"
                     "  graspbench study review study.yaml --trials P1-3,P2-1 --out review");
-  review.add_option("study", options->study_file, "what was recorded and every choice")
-      ->required()
-      ->option_text("STUDY.YAML");
-  review.add_option("--data", options->data, "folder of the recordings")
-      ->option_text("DIR")
-      ->default_str("that of study.yaml");
-  review.add_option("--out", options->out, "folder for the pages")->required()->option_text("DIR");
-  review.add_option("--trials", options->trials, "pages of these alone")
-      ->delimiter(',')
-      ->default_str("all");
+  review.AddOption("study", options->study_file, "what was recorded and every choice")
+      ->Require()
+      ->ValueName("STUDY.YAML");
+  review.AddOption("--data", options->data, "folder of the recordings")
+      ->ValueName("DIR")
+      ->ShowDefault("that of study.yaml");
+  review.AddOption("--out", options->out, "folder for the pages")->Require()->ValueName("DIR");
+  review.AddOption("--trials", options->trials, "pages of these alone")
+      ->SplitAtCommas()
+      ->ShowDefault("all");
   AddSettingsOption(review, options->settings, "contact.detector=surface");
   AddReplaceOption(review, options->replace);
-  review.callback([options] { RunReview(*options); });
+  review.SetAction([options] { RunReview(*options); });
 }
 
 }  // namespace graspbench

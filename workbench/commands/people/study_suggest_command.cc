@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "human_study/study/suggest/suggest_settings.h"
@@ -38,21 +37,21 @@ void RunSuggest(const SuggestOptions& options) {
 
 }  // namespace
 
-void AddStudySuggestCommand(CLI::App& program, ExitCode&) {
+void AddStudySuggestCommand(Command& program, ExitCode&) {
   const auto options = std::make_shared<SuggestOptions>();
-  CLI::App& suggest = AddSubcommand(
-      *program.get_subcommand("study"), "suggest",
+  Command& suggest = AddSubcommand(
+      program.Subcommand("study"), "suggest",
       "Propose settings that the data ask for, with reasons; changes nothing.",
       "  graspbench study suggest study.yaml\n"
       "  graspbench study suggest study.yaml --data /data/mocap --set contact.cutoff_hz=15");
-  suggest.add_option("study", options->study_file, "what was recorded and every choice")
-      ->required()
-      ->option_text("STUDY.YAML");
-  suggest.add_option("--data", options->data, "folder of the recordings")
-      ->option_text("DIR")
-      ->default_str("that of study.yaml");
+  suggest.AddOption("study", options->study_file, "what was recorded and every choice")
+      ->Require()
+      ->ValueName("STUDY.YAML");
+  suggest.AddOption("--data", options->data, "folder of the recordings")
+      ->ValueName("DIR")
+      ->ShowDefault("that of study.yaml");
   AddSettingsOption(suggest, options->settings, "contact.detector=surface");
-  suggest.callback([options] { RunSuggest(*options); });
+  suggest.SetAction([options] { RunSuggest(*options); });
 }
 
 }  // namespace graspbench

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
@@ -7,19 +6,16 @@
 
 namespace graspbench {
 
-void AddCompletionCommand(CLI::App& program, ExitCode&) {
-  CLI::App& command = AddSubcommand(program, "completion",
-                                    "Print a script that completes command lines, or the man page.",
-                                    "  source <(graspbench completion bash)\n"
-                                    "  graspbench completion man >graspbench.1");
+void AddCompletionCommand(Command& program, ExitCode&) {
+  Command& command = AddSubcommand(program, "completion",
+                                   "Print a script that completes command lines, or the man page.",
+                                   "  source <(graspbench completion bash)\n"
+                                   "  graspbench completion man >graspbench.1");
   std::vector<std::string> names = ListShells();
   names.emplace_back("man");
   const auto name = std::make_shared<std::string>();
-  command.add_option("for", *name, ListNames(names))
-      ->required()
-      ->check(CLI::IsMember(names))
-      ->option_text("FOR");
-  command.callback([&program, name] {
+  command.AddOption("for", *name, ListNames(names))->Require()->OneOf(names)->ValueName("FOR");
+  command.SetAction([&program, name] {
     PrintResult(*name == "man" ? FormatManPage(program) : FormatCompletion(program, *name));
   });
 }

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -48,15 +47,13 @@ std::string JoinWords(const std::vector<std::string>& words) {
 }
 
 /** What "graspbench --help" prints, and what else has a name: presets and files. */
-std::string FormatOverview(const CLI::App& program, const std::vector<std::string>& files) {
+std::string FormatOverview(const Command& program, const std::vector<std::string>& files) {
   std::string presets;
   for (const Preset& preset : ListPresets()) {
     presets += fmt::format("  {:<27} {}\n", preset.name, preset.about);
   }
-  // program.help() would be that of the command that was typed, which is this one.
-  const std::string help =
-      program.get_formatter()->make_help(&program, program.get_name(), CLI::AppFormatMode::Normal);
-  return help + "\nPresets (graspbench run --preset NAME, or preset: NAME in a session file):\n" +
+  return program.FormatHelp("") +
+         "\nPresets (graspbench run --preset NAME, or preset: NAME in a session file):\n" +
          presets + "\nFiles (graspbench help FILE):\n  " + ListNames(files) +
          "\n\nGrasp types and what others call them: graspbench help grasp-types\n"
          "A setting, for example: graspbench help model.friction_scale\n"
@@ -65,8 +62,8 @@ std::string FormatOverview(const CLI::App& program, const std::vector<std::strin
 
 /** What "graspbench WORDS --help" prints, and what a word means as a measure, a column or a setting.
 @throws Error(kUsage) when it is none of these. */
-std::string FindCommandHelp(const CLI::App& program, const std::vector<std::string>& words) {
-  const CLI::App* command = &program;
+std::string FindCommandHelp(const Command& program, const std::vector<std::string>& words) {
+  const Command* command = &program;
   std::string above;
   const std::string setting = words.size() == 1 ? ExplainFileKey(words.front()) : "";
   for (const std::string& word : words) {
@@ -76,10 +73,10 @@ std::string FindCommandHelp(const CLI::App& program, const std::vector<std::stri
       names.push_back(kGraspTypesTopic);
       for (const std::string& term : ListGlossaryWords()) names.push_back(term);
     }
-    const CLI::App* next = nullptr;
-    for (const CLI::App* each : command->get_subcommands([](const CLI::App*) { return true; })) {
-      names.push_back(each->get_name());
-      if (each->get_name() == word) next = each;
+    const Command* next = nullptr;
+    for (const auto& each : command->subcommands()) {
+      names.push_back(each->name());
+      if (each->name() == word) next = each.get();
     }
     if (!next && command == &program) {
       const std::vector<GlossaryEntry> entries = FindInGlossary(JoinWords(words));
@@ -90,26 +87,26 @@ std::string FindCommandHelp(const CLI::App& program, const std::vector<std::stri
                                          (command == &program ? SuggestFileKeys(word, names)
                                                               : SuggestNames(word, names)));
     }
-    above += (above.empty() ? "" : " ") + command->get_name();
+    above += (above.empty() ? "" : " ") + command->name();
     command = next;
   }
-  return command->help(above) + (setting.empty() ? "" : "\n" + setting);
+  return command->FormatHelp(above) + (setting.empty() ? "" : "\n" + setting);
 }
 
-/** Completion takes it from the option's type. */
-std::string JoinForCompletion(const std::vector<std::string>& files, const CLI::App& program) {
-  std::string names = kGraspTypesTopic;
-  for (const std::string& file : files) names += (names.empty() ? "" : ",") + file;
-  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
-    names += "," + command->get_name();
+/** For completion. */
+std::vector<std::string> ListTopics(const std::vector<std::string>& files, const Command& program) {
+  std::vector<std::string> names = {kGraspTypesTopic};
+  names.insert(names.end(), files.begin(), files.end());
+  for (const auto& command : program.subcommands()) {
+    names.push_back(command->name());
   }
   return names;
 }
 
 }  // namespace
 
-void AddHelpCommand(CLI::App& program, ExitCode&) {
-  CLI::App& command = AddSubcommand(
+void AddHelpCommand(Command& program, ExitCode&) {
+  Command& command = AddSubcommand(
       program, "help",
       "Explain a command, a setting, or every key of a file: unit, range and default.",
       "  graspbench help                       commands, presets and files\n"
@@ -124,14 +121,14 @@ void AddHelpCommand(CLI::App& program, ExitCode&) {
   const auto words = std::make_shared<std::vector<std::string>>();
   const auto json = std::make_shared<bool>(false), schema = std::make_shared<bool>(false);
   command
-      .add_option("topic", *words,
-                  "a command, grasp-types, a measure, a setting, or one of " + ListNames(files) +
-                      "; absent: all there is")
-      ->type_name("{" + JoinForCompletion(files, program) + "}")
-      ->option_text("COMMAND|FILE|KEY|WORD");
-  command.add_flag("--json", *json, "of a file: print one JSON object");
-  command.add_flag("--schema", *schema, "of a file: print its JSON Schema")->excludes("--json");
-  command.callback([&program, files, words, json, schema] {
+      .AddOption("topic", *words,
+                 "a command, grasp-types, a measure, a setting, or one of " + ListNames(files) +
+                     "; absent: all there is")
+      ->Suggest(ListTopics(files, program))
+      ->ValueName("COMMAND|FILE|KEY|WORD");
+  command.AddFlag("--json", *json, "of a file: print one JSON object");
+  command.AddFlag("--schema", *schema, "of a file: print its JSON Schema")->Excludes("--json");
+  command.SetAction([&program, files, words, json, schema] {
     const bool is_file =
         !words->empty() && std::find(files.begin(), files.end(), words->front()) != files.end();
     if (*schema && !is_file) {

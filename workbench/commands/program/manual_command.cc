@@ -2,7 +2,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -56,15 +55,15 @@ void OpenInBrowser(const fs::path& page) {
 
 }  // namespace
 
-void AddManualCommand(CLI::App& program, ExitCode&) {
-  CLI::App& command =
+void AddManualCommand(Command& program, ExitCode&) {
+  Command& command =
       AddSubcommand(program, "manual", "Open the manual in a browser, and print where it is.",
                     "  graspbench manual                     contents and search\n"
                     "  graspbench manual failed-trial");
   const auto page = std::make_shared<std::string>("index");
-  command.add_option("page", *page, "the name of a page; absent: contents and search")
-      ->option_text("PAGE");
-  command.callback([page] {
+  command.AddOption("page", *page, "the name of a page; absent: contents and search")
+      ->ValueName("PAGE");
+  command.SetAction([page] {
     const fs::path file = FindPage(*page);
     PrintResult(file.string() + "\n");
     OpenInBrowser(file);

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 
 #include "core/base/version.h"
 #include "workbench/build_info.h"
@@ -30,14 +29,14 @@ void PrintVersion(const Json& version) {
 
 }  // namespace
 
-void AddVersionCommand(CLI::App& program, ExitCode&) {
-  CLI::App& command = AddSubcommand(
-      program, "version", "Print the versions of the program, its compiler and libraries.",
-      "  graspbench version\n"
-      "  graspbench version --json");
-  CLI::Option* json = command.add_flag("--json", "print one JSON object");
-  command.callback([json] {
-    if (*json) {
+void AddVersionCommand(Command& program, ExitCode&) {
+  Command& command = AddSubcommand(program, "version",
+                                   "Print the versions of the program, its compiler and libraries.",
+                                   "  graspbench version\n"
+                                   "  graspbench version --json");
+  Option* json = command.AddFlag("--json", "print one JSON object");
+  command.SetAction([json] {
+    if (json->IsGiven()) {
       PrintJson(MakeVersion());
     } else {
       PrintVersion(MakeVersion());

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -102,8 +101,8 @@ ExitCode Run(CampaignOptions options) {
 
 }  // namespace
 
-void AddCampaignCommand(CLI::App& program, ExitCode& exit_code) {
-  CLI::App& command =
+void AddCampaignCommand(Command& program, ExitCode& exit_code) {
+  Command& command =
       AddSubcommand(program, "campaign",
                     "Optimise every hand and object, then try all variants on the same poses.",
                     "  graspbench campaign --out results/campaign\n"
@@ -116,28 +115,28 @@ void AddCampaignCommand(CLI::App& program, ExitCode& exit_code) {
                    "of each scene's step 2; as many as optimise has (" +
                        std::to_string(OptimiseConfig().evaluations) + ") for the full campaign");
   command
-      .add_option("--trials", config.session.trials,
-                  "trials of each scene and variant in the benchmark")
-      ->option_text("N")
-      ->capture_default_str();
-  command.add_flag("--compare", options->compare,
-                   "also compare search methods over several seeds, on " +
-                       std::to_string(kComparedScenes.size()) + " scenes");
+      .AddOption("--trials", config.session.trials,
+                 "trials of each scene and variant in the benchmark")
+      ->ValueName("N")
+      ->ShowDefault();
+  command.AddFlag("--compare", options->compare,
+                  "also compare search methods over several seeds, on " +
+                      std::to_string(kComparedScenes.size()) + " scenes");
   AddSettingsOption(command, options->settings, "comparison.seeds=20");
   AddPlanOnlyOption(command, options->plan_only);
   AddJobsOption(command, options->num_workers);
-  command.add_option("--out", options->out, "folder")
-      ->option_text("DIR")
-      ->default_str("results/campaign-HASH");
+  command.AddOption("--out", options->out, "folder")
+      ->ValueName("DIR")
+      ->ShowDefault("results/campaign-HASH");
   AddResumeOption(command, options->resume);
   command
-      .add_option("--real", options->real,
-                  "trials with real hands, to stand beside the simulated ones; graspbench new "
-                  "trials DIR writes such a table")
-      ->option_text("FILE.csv");
+      .AddOption("--real", options->real,
+                 "trials with real hands, to stand beside the simulated ones; graspbench new "
+                 "trials DIR writes such a table")
+      ->ValueName("FILE.csv");
   AddTrialTimeoutOption(command, options->trial_time_limit);
   AddJsonOption(command, options->json);
-  command.callback([options, &command, &exit_code] {
+  command.SetAction([options, &command, &exit_code] {
     if (options->resume) {
       CheckResume(command, {"--hand", "--object", "--evaluations", "--fitness-trials", "--trials",
                             "--search", "--fitness", "--race", "--grip", "--grip-limit",

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -24,13 +23,13 @@ struct PipelineOptions {
   bool json = false;
 };
 
-Pipeline LoadWanted(const CLI::App& program, PipelineOptions& options) {
+Pipeline LoadWanted(const Command& program, PipelineOptions& options) {
   Pipeline pipeline = LoadPipeline(options.file, ListStageCommands(program));
   if (options.results.empty()) options.results = std::filesystem::path("results") / pipeline.name;
   return pipeline;
 }
 
-ExitCode Run(const CLI::App& program, PipelineOptions options) {
+ExitCode Run(const Command& program, PipelineOptions options) {
   const Pipeline pipeline = LoadWanted(program, options);
   PipelineRequest request;
   request.results = options.results;
@@ -44,7 +43,7 @@ ExitCode Run(const CLI::App& program, PipelineOptions options) {
   return kExitOk;
 }
 
-ExitCode ShowStatus(const CLI::App& program, PipelineOptions options) {
+ExitCode ShowStatus(const Command& program, PipelineOptions options) {
   const Pipeline pipeline = LoadWanted(program, options);
   const auto states = FindStageStates(pipeline, options.results, LoadPipelineLock(options.results),
                                       FindProgramFacts());
@@ -59,86 +58,86 @@ ExitCode ShowStatus(const CLI::App& program, PipelineOptions options) {
   return kExitOk;
 }
 
-CLI::App& AddPart(CLI::App& command, PipelineOptions& options, const std::string& name,
-                  const std::string& text, const std::string& examples) {
-  CLI::App& part = AddSubcommand(command, name, text, examples);
-  part.add_option("file", options.file, "the stages; see graspbench help pipeline.yaml")
-      ->required()
-      ->option_text("PIPELINE.YAML");
+Command& AddPart(Command& command, PipelineOptions& options, const std::string& name,
+                 const std::string& text, const std::string& examples) {
+  Command& part = AddSubcommand(command, name, text, examples);
+  part.AddOption("file", options.file, "the stages; see graspbench help pipeline.yaml")
+      ->Require()
+      ->ValueName("PIPELINE.YAML");
   return part;
 }
 
-void AddResultsOption(CLI::App& part, PipelineOptions& options) {
-  part.add_option("--out", options.results, "folder of the stages' results")
-      ->option_text("DIR")
-      ->default_str("results/NAME");
+void AddResultsOption(Command& part, PipelineOptions& options) {
+  part.AddOption("--out", options.results, "folder of the stages' results")
+      ->ValueName("DIR")
+      ->ShowDefault("results/NAME");
 }
 
-void AddReplayPart(CLI::App& program, CLI::App& command, ExitCode& exit_code) {
-  CLI::App& part = AddSubcommand(
+void AddReplayPart(Command& program, Command& command, ExitCode& exit_code) {
+  Command& part = AddSubcommand(
       command, "replay", "Make a pack's results again elsewhere and compare them byte for byte.",
       "  graspbench pipeline replay pilot.tar --verify    exit code 3 when a byte differs\n"
       "  graspbench replay pilot.tar --verify             the same");
   const auto options = std::make_shared<PackReplayOptions>();
-  part.add_option("pack", options->pack, "file of graspbench pipeline pack")
-      ->required()
-      ->option_text("PACK.TAR");
-  part.add_flag("--verify", "compare; a pack is not replayed for anything else");
-  part.add_option("--out", options->folder, "new folder that keeps what was packed and made")
-      ->option_text("DIR");
+  part.AddOption("pack", options->pack, "file of graspbench pipeline pack")
+      ->Require()
+      ->ValueName("PACK.TAR");
+  part.AddFlag("--verify", "compare; a pack is not replayed for anything else");
+  part.AddOption("--out", options->folder, "new folder that keeps what was packed and made")
+      ->ValueName("DIR");
   AddJobsOption(part, options->num_workers);
-  part.add_flag("--json", options->json, "print one JSON object");
-  part.callback([&program, options, &exit_code] { exit_code = ReplayPackFile(program, *options); });
+  part.AddFlag("--json", options->json, "print one JSON object");
+  part.SetAction(
+      [&program, options, &exit_code] { exit_code = ReplayPackFile(program, *options); });
 }
 
 }  // namespace
 
-void AddPipelineCommand(CLI::App& program, ExitCode& exit_code) {
-  CLI::App& command = AddSubcommand(
+void AddPipelineCommand(Command& program, ExitCode& exit_code) {
+  Command& command = AddSubcommand(
       program, "pipeline", "Make results by named stages that others can make again.",
       "  graspbench pipeline run pilot.yaml        the stages that are stale, and no other\n"
       "  graspbench pipeline pack pilot.yaml pilot.tar\n"
       "  graspbench help pipeline.yaml             every key");
-  command.require_subcommand(1);
+  command.RequireSubcommand();
   const auto options = std::make_shared<PipelineOptions>();
-  CLI::App& run = AddPart(command, *options, "run", "Run what is stale; the same again goes on.",
-                          "  graspbench pipeline run pilot.yaml --out results/pilot --jobs 2");
+  Command& run = AddPart(command, *options, "run", "Run what is stale; the same again goes on.",
+                         "  graspbench pipeline run pilot.yaml --out results/pilot --jobs 2");
   AddResultsOption(run, *options);
   AddJobsOption(run, options->num_workers, "processors for all stages");
-  run.callback([&program, options, &exit_code] { exit_code = Run(program, *options); });
+  run.SetAction([&program, options, &exit_code] { exit_code = Run(program, *options); });
 
-  CLI::App& status = AddPart(command, *options, "status",
-                             "Say of each stage whether it is stale, and because of what.",
-                             "  graspbench pipeline status pilot.yaml    exit code 1 when one is");
+  Command& status = AddPart(command, *options, "status",
+                            "Say of each stage whether it is stale, and because of what.",
+                            "  graspbench pipeline status pilot.yaml    exit code 1 when one is");
   AddResultsOption(status, *options);
-  status.add_flag("--json", options->json, "print one JSON object");
-  status.callback([&program, options, &exit_code] { exit_code = ShowStatus(program, *options); });
+  status.AddFlag("--json", options->json, "print one JSON object");
+  status.SetAction([&program, options, &exit_code] { exit_code = ShowStatus(program, *options); });
 
-  CLI::App& graph = AddPart(command, *options, "graph", "Show what needs what.",
-                            "  graspbench pipeline graph pilot.yaml --dot | dot -Tsvg > pilot.svg");
-  graph.add_flag("--dot", options->as_dot, "for Graphviz");
-  graph.callback([&program, options] {
+  Command& graph = AddPart(command, *options, "graph", "Show what needs what.",
+                           "  graspbench pipeline graph pilot.yaml --dot | dot -Tsvg > pilot.svg");
+  graph.AddFlag("--dot", options->as_dot, "for Graphviz");
+  graph.SetAction([&program, options] {
     const Pipeline pipeline = LoadWanted(program, *options);
     PrintResult(options->as_dot ? FormatDot(pipeline) : FormatGraph(pipeline));
   });
 
-  CLI::App& write =
-      AddPart(command, *options, "export", "Print the same stages for DVC, Snakemake.",
-              "  graspbench pipeline export pilot.yaml --as snakemake > Snakefile");
-  write.add_option("--as", options->form, "dvc or snakemake")
-      ->check(CLI::IsMember({"dvc", "snakemake"}))
-      ->option_text("FORM")
-      ->capture_default_str();
-  write.callback([&program, options] {
+  Command& write = AddPart(command, *options, "export", "Print the same stages for DVC, Snakemake.",
+                           "  graspbench pipeline export pilot.yaml --as snakemake > Snakefile");
+  write.AddOption("--as", options->form, "dvc or snakemake")
+      ->OneOf({"dvc", "snakemake"})
+      ->ValueName("FORM")
+      ->ShowDefault();
+  write.SetAction([&program, options] {
     const Pipeline pipeline = LoadWanted(program, *options);
     PrintResult(options->form == "dvc" ? FormatDvc(pipeline) : FormatSnakefile(pipeline));
   });
 
-  CLI::App& pack = AddPart(command, *options, "pack", "Put inputs and results into one tar file.",
-                           "  graspbench pipeline pack pilot.yaml pilot.tar");
-  pack.add_option("pack", options->pack, "new file")->required()->option_text("PACK.TAR");
+  Command& pack = AddPart(command, *options, "pack", "Put inputs and results into one tar file.",
+                          "  graspbench pipeline pack pilot.yaml pilot.tar");
+  pack.AddOption("pack", options->pack, "new file")->Require()->ValueName("PACK.TAR");
   AddResultsOption(pack, *options);
-  pack.callback([&program, options] {
+  pack.SetAction([&program, options] {
     const Pipeline pipeline = LoadWanted(program, *options);
     MakePack(pipeline, options->results, FindProgramFacts(), options->pack);
     PrintResult(options->pack.string() + "\n");

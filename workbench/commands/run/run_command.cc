@@ -1,6 +1,5 @@
 #include <errno.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -128,23 +127,23 @@ ExitCode Run(const RunOptions& options) {
 
 }  // namespace
 
-void AddRunCommand(CLI::App& program, ExitCode& exit_code) {
-  CLI::App& command = AddSubcommand(
+void AddRunCommand(Command& program, ExitCode& exit_code) {
+  Command& command = AddSubcommand(
       program, "run", "Run a benchmark session and write its report.",
       "  graspbench run                       both hands, 21 objects, 10 trials each\n"
       "  graspbench run --hand shadow --object can,cup --grasp all --trials 3");
   const auto options = std::make_shared<RunOptions>();
   options->session.AddTo(command);
   AddJobsOption(command, options->num_workers);
-  command.add_option("--out", options->out, "folder of the session")
-      ->option_text("DIR")
-      ->default_str("results/NAME-HASH");
-  command.add_flag("--resume", options->resume, "continue the session in the folder of --out");
+  command.AddOption("--out", options->out, "folder of the session")
+      ->ValueName("DIR")
+      ->ShowDefault("results/NAME-HASH");
+  command.AddFlag("--resume", options->resume, "continue the session in the folder of --out");
   AddPlanOnlyOption(command, options->plan_only);
   AddAcceptDamageOption(command, options->on_damage);
   AddTrialTimeoutOption(command, options->trial_time_limit);
-  command.add_flag("--json", options->json, "print the summary as one JSON object");
-  command.callback([options, &exit_code] { exit_code = Run(*options); });
+  command.AddFlag("--json", options->json, "print the summary as one JSON object");
+  command.SetAction([options, &exit_code] { exit_code = Run(*options); });
 }
 
 }  // namespace graspbench

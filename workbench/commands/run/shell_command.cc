@@ -1,6 +1,5 @@
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -127,18 +126,18 @@ ExitCode RunShell(const ShellOptions& options) {
 
 }  // namespace
 
-void AddShellCommand(CLI::App& program, ExitCode& exit_code) {
-  CLI::App& command =
+void AddShellCommand(Command& program, ExitCode& exit_code) {
+  Command& command =
       AddSubcommand(program, "shell", "Move one trial step by step, at a prompt or by a script.",
                     "  graspbench shell\n"
                     "  graspbench shell -c 'hand shadow' -c 'object light bulb' -c run -c why");
   const auto options = std::make_shared<ShellOptions>();
-  command.add_option("file", options->file, "script: a command a line")->option_text("FILE");
-  command.add_option("-c", options->commands, "a command; again for more")
-      ->allow_extra_args(false)
-      ->option_text("CMD");
-  command.add_option("--log", options->log, "keep all lines as a script")->option_text("FILE");
-  command.callback([options, &exit_code] { exit_code = RunShell(*options); });
+  command.AddOption("file", options->file, "script: a command a line")->ValueName("FILE");
+  command.AddOption("-c", options->commands, "a command; again for more")
+      ->OneValueEach()
+      ->ValueName("CMD");
+  command.AddOption("--log", options->log, "keep all lines as a script")->ValueName("FILE");
+  command.SetAction([options, &exit_code] { exit_code = RunShell(*options); });
 }
 
 }  // namespace graspbench

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -71,8 +70,8 @@ ExitCode ShowTrial(TrialOptions options) {
 
 }  // namespace
 
-void AddTrialCommand(CLI::App& program, ExitCode& exit_code) {
-  CLI::App& command = AddSubcommand(
+void AddTrialCommand(Command& program, ExitCode& exit_code) {
+  Command& command = AddSubcommand(
       program, "trial", "Run one trial of a session again and tell what happened in it.",
       "  graspbench trial results/pilot tum-can-g2:3\n"
       "  graspbench trial results/pilot 3f2a --render trial.png --at 1.25s --camera free -60 20 "
@@ -83,26 +82,26 @@ void AddTrialCommand(CLI::App& program, ExitCode& exit_code) {
   const auto options = std::make_shared<TrialOptions>();
   AddStoreFolder(command, options->folder, "the session");
   command
-      .add_option("trial", options->name,
-                  "its trial_id, the first letters of it, or hand-object-grasp:number")
-      ->required()
-      ->option_text("ID|CONDITION:N");
+      .AddOption("trial", options->name,
+                 "its trial_id, the first letters of it, or hand-object-grasp:number")
+      ->Require()
+      ->ValueName("ID|CONDITION:N");
   for (const TrialFile& form : ListTrialFiles()) {
     if (!*form.text) continue;  // another form of an option that is there
     command
-        .add_option_function<std::string>(
+        .AddOptionFunction<std::string>(
             form.option,
             [options, &form](const std::string& file) { options->files[form.option] = file; },
             form.text)
-        ->option_text(form.hint);
+        ->ValueName(form.hint);
   }
-  const std::vector<CLI::Option*> of_picture =
+  const std::vector<Option*> of_picture =
       AddPictureOptions(command, options->how.at, options->how.view, options->how.size);
-  of_picture.front()->needs("--render");
-  of_picture.back()->needs("--render");  // between them the camera, also a film's
+  of_picture.front()->Needs("--render");
+  of_picture.back()->Needs("--render");  // between them the camera, also a film's
   AddAcceptDamageOption(command, options->on_damage);
-  command.add_flag("--json", options->json, "print one JSON object");
-  command.callback([options, &exit_code] { exit_code = ShowTrial(*options); });
+  command.AddFlag("--json", options->json, "print one JSON object");
+  command.SetAction([options, &exit_code] { exit_code = ShowTrial(*options); });
 }
 
 }  // namespace graspbench

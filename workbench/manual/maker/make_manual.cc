@@ -2,7 +2,6 @@
 the man page and the completions, which the parser knows, to where they are installed below SHARE.
 */
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <string>
 
@@ -10,6 +9,7 @@ the man page and the completions, which the parser knows, to where they are inst
 #include "core/base/files/files.h"
 #include "workbench/manual/maker/manual_site.h"
 #include "workbench/program.h"
+#include "workbench/terminal/command_line.h"
 #include "workbench/terminal/terminal.h"
 #include "workbench/text/command_line_text.h"
 
@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
   }
   try {
     ExitCode exit_code = kExitOk;
-    CLI::App program;
+    Command program;
     AddCommands(program, exit_code);
     WriteManual(program, argv[1], argv[2]);
     const fs::path share = argv[3];

@@ -27,7 +27,7 @@ std::string Capitalise(std::string word) {
   return word;
 }
 
-std::string MakeMarkdown(const ManualPage& page, const CLI::App& program, const fs::path& source) {
+std::string MakeMarkdown(const ManualPage& page, const Command& program, const fs::path& source) {
   if (page.id == "commands") return MakeCommandReference(program);
   if (page.id == "files") return MakeFileReference();
   if (page.id == "columns") return MakeColumnReference();
@@ -148,7 +148,7 @@ const std::vector<ManualPage>& ListManualPages() {
   return pages;
 }
 
-void WriteManual(const CLI::App& program, const fs::path& source, const fs::path& folder) {
+void WriteManual(const Command& program, const fs::path& source, const fs::path& folder) {
   std::vector<WrittenPage> pages;
   for (const ManualPage& page : ListManualPages()) {
     pages.push_back({page, ReadMarkdown(MakeMarkdown(page, program, source),

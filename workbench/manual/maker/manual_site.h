@@ -6,11 +6,9 @@ The manual as pages for a browser: read by double click, without a network. */
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace graspbench {
+
+class Command;
 
 struct ManualPage {
   std::string room;  ///< "tutorials"
@@ -25,7 +23,7 @@ the same bytes.
 @param source  workbench/manual
 @param folder  is made; other files in it stay
 @throws Error(kFormat) naming page and line of what is wrong, also for links that lead nowhere. */
-void WriteManual(const CLI::App& program, const std::filesystem::path& source,
+void WriteManual(const Command& program, const std::filesystem::path& source,
                  const std::filesystem::path& folder);
 
 }  // namespace graspbench

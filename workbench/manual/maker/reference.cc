@@ -1,12 +1,12 @@
 #include "workbench/manual/maker/reference.h"
 
-#include <CLI/CLI.hpp>
 #include <vector>
 
 #include "core/trial/outcome.h"
 #include "datasets/plan/presets.h"
 #include "datasets/records/trial_table.h"
 #include "human_study/study/output/statistics_table.h"
+#include "workbench/terminal/command_line.h"
 #include "workbench/text/file_formats.h"
 
 namespace graspbench {
@@ -34,11 +34,11 @@ std::string MakeHead(const std::vector<std::string>& heads) {
 
 std::string MakeCode(const std::string& text) { return text.empty() ? "" : "`" + text + "`"; }
 
-void AddCommands(const CLI::App& command, const std::string& above, std::string& page) {
-  for (const CLI::App* each : command.get_subcommands([](const CLI::App*) { return true; })) {
+void AddCommands(const Command& command, const std::string& above, std::string& page) {
+  for (const auto& each : command.subcommands()) {
     page +=
-        "\n## " + above + " " + each->get_name() + "\n\n```text\n" + each->help(above) + "```\n";
-    AddCommands(*each, above + " " + each->get_name(), page);
+        "\n## " + above + " " + each->name() + "\n\n```text\n" + each->FormatHelp(above) + "```\n";
+    AddCommands(*each, above + " " + each->name(), page);
   }
 }
 
@@ -56,10 +56,10 @@ std::string MakeColumnTable(const std::string& title, const std::string& about,
 
 }  // namespace
 
-std::string MakeCommandReference(const CLI::App& program) {
+std::string MakeCommandReference(const Command& program) {
   std::string page =
       "# Commands\n\nEvery command and option, as `graspbench COMMAND --help` prints them.\n";
-  AddCommands(program, program.get_name(), page);
+  AddCommands(program, program.name(), page);
   return page;
 }
 

@@ -5,14 +5,12 @@ parser, the tables of keys, the columns and the outcomes, so that they cannot fa
 
 #include <string>
 
-namespace CLI {
-class App;
-}
-
 namespace graspbench {
 
+class Command;
+
 /** Every command's help. */
-std::string MakeCommandReference(const CLI::App& program);
+std::string MakeCommandReference(const Command& program);
 /** Every file that a person writes: its keys with unit, range, default and meaning. */
 std::string MakeFileReference();
 /** Every column of the tables of sessions and of a study's statistics. */

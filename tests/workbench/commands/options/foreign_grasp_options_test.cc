@@ -2,20 +2,20 @@
 
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
-
 #include "core/base/error.h"
 #include "core/base/files/files.h"
+#include "workbench/terminal/command_line.h"
+#include "workbench/text/typed_words.h"
 
 namespace graspbench {
 namespace {
 
 GraspCollection ReadWith(const std::string& words) {
-  CLI::App app;
+  Command app;
   ForeignGraspOptions options;
   options.AddTo(app);
-  app.parse((FindDataRoot() / "tests/fuzz/cases/grasps_graspgen/good_poses.json").string() + " " +
-            words);
+  const auto file = FindDataRoot() / "tests/fuzz/cases/grasps_graspgen/good_poses.json";
+  EXPECT_EQ(app.Parse(SplitWords(file.string() + " " + words)).fault, "");
   return options.Read();
 }
 

@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
+#include "workbench/terminal/command_line.h"
+#include "workbench/text/typed_words.h"
 
 namespace graspbench {
 namespace {
@@ -23,12 +24,12 @@ class SessionOptionsTest : public testing::Test {
   ~SessionOptionsTest() override { fs::remove(file_); }
 
   fs::path file_;
-  CLI::App command_;
+  Command command_;
   SessionOptions options_;
 };
 
 TEST_F(SessionOptionsTest, NothingGivenIsTheBenchmark) {
-  command_.parse("", false);
+  ASSERT_EQ(command_.Parse({}).fault, "");
   EXPECT_FALSE(options_.HasAny());
   EXPECT_EQ(options_.name(), "benchmark");
   EXPECT_EQ(ToJson(options_.MakeConfig()), ToJson(SessionConfig()));
@@ -36,7 +37,7 @@ TEST_F(SessionOptionsTest, NothingGivenIsTheBenchmark) {
 
 // The defaults shown in the help must not override the file.
 TEST_F(SessionOptionsTest, OptionsOverrideSettingsAndSettingsTheFile) {
-  command_.parse(file_.string() + " --set seed=6 --trials 9", false);
+  ASSERT_EQ(command_.Parse(SplitWords(file_.string() + " --set seed=6 --trials 9")).fault, "");
   EXPECT_TRUE(options_.HasAny());
   EXPECT_EQ(options_.name(), file_.stem().string());
   const SessionConfig config = options_.MakeConfig();
@@ -48,11 +49,11 @@ TEST_F(SessionOptionsTest, OptionsOverrideSettingsAndSettingsTheFile) {
 TEST_F(SessionOptionsTest, AListWithAnEmptyNameIsRefused) {
   for (const char* list : {"g1,,g2", "g1,", ",g1"}) {
     for (const char* option : {"--grasp", "--hand", "--object"}) {
-      CLI::App command;
+      Command command;
       SessionOptions options;
       options.AddTo(command);
       try {
-        command.parse(std::string(option) + " " + list, false);
+        command.Parse({option, list});
         FAIL() << option << " " << list;
       } catch (const Error& e) {
         const std::string place = list[0] == ',' ? "1" : "2";
@@ -63,14 +64,14 @@ TEST_F(SessionOptionsTest, AListWithAnEmptyNameIsRefused) {
       }
     }
   }
-  command_.parse("--grasp g1,g2 --grasp g3 --hand tum", false);
+  ASSERT_EQ(command_.Parse(SplitWords("--grasp g1,g2 --grasp g3 --hand tum")).fault, "");
   const SessionConfig config = options_.MakeConfig();
   EXPECT_EQ(config.grasps, (std::vector<std::string>{"g1", "g2", "g3"}));
   EXPECT_EQ(config.hands, std::vector<std::string>{"tum"});
 }
 
 TEST_F(SessionOptionsTest, APresetStandsInThePlaceOfAFile) {
-  command_.parse("--preset benchmark --set seed=6 --trials 9", false);
+  ASSERT_EQ(command_.Parse(SplitWords("--preset benchmark --set seed=6 --trials 9")).fault, "");
   EXPECT_TRUE(options_.HasAny());
   EXPECT_EQ(options_.name(), "benchmark");
   SessionConfig expected;
@@ -80,7 +81,7 @@ TEST_F(SessionOptionsTest, APresetStandsInThePlaceOfAFile) {
 }
 
 TEST_F(SessionOptionsTest, AFileAndAPresetAreRefused) {
-  command_.parse(file_.string() + " --preset benchmark", false);
+  ASSERT_EQ(command_.Parse(SplitWords(file_.string() + " --preset benchmark")).fault, "");
   try {
     options_.MakeConfig();
     FAIL();
@@ -91,7 +92,8 @@ TEST_F(SessionOptionsTest, AFileAndAPresetAreRefused) {
 }
 
 TEST_F(SessionOptionsTest, AnOptionAndASettingOfTheSameAreRefused) {
-  command_.parse("--set sim.step_s=0.001 --set trials=8 --trials 9", false);
+  ASSERT_EQ(command_.Parse(SplitWords("--set sim.step_s=0.001 --set trials=8 --trials 9")).fault,
+            "");
   try {
     options_.MakeConfig();
     FAIL();
@@ -102,7 +104,9 @@ TEST_F(SessionOptionsTest, AnOptionAndASettingOfTheSameAreRefused) {
 }
 
 TEST_F(SessionOptionsTest, AValueOfAnotherKindOfGripIsRefused) {
-  command_.parse("--set strategy.grip_force_n=3 --set strategy.grip=posture", false);
+  ASSERT_EQ(
+      command_.Parse(SplitWords("--set strategy.grip_force_n=3 --set strategy.grip=posture")).fault,
+      "");
   try {
     options_.MakeConfig();
     FAIL();
@@ -114,7 +118,7 @@ TEST_F(SessionOptionsTest, AValueOfAnotherKindOfGripIsRefused) {
 }
 
 TEST_F(SessionOptionsTest, ListsReplaceTheirDefaults) {
-  command_.parse("--hand shadow --object can,cup --grasp g1", false);
+  ASSERT_EQ(command_.Parse(SplitWords("--hand shadow --object can,cup --grasp g1")).fault, "");
   const SessionConfig config = options_.MakeConfig();
   EXPECT_EQ(config.hands, std::vector<std::string>{"shadow"});
   EXPECT_EQ(config.objects, (std::vector<std::string>{"can", "cup"}));

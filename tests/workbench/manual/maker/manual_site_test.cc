@@ -3,11 +3,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
-
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "workbench/program.h"
+#include "workbench/terminal/command_line.h"
 
 namespace graspbench {
 namespace {
@@ -40,7 +39,7 @@ class ManualSiteTest : public testing::Test {
   }
 
   ExitCode exit_code_ = kExitOk;
-  CLI::App program_;
+  Command program_;
   fs::path folder_ = fs::path(testing::TempDir()) / ("manual_site_" + std::to_string(::getpid()));
 };
 

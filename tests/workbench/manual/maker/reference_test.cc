@@ -2,17 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
-
 #include "core/base/error.h"
 #include "workbench/program.h"
+#include "workbench/terminal/command_line.h"
 
 namespace graspbench {
 namespace {
 
 TEST(Reference, EveryCommandHasItsHelp) {
   ExitCode exit_code = kExitOk;
-  CLI::App program;
+  Command program;
   AddCommands(program, exit_code);
   const std::string page = MakeCommandReference(program);
   EXPECT_NE(page.find("\n## graspbench hand import\n"), page.npos);
