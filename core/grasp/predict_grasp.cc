@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 constexpr double kFarthest = 0.1;     ///< way before the grasp position that is looked at [m]
 constexpr double kLeastStep = 0.001;  ///< along it [m]
-constexpr int kClosingSteps = 100;
+constexpr int kPredictionSteps = 100;
 constexpr int kOpeningSteps = 10;                ///< of the way from target to pre-grasp once more
 constexpr double kPalmNear = kPalmGap + 0.0005;  ///< by more, closing moves an object [m]
 
@@ -104,9 +104,9 @@ void PredictContacts(const Hand& hand, const Grasp& grasp, const GraspObject& ob
   std::vector<bool> touches(num_digits, false);
   std::vector<Vector3d> normals(num_digits, Vector3d::Zero());
   std::vector<double> heights(num_digits, 0.0);
-  for (int k = 0; k <= kClosingSteps; ++k) {
+  for (int k = 0; k <= kPredictionSteps; ++k) {
     const Eigen::VectorXd q =
-        CalcClosingPosture(hand, grasp, static_cast<double>(k) / kClosingSteps);
+        CalcClosingPosture(hand, grasp, static_cast<double>(k) / kPredictionSteps);
     std::vector<double> deepest(num_digits, 0.0);
     std::vector<bool> met = touches;
     for (const Ball& ball : ListDigitBalls(hand, placement, object.size.z(), q)) {

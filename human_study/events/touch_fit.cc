@@ -220,9 +220,9 @@ class Fitter {
     Trial trial;
     trial.time = tc;
     trial.log_evidence.fill(-INFINITY);
-    constexpr double kTick = 1e-9;  // [s] rounding of the clock decides nothing
+    constexpr double kFitTick = 1e-9;  // [s] rounding of the clock decides nothing
     const size_t num_before = static_cast<size_t>(
-        std::lower_bound(samples_.times.begin(), samples_.times.end(), tc - kTick) -
+        std::lower_bound(samples_.times.begin(), samples_.times.end(), tc - kFitTick) -
         samples_.times.begin());
     const ObjectMotion object = FindObjectMotion(samples_, tc);
     const BeforeSums before = SumBefore(samples_, weights_, num_before, tc, object.way);
@@ -311,13 +311,13 @@ TouchMoments CalcTouchMoments(const TouchFit& fit, const DepthWeights& weights) 
 digit just before, or its speed differs after. One that leaves as fast as before is moved by others.
 */
 bool IsPressed(const TouchSamples& samples, double time) {
-  constexpr double kBefore = 0.05, kAfter = 0.1;  // [s]
-  constexpr double kFar = 2e-3;                   // over the stretch after [m]
+  constexpr double kSpanBefore = 0.05, kSpanAfter = 0.1;  // [s]
+  constexpr double kFar = 2e-3;                           // over the stretch after [m]
   if (samples.object_motion.empty()) return false;
   const double at = InterpolateMotion(samples, time);
-  const double came = at - InterpolateMotion(samples, time - kBefore);
-  const double goes_on = InterpolateMotion(samples, time + kAfter) - at;
-  return kAfter / kBefore * came + std::abs(goes_on) > kFar;
+  const double came = at - InterpolateMotion(samples, time - kSpanBefore);
+  const double goes_on = InterpolateMotion(samples, time + kSpanAfter) - at;
+  return kSpanAfter / kSpanBefore * came + std::abs(goes_on) > kFar;
 }
 
 }  // namespace

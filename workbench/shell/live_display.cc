@@ -11,7 +11,7 @@
 namespace graspbench {
 namespace {
 
-constexpr std::chrono::milliseconds kInterval(200);
+constexpr std::chrono::milliseconds kRefreshInterval(200);
 constexpr std::chrono::milliseconds kNap(5);  // Ctrl-C is heard between two
 constexpr int kLinesBeside = 3;               // of a picture: its words, the status, the cursor
 
@@ -42,7 +42,7 @@ LiveDisplay::LiveDisplay(Shell& shell)
     : shell_(shell),
       start_time_(shell.scene().time()),
       start_(Clock::now()),
-      next_(start_ + kInterval) {}
+      next_(start_ + kRefreshInterval) {}
 
 void LiveDisplay::Say(const std::string& line) {
   shell_.region.Clear();
@@ -54,7 +54,7 @@ void LiveDisplay::Tick() {
   if (!shell_.live_card.empty()) WaitForTheClock();
   const Clock::time_point now = Clock::now();
   if (now < next_) return;
-  next_ = std::max(next_ + kInterval, now);
+  next_ = std::max(next_ + kRefreshInterval, now);
   Show();
 }
 

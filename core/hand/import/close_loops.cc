@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr int kSamples = 33;           // of the drive's range
+constexpr int kCourseSamples = 33;     // of the drive's range
 constexpr double kClosure = 1e4;       // weight of a point's distance [1/m]
 constexpr double kSpring = 1.0;        // of the stiffest spring's angle [1/rad]
 constexpr double kStay = 0.01;         // of a joint without spring, from where it was [1/rad]
@@ -153,20 +153,20 @@ VectorXd Linkage::Solve(double q_drive, const VectorXd& start) const {
 }
 
 struct Course {
-  VectorXd q_drive;   // (kSamples)
-  Eigen::MatrixXd q;  // (kSamples x passive)
+  VectorXd q_drive;   // (kCourseSamples)
+  Eigen::MatrixXd q;  // (kCourseSamples x passive)
   double gap = 0.0;   // largest [m]
 };
 
 Course FollowDrive(const Linkage& linkage, const ForeignJoint& drive, Eigen::Index num_passive) {
   Course course;
-  course.q_drive = VectorXd::LinSpaced(kSamples, drive.lower, drive.upper);
-  course.q.resize(kSamples, num_passive);
+  course.q_drive = VectorXd::LinSpaced(kCourseSamples, drive.lower, drive.upper);
+  course.q.resize(kCourseSamples, num_passive);
   Eigen::Index nearest = 0;  // to zero, where the loops are closed
   course.q_drive.cwiseAbs().minCoeff(&nearest);
   for (const int direction : {1, -1}) {
     VectorXd q = VectorXd::Zero(num_passive);
-    for (Eigen::Index k = nearest; k >= 0 && k < kSamples; k += direction) {
+    for (Eigen::Index k = nearest; k >= 0 && k < kCourseSamples; k += direction) {
       q = linkage.Solve(course.q_drive[k], q);
       course.q.row(k) = q;
       course.gap = std::max(course.gap, linkage.CalcLargestGap(course.q_drive[k], q));
@@ -178,8 +178,8 @@ Course FollowDrive(const Linkage& linkage, const ForeignJoint& drive, Eigen::Ind
 /** Ties the passive joints to the drive by their nearest lines. */
 void Tie(const Course& course, int drive, const std::vector<int>& passive, int line,
          const std::string& file, Diagnostics& problems, ForeignHand& hand) {
-  Eigen::MatrixX2d basis(kSamples, 2);
-  basis << VectorXd::Ones(kSamples), course.q_drive;
+  Eigen::MatrixX2d basis(kCourseSamples, 2);
+  basis << VectorXd::Ones(kCourseSamples), course.q_drive;
   for (size_t i = 0; i < passive.size(); ++i) {
     const VectorXd q = course.q.col(static_cast<Eigen::Index>(i));
     const Eigen::Vector2d fit = basis.colPivHouseholderQr().solve(q);

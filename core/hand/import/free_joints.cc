@@ -12,8 +12,8 @@
 namespace graspbench {
 namespace {
 
-constexpr double kBlocks = 0.0005;      // [m]
-constexpr double kRootOfDigit = 0.025;  // [m] of a joint from the digit's first one
+constexpr double kBlocks = 0.0005;          // [m]
+constexpr double kRootOfFreeDigit = 0.025;  // [m] of a joint from the digit's first one
 constexpr int kPostures = 400;
 
 /** Postures that fill the joints' ranges evenly (Kronecker sequence), the ends of each first. */
@@ -70,7 +70,7 @@ void FreeJoints(const std::string& file, ImportedHand& imported, Diagnostics& pr
       if (hand.links[link].joint >= 0) joints.push_back(hand.links[link].joint);
       const double from_root =
           (X_HL[link].translation() - X_HL[digit.links.front()].translation()).norm();
-      if (from_root > kRootOfDigit || joints.empty()) break;
+      if (from_root > kRootOfFreeDigit || joints.empty()) break;
       const double depth = CalcDepth(imported, link, joints);
       if (depth <= kBlocks) continue;
       hand.apart.emplace_back(hand.palm_link, link);

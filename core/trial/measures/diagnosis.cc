@@ -30,7 +30,7 @@ constexpr double kOpposingForce = 0.05;  // of each of two parts [N]
 constexpr double kOpposingTime = 0.02;   // [s]
 const double kOpposingCosine = std::cos(RadFromDeg(110.0));
 
-std::string Times(double time) { return FormatFixed(time, 3) + " s"; }
+std::string Seconds(double time) { return FormatFixed(time, 3) + " s"; }
 std::string Newtons(double force) { return FormatFixed(force, force < 0.1 ? 3 : 2) + " N"; }
 
 bool IsOpposing(const PartSample& a, const PartSample& b) {
@@ -355,7 +355,7 @@ std::optional<Diagnosis> FindDiagnosis(const TrialResult& result,
     diagnosis.cause = FailureCause::kPush;
     diagnosis.time = push->time;
     diagnosis.text = "Something other than hand and table pushed the object with " +
-                     Newtons(push->push) + " at " + Times(push->time) + ".";
+                     Newtons(push->push) + " at " + Seconds(push->time) + ".";
   } else if (const auto late = course.FindLateDigit()) {
     const double touch = course.FindTouch(*late);
     const size_t first = *course.FindFirstDigit();
@@ -405,7 +405,7 @@ std::optional<Diagnosis> FindDiagnosis(const TrialResult& result,
           fmt::format(
               "{} pushed the object aside, by more than {:.0f} mm at {}, before two parts of "
               "the hand pressed against each other.",
-              course.NameOfPart(pushing->digit), MmFromM(kPushedAside), Times(diagnosis.time)));
+              course.NameOfPart(pushing->digit), MmFromM(kPushedAside), Seconds(diagnosis.time)));
   } else if (const auto squeeze = course.FindOpposing(lost_at - kMostInterruption);
              squeeze && squeeze->from <= lost_at) {
     const std::vector<PartSample>& parts = course.At(squeeze->until).parts;
@@ -414,19 +414,19 @@ std::optional<Diagnosis> FindDiagnosis(const TrialResult& result,
         "The object was squeezed out while both sides pressed: {} with {} and {} with {} at {}, "
         "against each other from {} on.",
         course.NameOfPart(squeeze->b), Newtons(parts[squeeze->b].force),
-        course.NameOfPart(squeeze->a), Newtons(parts[squeeze->a].force), Times(squeeze->until),
-        Times(squeeze->from));
+        course.NameOfPart(squeeze->a), Newtons(parts[squeeze->a].force), Seconds(squeeze->until),
+        Seconds(squeeze->from));
   } else {
     diagnosis.cause = FailureCause::kNotIdentified;
     diagnosis.text =
         "The cause was not identified: no two parts of the hand pressed against each other at " +
-        Times(lost_at) + ".";
+        Seconds(lost_at) + ".";
   }
   if (loss) {
     diagnosis.text += fmt::format(
         " {} gave way first for good, at {}: it pressed with {}, {} % of its friction cone in use; "
         "the others pressed with {}.",
-        diagnosis.lost, Times(lost_at), Newtons(diagnosis.force),
+        diagnosis.lost, Seconds(lost_at), Newtons(diagnosis.force),
         FormatFixed(100.0 * before.parts[loss->part].cone_share, 0), Newtons(diagnosis.others));
   }
   return diagnosis;

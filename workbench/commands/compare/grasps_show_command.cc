@@ -9,7 +9,7 @@
 namespace graspbench {
 namespace {
 
-constexpr double kInterval = 0.01;  // of the instants that are shown [s]
+constexpr double kShownInterval = 0.01;  // of the instants that are shown [s]
 
 struct ShowGraspOptions {
   GraspInputOptions inputs;
@@ -30,7 +30,7 @@ void Show(const ShowGraspOptions& options) {
   data.hand = inputs.hand;
   data.object = input.object;
   data.profile = profile;
-  data.traced = TraceFreeSpace(MakeInputScene(inputs, input, profile), profile, kInterval);
+  data.traced = TraceFreeSpace(MakeInputScene(inputs, input, profile), profile, kShownInterval);
   data.assumptions = input.grasp.assumptions;
   data.commands = {"graspbench grasps show FILES --grasp " + std::to_string(options.number) +
                    " --objects DIR --profile " + profile.name + " --out ANOTHER.html"};

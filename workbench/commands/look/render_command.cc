@@ -12,7 +12,7 @@
 namespace graspbench {
 namespace {
 
-constexpr double kInterval = 0.01;  // of the instants to choose from [s]
+constexpr double kSearchInterval = 0.01;  // of the instants to choose from [s]
 
 struct RenderOptions {
   std::string hand, object, grasp;
@@ -46,7 +46,7 @@ void Render(const RenderOptions& options) {
   const SceneView view = ParseSceneView(options.view, "render --help");
   const TrialSetup setup = MakeNominalSetup(options);
   TrialRunner runner(setup.hand, setup.object);
-  const TracedTrial traced = TraceTrial(runner, setup, kInterval);
+  const TracedTrial traced = TraceTrial(runner, setup, kSearchInterval);
   const TraceInstant& instant = FindNamedInstant(traced, options.at);
   WriteOutputFile(options.out, EncodePng(DrawTrial(setup, traced, instant, view, size)));
   PrintResult(options.out + "\n");
