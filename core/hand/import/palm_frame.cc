@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kHalfOpen = 0.5;  // of the open distance
-constexpr double kNear = 0.025;    // [m], near enough whatever the open distance
+constexpr double kHalfOpen = 0.5;      // of the open distance
+constexpr double kNearEnough = 0.025;  // [m], near enough whatever the open distance
 constexpr int kMeetingShares = 24, kMeetingSamples = 3000;
 
 struct Nearest {
@@ -40,7 +40,7 @@ class MeetingFinder {
         Try(a, b, q, best);
       }
     }
-    const double enough = std::max(kHalfOpen * open.gap, kNear);
+    const double enough = std::max(kHalfOpen * open.gap, kNearEnough);
     if (best.gap > enough) {
       for (int k = 1; k <= kMeetingSamples; ++k)
         Try(a, b, MakePairSample(hand_, open_, a, b, k), best);
