@@ -12,7 +12,7 @@ namespace {
 constexpr double kFirmness = 0.3;
 constexpr double kPalm = 0.6;
 constexpr double kAllDigits = 0.2;
-constexpr double kSides = 0.15;
+constexpr double kSidesScore = 0.15;
 constexpr double kEarly = 0.3;
 constexpr double kTouching = 0.3;
 constexpr double kLifting = 0.2;
@@ -42,7 +42,7 @@ DevelopTrial MakeDevelopTrial(const Grasp& grasp, const GraspObject& object,
     trial.score += kAllDigits * CalcTouchingShare(result);
     if (grasp.palm_may_touch && TouchesPalmAtEnd(result)) trial.score += kPalm;
     if (grasp.type == GraspType::kTwoFingerPinch && result.opposition == Opposition::kSide) {
-      trial.score += kSides;
+      trial.score += kSidesScore;
     }
     if (result.timing.contact_before_start) trial.score -= kEarly;
     return trial;
