@@ -11,7 +11,7 @@ namespace {
 constexpr double kInterval = 0.01;      // of samples [s]
 constexpr double kTableFriction = 1.0;  // more than any table here has
 /** Of a torque limit: what a drive at its limit holds creeps, and its torque with it. */
-constexpr double kNearLimit = 0.9;
+constexpr double kShareOfLimit = 0.9;
 constexpr double kStopWidth = 1e-3;  // [rad], [m]
 
 }  // namespace
@@ -39,11 +39,11 @@ int LoadRecorder::FindFullDrive(size_t part, const World& world,
     const HandJoint& one = hand_->joints[static_cast<size_t>(joint)];
     const double limit = one.drive.torque_limit;
     if (!(limit > 0.0)) continue;
-    if (command.torque_limit.size() > 0 && command.torque_limit[joint] < kNearLimit * limit)
+    if (command.torque_limit.size() > 0 && command.torque_limit[joint] < kShareOfLimit * limit)
       continue;
     const double torque =
         one.drive.stiffness * (command.q[joint] - CalcDrivePosition(*hand_, world.state(), joint));
-    if (std::abs(torque) < kNearLimit * limit) continue;
+    if (std::abs(torque) < kShareOfLimit * limit) continue;
     const double q = world.state().q[joint];
     if (torque > 0.0 ? q < one.upper - kStopWidth : q > one.lower + kStopWidth) return joint;
   }
