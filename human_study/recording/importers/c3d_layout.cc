@@ -21,8 +21,8 @@ double RoundCount(double value, double max) {
 }
 
 /** The same of a parameter. */
-double FindCount(const C3dParameters& parameters, const char* group, const char* name,
-                 double max = kC3dMaxCount) {
+double FindParameterCount(const C3dParameters& parameters, const char* group, const char* name,
+                          double max = kC3dMaxCount) {
   const C3dParameter* parameter = parameters.Find(group, name);
   return RoundCount(parameter == nullptr ? std::nan("") : parameter->Unsigned(), max);
 }
@@ -40,7 +40,7 @@ double FindLongCount(const C3dParameters& parameters, const char* name) {
 void FindPointCount(const C3dHead& head, const C3dParameters& parameters, C3dLayout& layout,
                     Recording& recording) {
   const int in_header = head.Word(c3d_header::kPoints);
-  const double used = FindCount(parameters, "POINT", "USED");
+  const double used = FindParameterCount(parameters, "POINT", "USED");
   if (std::isnan(used)) {
     recording.Note("missing_parameter", "POINT:USED",
                    "absent; the header's " + FormatWhole(in_header) + " points are taken");
@@ -56,7 +56,7 @@ void FindAnalogCount(const C3dHead& head, const C3dParameters& parameters, C3dLa
                      Recording& recording) {
   const auto per_frame = static_cast<size_t>(head.Word(c3d_header::kAnalogPerFrame));
   const auto samples = static_cast<size_t>(head.Word(c3d_header::kAnalogSamples));
-  const double used = FindCount(parameters, "ANALOG", "USED");
+  const double used = FindParameterCount(parameters, "ANALOG", "USED");
   if (std::isnan(used) || (used == 0 && per_frame > 0)) {
     layout.samples_per_frame = samples > 0 ? samples : 1;
     layout.num_channels = per_frame / layout.samples_per_frame;
@@ -133,7 +133,7 @@ void FindRate(const C3dHead& head, const C3dParameters& parameters, C3dLayout& l
 void FindDataPosition(const C3dHead& head, const C3dParameters& parameters, const std::string& file,
                       C3dLayout& layout, Recording& recording) {
   const int in_header = head.Word(c3d_header::kDataStart);
-  const double parameter = FindCount(parameters, "POINT", "DATA_START");
+  const double parameter = FindParameterCount(parameters, "POINT", "DATA_START");
   const auto is_block = [&](double block) {
     return block >= 2 &&
            (block - 1) * static_cast<double>(kC3dBlock) <= static_cast<double>(head.file_size);
@@ -172,8 +172,9 @@ std::vector<FrameCount> FindFrameCounts(const C3dHead& head, const C3dParameters
   const double end = FindLongCount(parameters, "ACTUAL_END_FIELD");
   std::vector<FrameCount> counts = {
       {end - start + 1, start, "TRIAL:ACTUAL_END_FIELD"},
-      {FindCount(parameters, "POINT", "LONG_FRAMES", kMaxFrames), first, "POINT:LONG_FRAMES"},
-      {FindCount(parameters, "POINT", "FRAMES", kMaxFrames), first, "POINT:FRAMES"},
+      {FindParameterCount(parameters, "POINT", "LONG_FRAMES", kMaxFrames), first,
+       "POINT:LONG_FRAMES"},
+      {FindParameterCount(parameters, "POINT", "FRAMES", kMaxFrames), first, "POINT:FRAMES"},
       {last - first + 1, first, "the header"}};
   // A word cannot count above 65,535; where something counts higher, such a count is saturated.
   const bool is_long = std::any_of(counts.begin(), counts.end(),
