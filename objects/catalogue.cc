@@ -48,7 +48,7 @@ std::string CalcContentHash(const GraspObject& object) {
   // Most objects say nothing of their surface but the friction.
   std::vector<double> surface;
   SurfaceMaterial copy = object.surface;
-  copy.Visit([&](const char*, double& value, double, double) { surface.push_back(value); });
+  copy.Visit([&](const char*, double& value, const KeyInfo&) { surface.push_back(value); });
   const bool is_friction_all =
       std::all_of(surface.begin() + 2, surface.end(), [](double v) { return std::isnan(v); });
   append(surface.data(), is_friction_all ? 2 : surface.size());

@@ -64,7 +64,7 @@ const FileKeys& ListObjectKeys() {
         {"grasp_order", "", "grasps for hands that best_grasp does not name, best first"},
         {"approach", "automatic",
          "from where hands come: automatic, above or side; before what their grasps say"},
-        {"separate_parts", "false",
+        {"separate_parts", "false", KeyType::kBoolean,
          "true: the mesh has bodies that do not touch, and they move as one"},
         {"colour", "[0.8, 0.7, 0.5]", "linear red, green and blue", 0, 1},
     };

@@ -155,16 +155,13 @@ std::string FormatDefault(const Json& value) {
 
 }  // namespace
 
-FileKeys CompleteKeys(const Json& defaults, const std::vector<std::string>& names,
-                      const FileKeys& keys) {
-  FileKeys rows;
-  for (const std::string& name : names) {
-    const FileKey* row = FindFileKey(keys, name);
-    rows.push_back(row != nullptr ? *row : FileKey{name, "", ""});
-    if (rows.back().fallback.empty())
-      rows.back().fallback = FormatDefault(FindValue(defaults, name));
-  }
-  return rows;
+void KeyLister::Add(const char* key, const Json& value, KeyType type, const KeyInfo& info) {
+  const bool has_range = std::isfinite(info.low) || std::isfinite(info.high);
+  const KeyInfo& range = has_range ? info : group_;
+  std::string fallback(info.fallback.empty() ? group_.fallback : info.fallback);
+  if (fallback.empty()) fallback = FormatDefault(value);
+  keys_->emplace_back(where_ + key, fallback, info.type == KeyType::kAny ? type : info.type,
+                      *info.meaning == '\0' ? group_.meaning : info.meaning, range.low, range.high);
 }
 
 std::vector<std::pair<std::string, std::string>> FindOutOfRange(

@@ -3,16 +3,16 @@
 Configurations as plain structs. A struct names each field once, with its default beside it:
 
     struct SimConfig {
-      double step = 0.002;  ///< [s]
+      double step = 0.002;
 
       template <class V>
       void Visit(V&& v) {
-        v("step_s", step);
+        v("step_s", step, {"time step of the physics", 1e-4, 1e-2});
       }
     };
 
-and that one listing drives reading YAML, writing and reading JSON, `--set sim.step_s=0.001` and the
-list of known keys. Fields are int, double, bool, std::string, std::vector<std::string> or another
+and that one listing drives reading YAML, writing and reading JSON, `--set sim.step_s=0.001`, the
+checks of range, and the rows of help and schema (KeyInfo, FileKeys). Fields are int, double, bool, std::string, std::vector<std::string> or another
 such struct. A list of texts may be given as one text with commas: "tum, shadow". */
 
 #include <string>
@@ -33,7 +33,7 @@ namespace internal {
 
 struct AnyVisitor {
   template <class T>
-  void operator()(const char*, T&) const {}
+  void operator()(const char*, T&, const KeyInfo& = {}) const {}
 };
 
 template <class T, class = void>
@@ -45,7 +45,7 @@ struct HasVisit<T, std::void_t<decltype(std::declval<T&>().Visit(AnyVisitor()))>
 class JsonConfigWriter {
  public:
   template <class T>
-  void operator()(const char* key, T& value) {
+  void operator()(const char* key, T& value, const KeyInfo& = {}) {
     if constexpr (HasVisit<T>::value) {
       JsonConfigWriter inner;
       value.Visit(inner);
@@ -67,7 +67,7 @@ class JsonConfigReader {
   JsonConfigReader(const Json& json, std::string file, std::string where, Diagnostics& problems);
 
   template <class T>
-  void operator()(const char* key, T& value) {
+  void operator()(const char* key, T& value, const KeyInfo& = {}) {
     const Json* child = FindChild(key);
     if (!child) return;
     if constexpr (HasVisit<T>::value) {
@@ -104,7 +104,7 @@ class YamlConfigReader {
       : map_(node, file, where, problems), file_(file), problems_(&problems) {}
 
   template <class T>
-  void operator()(const char* key, T& value) {
+  void operator()(const char* key, T& value, const KeyInfo& = {}) {
     if constexpr (HasVisit<T>::value) {
       const YAML::Node child = map_.Child(key, Needed::kNo);
       if (child.IsNull()) return;
@@ -129,28 +129,39 @@ class YamlConfigReader {
   Diagnostics* problems_;
 };
 
+template <class T>
+constexpr KeyType KeyTypeOf() {
+  if (std::is_same_v<T, bool>) return KeyType::kBoolean;
+  const bool is_number = std::is_arithmetic_v<T> || std::is_same_v<T, std::vector<double>>;
+  return is_number ? KeyType::kNumber : KeyType::kAny;
+}
+
 class KeyLister {
  public:
-  KeyLister(std::string where, std::vector<std::string>& keys)
-      : where_(std::move(where)), keys_(&keys) {}
+  /** @param group  of the struct whose fields are visited: holds for what they leave out. */
+  KeyLister(std::string where, const KeyInfo& group, FileKeys& keys)
+      : where_(std::move(where)), group_(group), keys_(&keys) {}
   template <class T>
-  void operator()(const char* key, T& value) {
+  void operator()(const char* key, T& value, const KeyInfo& info = {}) {
     if constexpr (HasVisit<T>::value) {
-      value.Visit(KeyLister(where_ + key + ".", *keys_));
+      value.Visit(KeyLister(where_ + key + ".", info, *keys_));
     } else {
-      keys_->push_back(where_ + key);
+      Add(key, value, KeyTypeOf<T>(), info);
     }
   }
 
  private:
+  void Add(const char* key, const Json& value, KeyType type, const KeyInfo& info);
+
   std::string where_;
-  std::vector<std::string>* keys_;
+  KeyInfo group_;
+  FileKeys* keys_;
 };
 
 class ValueLister {
  public:
   template <class T>
-  void operator()(const char*, T& value) {
+  void operator()(const char*, T& value, const KeyInfo& = {}) {
     if constexpr (HasVisit<T>::value) {
       value.Visit(*this);
     } else {
@@ -167,10 +178,6 @@ class ValueLister {
 /** Splits "sim.step_s=0.001" and gives {sim: {step_s: 0.001}}.
 @throws Error(kUsage) when it is not of that form or the key is not known. */
 YAML::Node ParseSetting(const std::string& assignment, const std::vector<std::string>& known);
-
-/** Default values put into rows, in their order; a key without row gets one without meaning. */
-FileKeys CompleteKeys(const Json& defaults, const std::vector<std::string>& names,
-                      const FileKeys& keys);
 
 std::vector<std::pair<std::string, std::string>> FindOutOfRange(
     const Json& config, const Json& defaults, const std::vector<std::string>& names,
@@ -220,19 +227,21 @@ void ReadConfig(const YAML::Node& root, const std::string& file, const std::stri
   reader.FinishKnownKeys();
 }
 
-/** Full names of all values: "trials", "sim.step_s", ... */
-template <class Config>
-std::vector<std::string> ListConfigKeys(Config config) {
-  std::vector<std::string> keys;
-  config.Visit(internal::KeyLister("", keys));
-  return keys;
-}
-
 /** The rows of a configuration's keys, in the order of its fields, with the defaults of `config`.
  */
 template <class Config>
-FileKeys DescribeConfig(const Config& config, const FileKeys& keys) {
-  return internal::CompleteKeys(ConfigToJson(config), ListConfigKeys(config), keys);
+FileKeys DescribeConfig(Config config) {
+  FileKeys keys;
+  config.Visit(internal::KeyLister("", {}, keys));
+  return keys;
+}
+
+/** Full names of all values: "trials", "sim.step_s", ... */
+template <class Config>
+std::vector<std::string> ListConfigKeys(const Config& config) {
+  std::vector<std::string> names;
+  for (FileKey& row : DescribeConfig(config)) names.push_back(std::move(row.key));
+  return names;
 }
 
 /** Every number that is not in the range of its row, unless it is not given: its key, and "-1 is

@@ -6,7 +6,7 @@ const FileKeys& ListHandGraspKeys() {
   static const FileKeys keys = {
       {"grasps.ID.digits", kRequired, "ids of the digits that grasp; at least two"},
       {"grasps.ID.tilt_deg", kRequired, "turn of the hand towards its fingertips, from above"},
-      {"grasps.ID.palm_may_touch", "false", "true of power grasps"},
+      {"grasps.ID.palm_may_touch", "false", KeyType::kBoolean, "true of power grasps"},
       {"grasps.ID.palm_gap_m", "0.003",
        "of a power grasp: how far the palm stops before the object; it may draw it in", 0, 0.05},
       {"grasps.ID.held_share", "",
@@ -35,7 +35,7 @@ const FileKeys& ListGraspFileKeys() {
       {"object", "", "the one object it is for; else any"},
       {"digits", kRequired, "ids of the digits that grasp; at least two"},
       {"tilt_deg", kRequired, "turn of the hand towards its fingertips, from above"},
-      {"palm_may_touch", "false", "true of power grasps"},
+      {"palm_may_touch", "false", KeyType::kBoolean, "true of power grasps"},
       {"palm_gap_m", "0.003",
        "of a power grasp: how far the palm stops before the object; it may draw it in", 0, 0.05},
       {"approach", "automatic", "from where the hand comes: automatic, above or side"},

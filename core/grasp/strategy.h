@@ -81,19 +81,38 @@ struct StrategyConfig {
 
   template <class V>
   void Visit(V&& v) {
-    v("placing_time_s", placing_time);
-    v("closure_time_s", closure_time);
-    v("closure_patience_s", closure_patience);
-    v("stabilisation_min_time_s", stabilisation_min_time);
-    v("stabilisation_max_time_s", stabilisation_max_time);
-    v("lift_time_s", lift_time);
-    v("hold_time_s", hold_time);
-    v("closure_lead_s", closure_lead);
-    v("grip", grip);
-    v("grip_force_n", grip_force);
-    v("grip_margin", grip_margin);
-    v("touch_speed", touch_speed);
-    v("drive_law", drive_law);
+    v("placing_time_s", placing_time,
+      {"time in which the open hand moves to the object", 0.05, 60});
+    v("closure_time_s", closure_time,
+      {"time of closing from pre-grasp to target posture without contact", 0.05, 60});
+    v("closure_patience_s", closure_patience,
+      {"time at the target posture during which digits without contact are awaited", 0, 60});
+    v("stabilisation_min_time_s", stabilisation_min_time,
+      {"minimum time of stabilisation before the lift", 0, 60});
+    v("stabilisation_max_time_s", stabilisation_max_time,
+      {"maximum time of stabilisation before the lift; with a regulated grip, after its digits "
+       "have closed",
+       0, 60});
+    v("lift_time_s", lift_time, {"duration of the lift", 0.05, 60});
+    v("hold_time_s", hold_time, {"time for which the object must be held after the lift", 0, 60});
+    v("closure_lead_s", closure_lead,
+      {"time by which closure begins before the hand arrives", 0, 60});
+    v("grip", grip,
+      "what ends the closing of a digit: posture (its target), force (grip_force_n) or margin "
+      "(grip_margin)");
+    v("grip_force_n", grip_force,
+      {"force setpoint of each digit that does not oppose the others; with strategy.grip=margin "
+       "the minimum setpoint; 0: no minimum",
+       0, 1000});
+    v("grip_margin", grip_margin,
+      {"safety factor of the grip: multiple of the smallest forces with which the contacts bear "
+       "the weight; object weight and friction are given to the controller",
+       1, 100});
+    v("touch_speed", touch_speed,
+      {"closing speed of a digit after its first contact, share of its speed before", 0.01, 1});
+    v("drive_law", drive_law,
+      "how drives hold a regulated force: hold (a position, with their stiffness) or saturating (a "
+      "limit of their torque, without)");
   }
 };
 

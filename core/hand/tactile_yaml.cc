@@ -89,13 +89,15 @@ void CheckElements(const TactileSkin& skin, const SensedSurface& surface, YamlMa
 const FileKeys& ListTactileKeys() {
   static const FileKeys keys = {
       {"response", kRequired, "of each element to its force: exponential or linear"},
-      {"surfaces", kRequired, "list: the sensed part of a link's contact surface each"},
+      {"surfaces", kRequired, KeyType::kList,
+       "list: the sensed part of a link's contact surface each"},
       {"surfaces.link", kRequired, "link of hand.urdf; once"},
       {"surfaces.palmar", "[0, 0, 0]",
        "only the side whose normal has a part along it; 0: all round"},
       {"surfaces.along", "[0, 0, 0]", "and only what lies in this direction beyond from_m; 0: all"},
       {"surfaces.from_m", "0", "from the link's origin", -1, 1},
-      {"surfaces.elements", kRequired, "list; each has the part of the surface nearest to it"},
+      {"surfaces.elements", kRequired, KeyType::kList,
+       "list; each has the part of the surface nearest to it"},
       {"surfaces.elements.position_m", kRequired, "on the surface, in the link's frame"},
       {"surfaces.elements.normal", kRequired, "direction out of the hand, in the link's frame"},
       {"surfaces.elements.area_m2", kRequired, "of its cell", kAboveZero},

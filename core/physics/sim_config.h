@@ -47,22 +47,40 @@ struct SimConfig {
 
   template <class V>
   void Visit(V&& v) {
-    v("step_s", step);
-    v("steady_step_factor", steady_step_factor);
-    v("gravity_m_per_s2", gravity);
-    v("contact_stiffness_n_per_m", contact_stiffness);
-    v("tangential_stiffness_n_per_m", tangential_stiffness);
-    v("table_friction_static", table_friction_static);
-    v("table_friction_dynamic", table_friction_dynamic);
-    v("table_rolling_resistance_m", table_rolling_resistance);
-    v("hand_friction_static", hand_friction_static);
-    v("hand_friction_dynamic", hand_friction_dynamic);
-    v("arm_stiffness_n_per_m", arm_stiffness);
-    v("arm_angular_stiffness_nm_per_rad", arm_angular_stiffness);
-    v("arm_damping_time_s", arm_damping_time);
-    v("arm_force_limit_n", arm_force_limit);
-    v("arm_moment_limit_nm", arm_moment_limit);
-    v("multibody", multibody);
+    v("step_s", step, {"time step of the physics", 1e-4, 1e-2});
+    v("steady_step_factor", steady_step_factor,
+      {"number of steps that are taken as one, 10 ms at most, while the contacts of the held "
+       "object stay the same; 1: none",
+       1, 100});
+    v("gravity_m_per_s2", gravity, {"gravitational acceleration, downwards", 0, 100});
+    v("contact_stiffness_n_per_m", contact_stiffness,
+      {"normal stiffness of one contact point", 100, 1e7});
+    v("tangential_stiffness_n_per_m", tangential_stiffness,
+      {"tangential stiffness of one contact point before it slips", 100, 1e7});
+    v("table_friction_static", table_friction_static,
+      {"static friction of object and fingers on the table", 0, 2});
+    v("table_friction_dynamic", table_friction_dynamic,
+      {"dynamic friction of object and fingers on the table; at most the static one", 0, 2});
+    v("table_rolling_resistance_m", table_rolling_resistance,
+      {"rolling resistance of an object on the table: braking moment over normal force; 0: none", 0,
+       0.1});
+    v("hand_friction_static", hand_friction_static,
+      {"static friction between links of the hand that state no friction", 0, 2});
+    v("hand_friction_dynamic", hand_friction_dynamic,
+      {"dynamic friction between links of the hand that state no friction; at most the static one",
+       0, 2});
+    v("arm_stiffness_n_per_m", arm_stiffness,
+      {"translational stiffness of the arm at the hand's base", 100, 1e7});
+    v("arm_angular_stiffness_nm_per_rad", arm_angular_stiffness,
+      {"rotational stiffness of the arm about the hand's base", 10, 1e6});
+    v("arm_damping_time_s", arm_damping_time, {"damping of the arm over its stiffness", 0, 1});
+    v("arm_force_limit_n", arm_force_limit,
+      {"limit of the arm's force along each axis; a trial that reaches it ends", 1, 1e6});
+    v("arm_moment_limit_nm", arm_moment_limit,
+      {"limit of the arm's moment about the hand's base; a trial that reaches it ends", 0.1, 1e6});
+    v("multibody", multibody,
+      "arrays: the program's own mass matrix and bias, compared with Simbody's at the end of every "
+      "trial; simbody: Simbody's in every step, slower, for checking");
   }
 };
 

@@ -1,29 +1,22 @@
 #include "core/shape/surface_material.h"
 
-#include <map>
-
 #include "core/base/text/yaml.h"
 
 namespace graspbench {
 
-std::vector<FileKey> ListSurfaceKeys(Needed friction, const std::string& prefix) {
-  static const std::map<std::string, const char*> meanings = {
-      {"friction_static", "coefficient of friction with the other surface, sticking"},
-      {"friction_dynamic", "the same, sliding; at most the static one"},
-      {"contact_stiffness_n_per_m", "of one contact point; else as the session has it"},
-      {"torsion_radius_m", "of a soft surface: resists turning on the spot"}};
-  std::vector<FileKey> rows;
+FileKeys ListSurfaceKeys(Needed friction, const std::string& prefix) {
+  FileKeys rows;
   SurfaceMaterial surface;
-  surface.Visit([&](const std::string& key, double&, double least, double most) {
+  surface.Visit([&](const std::string& key, double&, const KeyInfo& info) {
     const bool is_needed = friction == Needed::kYes && key.rfind("friction", 0) == 0;
-    rows.push_back({prefix + key, is_needed ? kRequired : "", meanings.at(key),
-                    is_needed ? kAboveZero : least, most});
+    rows.push_back({prefix + key, is_needed ? kRequired : "", info.meaning,
+                    is_needed ? kAboveZero : info.low, info.high});
   });
   return rows;
 }
 
 void ReadSurface(YamlMap& map, Needed friction, SurfaceMaterial& surface) {
-  surface.Visit([&](const char* key, double& value, double, double) {
+  surface.Visit([&](const char* key, double& value, const KeyInfo&) {
     const bool is_friction =
         &value == &surface.friction_static || &value == &surface.friction_dynamic;
     map.Read(key, value, is_friction ? friction : Needed::kNo);

@@ -9,12 +9,12 @@ points as its surface has balls. */
 #include <string>
 #include <vector>
 
+#include "core/base/file_keys.h"
 #include "core/base/units.h"
 
 namespace graspbench {
 
 enum class Needed;
-struct FileKey;
 class YamlMap;
 
 /** A soft layer on the surface, of a rubber that keeps its volume (Poisson's ratio 1/2). How it
@@ -34,18 +34,20 @@ struct SurfaceMaterial {
   SoftPad pad = {};                  ///< of links of a hand: hand.yaml
   double relaxation_time = kUnset;   ///< tau of core/physics/contact.h; no key of a file [s]
 
-  /** v(key in files, value, least, most). */
   template <class V>
   void Visit(V&& v) {
-    v("friction_static", friction_static, 0.0, 5.0);
-    v("friction_dynamic", friction_dynamic, 0.0, 5.0);
-    v("contact_stiffness_n_per_m", stiffness, 100.0, 1e7);
-    v("torsion_radius_m", torsion_radius, 0.0, 0.1);
+    v("friction_static", friction_static,
+      {"coefficient of friction with the other surface, sticking", 0, 5});
+    v("friction_dynamic", friction_dynamic, {"the same, sliding; at most the static one", 0, 5});
+    v("contact_stiffness_n_per_m", stiffness,
+      {"of one contact point; else as the session has it", 100, 1e7});
+    v("torsion_radius_m", torsion_radius,
+      {"of a soft surface: resists turning on the spot", 0, 0.1});
   }
 };
 
 /** The rows of these keys (core/base/file_keys.h). @param prefix  of each: "surfaces.". */
-std::vector<FileKey> ListSurfaceKeys(Needed friction, const std::string& prefix);
+FileKeys ListSurfaceKeys(Needed friction, const std::string& prefix);
 
 /** Reads the keys that are there into `surface` and reports what is out of range. Friction comes as
 a pair, the static coefficient not below the dynamic one. */

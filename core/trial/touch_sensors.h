@@ -57,13 +57,20 @@ struct SensorConfig {
 
   template <class V>
   void Visit(V&& v) {
-    v("patch_radius_m", patch_radius);
-    v("force_scale_n", force_scale);
-    v("saturation_n", saturation);
-    v("hysteresis", hysteresis);
-    v("noise", noise);
-    v("threshold", threshold);
-    v("rate_hz", rate);
+    v("patch_radius_m", patch_radius,
+      {"radius of the disc on which a contact of 5 N presses a tactile element", 0.0001, 0.05});
+    v("force_scale_n", force_scale,
+      {"force scale of a tactile element's exponential response", 0.01, 1000});
+    v("saturation_n", saturation,
+      {"force above which the reading of a tactile element stays constant", 0.01, 1000});
+    v("hysteresis", hysteresis,
+      {"hysteresis of a tactile element: a falling force f reads as at most f / (1 - hysteresis)",
+       0, 0.9});
+    v("noise", noise,
+      {"standard deviation of a tactile element's noise, share of the full reading", 0, 1});
+    v("threshold", threshold,
+      {"detection threshold of a tactile element, share of the full reading", 0, 1});
+    v("rate_hz", rate, {"sampling rate of every tactile element", 1, 10000});
   }
 };
 

@@ -20,12 +20,15 @@ struct CameraConfig {
 
   template <class V>
   void Visit(V&& v) {
-    v("look_height_m", look_height);
-    v("noise_grey_levels", noise);
-    v("blur_px", blur);
-    v("exposure", exposure);
-    v("shadows", has_shadows);
-    v("table_colour", table_colour);
+    v("look_height_m", look_height,
+      {"height of the camera above the table while it takes its picture", 0.25, 2});
+    v("noise_grey_levels", noise,
+      {"standard deviation of the noise of each colour channel", 0, 100});
+    v("blur_px", blur, {"standard deviation of the blur", 0, 20});
+    v("exposure", exposure, {"factor on the light of the camera's picture", 0.01, 100});
+    v("shadows", has_shadows,
+      "whether the camera's pictures show shadows; such pictures take six times as long");
+    v("table_colour", table_colour, "colour of the table in the camera's pictures, as #rrggbb");
   }
 };
 

@@ -270,13 +270,14 @@ const PipelineStage* Pipeline::Find(const std::string& stage) const {
 const FileKeys& ListPipelineKeys() {
   static const FileKeys keys = {
       {"about", "", "what it is for, in a sentence"},
-      {"stages", kRequired, "a map: the name of a stage, which is its folder's, and what it is"},
+      {"stages", kRequired, KeyType::kMap,
+       "a map: the name of a stage, which is its folder's, and what it is"},
       {"stages.command", kRequired, "one of the program's own, as run or study run"},
-      {"stages.inputs", "",
+      {"stages.inputs", "", KeyType::kMap,
        "a map: argument or option of the command, and the file, folder or stage that it gets; of a "
        "stage also a part, as benchmark/export/trials.csv"},
       {"stages.files", "", "what the command reads besides, as recordings that an input names"},
-      {"stages.parameters", "",
+      {"stages.parameters", "", KeyType::kMap,
        "a map: option of the command without its dashes, and its value, several, or true"},
   };
   return keys;

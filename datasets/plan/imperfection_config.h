@@ -17,10 +17,14 @@ struct ImperfectionConfig {
 
   template <class V>
   void Visit(V&& v) {
-    v("hysteresis_rad", hysteresis);
-    v("stick_slip", stick_slip);
-    v("stiffness_scale", stiffness_scale);
-    v("coupling_compliance_rad_per_nm", coupling_compliance);
+    v("hysteresis_rad", hysteresis,
+      {"width of the loop between a drive's command and its joint; 0: none", 0, 0.3});
+    v("stick_slip", stick_slip,
+      {"friction at which a resting joint breaks loose, share of its drive's torque limit; 0: none",
+       0, 0.9});
+    v("stiffness_scale", stiffness_scale, {"factor on the drives' stiffness", 0.05, 10});
+    v("coupling_compliance_rad_per_nm", coupling_compliance,
+      {"how far coupled joints yield from where their coupling has them; 0: rigid", 0, 10});
   }
 };
 

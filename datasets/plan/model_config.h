@@ -24,13 +24,16 @@ struct ModelConfig {
 
   template <class V>
   void Visit(V&& v) {
-    v("mass_scale", mass_scale);
-    v("friction_scale", friction_scale);
-    v("pad_torsion_scale", pad_torsion_scale);
-    v("pad_stiffness_scale", pad_stiffness_scale);
-    v("drive_torque_scale", drive_torque_scale);
-    v("joint_error_scale", joint_error_scale);
-    v("coupling_rule", coupling_rule);
+    v("mass_scale", mass_scale, {"factor on every object's mass and inertia", 0.01, 100});
+    v("friction_scale", friction_scale, {"factor on the friction of objects and links", 0, 10});
+    v("pad_torsion_scale", pad_torsion_scale, {"factor on every torsion radius", 0, 10});
+    v("pad_stiffness_scale", pad_stiffness_scale,
+      {"factor on the modulus of soft pads", 0.01, 1e4});
+    v("drive_torque_scale", drive_torque_scale, {"factor on the drives' torque limits", 0.01, 100});
+    v("joint_error_scale", joint_error_scale,
+      {"factor on the drives' error from trial to trial", 0, 10});
+    v("coupling_rule", coupling_rule,
+      "rule of coupled joints: own (as hand.yaml says), middle-first, even or fixed");
   }
 };
 

@@ -11,7 +11,6 @@
 #include "datasets/plan/firm_grip.h"
 #include "datasets/plan/grasp_choice.h"
 #include "datasets/plan/presets.h"
-#include "datasets/plan/session_keys.h"
 #include "datasets/plan/sim_check.h"
 
 namespace graspbench {
@@ -95,6 +94,11 @@ void CheckGrip(const StrategyConfig& strategy, std::vector<ConfigProblem>& probl
 }
 
 }  // namespace
+
+const FileKeys& ListSessionKeys() {
+  static const FileKeys keys = DescribeConfig(SessionFile());
+  return keys;
+}
 
 std::vector<ConfigProblem> Validate(const SessionConfig& config) {
   std::vector<ConfigProblem> problems;

@@ -6,6 +6,7 @@ frozen in full into the session's folder. */
 #include <string>
 #include <vector>
 
+#include "core/base/file_keys.h"
 #include "core/base/text/json.h"
 #include "core/grasp/strategy.h"
 #include "core/physics/sim_config.h"
@@ -24,8 +25,10 @@ struct VariationConfig {
 
   template <class V>
   void Visit(V&& v) {
-    v("offset_m", offset);
-    v("yaw_rad", yaw);
+    v("offset_m", offset,
+      {"half-width of the object's place in x and y, drawn for each trial", 0, 0.1});
+    v("yaw_rad", yaw,
+      {"half-width of the object's rotation about the vertical, drawn for each trial", 0, 3.1416});
   }
 };
 
@@ -80,21 +83,27 @@ struct SessionConfig : TrialConditions {
   template <class V>
   void Visit(V&& v) {
     VisitOwn(v);
-    v("approach", approach);
-    v("positioning", positioning);
+    v("approach", approach,
+      "from where hands come: above, side, or automatic (as objects and grasps say)");
+    v("positioning", positioning,
+      "what the hand knows of the object's place: nominal (nothing), true (all), or camera (what "
+      "the camera of its hand.yaml finds)");
     v("camera", camera);
-    v("touch", touch);
+    v("touch", touch,
+      "by what closure and stabilisation end: exact (the contacts) or sensed (what the elements of "
+      "the hand's tactile.yaml feel)");
     v("sensors", sensors);
     v("imperfections", imperfections);
   }
   /** Without what a campaign does not choose. */
   template <class V>
   void VisitOwn(V&& v) {
-    v("hands", hands);
-    v("objects", objects);
-    v("grasps", grasps);
-    v("trials", trials);
-    v("seed", seed);
+    v("hands", hands, "hands by id, name or folder, or all");
+    v("objects", objects, "objects by id, name or folder, or all");
+    v("grasps", grasps,
+      "standard grasps by id or name, grasp files (.yaml), best, by-sight, or all");
+    v("trials", trials, {"trials of each hand, object and grasp", 1, 100000});
+    v("seed", seed, {"random seed; another seed gives other sampled poses", 0, 2147483647});
     TrialConditions::Visit(v);
   }
 };
@@ -105,10 +114,14 @@ struct SessionFile : SessionConfig {
 
   template <class V>
   void Visit(V&& v) {
-    v("preset", preset);
+    v("preset", preset, "named settings in the place of the defaults; graspbench help lists them");
     SessionConfig::Visit(v);
   }
 };
+
+/** The keys of a session file. The ranges keep the simulation stable and short; they are wider than
+anything sensible. */
+const FileKeys& ListSessionKeys();
 
 /** A value that a session must not have. */
 struct ConfigProblem {

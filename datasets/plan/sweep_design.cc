@@ -12,7 +12,6 @@
 #include "core/base/text/text.h"
 #include "datasets/plan/conditions.h"
 #include "datasets/plan/firm_grip.h"
-#include "datasets/plan/session_keys.h"
 
 namespace graspbench {
 namespace {
@@ -192,20 +191,7 @@ SweepConfig LoadSweepConfig(const std::string& path) {
 }
 
 const FileKeys& ListSweepKeys() {
-  static const FileKeys keys = [] {
-    FileKeys rows = {
-        {"factors", "",
-         "list of KEY=VALUE,VALUE,..: a session's setting, grasp, delay.last, "
-         "delay.first or backend; the base's level first"},
-        {"design", "", "full, one-at-a-time or latin:N (the base and up to N combinations)"},
-        {"judge", "", "also break what is held; some five times as long"},
-        {"threshold", "",
-         "margin or force: also find the smallest with which each draw succeeds, under every "
-         "condition; at most six more trials each"}};
-    const FileKeys& session = ListSessionKeys();
-    rows.insert(rows.end(), session.begin(), session.end());
-    return DescribeConfig(SweepConfig(), rows);
-  }();
+  static const FileKeys keys = DescribeConfig(SweepConfig());
   return keys;
 }
 

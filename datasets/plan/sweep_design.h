@@ -27,10 +27,15 @@ struct SweepConfig : SessionConfig {
 
   template <class V>
   void Visit(V&& v) {
-    v("factors", factors);
-    v("design", design);
-    v("judge", judge);
-    v("threshold", threshold);
+    v("factors", factors,
+      {"list of KEY=VALUE,VALUE,..: a session's setting, grasp, delay.last, delay.first or "
+       "backend; the base's level first",
+       KeyType::kList});
+    v("design", design, "full, one-at-a-time or latin:N (the base and up to N combinations)");
+    v("judge", judge, "also break what is held; some five times as long");
+    v("threshold", threshold,
+      "margin or force: also find the smallest with which each draw succeeds, under every "
+      "condition; at most six more trials each");
     SessionConfig::Visit(v);
   }
 };

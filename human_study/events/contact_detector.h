@@ -14,6 +14,7 @@ starts from there and looks back, so that touching and letting go before the gra
 #include <string_view>
 #include <vector>
 
+#include "core/base/file_keys.h"
 #include "human_study/events/doubts/regrasp.h"
 #include "human_study/events/event_time.h"
 #include "human_study/events/filtered_trial.h"
@@ -37,15 +38,30 @@ struct ContactOptions {
 
   template <class V>
   void Visit(V&& v) {
-    v("detector", detector);
-    v("cutoff_hz", cutoff);
-    v("object_cutoff_hz", object_cutoff);
-    v("speed_threshold_m_per_s", speed_threshold);
-    v("max_pad_offset_m", max_pad_offset);
-    v("max_pad_difference_m", max_pad_difference);
-    v("max_looseness", max_looseness);
-    v("max_uncertainty_s", max_uncertainty);
-    v("force_noise_factor", force_noise_factor);
+    v("detector", detector,
+      {"the detector that is believed; auto: surface where every trial's object has a known shape, "
+       "else breakpoint",
+       "auto"});
+    v("cutoff_hz", cutoff,
+      {"cut-off of the zero-phase filter on the tips; unless stated, at most 0.34 of the "
+       "recording\'s rate",
+       kAboveZero});
+    v("object_cutoff_hz", object_cutoff,
+      {"cut-off of the filter on the object's pose; unless stated, at most 0.34 of the "
+       "recording\'s rate",
+       kAboveZero});
+    v("speed_threshold_m_per_s", speed_threshold,
+      {"detector speed: slower against the object", kAboveZero});
+    v("max_pad_offset_m", max_pad_offset,
+      {"a marker held farther from the surface does not touch", kAboveZero});
+    v("max_pad_difference_m", max_pad_difference,
+      {"nor one so much farther than the other digits'", kAboveZero});
+    v("max_looseness", max_looseness,
+      {"nor one held so many times looser than the others", kAboveZero});
+    v("max_uncertainty_s", max_uncertainty,
+      {"a contact known less well is not usable; 0: all are", 0});
+    v("force_noise_factor", force_noise_factor,
+      {"detector force: above so many standard deviations", kAboveZero});
   }
 };
 

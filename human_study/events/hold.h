@@ -28,6 +28,7 @@ trial before that. */
 #include <string>
 #include <vector>
 
+#include "core/base/file_keys.h"
 #include "human_study/events/filtered_trial.h"
 #include "human_study/events/scalar_curve.h"
 
@@ -40,9 +41,12 @@ struct HoldOptions {
 
   template <class V>
   void Visit(V&& v) {
-    v("rule", rule);
-    v("cutoff_hz", cutoff);
-    v("speed_threshold_m_per_s", speed_threshold);
+    v("rule", rule, "how the hold is found of what is not lifted");
+    v("cutoff_hz", cutoff,
+      {"cut-off of the zero-phase filter on the tips; unless stated, at most 0.34 of the "
+       "recording\'s rate",
+       kAboveZero});
+    v("speed_threshold_m_per_s", speed_threshold, {"tips that are faster do not hold", kAboveZero});
   }
 };
 

@@ -6,6 +6,7 @@ When the object leaves its support, and when it first moves at all. */
 #include <string>
 #include <vector>
 
+#include "core/base/file_keys.h"
 #include "human_study/events/event_time.h"
 #include "human_study/events/reach_trial.h"
 #include "human_study/events/scalar_curve.h"
@@ -23,15 +24,18 @@ struct LiftOffOptions {
 
   template <class V>
   void Visit(V&& v) {
-    v("rule", rule);
-    v("cutoff_hz", cutoff);
-    v("min_rise_m", min_rise);
-    v("rise_m", rise);
-    v("speed_m_per_s", speed);
-    v("displacement_m", displacement);
-    v("up_x", up_x);
-    v("up_y", up_y);
-    v("up_z", up_z);
+    v("rule", rule, "how the lift-off is found");
+    v("cutoff_hz", cutoff,
+      {"cut-off of the zero-phase filter on the object; unless stated, at most 0.34 of the "
+       "recording\'s rate",
+       kAboveZero});
+    v("min_rise_m", min_rise, {"an object that rises less is not lifted", kAboveZero});
+    v("rise_m", rise, {"rule rise: this high", kAboveZero});
+    v("speed_m_per_s", speed, {"rule traced_back: slower than this", kAboveZero});
+    v("displacement_m", displacement, {"an object this far from its place has moved", kAboveZero});
+    v("up_x", up_x, "direction of the lift in the laboratory, x");
+    v("up_y", up_y, "the same, y");
+    v("up_z", up_z, "the same, z");
   }
 };
 

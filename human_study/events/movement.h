@@ -9,6 +9,7 @@ backwards, so both ends are treated alike and turning time round swaps them. */
 #include <string>
 #include <vector>
 
+#include "core/base/file_keys.h"
 #include "human_study/events/scalar_curve.h"
 
 namespace graspbench {
@@ -21,10 +22,13 @@ struct MovementOptions {
 
   template <class V>
   void Visit(V&& v) {
-    v("rule", rule);
-    v("cutoff_hz", cutoff);
-    v("speed_threshold_m_per_s", speed_threshold);
-    v("peak_fraction", peak_fraction);
+    v("rule", rule, "how onset and end are found");
+    v("cutoff_hz", cutoff,
+      {"cut-off of the zero-phase filter on the wrist; unless stated, at most 0.34 of the "
+       "recording\'s rate",
+       kAboveZero});
+    v("speed_threshold_m_per_s", speed_threshold, {"of the rules with a threshold", kAboveZero});
+    v("peak_fraction", peak_fraction, {"of the peak speed, of the rules with one", kAboveZero});
   }
 };
 

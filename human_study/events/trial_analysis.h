@@ -13,6 +13,7 @@ measures. */
 #include <utility>
 #include <vector>
 
+#include "core/base/file_keys.h"
 #include "core/grasp/contact_order.h"
 #include "human_study/events/contact_detector.h"
 #include "human_study/events/doubts/plausibility.h"
@@ -34,10 +35,13 @@ struct OpeningOptions {
 
   template <class V>
   void Visit(V&& v) {
-    v("measure", measure);
-    v("maximum", maximum);
-    v("cutoff_hz", cutoff);
-    v("min_prominence_m", min_prominence);
+    v("measure", measure, "of the hand");
+    v("maximum", maximum, "start of the closure: largest or last");
+    v("cutoff_hz", cutoff,
+      {"cut-off of the zero-phase filter on the tips; unless stated, at most 0.34 of the "
+       "recording\'s rate",
+       kAboveZero});
+    v("min_prominence_m", min_prominence, {"of a last maximum", kAboveZero});
   }
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <string>
 #include <vector>
@@ -30,19 +29,9 @@ Node MakeTree(const FileKeys& keys) {
   return root;
 }
 
-bool Begins(const FileKey* row, const char* word) {
-  return row && row->meaning.rfind(word, 0) == 0;
-}
-
 /** "ID" and "DIGIT" stand for any name. */
 bool IsPlaceholder(const std::string& name) {
   return std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isupper(c); });
-}
-
-bool IsNumber(const std::string& text) {
-  char* end = nullptr;
-  std::strtod(text.c_str(), &end);
-  return !text.empty() && *end == '\0';
 }
 
 /** A number in range, or several, in lists or by name (the postures of a grasp). */
@@ -59,10 +48,9 @@ Json MakeNumbers(const FileKey& row) {
 }
 
 Json MakeLeaf(const FileKey& row) {
-  if (row.fallback == "true" || row.fallback == "false") return {{"type", "boolean"}};
+  if (row.type == KeyType::kBoolean) return {{"type", "boolean"}};
   const bool has_range = std::isfinite(row.low) || std::isfinite(row.high);
-  if (has_range || IsNumber(row.fallback)) return MakeNumbers(row);
-  return Json::object();
+  return has_range || row.type == KeyType::kNumber ? MakeNumbers(row) : Json::object();
 }
 
 Json MakeNode(const Node& node);
@@ -77,8 +65,8 @@ Json MakeMap(const Node& node) {
       continue;
     }
     properties[name] = MakeNode(child);
-    // What is needed "of joints that turn" is not needed of others.
-    if (child.row && child.row->fallback == kRequired && !Begins(child.row, "of ")) {
+    if (child.row && child.row->fallback == kRequired &&
+        child.row->type != KeyType::kNumberOfSome) {
       required.push_back(name);
     }
   }
@@ -89,12 +77,10 @@ Json MakeMap(const Node& node) {
 
 Json MakeNode(const Node& node) {
   Json schema = node.children.empty() ? MakeLeaf(*node.row) : MakeMap(node);
-  if (Begins(node.row, "list")) {
-    const Json items = node.children.empty() ? Json::object() : schema;
-    schema = {{"type", "array"}, {"items", items}};
-  } else if (Begins(node.row, "a map:")) {
-    const Json values = node.children.empty() ? Json::object() : schema;
-    schema = {{"type", "object"}, {"additionalProperties", values}};
+  if (node.row && node.row->type == KeyType::kList) {
+    schema = {{"type", "array"}, {"items", schema}};
+  } else if (node.row && node.row->type == KeyType::kMap) {
+    schema = {{"type", "object"}, {"additionalProperties", schema}};
   }
   if (node.row) schema["description"] = node.row->meaning;
   return schema;

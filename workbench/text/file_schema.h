@@ -8,8 +8,6 @@ are, which are needed, which numbers are in range. The readers check more: ids, 
 
 namespace graspbench {
 
-/** Whether a key is a list or a map of names is taken from how its meaning begins
-(core/base/file_keys.h). */
 Json MakeFileSchema(const FileFormat& format);
 
 }  // namespace graspbench

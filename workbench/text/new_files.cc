@@ -14,10 +14,8 @@
 #include "datasets/campaign/real_trials.h"
 #include "datasets/judged_grasps/profile_file.h"
 #include "datasets/plan/session_config.h"
-#include "datasets/plan/session_keys.h"
 #include "datasets/plan/sweep_design.h"
 #include "human_study/study/design/study_config.h"
-#include "human_study/study/design/study_keys.h"
 #include "objects/catalogue.h"
 #include "objects/object_file.h"
 

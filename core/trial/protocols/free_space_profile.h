@@ -11,6 +11,7 @@ modelled: tendons that pull two joints at once. */
 #include <string>
 
 #include "core/base/enum_table.h"
+#include "core/base/file_keys.h"
 #include "core/physics/contact.h"
 #include "core/physics/sim_config.h"
 
@@ -82,14 +83,17 @@ struct ProfileDrives {
 
   template <class V>
   void Visit(V&& v) {
-    v("law", law);
-    v("stiffness_nm_per_rad", stiffness);
-    v("damping_nms_per_rad", damping);
-    v("friction_nm", friction);
-    v("armature_kg_m2", armature);
-    v("torque_limit_nm", torque_limit);
-    v("free_distal", free_distal);
-    v("beyond_limits", beyond_limits);
+    v("law", law, "own: the hand's drives; given: these four, of every joint that turns");
+    v("stiffness_nm_per_rad", stiffness, {"of a given drive", 0, 1e4});
+    v("damping_nms_per_rad", damping, {"of a given drive, with that of its joint", 0, 1e3});
+    v("friction_nm", friction, {"of a given drive, sticking and sliding", 0, 10});
+    v("armature_kg_m2", armature, {"of a given drive: its rotor, as the joint feels it", 0, 1});
+    v("torque_limit_nm", torque_limit, {"of a given drive; 0: the hand's own", 0, 1e3});
+    v("free_distal", free_distal,
+      "joints that a finger's middle joint moves along have a drive of their own");
+    v("beyond_limits", beyond_limits,
+      "a stage asks for more than a joint's limits: refuse the grasp, clip the command, or ignore "
+      "it (the stop pushes back)");
   }
 };
 
@@ -101,10 +105,12 @@ struct ProfileSurfaces {
 
   template <class V>
   void Visit(V&& v) {
-    v("pads", pads);
-    v("torsion_radius_m", torsion_radius);
-    v("relaxation_time_s", relaxation_time);
-    v("friction", friction);
+    v("pads", pads, "own: the hand's soft pads; given: bare links with this torsion");
+    v("torsion_radius_m", torsion_radius,
+      {"resists spin up to friction times normal force times this; of given pads", 0, 0.1});
+    v("relaxation_time_s", relaxation_time,
+      {"damping of a contact over its stiffness; of given pads", 0.001, 1});
+    v("friction", friction, {"of hand and object, and of the hand with itself", 0, 5});
   }
 };
 
@@ -118,11 +124,20 @@ struct ProfileClosing {
 
   template <class V>
   void Visit(V&& v) {
-    v("stages", stages);
-    v("to", to);
-    v("press_rad_per_m", press);
-    v("press_reach_m", press_reach);
-    v("object_is_held", object_is_held);
+    v("stages", stages,
+      "those of the grasp that the hand goes through: all; first, to close from the open hand; "
+      "grasp, to begin at it");
+    v("to", to,
+      "what the joints are asked for after the last stage: stated, as it says; press, beyond it "
+      "where a link touches; limits, closed as far as they go");
+    v("press_rad_per_m", press,
+      {"of press: so much of each joint by how far it moves a touching point into the object", 0,
+       100});
+    v("press_reach_m", press_reach,
+      {"of press: the points that touch are nearer to the surface than this", 0, 0.05});
+    v("object_is_held", object_is_held,
+      "until two of digits and palm touch it, the object is put back after each step; where that "
+      "never comes, the grasp fails");
   }
 };
 
@@ -157,25 +172,33 @@ struct FreeSpaceProfile {
 
   template <class V>
   void Visit(V&& v) {
-    v("about", about);
-    v("source", source);
+    v("about", about, "one line for lists");
+    v("source", source, "where the values come from");
     v("drives", drives);
     v("surfaces", surfaces);
     v("closing", closing);
-    v("object_mass_kg", mass);
-    v("object_density_kg_per_m3", density);
-    v("stage_time_s", stage_time);
-    v("stage_updates", stage_updates);
-    v("test", test);
-    v("acceleration_m_per_s2", acceleration);
-    v("test_time_s", test_time);
-    v("check_interval_s", check_interval);
-    v("lift_height_m", lift_height);
-    v("max_start_penetration_m", max_start_penetration);
-    v("max_shift_m", max_shift);
-    v("max_turn_deg", max_turn_deg);
-    v("must_touch", must_touch);
-    v("finds_breaking_load", finds_breaking_load);
+    v("object_mass_kg", mass, {"0: by the density", 0, 100});
+    v("object_density_kg_per_m3", density,
+      {"of the mesh's volume, where the mass is 0", kAboveZero, 3e4});
+    v("stage_time_s", stage_time, {"from one stage of the grasp to the next", 0.001, 60});
+    v("stage_updates", stage_updates,
+      {"the commands change so often in a stage; 0: in every step", 0, 10000});
+    v("test", test,
+      "pushes: six, along the axes of the file's world; fall: one, out of the palm along its "
+      "normal; lift: from a table at the world's z = 0");
+    v("acceleration_m_per_s2", acceleration,
+      {"times the object's mass: the push, or the weight of a lift from the start", 0, 1000});
+    v("test_time_s", test_time, {"of each push, or of the lift", 0.01, 60});
+    v("check_interval_s", check_interval,
+      {"between looks at how far the object has moved", 0.001, 60});
+    v("lift_height_m", lift_height, {"of a lift", 0, 1});
+    v("max_start_penetration_m", max_start_penetration,
+      {"of hand and object at the first stage", 0, 0.1});
+    v("max_shift_m", max_shift, {"of the object from where it began", kAboveZero, 10});
+    v("max_turn_deg", max_turn_deg, {"of the object from how it began", kAboveZero, 360});
+    v("must_touch", must_touch, "in the last look the hand touches the object");
+    v("finds_breaking_load", finds_breaking_load,
+      "of pushes: also the largest that the grasp stands along all six axes, to 5 %");
     v("sim", sim);
   }
 };

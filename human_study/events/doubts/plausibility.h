@@ -54,13 +54,16 @@ struct PlausibilityOptions {
 
   template <class V>
   void Visit(V&& v) {
-    v("max_contact_after_end_s", max_contact_after_end);
-    v("max_closure_time_s", max_closure_time);
-    v("max_hold_distance_m", max_hold_distance);
-    v("max_disagreement_s", max_disagreement);
-    v("max_moved_before_s", max_moved_before);
-    v("min_carried_m", min_carried);
-    v("lift_axis", lift_axis);
+    v("max_contact_after_end_s", max_contact_after_end, {"a later contact is doubted", 0});
+    v("max_closure_time_s", max_closure_time, {"a longer closure is doubted", 0});
+    v("max_hold_distance_m", max_hold_distance,
+      {"markers farther from the surface make the shape doubted", 0});
+    v("max_disagreement_s", max_disagreement,
+      {"of the detectors, before their contacts are doubted", 0});
+    v("max_moved_before_s", max_moved_before,
+      {"an object that moved earlier before its first contact is doubted", 0});
+    v("min_carried_m", min_carried, {"a shorter way is no carrying", 0});
+    v("lift_axis", lift_axis, "look for other directions of the lift");
   }
 };
 

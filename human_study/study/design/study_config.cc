@@ -11,7 +11,6 @@
 #include "core/base/files/files.h"
 #include "core/base/text/data_table.h"
 #include "human_study/study/design/study_cutoffs.h"
-#include "human_study/study/design/study_keys.h"
 #include "human_study/study/design/study_levels.h"
 #include "objects/catalogue.h"
 
@@ -447,6 +446,11 @@ std::string NameOfDigit(const std::string& id) {
   return id;
 }
 
+const FileKeys& ListStudyKeys() {
+  static const FileKeys keys = DescribeConfig(StudyConfig());
+  return keys;
+}
+
 MarkerConfig MarkersOfHand(const MarkerConfig& markers, const std::string& hand) {
   const auto replace = [&](std::string& label) {
     const std::string name = kHand;
@@ -456,13 +460,14 @@ MarkerConfig MarkersOfHand(const MarkerConfig& markers, const std::string& hand)
     }
   };
   MarkerConfig own = markers;
-  const auto replace_all = [&](const char*, std::vector<std::string>& labels) {
+  const auto replace_all = [&](const char*, std::vector<std::string>& labels, const KeyInfo& = {}) {
     for (std::string& label : labels) replace(label);
   };
   own.tips.Visit(replace_all);
   replace_all("", own.wrist);
   replace_all("", own.object);
-  own.companions.Visit([&](const char*, std::string& label) { replace(label); });
+  own.companions.Visit(
+      [&](const char*, std::string& label, const KeyInfo& = {}) { replace(label); });
   return own;
 }
 

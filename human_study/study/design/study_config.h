@@ -45,6 +45,7 @@ times in seconds, frequencies in hertz. */
 #include <vector>
 
 #include "core/base/diagnostics.h"
+#include "core/base/file_keys.h"
 #include "human_study/events/object_surface.h"
 #include "human_study/events/trial_analysis.h"
 #include "human_study/statistics/measure_table.h"
@@ -66,10 +67,10 @@ struct PerDigit {
   template <class V>
   void Visit(V&& v) {
     v("thumb", thumb);
-    v("index", index);
-    v("middle", middle);
-    v("ring", ring);
-    v("little", little);
+    v("index", index, "the same of the index");
+    v("middle", middle, "the same of the middle finger");
+    v("ring", ring, "the same of the ring finger");
+    v("little", little, "the same of the little finger");
   }
 };
 
@@ -89,10 +90,18 @@ struct MarkerConfig {
 
   template <class V>
   void Visit(V&& v) {
-    tips.Visit(v);
-    v("wrist", wrist);
-    v("object", object);
-    v("companions", companions);
+    v("thumb", tips.thumb,
+      {"labels of the marker on the thumb's tip: the first that a recording has", kRequired});
+    v("index", tips.index,
+      {"the same of the index; at least one digit beside the thumb", "not recorded"});
+    v("middle", tips.middle, {"the same of the middle finger", "not recorded"});
+    v("ring", tips.ring, {"the same of the ring finger", "not recorded"});
+    v("little", tips.little, {"the same of the little finger", "not recorded"});
+    v("wrist", wrist, {"labels of the wrist's marker, likewise", "middle of the tips"});
+    v("object", object,
+      {"labels of the object's markers: all that a recording has", "not recorded"});
+    v("companions", companions,
+      {"second marker on the thumb: longer gaps of its tip are filled along it", "none"});
   }
 };
 
@@ -104,10 +113,10 @@ struct RecordingConfig {
 
   template <class V>
   void Visit(V&& v) {
-    v("format", format);
-    v("unit", unit);
-    v("mapping", mapping);
-    v("accept_truncated", accept_truncated);
+    v("format", format, {"importer that reads the recordings", "by content and name"});
+    v("unit", unit, {"of length, for files that state none", "as the file states"});
+    v("mapping", mapping, {"columns of plain tables: a file beside study.yaml", "none"});
+    v("accept_truncated", accept_truncated, "go on with recordings that are cut off");
   }
 };
 
@@ -119,8 +128,11 @@ struct CutConfig {
 
   template <class V>
   void Visit(V&& v) {
-    v("near_m", near);
-    v("far_m", far);
+    v("near_m", near,
+      {"fingertips this near to the object begin a trial of a long recording; 0: a row of the "
+       "trials is one trial; else at least 0.001",
+       0, 10});
+    v("far_m", far, {"fingertips this far end it; larger than cut.near_m", 0});
   }
 };
 
@@ -132,10 +144,11 @@ struct CleaningConfig {
 
   template <class V>
   void Visit(V&& v) {
-    v("drop_frozen", drop_frozen);
-    v("max_gap_s", max_gap);
-    v("max_companion_gap_s", max_companion_gap);
-    v("rest_share", rest_share);
+    v("drop_frozen", drop_frozen, "repeated positions are invalid: the tracker held the last one");
+    v("max_gap_s", max_gap, {"longer gaps stay open", 0, 5});
+    v("max_companion_gap_s", max_companion_gap, {"the same of tips with a companion", 0, 5});
+    v("rest_share", rest_share,
+      {"of the trial, at its start, in which the object rests", 0.01, 0.9});
   }
 };
 
@@ -150,11 +163,12 @@ struct RemovalConfig {
 
   template <class V>
   void Visit(V&& v) {
-    v("missing_digit", missing_digit);
-    v("filled_event", filled_event);
-    v("gap_event", gap_event);
-    v("max_disagreement_s", max_disagreement);
-    v("implausible", implausible);
+    v("missing_digit", missing_digit, "remove trials in which a recorded digit never touched");
+    v("filled_event", filled_event, "remove trials with an event decided on filled samples");
+    v("gap_event", gap_event, "remove trials with an event in a gap");
+    v("max_disagreement_s", max_disagreement,
+      {"remove trials whose detectors disagree by more; 0: none", 0, 10});
+    v("implausible", implausible, "remove trials that are doubted");
   }
 };
 
@@ -169,11 +183,13 @@ struct MultiverseConfig {
 
   template <class V>
   void Visit(V&& v) {
-    v("measure", measure);
-    v("onset", onset);
-    v("cutoff_hz", cutoff);
-    v("detector", detector);
-    v("opening", opening);
+    v("measure", measure, "the main test's measure");
+    v("onset", onset, "rules of the movement's onset");
+    v("cutoff_hz", cutoff,
+      {"cut-off of the contact detectors; unless stated, at most 0.34 of the recording\'s rate",
+       0.5, 1000});
+    v("detector", detector, {"contact detectors", "all there are"});
+    v("opening", opening, "measures of the hand's opening");
   }
 };
 
@@ -202,29 +218,41 @@ struct StudyConfig {
 
   template <class V>
   void Visit(V&& v) {
-    v("name", name);
-    v("task", task);
-    v("trials", trials);
-    v("objects", objects);
-    v("hypotheses", hypotheses);
-    v("reviews", reviews);
-    v("robot", robot);
-    v("factors", factors);
-    v("groups", groups);
-    v("session", session);
-    v("measures", measures);
+    v("name", name, "title of the report");
+    v("task", task, "label of the Motion-BIDS derivative: letters and digits");
+    v("trials", trials,
+      "table with one row per trial, beside study.yaml: participant, file; if needed trial, "
+      "object, table_trial (of a plain table with several), start_s, end_s, hand, remove (why it "
+      "is left out) and the factors");
+    v("objects", objects,
+      {"table of the objects: object, shape (sphere, cylinder, box, catalogue), length_m, width_m, "
+       "height_m; centre_x_m, centre_y_m, centre_z_m from the middle of its markers at rest to its "
+       "centre",
+       "none"});
+    v("hypotheses", hypotheses, {"table of what the measures are tested against", "none"});
+    v("reviews", reviews, {"table of contacts that a person confirmed or corrected", "none"});
+    v("robot", robot, {"a session of graspbench run to stand beside the people", "none"});
+    v("factors", factors, {"columns of the trials that vary within each person", "none"});
+    v("groups", groups,
+      {"columns of the trials that are the same in all trials of a person", "none"});
+    v("session", session, {"column of the trials that says which session each belongs to", "none"});
+    v("measures", measures, {"ids of the measures that are tested and drawn", "the usual ones"});
     v("markers", markers);
-    v("forces", forces);
-    v("pad_offsets_m", pad_offsets);
+    v("forces", forces, {"analog channel of the force under the thumb", "none"});
+    v("pad_offsets_m", pad_offsets,
+      {"from the marker to the skin, thumb", "learned from the holds", 0, 0.05});
     v("recording", recording);
     v("cut", cut);
     v("cleaning", cleaning);
     analysis.Visit(v);
     v("removal", removal);
     v("multiverse", multiverse);
-    v("bias_trials", bias_trials);
+    v("bias_trials", bias_trials, {"of each row of the bias card; 0: none", 0, 10000});
   }
 };
+
+/** The keys of study.yaml. */
+const FileKeys& ListStudyKeys();
 
 struct StudyObject {
   std::string id;

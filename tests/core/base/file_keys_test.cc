@@ -68,21 +68,19 @@ struct Pair {
 
   template <class V>
   void Visit(V&& v) {
-    v("known", known);
-    v("unset", unset);
-    v("list", list);
+    v("known", known, {"k", 0, 5});
+    v("unset", unset, {"u", 0, 5});
+    v("list", list, {"l", 0, 5});
   }
 };
 
 TEST(FileKeysTest, ConfigurationsBringTheirDefaults) {
-  const FileKeys rows = {
-      {"list", "", "l", 0, 5}, {"known", "", "k", 0, 5}, {"unset", "", "u", 0, 5}};
-  const FileKeys keys = DescribeConfig(Pair(), rows);
-  ASSERT_EQ(keys.size(), 3u);
-  EXPECT_EQ(keys[0].key + keys[1].key + keys[2].key, "knownunsetlist");
-  EXPECT_EQ(keys[0].fallback, "2.0");
-  EXPECT_EQ(keys[1].fallback, "");
-  EXPECT_EQ(keys[2].fallback, "[1.0, 2.0]");
+  const FileKeys rows = DescribeConfig(Pair());
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0].key + rows[1].key + rows[2].key, "knownunsetlist");
+  EXPECT_EQ(rows[0].fallback, "2.0");
+  EXPECT_EQ(rows[1].fallback, "");
+  EXPECT_EQ(rows[2].fallback, "[1.0, 2.0]");
 
   Pair pair;
   EXPECT_TRUE(FindOutOfRange(pair, rows).empty());  // what is not given is not out of range
@@ -94,6 +92,33 @@ TEST(FileKeysTest, ConfigurationsBringTheirDefaults) {
   EXPECT_EQ(found[0].second, "nan is out of range; expected 0 to 5");
   EXPECT_EQ(found[1].second, "-1 is out of range; expected 0 to 5");
   EXPECT_EQ(found[2].second, "6 is out of range; expected 0 to 5");
+}
+
+struct Pot {
+  bool has_lid = false;
+  std::string label;
+  Pair handles;
+
+  template <class V>
+  void Visit(V&& v) {
+    v("lid", has_lid, "true of one with a lid");
+    v("label", label, {"what stands on it", "none"});
+    v("handles", handles, {"of a handle", "those of the mould", 1, 2});
+  }
+};
+
+TEST(FileKeysTest, ARowHasItsTypeAndWhatItsGroupSays) {
+  const FileKeys rows = DescribeConfig(Pot());
+  ASSERT_EQ(rows.size(), 5u);
+  EXPECT_EQ(rows[0].type, KeyType::kBoolean);
+  EXPECT_EQ(rows[0].fallback, "false");
+  EXPECT_EQ(rows[1].type, KeyType::kAny);
+  EXPECT_EQ(rows[1].fallback, "none");
+  EXPECT_EQ(rows[2].key, "handles.known");
+  EXPECT_EQ(rows[2].type, KeyType::kNumber);
+  EXPECT_EQ(rows[2].meaning, "k");
+  EXPECT_EQ(rows[2].fallback, "those of the mould");
+  EXPECT_EQ(FormatRange(rows[2]), "0 to 5");
 }
 
 TEST(FileKeysTest, HelpHasUnitRangeAndDefault) {

@@ -36,6 +36,17 @@ std::string FindSettingProblem(const std::string& assignment) {
   return "";
 }
 
+TEST(SessionConfig, NoKeyLacksItsMeaning) {
+  for (const FileKey& row : ListSessionKeys()) {
+    EXPECT_NE(row.meaning, "") << row.key;
+    EXPECT_EQ(row.fallback.empty(), row.key == "preset") << row.key;
+  }
+  const FileKey* step = FindFileKey(ListSessionKeys(), "sim.step_s");
+  ASSERT_NE(step, nullptr);
+  EXPECT_EQ(step->fallback, "0.002");
+  EXPECT_EQ(FormatRange(*step), "0.0001 to 0.01");
+}
+
 TEST(SessionConfig, DefaultsAreTheBenchmark) {
   const SessionConfig config = ParseSessionConfig("# only a comment\n", "s.yaml");
   EXPECT_EQ(config.hands, (std::vector<std::string>{"tum", "shadow"}));

@@ -315,6 +315,35 @@ TEST_F(StudyFolder, FaultsOfTheTablesHaveTheirLine) {
          "hypotheses.csv:2: error: equal_within: expected more than 0");
 }
 
+TEST(ParseStudyConfig, NoKeyLacksItsMeaning) {
+  for (const FileKey& row : ListStudyKeys()) {
+    EXPECT_NE(row.meaning, "") << row.key;
+    EXPECT_NE(row.fallback, "") << row.key;
+  }
+  const FileKey* ring = FindFileKey(ListStudyKeys(), "pad_offsets_m.ring");
+  ASSERT_NE(ring, nullptr);
+  EXPECT_EQ(ring->meaning, "the same of the ring finger");
+  EXPECT_EQ(ring->fallback, "learned from the holds");
+  EXPECT_EQ(FormatRange(*ring), "0 to 0.05");
+}
+
+// What help says of a number's limits is what the reader keeps to.
+TEST(ParseStudyConfig, EveryLimitIsChecked) {
+  int num_checked = 0;
+  for (const FileKey& key : ListStudyKeys()) {
+    if (!std::isfinite(key.low) || key.key.find("multiverse") == 0) continue;
+    Diagnostics problems;
+    ParseStudyConfig("markers: {thumb: t, index: i, object: o}\n", "study.yaml", problems,
+                     {key.key + "=-1"});
+    EXPECT_NE(
+        problems.Format().find(key.key + ": -1 is out of range; expected " + FormatRange(key)),
+        std::string::npos)
+        << problems.Format();
+    ++num_checked;
+  }
+  EXPECT_GT(num_checked, 30);
+}
+
 TEST(ParseStudyConfig, SettingsGoOverTheFile) {
   Diagnostics problems;
   const std::string text = "markers: {thumb: t, index: i}\ncontact: {detector: speed}\n";

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "human_study/study/design/study_keys.h"
+#include "human_study/study/design/study_config.h"
 
 namespace graspbench {
 namespace {
