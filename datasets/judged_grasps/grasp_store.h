@@ -39,12 +39,12 @@ struct JudgedGrasp {
   static void ListFields(V&& field) {
     using J = JudgedGrasp;
     field("request", &J::request);
-    field("source", &J::source);
-    field("index", &J::index);
-    field("object", &J::object);
-    field("profile", &J::profile);
-    field("jitter", &J::jitter);
-    field("label", &J::label);
+    field("source", &J::source, FieldColumn{"", "file of the grasp"});
+    field("index", &J::index, FieldColumn{"", "of the grasp in its file"});
+    field("object", &J::object, FieldColumn{"", "as the file names it"});
+    field("profile", &J::profile, FieldColumn{"", "whose rules"});
+    field("jitter", &J::jitter, FieldColumn{"", "0: as it is; else the number of the disturbance"});
+    field("label", &J::label, FieldColumn{"", "the file's own verdict"});
     field("result", &J::result);
     field("search", &J::search);
   }

@@ -34,25 +34,24 @@ std::string FormatMotionCsv(const Hand& hand, const CommandedMotion& motion) {
     rows.push_back({motion.step * static_cast<double>(i + 1), motion.steps[i]});
   }
   std::vector<CsvColumn<Row>> columns = {
-      {"time_s", "number", "s", "since the start", [](const Row& row) { return row.time; }},
-      {"phase", "string", "", "of the strategy",
-       [](const Row& row) { return NameOf(row.step.phase); }}};
+      {"time_s", "s", "since the start", &Row::time},
+      {"phase", "", "of the strategy", [](const Row& row) { return NameOf(row.step.phase); }}};
   const Eigen::Vector3d p_WStart = motion.start.X_WH.translation();
   for (int axis = 0; axis < 3; ++axis) {
     const std::string name = std::string("arm_") + "xyz"[axis];
-    columns.push_back({name + "_m", "number", "m", "displacement of the hand's root",
-                       [axis, p_WStart](const Row& row) {
-                         return row.step.command.X_WH.translation()[axis] - p_WStart[axis];
-                       }});
+    columns.push_back(
+        {name + "_m", "m", "displacement of the hand's root", [axis, p_WStart](const Row& row) {
+           return row.step.command.X_WH.translation()[axis] - p_WStart[axis];
+         }});
   }
   for (int axis = 0; axis < 3; ++axis) {
     const std::string name = std::string("arm_") + "xyz"[axis];
-    columns.push_back({name + "_m_per_s", "number", "m/s", "its rate",
+    columns.push_back({name + "_m_per_s", "m/s", "its rate",
                        [axis](const Row& row) { return row.step.command.v_WH[axis]; }});
   }
   for (int joint = 0; joint < hand.num_joints(); ++joint) {
     if (hand.joints[joint].coupled_to >= 0) continue;
-    columns.push_back({hand.joints[joint].name + "_rad", "number", "rad", "command of the drive",
+    columns.push_back({hand.joints[joint].name + "_rad", "rad", "command of the drive",
                        [joint](const Row& row) { return row.step.command.q[joint]; }});
   }
   return FormatCsv(columns, rows);

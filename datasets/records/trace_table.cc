@@ -13,10 +13,10 @@ void AddPoseColumns(const std::string& name, const std::string& of, Pose TraceIn
                     std::vector<Column>& columns) {
   const char* axes[] = {"x", "y", "z"};
   for (int axis = 0; axis < 3; ++axis) {
-    columns.push_back({name + "_" + axes[axis] + "_m", "number", "m",
+    columns.push_back({name + "_" + axes[axis] + "_m", "m",
                        std::string(axes[axis]) + " of " + of + " in the world",
                        [pose, axis](const TraceInstant& instant) {
-                         return JsonNumber((instant.*pose).translation()[axis]);
+                         return (instant.*pose).translation()[axis];
                        }});
   }
   const char* parts[] = {"qx", "qy", "qz", "qw"};
@@ -35,8 +35,8 @@ void AddJointColumns(const Hand& hand, std::vector<Column>& columns) {
   for (int joint = 0; joint < hand.num_joints(); ++joint) {
     const HandJoint& moved = hand.joints[static_cast<size_t>(joint)];
     const std::string unit = moved.is_prismatic ? "m" : "rad";
-    columns.push_back({moved.name + "_" + unit, "number", unit, "position of joint " + moved.name,
-                       [joint](const TraceInstant& i) { return JsonNumber(i.q[joint]); }});
+    columns.push_back({moved.name + "_" + unit, unit, "position of joint " + moved.name,
+                       [joint](const TraceInstant& i) { return i.q[joint]; }});
     if (moved.coupled_to >= 0) continue;
     columns.push_back({moved.name + "_asked_" + unit, "number", unit,
                        "what the drive of joint " + moved.name + " was asked for",
@@ -52,10 +52,10 @@ bool IsOf(const Hand& hand, const HandContact& contact, int digit) {
 
 void AddContactColumns(const Hand& hand, int digit, const std::string& name,
                        std::vector<Column>& columns) {
-  columns.push_back({"normal_" + name + "_n", "number", "N",
+  columns.push_back({"normal_" + name + "_n", "N",
                      "sum of the normal forces of " + name + " on the object",
                      [&hand, digit](const TraceInstant& instant) {
-                       return JsonNumber(CalcDigitForce(hand, instant, digit));
+                       return CalcDigitForce(hand, instant, digit);
                      }});
   columns.push_back({"cone_" + name, "number", "",
                      "largest share of the friction cone that a contact of " + name +
@@ -92,14 +92,13 @@ double CalcDigitForce(const Hand& hand, const TraceInstant& instant, int digit) 
 
 std::vector<Column> ListTraceColumns(const Hand& hand) {
   std::vector<Column> columns = {
-      {"time_s", "number", "s", "since the start of placing",
-       [](const TraceInstant& instant) { return JsonNumber(instant.time); }},
-      {"phase", "string", "", "phase of the strategy that begins or goes on at this time",
-       [](const TraceInstant& instant) { return Json(NameOf(instant.next_phase)); }},
-      {"grip_force_n", "number", "N", "sum of the hand's normal forces on the object",
-       [](const TraceInstant& instant) { return JsonNumber(instant.grip_force); }},
-      {"table_force_n", "number", "N", "normal force of the table on the object",
-       [](const TraceInstant& instant) { return JsonNumber(instant.table_force); }}};
+      {"time_s", "s", "since the start of placing", &TraceInstant::time},
+      {"phase", "", "phase of the strategy that begins or goes on at this time",
+       [](const TraceInstant& instant) { return NameOf(instant.next_phase); }},
+      {"grip_force_n", "N", "sum of the hand's normal forces on the object",
+       &TraceInstant::grip_force},
+      {"table_force_n", "N", "normal force of the table on the object",
+       &TraceInstant::table_force}};
   AddPoseColumns("hand", "the hand's frame H", &TraceInstant::X_WH, columns);
   AddPoseColumns("object", "the object's frame O", &TraceInstant::X_WO, columns);
   for (size_t digit = 0; digit < hand.digits.size(); ++digit) {

@@ -15,14 +15,12 @@ namespace {
 
 using Value = std::function<Json(const TrialRecord&)>;
 
-Value TakeTiming(double ContactTiming::*field) {
-  return [field](const TrialRecord& record) { return JsonNumber(record.result.timing.*field); };
+auto TakeTiming(double ContactTiming::*field) {
+  return [field](const TrialRecord& record) { return record.result.timing.*field; };
 }
 
-Value TakePart(StabilityPart Stability::*part, double StabilityPart::*field) {
-  return [part, field](const TrialRecord& record) {
-    return JsonNumber(record.result.stability.*part.*field);
-  };
+auto TakePart(StabilityPart Stability::*part, double StabilityPart::*field) {
+  return [part, field](const TrialRecord& record) { return record.result.stability.*part.*field; };
 }
 
 /** A value of the judgement; null for a trial that was not judged. */
@@ -83,15 +81,15 @@ void AddDiagnosisColumns(std::vector<CsvColumn<TrialRecord>>& columns) {
 void AddGripColumns(std::vector<CsvColumn<TrialRecord>>& columns) {
   const auto take = [](double GripRecord::*force) {
     return [force](const TrialRecord& record) {
-      return record.result.grip ? JsonNumber((*record.result.grip).*force) : Json();
+      return record.result.grip ? (*record.result.grip).*force : kUnset;
     };
   };
-  columns.push_back({"grip_asked_n", "number", "N",
+  columns.push_back({"grip_asked_n", "N",
                      "sum of the normal forces that the regulated grip asks of the hand, mean of "
                      "the hold",
                      take(&GripRecord::asked)});
   columns.push_back(
-      {"grip_held_n", "number", "N",
+      {"grip_held_n", "N",
        "filtered sum of normal forces that it had of them, mean of the hold: the true "
        "one with touch exact, that which the elements feel with touch sensed",
        take(&GripRecord::held)});
@@ -160,35 +158,33 @@ std::vector<std::string> ListDigits(const std::vector<TrialRecord>& records) {
   return digits;
 }
 
-/** Looks up a number of the digit's contact and touch; null when it takes no part. */
+/** Looks up a number of the digit's contact and touch; NaN when it takes no part. */
 template <class Take>
-Value TakeOfDigit(const std::string& digit, Take take) {
-  return [digit, take](const TrialRecord& record) {
+auto TakeOfDigit(const std::string& digit, Take take) {
+  return [digit, take](const TrialRecord& record) -> double {
     const TrialResult& result = record.result;
     for (size_t i = 0; i < result.contacts.size(); ++i) {
-      if (result.contacts[i].digit == digit) {
-        return JsonNumber(take(result.contacts[i], result.touches[i]));
-      }
+      if (result.contacts[i].digit == digit) return take(result.contacts[i], result.touches[i]);
     }
-    return Json();
+    return kUnset;
   };
 }
 
 void AddDigitColumns(const std::string& digit, std::vector<TrialColumn>& columns) {
   columns.push_back(
-      {"t_" + digit + "_s", "number", "s",
+      {"t_" + digit + "_s", "s",
        "first contact of digit " + digit +
            ", since the start of closure; missing when it had not touched by lift-off or takes no "
            "part",
        TakeOfDigit(digit,
                    [](const DigitContact& contact, const DigitTouch&) { return contact.time; })});
-  columns.push_back({"closing_" + digit, "number", "",
+  columns.push_back({"closing_" + digit, "",
                      "how far the hand had closed at that contact: 0 pre-grasp, 1 target grasp",
                      TakeOfDigit(digit, [](const DigitContact&, const DigitTouch& touch) {
                        return touch.closing;
                      })});
   columns.push_back(
-      {"gap_" + digit + "_m", "number", "m",
+      {"gap_" + digit + "_m", "m",
        "smallest distance of digit " + digit + " to the object up to lift-off; 0 when it touched",
        TakeOfDigit(digit, [](const DigitContact&, const DigitTouch& touch) {
          return touch.smallest_gap;
@@ -198,33 +194,30 @@ void AddDigitColumns(const std::string& digit, std::vector<TrialColumn>& columns
 /** Columns of what a trial's stability is made of. */
 std::vector<TrialColumn> ListStabilityColumns() {
   return {
-      {"sigma", "number", "N",
+      {"sigma", "N",
        "stability: smallest pull along the palm's axes that the contacts stand in the hold, as "
        "their forces show; 0 when the object was lost",
-       [](const TrialRecord& record) { return JsonNumber(record.result.stability.sigma); }},
-      {"sigma_stabilisation", "number", "N", "the same before lift-off, whatever came later",
+       [](const TrialRecord& record) { return record.result.stability.sigma; }},
+      {"sigma_stabilisation", "N", "the same before lift-off, whatever came later",
        TakePart(&Stability::stabilisation, &StabilityPart::sigma)},
-      {"sigma_lift", "number", "N", "the same over lift-off",
+      {"sigma_lift", "N", "the same over lift-off",
        TakePart(&Stability::lift, &StabilityPart::sigma)},
-      {"sigma_proposed", "number", "",
+      {"sigma_proposed", "",
        "the formula proposed first: epsilon times normal force by weight, less for slip and for "
        "missing opposition, before lift-off",
-       [](const TrialRecord& record) {
-         return JsonNumber(record.result.stability.sigma_proposed);
-       }},
-      {"epsilon", "number", "",
+       [](const TrialRecord& record) { return record.result.stability.sigma_proposed; }},
+      {"epsilon", "",
        "mean quality before lift-off, convention ferrari-canny: mixed cones of 8 edges, unit "
        "normal "
        "force, moments about the centre of mass divided by the object's radius",
        TakePart(&Stability::stabilisation, &StabilityPart::quality)},
-      {"epsilon_hold", "number", "", "the same over the hold",
+      {"epsilon_hold", "", "the same over the hold",
        TakePart(&Stability::hold, &StabilityPart::quality)},
-      {"normal_force_n", "number", "N", "mean sum of the normal forces before lift-off",
+      {"normal_force_n", "N", "mean sum of the normal forces before lift-off",
        TakePart(&Stability::stabilisation, &StabilityPart::normal_force)},
-      {"slip_speed_m_per_s", "number", "m/s", "mean speed against the hand before lift-off",
+      {"slip_speed_m_per_s", "m/s", "mean speed against the hand before lift-off",
        TakePart(&Stability::stabilisation, &StabilityPart::slip_speed)},
-      {"opposition", "number", "",
-       "share of the time before lift-off in which opposed digits touched",
+      {"opposition", "", "share of the time before lift-off in which opposed digits touched",
        TakePart(&Stability::stabilisation, &StabilityPart::opposition)}};
 }
 
@@ -243,9 +236,9 @@ void AddSightColumn(const SessionConfig& config, std::vector<TrialColumn>& colum
 void AddDrawColumns(const SessionConfig& config, std::vector<TrialColumn>& columns) {
   const auto add = [&](const char* name, const char* unit, const char* meaning,
                        double TrialDraw::*part) {
-    columns.push_back({name, "number", unit, meaning, [config, part](const TrialRecord& record) {
+    columns.push_back({name, unit, meaning, [config, part](const TrialRecord& record) {
                          const PlannedTrial& plan = record.plan;
-                         return JsonNumber(MakeObjectDraw(config, plan.object, plan.trial).*part);
+                         return MakeObjectDraw(config, plan.object, plan.trial).*part;
                        }});
   };
   add("draw_x_m", "m", "how far the object stood off its nominal place in x", &TrialDraw::offset_x);
@@ -267,15 +260,14 @@ struct ResultColumns : FieldColumnCollector<TrialRecord, TrialResult, decltype(&
 /** Of a session with conditions: its name and a column for each factor. */
 void AddConditionColumns(const SessionConfig& config, std::vector<TrialColumn>& columns) {
   if (config.conditions.empty()) return;
-  columns.push_back(
-      {"condition", "string", "", "name of the condition; empty: the base",
-       [](const TrialRecord& record) { return Json(record.plan.condition.value_or("")); }});
+  columns.push_back({"condition", "", "name of the condition; empty: the base",
+                     [](const TrialRecord& record) { return record.plan.condition.value_or(""); }});
   for (const SweepFactor& factor : ListFactors(config)) {
     std::string name = factor.key == "grasp" ? "grasp_factor" : factor.key;
     std::replace(name.begin(), name.end(), '.', '_');
-    columns.push_back({name, "string", "", "level of the factor " + factor.key,
+    columns.push_back({name, "", "level of the factor " + factor.key,
                        [config, key = factor.key](const TrialRecord& record) {
-                         return Json(FindLevel(config, record.plan.condition, key));
+                         return FindLevel(config, record.plan.condition, key);
                        }});
   }
 }
@@ -290,38 +282,34 @@ std::string NameEpsilonColumn(const QualityConvention& convention) {
 
 std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& records,
                                           const SessionConfig& config) {
-  const auto is_success = [](const TrialRecord& record) {
-    return Json(IsSuccess(record.result.outcome) ? 1 : 0);
-  };
   std::vector<TrialColumn> columns;
   AddFieldColumns<PlannedTrial>(
       [](const TrialRecord& record) -> const PlannedTrial& { return record.plan; }, columns);
   AddSightColumn(config, columns);
   AddConditionColumns(config, columns);
   const std::vector<TrialColumn> outcome_columns = {
-      {"outcome", "string", "", "how the trial ended",
-       [](const TrialRecord& record) { return Json(NameOf(record.result.outcome)); }},
-      {"success", "boolean", "", "1 when the outcome is success, else 0", is_success},
-      {"gct_s", "number", "s", "grasp closure time: start of closure to the last first contact",
+      {"outcome", "", "how the trial ended",
+       [](const TrialRecord& record) { return NameOf(record.result.outcome); }},
+      {"success", "", "1 when the outcome is success, else 0",
+       [](const TrialRecord& record) { return IsSuccess(record.result.outcome); }},
+      {"gct_s", "s", "grasp closure time: start of closure to the last first contact",
        TakeTiming(&ContactTiming::gct)},
-      {"gft_s", "number", "s", "grasp forming time: first to last of the first contacts",
+      {"gft_s", "s", "grasp forming time: first to last of the first contacts",
        TakeTiming(&ContactTiming::gft)},
-      {"got_s", "number", "s", "grasp opposing time: between the thumb and the earliest finger",
+      {"got_s", "s", "grasp opposing time: between the thumb and the earliest finger",
        TakeTiming(&ContactTiming::got)},
-      {"gft_ratio", "number", "", "gft_s / gct_s", TakeTiming(&ContactTiming::gft_ratio)},
-      {"got_ratio", "number", "", "got_s / gct_s", TakeTiming(&ContactTiming::got_ratio)},
-      {"contact_before_start", "boolean", "",
+      {"gft_ratio", "", "gft_s / gct_s", TakeTiming(&ContactTiming::gft_ratio)},
+      {"got_ratio", "", "got_s / gct_s", TakeTiming(&ContactTiming::got_ratio)},
+      {"contact_before_start", "",
        "1 when a digit touched before closure began (early contact): its times are not comparable, "
        "and "
        "the medians of the report leave them out",
-       [](const TrialRecord& record) {
-         return Json(record.result.timing.contact_before_start ? 1 : 0);
-       }},
-      {"contact_order", "string", "",
+       [](const TrialRecord& record) { return record.result.timing.contact_before_start; }},
+      {"contact_order", "",
        "grasping digits by first contact: < before, = less than a step of the physics apart; "
        "digits "
        "that never touched are left out",
-       [](const TrialRecord& record) { return Json(FindContactOrder(record.result).Format()); }},
+       [](const TrialRecord& record) { return FindContactOrder(record.result).Format(); }},
   };
   columns.insert(columns.end(), outcome_columns.begin(), outcome_columns.end());
   TrialResult::ListFields(ResultColumns{{columns, &TakeResult}});
@@ -330,9 +318,9 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
     AddDigitColumns(digit, columns);
   }
   columns.push_back(
-      {"palm_touches", "boolean", "",
+      {"palm_touches", "",
        "1 when the palm, or another link of no digit, touches at the end of the trial",
-       [](const TrialRecord& record) { return Json(TouchesPalmAtEnd(record.result) ? 1 : 0); }});
+       [](const TrialRecord& record) { return TouchesPalmAtEnd(record.result); }});
   columns.push_back({"opposition_type", "string", "",
                      "pad, palm or side: what opposes in the grasp that holds the object at the "
                      "end; missing when "
@@ -341,7 +329,7 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
                        const std::optional<Opposition>& found = record.result.opposition;
                        return found ? ToJson(*found) : Json();
                      }});
-  columns.push_back({"hold_force_n", "number", "N", "mean sum of the normal forces over the hold",
+  columns.push_back({"hold_force_n", "N", "mean sum of the normal forces over the hold",
                      TakePart(&Stability::hold, &StabilityPart::normal_force)});
   AddGripColumns(columns);
   columns.push_back(
@@ -361,8 +349,8 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
                        return Json(IsCaged(record.result) ? 1 : 0);
                      }});
   AddDrawColumns(config, columns);
-  columns.push_back({"reason", "string", "", "why it ended so, for a person; empty for a success",
-                     [](const TrialRecord& record) { return Json(record.result.reason); }});
+  columns.push_back({"reason", "", "why it ended so, for a person; empty for a success",
+                     [](const TrialRecord& record) { return record.result.reason; }});
   AddDiagnosisColumns(columns);
   return columns;
 }
@@ -386,8 +374,8 @@ std::vector<CsvColumn<EventRow>> ListEventColumns() {
   AddFieldColumns<ContactEvent>(
       [](const EventRow& row) -> const ContactEvent& { return *row.event; }, columns);
   columns.insert(columns.end() - 1,  // in front of the impulse, which some kinds have
-                 {"event", "string", "", "touch, lost, regained or slip",
-                  [](const EventRow& row) { return Json(NameOf(row.event->kind)); }});
+                 {"event", "", "touch, lost, regained or slip",
+                  [](const EventRow& row) { return NameOf(row.event->kind); }});
   columns.push_back(
       {"contact_rank", "integer", "",
        "on the first touch of a grasping digit: its place in contact_order, 1 first, tied "

@@ -25,38 +25,38 @@ using Column = CsvColumn<TidyRow>;
 
 std::vector<Column> ListColumns(const MeasureTable& first) {
   const std::vector<Factor>& factors = first.factors;
-  std::vector<Column> columns = {{"person", "string", "", "who reached",
-                                  [](const TidyRow& row) { return Json(row.trial->person); }},
-                                 {"trial", "string", "", "which of the person's trials",
-                                  [](const TidyRow& row) { return Json(row.trial->trial); }}};
+  std::vector<Column> columns = {
+      {"person", "", "who reached", [](const TidyRow& row) { return row.trial->person; }},
+      {"trial", "", "which of the person's trials",
+       [](const TidyRow& row) { return row.trial->trial; }}};
   for (size_t i = 0; i < factors.size(); ++i) {
     const Factor& factor = factors[i];
     columns.push_back(
-        {factor.name, "string", "",
+        {factor.name, "",
          factor.description.empty() ? "varied within each person" : factor.description,
-         [i](const TidyRow& row) { return Json(row.trial->levels[i]); }});
+         [i](const TidyRow& row) { return row.trial->levels[i]; }});
     if (factor.numbers.empty()) continue;
-    columns.push_back(
-        {factor.name + "_number", "number", "",
-         "the level of \"" + factor.name + "\" as a quantity, in SI units",
-         [i](const TidyRow& row) {
-           const Factor& own = row.table->factors[i];
-           const auto level = std::find(own.levels.begin(), own.levels.end(), row.trial->levels[i]);
-           return JsonNumber(own.numbers[static_cast<size_t>(level - own.levels.begin())]);
-         }});
+    columns.push_back({factor.name + "_number", "",
+                       "the level of \"" + factor.name + "\" as a quantity, in SI units",
+                       [i](const TidyRow& row) {
+                         const Factor& own = row.table->factors[i];
+                         const auto level =
+                             std::find(own.levels.begin(), own.levels.end(), row.trial->levels[i]);
+                         return own.numbers[static_cast<size_t>(level - own.levels.begin())];
+                       }});
   }
   for (size_t i = 0; i < first.groups.size(); ++i) {
-    columns.push_back({first.groups[i].name, "string", "", "group of the person",
-                       [i](const TidyRow& row) { return Json(row.trial->groups[i]); }});
+    columns.push_back({first.groups[i].name, "", "group of the person",
+                       [i](const TidyRow& row) { return row.trial->groups[i]; }});
   }
   if (!first.sessions.empty()) {
-    columns.push_back({kSessionColumn, "string", "", "session of the trial",
-                       [](const TidyRow& row) { return Json(row.trial->session); }});
+    columns.push_back({kSessionColumn, "", "session of the trial",
+                       [](const TidyRow& row) { return row.trial->session; }});
   }
-  columns.push_back({"measure", "string", "", "what was measured",
-                     [](const TidyRow& row) { return Json(row.table->measure); }});
-  columns.push_back({"value", "number", "", "of the measure in this trial, in the measure's unit",
-                     [](const TidyRow& row) { return JsonNumber(row.trial->value); }});
+  columns.push_back(
+      {"measure", "", "what was measured", [](const TidyRow& row) { return row.table->measure; }});
+  columns.push_back({"value", "", "of the measure in this trial, in the measure's unit",
+                     [](const TidyRow& row) { return row.trial->value; }});
   return columns;
 }
 

@@ -62,11 +62,11 @@ std::string FormatReviews(const StudyResult& result) {
   }
   using R = ReviewRow;
   const std::vector<CsvColumn<R>> columns = {
-      {"trial", "string", "", "", [](const R& r) { return Json(r.trial->id); }},
-      {"digit", "string", "", "", [](const R& r) { return Json(NameOfDigit(r.digit->digit)); }},
+      {"trial", "", "", [](const R& r) { return r.trial->id; }},
+      {"digit", "", "", [](const R& r) { return NameOfDigit(r.digit->digit); }},
       {"verdict", "string", "", "",
        [](const R& r) { return r.review ? Json(NameOf(r.review->verdict)) : Json(); }},
-      {"contact_s", "number", "", "", [](const R& r) { return JsonNumber(r.digit->contact.time); }},
+      {"contact_s", "", "", [](const R& r) { return r.digit->contact.time; }},
       {"uncertainty_s", "number", "", "",
        [](const R& r) { return r.review ? JsonNumber(r.review->uncertainty) : Json(); }},
       {"by", "string", "", "", [](const R& r) { return r.review ? Json(r.review->by) : Json(); }},

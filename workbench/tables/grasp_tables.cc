@@ -110,12 +110,11 @@ std::string FormatGraspNumbers(const std::vector<Grasp>& grasps,
 std::string FormatGraspCsv(const std::vector<GraspNumber>& numbers) {
   using N = GraspNumber;
   const std::vector<CsvColumn<N>> columns = {
-      {"grasp", "string", "", "standard grasp", [](const N& n) { return Json(n.grasp); }},
-      {"part", "string", "", "placement, pre-grasp or target",
-       [](const N& n) { return Json(n.part); }},
-      {"name", "string", "", "what of it, or the joint", [](const N& n) { return Json(n.name); }},
-      {"unit", "string", "", "of the value", [](const N& n) { return Json(n.unit); }},
-      {"value", "number", "", "the number", [](const N& n) { return JsonNumber(n.value); }}};
+      {"grasp", "", "standard grasp", &N::grasp},
+      {"part", "", "placement, pre-grasp or target", &N::part},
+      {"name", "", "what of it, or the joint", &N::name},
+      {"unit", "", "of the value", &N::unit},
+      {"value", "", "the number", &N::value}};
   return FormatCsv(columns, numbers);
 }
 

@@ -5,14 +5,56 @@ drift apart. */
 
 #include <functional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "core/base/text/json.h"
 
 namespace graspbench {
 
+namespace internal {
+
+template <class T>
+constexpr const char* ColumnTypeOf() {
+  if (std::is_same_v<T, bool>) return "boolean";
+  if (std::is_integral_v<T>) return "integer";
+  return std::is_floating_point_v<T> ? "number" : "string";
+}
+
+template <class T>
+Json MakeCsvValue(const T& value) {
+  static_assert(!std::is_same_v<T, Json>, "a value as Json needs its type named");
+  if constexpr (std::is_same_v<T, bool>) {
+    return value ? 1 : 0;
+  } else if constexpr (std::is_same_v<T, double>) {
+    return JsonNumber(value);
+  } else {
+    return value;
+  }
+}
+
+}  // namespace internal
+
 template <class Row>
 struct CsvColumn {
+  CsvColumn(std::string its_name, std::string its_type, std::string its_unit, std::string about,
+            std::function<Json(const Row&)> take)
+      : name(std::move(its_name)),
+        type(std::move(its_type)),
+        unit(std::move(its_unit)),
+        meaning(std::move(about)),
+        value(std::move(take)) {}
+  /** @param take  a member of Row, or a function of it: what it gives decides the type; a number
+  that is not finite is missing. */
+  template <class Take>
+  CsvColumn(std::string its_name, std::string its_unit, std::string about, Take take)
+      : CsvColumn(std::move(its_name),
+                  internal::ColumnTypeOf<std::decay_t<std::invoke_result_t<Take, const Row&>>>(),
+                  std::move(its_unit), std::move(about), [take](const Row& row) {
+                    return internal::MakeCsvValue(std::invoke(take, row));
+                  }) {}
+
   std::string name;                       ///< with the unit as suffix: "gct_s"
   std::string type;                       ///< "string", "integer", "number" or "boolean"
   std::string unit;                       ///< "s", "m", ...; empty: none

@@ -164,14 +164,6 @@ struct FieldReader {
   }
 };
 
-template <class T>
-constexpr const char* ColumnTypeOf() {
-  if constexpr (std::is_same_v<T, double>) return "number";
-  if constexpr (std::is_same_v<T, int>) return "integer";
-  if constexpr (std::is_same_v<T, bool>) return "boolean";
-  return "string";
-}
-
 }  // namespace internal
 
 /** In the order of the listing. */

@@ -60,23 +60,33 @@ struct FreeSpaceResult {
   template <class V>
   static void ListFields(V&& field) {
     using R = FreeSpaceResult;
-    field("passed", &R::passed);
-    field("failed_stage", &R::failed_stage);
-    field("reason", &R::reason);
+    field("passed", &R::passed, FieldColumn{"", "verdict"});
+    field("failed_stage", &R::failed_stage, FieldColumn{"", "where it failed"});
+    field("reason", &R::reason, FieldColumn{"", "why"});
     field("is_numerical", &R::is_numerical);
-    field("num_beyond_limits", &R::num_beyond_limits);
-    field("start_penetration_m", &R::start_penetration);
-    field("self_penetration_m", &R::self_penetration);
-    field("touching", &R::touching);
-    field("grip_force_n", &R::grip_force);
-    field("epsilon", &R::epsilon);
-    field("closing_shift_m", &R::closing_shift);
+    field("num_beyond_limits", &R::num_beyond_limits,
+          FieldColumn{"", "joints that a stage asks for more than their limits"});
+    field("start_penetration_m", &R::start_penetration,
+          FieldColumn{"m", "of hand and object at the first stage"});
+    field("self_penetration_m", &R::self_penetration,
+          FieldColumn{"m", "of the hand in itself at the second stage"});
+    field("touching", &R::touching, FieldColumn{"", "digits on the object after the last stage"});
+    field("grip_force_n", &R::grip_force, FieldColumn{"N", "sum of normal forces then"});
+    field("epsilon", &R::epsilon,
+          FieldColumn{"", "of these contacts, ferrari-canny; 0: no force closure"});
+    field("closing_shift_m", &R::closing_shift, FieldColumn{"m", "of the object until then"});
     field("closing_turn_deg", &R::closing_turn_deg);
-    field("breaking_load_n", &R::breaking_load);
-    field("breaks_along", &R::breaks_along);
-    field("num_stood", &R::num_stood);
-    field("worst_shift_m", &R::worst_shift);
-    field("worst_turn_deg", &R::worst_turn_deg);
+    field(
+        "breaking_load_n", &R::breaking_load,
+        FieldColumn{"N", "largest push stood along all six axes, to 5 %; 0: not sought, or none"});
+    field("breaks_along", &R::breaks_along,
+          FieldColumn{"",
+                      "the push along which more breaks it; empty with a load: 16 times the "
+                      "profile's did not"});
+    field("num_stood", &R::num_stood, FieldColumn{"", "pushes or lifts that it stood"});
+    field("worst_shift_m", &R::worst_shift, FieldColumn{"m", "of the object, in all looks"});
+    field("worst_turn_deg", &R::worst_turn_deg,
+          FieldColumn{"deg", "turn of the object, in all looks"});
     field("num_unconverged", &R::num_unconverged);
     field("num_steps", &R::num_steps);
   }

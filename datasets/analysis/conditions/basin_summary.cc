@@ -41,21 +41,14 @@ std::string NameBasin(const SessionInputs& inputs, const PlannedTrial& planned) 
 }
 
 std::string FormatBasinCsv(const std::vector<BasinSample>& samples) {
-  const auto number = [](auto take) {
-    return [take](const BasinSample& sample) { return JsonNumber(take(sample)); };
-  };
   const std::vector<CsvColumn<BasinSample>> columns = {
-      {"offset_x_m", "number", "m", "of the object",
-       number([](const BasinSample& sample) { return sample.offset_x; })},
-      {"offset_y_m", "number", "m", "of the object",
-       number([](const BasinSample& sample) { return sample.offset_y; })},
-      {"yaw_rad", "number", "rad", "of the object",
-       number([](const BasinSample& sample) { return sample.yaw; })},
-      {"distance", "number", "", "1 at the edge of the range", number(CalcBasinDistance)},
-      {"outcome", "string", "", "how the trial ended",
-       [](const BasinSample& sample) { return Json(NameOf(sample.outcome)); }},
-      {"sigma", "number", "N", "stability",
-       number([](const BasinSample& sample) { return sample.sigma; })}};
+      {"offset_x_m", "m", "of the object", &BasinSample::offset_x},
+      {"offset_y_m", "m", "of the object", &BasinSample::offset_y},
+      {"yaw_rad", "rad", "of the object", &BasinSample::yaw},
+      {"distance", "", "1 at the edge of the range", CalcBasinDistance},
+      {"outcome", "", "how the trial ended",
+       [](const BasinSample& sample) { return NameOf(sample.outcome); }},
+      {"sigma", "N", "stability", &BasinSample::sigma}};
   return FormatCsv(columns, samples);
 }
 

@@ -8,36 +8,33 @@ namespace {
 
 std::vector<CsvColumn<ConditionRow>> ListConditionColumns(const SweepSummary& summary) {
   using Row = ConditionRow;
-  std::vector<CsvColumn<Row>> columns = {{"condition", "string", "",
-                                          "name of the condition; empty: the base",
-                                          [](const Row& row) { return Json(row.name); }}};
+  std::vector<CsvColumn<Row>> columns = {
+      {"condition", "", "name of the condition; empty: the base", &Row::name}};
   for (size_t i = 0; i < summary.factors.size(); ++i) {
     std::string name = summary.factors[i].key;
     std::replace(name.begin(), name.end(), '.', '_');
-    columns.push_back({name, "string", "", "level of the factor " + summary.factors[i].key,
-                       [i](const Row& row) { return Json(row.levels[i]); }});
+    columns.push_back({name, "", "level of the factor " + summary.factors[i].key,
+                       [i](const Row& row) { return row.levels[i]; }});
   }
   const auto add = [&](const char* name, const char* meaning, int Row::*member) {
-    columns.push_back(
-        {name, "integer", "", meaning, [member](const Row& row) { return Json(row.*member); }});
+    columns.push_back({name, "", meaning, [member](const Row& row) { return row.*member; }});
   };
-  columns.push_back(
-      {"hand", "string", "", "id of the hand", [](const Row& row) { return Json(row.hand); }});
+  columns.push_back({"hand", "", "id of the hand", &Row::hand});
   add("planned", "trials of the plan", &Row::num_planned);
   add("finished", "finished trials", &Row::num_finished);
   add("successes", "of these", &Row::num_successes);
   add("numerical_failures", "of the finished trials", &Row::num_numerical);
   for (size_t i = 1; i < ListSweepMeasures().size(); ++i) {
     const std::string id = ListSweepMeasures()[i].id;
-    columns.push_back({"median_" + id, "number", "",
+    columns.push_back({"median_" + id, "",
                        ListSweepMeasures()[i].threshold
                            ? "over the draws; empty: not looked for, or half never held"
                            : "over the trials that have it",
-                       [i](const Row& row) { return JsonNumber(row.medians[i]); }});
+                       [i](const Row& row) { return row.medians[i]; }});
   }
-  columns.push_back({"undecided", "string", "",
+  columns.push_back({"undecided", "",
                      "why these trials cannot decide success; empty: some succeed, some fail",
-                     [](const Row& row) { return Json(row.undecided); }});
+                     &Row::undecided});
   return columns;
 }
 
@@ -53,31 +50,26 @@ std::vector<CsvColumn<SweepEffect>> ListEffectColumns() {
       {"level", "string", "", "its level, against that of the base", take(&Row::levels, 0)},
       {"with_factor", "string", "", "of an interaction the second factor", take(&Row::factors, 1)},
       {"with_level", "string", "", "and its level", take(&Row::levels, 1)},
-      {"hand", "string", "", "id of the hand", [](const Row& row) { return Json(row.hand); }},
-      {"measure", "string", "",
+      {"hand", "", "id of the hand", &Row::hand},
+      {"measure", "",
        "success (0 or 1), gft_ratio, sigma_n, breaking_force_n; threshold_margin and "
        "threshold_force_n as binary logarithms: a change of 1 is twice the grip",
-       [](const Row& row) { return Json(row.measure); }},
-      {"draws", "integer", "", "that have every value",
-       [](const Row& row) { return Json(row.num_draws); }},
-      {"objects", "integer", "", "of these draws",
-       [](const Row& row) { return Json(row.num_objects); }},
-      {"marginal", "boolean", "",
+       &Row::measure},
+      {"draws", "", "that have every value", &Row::num_draws},
+      {"objects", "", "of these draws", &Row::num_objects},
+      {"marginal", "",
        "1 when no two conditions differ in the factor alone, so that means over all conditions "
        "are compared",
-       [](const Row& row) { return Json(row.is_marginal ? 1 : 0); }},
-      {"change", "number", "", "mean over draws, in the measure's unit",
-       [](const Row& row) { return JsonNumber(row.estimate); }},
-      {"low", "number", "", "95 % interval from drawing objects",
-       [](const Row& row) { return row.interval ? JsonNumber(row.interval->low) : Json(); }},
-      {"high", "number", "", "likewise",
-       [](const Row& row) { return row.interval ? JsonNumber(row.interval->high) : Json(); }},
-      {"no_interval", "string", "", "why there is none",
-       [](const Row& row) { return Json(row.interval ? "" : row.interval.reason()); }},
-      {"left_out", "integer", "", "planned draws that the change leaves out",
-       [](const Row& row) { return Json(row.num_left_out); }},
-      {"why_left_out", "string", "", "how many of them for which reason",
-       [](const Row& row) { return Json(row.why_left_out); }}};
+       &Row::is_marginal},
+      {"change", "", "mean over draws, in the measure's unit", &Row::estimate},
+      {"low", "", "95 % interval from drawing objects",
+       [](const Row& row) { return row.interval ? row.interval->low : kUnset; }},
+      {"high", "", "likewise",
+       [](const Row& row) { return row.interval ? row.interval->high : kUnset; }},
+      {"no_interval", "", "why there is none",
+       [](const Row& row) { return row.interval ? "" : row.interval.reason(); }},
+      {"left_out", "", "planned draws that the change leaves out", &Row::num_left_out},
+      {"why_left_out", "", "how many of them for which reason", &Row::why_left_out}};
 }
 
 }  // namespace

@@ -288,31 +288,27 @@ std::vector<ExportTable> MakeThresholdTables(const std::vector<ThresholdSummary>
     }
   }
   const std::vector<CsvColumn<Row>> columns = {
-      {"trial_id", "string", "", "of the session's trial with the same draw",
-       [](const Row& row) { return Json(row.draw->draw.id); }},
-      {"condition", "string", "", "of a sweep; empty: the base",
-       [](const Row& row) { return Json(row.draw->draw.condition.value_or("")); }},
-      {"hand", "string", "", "id of the hand",
-       [](const Row& row) { return Json(row.draw->draw.hand); }},
-      {"object", "string", "", "id of the object",
-       [](const Row& row) { return Json(row.draw->draw.object); }},
-      {"grasp", "string", "", "id of the grasp",
-       [](const Row& row) { return Json(row.draw->draw.grasp); }},
-      {"trial", "integer", "", "number of the trial within its hand, object and grasp, from 0",
-       [](const Row& row) { return Json(row.draw->draw.trial); }},
-      {"threshold_scale", "string", "", "margin, or force [N]",
-       [](const Row& row) { return Json(row.scale->name); }},
+      {"trial_id", "", "of the session's trial with the same draw",
+       [](const Row& row) { return row.draw->draw.id; }},
+      {"condition", "", "of a sweep; empty: the base",
+       [](const Row& row) { return row.draw->draw.condition.value_or(""); }},
+      {"hand", "", "id of the hand", [](const Row& row) { return row.draw->draw.hand; }},
+      {"object", "", "id of the object", [](const Row& row) { return row.draw->draw.object; }},
+      {"grasp", "", "id of the grasp", [](const Row& row) { return row.draw->draw.grasp; }},
+      {"trial", "", "number of the trial within its hand, object and grasp, from 0",
+       [](const Row& row) { return row.draw->draw.trial; }},
+      {"threshold_scale", "", "margin, or force [N]",
+       [](const Row& row) { return row.scale->name; }},
       {"grip_threshold", "number", "",
        "smallest grip with which the draw succeeds; empty: no grip that was asked held",
        [](const Row& row) { return JsonThreshold(row.draw->value); }},
-      {"threshold_is_least", "boolean", "",
+      {"threshold_is_least", "",
        "1 when the least grip of the scale held: the threshold is no larger",
-       [](const Row& row) { return Json(row.draw->found.is_below_range ? 1 : 0); }},
-      {"threshold_is_monotone", "boolean", "",
-       "0 when a larger grip failed where a smaller one held",
-       [](const Row& row) { return Json(row.draw->found.is_monotone ? 1 : 0); }},
-      {"threshold_trials", "integer", "", "that its bisection took", [](const Row& row) {
-         return Json(row.draw->found.failed.size() + row.draw->found.succeeded.size());
+       [](const Row& row) { return row.draw->found.is_below_range; }},
+      {"threshold_is_monotone", "", "0 when a larger grip failed where a smaller one held",
+       [](const Row& row) { return row.draw->found.is_monotone; }},
+      {"threshold_trials", "", "that its bisection took", [](const Row& row) {
+         return row.draw->found.failed.size() + row.draw->found.succeeded.size();
        }}};
   return {{"thresholds", FormatCsv(columns, rows), MakeTableSchema(columns, "")}};
 }

@@ -28,14 +28,14 @@ Json FindPlace(const TableRow& row, size_t place, bool is_name) {
 std::vector<CsvColumn<TableRow>> ListMapColumns() {
   using Row = TableRow;
   return {
-      {"part", "string", "", "session of the map", [](const Row& row) { return row.part->id; }},
-      {"measure", "string", "",
+      {"part", "", "session of the map", [](const Row& row) { return row.part->id; }},
+      {"measure", "",
        "success (0 or 1), threshold (binary logarithm of the margin), push (net share of pairs), "
        "breaking_force [N]",
-       [](const Row& row) { return Json(row.measure().name); }},
-      {"hand", "string", "", "id of the hand", [](const Row& row) { return row.cell->hand; }},
-      {"late_digit", "string", "", "last or first to touch without delay",
-       [](const Row& row) { return Json(NameLateDigit(row.cell->late)); }},
+       [](const Row& row) { return row.measure().name; }},
+      {"hand", "", "id of the hand", [](const Row& row) { return row.cell->hand; }},
+      {"late_digit", "", "last or first to touch without delay",
+       [](const Row& row) { return NameLateDigit(row.cell->late); }},
       {"factor", "string", "", "of the region; empty: everywhere",
        [](const Row& row) { return FindPlace(row, 0, true); }},
       {"level", "string", "", "its level", [](const Row& row) { return FindPlace(row, 0, false); }},
@@ -43,31 +43,26 @@ std::vector<CsvColumn<TableRow>> ListMapColumns() {
        [](const Row& row) { return FindPlace(row, 1, true); }},
       {"with_level", "string", "", "and its level",
        [](const Row& row) { return FindPlace(row, 1, false); }},
-      {"pairs", "integer", "", "of a trial without delay and its late ones",
+      {"pairs", "", "of a trial without delay and its late ones",
        [](const Row& row) { return row.cell->num_pairs; }},
-      {"objects", "integer", "", "in these pairs",
-       [](const Row& row) { return row.cell->num_objects; }},
-      {"undelayed", "number", "", "mean of the measure without delay",
-       [](const Row& row) { return JsonNumber(row.cell->undelayed); }},
-      {"effect", "number", "", "mean over pairs, for 100 ms of delay; of push not by time",
-       [](const Row& row) { return JsonNumber(row.cell->estimate); }},
-      {"low", "number", "", "lower end of the 95 % interval from drawing objects",
-       [](const Row& row) {
-         return row.cell->interval ? JsonNumber(row.cell->interval->low) : Json();
-       }},
-      {"high", "number", "", "upper end of the 95 % interval",
-       [](const Row& row) {
-         return row.cell->interval ? JsonNumber(row.cell->interval->high) : Json();
-       }},
-      {"no_interval", "string", "", "why there is none",
-       [](const Row& row) { return Json(row.cell->interval ? "" : row.cell->interval.reason()); }},
-      {"p", "number", "", "of no effect, by the signs of objects",
-       [](const Row& row) { return JsonNumber(row.cell->p); }},
-      {"adjusted_p", "number", "",
+      {"objects", "", "in these pairs", [](const Row& row) { return row.cell->num_objects; }},
+      {"undelayed", "", "mean of the measure without delay",
+       [](const Row& row) { return row.cell->undelayed; }},
+      {"effect", "", "mean over pairs, for 100 ms of delay; of push not by time",
+       [](const Row& row) { return row.cell->estimate; }},
+      {"low", "", "lower end of the 95 % interval from drawing objects",
+       [](const Row& row) { return row.cell->interval ? row.cell->interval->low : kUnset; }},
+      {"high", "", "upper end of the 95 % interval",
+       [](const Row& row) { return row.cell->interval ? row.cell->interval->high : kUnset; }},
+      {"no_interval", "", "why there is none",
+       [](const Row& row) { return row.cell->interval ? "" : row.cell->interval.reason(); }},
+      {"p", "", "of no effect, by the signs of objects",
+       [](const Row& row) { return row.cell->p; }},
+      {"adjusted_p", "",
        "for the false discovery rate: everywhere over hands and late digits, a region over all",
-       [](const Row& row) { return JsonNumber(row.cell->adjusted_p); }},
-      {"verdict", "string", "", "costs, gains, none, ceiling, floor, undecided",
-       [](const Row& row) { return Json(RowOf(kMapVerdicts, row.cell->verdict).name); }}};
+       [](const Row& row) { return row.cell->adjusted_p; }},
+      {"verdict", "", "costs, gains, none, ceiling, floor, undecided",
+       [](const Row& row) { return RowOf(kMapVerdicts, row.cell->verdict).name; }}};
 }
 
 MapMeasure FindMeasure(const MapPart& part) {
@@ -122,33 +117,31 @@ MapResult LoadMap(const Session& session) {
 
 namespace {
 
-/** Of success with the delay at this place; null: there is no such. */
-Json FindRate(const ObjectEffect& effect, size_t place) {
-  return effect.rates.size() > place ? JsonNumber(effect.rates[place].rate) : Json();
+/** Of success with the delay at this place; NaN: there is no such. */
+double FindRate(const ObjectEffect& effect, size_t place) {
+  return effect.rates.size() > place ? effect.rates[place].rate : kUnset;
 }
 
 std::vector<CsvColumn<ObjectEffect>> ListObjectColumns() {
   using Row = ObjectEffect;
-  return {{"hand", "string", "", "id of the hand", [](const Row& row) { return row.hand; }},
-          {"object", "string", "", "id of the object", [](const Row& row) { return row.object; }},
-          {"late_digit", "string", "", "last or first to touch without delay",
-           [](const Row& row) { return Json(NameLateDigit(row.late)); }},
-          {"pairs", "integer", "", "of a trial without delay and its late ones",
-           [](const Row& row) { return row.num_pairs; }},
-          {"undelayed", "number", "", "rate of success without delay",
+  return {{"hand", "", "id of the hand", &Row::hand},
+          {"object", "", "id of the object", &Row::object},
+          {"late_digit", "", "last or first to touch without delay",
+           [](const Row& row) { return NameLateDigit(row.late); }},
+          {"pairs", "", "of a trial without delay and its late ones", &Row::num_pairs},
+          {"undelayed", "", "rate of success without delay",
            [](const Row& row) { return FindRate(row, 0); }},
-          {"rate_at_shorter_delay", "number", "", "rate of success with the shorter delay",
+          {"rate_at_shorter_delay", "", "rate of success with the shorter delay",
            [](const Row& row) { return FindRate(row, 1); }},
-          {"rate_at_longer_delay", "number", "", "rate of success with the longer delay",
+          {"rate_at_longer_delay", "", "rate of success with the longer delay",
            [](const Row& row) { return FindRate(row, 2); }},
-          {"effect", "number", "", "change of the rate for 100 ms of delay",
-           [](const Row& row) { return JsonNumber(row.estimate); }},
-          {"low", "number", "", "lower end of the 95 % interval from drawing pairs",
-           [](const Row& row) { return row.interval ? JsonNumber(row.interval->low) : Json(); }},
-          {"high", "number", "", "upper end of the 95 % interval",
-           [](const Row& row) { return row.interval ? JsonNumber(row.interval->high) : Json(); }},
-          {"no_interval", "string", "", "why there is none",
-           [](const Row& row) { return Json(row.interval ? "" : row.interval.reason()); }}};
+          {"effect", "", "change of the rate for 100 ms of delay", &Row::estimate},
+          {"low", "", "lower end of the 95 % interval from drawing pairs",
+           [](const Row& row) { return row.interval ? row.interval->low : kUnset; }},
+          {"high", "", "upper end of the 95 % interval",
+           [](const Row& row) { return row.interval ? row.interval->high : kUnset; }},
+          {"no_interval", "", "why there is none",
+           [](const Row& row) { return row.interval ? "" : row.interval.reason(); }}};
 }
 
 }  // namespace

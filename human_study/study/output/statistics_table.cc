@@ -466,35 +466,29 @@ std::vector<StatisticRow> ListStatistics(const StudyStatistics& statistics) {
 }
 
 std::vector<CsvColumn<StatisticRow>> ListStatisticColumns() {
-  const auto text = [](std::string StatisticRow::*field) {
-    return [field](const StatisticRow& row) { return Json(row.*field); };
-  };
-  const auto number = [](double StatisticRow::*field) {
-    return [field](const StatisticRow& row) { return JsonNumber(row.*field); };
-  };
   using R = StatisticRow;
   return {
-      {"measure", "string", "", "id, as in measures.csv", text(&R::measure)},
-      {"analysis", "string", "", "how it was computed", text(&R::analysis)},
-      {"effect", "string", "", "what is tested or estimated", text(&R::effect)},
-      {"unit", "string", "", "of the estimate; 1 for a ratio", text(&R::unit)},
-      {"estimate", "number", "", "difference, slope, ..", number(&R::estimate)},
-      {"standard_error", "number", "", "of the estimate", number(&R::standard_error)},
-      {"low", "number", "", "lower end of the interval", number(&R::low)},
-      {"high", "number", "", "upper end of the interval", number(&R::high)},
-      {"confidence", "number", "", "of the interval; empty without one",
-       [](const R& row) { return JsonNumber(std::isnan(row.low) ? row.low : row.confidence); }},
-      {"statistic", "string", "", "F, t, chi squared or W+", text(&R::statistic)},
-      {"value", "number", "", "of the statistic", number(&R::value)},
-      {"df_1", "number", "", "degrees of freedom; of the effect for F", number(&R::df_1)},
-      {"df_2", "number", "", "degrees of freedom of the error for F", number(&R::df_2)},
-      {"p", "number", "", "two-sided; not adjusted for several tests", number(&R::p)},
-      {"p_holm", "number", "", "adjusted over the family of the analysis", number(&R::p_holm)},
-      {"effect_size_name", "string", "", "which effect size", text(&R::effect_size_name)},
-      {"effect_size", "number", "", "its value", number(&R::effect_size)},
+      {"measure", "", "id, as in measures.csv", &R::measure},
+      {"analysis", "", "how it was computed", &R::analysis},
+      {"effect", "", "what is tested or estimated", &R::effect},
+      {"unit", "", "of the estimate; 1 for a ratio", &R::unit},
+      {"estimate", "", "difference, slope, ..", &R::estimate},
+      {"standard_error", "", "of the estimate", &R::standard_error},
+      {"low", "", "lower end of the interval", &R::low},
+      {"high", "", "upper end of the interval", &R::high},
+      {"confidence", "", "of the interval; empty without one",
+       [](const R& row) { return std::isnan(row.low) ? row.low : row.confidence; }},
+      {"statistic", "", "F, t, chi squared or W+", &R::statistic},
+      {"value", "", "of the statistic", &R::value},
+      {"df_1", "", "degrees of freedom; of the effect for F", &R::df_1},
+      {"df_2", "", "degrees of freedom of the error for F", &R::df_2},
+      {"p", "", "two-sided; not adjusted for several tests", &R::p},
+      {"p_holm", "", "adjusted over the family of the analysis", &R::p_holm},
+      {"effect_size_name", "", "which effect size", &R::effect_size_name},
+      {"effect_size", "", "its value", &R::effect_size},
       {"num_persons", "integer", "", "persons that took part; empty without an answer",
        [](const R& row) { return row.num_persons > 0 ? Json(row.num_persons) : Json(); }},
-      {"note", "string", "", "what it assumes, or why there is no answer", text(&R::note)},
+      {"note", "", "what it assumes, or why there is no answer", &R::note},
   };
 }
 

@@ -13,10 +13,8 @@ namespace {
 using TrialColumns = std::vector<CsvColumn<const StudyTrial*>>;
 
 void AddDesign(const StudyResult& result, TrialColumns& columns) {
-  columns.push_back({"trial_id", "string", "", "participant and trial",
-                     [](const StudyTrial* trial) { return Json(trial->id); }});
-  columns.push_back({"participant", "string", "", "who reached",
-                     [](const StudyTrial* trial) { return Json(trial->participant); }});
+  columns.push_back({"trial_id", "", "participant and trial", &StudyTrial::id});
+  columns.push_back({"participant", "", "who reached", &StudyTrial::participant});
   for (size_t i = 0; i < result.study.factors.size(); ++i) {
     const Factor& factor = result.study.factors[i];
     const bool is_number = !factor.numbers.empty();
@@ -27,58 +25,46 @@ void AddDesign(const StudyResult& result, TrialColumns& columns) {
                        }});
   }
   for (size_t i = 0; i < result.study.groups.size(); ++i) {
-    columns.push_back({result.study.groups[i].name, "string", "", "group of the participant",
-                       [i](const StudyTrial* trial) { return Json(trial->groups[i]); }});
+    columns.push_back({result.study.groups[i].name, "", "group of the participant",
+                       [i](const StudyTrial* trial) { return trial->groups[i]; }});
   }
   const std::string& session = result.study.config.session;
   const bool is_factor =
       std::any_of(columns.begin(), columns.end(), [&](const auto& c) { return c.name == session; });
   if (!session.empty() && !is_factor) {
-    columns.push_back({session, "string", "", "session",
-                       [](const StudyTrial* trial) { return Json(trial->session); }});
+    columns.push_back({session, "", "session", &StudyTrial::session});
   }
 }
 
 TrialColumns ListTrialColumns(const StudyResult& result) {
   TrialColumns columns;
   AddDesign(result, columns);
-  const auto text = [](std::string StudyTrial::*field) {
-    return [field](const StudyTrial* trial) { return Json(trial->*field); };
-  };
-  const auto number = [](double StudyTrial::*field) {
-    return [field](const StudyTrial* trial) { return JsonNumber(trial->*field); };
-  };
+  columns.push_back({"trial", "", "label within the participant", &StudyTrial::trial});
+  columns.push_back({"file", "", "recording", &StudyTrial::file});
+  columns.push_back({"object", "", "what was grasped", &StudyTrial::object});
+  columns.push_back({"begin_s", "s", "first sample on the recording's clock", &StudyTrial::begin});
+  columns.push_back({"end_s", "s", "last sample on the recording's clock", &StudyTrial::end});
+  columns.push_back({"is_kept", "", "1 when the trial counts",
+                     [](const StudyTrial* trial) { return trial->IsKept(); }});
   columns.push_back(
-      {"trial", "string", "", "label within the participant", text(&StudyTrial::trial)});
-  columns.push_back({"file", "string", "", "recording", text(&StudyTrial::file)});
-  columns.push_back({"object", "string", "", "what was grasped", text(&StudyTrial::object)});
-  columns.push_back({"begin_s", "number", "s", "first sample on the recording's clock",
-                     number(&StudyTrial::begin)});
+      {"removed", "", "why it does not count; empty when it does", &StudyTrial::removed});
+  columns.push_back({"removed_code", "", "the same for programs", &StudyTrial::removed_code});
   columns.push_back(
-      {"end_s", "number", "s", "last sample on the recording's clock", number(&StudyTrial::end)});
-  columns.push_back({"is_kept", "boolean", "", "1 when the trial counts",
-                     [](const StudyTrial* trial) { return Json(trial->IsKept() ? 1 : 0); }});
-  columns.push_back({"removed", "string", "", "why it does not count; empty when it does",
-                     text(&StudyTrial::removed)});
-  columns.push_back(
-      {"removed_code", "string", "", "the same for programs", text(&StudyTrial::removed_code)});
-  columns.push_back(
-      {"flags", "string", "",
+      {"flags", "",
        "what is doubtful about it, as regrasp, with commas; empty: nothing, or it was "
        "not analysed",
        [](const StudyTrial* trial) {
-         return Json(trial->analysis ? FormatFlags(*trial->analysis) : "");
+         return trial->analysis ? FormatFlags(*trial->analysis) : "";
        }});
-  columns.push_back(
-      {"reviewed", "string", "", "contacts that a person looked at; empty: none",
-       [](const StudyTrial* trial) { return Json(DescribeReviews(trial->reviews)); }});
+  columns.push_back({"reviewed", "", "contacts that a person looked at; empty: none",
+                     [](const StudyTrial* trial) { return DescribeReviews(trial->reviews); }});
   return columns;
 }
 
 /** One column a digit; NaN where a trial lacks it. */
 void AddTipNoise(const StudyResult& result, TrialColumns& columns) {
   for (const std::string& digit : result.digits) {
-    columns.push_back({"tip_noise_" + digit + "_m", "number", "m",
+    columns.push_back({"tip_noise_" + digit + "_m", "m",
                        "noise of the unfiltered tip against the object about the hold, SD of a "
                        "coordinate",
                        [digit](const StudyTrial* trial) {
@@ -86,7 +72,7 @@ void AddTipNoise(const StudyResult& result, TrialColumns& columns) {
                          for (const DigitContactEvents& events : trial->analysis->contacts) {
                            if (events.digit == digit) noise = events.noise_O;
                          }
-                         return JsonNumber(noise);
+                         return noise;
                        }});
   }
 }
@@ -94,13 +80,11 @@ void AddTipNoise(const StudyResult& result, TrialColumns& columns) {
 void AddOpenings(TrialColumns& columns) {
   for (size_t i = 0; i < HandOpeningList().size(); ++i) {
     const std::string id = HandOpeningList()[i].id;
-    columns.push_back(
-        {"open_" + id + "_m", "number", "m",
-         "largest opening by " + id + " before the last contact",
-         [i](const StudyTrial* trial) { return JsonNumber(trial->openings[i].open); }});
-    columns.push_back(
-        {"closed_" + id + "_m", "number", "m", "opening by " + id + " at the last contact",
-         [i](const StudyTrial* trial) { return JsonNumber(trial->openings[i].closed); }});
+    columns.push_back({"open_" + id + "_m", "m",
+                       "largest opening by " + id + " before the last contact",
+                       [i](const StudyTrial* trial) { return trial->openings[i].open; }});
+    columns.push_back({"closed_" + id + "_m", "m", "opening by " + id + " at the last contact",
+                       [i](const StudyTrial* trial) { return trial->openings[i].closed; }});
   }
 }
 
@@ -109,81 +93,67 @@ TrialColumns ListMeasureColumns(const StudyResult& result) {
   AddDesign(result, columns);
   for (const TrialMeasure& measure : TrialMeasureList()) {
     const std::string unit = std::string(measure.unit) == "1" ? "" : measure.unit;
-    columns.push_back(
-        {measure.id, "number", unit, measure.name, [measure](const StudyTrial* trial) {
-           return JsonNumber(measure.value(*trial->analysis));
-         }});
+    columns.push_back({measure.id, unit, measure.name, [measure](const StudyTrial* trial) {
+                         return measure.value(*trial->analysis);
+                       }});
   }
   const auto uncertainty = [](double TrialAnalysis::*field) {
-    return [field](const StudyTrial* trial) { return JsonNumber((*trial->analysis).*field); };
+    return [field](const StudyTrial* trial) { return (*trial->analysis).*field; };
   };
-  columns.push_back({"grasp_forming_time_uncertainty_s", "number", "s",
+  columns.push_back({"grasp_forming_time_uncertainty_s", "s",
                      "standard uncertainty of grasp_forming_time_s",
                      uncertainty(&TrialAnalysis::gft_uncertainty)});
-  columns.push_back({"grasp_opposing_time_uncertainty_s", "number", "s",
+  columns.push_back({"grasp_opposing_time_uncertainty_s", "s",
                      "standard uncertainty of grasp_opposing_time_s",
                      uncertainty(&TrialAnalysis::got_uncertainty)});
-  columns.push_back({"grasp_closure_time_uncertainty_s", "number", "s",
+  columns.push_back({"grasp_closure_time_uncertainty_s", "s",
                      "standard uncertainty of grasp_closure_time_s",
                      uncertainty(&TrialAnalysis::gct_uncertainty)});
   AddTipNoise(result, columns);
   AddOpenings(columns);
-  columns.push_back({"num_digits_touching", "integer", "", "digits with a contact",
-                     [](const StudyTrial* trial) { return Json(trial->analysis->num_touching); }});
+  columns.push_back({"num_digits_touching", "", "digits with a contact",
+                     [](const StudyTrial* trial) { return trial->analysis->num_touching; }});
   columns.push_back(
-      {"num_unverified_touches", "integer", "",
+      {"num_unverified_touches", "",
        "contacts of which neither the object's shape nor a force shows that the digit touched",
-       [](const StudyTrial* trial) { return Json(trial->analysis->num_unverified); }});
+       [](const StudyTrial* trial) { return trial->analysis->num_unverified; }});
+  columns.push_back({"contact_order", "",
+                     "digits by first contact; = joins those the data cannot separate",
+                     [](const StudyTrial* trial) { return trial->analysis->order.Format(); }});
+  columns.push_back({"used_filled", "", "an event was decided on filled samples",
+                     [](const StudyTrial* trial) { return trial->analysis->used_filled; }});
+  columns.push_back({"used_gap", "", "an event fell into a gap",
+                     [](const StudyTrial* trial) { return trial->analysis->used_gap; }});
   columns.push_back(
-      {"contact_order", "string", "",
-       "digits by first contact; = joins those the data cannot separate",
-       [](const StudyTrial* trial) { return Json(trial->analysis->order.Format()); }});
-  const auto flag = [](bool TrialAnalysis::*field) {
-    return [field](const StudyTrial* trial) { return Json((*trial->analysis).*field ? 1 : 0); };
-  };
-  columns.push_back({"used_filled", "boolean", "", "an event was decided on filled samples",
-                     flag(&TrialAnalysis::used_filled)});
+      {"contact_before_start", "", "a digit touched before the widest opening",
+       [](const StudyTrial* trial) { return trial->analysis->timing.contact_before_start; }});
   columns.push_back(
-      {"used_gap", "boolean", "", "an event fell into a gap", flag(&TrialAnalysis::used_gap)});
-  columns.push_back({"contact_before_start", "boolean", "",
-                     "a digit touched before the widest opening", [](const StudyTrial* trial) {
-                       return Json(trial->analysis->timing.contact_before_start ? 1 : 0);
-                     }});
-  columns.push_back({"ambiguous_opening", "boolean", "",
-                     "the largest and the last maximum of the opening differ",
-                     [](const StudyTrial* trial) {
-                       return Json(trial->analysis->peak_opening.is_ambiguous ? 1 : 0);
-                     }});
+      {"ambiguous_opening", "", "the largest and the last maximum of the opening differ",
+       [](const StudyTrial* trial) { return trial->analysis->peak_opening.is_ambiguous; }});
   return columns;
 }
 
 std::vector<CsvColumn<StudyEvent>> ListEventColumns() {
-  const auto text = [](std::string StudyEvent::*field) {
-    return [field](const StudyEvent& event) { return Json(event.*field); };
-  };
   return {
-      {"trial_id", "string", "", "participant and trial",
-       [](const StudyEvent& event) { return Json(event.trial->id); }},
-      {"event", "string", "", "what happened", text(&StudyEvent::name)},
-      {"digit", "string", "", "TH, FF, MF, RF or LF; empty where none is meant",
-       text(&StudyEvent::digit)},
-      {"detector", "string", "", "how it was found; empty for events with one rule",
-       text(&StudyEvent::detector)},
-      {"is_believed", "boolean", "", "1 for the event that the measures rest on",
-       [](const StudyEvent& event) { return Json(event.is_believed ? 1 : 0); }},
-      {"time_s", "number", "s", "on the recording's clock; empty when not found",
-       [](const StudyEvent& event) { return JsonNumber(event.event.time); }},
-      {"uncertainty_s", "number", "s",
+      {"trial_id", "", "participant and trial",
+       [](const StudyEvent& event) { return event.trial->id; }},
+      {"event", "", "what happened", &StudyEvent::name},
+      {"digit", "", "TH, FF, MF, RF or LF; empty where none is meant", &StudyEvent::digit},
+      {"detector", "", "how it was found; empty for events with one rule", &StudyEvent::detector},
+      {"is_believed", "", "1 for the event that the measures rest on", &StudyEvent::is_believed},
+      {"time_s", "s", "on the recording's clock; empty when not found",
+       [](const StudyEvent& event) { return event.event.time; }},
+      {"uncertainty_s", "s",
        "standard uncertainty of the instant by its rule; of onset, end and lift-off not how far "
        "the rule's threshold lags the motion's beginning: movement_start is that beginning, "
        "extrapolated, and onset_lag_s of measures.csv the lag",
-       [](const StudyEvent& event) { return JsonNumber(event.event.uncertainty); }},
-      {"is_filled", "boolean", "", "decided on filled samples",
-       [](const StudyEvent& event) { return Json(event.event.is_filled ? 1 : 0); }},
-      {"is_in_gap", "boolean", "", "fell into a gap; the time is its middle",
-       [](const StudyEvent& event) { return Json(event.event.is_in_gap ? 1 : 0); }},
-      {"missing", "string", "", "why it was not found",
-       [](const StudyEvent& event) { return Json(event.event.missing); }},
+       [](const StudyEvent& event) { return event.event.uncertainty; }},
+      {"is_filled", "", "decided on filled samples",
+       [](const StudyEvent& event) { return event.event.is_filled; }},
+      {"is_in_gap", "", "fell into a gap; the time is its middle",
+       [](const StudyEvent& event) { return event.event.is_in_gap; }},
+      {"missing", "", "why it was not found",
+       [](const StudyEvent& event) { return event.event.missing; }},
   };
 }
 
@@ -258,33 +228,31 @@ std::string FormatOpeningTable(const StudyResult& result) {
   };
   const Study& study = result.study;
   std::vector<CsvColumn<Row>> columns = {
-      {"person", "string", "", "who reached",
-       [](const Row& r) { return Json(r.trial->participant); }},
-      {"trial", "string", "", "which trial", [](const Row& r) { return Json(r.trial->id); }}};
+      {"person", "", "who reached", [](const Row& r) { return r.trial->participant; }},
+      {"trial", "", "which trial", [](const Row& r) { return r.trial->id; }}};
   for (size_t i = 0; i < study.factors.size(); ++i) {
     const Factor& factor = study.factors[i];
-    columns.push_back({factor.name, "string", "", "factor of the design",
-                       [i](const Row& r) { return Json(r.trial->levels[i]); }});
+    columns.push_back({factor.name, "", "factor of the design",
+                       [i](const Row& r) { return r.trial->levels[i]; }});
     if (factor.numbers.empty()) continue;
     columns.push_back(
-        {factor.name + "_number", "number", "", "the same as a quantity",
-         [i, &factor](const Row& r) {
+        {factor.name + "_number", "", "the same as a quantity", [i, &factor](const Row& r) {
            const auto level =
                std::find(factor.levels.begin(), factor.levels.end(), r.trial->levels[i]);
-           return JsonNumber(factor.numbers[static_cast<size_t>(level - factor.levels.begin())]);
+           return factor.numbers[static_cast<size_t>(level - factor.levels.begin())];
          }});
   }
-  columns.push_back({"opening", "string", "", "measure of hand opening",
-                     [](const Row& r) { return Json(HandOpeningList()[r.opening].id); }});
-  columns.push_back({"open", "number", "m", "largest between the onset and the last contact",
-                     [](const Row& r) { return JsonNumber(r.values().open); }});
-  columns.push_back({"closed", "number", "m", "at the last contact",
-                     [](const Row& r) { return JsonNumber(r.values().closed); }});
+  columns.push_back({"opening", "", "measure of hand opening",
+                     [](const Row& r) { return HandOpeningList()[r.opening].id; }});
+  columns.push_back({"open", "m", "largest between the onset and the last contact",
+                     [](const Row& r) { return r.values().open; }});
+  columns.push_back(
+      {"closed", "m", "at the last contact", [](const Row& r) { return r.values().closed; }});
   for (size_t i = 0; i < result.digits.size(); ++i) {
-    columns.push_back({"open_without_" + result.digits[i], "number", "m", "without this digit",
-                       [i](const Row& r) { return JsonNumber(r.values().open_without[i]); }});
-    columns.push_back({"closed_without_" + result.digits[i], "number", "m", "without this digit",
-                       [i](const Row& r) { return JsonNumber(r.values().closed_without[i]); }});
+    columns.push_back({"open_without_" + result.digits[i], "m", "without this digit",
+                       [i](const Row& r) { return r.values().open_without[i]; }});
+    columns.push_back({"closed_without_" + result.digits[i], "m", "without this digit",
+                       [i](const Row& r) { return r.values().closed_without[i]; }});
   }
   std::vector<Row> rows;
   for (const StudyTrial& trial : result.trials) {

@@ -65,11 +65,11 @@ Json CalcCellMean(const WidePerson& person, const TrialMeasure& measure,
 std::vector<WideColumn> ListWideColumns(const StudyResult& result) {
   const std::vector<Factor>& factors = result.study.factors;
   std::vector<WideColumn> columns = {
-      {"participant", "string", "", "who reached",
-       [](const WidePerson& person) { return Json(person.front()->participant); }}};
+      {"participant", "", "who reached",
+       [](const WidePerson& person) { return person.front()->participant; }}};
   for (size_t i = 0; i < result.study.groups.size(); ++i) {
-    columns.push_back({result.study.groups[i].name, "string", "", "group of the participant",
-                       [i](const WidePerson& person) { return Json(person.front()->groups[i]); }});
+    columns.push_back({result.study.groups[i].name, "", "group of the participant",
+                       [i](const WidePerson& person) { return person.front()->groups[i]; }});
   }
   const auto add = [&](const std::string& id, const char* type, const std::string& unit,
                        const std::string& meaning, auto value) {

@@ -36,14 +36,14 @@ std::string NameOfObject(const SyntheticTrial& trial) {
 
 std::string FormatTrials(const std::vector<SyntheticTrial>& trials) {
   const std::vector<CsvColumn<SyntheticTrial>> columns = {
-      {"participant", "string", "", "", [](const auto& trial) { return Json(trial.person); }},
-      {"trial", "integer", "", "", [](const auto& trial) { return Json(trial.trial); }},
-      {"file", "string", "", "",
+      {"participant", "", "", &SyntheticTrial::person},
+      {"trial", "", "", &SyntheticTrial::trial},
+      {"file", "", "",
        [](const auto& trial) {
-         return Json("recordings/" + SyntheticFileName(trial, SyntheticFormat::kC3d));
+         return "recordings/" + SyntheticFileName(trial, SyntheticFormat::kC3d);
        }},
-      {"object", "string", "", "", [](const auto& trial) { return Json(NameOfObject(trial)); }},
-      {"diameter_m", "number", "m", "", [](const auto& trial) { return Json(trial.diameter); }},
+      {"object", "", "", NameOfObject},
+      {"diameter_m", "m", "", &SyntheticTrial::diameter},
   };
   return FormatCsv(columns, trials);
 }
@@ -65,18 +65,18 @@ std::string FormatObjects(const std::vector<SyntheticTrial>& trials) {
     double sum = 0.0;
     const std::vector<Eigen::Vector3d> places = SyntheticMarkerPlaces(trial.diameter);
     for (const Eigen::Vector3d& p_OM : places) sum += p_OM[axis];
-    return Json(std::round(-1e6 * sum / static_cast<double>(places.size())) / 1e6);
+    return std::round(-1e6 * sum / static_cast<double>(places.size())) / 1e6;
   };
   std::vector<CsvColumn<SyntheticTrial>> columns = {
-      {"object", "string", "", "", [](const auto& trial) { return Json(NameOfObject(trial)); }},
-      {"shape", "string", "", "", [](const auto&) { return Json("cylinder"); }},
-      {"length_m", "number", "m", "", [](const auto& trial) { return Json(trial.diameter); }},
-      {"height_m", "number", "m", "", [](const auto&) { return Json(kSyntheticObjectHeight); }},
+      {"object", "", "", NameOfObject},
+      {"shape", "", "", [](const auto&) { return "cylinder"; }},
+      {"length_m", "m", "", &SyntheticTrial::diameter},
+      {"height_m", "m", "", [](const auto&) { return kSyntheticObjectHeight; }},
   };
   const char* const names[] = {"centre_x_m", "centre_y_m", "centre_z_m"};
   for (int axis = 0; axis < 3; ++axis) {
     columns.push_back(
-        {names[axis], "number", "m", "", [=](const auto& trial) { return centre(trial, axis); }});
+        {names[axis], "m", "", [=](const auto& trial) { return centre(trial, axis); }});
   }
   return FormatCsv(columns, firsts);
 }

@@ -400,13 +400,11 @@ std::string FormatTruthCsv(const std::vector<SyntheticTrial>& trials, SyntheticF
                   [field](const SyntheticTrial& t) { return Json(t.truth.*field); }};
   };
   std::vector<Column> columns = {
-      {"file", "string", "", "recording",
-       [format](const SyntheticTrial& t) { return Json(SyntheticFileName(t, format)); }},
-      {"person", "string", "", "who", [](const SyntheticTrial& t) { return Json(t.person); }},
-      {"trial", "integer", "", "number within the person",
-       [](const SyntheticTrial& t) { return Json(t.trial); }},
-      {"diameter_m", "number", "m", "of the object",
-       [](const SyntheticTrial& t) { return Json(t.diameter); }},
+      {"file", "", "recording",
+       [format](const SyntheticTrial& t) { return SyntheticFileName(t, format); }},
+      {"person", "", "who", &SyntheticTrial::person},
+      {"trial", "", "number within the person", &SyntheticTrial::trial},
+      {"diameter_m", "m", "of the object", &SyntheticTrial::diameter},
       time("onset_s", "everything starts to move", &SyntheticTruth::onset),
       time("movement_end_s", "the wrist stops", &SyntheticTruth::movement_end),
       time("peak_opening_s", "thumb to virtual finger is widest", &SyntheticTruth::peak_opening),
