@@ -27,33 +27,31 @@ const FileKeys& ListHandGraspKeys() {
 }
 
 const FileKeys& ListGraspFileKeys() {
-  static const FileKeys keys = {
-      {"format", kRequired, "graspbench grasp"},
-      {"format_version", kRequired, "1"},
-      {"made_from", kRequired, "the standard grasp whose type and approach it has: g1 to g5"},
-      {"id", kRequired, "its name; not that of a standard grasp"},
-      {"object", "", "the one object it is for; else any"},
-      {"digits", kRequired, "ids of the digits that grasp; at least two"},
-      {"tilt_deg", kRequired, "turn of the hand towards its fingertips, from above"},
-      {"palm_may_touch", "false", KeyType::kBoolean, "true of power grasps"},
-      {"palm_gap_m", "0.003",
-       "of a power grasp: how far the palm stops before the object; it may draw it in", 0, 0.05},
-      {"approach", "automatic", "from where the hand comes: automatic, above or side"},
-      {"closing", "", "when and how fast digits close, by digit; those left out as all do"},
-      {"closing.DIGIT.delay_s", "0", "after the start of closure", 0, 10},
-      {"closing.DIGIT.speed", "1", "share of the speed of all", 0.05, 10},
-      {"pre_deg", kRequired,
-       "open posture: by digit, a value for each joint with a drive; of joints that slide in mm"},
-      {"target_deg", kRequired, "closed posture, with nothing between the fingers"},
-      {"hand", kRequired, "id of the hand it is for"},
-      {"placement", "", "where the hand stands; else computed from the object's size"},
-      {"placement.position_m", kRequired,
-       "of the hand's base, the object at rest above the origin"},
-      {"placement.orientation_wxyz", kRequired, "of the hand's base, a unit quaternion"},
-      {"placement.approach", kRequired, "the way to the object, a unit vector"},
-      {"placement.closing_at_contact", kRequired, "share of the closure at the first contact", 0,
-       1},
-  };
+  static const FileKeys keys = [] {
+    FileKeys rows = {
+        {"format", kRequired, "graspbench grasp"},
+        {"format_version", kRequired, "1"},
+        {"made_from", kRequired, "the standard grasp whose type and approach it has: g1 to g5"},
+        {"id", kRequired, "its name; not that of a standard grasp"},
+        {"object", "", "the one object it is for; else any"},
+    };
+    for (FileKey row : ListHandGraspKeys()) {
+      row.key.erase(0, std::string("grasps.ID.").size());
+      if (row.key != "held_share" && row.key != "changed") rows.push_back(row);
+    }
+    const FileKeys rest = {
+        {"hand", kRequired, "id of the hand it is for"},
+        {"placement", "", "where the hand stands; else computed from the object's size"},
+        {"placement.position_m", kRequired,
+         "of the hand's base, the object at rest above the origin"},
+        {"placement.orientation_wxyz", kRequired, "of the hand's base, a unit quaternion"},
+        {"placement.approach", kRequired, "the way to the object, a unit vector"},
+        {"placement.closing_at_contact", kRequired, "share of the closure at the first contact", 0,
+         1},
+    };
+    rows.insert(rows.end(), rest.begin(), rest.end());
+    return rows;
+  }();
   return keys;
 }
 
