@@ -44,11 +44,11 @@ struct ContactOptions {
        "auto"});
     v("cutoff_hz", cutoff,
       {"cut-off of the zero-phase filter on the tips; unless stated, at most 0.34 of the "
-       "recording\'s rate",
+       "recording's rate",
        kAboveZero});
     v("object_cutoff_hz", object_cutoff,
       {"cut-off of the filter on the object's pose; unless stated, at most 0.34 of the "
-       "recording\'s rate",
+       "recording's rate",
        kAboveZero});
     v("speed_threshold_m_per_s", speed_threshold,
       {"detector speed: slower against the object", kAboveZero});

@@ -44,7 +44,7 @@ struct HoldOptions {
     v("rule", rule, "how the hold is found of what is not lifted");
     v("cutoff_hz", cutoff,
       {"cut-off of the zero-phase filter on the tips; unless stated, at most 0.34 of the "
-       "recording\'s rate",
+       "recording's rate",
        kAboveZero});
     v("speed_threshold_m_per_s", speed_threshold, {"tips that are faster do not hold", kAboveZero});
   }

@@ -27,7 +27,7 @@ struct LiftOffOptions {
     v("rule", rule, "how the lift-off is found");
     v("cutoff_hz", cutoff,
       {"cut-off of the zero-phase filter on the object; unless stated, at most 0.34 of the "
-       "recording\'s rate",
+       "recording's rate",
        kAboveZero});
     v("min_rise_m", min_rise, {"an object that rises less is not lifted", kAboveZero});
     v("rise_m", rise, {"rule rise: this high", kAboveZero});

@@ -25,7 +25,7 @@ struct MovementOptions {
     v("rule", rule, "how onset and end are found");
     v("cutoff_hz", cutoff,
       {"cut-off of the zero-phase filter on the wrist; unless stated, at most 0.34 of the "
-       "recording\'s rate",
+       "recording's rate",
        kAboveZero});
     v("speed_threshold_m_per_s", speed_threshold, {"of the rules with a threshold", kAboveZero});
     v("peak_fraction", peak_fraction, {"of the peak speed, of the rules with one", kAboveZero});

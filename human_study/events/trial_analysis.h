@@ -39,7 +39,7 @@ struct OpeningOptions {
     v("maximum", maximum, "start of the closure: largest or last");
     v("cutoff_hz", cutoff,
       {"cut-off of the zero-phase filter on the tips; unless stated, at most 0.34 of the "
-       "recording\'s rate",
+       "recording's rate",
        kAboveZero});
     v("min_prominence_m", min_prominence, {"of a last maximum", kAboveZero});
   }
