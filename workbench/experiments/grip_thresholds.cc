@@ -19,18 +19,4 @@ std::vector<std::string> ListThresholdWarnings(const PreparedSession& experiment
   return ListGripWarnings(config, experiment.inputs);
 }
 
-bool RunThresholds(const PreparedSession& experiment, const ExperimentRequest& request,
-                   int num_workers, Observer& observer, const std::atomic<bool>& stop) {
-  Session session = experiment.session;
-  while (!FindThresholdTrials(session).empty()) {
-    if (RunRound(kThresholdRound, session, experiment.inputs, num_workers, observer, stop,
-                 request.trial_time_limit)
-            .ending != RunEnding::kFinished) {
-      return false;
-    }
-    session = LoadSession(experiment.folder, request.on_damage, RecordParts::kBrief);
-  }
-  return true;
-}
-
 }  // namespace graspbench

@@ -9,7 +9,7 @@ which runs of every draw the trials that its bisection asks for
 
 namespace graspbench {
 
-/** Its folder, in which RunThresholds runs it; of a sweep, of all its conditions.
+/** Its folder, in which RunExperiment runs it; of a sweep, of all its conditions.
 @throws as PrepareExperiment and ListThresholdGrips; Error(kRange) for a margin of an object without
 friction, and for forces with touch: sensed of a hand that feels nothing. */
 PreparedSession PrepareThresholds(const ExperimentRequest& request, const ThresholdScale& scale);
@@ -17,9 +17,5 @@ PreparedSession PrepareThresholds(const ExperimentRequest& request, const Thresh
 /** Of forces that the hands' pads hardly give (datasets/plan/grip_check.h). */
 std::vector<std::string> ListThresholdWarnings(const PreparedSession& experiment,
                                                const ThresholdScale& scale);
-
-/** Runs what is left. @returns whether nothing is left. */
-bool RunThresholds(const PreparedSession& experiment, const ExperimentRequest& request,
-                   int num_workers, Observer& observer, const std::atomic<bool>& stop);
 
 }  // namespace graspbench

@@ -246,8 +246,9 @@ bool RunSchedules(const PreparedSession& schedules, const ExperimentRequest& req
   rest.folder = schedules.folder;
   rest.trials_per_cell = 0;
   if (!RunExperiment(schedules, rest, num_workers, observer, stop)) return false;
+  rest.with_judge = false;
   const PreparedSession grips = PrepareThresholds(rest, kThresholdScales[0]);
-  return RunThresholds(grips, rest, num_workers, observer, stop);
+  return RunExperiment(grips, rest, num_workers, observer, stop);
 }
 
 }  // namespace graspbench

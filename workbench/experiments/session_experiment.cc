@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
@@ -112,10 +113,17 @@ PreparedSession PrepareExperiment(const Session& session, const std::string& kin
 
 bool RunExperiment(const PreparedSession& experiment, const ExperimentRequest& request,
                    int num_workers, Observer& observer, const std::atomic<bool>& stop) {
-  if (!FindUnfinished(experiment.session).empty() &&
-      RunSession(experiment, num_workers, observer, stop, request.trial_time_limit).ending !=
-          RunEnding::kFinished) {
-    return false;
+  const RoundKind& round = FindTrialRound(experiment.config);
+  std::optional<PreparedSession> next;  // a bisection asks for more
+  for (const PreparedSession* now = &experiment; !round.find_left(now->session).empty();) {
+    if (RunRound(round, *now, num_workers, observer, stop, request.trial_time_limit).ending !=
+        RunEnding::kFinished) {
+      return false;
+    }
+    if (&round != &kThresholdRound) break;
+    if (!next) next = experiment;
+    next->session = LoadSession(experiment.folder, request.on_damage, RecordParts::kBrief);
+    now = &*next;
   }
   return !request.with_judge || JudgeSession(experiment.folder, num_workers, observer, stop,
                                              request.on_damage, request.trial_time_limit);

@@ -17,7 +17,7 @@ class DelaySweepTest : public testing::Test {
     request.config->objects = {"golf_ball"};
     request.config->trials = 2;
     request.out = temporary_.path() / "session";
-    RunSession(PrepareSession(request), 1, observer_, stop_);
+    RunRound(kTrialRound, PrepareSession(request), 1, observer_, stop_);
     folder_ = request.out;
   }
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "core/trial/trial_runner.h"
 #include "datasets/plan/conditions.h"
-#include "workbench/experiments/pool/session_worker.h"
 #include "workbench/tables/numerics_tables.h"
 
 namespace graspbench {
@@ -60,7 +60,8 @@ TEST(NumericsCheck, FingertipsDragOnTheTableAlikeAtEveryStep) {
   std::vector<double> last_contacts;
   for (const double step : {0.002, 0.001, 0.0005}) {
     config.sim.step = step;
-    const TrialResult result = PlannedTrialRunner(config, inputs).Run(planned);
+    const TrialSetup setup = MakeTrialSetup(config, inputs, planned);
+    const TrialResult result = TrialRunner(setup.hand, setup.object).Run(setup);
     EXPECT_EQ(result.outcome, Outcome::kSuccess) << "step " << step;
     last_contacts.push_back(result.timing.gct);
   }

@@ -22,7 +22,7 @@ class RunSensitivityTest : public testing::Test {
     request.config->trials = 2;
     if (!setting.empty()) ApplySetting(setting, *request.config);
     request.out = temporary_.path() / name;
-    RunSession(PrepareSession(request), 1, observer_, stop_);
+    RunRound(kTrialRound, PrepareSession(request), 1, observer_, stop_);
     return LoadSession(request.out);
   }
   bool Run(const SensitivityRequest& request, int num_workers) {

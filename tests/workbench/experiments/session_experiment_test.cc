@@ -52,7 +52,7 @@ TEST_F(SessionExperiment, ShardsOfASweepAreOneRun) {
                         {"heavy and late", {"model.mass_scale=2.0", "delay.last=0.1"}}};
   const PreparedSession whole = Prepare("whole");
   EXPECT_EQ(whole.session.plan.size(), 16u);
-  ASSERT_EQ(RunSession(whole, 2, observer_, stop_).ending, RunEnding::kFinished);
+  ASSERT_EQ(RunRound(kTrialRound, whole, 2, observer_, stop_).ending, RunEnding::kFinished);
   const std::filesystem::path folder = Prepare("planned").folder;
   std::vector<std::filesystem::path> others;
   for (const int number : {5, 2, 7, 1, 3, 6, 4}) {
@@ -69,7 +69,7 @@ TEST_F(SessionExperiment, ShardsOfASweepAreOneRun) {
 
 TEST_F(SessionExperiment, TakesWhatTheSessionKnowsAndStandsWithinIt) {
   const PreparedSession session = Prepare("session");
-  RunSession(session, 2, observer_, stop_);
+  RunRound(kTrialRound, session, 2, observer_, stop_);
   ExperimentRequest request;
   request.folder = session.folder;
   const std::vector<Condition> conditions = {{"heavy", {"model.mass_scale=2.0"}}};
@@ -138,7 +138,7 @@ TEST_F(SessionExperiment, AGraspAsTheSettingIsComparedDrawByDraw) {
   config_.objects = {"golf_ball"};
   config_.grasps = {"g1"};
   const PreparedSession prepared = Prepare("session");
-  RunSession(prepared, 1, observer_, stop_);
+  RunRound(kTrialRound, prepared, 1, observer_, stop_);
   const Session session = LoadSession(prepared.folder, OnDamage::kRefuse, RecordParts::kBrief);
   ExperimentRequest request;
   request.folder = prepared.folder;
@@ -170,7 +170,7 @@ TEST_F(SessionExperiment, NeedsATrialAndNoConditions) {
   config_.trials = 1;
   config_.conditions = {{"heavy", {"model.mass_scale=2.0"}}};
   const PreparedSession sweep = Prepare("sweep");
-  RunSession(sweep, 1, observer_, stop_);
+  RunRound(kTrialRound, sweep, 1, observer_, stop_);
   PreparedSession loaded = sweep;
   loaded.session = LoadSession(sweep.folder, OnDamage::kRefuse, RecordParts::kBrief);
   EXPECT_NE(explain(loaded).find("has conditions of its own"), std::string::npos);

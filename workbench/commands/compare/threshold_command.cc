@@ -34,7 +34,7 @@ void Run(const ThresholdOptions& options) {
   if (request.plan_only) return PrintExperimentPlan(experiment);
   const std::atomic<bool>& stop = CatchInterrupts();
   TerminalObserver observer(DescribeTasks, stop);
-  DemandFinished(RunThresholds(experiment, request, options.num_workers, observer, stop));
+  DemandFinished(RunExperiment(experiment, request, options.num_workers, observer, stop));
   const Session session = LoadSession(folder, request.on_damage, RecordParts::kBrief);
   const ThresholdSummary summary = SummariseThresholds(
       LoadSession(experiment.folder, request.on_damage, RecordParts::kBrief), session);

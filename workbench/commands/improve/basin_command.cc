@@ -11,6 +11,7 @@
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/map_basin.h"
+#include "workbench/experiments/session_experiment.h"
 #include "workbench/terminal/terminal_observer.h"
 
 namespace graspbench {
@@ -31,11 +32,9 @@ void Run(const BasinOptions& options) {
   }
   const std::atomic<bool>& stop = CatchInterrupts();
   TerminalObserver observer({}, stop);
-  if (!FindUnfinished(basin.session).empty()) {
-    DemandFinished(
-        RunSession(basin, options.num_workers, observer, stop, options.trial_time_limit).ending ==
-        RunEnding::kFinished);
-  }
+  ExperimentRequest request;
+  request.trial_time_limit = options.trial_time_limit;
+  DemandFinished(RunExperiment(basin, request, options.num_workers, observer, stop));
   const Session session = LoadSession(basin.folder, OnDamage::kRefuse, RecordParts::kBrief);
   ExportResult(basin.folder, session);
   const std::filesystem::path report = WriteSessionReport(basin.folder, session);
