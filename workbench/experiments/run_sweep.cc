@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "datasets/analysis/conditions/threshold_summary.h"
 #include "workbench/experiments/pool/trial_bench.h"
 
 namespace graspbench {

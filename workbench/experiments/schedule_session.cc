@@ -13,7 +13,6 @@
 #include "core/trial/contact_lags.h"
 #include "datasets/plan/grasp_choice.h"
 #include "datasets/plan/input_copies.h"
-#include "workbench/experiments/grip_thresholds.h"
 #include "workbench/experiments/output_folder.h"
 
 namespace graspbench {

@@ -7,8 +7,8 @@
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "core/base/hash.h"
+#include "datasets/analysis/conditions/threshold_summary.h"
 #include "datasets/journal/append_file.h"
-#include "datasets/plan/conditions.h"
 #include "datasets/session/session_experiments.h"
 #include "datasets/shards/worker_log.h"
 #include "workbench/experiments/machines/shell_quote.h"
@@ -18,6 +18,8 @@ namespace graspbench {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr char kThresholdKind[] = "thresholds";
 
 /** Thresholds are those of a sweep's conditions, too. */
 void CheckCanBeVaried(const Session& session, const std::string& kind) {
@@ -83,9 +85,10 @@ void CreateExperiment(const Session& session, const std::string& kind, const Pre
 
 }  // namespace
 
-PreparedSession PrepareExperiment(const Session& session, const std::string& kind,
-                                  const std::vector<Condition>& conditions,
-                                  const ExperimentRequest& request) {
+PreparedSession PrepareExperiment(const ExperimentRequest& request, const std::string& kind,
+                                  const ListConditions& list_conditions) {
+  const Session session = LoadSession(request.folder, request.on_damage, RecordParts::kBrief);
+  const std::vector<Condition> conditions = list_conditions(session.config);
   CheckCanBeVaried(session, kind);
   PreparedSession made;
   made.config = session.config;
@@ -109,6 +112,12 @@ PreparedSession PrepareExperiment(const Session& session, const std::string& kin
   made.session = LoadSession(made.folder, request.on_damage, RecordParts::kBrief);
   CheckSameSession(made.session, made.config, plan);
   return made;
+}
+
+PreparedSession PrepareThresholds(const ExperimentRequest& request, const ThresholdScale& scale) {
+  return PrepareExperiment(request, kThresholdKind, [&scale](const SessionConfig& config) {
+    return ListThresholdGrips(scale, config);
+  });
 }
 
 bool RunExperiment(const PreparedSession& experiment, const ExperimentRequest& request,

@@ -1,5 +1,3 @@
-#include "workbench/experiments/grip_thresholds.h"
-
 #include <gtest/gtest.h>
 
 #include "core/trial/trial_runner.h"
@@ -9,6 +7,7 @@
 #include "datasets/session/merge_sessions.h"
 #include "tests/datasets/session/fake_session.h"
 #include "workbench/experiments/machines/run_shard.h"
+#include "workbench/experiments/session_experiment.h"
 
 namespace graspbench {
 namespace {
@@ -77,8 +76,9 @@ TEST_F(GripThresholdsTest, OfForcesEndAtWhatDrivesGive) {
   const ExperimentRequest request = RunNew("weak", weak);
   const ThresholdScale& scale = kThresholdScales[1];
   const PreparedSession experiment = PrepareThresholds(request, scale);
-  EXPECT_FALSE(ListThresholdWarnings(experiment, scale).empty());
-  EXPECT_TRUE(ListThresholdWarnings(experiment, kThresholdScales[0]).empty());
+  EXPECT_FALSE(ListThresholdWarnings(scale, experiment.config, experiment.inputs).empty());
+  EXPECT_TRUE(
+      ListThresholdWarnings(kThresholdScales[0], experiment.config, experiment.inputs).empty());
   ASSERT_TRUE(RunExperiment(experiment, request, 1, observer_, stop_));
   const ThresholdSummary found = LoadThresholds(LoadSession(request.folder)).at(0);
   ASSERT_EQ(found.draws.size(), 1u);

@@ -6,14 +6,14 @@
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
+#include "datasets/analysis/conditions/delay_summary.h"
+#include "datasets/analysis/conditions/numerics_summary.h"
+#include "datasets/analysis/conditions/sensitivity_summary.h"
 #include "datasets/analysis/export_result.h"
 #include "datasets/plan/conditions.h"
 #include "datasets/session/merge_sessions.h"
-#include "datasets/session/sensitivity_store.h"
 #include "tests/datasets/session/fake_session.h"
-#include "workbench/experiments/delay_sweep.h"
 #include "workbench/experiments/machines/run_shard.h"
-#include "workbench/experiments/numerics_check.h"
 
 namespace graspbench {
 namespace {
@@ -74,8 +74,7 @@ TEST_F(SessionExperiment, TakesWhatTheSessionKnowsAndStandsWithinIt) {
   request.folder = session.folder;
   const std::vector<Condition> conditions = {{"heavy", {"model.mass_scale=2.0"}}};
   const PreparedSession experiment =
-      PrepareExperiment(LoadSession(session.folder, OnDamage::kRefuse, RecordParts::kBrief),
-                        "sensitivity", conditions, request);
+      PrepareExperiment(request, "sensitivity", [&](const SessionConfig&) { return conditions; });
   EXPECT_EQ(experiment.session.plan.size(), 8u);
   EXPECT_EQ(experiment.session.records.size(), 4u) << "the base is the session's";
   EXPECT_TRUE(RunExperiment(experiment, request, 1, observer_, stop_));
@@ -143,10 +142,11 @@ TEST_F(SessionExperiment, AGraspAsTheSettingIsComparedDrawByDraw) {
   ExperimentRequest request;
   request.folder = prepared.folder;
   const PreparedSession experiment =
-      PrepareExperiment(session, "sensitivity", {{"grasp=g2", {"grasp=g2"}}}, request);
+      PrepareExperiment(request, "sensitivity", [](const SessionConfig&) {
+        return std::vector<Condition>{{"grasp=g2", {"grasp=g2"}}};
+      });
   EXPECT_TRUE(RunExperiment(experiment, request, 1, observer_, stop_));
-  Diagnostics findings;
-  const SensitivityData data = LoadSensitivity(session, findings);
+  const SensitivityData data = LoadSensitivity(session);
   for (const TrialRecord& record : LoadSession(experiment.folder).records) {
     if (!record.plan.condition) continue;
     EXPECT_EQ(record.plan.grasp, "g2");
@@ -159,7 +159,11 @@ TEST_F(SessionExperiment, AGraspAsTheSettingIsComparedDrawByDraw) {
 TEST_F(SessionExperiment, NeedsATrialAndNoConditions) {
   const auto explain = [&](const PreparedSession& prepared) {
     try {
-      PrepareExperiment(prepared.session, "sensitivity", {{"x", {"model.mass_scale=2.0"}}}, {});
+      ExperimentRequest request;
+      request.folder = prepared.folder;
+      PrepareExperiment(request, "sensitivity", [](const SessionConfig&) {
+        return std::vector<Condition>{{"x", {"model.mass_scale=2.0"}}};
+      });
     } catch (const Error& e) {
       return std::string(e.what());
     }
@@ -171,9 +175,7 @@ TEST_F(SessionExperiment, NeedsATrialAndNoConditions) {
   config_.conditions = {{"heavy", {"model.mass_scale=2.0"}}};
   const PreparedSession sweep = Prepare("sweep");
   RunRound(kTrialRound, sweep, 1, observer_, stop_);
-  PreparedSession loaded = sweep;
-  loaded.session = LoadSession(sweep.folder, OnDamage::kRefuse, RecordParts::kBrief);
-  EXPECT_NE(explain(loaded).find("has conditions of its own"), std::string::npos);
+  EXPECT_NE(explain(sweep).find("has conditions of its own"), std::string::npos);
 }
 
 }  // namespace
