@@ -2,8 +2,8 @@
 /** @file
 Grip thresholds of a session's draws: what graspbench threshold has stored below thresholds/, a
 session whose conditions are the grips of a scale, of which only those trials ran that the bisection
-of their draw asked for. Of a sweep they are the grips under its
-base, then under each of its conditions, and each has its own threshold of a draw.
+of their draw asked for. Of a sweep they are the grips under its base, then under each of its
+conditions, and each has its own threshold of a draw.
 
 The grip threshold of a draw: the smallest grip, a margin or a force, with which its trial succeeds.
 Found by bisection of the same draw over seventeen grips, equal steps of the logarithm from the
