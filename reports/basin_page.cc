@@ -1,13 +1,12 @@
-#include "reports/basin_page.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/text/text.h"
 #include "core/base/version.h"
-#include "datasets/analysis/conditions/basin_summary.h"
 #include "datasets/analysis/conditions/threshold_summary.h"
+#include "reports/kind_pages.h"
 #include "reports/outcome_words.h"
+#include "reports/page/models.h"
 #include "reports/page/sectioned_page.h"
 #include "reports/plots/svg_parts.h"
 
@@ -219,6 +218,21 @@ std::string MakeBasinPage(const BasinPageData& data) {
   frame.facts.emplace_back("Samples", std::to_string(data.samples.size()));
   frame.references = {"sherman2011", "halton1960", "wilson1927"};
   return MakeSectionedPage(frame, sections, BasinView{data, SummariseBasin(data.samples)});
+}
+
+std::string MakeBasinPage(const Session& session) {
+  const SessionModels models = LoadSessionModels(session);
+  const PlannedTrial& planned = session.plan.front();
+  std::vector<double> thresholds;
+  for (const ThresholdSummary& summary : LoadThresholds(session)) {
+    if (summary.scale->mode == GripMode::kMargin) {
+      thresholds = ListThresholdsOf(session, summary);
+    }
+  }
+  return MakeBasinPage({models.NameOfHand(planned.hand) + ", " +
+                            models.NameOfObject(planned.object) + ", " + planned.grasp,
+                        "graspbench run DIR/session.json --out ANOTHER", ListBasinSamples(session),
+                        thresholds});
 }
 
 }  // namespace graspbench

@@ -1,5 +1,3 @@
-#include "reports/map_page.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +7,7 @@
 #include "core/base/version.h"
 #include "datasets/analysis/map/map_precision.h"
 #include "datasets/plan/scene_names.h"
+#include "reports/kind_pages.h"
 #include "reports/page/sectioned_page.h"
 #include "reports/plots/svg_plot.h"
 

@@ -2,25 +2,16 @@
 
 #include "core/base/hash.h"
 #include "core/base/text/text.h"
-#include "datasets/analysis/conditions/basin_summary.h"
 #include "datasets/plan/map_design.h"
-#include "reports/basin_page.h"
-#include "reports/map_page.h"
+#include "reports/kind_pages.h"
 #include "reports/page/layout.h"
 #include "reports/page/write_page.h"
-#include "reports/sections/section.h"
-#include "reports/sweep_page.h"
 
 namespace graspbench {
 
-std::string MakeSessionReport(const Session& session, const SessionSummary& summary,
-                              const SessionModels& models, const CellPictures& pictures,
-                              const SensitivitySummary& sensitivity,
-                              const std::vector<NumericsSummary>& numerics,
-                              const std::vector<ThresholdSummary>& thresholds,
-                              const SessionViews& views) {
-  const ReportData data = {session,     summary,  models,     pictures,
-                           sensitivity, numerics, thresholds, views.body};
+std::string MakeSessionReport(const ReportData& data) {
+  const Session& session = data.session;
+  const SessionSummary& summary = data.summary;
   const std::string subtitle =
       FormatCount(static_cast<int>(summary.hands.size()), "hand") + ", " +
       FormatCount(static_cast<int>(summary.objects.size()), "object") + ", " +
@@ -38,7 +29,7 @@ std::string MakeSessionReport(const Session& session, const SessionSummary& summ
       {"Hash of the configuration", CalcHashHex(FormatJson(ToJson(session.config)))},
       {"Clock, machine and run time", "not in this page; run.json in the session's folder"}};
   frame.references = {"roethling2007", "sherman2011", "wilson1927", "ferrari1992", "efron1987"};
-  return AddScript(MakeSectionedPage(frame, ListSections(), data), views.script);
+  return AddScript(MakeSectionedPage(frame, ListSections(), data), data.views.script);
 }
 
 namespace {
@@ -47,32 +38,35 @@ std::filesystem::path WriteReport(const std::filesystem::path& folder, const Ses
                                   const SessionSummary& summary, const SessionModels& models,
                                   const TrialTracer& trace) {
   const CellPictures pictures = RenderCellPictures(session, summary, models);
-  const SensitivitySummary sensitivity = SummariseSensitivity(session, LoadSensitivity(session));
-  const std::vector<NumericsSummary> numerics = SummariseNumerics(LoadNumericsComparisons(session));
-  const SessionViews views =
-      trace ? DrawSessionViews(session, summary, models, trace) : SessionViews();
-  return WriteReportPage(folder, MakeSessionReport(session, summary, models, pictures, sensitivity,
-                                                   numerics, LoadThresholds(session), views));
+  ReportData data = {session, summary, models, pictures};
+  data.sensitivity = SummariseSensitivity(session, LoadSensitivity(session));
+  data.numerics = SummariseNumerics(LoadNumericsComparisons(session));
+  if (trace) data.views = DrawSessionViews(session, summary, models, trace);
+  data.thresholds = LoadThresholds(session);
+  return WriteReportPage(folder, MakeSessionReport(data));
 }
+
+/** A kind of session with a page of its own. */
+struct KindPage {
+  bool (*is_of)(const Session& session);
+  std::string (*make)(const Session& session);
+};
+/** The first that fits. */
+constexpr KindPage kKindPages[] = {
+    {[](const Session& session) { return IsMap(session.config); },
+     [](const Session& session) { return MakeMapPage(session, LoadMap(session)); }},
+    {[](const Session& session) { return !session.config.conditions.empty(); },
+     [](const Session& session) {
+       return MakeSweepPage(session, SummariseSweep(session, LoadThresholds(session)));
+     }},
+    {IsBasin, MakeBasinPage}};
 
 /** The page of a session that is more than its trials; empty: it is not. */
 std::string MakeKindPage(const Session& session) {
-  if (IsMap(session.config)) return MakeMapPage(session, LoadMap(session));
-  if (!session.config.conditions.empty())
-    return MakeSweepPage(session, SummariseSweep(session, LoadThresholds(session)));
-  if (!IsBasin(session)) return "";
-  const SessionModels models = LoadSessionModels(session);
-  const PlannedTrial& planned = session.plan.front();
-  std::vector<double> thresholds;
-  for (const ThresholdSummary& summary : LoadThresholds(session)) {
-    if (summary.scale->mode == GripMode::kMargin) {
-      thresholds = ListThresholdsOf(session, summary);
-    }
+  for (const KindPage& kind : kKindPages) {
+    if (kind.is_of(session)) return kind.make(session);
   }
-  return MakeBasinPage({models.NameOfHand(planned.hand) + ", " +
-                            models.NameOfObject(planned.object) + ", " + planned.grasp,
-                        "graspbench run DIR/session.json --out ANOTHER", ListBasinSamples(session),
-                        thresholds});
+  return "";
 }
 
 }  // namespace

@@ -7,12 +7,8 @@ snapshots. */
 #include <filesystem>
 #include <string>
 
-#include "datasets/analysis/conditions/numerics_summary.h"
-#include "datasets/analysis/conditions/sensitivity_summary.h"
-#include "datasets/analysis/conditions/threshold_summary.h"
 #include "datasets/session/session_store.h"
-#include "reports/page/models.h"
-#include "reports/scenes/cell_pictures.h"
+#include "reports/sections/section.h"
 #include "reports/session_views.h"
 
 namespace graspbench {
@@ -29,11 +25,6 @@ std::filesystem::path WriteSessionReport(const std::filesystem::path& folder, Se
                                          const TrialTracer& trace = {});
 
 /** The page from its parts, for those who bring their own pictures. */
-std::string MakeSessionReport(const Session& session, const SessionSummary& summary,
-                              const SessionModels& models, const CellPictures& pictures,
-                              const SensitivitySummary& sensitivity = {},
-                              const std::vector<NumericsSummary>& numerics = {},
-                              const std::vector<ThresholdSummary>& thresholds = {},
-                              const SessionViews& views = {});
+std::string MakeSessionReport(const ReportData& data);
 
 }  // namespace graspbench

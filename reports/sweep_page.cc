@@ -1,5 +1,3 @@
-#include "reports/sweep_page.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -7,6 +5,7 @@
 #include "core/base/text/text.h"
 #include "core/base/version.h"
 #include "datasets/analysis/conditions/sensitivity_summary.h"
+#include "reports/kind_pages.h"
 #include "reports/page/sectioned_page.h"
 #include "reports/plots/svg_plot.h"
 

@@ -2,12 +2,16 @@
 /** @file
 Two sessions trial by trial. Two trials are a pair when object and number are the same and the object
 stood in the very same place; hands and grasps must be the same, too, unless each session has only
-one hand, or one grasp of it on that object: then these are what is compared. */
+one hand, or one grasp of it on that object: then these are what is compared.
+
+Where both have looked for grip thresholds on the same scale, these are compared draw by draw, too. A
+draw that no grip held is above every other. */
 
 #include <string>
 #include <vector>
 
 #include "datasets/analysis/conditions/sensitivity_summary.h"
+#include "datasets/analysis/conditions/threshold_summary.h"
 
 namespace graspbench {
 
@@ -33,5 +37,22 @@ struct SessionComparison {
 /** The records must outlive what is found.
 @throws Error(kUsage) when there is no pair, saying why. */
 SessionComparison CompareSessions(const Session& before, const Session& after);
+
+struct ThresholdChange {
+  const ThresholdScale* scale = nullptr;
+  std::string hand;  ///< of the first session
+  int num_pairs = 0;
+  int num_lower = 0, num_equal = 0, num_higher = 0;  ///< in the second session
+  /** Of the second session's over the first's, of the pairs in which both have one; its interval is
+  that of order statistics, NaN: too few. */
+  double ratio = kUnset, low = kUnset, high = kUnset;
+};
+
+/** By scale, then by hand. None where one of them has no thresholds. */
+std::vector<ThresholdChange> CompareThresholds(const std::vector<TrialPair>& pairs,
+                                               const std::vector<ThresholdSummary>& before,
+                                               const std::vector<ThresholdSummary>& after);
+
+Json ToJson(const std::vector<ThresholdChange>& changes);
 
 }  // namespace graspbench

@@ -15,7 +15,7 @@ A factor is a key that conditions differ in; its levels are the values, that of 
 #include <string>
 #include <vector>
 
-#include "core/trial/grip/grip_threshold.h"
+#include "core/grasp/strategy.h"
 #include "datasets/plan/session_config.h"
 #include "datasets/plan/session_inputs.h"
 
@@ -47,6 +47,20 @@ std::string FindBaseLevel(const SessionConfig& config, const std::string& key);
 /** The value of a factor's key under a condition of this name; none: the base. */
 std::string FindLevel(const SessionConfig& config, const std::optional<std::string>& condition,
                       const std::string& key);
+
+inline constexpr int kMostGripPlace = 16;  ///< the grips of a scale are 0 .. 16
+
+/** What the bisections of grip thresholds vary. */
+struct ThresholdScale {
+  GripMode mode;
+  const char* name;  ///< for people
+  const char* key;   ///< of the setting
+  const char* unit;
+  double least, most;
+};
+inline constexpr ThresholdScale kThresholdScales[] = {
+    {GripMode::kMargin, "margin", "strategy.grip_margin", "", 1.0, 16.0},
+    {GripMode::kForce, "force", "strategy.grip_force_n", "N", 0.1, 12.8}};
 
 /** The scale of grip thresholds whose grips the conditions are; null: they are none. */
 const ThresholdScale* FindThresholdScale(const SessionConfig& config);

@@ -75,7 +75,7 @@ struct SessionConfig : TrialConditions {
   ImperfectionConfig imperfections;            ///< of the hands; none by default
   int trials = 10;                             ///< per hand, object and grasp
   int seed = 1;
-  /** Where draws come from: "random", or "halton" (core/trial/basin.h); no key of session files. */
+  /** Where draws come from: "random", or "halton" (a basin's); no key of session files. */
   std::string draws = "random";
   /** Under which every draw is tried again, beside the base, which is the rest of this. */
   std::vector<Condition> conditions;

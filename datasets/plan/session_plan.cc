@@ -11,7 +11,6 @@
 #include "core/base/text/text.h"
 #include "core/hand/tactile.h"
 #include "core/physics/simbody/compliant_world.h"
-#include "core/trial/basin.h"
 #include "core/trial/grip/grip_limit.h"
 #include "core/trial/positioning.h"
 #include "datasets/plan/conditions.h"
@@ -347,25 +346,45 @@ TrialDraw DrawVariation(const VariationConfig& variation, const Hand& hand, Rand
   return draw;
 }
 
+namespace {
+
+/** The digits of `index` in the base, mirrored at the point: in [0, 1). */
+double CalcHalton(int index, int base) {
+  double value = 0.0, digit = 1.0;
+  for (; index > 0; index /= base) {
+    digit /= base;
+    value += digit * (index % base);
+  }
+  return value;
+}
+
+/** The offset of this number in the box of the variation: none for 0, then the Halton sequence. */
+TrialDraw MakeHaltonDraw(const VariationConfig& box, int index) {
+  if (index == 0) return {};
+  return {box.offset * (2.0 * CalcHalton(index, 2) - 1.0),
+          box.offset * (2.0 * CalcHalton(index, 3) - 1.0),
+          box.yaw * (2.0 * CalcHalton(index, 5) - 1.0),
+          {}};
+}
+
+}  // namespace
+
 TrialDraw MakeTrialDraw(const SessionConfig& config, const Hand& hand, const GraspObject& object,
                         int trial) {
   TrialDraw draw = DrawVariation(
       config.variation, hand, MakePoseStream(config, object.id, trial),
       RandomStream(JoinNames({config.seed, hand.id, object.id, trial}), "joint error"));
   if (config.draws != SessionConfig().draws) {
-    const BasinSample point = MakeBasinSample(trial, config.variation.offset, config.variation.yaw);
-    draw.offset_x = point.offset_x;
-    draw.offset_y = point.offset_y;
-    draw.offset_yaw = point.yaw;
-    draw.joint_error.setZero();
+    const Eigen::VectorXd no_error = Eigen::VectorXd::Zero(draw.joint_error.size());
+    draw = MakeHaltonDraw(config.variation, trial);
+    draw.joint_error = no_error;
   }
   return draw;
 }
 
 TrialDraw MakeObjectDraw(const SessionConfig& config, const std::string& object, int trial) {
   if (config.draws != SessionConfig().draws) {
-    const BasinSample point = MakeBasinSample(trial, config.variation.offset, config.variation.yaw);
-    return {point.offset_x, point.offset_y, point.yaw, {}};
+    return MakeHaltonDraw(config.variation, trial);
   }
   return DrawObject(config.variation, MakePoseStream(config, object, trial));
 }

@@ -25,7 +25,7 @@ std::vector<const TrialRecord*> ListFailures(const SessionSummary& summary) {
 /** To its scene, or, of a page without, to what makes one. */
 Html LinkToView(const ReportData& data, const PlannedTrial& planned) {
   const std::string anchor = MakeViewAnchor(planned);
-  const bool has_view = data.views.markup().find("id=\"" + anchor + "\"") != std::string::npos;
+  const bool has_view = data.views.body.markup().find("id=\"" + anchor + "\"") != std::string::npos;
   return LinkTo(has_view ? anchor : "views", has_view ? "show" : "how");
 }
 

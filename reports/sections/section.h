@@ -12,6 +12,7 @@ line in section_list.inc, which fixes the order of the page. */
 #include "reports/page/models.h"
 #include "reports/page/sectioned_page.h"
 #include "reports/scenes/cell_pictures.h"
+#include "reports/session_views.h"
 
 namespace graspbench {
 
@@ -20,10 +21,10 @@ struct ReportData {
   const SessionSummary& summary;
   const SessionModels& models;
   const CellPictures& pictures;
-  const SensitivitySummary& sensitivity;         ///< of this session; without changes: was not run
-  const std::vector<NumericsSummary>& numerics;  ///< empty: was not checked
-  const std::vector<ThresholdSummary>& thresholds;  ///< empty: none were looked for
-  Html views = {};                                  ///< of session_views.h; empty: not asked for
+  SensitivitySummary sensitivity = {};            ///< of this session; without changes: was not run
+  std::vector<NumericsSummary> numerics = {};     ///< empty: was not checked
+  std::vector<ThresholdSummary> thresholds = {};  ///< empty: none were looked for
+  SessionViews views = {};                        ///< without body: not asked for
 };
 
 /** Must bear a session without a plan or without records. */

@@ -5,7 +5,7 @@ namespace graspbench {
 namespace {
 
 Html DrawTrialViews(const ReportData& data) {
-  if (!data.views.empty()) return data.views;
+  if (!data.views.body.empty()) return data.views.body;
   return Element("p", {},
                  Text("This page was made without them; with them: ") +
                      Element("code", {}, "graspbench report DIR --3d") +

@@ -21,8 +21,8 @@ force, and prints the median of each hand and object, with those that are not mo
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/trial/grip/grip_threshold.h"
 #include "core/trial/trial_runner.h"
+#include "datasets/analysis/conditions/threshold_summary.h"
 #include "datasets/plan/session_inputs.h"
 #include "datasets/plan/session_plan.h"
 

@@ -1,7 +1,6 @@
-#include "reports/basin_page.h"
-
 #include <gtest/gtest.h>
 
+#include "reports/kind_pages.h"
 #include "tests/reports/report_fixture.h"
 
 namespace graspbench {

@@ -1,7 +1,6 @@
-#include "reports/map_page.h"
-
 #include <gtest/gtest.h>
 
+#include "reports/kind_pages.h"
 #include "tests/datasets/analysis/map/made_map.h"
 
 namespace graspbench {

@@ -12,7 +12,7 @@
 namespace graspbench {
 
 std::string MakePageOf(const Session& session) {
-  return MakeSessionReport(session, SummariseSession(session), SessionModels(), CellPictures());
+  return MakeSessionReport({session, SummariseSession(session), SessionModels(), CellPictures()});
 }
 
 void ParsePage(const std::string& page, tinyxml2::XMLDocument& document) {

@@ -175,7 +175,8 @@ TEST(SessionReport, DamagedJournalLinesAndMissingModelsAreTold) {
   models.problems = {"the object \"can\" cannot be loaded: gone"};
   CellPictures pictures;
   pictures.problems = {"no pictures could be drawn: libOSMesa.so.8 is missing"};
-  const std::string page = MakeSessionReport(session, SummariseSession(session), models, pictures);
+  const std::string page =
+      MakeSessionReport({session, SummariseSession(session), models, pictures});
   ExpectSoundPage(page);
   const std::string findings = TextOfSection(page, "findings");
   ExpectContains(findings, "Warning in journal/2.jsonl, line 17: checksum does not fit");
@@ -191,7 +192,7 @@ TEST(SessionReport, AFinishedSessionDoesNotTellHowItWasInterrupted) {
   Session interrupted = smooth;
   interrupted.findings.Warn("journal/0.jsonl", 1, "skipped: the line is torn");
   const auto page = [](const Session& session) {
-    return MakeSessionReport(session, SummariseSession(session), SessionModels(), CellPictures());
+    return MakeSessionReport({session, SummariseSession(session), SessionModels(), CellPictures()});
   };
   EXPECT_EQ(page(interrupted), page(smooth));
 }
@@ -224,7 +225,7 @@ TEST(SessionReport, PicturesAreInsideWithTextInTheirPlace) {
   CellPictures pictures;
   pictures.by_cell["tum-can-g3"] = {
       {&session.records[0], {{Moment::kPreGrasp, 0.0, "abc"}, {Moment::kClosed, 1.25, "def"}}}};
-  const std::string page = MakeSessionReport(session, summary, SessionModels(), pictures);
+  const std::string page = MakeSessionReport({session, summary, SessionModels(), pictures});
   ExpectSoundPage(page);
   ExpectContains(page, "src=\"data:image/webp;base64,YWJj\"");
   ExpectContains(page, "alt=\"tum, can, power (g3): Pre-grasp\"");
@@ -241,7 +242,7 @@ TEST(SessionReport, TheFirstScreenShowsAPictureAndTheWeakestCells) {
   pictures.by_cell["tum-cup-g3"] = {
       {&session.records[7], {{Moment::kClosed, 1.0, "good", "small good"}}},
       {&session.records[4], {{Moment::kLifted, 2.0, "bad", "small bad"}}}};
-  const std::string page = MakeSessionReport(session, summary, SessionModels(), pictures);
+  const std::string page = MakeSessionReport({session, summary, SessionModels(), pictures});
   ExpectSoundPage(page);
   const std::string result = TextOfSection(page, "result");
   const size_t worst = result.find("tum, cup, g3  1 of 4 pushed away");
@@ -286,7 +287,7 @@ TEST(SessionReport, TheBenchmarkFitsIntoTenMegabytes) {
         {cell.records[0],
          {{Moment::kPreGrasp, 0, webp}, {Moment::kClosed, 1, webp}, {Moment::kLifted, 2, webp}}}};
   }
-  const std::string page = MakeSessionReport(session, summary, SessionModels(), pictures);
+  const std::string page = MakeSessionReport({session, summary, SessionModels(), pictures});
   EXPECT_LT(page.size(), 10'000'000u);
   ExpectSoundPage(page);
 }
@@ -300,8 +301,8 @@ TEST(SessionReport, ShowsWhatSettingsChange) {
     measures.outcome = Outcome::kKnockedOver;
     measures.gft += 0.123;
   }
-  const std::string page = MakeSessionReport(session, SummariseSession(session), SessionModels(),
-                                             CellPictures(), SummariseSensitivity(session, data));
+  const std::string page = MakeSessionReport({session, SummariseSession(session), SessionModels(),
+                                              CellPictures(), SummariseSensitivity(session, data)});
   ExpectSoundPage(page);
   const std::string section = TextOfSection(page, "sensitivity");
   ExpectContains(section, "model.mass_scale=2.0");
@@ -327,8 +328,9 @@ TEST(SessionReport, ShowsWhatTheHandSawAndFelt) {
   SensitivityData varied;  // one of the two trials fails by camera
   varied["positioning=camera"][session.records[0].plan.id].outcome = Outcome::kSuccess;
   varied["positioning=camera"][session.records[1].plan.id].outcome = Outcome::kNotSeen;
-  const std::string page = MakeSessionReport(session, SummariseSession(session), SessionModels(),
-                                             CellPictures(), SummariseSensitivity(session, varied));
+  const std::string page =
+      MakeSessionReport({session, SummariseSession(session), SessionModels(), CellPictures(),
+                         SummariseSensitivity(session, varied)});
   ExpectSoundPage(page);
   const std::string text = TextOfSection(page, "sensors");
   for (const char* part : {"Success, true", "Success, camera", "0 of 1 trial", "1.50", "2.00",

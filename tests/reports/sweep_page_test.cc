@@ -1,6 +1,6 @@
-#include "reports/sweep_page.h"
-
 #include <gtest/gtest.h>
+
+#include "reports/kind_pages.h"
 
 namespace graspbench {
 namespace {

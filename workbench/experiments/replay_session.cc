@@ -7,10 +7,11 @@
 #include <unordered_map>
 
 #include "core/base/error.h"
+#include "core/trial/trial_trace.h"
 #include "datasets/session/damaged_records.h"
 #include "datasets/shards/worker_log.h"
 #include "workbench/experiments/machines/machine.h"
-#include "workbench/experiments/pool/session_worker.h"
+#include "workbench/experiments/pool/trial_bench.h"
 #include "workbench/experiments/run_record.h"
 
 namespace graspbench {
@@ -105,15 +106,19 @@ SessionReplay ReplaySession(const Session& session, const SessionInputs& inputs,
     records.Compare(now, replay.trials[places.at(now.plan.id)]);
   };
   const auto make_worker = [&](int) {
-    const auto runner = std::make_shared<PlannedTrialRunner>(session.config, inputs);
+    const auto bench = std::make_shared<TrialBench>();
     const auto traced = std::make_shared<TracedTrial>();  // of the trial that has just run
     const bool is_traced = static_cast<bool>(request.take);
     BatchWorker worker;
-    worker.prepare = [runner](const PlannedTrial& planned) { runner->Prepare(planned); };
-    worker.run = [runner, traced, is_traced](const PlannedTrial& planned) {
-      if (!is_traced) return runner->Run(planned);
-      *traced = runner->Trace(planned, 0.0);
-      return traced->result;
+    worker.prepare = [&, bench, traced,
+                      is_traced](const PlannedTrial& planned) -> std::function<TrialResult()> {
+      TrialSetup setup = MakeTrialSetup(session.config, inputs, planned);
+      TrialRunner& runner = bench->Prepare(setup);
+      if (!is_traced) return [bench, &runner, setup] { return runner.Run(setup); };
+      return [bench, &runner, setup, traced] {
+        *traced = TraceTrial(runner, setup, 0.0);
+        return traced->result;
+      };
     };
     worker.keep = [&, traced](const TrialRecord& now) {
       compare(now);
@@ -124,8 +129,8 @@ SessionReplay ReplaySession(const Session& session, const SessionInputs& inputs,
     worker.give_up = compare;
     return worker;
   };
-  if (!RunBatchStage(MakeStage(StageKind::kReplay, request.trials.size()), request.trials,
-                     request.num_workers, make_worker, observer, stop, request.trial_time_limit)) {
+  if (!RunBatch(MakeStage(StageKind::kReplay, request.trials.size()), request.trials,
+                request.num_workers, make_worker, observer, stop, request.trial_time_limit)) {
     throw Error(ErrorKind::kInterrupted,
                 "stopped before all trials were compared; nothing was written. Start again with "
                 "the same command");

@@ -9,7 +9,7 @@
 #include "datasets/plan/input_copies.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/experiments/pool/learning_batch.h"
-#include "workbench/experiments/run_round.h"
+#include "workbench/experiments/run_session.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -98,8 +98,8 @@ class CampaignRun {
     const SessionInputs inputs = AddSceneGrasps(inputs_, scenes_);
     CheckSameSession(LoadPlannedSession(folder), config, MakePlan(config, inputs));
     for (const RoundKind& round : {kBenchmarkRound, kJudgeRound}) {
-      const RunRecord run = RunRound(round, LoadSession(folder), inputs, num_workers_, observer_,
-                                     stop_, trial_time_limit_);
+      const RunRecord run = RunRound(round, {config, inputs, folder, LoadSession(folder)},
+                                     num_workers_, observer_, stop_, trial_time_limit_);
       if (run.ending != RunEnding::kFinished) return false;
     }
     ExportSession(folder, LoadSession(folder));

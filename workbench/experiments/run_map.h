@@ -6,7 +6,7 @@ continued, verified and reported by itself. */
 
 #include <filesystem>
 
-#include "workbench/experiments/grip_thresholds.h"
+#include "workbench/experiments/session_experiment.h"
 
 namespace graspbench {
 

@@ -1,9 +1,18 @@
 #include "workbench/experiments/run_session.h"
 
+#include <algorithm>
+#include <memory>
+
+#include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/trial/judge/verdicts.h"
+#include "datasets/analysis/conditions/threshold_summary.h"
 #include "datasets/plan/firm_grip.h"
 #include "datasets/plan/input_copies.h"
+#include "datasets/session/judgement_store.h"
+#include "datasets/shards/worker_log.h"
 #include "workbench/experiments/output_folder.h"
+#include "workbench/experiments/pool/trial_bench.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -15,6 +24,67 @@ fs::path FindFolder(const SessionRequest& request, const std::vector<PlannedTria
   std::string ids;
   for (const PlannedTrial& planned : plan) ids += planned.id;
   return fs::path("results") / (request.name + "-" + CalcHashHex(ids).substr(0, 8));
+}
+
+void CheckSameResult(const Session& session, const PlannedTrial& planned,
+                     const TrialResult& result) {
+  const auto record =
+      std::find_if(session.records.begin(), session.records.end(),
+                   [&](const TrialRecord& candidate) { return candidate.plan == planned; });
+  if (ToJson(LoadWhole(session, *record).result) == ToJson(result)) return;
+  throw Error(ErrorKind::kVersion, "trial " + planned.id + " (" + DescribeTrial(planned) +
+                                       ") gives another result than its record: the session was "
+                                       "run by another build or on another machine; run it again "
+                                       "to judge it");
+}
+
+MakeBatchWorker MakeSessionWorkers(const Session& session, const SessionInputs& inputs,
+                                   const fs::path& folder, const std::string& label) {
+  return [&session, &inputs, folder, label](int worker) {
+    const auto bench = std::make_shared<TrialBench>();
+    const auto journal = std::make_shared<JournalWriter>(folder, worker, label);
+    const auto prepare = [&session, &inputs, bench](const PlannedTrial& planned) {
+      TrialSetup setup = MakeTrialSetup(session.config, inputs, planned);
+      TrialRunner& runner = bench->Prepare(setup);
+      return [bench, &runner, setup] { return runner.Run(setup); };
+    };
+    return BatchWorker{prepare, [journal](const TrialRecord& record) { journal->Append(record); }};
+  };
+}
+
+/** Workers that run finished trials again, with the judge, and write what it finds.
+@throws (in a worker) Error(kVersion) when a trial gives another result than its record. */
+MakeBatchWorker MakeJudgeWorkers(const Session& session, const SessionInputs& inputs,
+                                 const fs::path& folder, const std::string& label) {
+  return [&session, &inputs, folder, label](int worker) {
+    const auto bench = std::make_shared<TrialBench>();
+    const auto writer = std::make_shared<JudgementWriter>(folder, worker, label);
+    const auto judgement = std::make_shared<Judgement>();  // of the trial that has just run
+    const auto prepare = [&session, &inputs, bench, judgement](const PlannedTrial& planned) {
+      TrialSetup setup = MakeTrialSetup(session.config, inputs, planned);
+      TrialRunner& runner = bench->Prepare(setup);
+      return [bench, &runner, setup, judgement] {
+        JudgedTrial trial = runner.Judge(setup);
+        *judgement = trial.judgement ? *trial.judgement : MakeEmptyHandJudgement();
+        return trial.result;
+      };
+    };
+    const auto keep = [&session, writer, judgement](const TrialRecord& record) {
+      CheckSameResult(session, record.plan, record.result);
+      writer->Append(record.plan.id, *judgement);
+    };
+    // Nothing is known of a grasp whose test does not end: it stays unjudged.
+    return BatchWorker{prepare, keep, [](const TrialRecord&) {}};
+  };
+}
+
+/** Trials go on where earlier runs ended. */
+Stage MakeRoundStage(const RoundKind& kind, const Session& session, size_t num_left) {
+  Stage stage = MakeStage(kind.stage, num_left);
+  if (kind.find_left != FindUnfinished) return stage;
+  stage.num_all = stage.num_trials = static_cast<int>(session.plan.size());
+  for (const TrialRecord& finished : session.records) ++stage.before[finished.result.outcome];
+  return stage;
 }
 
 }  // namespace
@@ -50,19 +120,42 @@ PreparedSession PrepareSession(const SessionRequest& request) {
   return prepared;
 }
 
-RunRecord RunSession(const PreparedSession& prepared, int num_workers, Observer& observer,
-                     const std::atomic<bool>& stop, double trial_time_limit) {
-  return RunRound(kTrialRound, prepared.session, prepared.inputs, num_workers, observer, stop,
-                  trial_time_limit);
+const RoundKind kTrialRound = {StageKind::kRun, "trial", "", FindUnfinished, MakeSessionWorkers};
+const RoundKind kBenchmarkRound = {StageKind::kBenchmark, "trial", "", FindUnfinished,
+                                   MakeSessionWorkers};
+const RoundKind kJudgeRound = {StageKind::kJudge, "held grasp", kJudgeLabel, FindUnjudged,
+                               MakeJudgeWorkers};
+const RoundKind kThresholdRound = {StageKind::kRun, "trial", "", FindThresholdTrials,
+                                   MakeSessionWorkers};
+
+const RoundKind& FindTrialRound(const SessionConfig& config) {
+  return FindThresholdScale(config) ? kThresholdRound : kTrialRound;
+}
+
+RunRecord RunRound(const RoundKind& kind, const PreparedSession& prepared, int num_workers,
+                   Observer& observer, const std::atomic<bool>& stop, double trial_time_limit) {
+  const Session& session = prepared.session;
+  const std::vector<PlannedTrial> trials = kind.find_left(session);
+  RunRecorder recorder(session.folder, num_workers, observer);
+  SealStore(kSessionStore, session.folder);
+  const bool is_complete =
+      RunBatch(MakeRoundStage(kind, session, trials.size()), trials, num_workers,
+               kind.make_workers(session, prepared.inputs, session.folder, ""), recorder, stop,
+               trial_time_limit);
+  SealStore(kSessionStore, session.folder);
+  if (trials.empty()) return {{}, 0.0, num_workers, 0, RunEnding::kFinished};
+  return recorder.Keep(is_complete);
 }
 
 bool JudgeSession(const fs::path& folder, int num_workers, Observer& observer,
                   const std::atomic<bool>& stop, OnDamage on_damage, double trial_time_limit) {
-  const Session session = LoadSession(folder, on_damage, RecordParts::kBrief);
-  const SessionInputs inputs = LoadSessionInputs(session.config, FieldUse::kLater, folder);
-  CheckSameSession(session, session.config, MakePlan(session.config, inputs));
-  return RunRound(kJudgeRound, session, inputs, num_workers, observer, stop, trial_time_limit)
-             .ending == RunEnding::kFinished;
+  PreparedSession finished;
+  finished.session = LoadSession(folder, on_damage, RecordParts::kBrief);
+  const Session& session = finished.session;
+  finished.inputs = LoadSessionInputs(session.config, FieldUse::kLater, folder);
+  CheckSameSession(session, session.config, MakePlan(session.config, finished.inputs));
+  return RunRound(kJudgeRound, finished, num_workers, observer, stop, trial_time_limit).ending ==
+         RunEnding::kFinished;
 }
 
 }  // namespace graspbench

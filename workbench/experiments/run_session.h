@@ -1,6 +1,13 @@
 #pragma once
 /** @file
-A session from its configuration to the last trial in its folder. */
+A session from its configuration to the last trial in its folder, and the one runner of what it asks
+for. A plan has rounds: first its trials; then, of what they held, the judge. What a round asks for is
+computed from configuration, plan and the records of earlier rounds alone, so that every machine has
+the same, and its own part of it from its shard. A round can be stopped anywhere: what is kept is not
+asked for again.
+
+A kind of round is one row: what it asks for, and what a worker does with it. Sessions, experiments
+on their draws, the benchmark of a campaign and the shards of all of them run the same rounds. */
 
 #include <atomic>
 #include <filesystem>
@@ -11,7 +18,9 @@ A session from its configuration to the last trial in its folder. */
 #include "datasets/plan/session_config.h"
 #include "datasets/plan/session_inputs.h"
 #include "datasets/session/session_store.h"
-#include "workbench/experiments/run_round.h"
+#include "workbench/experiments/observer.h"
+#include "workbench/experiments/pool/batch_runner.h"
+#include "workbench/experiments/run_record.h"
 
 namespace graspbench {
 
@@ -40,9 +49,37 @@ CheckOutputFolder; what LoadSessionInputs, MakePlan,
 CreateSession and LoadSession throw. */
 PreparedSession PrepareSession(const SessionRequest& request);
 
-/** Runs the trials that are left and adds itself to run.json. @returns that record. */
-RunRecord RunSession(const PreparedSession& prepared, int num_workers, Observer& observer,
-                     const std::atomic<bool>& stop, double trial_time_limit = kTrialTimeLimit);
+struct RoundKind {
+  StageKind stage;
+  const char* unit;   ///< "trial": what it asks for
+  const char* label;  ///< before that of a shard in the files of its worker
+  /** What is left, in the plan's order. */
+  std::vector<PlannedTrial> (*find_left)(const Session& session);
+  /** Each keeps what it finds in a file of its own. @param label  of a shard; empty: it has none.
+  @pre session and inputs belong together and outlive the workers. */
+  MakeBatchWorker (*make_workers)(const Session& session, const SessionInputs& inputs,
+                                  const std::filesystem::path& folder, const std::string& label);
+};
+
+extern const RoundKind kTrialRound;      ///< the trials of a session
+extern const RoundKind kBenchmarkRound;  ///< those of a campaign's benchmark
+extern const RoundKind kJudgeRound;      ///< breaks what they held
+/** Of grip thresholds what the bisection of each draw asks for next; asked again until it is
+nothing. */
+extern const RoundKind kThresholdRound;
+
+/** That of a session's trials: kThresholdRound where its conditions are the grips of a scale. */
+const RoundKind& FindTrialRound(const SessionConfig& config);
+
+/** Runs what is left, seals the session before and after, and adds the run to run.json when there
+was something to run. @pre session and inputs belong together.
+@param trial_time_limit  of a trial [s of processor time]; a grasp whose judge has not ended by then
+stays unjudged. @returns the run; finished: nothing is left but those.
+@throws Error(kVersion) when a trial that is judged gives another result than its record; Error(kIo);
+as RunTasks of worker_pool.h. */
+RunRecord RunRound(const RoundKind& kind, const PreparedSession& prepared, int num_workers,
+                   Observer& observer, const std::atomic<bool>& stop,
+                   double trial_time_limit = kTrialTimeLimit);
 
 /** Breaks the held grasps of a finished session that are not judged yet.
 @param trial_time_limit  a grasp whose test has not ended by then stays unjudged.

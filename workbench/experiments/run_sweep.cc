@@ -4,7 +4,8 @@
 #include <map>
 #include <string>
 
-#include "workbench/experiments/pool/session_worker.h"
+#include "datasets/analysis/conditions/threshold_summary.h"
+#include "workbench/experiments/pool/trial_bench.h"
 
 namespace graspbench {
 namespace {
@@ -18,18 +19,20 @@ bool RunSweep(const PreparedSession& sweep, const ThresholdScale* scale, Experim
   if (!RunExperiment(sweep, request, num_workers, observer, stop)) return false;
   if (!scale) return true;
   request.folder = sweep.folder;
-  return RunThresholds(PrepareThresholds(request, *scale), request, num_workers, observer, stop);
+  request.with_judge = false;
+  return RunExperiment(PrepareThresholds(request, *scale), request, num_workers, observer, stop);
 }
 
 double EstimateSweepTime(const PreparedSession& sweep, bool with_judge, bool with_thresholds) {
   std::map<std::string, double> times;
-  PlannedTrialRunner runner(sweep.config, sweep.inputs);
+  TrialBench bench;
   double sum = 0.0;
   for (const PlannedTrial& planned : FindUnfinished(sweep.session)) {
     if (times.count(planned.hand) == 0) {
-      runner.Prepare(planned);
+      TrialSetup setup = MakeTrialSetup(sweep.config, sweep.inputs, planned);
+      TrialRunner& runner = bench.Prepare(setup);
       const auto start = std::chrono::steady_clock::now();
-      runner.Run(planned);
+      runner.Run(setup);
       times[planned.hand] =
           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }

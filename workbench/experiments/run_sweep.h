@@ -3,7 +3,7 @@
 A sweep (datasets/plan/sweep_design.h) from its folder to its last trial: the trials of all
 conditions, then what the judge and the bisections of grip thresholds ask for. */
 
-#include "workbench/experiments/grip_thresholds.h"
+#include "workbench/experiments/session_experiment.h"
 
 namespace graspbench {
 

@@ -13,7 +13,6 @@
 #include "core/trial/contact_lags.h"
 #include "datasets/plan/grasp_choice.h"
 #include "datasets/plan/input_copies.h"
-#include "workbench/experiments/grip_thresholds.h"
 #include "workbench/experiments/output_folder.h"
 
 namespace graspbench {
@@ -246,8 +245,9 @@ bool RunSchedules(const PreparedSession& schedules, const ExperimentRequest& req
   rest.folder = schedules.folder;
   rest.trials_per_cell = 0;
   if (!RunExperiment(schedules, rest, num_workers, observer, stop)) return false;
+  rest.with_judge = false;
   const PreparedSession grips = PrepareThresholds(rest, kThresholdScales[0]);
-  return RunThresholds(grips, rest, num_workers, observer, stop);
+  return RunExperiment(grips, rest, num_workers, observer, stop);
 }
 
 }  // namespace graspbench

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "core/base/hash.h"
+#include "datasets/analysis/conditions/threshold_summary.h"
 #include "datasets/journal/append_file.h"
-#include "datasets/plan/conditions.h"
 #include "datasets/session/session_experiments.h"
 #include "datasets/shards/worker_log.h"
 #include "workbench/experiments/machines/shell_quote.h"
@@ -17,6 +18,8 @@ namespace graspbench {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr char kThresholdKind[] = "thresholds";
 
 /** Thresholds are those of a sweep's conditions, too. */
 void CheckCanBeVaried(const Session& session, const std::string& kind) {
@@ -82,9 +85,10 @@ void CreateExperiment(const Session& session, const std::string& kind, const Pre
 
 }  // namespace
 
-PreparedSession PrepareExperiment(const Session& session, const std::string& kind,
-                                  const std::vector<Condition>& conditions,
-                                  const ExperimentRequest& request) {
+PreparedSession PrepareExperiment(const ExperimentRequest& request, const std::string& kind,
+                                  const ListConditions& list_conditions) {
+  const Session session = LoadSession(request.folder, request.on_damage, RecordParts::kBrief);
+  const std::vector<Condition> conditions = list_conditions(session.config);
   CheckCanBeVaried(session, kind);
   PreparedSession made;
   made.config = session.config;
@@ -110,12 +114,25 @@ PreparedSession PrepareExperiment(const Session& session, const std::string& kin
   return made;
 }
 
+PreparedSession PrepareThresholds(const ExperimentRequest& request, const ThresholdScale& scale) {
+  return PrepareExperiment(request, kThresholdKind, [&scale](const SessionConfig& config) {
+    return ListThresholdGrips(scale, config);
+  });
+}
+
 bool RunExperiment(const PreparedSession& experiment, const ExperimentRequest& request,
                    int num_workers, Observer& observer, const std::atomic<bool>& stop) {
-  if (!FindUnfinished(experiment.session).empty() &&
-      RunSession(experiment, num_workers, observer, stop, request.trial_time_limit).ending !=
-          RunEnding::kFinished) {
-    return false;
+  const RoundKind& round = FindTrialRound(experiment.config);
+  std::optional<PreparedSession> next;  // a bisection asks for more
+  for (const PreparedSession* now = &experiment; !round.find_left(now->session).empty();) {
+    if (RunRound(round, *now, num_workers, observer, stop, request.trial_time_limit).ending !=
+        RunEnding::kFinished) {
+      return false;
+    }
+    if (&round != &kThresholdRound) break;
+    if (!next) next = experiment;
+    next->session = LoadSession(experiment.folder, request.on_damage, RecordParts::kBrief);
+    now = &*next;
   }
   return !request.with_judge || JudgeSession(experiment.folder, num_workers, observer, stop,
                                              request.on_damage, request.trial_time_limit);

@@ -6,14 +6,16 @@ it is run, stopped, continued, sharded, merged, judged, verified and reported li
 is there already, of the session and of earlier experiments of the kind, is not run again: a trial's
 id hashes everything that decides it.
 
-A kind of experiment is its conditions and its summary: run_sensitivity, numerics_check and
-delay_sweep have a file each. */
+A kind of experiment is its conditions and its summary, in one file of datasets/analysis/conditions,
+and its command. */
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "datasets/plan/conditions.h"
 #include "workbench/experiments/run_session.h"
 
 namespace graspbench {
@@ -27,18 +29,24 @@ struct ExperimentRequest {
   double trial_time_limit = kTrialTimeLimit;  ///< later a trial is a numerical failure [s]
 };
 
-inline constexpr char kThresholdKind[] = "thresholds";  ///< see grip_thresholds.h
+using ListConditions = std::function<std::vector<Condition>(const SessionConfig& config)>;
 
 /** Makes the experiment's folder, or finds it, with what is known already.
 @param kind  "sensitivity", "numerics", "delays": a folder of the session.
+@param list_conditions  asked with the session's configuration.
 @throws Error(kUsage) without a finished trial, for a session that has conditions itself (thresholds
 are found under each), and when
 hands, objects or physics have changed since; kNotFound, kFormat, kVersion for the files. */
-PreparedSession PrepareExperiment(const Session& session, const std::string& kind,
-                                  const std::vector<Condition>& conditions,
-                                  const ExperimentRequest& request);
+PreparedSession PrepareExperiment(const ExperimentRequest& request, const std::string& kind,
+                                  const ListConditions& list_conditions);
 
-/** Runs what is left. @returns whether nothing is left. */
+/** That of grip thresholds; of a sweep, of all its conditions. @throws as PrepareExperiment and
+ListThresholdGrips; Error(kRange) for a margin of an object without friction, and for forces with
+touch: sensed of a hand that feels nothing. */
+PreparedSession PrepareThresholds(const ExperimentRequest& request, const ThresholdScale& scale);
+
+/** Runs what is left, of thresholds a round for each step of all bisections, then the judge where it
+is asked for. @returns whether nothing is left. */
 bool RunExperiment(const PreparedSession& experiment, const ExperimentRequest& request,
                    int num_workers, Observer& observer, const std::atomic<bool>& stop);
 

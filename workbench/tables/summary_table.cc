@@ -10,7 +10,7 @@
 #include "datasets/analysis/seat_summary.h"
 #include "datasets/session/judgement_store.h"
 #include "workbench/experiments/machines/shell_quote.h"
-#include "workbench/experiments/run_round.h"
+#include "workbench/experiments/run_session.h"
 #include "workbench/tables/text_table.h"
 #include "workbench/text/plain_text.h"
 

@@ -1,11 +1,27 @@
 #include "datasets/analysis/conditions/basin_summary.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/text/csv.h"
 #include "core/statistics/proportion.h"
+#include "datasets/plan/session_plan.h"
 
 namespace graspbench {
+double CalcBasinDistance(const BasinSample& sample) {
+  return std::hypot(sample.offset_x / kBasinOffset, sample.offset_y / kBasinOffset,
+                    sample.yaw / kBasinYaw);
+}
+
+double CalcBasinRadius(const std::vector<BasinSample>& samples) {
+  double radius = 1.0;
+  for (const BasinSample& sample : samples) {
+    if (sample.outcome != Outcome::kSuccess) {
+      radius = std::min(radius, CalcBasinDistance(sample));
+    }
+  }
+  return radius;
+}
 
 BasinSummary SummariseBasin(const std::vector<BasinSample>& samples) {
   BasinSummary summary;
@@ -24,13 +40,11 @@ BasinSummary SummariseBasin(const std::vector<BasinSample>& samples) {
 bool IsBasin(const Session& session) { return session.config.draws == "halton"; }
 
 std::vector<BasinSample> ListBasinSamples(const Session& session) {
-  const VariationConfig& box = session.config.variation;
   std::vector<BasinSample> samples;
   for (const TrialRecord& record : session.records) {
-    BasinSample sample = MakeBasinSample(record.plan.trial, box.offset, box.yaw);
-    sample.outcome = record.result.outcome;
-    sample.sigma = record.result.stability.sigma;
-    samples.push_back(sample);
+    const TrialDraw draw = MakeObjectDraw(session.config, record.plan.object, record.plan.trial);
+    samples.push_back({draw.offset_x, draw.offset_y, draw.offset_yaw, record.result.outcome,
+                       record.result.stability.sigma});
   }
   return samples;
 }

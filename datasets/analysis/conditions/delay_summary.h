@@ -1,7 +1,10 @@
 #pragma once
 /** @file
 What a lack of simultaneity does when nothing else differs: the same trials with one digit delayed
-(core/trial/delayed_digit.h), on the same draws, under several conditions of the object.
+(core/trial/delayed_digit.h), on the same draws, the object as it was, lighter, more slippery and
+farther from where the hand expects it. Late is the digit that touched last without delay, which
+makes the contacts less simultaneous by the delay, or the one that touched first, which makes them
+more so until it is the last.
 
 Where a grasp ends is decided by its drives: two jaws that press bring the object back to where they
 balance. So beside the push before lift-off there is the one until the last digit touches.
@@ -19,6 +22,7 @@ that survive it. */
 #include "core/statistics/bootstrap.h"
 #include "core/trial/judge/disturbance.h"
 #include "datasets/analysis/campaign/grasp_responses.h"
+#include "datasets/session/session.h"
 
 namespace graspbench {
 
@@ -34,6 +38,13 @@ struct DelayedTrial {
   Displacement closing;   ///< of the object until the last digit touched
   TrialRecord record;     ///< its plan is that of the trial without delay
 };
+
+/** The object's other states and, under each of them and as run, every delay of either digit. */
+std::vector<Condition> ListDelayConditions(const SessionConfig& config);
+
+/** Of what is finished. Trials without two digits that touch have no delayed ones.
+@pre the records are whole. */
+std::vector<DelayedTrial> ListDelayedTrials(const Session& experiment);
 
 /** One response of one hand under one condition. */
 struct DoseResponse {

@@ -13,10 +13,17 @@ flips. */
 #include <string>
 #include <vector>
 
+#include "core/base/text/json.h"
 #include "core/trial/measures/seat.h"
 #include "datasets/session/session_store.h"
 
 namespace graspbench {
+
+/** A quarter, half and double of the step, half and double contact stiffness (normal and
+tangential), friction 0.1 % lower and higher, so that flips of the step stand beside those of a draw
+that nobody can know, and Simbody's compliant contact ("compliant") where it has a geometry for hand
+and object; what is out of a session's range is left out. */
+std::vector<Condition> ListNumericsVariants(const SessionConfig& config);
 
 inline constexpr double kLargeChange = 0.1;
 
@@ -76,5 +83,12 @@ base; none where the base's is not finished. */
 std::vector<NumericsComparison> ListNumericsComparisons(const Session& experiment);
 /** Of all experiments in the session's folder numerics/. @throws as LoadSession. */
 std::vector<NumericsComparison> LoadNumericsComparisons(const Session& session);
+
+/** One row per comparison; missing = empty. */
+std::string FormatNumericsCsv(const std::vector<NumericsComparison>& comparisons);
+
+/** {variants: [..], flips: [..]}. */
+Json MakeNumericsJson(const std::vector<NumericsSummary>& summaries,
+                      const std::vector<NumericsComparison>& comparisons);
 
 }  // namespace graspbench

@@ -5,18 +5,225 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string_view>
 #include <tuple>
+#include <vector>
 
+#include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
 #include "core/statistics/bootstrap.h"
 #include "core/statistics/summary.h"
+#include "datasets/journal/read_journal.h"
 #include "datasets/plan/conditions.h"
+#include "datasets/plan/firm_grip.h"
+#include "datasets/plan/session_plan.h"
+#include "datasets/session/judgement_store.h"
+#include "datasets/session/session_experiments.h"
 
 namespace graspbench {
+namespace {
+
+/** A number and what it is multiplied by. */
+struct Factors {
+  const char* key;
+  std::vector<double> factors;
+};
+const std::vector<Factors> kFactors = {
+    {"variation.offset_m", {0.0, 2.0}},
+    {"variation.yaw_rad", {0.0, 2.0}},
+    {"model.joint_error_scale", {0.0, 2.0}},
+    {"model.pad_torsion_scale", {0.5, 2.0}},
+    {"model.pad_stiffness_scale", {0.5, 2.0}},
+    {"model.friction_scale", {0.8, 1.25}},
+    {"model.mass_scale", {0.5, 2.0}},
+    {"model.drive_torque_scale", {0.5, 2.0}},
+    {"sim.contact_stiffness_n_per_m", {0.5, 2.0}},
+    {"sim.tangential_stiffness_n_per_m", {0.5, 2.0}},
+    {"sim.arm_stiffness_n_per_m", {0.5, 2.0}},
+};
+
+std::vector<std::string> ListDefaultVariations(const SessionConfig& config) {
+  std::vector<std::string> settings;
+  const auto add = [&](const std::string& assignment) {
+    SessionConfig changed = config;
+    ApplySetting(assignment, changed);
+    if (FindConfigDifferences(config, changed).empty() || !Validate(changed).empty()) return;
+    settings.push_back(NormaliseSetting(assignment, config));
+  };
+  const Json json = ToJson(config);
+  for (const Factors& row : kFactors) {
+    const std::string key = row.key;
+    const size_t dot = key.find('.');
+    const double value = json.at(key.substr(0, dot)).at(key.substr(dot + 1)).get<double>();
+    for (const double factor : row.factors) add(key + "=" + FormatJson(factor * value));
+  }
+  for (const std::string& rule : ListModelCouplings()) add("model.coupling_rule=" + rule);
+  return settings;
+}
+
+}  // namespace
+
+std::vector<Condition> ListSensitivityConditions(const SessionConfig& config,
+                                                 const std::vector<std::string>& settings) {
+  std::vector<std::string> tried;
+  for (const std::string& assignment : settings) {
+    const std::string setting = NormaliseSetting(assignment, config);
+    if (std::find(tried.begin(), tried.end(), setting) != tried.end()) {
+      throw Error(ErrorKind::kUsage, "\"" + setting + "\" is named twice; leave one out");
+    }
+    RefuseUnusedGrip(setting, config.strategy);
+    tried.push_back(setting);
+  }
+  std::vector<Condition> conditions;
+  for (const std::string& setting : settings.empty() ? ListDefaultVariations(config) : tried) {
+    conditions.push_back({setting, {setting}});
+  }
+  return conditions;
+}
+
+namespace {
+
+constexpr char kSensitivityFolder[] = "sensitivity";
+
+}  // namespace
+
+TrialMeasures MakeTrialMeasures(const TrialResult& result) {
+  TrialMeasures measures;
+  measures.outcome = result.outcome;
+  if (IsNumericalFailure(result.outcome)) return measures;
+  if (!result.timing.contact_before_start) {
+    measures.gct = result.timing.gct;
+    measures.gft = result.timing.gft;
+    measures.gft_ratio = result.timing.gft_ratio;
+    measures.got_ratio = result.timing.got_ratio;
+  }
+  measures.sigma = result.stability.sigma;
+  return measures;
+}
+
+namespace {
+
+/** The ids of the session's trials by their draws. @param is_any_grasp  of whatever grasp: only
+draws that one grasp has met. */
+std::map<std::string, std::string> ListDrawIds(const Session& session, bool is_any_grasp) {
+  std::map<std::string, std::string> ids;
+  std::set<std::string> repeated;
+  for (const PlannedTrial& planned : session.plan) {
+    const std::string name = NameDraw(planned, is_any_grasp);
+    if (!ids.emplace(name, planned.id).second) repeated.insert(name);
+  }
+  for (const std::string& name : repeated) ids.erase(name);
+  return ids;
+}
+
+void AddConditions(const Session& session, const Session& varied, SensitivityData& data,
+                   Diagnostics& conflicts) {
+  const std::map<std::string, std::string> ids[] = {ListDrawIds(session, false),
+                                                    ListDrawIds(session, true)};
+  std::map<std::string, std::string> settings;
+  for (const Condition& condition : varied.config.conditions) {
+    const std::string& setting = condition.settings.at(0);
+    settings.emplace(condition.name, setting);
+    for (const PlannedTrial& planned : session.plan) {
+      if (planned.trial < varied.config.trials) data[setting][planned.id];
+    }
+  }
+  for (const TrialRecord& record : varied.records) {
+    if (!record.plan.condition) continue;
+    const std::string& setting = settings.at(*record.plan.condition);
+    const bool is_any_grasp = setting.rfind("grasp=", 0) == 0;
+    const auto id = ids[is_any_grasp].find(NameDraw(record.plan, is_any_grasp));
+    if (id == ids[is_any_grasp].end()) continue;
+    const TrialMeasures measures = MakeTrialMeasures(record.result);
+    TrialMeasures& known = data[setting][id->second];
+    if (known.outcome == Outcome::kNotRun) known = measures;
+    if (RecordToJson(known) == RecordToJson(measures)) continue;
+    conflicts.Fail(
+        varied.folder.filename().string(), 0,
+        "trial " + id->second + " has two different results under " + *record.plan.condition);
+  }
+}
+
+}  // namespace
+
+SensitivityData LoadSensitivity(const Session& session) {
+  SensitivityData data;
+  Diagnostics conflicts;
+  for (const Session& varied : LoadExperiments(session, kSensitivityFolder)) {
+    AddConditions(session, varied, data, conflicts);
+  }
+  conflicts.ThrowIfErrors(ErrorKind::kFormat,
+                          "two versions of the program have run the session's sensitivity or a "
+                          "file was edited; move the folder \"sensitivity\" elsewhere and run "
+                          "graspbench sensitivity again");
+  return data;
+}
+
+namespace {
+
+constexpr int kNumClasses = 4;
+constexpr char kPositioning[] = "positioning=";
+
+/** The positionings, each with the outcome of a trial under it. */
+struct PositionedTrials {
+  std::string name;
+  const VariedTrials* trials = nullptr;  // null: the session's own
+};
+
+std::vector<PositionedTrials> ListPositionedTrials(const Session& session,
+                                                   const SensitivityData& varied) {
+  std::vector<PositionedTrials> all = {{session.config.positioning, nullptr}};
+  for (const auto& [setting, trials] : varied) {
+    if (setting.rfind(kPositioning, 0) != 0) continue;
+    all.push_back({setting.substr(sizeof kPositioning - 1), &trials});
+  }
+  return all;
+}
+
+int FindClass(const SessionConfig& config, const PlannedTrial& plan, double width) {
+  const TrialDraw draw = MakeObjectDraw(config, plan.object, plan.trial);
+  const double offset = std::hypot(draw.offset_x, draw.offset_y);
+  return std::min(static_cast<int>(offset / width), kNumClasses - 1);
+}
+
+}  // namespace
+
+std::vector<OffsetClass> ListOffsetClasses(const Session& session, const SensitivityData& varied) {
+  const double width = std::sqrt(2.0) * session.config.variation.offset / kNumClasses;
+  std::vector<OffsetClass> classes;
+  if (!(width > 0.0)) return classes;
+  const std::vector<PositionedTrials> positionings = ListPositionedTrials(session, varied);
+  for (const TrialRecord& record : session.records) {
+    const std::string& hand = record.plan.hand;
+    auto first = std::find_if(classes.begin(), classes.end(),
+                              [&](const OffsetClass& c) { return c.hand == hand; });
+    if (first == classes.end()) {
+      const auto place = classes.size();
+      for (const PositionedTrials& positioning : positionings) {
+        for (int i = 0; i < kNumClasses; ++i) {
+          classes.push_back({hand, positioning.name, width * i, width * (i + 1), Tally()});
+        }
+      }
+      first = classes.begin() + static_cast<std::ptrdiff_t>(place);
+    }
+    auto found = first + FindClass(session.config, record.plan, width);
+    for (const PositionedTrials& positioning : positionings) {
+      if (!positioning.trials) {
+        found->tally.Count(record.result.outcome);
+      } else if (const auto trial = positioning.trials->find(record.plan.id);
+                 trial != positioning.trials->end() && trial->second.outcome != Outcome::kNotRun) {
+        found->tally.Count(trial->second.outcome);
+      }
+      found += kNumClasses;
+    }
+  }
+  return classes;
+}
+
 namespace {
 
 /** Limits are steady in the second digit; all settings together take some seconds. */

@@ -1,7 +1,8 @@
 #pragma once
 /** @file
 How far a session's numbers depend on single settings: its trials beside the same trials under one
-changed setting (datasets/session/sensitivity_store.h), pair by pair.
+changed setting, pair by pair. These are the sessions in sensitivity/, whose conditions have one
+setting each; equal duplicates are fine, unequal ones are an error.
 
 Success is compared over all pairs: the difference of the rates with Newcombe's interval for pairs
 (core/statistics/proportion.h). A measure is compared over the pairs in which both trials have it:
@@ -9,15 +10,70 @@ the difference of the two medians, with an interval from drawing cells (hand, ob
 replacement, because trials of one cell are alike. Both at 95 %; with tens of settings some
 intervals miss 0 by chance. What lacks its pair is counted beside the estimate. */
 
+#include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "core/base/text/record_fields.h"
 #include "core/statistics/proportion.h"
-#include "datasets/analysis/offset_classes.h"
-#include "datasets/session/sensitivity_store.h"
+#include "datasets/analysis/session_summary.h"
+#include "datasets/session/session_store.h"
 
 namespace graspbench {
+
+/** The conditions of graspbench sensitivity. @param settings  "sim.step_s=0.001"; empty: one or two
+other values for everything that nobody has measured or that was made up: half and twice, less for
+friction, and none at all of the variation; every other coupling rule. What is out of range or as the
+session has it is left out.
+@throws Error(kUsage, kRange) for a setting that cannot be used or is named twice. */
+std::vector<Condition> ListSensitivityConditions(const SessionConfig& config,
+                                                 const std::vector<std::string>& settings = {});
+
+/** What is compared between two trials of the same draws. */
+struct TrialMeasures {
+  Outcome outcome = Outcome::kNotRun;
+  double gct = kUnset;        ///< [s]; times are missing where a digit touched before closure began
+  double gft = kUnset;        ///< [s]
+  double gft_ratio = kUnset;  ///< of GCT
+  double got_ratio = kUnset;
+  double sigma = kUnset;  ///< [N]
+
+  template <class V>
+  static void ListFields(V&& field) {
+    field("outcome", &TrialMeasures::outcome);
+    field("gct_s", &TrialMeasures::gct);
+    field("gft_s", &TrialMeasures::gft);
+    field("gft_ratio", &TrialMeasures::gft_ratio);
+    field("got_ratio", &TrialMeasures::got_ratio);
+    field("sigma_n", &TrialMeasures::sigma);
+  }
+};
+TrialMeasures MakeTrialMeasures(const TrialResult& result);
+
+/** The trials of one setting by the id of the session's trial with the same draws. One that is not
+run is planned under the setting, or would be: its pair is missing. */
+using VariedTrials = std::map<std::string, TrialMeasures>;
+using SensitivityData = std::map<std::string, VariedTrials>;  ///< by setting
+
+/** From the session's folder; nothing for a session that stands in no folder.
+@throws Error(kFormat) for unequal duplicates, Error(kIo). */
+SensitivityData LoadSensitivity(const Session& session);
+
+/* Success by how far an object lay from where it should, for each way of positioning the hand: the
+session's own and those that graspbench sensitivity tried on the same draws. */
+
+/** One hand's trials under one positioning whose object lay so far from where it should. */
+struct OffsetClass {
+  std::string hand;
+  std::string positioning;       ///< "camera"
+  double low = 0.0, high = 0.0;  ///< [m]; high is outside, but of the last class
+  Tally tally;
+};
+
+/** From 0 to the corner of the square of draws in four classes of equal width, for hands in the
+order of the records, the session's positioning first. Empty without offsets. */
+std::vector<OffsetClass> ListOffsetClasses(const Session& session, const SensitivityData& varied);
 
 /** The change of one measure. */
 struct MeasureChange {

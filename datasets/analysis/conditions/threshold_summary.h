@@ -1,9 +1,22 @@
 #pragma once
 /** @file
 Grip thresholds of a session's draws: what graspbench threshold has stored below thresholds/, a
-session whose conditions are the grips of a scale (core/trial/grip/grip_threshold.h), of which only
-those trials ran that the bisection of their draw asked for. Of a sweep they are the grips under its
-base, then under each of its conditions, and each has its own threshold of a draw.
+session whose conditions are the grips of a scale, of which only those trials ran that the bisection
+of their draw asked for. Of a sweep they are the grips under its base, then under each of its
+conditions, and each has its own threshold of a draw.
+
+The grip threshold of a draw: the smallest grip, a margin or a force, with which its trial succeeds.
+Found by bisection of the same draw over seventeen grips, equal steps of the logarithm from the
+least to the largest of a scale:
+
+    grip_k = least (most / least)^(k / 16),   k = 0 .. 16
+
+First the largest grip, then four halvings, then one trial that asks halfway between threshold and
+largest grip, where a draw that is not monotone may fail again, which bisection alone cannot see; or
+the least grip, where none has failed. Where the largest grip fails, as of an object that is squeezed
+out of the hand, weaker ones are asked, 8, 4, 2, then 12, until one holds: such a draw has a
+threshold and is not monotone. So a threshold costs at most kMostThresholdTrials trials, and is the
+smallest grip that was asked and held.
 
 A cell's threshold is the median over its draws; a draw that no grip held counts as above every
 other. Its interval is that of order statistics: of n sorted draws the k-th and the (n + 1 - k)-th
@@ -12,12 +25,13 @@ below 6 draws there is none (Conover 1999, Practical Nonparametric Statistics, 3
 
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/grasp/strategy.h"
 #include "core/statistics/proportion.h"
-#include "core/trial/grip/grip_threshold.h"
 #include "datasets/plan/conditions.h"
 #include "datasets/session/session_store.h"
 
@@ -28,6 +42,28 @@ under each of its conditions. Without a least force under margins, which would h
 that closes to its posture touches at the speed that a regulated grip has by default.
 @throws Error(kUsage) for a sweep of the grip itself. */
 std::vector<Condition> ListThresholdGrips(const ThresholdScale& scale, const SessionConfig& config);
+
+/** Of forces that the hands' pads hardly give (datasets/plan/grip_check.h). */
+std::vector<std::string> ListThresholdWarnings(const ThresholdScale& scale, SessionConfig config,
+                                               const SessionInputs& inputs);
+
+inline constexpr int kMostThresholdTrials = 6;
+
+/** grip_k. @pre 0 <= place <= kMostGripPlace */
+double CalcGripAt(const ThresholdScale& scale, int place);
+
+struct GripThreshold {
+  std::optional<int> place;     ///< none: no grip that was asked held
+  bool is_below_range = false;  ///< it succeeds with the least grip: the threshold is no larger
+  bool is_monotone = true;      ///< as far as was asked
+  std::vector<int> failed, succeeded;  ///< places, in the order of asking
+  std::optional<int> next;             ///< must be asked to go on; the threshold is not found yet
+};
+
+/** @param succeeds  a trial of the draw with the grip at this place; none: it is not known.
+@param most  the largest place to ask, at least 0: no drive gives more. */
+GripThreshold FindGripThreshold(const std::function<std::optional<bool>(int place)>& succeeds,
+                                int most = kMostGripPlace);
 
 struct DrawThreshold {
   PlannedTrial draw;                ///< the session's trial

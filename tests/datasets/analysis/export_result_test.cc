@@ -32,7 +32,7 @@ TEST(ExportResult, OfABasinHasItsSamples) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4);
   WriteFile(folder / "basin.csv", csv + "1,2,3\n");
   EXPECT_FALSE(CheckStore(folder).damages.empty()) << "it is in a hash";
-  // The points are those of core/trial/basin.h, in this session's box.
+  // The points are those of the Halton sequence, in this session's box.
   const std::vector<BasinSample> samples = ListBasinSamples(LoadSession(folder, OnDamage::kAccept));
   EXPECT_EQ(samples[0].offset_x, 0.0);
   EXPECT_EQ(samples[1].offset_x, 0.0);  // the middle of the interval in base 2

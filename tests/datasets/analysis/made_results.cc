@@ -113,4 +113,15 @@ Campaign MakeCampaign() {
   return campaign;
 }
 
+std::vector<BasinSample> MakeBasinSamples(int count) {
+  Session session;
+  session.config.draws = "halton";
+  session.config.variation.offset = kBasinOffset;
+  session.config.variation.yaw = kBasinYaw;
+  for (int i = 0; i < count; ++i) {
+    session.records.push_back({{std::to_string(i), "tum", "can", "g1", i}, {}});
+  }
+  return ListBasinSamples(session);
+}
+
 }  // namespace graspbench

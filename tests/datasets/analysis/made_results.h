@@ -6,6 +6,7 @@ Small sessions and a campaign made of known numbers. */
 #include <vector>
 
 #include "datasets/analysis/campaign/campaign_summary.h"
+#include "datasets/analysis/conditions/basin_summary.h"
 
 namespace graspbench {
 
@@ -23,6 +24,9 @@ Session MakeJudgedSession();
 /** Two scenes of ten trials. Sigma is 1, 2, 3 for the three variants, plus 0.01 per trial; GFT% is
 40, 20, 10 %; on the can the new target grasp fails in six trials. */
 Campaign MakeCampaign();
+
+/** Those of a basin's first draws, not tried. */
+std::vector<BasinSample> MakeBasinSamples(int count);
 
 struct Summarised {
   explicit Summarised(Campaign the_campaign)

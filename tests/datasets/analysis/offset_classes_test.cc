@@ -1,9 +1,8 @@
-#include "datasets/analysis/offset_classes.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "datasets/analysis/conditions/sensitivity_summary.h"
 #include "tests/datasets/analysis/made_results.h"
 
 namespace graspbench {

@@ -1,9 +1,8 @@
-#include "workbench/experiments/delay_sweep.h"
-
 #include <gtest/gtest.h>
 
+#include "datasets/analysis/conditions/delay_summary.h"
 #include "tests/datasets/session/fake_session.h"
-#include "workbench/experiments/run_session.h"
+#include "workbench/experiments/session_experiment.h"
 
 namespace graspbench {
 namespace {
@@ -17,7 +16,7 @@ class DelaySweepTest : public testing::Test {
     request.config->objects = {"golf_ball"};
     request.config->trials = 2;
     request.out = temporary_.path() / "session";
-    RunSession(PrepareSession(request), 1, observer_, stop_);
+    RunRound(kTrialRound, PrepareSession(request), 1, observer_, stop_);
     folder_ = request.out;
   }
 
@@ -28,7 +27,7 @@ class DelaySweepTest : public testing::Test {
     ExperimentRequest request;
     request.folder = folder;
     request.trials_per_cell = 1;
-    const PreparedSession experiment = PrepareDelays(request);
+    const PreparedSession experiment = PrepareExperiment(request, "delays", ListDelayConditions);
     is_finished_ = RunExperiment(experiment, request, num_workers, observer_, stop_);
     return ListDelayedTrials(LoadSession(experiment.folder));
   }

@@ -1,5 +1,3 @@
-#include "workbench/experiments/grip_thresholds.h"
-
 #include <gtest/gtest.h>
 
 #include "core/trial/trial_runner.h"
@@ -9,6 +7,7 @@
 #include "datasets/session/merge_sessions.h"
 #include "tests/datasets/session/fake_session.h"
 #include "workbench/experiments/machines/run_shard.h"
+#include "workbench/experiments/session_experiment.h"
 
 namespace graspbench {
 namespace {
@@ -28,7 +27,7 @@ class GripThresholdsTest : public testing::Test {
     SessionRequest request;
     request.config = config;
     request.out = temporary_.path() / name;
-    RunSession(PrepareSession(request), 1, observer_, stop_);
+    RunRound(kTrialRound, PrepareSession(request), 1, observer_, stop_);
     ExperimentRequest experiment;
     experiment.folder = request.out;
     return experiment;
@@ -44,7 +43,7 @@ class GripThresholdsTest : public testing::Test {
 TEST_F(GripThresholdsTest, FindsWhatABisectionOfTheDrawFinds) {
   const ThresholdScale& scale = kThresholdScales[0];
   const PreparedSession experiment = PrepareThresholds(request_, scale);
-  ASSERT_TRUE(RunThresholds(experiment, request_, 2, observer_, stop_));
+  ASSERT_TRUE(RunExperiment(experiment, request_, 2, observer_, stop_));
   const Session session = LoadSession(request_.folder);
   const std::vector<ThresholdSummary> found = LoadThresholds(session);
   ASSERT_EQ(found.size(), 1u);
@@ -77,9 +76,10 @@ TEST_F(GripThresholdsTest, OfForcesEndAtWhatDrivesGive) {
   const ExperimentRequest request = RunNew("weak", weak);
   const ThresholdScale& scale = kThresholdScales[1];
   const PreparedSession experiment = PrepareThresholds(request, scale);
-  EXPECT_FALSE(ListThresholdWarnings(experiment, scale).empty());
-  EXPECT_TRUE(ListThresholdWarnings(experiment, kThresholdScales[0]).empty());
-  ASSERT_TRUE(RunThresholds(experiment, request, 1, observer_, stop_));
+  EXPECT_FALSE(ListThresholdWarnings(scale, experiment.config, experiment.inputs).empty());
+  EXPECT_TRUE(
+      ListThresholdWarnings(kThresholdScales[0], experiment.config, experiment.inputs).empty());
+  ASSERT_TRUE(RunExperiment(experiment, request, 1, observer_, stop_));
   const ThresholdSummary found = LoadThresholds(LoadSession(request.folder)).at(0);
   ASSERT_EQ(found.draws.size(), 1u);
   const int most = found.draws[0].most_place;
@@ -101,9 +101,9 @@ TEST_F(GripThresholdsTest, OfForcesEndAtWhatDrivesGive) {
 TEST_F(GripThresholdsTest, GoesOnWhereItStopped) {
   const PreparedSession experiment = PrepareThresholds(request_, kThresholdScales[1]);
   stop_ = true;
-  EXPECT_FALSE(RunThresholds(experiment, request_, 1, observer_, stop_));
+  EXPECT_FALSE(RunExperiment(experiment, request_, 1, observer_, stop_));
   stop_ = false;
-  ASSERT_TRUE(RunThresholds(PrepareThresholds(request_, kThresholdScales[1]), request_, 1,
+  ASSERT_TRUE(RunExperiment(PrepareThresholds(request_, kThresholdScales[1]), request_, 1,
                             observer_, stop_));
   EXPECT_EQ(LoadThresholds(LoadSession(request_.folder))[0].cells[0].num_draws, 2);
 }
@@ -114,7 +114,7 @@ TEST_F(GripThresholdsTest, OfASweepAreThoseOfEachCondition) {
   SessionConfig heavy = config_;
   heavy.model.mass_scale = 2.0;
   const ExperimentRequest alone = RunNew("heavy", heavy);
-  ASSERT_TRUE(RunThresholds(PrepareThresholds(alone, scale), alone, 2, observer_, stop_));
+  ASSERT_TRUE(RunExperiment(PrepareThresholds(alone, scale), alone, 2, observer_, stop_));
   config_.factors = {"model.mass_scale=1,2"};
   const ExperimentRequest swept = RunNew("sweep", MakeSweep(config_));
   const fs::path folder = PrepareThresholds(swept, scale).folder;

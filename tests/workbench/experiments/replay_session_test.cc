@@ -28,7 +28,7 @@ class ReplaySessionTest : public testing::Test {
     request.out = original_->path() / "s";
     Observer observer;
     const std::atomic<bool> stop = false;
-    RunSession(PrepareSession(request), 1, observer, stop);
+    RunRound(kTrialRound, PrepareSession(request), 1, observer, stop);
   }
   static void TearDownTestSuite() { original_.reset(); }
   ReplaySessionTest() {

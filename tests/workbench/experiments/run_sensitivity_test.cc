@@ -1,12 +1,11 @@
-#include "workbench/experiments/run_sensitivity.h"
-
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
+#include "datasets/analysis/conditions/sensitivity_summary.h"
 #include "datasets/plan/conditions.h"
-#include "datasets/session/sensitivity_store.h"
 #include "tests/datasets/session/fake_session.h"
+#include "workbench/experiments/session_experiment.h"
 
 namespace graspbench {
 namespace {
@@ -22,14 +21,20 @@ class RunSensitivityTest : public testing::Test {
     request.config->trials = 2;
     if (!setting.empty()) ApplySetting(setting, *request.config);
     request.out = temporary_.path() / name;
-    RunSession(PrepareSession(request), 1, observer_, stop_);
+    RunRound(kTrialRound, PrepareSession(request), 1, observer_, stop_);
     return LoadSession(request.out);
   }
-  bool Run(const SensitivityRequest& request, int num_workers) {
-    return RunExperiment(PrepareSensitivity(request), request, num_workers, observer_, stop_);
+  PreparedSession Prepare(const ExperimentRequest& request) const {
+    return PrepareExperiment(request, "sensitivity", [this](const SessionConfig& config) {
+      return ListSensitivityConditions(config, settings_);
+    });
+  }
+  bool Run(const ExperimentRequest& request, int num_workers) {
+    return RunExperiment(Prepare(request), request, num_workers, observer_, stop_);
   }
 
   TemporaryFolder temporary_;
+  std::vector<std::string> settings_;
   Observer observer_;
   std::atomic<bool> stop_ = false;
 };
@@ -39,9 +44,9 @@ TEST_F(RunSensitivityTest, FindsWhatASessionOfThatSettingFinds) {
   const Session session = RunWith("plain", "");
   const std::vector<std::string> settings = {"model.mass_scale=3.0", "variation.offset_m=0.01",
                                              "model.mass_scale=1.0"};
-  SensitivityRequest request;
+  ExperimentRequest request;
   request.folder = session.folder;
-  request.settings = settings;
+  settings_ = settings;
   ASSERT_TRUE(Run(request, 2));
   const SensitivityData data = LoadSensitivity(session);
   ASSERT_EQ(data.size(), settings.size());
@@ -62,17 +67,17 @@ TEST_F(RunSensitivityTest, FindsWhatASessionOfThatSettingFinds) {
 
 TEST_F(RunSensitivityTest, AGripThatTheSessionDoesNotUseIsRefused) {
   const Session session = RunWith("gentle", "strategy.grip=force");
-  SensitivityRequest request;
+  ExperimentRequest request;
   request.folder = session.folder;
-  request.settings = {"strategy.grip_margin=3"};
-  EXPECT_THROW(PrepareSensitivity(request), Error);
+  settings_ = {"strategy.grip_margin=3"};
+  EXPECT_THROW(Prepare(request), Error);
 }
 
 TEST_F(RunSensitivityTest, GoesOnWhereItStopped) {
   const Session session = RunWith("plain", "");
-  SensitivityRequest request;
+  ExperimentRequest request;
   request.folder = session.folder;
-  request.settings = {"model.mass_scale=3", "model.mass_scale=2"};
+  settings_ = {"model.mass_scale=3", "model.mass_scale=2"};
   request.trials_per_cell = 1;
   stop_ = true;
   EXPECT_FALSE(Run(request, 1));
@@ -85,7 +90,7 @@ TEST_F(RunSensitivityTest, GoesOnWhereItStopped) {
   EXPECT_EQ(data.at("model.mass_scale=2.0").size(), 2u);
   EXPECT_EQ(data.at("model.mass_scale=3.0").size(), 2u);
   // Of the session and of the experiment with one trial a cell nothing has run again.
-  const PreparedSession experiment = PrepareSensitivity(request);
+  const PreparedSession experiment = Prepare(request);
   EXPECT_EQ(ReadFile(experiment.folder / "journal" / "0.jsonl").find("\"trial\":0"),
             std::string::npos);
   // Nothing is left: nothing is written.
@@ -96,25 +101,26 @@ TEST_F(RunSensitivityTest, GoesOnWhereItStopped) {
 
 TEST_F(RunSensitivityTest, RefusesASettingNamedTwiceBeforeAnythingRuns) {
   const Session session = RunWith("plain", "");
-  SensitivityRequest request;
+  ExperimentRequest request;
   request.folder = session.folder;
-  request.settings = {"model.mass_scale=2", "model.mass_scale=2.0"};
+  settings_ = {"model.mass_scale=2", "model.mass_scale=2.0"};
   EXPECT_THROW(Run(request, 1), Error);
   EXPECT_TRUE(LoadSensitivity(session).empty());
 }
 
 TEST(DefaultVariations, AreUsableAndDifferFromTheSession) {
   SessionConfig config;
-  const std::vector<std::string> settings = ListDefaultVariations(config);
-  EXPECT_EQ(settings.size(), 25u);
-  for (const std::string& setting : settings) {
-    EXPECT_EQ(NormaliseSetting(setting, config), setting);
+  const std::vector<Condition> conditions = ListSensitivityConditions(config);
+  EXPECT_EQ(conditions.size(), 25u);
+  for (const Condition& condition : conditions) {
+    EXPECT_EQ(NormaliseSetting(condition.name, config), condition.name);
+    EXPECT_EQ(condition.settings, (std::vector<std::string>{condition.name}));
   }
   // Twice the largest offset is out of range, and no offset cannot be halved or doubled.
   config.variation.offset = 0.1;
-  EXPECT_EQ(ListDefaultVariations(config).size(), 24u);
+  EXPECT_EQ(ListSensitivityConditions(config).size(), 24u);
   config.variation.offset = 0.0;
-  EXPECT_EQ(ListDefaultVariations(config).size(), 23u);
+  EXPECT_EQ(ListSensitivityConditions(config).size(), 23u);
 }
 
 }  // namespace

@@ -12,7 +12,6 @@
 #include "datasets/analysis/session_comparison.h"
 #include "datasets/plan/sweep_design.h"
 #include "tests/datasets/session/fake_session.h"
-#include "workbench/experiments/run_sensitivity.h"
 
 namespace graspbench {
 namespace {
@@ -131,12 +130,14 @@ TEST_F(RunSweepTest, SweepSensitivityAndCompareGiveOneAnswerOverAllPairs) {
   EXPECT_DOUBLE_EQ(effect.estimate,
                    CalcChangeByHand(temporary_.path() / "sweep" / "export" / "trials.csv", 10));
 
-  SensitivityRequest request;
+  ExperimentRequest request;
   request.folder = plain.folder;
-  request.settings = {kSlippery};
-  ASSERT_TRUE(RunExperiment(PrepareSensitivity(request), request, 2, observer_, stop_));
-  Diagnostics findings;
-  const SensitivitySummary asked = SummariseSensitivity(plain, LoadSensitivity(plain, findings));
+  const auto list_conditions = [](const SessionConfig& session) {
+    return ListSensitivityConditions(session, {kSlippery});
+  };
+  const PreparedSession prepared = PrepareExperiment(request, "sensitivity", list_conditions);
+  ASSERT_TRUE(RunExperiment(prepared, request, 2, observer_, stop_));
+  const SensitivitySummary asked = SummariseSensitivity(plain, LoadSensitivity(plain));
   ASSERT_EQ(asked.changes.size(), 1u);
   EXPECT_EQ(CountPairs(asked.changes[0]), "10");
   Json sensitive = RecordToJson(asked.changes[0]);

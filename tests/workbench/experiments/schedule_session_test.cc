@@ -20,7 +20,7 @@ class ScheduleSessionTest : public testing::Test {
     request.config->variation.offset = 0.001;
     request.config->variation.yaw = 0.01;
     request.out = temporary_.path() / "session";
-    RunSession(PrepareSession(request), 1, observer_, stop_);
+    RunRound(kTrialRound, PrepareSession(request), 1, observer_, stop_);
     request_.folder = request.out;
   }
 

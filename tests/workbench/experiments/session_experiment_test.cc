@@ -6,14 +6,14 @@
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
+#include "datasets/analysis/conditions/delay_summary.h"
+#include "datasets/analysis/conditions/numerics_summary.h"
+#include "datasets/analysis/conditions/sensitivity_summary.h"
 #include "datasets/analysis/export_result.h"
 #include "datasets/plan/conditions.h"
 #include "datasets/session/merge_sessions.h"
-#include "datasets/session/sensitivity_store.h"
 #include "tests/datasets/session/fake_session.h"
-#include "workbench/experiments/delay_sweep.h"
 #include "workbench/experiments/machines/run_shard.h"
-#include "workbench/experiments/numerics_check.h"
 
 namespace graspbench {
 namespace {
@@ -52,7 +52,7 @@ TEST_F(SessionExperiment, ShardsOfASweepAreOneRun) {
                         {"heavy and late", {"model.mass_scale=2.0", "delay.last=0.1"}}};
   const PreparedSession whole = Prepare("whole");
   EXPECT_EQ(whole.session.plan.size(), 16u);
-  ASSERT_EQ(RunSession(whole, 2, observer_, stop_).ending, RunEnding::kFinished);
+  ASSERT_EQ(RunRound(kTrialRound, whole, 2, observer_, stop_).ending, RunEnding::kFinished);
   const std::filesystem::path folder = Prepare("planned").folder;
   std::vector<std::filesystem::path> others;
   for (const int number : {5, 2, 7, 1, 3, 6, 4}) {
@@ -69,13 +69,12 @@ TEST_F(SessionExperiment, ShardsOfASweepAreOneRun) {
 
 TEST_F(SessionExperiment, TakesWhatTheSessionKnowsAndStandsWithinIt) {
   const PreparedSession session = Prepare("session");
-  RunSession(session, 2, observer_, stop_);
+  RunRound(kTrialRound, session, 2, observer_, stop_);
   ExperimentRequest request;
   request.folder = session.folder;
   const std::vector<Condition> conditions = {{"heavy", {"model.mass_scale=2.0"}}};
   const PreparedSession experiment =
-      PrepareExperiment(LoadSession(session.folder, OnDamage::kRefuse, RecordParts::kBrief),
-                        "sensitivity", conditions, request);
+      PrepareExperiment(request, "sensitivity", [&](const SessionConfig&) { return conditions; });
   EXPECT_EQ(experiment.session.plan.size(), 8u);
   EXPECT_EQ(experiment.session.records.size(), 4u) << "the base is the session's";
   EXPECT_TRUE(RunExperiment(experiment, request, 1, observer_, stop_));
@@ -138,15 +137,16 @@ TEST_F(SessionExperiment, AGraspAsTheSettingIsComparedDrawByDraw) {
   config_.objects = {"golf_ball"};
   config_.grasps = {"g1"};
   const PreparedSession prepared = Prepare("session");
-  RunSession(prepared, 1, observer_, stop_);
+  RunRound(kTrialRound, prepared, 1, observer_, stop_);
   const Session session = LoadSession(prepared.folder, OnDamage::kRefuse, RecordParts::kBrief);
   ExperimentRequest request;
   request.folder = prepared.folder;
   const PreparedSession experiment =
-      PrepareExperiment(session, "sensitivity", {{"grasp=g2", {"grasp=g2"}}}, request);
+      PrepareExperiment(request, "sensitivity", [](const SessionConfig&) {
+        return std::vector<Condition>{{"grasp=g2", {"grasp=g2"}}};
+      });
   EXPECT_TRUE(RunExperiment(experiment, request, 1, observer_, stop_));
-  Diagnostics findings;
-  const SensitivityData data = LoadSensitivity(session, findings);
+  const SensitivityData data = LoadSensitivity(session);
   for (const TrialRecord& record : LoadSession(experiment.folder).records) {
     if (!record.plan.condition) continue;
     EXPECT_EQ(record.plan.grasp, "g2");
@@ -159,7 +159,11 @@ TEST_F(SessionExperiment, AGraspAsTheSettingIsComparedDrawByDraw) {
 TEST_F(SessionExperiment, NeedsATrialAndNoConditions) {
   const auto explain = [&](const PreparedSession& prepared) {
     try {
-      PrepareExperiment(prepared.session, "sensitivity", {{"x", {"model.mass_scale=2.0"}}}, {});
+      ExperimentRequest request;
+      request.folder = prepared.folder;
+      PrepareExperiment(request, "sensitivity", [](const SessionConfig&) {
+        return std::vector<Condition>{{"x", {"model.mass_scale=2.0"}}};
+      });
     } catch (const Error& e) {
       return std::string(e.what());
     }
@@ -170,10 +174,8 @@ TEST_F(SessionExperiment, NeedsATrialAndNoConditions) {
   config_.trials = 1;
   config_.conditions = {{"heavy", {"model.mass_scale=2.0"}}};
   const PreparedSession sweep = Prepare("sweep");
-  RunSession(sweep, 1, observer_, stop_);
-  PreparedSession loaded = sweep;
-  loaded.session = LoadSession(sweep.folder, OnDamage::kRefuse, RecordParts::kBrief);
-  EXPECT_NE(explain(loaded).find("has conditions of its own"), std::string::npos);
+  RunRound(kTrialRound, sweep, 1, observer_, stop_);
+  EXPECT_NE(explain(sweep).find("has conditions of its own"), std::string::npos);
 }
 
 }  // namespace

@@ -16,8 +16,9 @@
 #include "core/statistics/distributions.h"
 #include "core/statistics/ranks.h"
 #include "core/statistics/summary.h"
+#include "datasets/plan/session_plan.h"
 #include "objects/catalogue.h"
-#include "workbench/experiments/pool/session_worker.h"
+#include "workbench/experiments/pool/trial_bench.h"
 
 namespace graspbench {
 namespace {
@@ -78,11 +79,12 @@ struct JudgedCell {
 
 std::vector<JudgedCell> RunAndJudge(const SessionConfig& config) {
   const SessionInputs inputs = LoadSessionInputs(config);
-  PlannedTrialRunner runner(config, inputs);
+  TrialBench bench;
   std::vector<JudgedCell> cells;
   for (const PlannedTrial& planned : MakePlan(config, inputs)) {
     if (planned.trial == 0) cells.push_back({planned.grasp, 0, {}, {}, {}});
-    const JudgedTrial trial = runner.Judge(planned);
+    TrialSetup setup = MakeTrialSetup(config, inputs, planned);
+    const JudgedTrial trial = bench.Prepare(setup).Judge(setup);
     if (trial.result.outcome != Outcome::kSuccess) continue;
     JudgedCell& cell = cells.back();
     ++cell.num_successes;

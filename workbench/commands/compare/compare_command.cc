@@ -3,14 +3,26 @@
 
 #include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
-#include "datasets/analysis/conditions/threshold_comparison.h"
 #include "datasets/analysis/session_comparison.h"
 #include "datasets/session/find_trial.h"
 #include "workbench/commands/command.h"
+#include "workbench/tables/experiment_tables.h"
 #include "workbench/tables/text_table.h"
-#include "workbench/tables/threshold_tables.h"
 
 namespace graspbench {
+std::string FormatThresholdChanges(const std::vector<ThresholdChange>& changes) {
+  if (changes.empty()) return "";
+  TextTable table(
+      {"grip threshold", "hand", "pairs", "second over first", "lower", "equal", "higher"});
+  for (const ThresholdChange& change : changes) {
+    table.AddRow({change.scale->name, change.hand, std::to_string(change.num_pairs),
+                  FormatWithRange(change.ratio, change.low, change.high, 2),
+                  std::to_string(change.num_lower), std::to_string(change.num_equal),
+                  std::to_string(change.num_higher)});
+  }
+  return "\n" + table.Format() + "median ratio of the draws' thresholds, with its 95 % interval\n";
+}
+
 namespace {
 
 constexpr size_t kMaxListed = 20;  // trials won, and lost, on the terminal

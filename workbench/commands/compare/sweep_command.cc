@@ -5,6 +5,7 @@
 #include "core/base/enum_table.h"
 #include "core/base/text/text.h"
 #include "datasets/analysis/conditions/sweep_summary.h"
+#include "datasets/analysis/conditions/threshold_summary.h"
 #include "datasets/analysis/export_result.h"
 #include "datasets/plan/sweep_design.h"
 #include "reports/session_report.h"

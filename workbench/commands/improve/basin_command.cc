@@ -2,18 +2,32 @@
 #include <memory>
 #include <string>
 
+#include "core/base/error.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "datasets/analysis/conditions/basin_summary.h"
 #include "datasets/analysis/export_result.h"
+#include "datasets/plan/input_copies.h"
+#include "datasets/plan/session_inputs.h"
 #include "reports/session_report.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
-#include "workbench/experiments/map_basin.h"
+#include "workbench/experiments/output_folder.h"
+#include "workbench/experiments/session_experiment.h"
 #include "workbench/terminal/terminal_observer.h"
 
 namespace graspbench {
+namespace fs = std::filesystem;
+
 namespace {
+
+struct BasinRequest {
+  std::string hand, object;
+  std::string grasp = "best";
+  int num_samples = 200;
+  std::filesystem::path out;
+  bool replace = false;  ///< another basin there, unchanged since it was written
+};
 
 struct BasinOptions {
   BasinRequest request;
@@ -21,6 +35,55 @@ struct BasinOptions {
   double trial_time_limit = kTrialTimeLimit;
   int num_workers = 1;
 };
+
+SessionConfig MakeBasinConfig(const BasinRequest& request) {
+  SessionConfig config;
+  config.hands = {request.hand};
+  config.objects = {request.object};
+  config.grasps = {request.grasp};
+  config.trials = 1;
+  config.draws = "halton";
+  config.variation.offset = kBasinOffset;
+  config.variation.yaw = kBasinYaw;
+  return config;
+}
+
+/** A basin is a session of such draws; another session is no result of this command. */
+std::string FindKindToReplace(const fs::path& folder) {
+  const bool is_other = HasSession(folder) && LoadPlannedSession(folder).config.draws != "halton";
+  return is_other ? "basin" : kSessionStore.name;
+}
+
+/** Makes the session in `out`, or finds it there. */
+PreparedSession PrepareBasin(const BasinRequest& request) {
+  const std::vector<fs::path> read = {request.hand, request.object, request.grasp};
+  const bool is_there = HasSession(request.out);
+  OutputRequest output = {request.out, FindKindToReplace(request.out), request.replace, read};
+  if (!is_there) CheckOutputFolder(output);  // before anything is read
+  SessionConfig config = MakeBasinConfig(request);
+  const SessionInputs inputs = LoadSessionInputs(config, FieldUse::kLater);
+  if (const size_t num_cells = MakePlan(config, inputs).size(); num_cells != 1) {
+    throw Error(ErrorKind::kUsage,
+                "found " + std::to_string(num_cells) +
+                    " conditions; a basin is that of one hand, one object and one "
+                    "grasp");
+  }
+  config.trials = request.num_samples;
+  const std::vector<PlannedTrial> plan = MakePlan(config, inputs);
+  if (!is_there || !(LoadPlannedSession(request.out).plan == plan)) {
+    if (is_there) output.derived = ListStoreFiles(request.out);
+    StagedFolder staged(output, StagedFolder::Mark::kOwn);
+    CopyInputs(config, staged.path());
+    CreateSession(staged.path(), config, plan);
+    staged.Commit();
+  }
+  SessionRequest session;
+  session.config = config;
+  session.out = request.out;
+  session.resume = true;
+  session.inputs = read;
+  return PrepareSession(session);
+}
 
 void Run(const BasinOptions& options) {
   const PreparedSession basin = PrepareBasin(options.request);
@@ -30,11 +93,9 @@ void Run(const BasinOptions& options) {
   }
   const std::atomic<bool>& stop = CatchInterrupts();
   TerminalObserver observer({}, stop);
-  if (!FindUnfinished(basin.session).empty()) {
-    DemandFinished(
-        RunSession(basin, options.num_workers, observer, stop, options.trial_time_limit).ending ==
-        RunEnding::kFinished);
-  }
+  ExperimentRequest request;
+  request.trial_time_limit = options.trial_time_limit;
+  DemandFinished(RunExperiment(basin, request, options.num_workers, observer, stop));
   const Session session = LoadSession(basin.folder, OnDamage::kRefuse, RecordParts::kBrief);
   ExportResult(basin.folder, session);
   const std::filesystem::path report = WriteSessionReport(basin.folder, session);

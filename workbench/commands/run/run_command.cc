@@ -112,7 +112,7 @@ ExitCode Run(const RunOptions& options) {
   TerminalObserver observer({}, stop);
   RunRecord record;
   try {
-    record = RunSession(work, num_workers, observer, stop, options.trial_time_limit);
+    record = RunRound(kTrialRound, work, num_workers, observer, stop, options.trial_time_limit);
     if (record.ending == RunEnding::kFinished) return Finish(work, options);
   } catch (const Error& error) {
     throw Error(error.kind(), std::string(error.what()) +

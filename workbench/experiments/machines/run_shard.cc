@@ -12,7 +12,7 @@
 #include "objects/catalogue.h"
 #include "workbench/experiments/machines/campaign_shard.h"
 #include "workbench/experiments/pool/worker_pool.h"
-#include "workbench/experiments/run_round.h"
+#include "workbench/experiments/run_session.h"
 #include "workbench/experiments/scene_runner.h"
 
 namespace graspbench {
@@ -96,9 +96,9 @@ class SessionShard {
       return result;
     }
     while (!trials.empty()) {
-      RunBatchStage(MakeStage(round_.stage, trials.size()), trials, request_.num_workers,
-                    round_.make_workers(session_, inputs_, folder_, label_), budget_,
-                    budget_.stop(), request_.trial_time_limit);
+      RunBatch(MakeStage(round_.stage, trials.size()), trials, request_.num_workers,
+               round_.make_workers(session_, inputs_, folder_, label_), budget_, budget_.stop(),
+               request_.trial_time_limit);
       result.num_left -= budget_.num_done();
       if (result.num_left > 0 || &round_ != &kThresholdRound) break;
       trials = Intersect(round_.find_left(LoadShardOfSession(folder_, label_)), own);

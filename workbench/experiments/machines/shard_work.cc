@@ -6,10 +6,24 @@
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "workbench/experiments/machines/machine.h"
-#include "workbench/experiments/pool/session_worker.h"
+#include "workbench/experiments/pool/trial_bench.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
+
+namespace {
+
+/** Of sentinels, which are no part of the shard's progress. */
+class TimeKeeper : public Observer {
+ public:
+  explicit TimeKeeper(TimeBudget& budget) : budget_(budget) {}
+  void ShowStatus(const BatchStatus&, int) override { budget_.Look(); }
+
+ private:
+  TimeBudget& budget_;
+};
+
+}  // namespace
 
 void CheckProgram(const StoreKind& kind, const ShardRequest& request) {
   const std::string what = std::string("the ") + kind.name + " in \"" + request.folder.string();
@@ -52,16 +66,19 @@ bool ShardPresence::Begin(const std::vector<PlannedTrial>& sentinels, const Sess
                           const SessionInputs& inputs, TimeBudget& budget,
                           double trial_time_limit) {
   WorkerStart start{label_, FormatUtcNow(), FindMachine(), {}};
-  const auto runner = std::make_shared<PlannedTrialRunner>(config, inputs);
-  const auto make_worker = [&start, runner](int) {
-    return BatchWorker{[runner](const PlannedTrial& planned) { return runner->Run(planned); },
-                       [&start](const TrialRecord& record) { start.sentinels.push_back(record); },
-                       {},
-                       [runner](const PlannedTrial& planned) { runner->Prepare(planned); }};
+  const auto make_worker = [&](int) {
+    const auto bench = std::make_shared<TrialBench>();
+    const auto prepare = [&, bench](const PlannedTrial& planned) {
+      TrialSetup setup = MakeTrialSetup(config, inputs, planned);
+      TrialRunner& runner = bench->Prepare(setup);
+      return [bench, &runner, setup] { return runner.Run(setup); };
+    };
+    return BatchWorker{prepare,
+                       [&start](const TrialRecord& record) { start.sentinels.push_back(record); }};
   };
-  const auto show = [&budget](const BatchStatus&) { budget.Look(); };
-  if (!sentinels.empty() &&
-      !RunBatch(sentinels, 1, make_worker, show, budget.stop(), trial_time_limit)) {
+  TimeKeeper keeper(budget);
+  if (!RunBatch(MakeStage(StageKind::kRun, sentinels.size()), sentinels, 1, make_worker, keeper,
+                budget.stop(), trial_time_limit)) {
     return false;
   }
   log_.Append(start);

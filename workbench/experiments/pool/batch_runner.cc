@@ -1,6 +1,7 @@
 #include "workbench/experiments/pool/batch_runner.h"
 
 #include <memory>
+#include <optional>
 
 #include "workbench/experiments/pool/worker_pool.h"
 
@@ -13,21 +14,25 @@ TrialResult MakeEndlessResult(double time_limit) {
   return result;
 }
 
-bool RunBatch(const std::vector<PlannedTrial>& trials, int num_workers,
-              const MakeBatchWorker& make_worker, const ShowBatch& show,
-              const std::atomic<bool>& stop, double time_limit) {
+bool RunBatch(const Stage& stage, const std::vector<PlannedTrial>& trials, int num_workers,
+              const MakeBatchWorker& make_worker, Observer& observer, const std::atomic<bool>& stop,
+              double time_limit) {
+  observer.BeginStage(stage);
+  if (trials.empty()) return true;
   StatusBoard board(CalcNumWorkers(num_workers, trials.size()));
   const auto make_runner = [&](int worker, const std::atomic<bool>&) -> TaskRunner {
     const auto tools = std::make_shared<BatchWorker>(make_worker(worker));
+    const auto trial = std::make_shared<std::function<TrialResult()>>();
     const auto record = std::make_shared<TrialRecord>();  // of the trial that has just run
-    const RunTask prepare = [&board, &trials, worker, tools](size_t task) {
+    const RunTask prepare = [&board, &trials, worker, tools, trial, record](size_t task) {
       board.SetPreparing(worker, trials[task].object);
-      tools->prepare(trials[task]);
-    };
-    const RunTask run = [&board, &trials, worker, tools, record](size_t task) {
-      board.SetBusy(worker, trials[task]);
       record->plan = trials[task];
-      record->result = tools->run(record->plan);
+      *trial = tools->prepare(record->plan);
+      board.SetBusy(worker, record->plan);
+    };
+    const RunTask run = [trial, record](size_t) {
+      record->result = (*trial)();
+      *trial = nullptr;  // the next object's field would be a second one
     };
     const RunTask keep = [&board, worker, tools, record](size_t) {
       tools->keep(*record);
@@ -40,22 +45,11 @@ bool RunBatch(const std::vector<PlannedTrial>& trials, int num_workers,
       board.Count(endless.result.outcome);
       board.SetBusy(worker, std::nullopt);
     };
-    return {tools->prepare ? prepare : RunTask(), run, keep,
-            time_limit < kNoTimeLimit ? give_up : RunTask()};
+    return {prepare, run, keep, time_limit < kNoTimeLimit ? give_up : RunTask()};
   };
-  return RunTasks(
-      trials.size(), num_workers, make_runner, [&] { show(board.Read()); }, stop, time_limit);
-}
-
-bool RunBatchStage(const Stage& stage, const std::vector<PlannedTrial>& trials, int num_workers,
-                   const MakeBatchWorker& make_worker, Observer& observer,
-                   const std::atomic<bool>& stop, double time_limit) {
-  observer.BeginStage(stage);
-  if (trials.empty()) return true;
-  const auto show = [&](const BatchStatus& status) {
-    observer.ShowStatus(status, stage.num_trials);
-  };
-  const bool is_complete = RunBatch(trials, num_workers, make_worker, show, stop, time_limit);
+  const auto show = [&] { observer.ShowStatus(board.Read(), stage.num_trials); };
+  const bool is_complete =
+      RunTasks(trials.size(), num_workers, make_runner, show, stop, time_limit);
   observer.EndStage();
   return is_complete;
 }

@@ -15,18 +15,16 @@ namespace graspbench {
 
 /** What one thread works with; used by that thread only. */
 struct BatchWorker {
-  std::function<TrialResult(const PlannedTrial&)> run;
+  /** Loads what the trial needs, outside of its time. @returns the trial itself, which from then on
+  touches only what its thread owns. */
+  std::function<std::function<TrialResult()>(const PlannedTrial&)> prepare;
   /** The record is safe when this returns. */
   std::function<void(const TrialRecord&)> keep;
   /** What to do with a trial that has not ended in time, a numerical failure; empty: keep it. */
   std::function<void(const TrialRecord&)> give_up = {};
-  /** Loads what the trial needs, outside of its time; empty: nothing is to be loaded. */
-  std::function<void(const PlannedTrial&)> prepare = {};
 };
 /** Called in the worker's own thread. */
 using MakeBatchWorker = std::function<BatchWorker(int worker)>;
-
-using ShowBatch = std::function<void(const BatchStatus&)>;
 
 inline constexpr double kNoTimeLimit = std::numeric_limits<double>::infinity();
 /** After this long a trial counts as endless [s of processor time]. The longest that the ranges of a
@@ -36,16 +34,12 @@ inline constexpr double kTrialTimeLimit = 1800.0;
 /** Of a trial that was given up after so long: a numerical failure that says so. */
 TrialResult MakeEndlessResult(double time_limit);
 
-/** Runs `trials` until all are done or `stop` is set; a trial that has begun is finished and kept.
+/** Runs `trials`, a stage that the observer sees, until all are done or `stop` is set; a trial that
+has begun is finished and kept.
 @param time_limit  [s of processor time]: a trial that has not ended by then is kept as a numerical
 failure or given up, and the others go on.   @returns, @throws  as RunTasks of worker_pool.h. */
-bool RunBatch(const std::vector<PlannedTrial>& trials, int num_workers,
-              const MakeBatchWorker& make_worker, const ShowBatch& show,
-              const std::atomic<bool>& stop, double time_limit = kNoTimeLimit);
-
-/** RunBatch as a stage that an observer sees. */
-bool RunBatchStage(const Stage& stage, const std::vector<PlannedTrial>& trials, int num_workers,
-                   const MakeBatchWorker& make_worker, Observer& observer,
-                   const std::atomic<bool>& stop, double time_limit = kNoTimeLimit);
+bool RunBatch(const Stage& stage, const std::vector<PlannedTrial>& trials, int num_workers,
+              const MakeBatchWorker& make_worker, Observer& observer, const std::atomic<bool>& stop,
+              double time_limit = kNoTimeLimit);
 
 }  // namespace graspbench

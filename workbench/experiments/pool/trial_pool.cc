@@ -10,8 +10,9 @@ namespace {
 
 /** All that a trial which is given up may still use. */
 struct RunningTrial {
-  std::shared_ptr<SetupRunner> runner;
+  std::shared_ptr<TrialBench> bench;
   TrialSetup setup;
+  TrialRunner* runner = nullptr;  // the bench's
   TrialResult result;
 };
 
@@ -30,14 +31,14 @@ std::vector<TrialResult> TrialPool::Run(const std::vector<TrialSetup>& setups,
   const auto make_runner = [&](int worker, const std::atomic<bool>&) -> TaskRunner {
     const auto trial = std::make_shared<RunningTrial>();
     if (const auto number = static_cast<size_t>(worker); number < workers_.size()) {
-      if (!workers_[number]) workers_[number] = std::make_shared<SetupRunner>();
-      trial->runner = workers_[number];
+      if (!workers_[number]) workers_[number] = std::make_shared<TrialBench>();
+      trial->bench = workers_[number];
     } else {  // in the place of one that was given up
-      trial->runner = std::make_shared<SetupRunner>();
+      trial->bench = std::make_shared<TrialBench>();
     }
     const RunTask prepare = [&setups, trial](size_t task) {
       trial->setup = setups[task];
-      trial->runner->Prepare(trial->setup);
+      trial->runner = &trial->bench->Prepare(trial->setup);
     };
     const RunTask run = [trial](size_t) { trial->result = trial->runner->Run(trial->setup); };
     const RunTask keep = [&results, &tell, trial](size_t task) {

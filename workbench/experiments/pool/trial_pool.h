@@ -11,7 +11,7 @@ time is given up; its result is a numerical failure. */
 
 #include "core/trial/trial_result.h"
 #include "workbench/experiments/pool/batch_runner.h"
-#include "workbench/experiments/pool/setup_runner.h"
+#include "workbench/experiments/pool/trial_bench.h"
 
 namespace graspbench {
 
@@ -30,7 +30,7 @@ class TrialPool {
                                const ObserveResult& observe = nullptr);
 
  private:
-  std::vector<std::shared_ptr<SetupRunner>> workers_;  // null: made when it is needed
+  std::vector<std::shared_ptr<TrialBench>> workers_;  // null: made when it is needed
   const std::atomic<bool>& stop_;
   const double time_limit_;
 };

@@ -1,9 +1,8 @@
-#include "datasets/analysis/conditions/threshold_comparison.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "datasets/analysis/session_comparison.h"
 #include "tests/datasets/analysis/made_results.h"
 
 namespace graspbench {

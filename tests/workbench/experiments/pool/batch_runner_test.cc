@@ -30,26 +30,44 @@ TrialResult RunFakeTrial(const PlannedTrial& planned) {
   return result;
 }
 
+/** A worker's trials by a function of the trial. */
+template <class Run>
+auto PrepareBy(const Run& run) {
+  return [run](const PlannedTrial& planned) { return [run, planned] { return run(planned); }; };
+}
+
 class BatchRunnerTest : public testing::Test {
  protected:
   BatchWorker MakeWorker() {
-    return {RunFakeTrial, [this](const TrialRecord& record) {
+    return {PrepareBy(RunFakeTrial), [this](const TrialRecord& record) {
               const std::lock_guard lock(mutex_);
               kept_.push_back(record.plan.id);
             }};
+  }
+  /** As a stage whose status `show` gets. */
+  bool RunAll(const std::vector<PlannedTrial>& trials, int num_workers,
+              const MakeBatchWorker& make_worker, double time_limit = kNoTimeLimit) {
+    struct Watch : Observer {
+      void ShowStatus(const BatchStatus& status, int) override { show(status); }
+      std::function<void(const BatchStatus&)> show;
+    } observer;
+    observer.show = show_;
+    return RunBatch(MakeStage(StageKind::kRun, trials.size()), trials, num_workers, make_worker,
+                    observer, stop_, time_limit);
   }
   std::mutex mutex_;
   std::vector<std::string> kept_;
   std::atomic<bool> stop_{false};
   BatchStatus last_;
-  ShowBatch show_ = [this](const BatchStatus& status) { last_ = status; };
+  std::function<void(const BatchStatus&)> show_ = [this](const BatchStatus& status) {
+    last_ = status;
+  };
 };
 
 TEST_F(BatchRunnerTest, RunsEveryTrialOnceForAnyNumberOfWorkers) {
   for (const int num_workers : {1, 2, 4, 100}) {
     kept_.clear();
-    EXPECT_TRUE(RunBatch(
-        MakeTrials(50), num_workers, [&](int) { return MakeWorker(); }, show_, stop_));
+    EXPECT_TRUE(RunAll(MakeTrials(50), num_workers, [&](int) { return MakeWorker(); }));
     EXPECT_EQ(kept_.size(), 50u);
     EXPECT_EQ(std::set<std::string>(kept_.begin(), kept_.end()).size(), 50u);
     EXPECT_EQ(last_.num_done, 50);
@@ -59,27 +77,25 @@ TEST_F(BatchRunnerTest, RunsEveryTrialOnceForAnyNumberOfWorkers) {
 }
 
 TEST_F(BatchRunnerTest, OneWorkerKeepsThePlansOrder) {
-  RunBatch(
-      MakeTrials(20), 1, [&](int) { return MakeWorker(); }, show_, stop_);
+  RunAll(MakeTrials(20), 1, [&](int) { return MakeWorker(); });
   for (int i = 0; i < 20; ++i) EXPECT_EQ(kept_[i], std::to_string(i));
 }
 
 TEST_F(BatchRunnerTest, NothingToDoIsDone) {
-  EXPECT_TRUE(RunBatch(
-      {}, 4, [&](int) { return MakeWorker(); }, show_, stop_));
+  EXPECT_TRUE(RunAll({}, 4, [&](int) { return MakeWorker(); }));
 }
 
 TEST_F(BatchRunnerTest, StopFinishesAndKeepsWhatHasBegun) {
   std::atomic<int> num_begun{0};
   const auto make_worker = [&](int) {
     BatchWorker worker = MakeWorker();
-    worker.run = [&](const PlannedTrial& planned) {
+    worker.prepare = PrepareBy([&](const PlannedTrial& planned) {
       if (++num_begun == 5) stop_ = true;
       return RunFakeTrial(planned);
-    };
+    });
     return worker;
   };
-  EXPECT_FALSE(RunBatch(MakeTrials(1000), 2, make_worker, show_, stop_));
+  EXPECT_FALSE(RunAll(MakeTrials(1000), 2, make_worker));
   EXPECT_EQ(static_cast<int>(kept_.size()), num_begun);
   EXPECT_LE(num_begun, 6);  // the other worker may have been in a trial
 }
@@ -88,10 +104,10 @@ TEST_F(BatchRunnerTest, AFullDiskOfOneWorkerStopsAllAndLosesNothing) {
   std::atomic<int> num_run{0}, num_refused{0};
   const auto make_worker = [&](int number) {
     BatchWorker worker = MakeWorker();
-    worker.run = [&](const PlannedTrial& planned) {
+    worker.prepare = PrepareBy([&](const PlannedTrial& planned) {
       ++num_run;
       return RunFakeTrial(planned);
-    };
+    });
     if (number == 1) {
       worker.keep = [&](const TrialRecord&) {
         ++num_refused;
@@ -101,7 +117,7 @@ TEST_F(BatchRunnerTest, AFullDiskOfOneWorkerStopsAllAndLosesNothing) {
     return worker;
   };
   try {
-    RunBatch(MakeTrials(1000000), 3, make_worker, show_, stop_);
+    RunAll(MakeTrials(1000000), 3, make_worker);
     FAIL() << "the error must come out";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::kIo);
@@ -115,7 +131,7 @@ TEST_F(BatchRunnerTest, AWorkerThatCannotStartIsAnError) {
   const auto make_worker = [&](int) -> BatchWorker {
     throw Error(ErrorKind::kIo, "read-only folder");
   };
-  EXPECT_THROW(RunBatch(MakeTrials(10), 2, make_worker, show_, stop_), Error);
+  EXPECT_THROW(RunAll(MakeTrials(10), 2, make_worker), Error);
 }
 
 // One trial never ends, on each number of workers: it is named, and the others go on.
@@ -129,11 +145,11 @@ TEST_F(BatchRunnerTest, AnEndlessTrialIsANumericalFailureAndTheOthersGoOn) {
       const std::lock_guard lock(mutex_);
       numbers.insert(number);
       BatchWorker worker;
-      worker.run = [is_released](const PlannedTrial& planned) {
+      worker.prepare = PrepareBy([is_released](const PlannedTrial& planned) {
         while (planned.trial == 7 && !*is_released) {
         }
         return RunFakeTrial(planned);
-      };
+      });
       worker.keep = [&](const TrialRecord& record) {
         const std::lock_guard own(mutex_);
         kept_.push_back(record.plan.id);
@@ -141,7 +157,7 @@ TEST_F(BatchRunnerTest, AnEndlessTrialIsANumericalFailureAndTheOthersGoOn) {
       };
       return worker;
     };
-    EXPECT_TRUE(RunBatch(MakeTrials(20), num_workers, make_worker, show_, stop_, 0.3));
+    EXPECT_TRUE(RunAll(MakeTrials(20), num_workers, make_worker, 0.3));
     EXPECT_EQ(kept_.size(), 20u);
     EXPECT_EQ(results.size(), 20u);
     EXPECT_EQ(results["7"].outcome, Outcome::kNumericalFailure);
@@ -159,19 +175,17 @@ TEST_F(BatchRunnerTest, ShowsWhatTheWorkersAreDoing) {
   std::vector<std::string> seen;
   const auto make_worker = [&](int) {
     BatchWorker worker = MakeWorker();
-    worker.run = [](const PlannedTrial& planned) {
+    worker.prepare = PrepareBy([](const PlannedTrial& planned) {
       std::this_thread::sleep_for(std::chrono::milliseconds(250));
       return RunFakeTrial(planned);
-    };
+    });
     return worker;
   };
-  RunBatch(
-      MakeTrials(1), 1, make_worker,
-      [&](const BatchStatus& status) {
-        ASSERT_EQ(status.busy.size(), 1u);
-        seen.push_back(status.busy[0] ? status.busy[0]->id : "idle");
-      },
-      stop_);
+  show_ = [&](const BatchStatus& status) {
+    ASSERT_EQ(status.busy.size(), 1u);
+    seen.push_back(status.busy[0] ? status.busy[0]->id : "idle");
+  };
+  RunAll(MakeTrials(1), 1, make_worker);
   EXPECT_EQ(seen.front(), "0");
   EXPECT_EQ(seen.back(), "idle");
 }
@@ -180,23 +194,22 @@ TEST_F(BatchRunnerTest, ShowsWhichObjectsArePrepared) {
   std::atomic<bool> is_seen{false};
   const auto make_worker = [&](int) {
     BatchWorker worker = MakeWorker();
-    worker.prepare = [&](const PlannedTrial&) {
+    worker.prepare = [&](const PlannedTrial& planned) {
       while (!is_seen) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      return PrepareBy(RunFakeTrial)(planned);
     };
     return worker;
   };
   const std::vector<PlannedTrial> trials = MakeTrials(1);
   std::map<int, std::string> last;
-  RunBatch(
-      trials, 1, make_worker,
-      [&](const BatchStatus& status) {
-        last = status.preparing;
-        if (last.empty()) return;
-        EXPECT_EQ(last, (std::map<int, std::string>{{0, trials[0].object}}));
-        EXPECT_FALSE(status.busy[0]);
-        is_seen = true;
-      },
-      stop_);
+  show_ = [&](const BatchStatus& status) {
+    last = status.preparing;
+    if (last.empty()) return;
+    EXPECT_EQ(last, (std::map<int, std::string>{{0, trials[0].object}}));
+    EXPECT_FALSE(status.busy[0]);
+    is_seen = true;
+  };
+  RunAll(trials, 1, make_worker);
   EXPECT_TRUE(is_seen);
   EXPECT_TRUE(last.empty());
 }

@@ -1,17 +1,16 @@
-#include "workbench/experiments/run_round.h"
+#include "workbench/experiments/run_session.h"
 
 #include <gtest/gtest.h>
 
 #include "datasets/session/judgement_store.h"
 #include "tests/datasets/session/fake_session.h"
-#include "workbench/experiments/run_session.h"
 
 namespace graspbench {
 namespace {
 
-class RunRoundTest : public testing::Test {
+class RunSessionTest : public testing::Test {
  protected:
-  RunRoundTest() {
+  RunSessionTest() {
     SessionRequest request;
     request.config.emplace();
     request.config->hands = {"tum"};
@@ -21,7 +20,8 @@ class RunRoundTest : public testing::Test {
     prepared_ = PrepareSession(request);
   }
   RunRecord Run(const RoundKind& kind) {
-    return RunRound(kind, Load(), prepared_.inputs, 1, observer_, stop_);
+    return RunRound(kind, {prepared_.config, prepared_.inputs, prepared_.folder, Load()}, 1,
+                    observer_, stop_);
   }
   Session Load() const {
     return LoadSession(prepared_.folder, OnDamage::kRefuse, RecordParts::kBrief);
@@ -34,7 +34,7 @@ class RunRoundTest : public testing::Test {
 };
 
 // What the judge is asked for follows from the records of the trials before it.
-TEST_F(RunRoundTest, AsksForWhatTheRecordsOfEarlierRoundsLeave) {
+TEST_F(RunSessionTest, AsksForWhatTheRecordsOfEarlierRoundsLeave) {
   EXPECT_TRUE(kJudgeRound.find_left(Load()).empty());
   EXPECT_EQ(kTrialRound.find_left(Load()).size(), 2u);
   const RunRecord trials = Run(kTrialRound);
@@ -49,14 +49,14 @@ TEST_F(RunRoundTest, AsksForWhatTheRecordsOfEarlierRoundsLeave) {
   EXPECT_EQ(ListBuilds(prepared_.folder).size(), 2u);
 }
 
-TEST_F(RunRoundTest, WithNothingLeftIsFinishedAndNoRun) {
+TEST_F(RunSessionTest, WithNothingLeftIsFinishedAndNoRun) {
   const RunRecord nothing = Run(kJudgeRound);
   EXPECT_EQ(nothing.num_trials, 0);
   EXPECT_EQ(nothing.ending, RunEnding::kFinished);
   EXPECT_TRUE(ListBuilds(prepared_.folder).empty());
 }
 
-TEST_F(RunRoundTest, IsInterruptedAndSealed) {
+TEST_F(RunSessionTest, IsInterruptedAndSealed) {
   stop_ = true;
   EXPECT_EQ(Run(kTrialRound).ending, RunEnding::kInterrupted);
   EXPECT_EQ(kTrialRound.find_left(Load()).size(), 2u);

@@ -1,10 +1,10 @@
-#include "core/trial/grip/grip_threshold.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
+
+#include "datasets/analysis/conditions/threshold_summary.h"
 
 namespace graspbench {
 namespace {

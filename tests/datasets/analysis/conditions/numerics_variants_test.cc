@@ -1,13 +1,12 @@
-#include "workbench/experiments/numerics_check.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/base/units.h"
+#include "core/trial/trial_runner.h"
+#include "datasets/analysis/conditions/numerics_summary.h"
 #include "datasets/plan/conditions.h"
-#include "workbench/experiments/pool/session_worker.h"
-#include "workbench/tables/numerics_tables.h"
+#include "datasets/plan/session_plan.h"
 
 namespace graspbench {
 namespace {
@@ -26,7 +25,7 @@ NumericsComparison MakeFlip() {
   return comparison;
 }
 
-TEST(NumericsCheck, VariantsChangeOneThingEach) {
+TEST(NumericsVariants, VariantsChangeOneThingEach) {
   SessionConfig config;
   const std::vector<Condition> variants = ListNumericsVariants(config);
   ASSERT_EQ(variants.size(), 8u);
@@ -50,7 +49,7 @@ TEST(NumericsCheck, VariantsChangeOneThingEach) {
 // Fingertips that slide on the table must do so alike at every step; with static friction back at
 // once they stuck, the sooner the shorter the steps, and never reached the pencil. The step is of
 // first order: every halving halves what is left.
-TEST(NumericsCheck, FingertipsDragOnTheTableAlikeAtEveryStep) {
+TEST(NumericsVariants, FingertipsDragOnTheTableAlikeAtEveryStep) {
   SessionConfig config;
   config.hands = {"shadow-evolved"};
   config.objects = {"pencil"};
@@ -60,7 +59,8 @@ TEST(NumericsCheck, FingertipsDragOnTheTableAlikeAtEveryStep) {
   std::vector<double> last_contacts;
   for (const double step : {0.002, 0.001, 0.0005}) {
     config.sim.step = step;
-    const TrialResult result = PlannedTrialRunner(config, inputs).Run(planned);
+    const TrialSetup setup = MakeTrialSetup(config, inputs, planned);
+    const TrialResult result = TrialRunner(setup.hand, setup.object).Run(setup);
     EXPECT_EQ(result.outcome, Outcome::kSuccess) << "step " << step;
     last_contacts.push_back(result.timing.gct);
   }
@@ -71,36 +71,13 @@ TEST(NumericsCheck, FingertipsDragOnTheTableAlikeAtEveryStep) {
   EXPECT_NEAR(last_contacts[0], limit, 0.01 * limit);
 }
 
-TEST(NumericsCheck, CsvHasARowPerComparisonAndEmptyCellsForWhatIsMissing) {
+TEST(NumericsVariants, CsvHasARowPerComparisonAndEmptyCellsForWhatIsMissing) {
   EXPECT_EQ(FormatNumericsCsv({MakeFlip()}),
             "variant,trial_id,hand,object,grasp,trial,outcome_before,outcome,flipped,seat_before,"
             "seat,flagged,gct_s_before,gct_s,gft_s_before,gft_s,got_s_before,got_s,sigma_before,"
             "sigma,grip_n_before,grip_n,breaking_force_n_before,breaking_force_n,hold_creep_m,"
             "steady_penetration_m,unconverged_steps\n"
             "half step,cup7,tum,cup,g1,7,success,no contact,1,,,0,0.5,,,,,,2.0,2.0,,,,,,,0\n");
-}
-
-TEST(NumericsCheck, TablesListTheFlips) {
-  const std::vector<NumericsComparison> flipped = {MakeFlip()};
-  const std::string text = FormatNumericsTables(SummariseNumerics(flipped), flipped);
-  EXPECT_NE(text.find("half step  tum   cup     g1         7  success  no contact\n"),
-            std::string::npos)
-      << text;
-  std::vector<NumericsComparison> same = flipped;
-  same[0].after.result = same[0].before.result;
-  same[0].after.result.stability.sigma = 2.5;
-  const std::string calm = FormatNumericsTables(SummariseNumerics(same), same);
-  EXPECT_NE(calm.find("no verdict flips\n"), std::string::npos) << calm;
-  EXPECT_NE(calm.find("25 (25)"), std::string::npos) << calm;
-  std::vector<NumericsComparison> partial(3, MakeFlip());
-  partial[1].before.plan.id = "cup8";
-  partial[2].variant = "compliant";
-  const std::string short_of_one = FormatNumericsTables(SummariseNumerics(partial), partial);
-  for (const char* part :
-       {"\ncompliant  1 of 2  ", "\nn of N trials: the others are not finished"}) {
-    EXPECT_NE(short_of_one.find(part), std::string::npos) << short_of_one;
-    EXPECT_EQ(calm.find(part), std::string::npos) << calm;
-  }
 }
 
 }  // namespace
