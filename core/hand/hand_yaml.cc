@@ -13,8 +13,12 @@ namespace {
 
 class HandYamlReader {
  public:
-  HandYamlReader(std::string file, const UrdfOutline& outline, Hand& hand, Diagnostics& problems)
-      : file_(std::move(file)), outline_(outline), hand_(hand), problems_(problems) {}
+  HandYamlReader(std::string file, const Urdf& urdf, Hand& hand, Diagnostics& problems)
+      : file_(std::move(file)),
+        links_(urdf.ListLinks()),
+        moving_joints_(urdf.ListMovingJoints()),
+        hand_(hand),
+        problems_(problems) {}
 
   void Read(const YAML::Node& root) {
     YamlMap map(root, file_, "hand", problems_, &ListHandKeys());
@@ -55,8 +59,8 @@ class HandYamlReader {
  private:
   /** Reports when hand.urdf has no such link or joint; `what` is "link" or "joint". */
   bool CheckName(const std::string& name, const char* what, int line, const std::string& where) {
-    if (outline_.links.empty()) return false;  // hand.urdf cannot be read, which has been reported
-    const auto& known = *what == 'l' ? outline_.links : outline_.moving_joints;
+    if (links_.empty()) return false;  // hand.urdf cannot be read, which has been reported
+    const auto& known = *what == 'l' ? links_ : moving_joints_;
     if (std::find(known.begin(), known.end(), name) != known.end()) return true;
     problems_.Fail(file_, line,
                    where + ": hand.urdf has no " + (*what == 'l' ? "link" : "moving joint") +
@@ -87,7 +91,7 @@ class HandYamlReader {
   void ReadCamera(const YAML::Node& node);
 
   std::string file_;
-  const UrdfOutline& outline_;
+  std::vector<std::string> links_, moving_joints_;  // of hand.urdf
   Hand& hand_;
   Diagnostics& problems_;
   std::map<std::string, std::string> digit_of_link_;
@@ -290,7 +294,7 @@ void HandYamlReader::ReadDrives(const YAML::Node& node) {
                                        "and force_limit_n"));
     }
   }
-  for (const std::string& name : outline_.moving_joints) {
+  for (const std::string& name : moving_joints_) {
     if (driven.count(name) == 0 && coupled_.count(name) == 0) {
       problems_.Fail(file_, LineOf(node),
                      "drives: joint \"" + name +
@@ -512,12 +516,12 @@ const FileKeys& ListHandKeys() {
   return keys;
 }
 
-void ReadHandYaml(const std::string& text, const std::string& file, const UrdfOutline& outline,
-                  Hand& hand, Diagnostics& problems) {
+void ReadHandYaml(const std::string& text, const std::string& file, const Urdf& urdf, Hand& hand,
+                  Diagnostics& problems) {
   const int num_errors_before = problems.num_errors();
   const YAML::Node root = ParseYaml(text, file, problems);
   if (problems.num_errors() > num_errors_before) return;
-  HandYamlReader(file, outline, hand, problems).Read(root);
+  HandYamlReader(file, urdf, hand, problems).Read(root);
 }
 
 }  // namespace graspbench

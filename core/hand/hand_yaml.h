@@ -66,15 +66,15 @@ hand.yaml: what a URDF cannot say about a hand. Lengths are in metres, in the fr
 #include "core/base/diagnostics.h"
 #include "core/base/file_keys.h"
 #include "core/hand/hand.h"
-#include "core/hand/urdf_check.h"
+#include "core/hand/read_urdf.h"
 
 namespace graspbench {
 
 /** Fills palm_link, digits, coupling, drives and the scalars of `hand`, whose links and joints were
-read from the URDF. Names are checked against `outline`; so a hand whose URDF is broken still gets
+read from the URDF. Names are checked against `urdf`; so a hand whose URDF is broken still gets
 all problems of its hand.yaml reported. */
-void ReadHandYaml(const std::string& text, const std::string& file, const UrdfOutline& outline,
-                  Hand& hand, Diagnostics& problems);
+void ReadHandYaml(const std::string& text, const std::string& file, const Urdf& urdf, Hand& hand,
+                  Diagnostics& problems);
 
 /** The keys of hand.yaml but for its grasps (core/grasp/grasp_keys.h). */
 const FileKeys& ListHandKeys();

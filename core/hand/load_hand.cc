@@ -6,10 +6,9 @@
 #include "core/base/files/files.h"
 #include "core/base/hash.h"
 #include "core/base/text/text.h"
+#include "core/hand/build_hand.h"
 #include "core/hand/hand_yaml.h"
-#include "core/hand/read_urdf.h"
 #include "core/hand/tactile_yaml.h"
-#include "core/hand/urdf_check.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -118,12 +117,12 @@ Hand ParseHand(const std::string& urdf, const std::string& yaml, const fs::path&
   hand.folder = folder.string();
   hand.content_hash = CalcHashHex(urdf + '\0' + WithoutCamera(yaml));
 
-  const UrdfOutline outline = CheckUrdf(urdf, urdf_file, folder, problems);
+  const Urdf tree = ReadUrdf(urdf, urdf_file, folder, problems);
   std::vector<CollisionShape> shapes;
-  if (!outline.document.empty()) {
-    shapes = ReadUrdf(outline.document, urdf_file, folder, hand, problems);
+  if (problems.num_errors() == num_errors_before) {
+    shapes = BuildHand(tree, folder, hand, problems);
   }
-  ReadHandYaml(yaml, yaml_file, outline, hand, problems);
+  ReadHandYaml(yaml, yaml_file, tree, hand, problems);
   if (problems.num_errors() > num_errors_before) return hand;
 
   SortJoints(hand);

@@ -1,212 +1,512 @@
 #include "core/hand/read_urdf.h"
 
-#include <console_bridge/console.h>
-#include <urdf_model/model.h>
-#include <urdf_parser/urdf_parser.h>
-
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <mutex>
+#include <cstring>
+#include <limits>
+#include <map>
 
-#include "core/base/files/files.h"
-#include "core/shape/obj_file.h"
-#include "core/shape/primitives.h"
+#include "core/base/text/text.h"
+#include "core/hand/urdf_elements.h"
+#include "core/hand/xml_text.h"
 
 namespace graspbench {
 namespace {
 
-constexpr double kLargestMesh = 2.0;  // [m] from its origin
+using Eigen::Vector3d;
+using tinyxml2::XMLElement;
 
-/** While it lives, what urdfdom would print to the console becomes a problem of the file. The
-console's handler is one for the whole program, so one at a time. */
-class ConsoleCatcher : public console_bridge::OutputHandler {
+constexpr double kLargestExtent = 2.0;       // [m]; a larger part is a mistake of units
+constexpr double kLargestStroke = 1.0;       // [m] of a prismatic joint
+constexpr double kMostElongated = 30.0;      // length / thickness of a collision shape
+constexpr double kTriangleTolerance = 1e-3;  // relative, for inertia given with few digits
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/** MakeRotationRpy but for its last digit, which is urdfdom's: stored results of a hand have it. */
+Eigen::Matrix3d MakeRotation(const Vector3d& rpy) {
+  const Eigen::Array3d half = 0.5 * rpy.array();
+  const double sx = std::sin(half.x()), sy = std::sin(half.y()), sz = std::sin(half.z());
+  const double cx = std::cos(half.x()), cy = std::cos(half.y()), cz = std::cos(half.z());
+  const double x = sx * cy * cz - cx * sy * sz, y = cx * sy * cz + sx * cy * sz;
+  const double z = cx * cy * sz - sx * sy * cz, w = cx * cy * cz + sx * sy * sz;
+  const double norm = std::sqrt(x * x + y * y + z * z + w * w);
+  return Eigen::Quaterniond(w / norm, x / norm, y / norm, z / norm).normalized().toRotationMatrix();
+}
+
+class UrdfReader : UrdfElements {
  public:
-  ConsoleCatcher(std::string file, Diagnostics& problems)
-      : lock_(ConsoleMutex()), file_(std::move(file)), problems_(problems) {
-    console_bridge::useOutputHandler(this);
-  }
-  ~ConsoleCatcher() override { console_bridge::restorePreviousOutputHandler(); }
-  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
-    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) problems_.Fail(file_, 0, text);
-  }
+  UrdfReader(std::string file, const std::optional<std::filesystem::path>& own_folder,
+             Diagnostics& problems)
+      : UrdfElements(std::move(file), own_folder.has_value(), problems), folder_(own_folder) {}
+
+  Urdf Read(const std::string& text);
 
  private:
-  static std::mutex& ConsoleMutex() {
-    static std::mutex mutex;
-    return mutex;
-  }
+  /** Names of links or of joints: the line of each, and what foreign ones are called instead. */
+  struct Names {
+    std::string kind;
+    NameList given{kind};
+    std::map<std::string, int> lines{};
+  };
 
-  std::lock_guard<std::mutex> lock_;
-  std::string file_;
-  Diagnostics& problems_;
+  std::string ReadName(XMLElement& element, Names& names);
+  Pose ReadOrigin(XMLElement& parent, const std::string& where);
+  std::optional<Vector3d> ReadColour(XMLElement& material, const std::string& where);
+  void ReadLink(XMLElement& element);
+  UrdfInertia ReadInertia(XMLElement& element, const std::string& where);
+  void CheckInertia(XMLElement& element, const UrdfInertia& inertia, const std::string& where);
+  std::optional<UrdfShape> ReadShape(XMLElement& element, const std::string& where,
+                                     bool is_collision);
+  bool ReadMesh(XMLElement& element, const std::string& where, UrdfShape& shape);
+  void ReadJoint(XMLElement& element);
+  int ReadEnd(XMLElement& joint, const char* role, const std::string& where);
+  void ReadMotion(XMLElement& element, const std::string& where, UrdfJoint& joint);
+  void CheckLimit(XMLElement& element, const UrdfLimit& limit, bool is_prismatic,
+                  const std::string& where);
+  void CheckTree();
+
+  std::optional<std::filesystem::path> folder_;
+  Urdf urdf_;
+  Names link_names_{"link"}, joint_names_{"joint"};
+  std::map<std::string, int> link_index_;  // by the name in the file
+  std::map<std::string, Vector3d> colours_;
 };
 
-Eigen::Vector3d VectorFrom(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
-
-Pose PoseFrom(const urdf::Pose& pose) {
-  const urdf::Rotation& r = pose.rotation;
-  return MakePose(Eigen::Quaterniond(r.w, r.x, r.y, r.z).normalized().toRotationMatrix(),
-                  VectorFrom(pose.position));
+std::string UrdfReader::ReadName(XMLElement& element, Names& names) {
+  if (!is_own_) {
+    std::vector<std::string> changes;
+    const std::string name = names.given.Add(element.Attribute("name"), changes);
+    for (const std::string& change : changes) Warn(element, change);
+    return name;
+  }
+  const std::string name = Text(element, "name", names.kind);
+  if (name.empty()) return name;
+  const auto [known, is_new] = names.lines.emplace(name, element.GetLineNum());
+  if (!is_new) {
+    Fail(element, names.kind + " \"" + name + "\": the name is taken by line " +
+                      std::to_string(known->second));
+  }
+  return name;
 }
 
-float LinearFromSrgb(float value) {
-  return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
+/** What an <origin> has beside `xyz` and `rpy`: another attribute (`quat_xyzw`), an element, text.
+Whoever ignored it would put its part elsewhere. Empty: nothing. */
+std::string FindUnknownInOrigin(const XMLElement& origin) {
+  for (const tinyxml2::XMLAttribute* a = origin.FirstAttribute(); a; a = a->Next()) {
+    const std::string name = a->Name();
+    if (name != "xyz" && name != "rpy") return "attribute \"" + name + "\"";
+  }
+  for (const tinyxml2::XMLNode* n = origin.FirstChild(); n; n = n->NextSibling()) {
+    if (n->ToElement()) return std::string("element <") + n->Value() + ">";
+    if (n->ToText()) return std::string("text \"") + n->Value() + "\"";
+  }
+  return "";
 }
 
-/** The solid around the origin of its frame; a mesh as it is in its file, scaled. */
-TriMesh MakeVisualMesh(const urdf::Geometry& geometry, const std::filesystem::path& folder,
-                       Diagnostics& problems) {
-  switch (geometry.type) {
-    case urdf::Geometry::SPHERE:
-      return MakeSphere(static_cast<const urdf::Sphere&>(geometry).radius);
-    case urdf::Geometry::BOX:
-      return MakeRoundedBox(VectorFrom(static_cast<const urdf::Box&>(geometry).dim), 0.0);
-    case urdf::Geometry::CYLINDER: {
-      const auto& cylinder = static_cast<const urdf::Cylinder&>(geometry);
-      const double r = cylinder.radius, h = cylinder.length / 2.0;
-      return MakeRevolution({{0.0, -h}, {r, -h}, {r, h}, {0.0, h}});
+Pose UrdfReader::ReadOrigin(XMLElement& parent, const std::string& where) {
+  XMLElement* origin = Only(parent, "origin", where, false);
+  if (!origin) return Pose::Identity();
+  if (const std::string unknown = FindUnknownInOrigin(*origin); !unknown.empty()) {
+    Fail(*origin, where + ": its <origin> has the " + unknown +
+                      "; expected the attributes \"xyz\" (a place in metres) and \"rpy\" (roll, "
+                      "pitch, yaw in radians) alone; give the place and the rotation by these");
+  }
+  const Vector3d xyz = Numbers<3>(origin, "xyz", Vector3d::Zero(), where, false);
+  if (is_own_ && xyz.norm() > kLargestExtent) {
+    Fail(*origin, where + ": farther than 2 m away (URDF is in metres)");
+  }
+  Vector3d rpy = Numbers<3>(origin, "rpy", Vector3d::Zero(), where, false);
+  if (const double largest = rpy.cwiseAbs().maxCoeff(); !is_own_ && largest > kWholeTurn) {
+    Warn(*origin, where + ": an angle of " + FormatSignificant(largest, 3) +
+                      " in rpy is more than one turn; this rpy is taken as degrees, though URDF "
+                      "has radians: look at the others of the file");
+    rpy *= RadFromDeg(1.0);
+  }
+  return MakePose(is_own_ ? MakeRotation(rpy) : MakeRotationRpy(rpy.x(), rpy.y(), rpy.z()), xyz);
+}
+
+std::optional<Vector3d> UrdfReader::ReadColour(XMLElement& material, const std::string& where) {
+  const char* attribute = material.Attribute("name");
+  const std::string name = is_own_ ? Text(material, "name", where) : attribute ? attribute : "";
+  WarnOfUnused(material, {"color"}, {"texture"}, where);
+  if (XMLElement* color = Only(material, "color", where, false)) {
+    const Eigen::Vector4d rgba =
+        Numbers<4>(color, "rgba", Eigen::Vector4d(0.6, 0.6, 0.6, 1.0), where);
+    const Eigen::Vector4d inside = rgba.cwiseMax(0.0).cwiseMin(1.0);
+    if (is_own_ && inside != rgba) Fail(*color, where + ": a colour's numbers lie between 0 and 1");
+    if (!name.empty()) colours_.emplace(name, inside.head<3>());
+    return inside.head<3>();
+  }
+  const auto known = colours_.find(name);
+  if (known != colours_.end()) return known->second;
+  if (is_own_ && !name.empty()) {
+    std::vector<std::string> names;
+    for (const auto& [other, colour] : colours_) names.push_back(other);
+    Fail(material,
+         where + ": material \"" + name + "\" is not defined" + SuggestNames(name, names));
+  }
+  return {};  // a texture, or a material that the file leaves to others: drawn grey
+}
+
+bool UrdfReader::ReadMesh(XMLElement& element, const std::string& where, UrdfShape& shape) {
+  const char* address = element.Attribute("filename");
+  shape.mesh = address ? address : "";
+  shape.scale = Numbers<3>(&element, "scale", Vector3d::Ones(), where, false);
+  if (shape.mesh.empty()) {
+    FailOrRepair(element, where + ": <mesh> has no attribute filename", "left out");
+    return false;
+  }
+  if (shape.scale.cwiseAbs().minCoeff() == 0.0) {
+    FailOrRepair(element, where + ": a mesh with a scale of 0", "left out");
+    return false;
+  }
+  if (!is_own_) return true;
+  const std::string mesh = where + ": mesh \"" + shape.mesh + "\"";
+  if (shape.mesh.find("://") != std::string::npos) {
+    Fail(element, mesh + " is an address; give a path relative to the hand's folder");
+  } else if (std::filesystem::path(shape.mesh).extension() != ".obj") {
+    Fail(element, mesh + ": only OBJ files are read; convert it");
+  } else if (std::error_code status;
+             !std::filesystem::is_regular_file(*folder_ / shape.mesh, status)) {
+    Fail(element,
+         where + ": mesh not found: \"" + shape.mesh + "\", relative to the hand's folder");
+  }
+  return true;
+}
+
+std::optional<UrdfShape> UrdfReader::ReadShape(XMLElement& element, const std::string& where,
+                                               bool is_collision) {
+  UrdfShape shape;
+  const char* name = element.Attribute("name");
+  shape.name = name ? name : "";
+  shape.line = element.GetLineNum();
+  WarnOfUnused(element, {"origin", "geometry", "material"}, {}, where);
+  shape.X_LS = ReadOrigin(element, where);
+  if (XMLElement* material = Only(element, "material", where, false)) {
+    shape.colour = ReadColour(*material, where);
+  }
+  XMLElement* geometry = Only(element, "geometry", where, false);
+  XMLElement* solid = geometry ? geometry->FirstChildElement() : nullptr;
+  if (!solid) {
+    FailOrRepair(geometry ? *geometry : element,
+                 where + ": <geometry> is " + (geometry ? "empty" : "missing"), "left out");
+    return {};
+  }
+  XMLElement* second = solid->NextSiblingElement();
+  if (is_own_ && second) Fail(*second, where + ": one shape for each <geometry>");
+  const std::string kind = solid->Name();
+  if (kind == "sphere") {
+    shape.size.setConstant(2.0 * Number(solid, "radius", kNaN, where));
+  } else if (kind == "cylinder" || (kind == "capsule" && !is_own_)) {
+    const double radius = Number(solid, "radius", kNaN, where);
+    const double length = Number(solid, "length", kind == "cylinder" ? kNaN : 0.0, where);
+    shape.kind = kind == "cylinder" ? UrdfShape::Kind::kCylinder : UrdfShape::Kind::kCapsule;
+    // A capsule's length is that of its middle part.
+    shape.size = {2.0 * radius, 2.0 * radius, kind == "cylinder" ? length : length + 2.0 * radius};
+  } else if (kind == "box") {
+    shape.kind = UrdfShape::Kind::kBox;
+    shape.size = Numbers<3>(solid, "size", Vector3d::Constant(kNaN), where);
+  } else if (kind == "mesh" && is_own_ && is_collision) {
+    Fail(*solid, where + ": a mesh cannot touch; describe it by spheres, cylinders and boxes");
+    return {};
+  } else if (kind == "mesh") {
+    shape.kind = UrdfShape::Kind::kMesh;
+    if (!ReadMesh(*solid, where, shape)) return {};
+    return shape;
+  } else if (is_own_) {
+    Fail(*solid, where + ": unknown shape <" + kind + ">" +
+                     SuggestNames(kind, {"sphere", "cylinder", "box", "mesh"}));
+    return {};
+  } else {
+    Warn(*solid, where + ": <" + kind + "> is no shape of URDF; left out");
+    return {};
+  }
+  if (is_own_ &&
+      ((shape.size.array() <= 0.0).any() || (shape.size.array() > kLargestExtent).any())) {
+    Fail(*solid, where + ": a size must be positive and at most 2 m (URDF is in metres)");
+  } else if (is_own_ && is_collision &&
+             shape.size.maxCoeff() > kMostElongated * shape.size.minCoeff()) {
+    Fail(*solid, where + ": more than 30 times as long as thick; split it or make it thicker");
+  } else if (!is_own_ && !(shape.size.array() > 0.0).all()) {
+    Warn(*solid, where + ": the " + kind + " has no extent; left out");
+    return {};
+  }
+  return shape;
+}
+
+void UrdfReader::CheckInertia(XMLElement& element, const UrdfInertia& inertia,
+                              const std::string& where) {
+  // Sorted upwards. Scaled, so that tiny and huge numbers keep their ratios.
+  const double scale = inertia.I_I.cwiseAbs().maxCoeff();
+  if (scale == 0.0) {
+    Fail(element, where + ": the inertia is zero; a moving body needs one");
+    return;
+  }
+  const Vector3d moments =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia.I_I / scale, Eigen::EigenvaluesOnly)
+          .eigenvalues();
+  if (moments[0] <= 0.0) {
+    Fail(element, where + ": the inertia has a principal moment that is not positive");
+  } else if (moments[0] + moments[1] < moments[2] * (1.0 - kTriangleTolerance)) {
+    Fail(element, where +
+                      ": no body has this inertia: the largest principal moment exceeds the sum of "
+                      "the other two");
+  } else if (inertia.mass > 0.0 &&
+             moments[2] * scale > inertia.mass * kLargestExtent * kLargestExtent) {
+    Fail(element, where +
+                      ": far too large for the mass, that of a body of more than 2 m across (URDF "
+                      "is in kg m^2)");
+  }
+}
+
+UrdfInertia UrdfReader::ReadInertia(XMLElement& element, const std::string& where) {
+  const double unknown = is_own_ ? kNaN : 0.0;
+  UrdfInertia inertia;
+  inertia.line = element.GetLineNum();
+  WarnOfUnused(element, {"origin", "mass", "inertia"}, {}, where);
+  inertia.X_LI = ReadOrigin(element, where);
+  XMLElement* mass = Only(element, "mass", where, is_own_);
+  inertia.mass = Number(mass, "value", unknown, where);
+  if (is_own_ && inertia.mass <= 0.0) Fail(*mass, where + ": the mass must be positive");
+  XMLElement* I = Only(element, "inertia", where, is_own_);
+  const char* const names[3][3] = {
+      {"ixx", "ixy", "ixz"}, {"ixy", "iyy", "iyz"}, {"ixz", "iyz", "izz"}};
+  for (int r = 0; r < 3; ++r) {
+    for (int c = r; c < 3; ++c) {
+      inertia.I_I(r, c) = inertia.I_I(c, r) = Number(I, names[r][c], unknown, where);
     }
-    case urdf::Geometry::MESH:
-      break;
   }
-  const auto& file = static_cast<const urdf::Mesh&>(geometry);
-  const std::filesystem::path path = folder / file.filename;
-  TriMesh mesh = ParseObj(ReadFile(path), path.string(), problems);
-  double extent = 0.0;
-  for (Eigen::Vector3d& p : mesh.vertices) {
-    p = p.cwiseProduct(VectorFrom(file.scale));
-    extent = std::max(extent, p.cwiseAbs().maxCoeff());
-  }
-  if (!(extent <= kLargestMesh)) {
-    problems.Fail(path.string(), 0,
-                  "the mesh reaches farther than 2 m; URDF is in metres, so one in millimetres "
-                  "needs scale=\"0.001 0.001 0.001\"");
-  }
-  return mesh;
+  if (is_own_ && !inertia.I_I.hasNaN()) CheckInertia(*I, inertia, where);
+  return inertia;
 }
 
-/** As AddContact has it (contact_shape.h), but for the edges of a box. */
-TriMesh MakeShapeMesh(const CollisionShape& shape) {
-  if (shape.kind == CollisionShape::Kind::kBox) return MakeRoundedBox(shape.size, 0.0);
-  const double radius = 0.5 * shape.size.x();
-  if (shape.kind == CollisionShape::Kind::kSphere) return MakeSphere(radius);
-  const double half = 0.5 * shape.size.z();
-  if (half < radius) {
-    return MakeRevolution({{0.0, -half}, {radius, -half}, {radius, half}, {0.0, half}});
+void UrdfReader::ReadLink(XMLElement& element) {
+  const size_t num_before = link_names_.lines.size();
+  UrdfLink link;
+  link.name = ReadName(element, link_names_);
+  link.line = element.GetLineNum();
+  const std::string where = "link \"" + link.name + "\"";
+  WarnOfUnused(element, {"inertial", "visual", "collision"}, {}, where);
+  if (XMLElement* inertial = Only(element, "inertial", where, false)) {
+    link.inertia = ReadInertia(*inertial, where + ", inertial");
   }
-  const Eigen::Vector3d end(0.0, 0.0, half - radius);
-  return MakeTaperedCapsule(-end, radius, end, radius);
-}
-
-class UrdfReader {
- public:
-  UrdfReader(std::filesystem::path folder, Hand& hand, Diagnostics& problems)
-      : folder_(std::move(folder)), hand_(hand), problems_(problems) {}
-
-  void AddLink(const urdf::Link& link, int parent) {
-    const int index = static_cast<int>(hand_.links.size());
-    HandLink& added = hand_.links.emplace_back();
-    added.name = link.name;
-    added.parent = parent;
-    if (link.inertial) AddInertia(*link.inertial, added);
-    if (parent >= 0) AddJoint(*link.parent_joint, index);
-    for (const auto& collision : link.collision_array) AddCollision(*collision, index);
-    for (const auto& visual : link.visual_array) AddVisual(*visual, index);
-    for (const auto& child : link.child_links) AddLink(*child, index);
-  }
-
-  /** A hand without pictures looks like what it touches with. */
-  void ShowShapes() {
-    if (!hand_.visuals.empty()) return;
-    for (const CollisionShape& shape : shapes_) {
-      if (shape.is_cover) continue;
-      LinkVisual& added = hand_.visuals.emplace_back();
-      added.link = shape.link;
-      added.mesh = MakeShapeMesh(shape);
-      for (Eigen::Vector3d& p : added.mesh.vertices) p = shape.X_LS * p;
+  for (const auto& [kind, shapes] :
+       {std::pair{"visual", &link.visuals}, std::pair{"collision", &link.collisions}}) {
+    const bool is_collision = shapes == &link.collisions;
+    for (XMLElement* e = element.FirstChildElement(kind); e; e = e->NextSiblingElement(kind)) {
+      if (auto shape = ReadShape(*e, where + ", " + kind, is_collision)) shapes->push_back(*shape);
     }
   }
+  if (is_own_ && link_names_.lines.size() == num_before) return;  // nameless, or a second one
+  const char* own_name = element.Attribute("name");
+  link_index_.emplace(own_name ? own_name : link.name, static_cast<int>(urdf_.links.size()));
+  urdf_.links.push_back(std::move(link));
+}
 
-  std::vector<CollisionShape> TakeShapes() { return std::move(shapes_); }
+int UrdfReader::ReadEnd(XMLElement& joint, const char* role, const std::string& where) {
+  XMLElement* element = Only(joint, role, where, true);
+  const std::string name = element ? Text(*element, "link", where) : "";
+  const auto found = link_index_.find(name);
+  if (found != link_index_.end()) return found->second;
+  if (name.empty()) return -1;
+  Fail(*element, where + ": " + role + " link \"" + name + "\" does not exist" +
+                     SuggestNames(name, urdf_.ListLinks()));
+  return -1;
+}
 
- private:
-  static void AddInertia(const urdf::Inertial& inertial, HandLink& link) {
-    Eigen::Matrix3d I;
-    I << inertial.ixx, inertial.ixy, inertial.ixz,  //
-        inertial.ixy, inertial.iyy, inertial.iyz,   //
-        inertial.ixz, inertial.iyz, inertial.izz;
-    const Pose X_LI = PoseFrom(inertial.origin);
-    link.mass = inertial.mass;
-    link.p_LLcm = X_LI.translation();
-    link.I_LLcm = X_LI.linear() * I * X_LI.linear().transpose();
+void UrdfReader::CheckLimit(XMLElement& element, const UrdfLimit& limit, bool is_prismatic,
+                            const std::string& where) {
+  Number(&element, "velocity", 0.0, where);
+  if (limit.lower >= limit.upper) {
+    Fail(element, where + ": the lower limit " + element.Attribute("lower") +
+                      " is not below the upper limit " + element.Attribute("upper"));
   }
-
-  void AddJoint(const urdf::Joint& joint, int link) {
-    HandLink& moved = hand_.links[link];
-    moved.X_PJ = PoseFrom(joint.parent_to_joint_origin_transform);
-    const bool is_prismatic = joint.type == urdf::Joint::PRISMATIC;
-    if (joint.type != urdf::Joint::REVOLUTE && !is_prismatic) return;
-    moved.axis = VectorFrom(joint.axis).normalized();
-    moved.joint = hand_.num_joints();
-    HandJoint& added = hand_.joints.emplace_back();
-    added.name = joint.name;
-    added.link = link;
-    added.is_prismatic = is_prismatic;
-    added.lower = joint.limits->lower;
-    added.upper = joint.limits->upper;
+  const double largest = std::max(-limit.lower, limit.upper);
+  if (is_prismatic && largest > kLargestStroke) {
+    Fail(element, where + ": a limit exceeds 1 m; URDF lengths are in metres");
+  } else if (!is_prismatic && largest > 2.0 * kPi) {
+    Fail(element, where + ": a limit exceeds one turn; URDF angles are in radians");
   }
+}
 
-  void AddCollision(const urdf::Collision& collision, int link) {
-    CollisionShape& shape = shapes_.emplace_back();
-    shape.link = link;
-    shape.X_LS = PoseFrom(collision.origin);
-    shape.is_cover = collision.name == "cover";
-    if (collision.geometry->type == urdf::Geometry::SPHERE) {
-      shape.kind = CollisionShape::Kind::kSphere;
-      shape.size.setConstant(2.0 * static_cast<const urdf::Sphere&>(*collision.geometry).radius);
-    } else if (collision.geometry->type == urdf::Geometry::CYLINDER) {
-      const auto& cylinder = static_cast<const urdf::Cylinder&>(*collision.geometry);
-      shape.kind = CollisionShape::Kind::kCylinder;
-      shape.size = {2.0 * cylinder.radius, 2.0 * cylinder.radius, cylinder.length};
+/** Axis, limit and mimic of a joint that moves. */
+void UrdfReader::ReadMotion(XMLElement& element, const std::string& where, UrdfJoint& joint) {
+  if (XMLElement* axis = Only(element, "axis", where, false)) {
+    const Vector3d xyz = Numbers<3>(axis, "xyz", Vector3d::UnitX(), where);
+    if (xyz.norm() < 1e-6) {
+      FailOrRepair(*axis, where + ": the axis has no direction", "taken as x");
     } else {
-      shape.kind = CollisionShape::Kind::kBox;
-      shape.size = VectorFrom(static_cast<const urdf::Box&>(*collision.geometry).dim);
+      joint.axis = xyz.normalized();
     }
   }
+  if (XMLElement* e = Only(element, "limit", where, is_own_)) {
+    UrdfLimit& limit = joint.limit.emplace();
+    limit.line = e->GetLineNum();
+    const double effort = Number(e, "effort", kNaN, where);
+    if (!std::isnan(effort)) limit.effort = effort;
+    // One that is left out is zero in URDF.
+    const auto read = [&](const char* end) {
+      return Number(e, end, is_own_ || e->Attribute(end) ? kNaN : 0.0, where);
+    };
+    limit.lower = read("lower");
+    limit.upper = read("upper");
+    if (is_own_) CheckLimit(*e, limit, joint.kind == UrdfJoint::Kind::kPrismatic, where);
+  }
+  XMLElement* mimic = element.FirstChildElement("mimic");
+  if (!mimic || is_own_) return;
+  const char* follows = mimic->Attribute("joint");
+  joint.mimic = UrdfMimic{follows ? follows : "", Number(mimic, "multiplier", 1.0, where),
+                          Number(mimic, "offset", 0.0, where), mimic->GetLineNum()};
+}
 
-  void AddVisual(const urdf::Visual& visual, int link) {
-    LinkVisual& added = hand_.visuals.emplace_back();
-    added.link = link;
-    added.mesh = MakeVisualMesh(*visual.geometry, folder_, problems_);
-    const Pose X_LV = PoseFrom(visual.origin);
-    for (Eigen::Vector3d& p : added.mesh.vertices) p = X_LV * p;
-    if (visual.material) {
-      const urdf::Color& colour = visual.material->color;
-      added.colour = {LinearFromSrgb(colour.r), LinearFromSrgb(colour.g), LinearFromSrgb(colour.b)};
+void UrdfReader::ReadJoint(XMLElement& element) {
+  UrdfJoint& joint = urdf_.joints.emplace_back();
+  joint.name = ReadName(element, joint_names_);
+  joint.line = element.GetLineNum();
+  const std::string where = "joint \"" + joint.name + "\"";
+  if (XMLElement* mimic = element.FirstChildElement("mimic"); mimic && is_own_) {
+    Warn(*mimic, where + ": <mimic> is not used; name the joint under mimic in hand.yaml");
+  }
+  WarnOfUnused(element, {"parent", "child", "origin", "axis", "limit"},
+               {"mimic", "dynamics", "safety_controller", "calibration"}, where);
+  joint.X_PJ = ReadOrigin(element, where);
+  joint.parent = ReadEnd(element, "parent", where);
+  joint.child = ReadEnd(element, "child", where);
+  const std::string type = Text(element, "type", where);
+  if (type.empty() || type == "fixed") return;
+  if (type == "revolute") {
+    joint.kind = UrdfJoint::Kind::kRevolute;
+  } else if (type == "prismatic") {
+    joint.kind = UrdfJoint::Kind::kPrismatic;
+  } else if (is_own_) {
+    Fail(element, where + ": type \"" + type +
+                      "\" is not supported; a hand's joints are revolute or prismatic (with "
+                      "limits), or fixed");
+    return;
+  } else if (type == "continuous") {
+    joint.kind = UrdfJoint::Kind::kContinuous;
+  } else if (type == "floating" || type == "planar") {
+    Warn(element, where + ": type \"" + type + "\" is no joint of a hand; taken as fixed");
+    return;
+  } else {
+    Fail(element, where + ": type \"" + type +
+                      "\" is not one of URDF: revolute, continuous, prismatic, fixed, floating, "
+                      "planar");
+    return;
+  }
+  if (is_own_ && joint.child >= 0 && !urdf_.links[joint.child].inertia) {
+    const UrdfLink& child = urdf_.links[joint.child];
+    problems_.Fail(file_, child.line,
+                   "link \"" + child.name + "\": <inertial> is missing; joint \"" + joint.name +
+                       "\" moves it, so it needs mass and inertia");
+  }
+  ReadMotion(element, where, joint);
+}
+
+void UrdfReader::CheckTree() {
+  std::vector<const UrdfJoint*> above(urdf_.links.size(), nullptr);
+  for (const UrdfJoint& joint : urdf_.joints) {
+    if (joint.parent < 0 || joint.child < 0) continue;
+    const UrdfJoint*& other = above[joint.child];
+    if (other) {
+      problems_.Fail(file_, joint.line,
+                     "joint \"" + joint.name + "\": link \"" + urdf_.links[joint.child].name +
+                         "\" already hangs on joint \"" + other->name + "\" (line " +
+                         std::to_string(other->line) +
+                         "); a hand is a tree, so cut the loop and give one side a mimic");
+    } else {
+      other = &joint;
     }
   }
+  // Up from every link, over no link twice: who meets the own walk again has found a cycle.
+  std::vector<size_t> walks(urdf_.links.size(), urdf_.links.size());
+  std::vector<std::string> roots;
+  int line = 0;  // of the second root
+  for (size_t i = 0; i < urdf_.links.size(); ++i) {
+    if (!above[i]) {
+      roots.push_back(urdf_.links[i].name);
+      if (roots.size() == 2) line = urdf_.links[i].line;
+    }
+    size_t at = i;
+    for (; above[at] && walks[at] == urdf_.links.size(); at = above[at]->parent) walks[at] = i;
+    if (!above[at] || walks[at] != i) continue;
+    std::vector<std::string> cycle;
+    const int cycle_line = above[at]->line;
+    const size_t begin = at;
+    do {
+      cycle.push_back(above[at]->name);
+      at = above[at]->parent;
+    } while (at != begin);
+    problems_.Fail(file_, cycle_line,
+                   "the joints " + JoinSome(cycle) + " form a cycle; a hand is a tree");
+  }
+  if (roots.size() > 1) {
+    problems_.Fail(file_, line,
+                   "several roots: " + JoinSome(roots) +
+                       "; join all links into one tree below the link that the arm carries");
+  }
+}
 
-  std::filesystem::path folder_;
-  Hand& hand_;
-  Diagnostics& problems_;
-  std::vector<CollisionShape> shapes_;
-};
+Urdf UrdfReader::Read(const std::string& text) {
+  const int num_errors_before = problems_.num_errors();
+  tinyxml2::XMLDocument document;
+  XMLElement* robot = FindRobot(document, text);
+  if (!robot) return {};
+  const char* name = robot->Attribute("name");
+  if (is_own_) Text(*robot, "name", "robot");
+  const char* version = robot->Attribute("version");
+  if (is_own_ && version && std::strcmp(version, "1.0") != 0) {
+    Fail(*robot, std::string("robot: URDF of version \"") + version + "\"; expected 1.0");
+  }
+  urdf_.name = name && *name && IsUtf8(name) ? name : "hand";
+  urdf_.line = robot->GetLineNum();
+  WarnOfUnused(*robot, {"material", "link", "joint"}, {"gazebo", "transmission", "sensor"},
+               "robot");
+  const auto for_each = [&](const char* kind, auto&& read) {
+    for (XMLElement* e = robot->FirstChildElement(kind); e; e = e->NextSiblingElement(kind)) {
+      read(*e);
+    }
+  };
+  for_each("material", [this](XMLElement& material) {
+    const char* known = material.Attribute("name");
+    if (is_own_ && known && colours_.count(known) > 0) {
+      Fail(material, std::string("material: the name \"") + known + "\" is taken");
+    }
+    if (is_own_ && !material.FirstChildElement("color")) {
+      Fail(material, "material: <color> is missing");
+      if (known) colours_.emplace(known, Vector3d::Zero());
+    }
+    ReadColour(material, "material");
+  });
+  for_each("link", [this](XMLElement& link) { ReadLink(link); });
+  if (urdf_.links.empty()) Fail(*robot, is_own_ ? "the hand has no link" : "the file has no link");
+  for_each("joint", [this](XMLElement& joint) { ReadJoint(joint); });
+  if (is_own_ && urdf_.ListMovingJoints().empty()) Fail(*robot, "the hand has no moving joint");
+  if (is_own_ || problems_.num_errors() == num_errors_before) CheckTree();
+  return std::move(urdf_);
+}
 
 }  // namespace
 
-std::vector<CollisionShape> ReadUrdf(const std::string& document, const std::string& file,
-                                     const std::filesystem::path& folder, Hand& hand,
-                                     Diagnostics& problems) {
-  ConsoleCatcher catcher(file, problems);
-  const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(document);
-  if (!model || !model->getRoot()) {
-    problems.Fail(file, 0, "urdfdom cannot read this hand");
-    return {};
+std::vector<std::string> Urdf::ListLinks() const {
+  std::vector<std::string> names;
+  for (const UrdfLink& link : links) names.push_back(link.name);
+  return names;
+}
+
+std::vector<std::string> Urdf::ListMovingJoints() const {
+  std::vector<std::string> names;
+  for (const UrdfJoint& joint : joints) {
+    const bool is_new = std::find(names.begin(), names.end(), joint.name) == names.end();
+    if (joint.kind != UrdfJoint::Kind::kFixed && is_new) names.push_back(joint.name);
   }
-  UrdfReader reader(folder, hand, problems);
-  reader.AddLink(*model->getRoot(), -1);
-  reader.ShowShapes();
-  return reader.TakeShapes();
+  return names;
+}
+
+Urdf ReadUrdf(const std::string& text, const std::string& file,
+              const std::optional<std::filesystem::path>& own_folder, Diagnostics& problems) {
+  return UrdfReader(file, own_folder, problems).Read(text);
 }
 
 }  // namespace graspbench

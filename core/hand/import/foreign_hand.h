@@ -8,34 +8,21 @@ A hand as somebody else describes it: read (read_foreign_urdf.h), not yet judged
 #include <vector>
 
 #include "core/base/pose.h"
+#include "core/hand/read_urdf.h"
 
 namespace graspbench {
 
-struct ForeignShape {
-  enum class Kind { kSphere, kCylinder, kCapsule, kBox, kEllipsoid, kMesh };
-  Kind kind = Kind::kSphere;
-  Pose X_LS = Pose::Identity();  ///< the shape's frame S in the link
-  /** Extent along the axes of S [m]: of a ball thrice its diameter, of a cylinder and a capsule
-  diameter, diameter, whole length, of an ellipsoid its axes. Unused for a mesh. */
-  Eigen::Vector3d size = Eigen::Vector3d::Zero();
-  std::string mesh;                                 ///< address as it stands in the file
-  Eigen::Vector3d scale = Eigen::Vector3d::Ones();  ///< of the mesh; negative: mirrored
-  std::optional<Eigen::Vector3d> colour;            ///< sRGB, 0 to 1
+struct ForeignShape : UrdfShape {
   bool also_touches = false;  ///< of a picture: it is a collision shape as well
   /** What of it weighs (MJCF); nothing: it does not. */
   struct Weight {
     std::optional<double> mass;  ///< [kg]
     double density = 0.0;        ///< where there is no mass [kg/m^3]
   };
-  std::optional<Weight> weight;
-  int line = 0;
+  std::optional<Weight> weight = {};
 };
 
-struct ForeignInertia {
-  double mass = 0.0;  ///< [kg]
-  Pose X_LI = Pose::Identity();
-  Eigen::Matrix3d I_I = Eigen::Matrix3d::Zero();  ///< about I's origin, axes of I [kg m^2]
-  int line = 0;
+struct ForeignInertia : UrdfInertia {
   bool is_of_geoms = false;  ///< that of its shapes, as the format says
 };
 
@@ -83,9 +70,6 @@ struct ForeignJoint {
   double reference = 0.0;         ///< what the description calls its zero here [rad], [m]
   std::optional<ForeignMimic> mimic;
 };
-
-/** A description with as many is not that of a hand. */
-constexpr size_t kMostForeignLinks = 1000;
 
 struct ForeignHand {
   std::string name;

@@ -20,6 +20,7 @@ using Eigen::Vector3d;
 
 constexpr double kSmallestHand = 0.015, kLargestHand = 2.0;  // [m] across
 constexpr double kLongestDigit = 0.4;                        // [m]
+constexpr size_t kMostDigits = 20;
 constexpr double kPadPlace = 0.6;  // of the way from the last joint to the tip
 
 class Guesser {
@@ -300,6 +301,12 @@ void Guesser::Guess() {
     Fail("only " + FormatCount(static_cast<int64_t>(hand_.digits.size()), "digit") +
          " found below \"" + hand_.links[hand_.palm_link].name +
          "\": an arm, or a tool. Name the palm with --palm if it is another link");
+    return;
+  }
+  if (hand_.digits.size() > kMostDigits) {
+    Fail("link \"" + hand_.links[hand_.palm_link].name + "\" carries " +
+         std::to_string(hand_.digits.size()) + " digits; expected a hand, which has at most " +
+         std::to_string(kMostDigits) + ". Name the palm with --palm if it is another link");
     return;
   }
   const std::vector<Pose> X_HL = CalcLinkPoses(hand_, CalcClosedPosture(hand_, {}, 0.0));

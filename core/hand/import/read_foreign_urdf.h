@@ -1,8 +1,9 @@
 #pragma once
 /** @file
-A URDF from elsewhere, read for what it means: what is missing or odd is filled in or left out and
-reported as a warning with its line, all in one pass. Only what leaves no hand is an error: no XML, a
-macro file that was not expanded, no link, joints that form no tree.
+A URDF from elsewhere, read for what it means: core/hand/read_urdf.h reads it as a foreign one; here
+limits and mimics are judged. What is missing or odd is filled in or left out and reported as a
+warning with its line. Only what leaves no hand is an error: no XML, a macro file that was not
+expanded, no link, 1000 links, joints that form no tree.
 
     missing or reversed limits, an endless turn  given, exchanged, half a turn each way
     limits beyond one turn                       degrees: of the file when most are, else of the

@@ -402,7 +402,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "hand.urdf:18: error: joint \"J2\": a limit exceeds one turn; URDF angles are in "
                 "radians"},
         BadHand{"urdf", "upper=\"1.5\"", "upper=\"inf\"",
-                "hand.urdf:18: error: joint \"J2\", <limit> upper: expected a finite number, found "
+                "hand.urdf:18: error: joint \"J2\", <limit> upper: expected 1 finite number, found "
                 "\"inf\""},
         BadHand{"urdf", "effort=\"1\" ", "",
                 "hand.urdf:18: error: joint \"J2\": <limit> has no attribute effort"},
@@ -410,7 +410,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "hand.urdf:17: error: joint \"J2\": the axis has no direction"},
         BadHand{"urdf", "xyz=\"0 0 0.02\"", "xyz=\"0 0,02\"",
                 "hand.urdf:23: error: link \"proximal\", inertial, <origin> xyz: expected 3 finite "
-                "numbers, found \"0 0,02\""},
+                "numbers, found \"0 0,02\"; without it nobody knows where the inertial is"},
         BadHand{"urdf", "xyz=\"0 0 0.02\"", "quat_xyzw=\"0 0 0 1\" xyz=\"0 0 0.02\"",
                 "hand.urdf:23: error: link \"proximal\", inertial: its <origin> has the attribute "
                 "\"quat_xyzw\"; expected the attributes \"xyz\" (a place in metres) and \"rpy\" "
@@ -421,7 +421,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "hand.yaml:17: error: coupling of J1: hand.urdf has no moving joint \"J1\"; did "
                 "you mean \"J2\"? Known: J2"},
         BadHand{"urdf", "name=\"J1\"", "name=\"J2\"",
-                "hand.urdf:32: error: joint \"J2\": the name is taken by another joint\n"
+                "hand.urdf:32: error: joint \"J2\": the name is taken by line 13\n"
                 "hand.yaml:17: error: coupling of J1: hand.urdf has no moving joint \"J1\"; did "
                 "you mean \"J2\"? Known: J2"},
         BadHand{"urdf", "<link name=\"tip\"/>", "<link name=\"palm\"/>",
@@ -436,7 +436,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "hand is a tree"},
         BadHand{"urdf", "<child link=\"tip\"/>", "<child link=\"proximal\"/>",
                 "hand.urdf:49: error: joint \"tip_joint\": link \"proximal\" already hangs on "
-                "joint \"J2\"\n"
+                "joint \"J2\" (line 13); a hand is a tree, so cut the loop and give one side a "
+                "mimic\n"
                 "hand.urdf:54: error: several roots: \"palm\", \"tip\"; join all links into one "
                 "tree below the link that the arm carries"},
         BadHand{"urdf", "palm.obj", "plam.obj",
@@ -475,7 +476,22 @@ INSTANTIATE_TEST_SUITE_P(
                 "hand.urdf:19: warning: joint \"J2\": <limits> is not used; did you mean "
                 "\"limit\"? Known: parent, child, origin, axis, limit"},
         BadHand{"urdf", "0.5 0.5 0.5 1", "128 128 128 1",
-                "hand.urdf:3: error: material: a colour's numbers lie between 0 and 1"}));
+                "hand.urdf:3: error: material: a colour's numbers lie between 0 and 1"},
+        BadHand{"urdf", "</material>",
+                "</material><material name=\"grey\"><color rgba=\"0 0 0 1\"/></material>",
+                "hand.urdf:3: error: material: the name \"grey\" is taken"},
+        BadHand{"urdf", "<color rgba=\"0.5 0.5 0.5 1\"/>", "",
+                "hand.urdf:3: error: material: <color> is missing"},
+        BadHand{"urdf", "<robot ", "<robot version=\"2.0\" ",
+                "hand.urdf:2: error: robot: URDF of version \"2.0\"; expected 1.0"},
+        BadHand{"urdf", "xyz=\"0 2 0\"", "xyz=\"0,2,0\"",
+                "hand.urdf:17: error: joint \"J2\", <axis> xyz: expected 3 finite numbers, found "
+                "\"0,2,0\""},
+        BadHand{"urdf", "xyz=\"0 2 0\"", "xyz=\"${a}\"",
+                "hand.urdf:17: error: joint \"J2\", <axis> xyz: expected 3 finite numbers, found "
+                "\"${a}\", a macro: expand the file first (xacro FILE.xacro > FILE.urdf)"},
+        BadHand{"urdf", "0.1 0.2 0.3", "0.1 0 0.3",
+                "hand.urdf:6: error: link \"palm\", visual: a mesh with a scale of 0"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Yaml, BadHandTest,

@@ -5,13 +5,9 @@ The limits of a foreign joint, repaired where they cannot be meant. */
 #include <string>
 
 #include "core/base/diagnostics.h"
-#include "core/base/units.h"
 #include "core/hand/import/foreign_hand.h"
 
 namespace graspbench {
-
-/** A hinge's limit beyond it is a mistake of units [rad]. */
-inline constexpr double kWholeTurn = 2.0 * kPi * (1.0 + 1e-4);
 
 struct StatedLimits {
   std::string missing;              ///< what is not there, "range"; empty: they are stated

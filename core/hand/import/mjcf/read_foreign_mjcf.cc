@@ -204,7 +204,7 @@ void MjcfReader::ReadWorld() {
 void MjcfReader::ReadContent(XMLElement& parent, const Place& place, bool is_world) {
   for (XMLElement* element : document_.ListChildren(parent)) {
     const std::string kind = element->Name();
-    if (hand_.links.size() >= kMostForeignLinks) return;
+    if (hand_.links.size() >= kMostLinks) return;
     if (kind == "body") {
       if (!is_world || keeps_world_ || Moves(*element, place.childclass)) {
         ReadBody(*element, place);
@@ -473,7 +473,7 @@ ForeignHand MjcfReader::Read(const std::string& text) {
   ReadAssets();
   ReadWorld();
   if (hand_.links.size() == 1) problems_.Fail(file_, 0, "the model has no body whose joint moves");
-  if (hand_.links.size() >= kMostForeignLinks) {
+  if (hand_.links.size() >= kMostLinks) {
     problems_.Fail(file_, 0, "the model has 1000 bodies or more: no hand");
   }
   if (problems_.num_errors() > 0) return {};

@@ -100,6 +100,29 @@ TEST(GuessHandTest, ALinkageBesideAFingerIsNoDigit) {
 }
 
 // As the 2F-85 is published for MuJoCo: cranks have the drive, loops tie the links with the pads.
+// Every pair of digits is compared: 500 of them would take a minute.
+TEST(GuessHandTest, AStarOfManyDigitsIsRefusedWithTheirCount) {
+  const std::string body =
+      "<inertial><mass value=\"0.01\"/><inertia ixx=\"1e-6\" iyy=\"1e-6\" izz=\"1e-6\" ixy=\"0\" "
+      "ixz=\"0\" iyz=\"0\"/></inertial><collision><geometry><sphere radius=\"0.01\"/></geometry>"
+      "</collision></link>";
+  std::string text = "<robot name=\"star\"><link name=\"hub\">" + body;
+  for (int i = 1; i <= 21; ++i) {
+    const std::string number = std::to_string(i);
+    text += "<link name=\"l" + number + "\">" + body + "<joint name=\"j" + number +
+            "\" type=\"revolute\"><parent link=\"hub\"/><child link=\"l" + number +
+            "\"/><origin xyz=\"" + std::to_string(0.01 * i) +
+            " 0 0.02\"/><limit lower=\"0\" upper=\"1\" effort=\"1\" velocity=\"1\"/></joint>";
+  }
+  Diagnostics problems;
+  ImportHand(text + "</robot>", MakeSourceWithoutMeshes(), "", problems);
+  ASSERT_EQ(problems.num_errors(), 1) << problems.Format();
+  EXPECT_NE(problems.Format().find("link \"hub\" carries 21 digits; expected a hand, which has at "
+                                   "most 20"),
+            std::string::npos)
+      << problems.Format();
+}
+
 TEST(GuessHandTest, ACrankLeavesItsDriveToTheDigits) {
   std::string model =
       "<mujoco model=\"2F\"><compiler angle=\"radian\"/><default><joint axis=\"1 0 0\"/>"

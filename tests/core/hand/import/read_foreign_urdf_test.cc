@@ -56,42 +56,46 @@ INSTANTIATE_TEST_SUITE_P(
                 "g.urdf:40: warning: joint \"slide_right\": <mimic> has a multiplier of 0; the "
                 "joint gets a drive of its own"},
         OddUrdf{"axis xyz=\"0 1 0\"", "axis xyz=\"0 0 0\"",
-                "g.urdf:31: warning: joint \"slide_left\": the axis has no direction; taken as x"},
+                "g.urdf:33: warning: joint \"slide_left\": the axis has no direction; taken as x"},
         OddUrdf{"mass value=\"0.7\"", "mass value=\"0,7kg\"",
-                "g.urdf:10: warning: link \"the hand\", <mass> value: expected 1 finite number, "
-                "found \"0,7kg\"; taken as if it were not there"},
+                "g.urdf:10: warning: link \"the hand\", inertial, <mass> value: expected 1 finite "
+                "number, found \"0,7kg\"; taken as if it were not there"},
         OddUrdf{"box size=\"0.06 0.2 0.06\"", "box size=\"0.06 0.2 0\"",
                 "g.urdf:14: warning: link \"the hand\", collision: the box has no extent; left "
                 "out"},
         OddUrdf{"<box size=\"0.06 0.2 0.06\"/>", "<cone/>",
                 "g.urdf:14: warning: link \"the hand\", collision: <cone> is no shape of URDF; "
                 "left out"},
-        OddUrdf{"<box size=\"0.06 0.2 0.06\"/>", "<mesh/>",
-                "g.urdf:14: warning: link \"the hand\", collision: a mesh without filename; left "
-                "out"},
+        OddUrdf{
+            "<box size=\"0.06 0.2 0.06\"/>", "<mesh/>",
+            "g.urdf:14: warning: link \"the hand\", collision: <mesh> has no attribute filename; "
+            "left out"},
         OddUrdf{"<geometry><box size=\"0.06 0.2 0.06\"/></geometry>", "",
-                "g.urdf:13: warning: link \"the hand\", collision has no <geometry>; left out"}));
+                "g.urdf:13: warning: link \"the hand\", collision: <geometry> is missing; "
+                "left out"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Refused, OddUrdfTest,
     testing::Values(
-        OddUrdf{"</robot>", "",
-                "g.urdf:2: error: not valid XML in line 2 (XML_ERROR_PARSING); is the file whole?"},
+        OddUrdf{
+            "</robot>", "",
+            "g.urdf:2: error: not valid XML: a tag or a value from here on is not closed or not "
+            "well-formed (XML_ERROR_PARSING)"},
         OddUrdf{"<link name=\"world\"/>", "<xacro:macro name=\"m\"/>",
                 "g.urdf:3: error: <xacro:macro> is a macro: expand the file first (xacro "
                 "FILE.xacro > FILE.urdf)"},
         OddUrdf{"<parent link=\"world\"/>", "<parent link=\"wrold\"/>",
-                "g.urdf:4: error: joint \"mount\": parent link \"wrold\" does not exist; did you "
+                "g.urdf:5: error: joint \"mount\": parent link \"wrold\" does not exist; did you "
                 "mean \"world\"? "
                 "Known: world, the hand, left, right"},
         OddUrdf{"<child link=\"right\"/>", "<child link=\"left\"/>",
                 "g.urdf:36: error: joint \"slide_right\": link \"left\" already hangs on joint "
                 "\"slide_left\" (line 31); a hand is a tree, so cut the loop and give one side a "
-                "<mimic>\n"
+                "mimic\n"
                 "g.urdf:26: error: several roots: \"world\", \"right\"; join all links into one "
-                "tree by <joint>s"},
+                "tree below the link that the arm carries"},
         OddUrdf{"<parent link=\"world\"/>", "<parent link=\"left\"/>",
-                "g.urdf:4: error: joint \"mount\" lies in a ring of joints; a hand is a "
+                "g.urdf:4: error: the joints \"mount\", \"slide_left\" form a cycle; a hand is a "
                 "tree"},
         OddUrdf{"origin xyz=\"0 0 0.06\"", "origin xyz=\"nan 0 0.06\"",
                 "g.urdf:33: error: joint \"slide_left\", <origin> xyz: expected 3 finite numbers, "
@@ -119,11 +123,12 @@ INSTANTIATE_TEST_SUITE_P(
                 "g.urdf:14: error: link \"the hand\", collision: a second <origin>; one is "
                 "allowed"},
         OddUrdf{"mass value=\"0.7\"", "mass value=\"${m}\"",
-                "g.urdf:10: error: link \"the hand\", <mass> value: expected 1 finite number, "
+                "g.urdf:10: error: link \"the hand\", inertial, <mass> value: expected 1 finite "
+                "number, "
                 "found \"${m}\", a macro: expand the file first (xacro FILE.xacro > FILE.urdf)"},
         OddUrdf{"<link name=\"world\"/>", "<link name=\"world\"/><link name=\"loose\"/>",
                 "g.urdf:3: error: several roots: \"world\", \"loose\"; join all links into one "
-                "tree by <joint>s"}));
+                "tree below the link that the arm carries"}));
 
 TEST(ReadForeignUrdfTest, ReadsNamesOfAnyScript) {
   Diagnostics problems;
@@ -173,6 +178,20 @@ TEST(ReadForeignUrdfTest, LooksBeyondTheOrderOfElements) {
   EXPECT_EQ(problems.Format(), "");
   ASSERT_EQ(hand.joints.size(), 1u);
   EXPECT_EQ(hand.joints[0].axis, Eigen::Vector3d::UnitZ());
+}
+
+TEST(ReadForeignUrdfTest, TheCountOfLinksIsTold) {
+  std::string text = "<robot name=\"r\"><link name=\"l0\"/>";
+  for (int i = 1; i < 1200; ++i) {
+    const std::string number = std::to_string(i);
+    text += "<link name=\"l" + number + "\"/><joint name=\"j" + number +
+            "\" type=\"fixed\"><parent link=\"l0\"/><child link=\"l" + number + "\"/></joint>";
+  }
+  Diagnostics problems;
+  ReadForeignUrdf(text + "</robot>", "r.urdf", problems);
+  EXPECT_EQ(problems.Format(),
+            "r.urdf:1: error: the file has 1200 links and 1199 joints; expected a hand, which has "
+            "fewer than 1000 of each");
 }
 
 /** Two fingers that turn, with these limits. */
