@@ -186,8 +186,8 @@ struct MultiverseConfig {
     v("measure", measure, "the main test's measure");
     v("onset", onset, "rules of the movement's onset");
     v("cutoff_hz", cutoff,
-      {"cut-off of the contact detectors; unless stated, at most 0.34 of the recording's rate",
-       0.5, 1000});
+      {"cut-off of the contact detectors; unless stated, at most 0.34 of the recording's rate", 0.5,
+       1000});
     v("detector", detector, {"contact detectors", "all there are"});
     v("opening", opening, "measures of the hand's opening");
   }
