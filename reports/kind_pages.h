@@ -17,8 +17,8 @@ namespace graspbench {
 what goes with success without delays. */
 std::string MakeMapPage(const Session& session, const MapResult& result);
 
-/** Its conditions, a map for two factors (one for each level of a third), what each level changes and
-which levels do not simply add up. */
+/** Its conditions, a map for two factors (one for each level of a third), what each level changes
+and which levels do not simply add up. */
 std::string MakeSweepPage(const Session& session, const SweepSummary& summary);
 
 struct BasinPageData {

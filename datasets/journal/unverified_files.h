@@ -1,7 +1,8 @@
 #pragma once
 /** @file
 Files that a store has made and of which no hash is kept, so that nobody can tell whether they have
-changed: what a program that was killed had just written, and tables and pages whose manifest is gone. */
+changed: what a program that was killed had just written, and tables and pages whose manifest is
+gone. */
 
 #include <filesystem>
 #include <string>

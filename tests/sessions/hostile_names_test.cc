@@ -18,6 +18,7 @@ much must be accepted stands with each text. */
 
 #include "core/base/files/files.h"
 #include "core/base/text/escape.h"
+#include "core/base/text/json.h"
 #include "core/base/text/text.h"
 
 namespace graspbench {

@@ -232,6 +232,13 @@ class Course {
     return std::nullopt;
   }
 
+  /** Along the table [m]. */
+  double FindLargestShift() const {
+    double largest = 0.0;
+    for (const LoadSample& sample : samples_) largest = std::max<double>(largest, sample.shift);
+    return largest;
+  }
+
   double FindEndOfClosing() const {
     return std::isnan(lift_off_) ? samples_.back().time : lift_off_;
   }
@@ -407,7 +414,7 @@ std::optional<Diagnosis> FindDiagnosis(const TrialResult& result,
               "the hand pressed against each other.",
               course.NameOfPart(pushing->digit), MmFromM(kPushedAside), Seconds(diagnosis.time)));
   } else if (const auto squeeze = course.FindOpposing(lost_at - kMostInterruption);
-             squeeze && squeeze->from <= lost_at) {
+             squeeze && squeeze->from <= lost_at && course.FindLargestShift() > kPushedAside) {
     const std::vector<PartSample>& parts = course.At(squeeze->until).parts;
     diagnosis.cause = FailureCause::kSqueezedOut;
     diagnosis.text = fmt::format(
@@ -418,9 +425,15 @@ std::optional<Diagnosis> FindDiagnosis(const TrialResult& result,
         Seconds(squeeze->from));
   } else {
     diagnosis.cause = FailureCause::kNotIdentified;
+    const bool is_opposed = squeeze && squeeze->from <= lost_at;
     diagnosis.text =
-        "The cause was not identified: no two parts of the hand pressed against each other at " +
-        Seconds(lost_at) + ".";
+        is_opposed ? fmt::format(
+                         "The cause was not identified: two parts of the hand pressed against each "
+                         "other, and the object moved by {} mm at most.",
+                         FormatFixed(1e3 * course.FindLargestShift(), 1))
+                   : "The cause was not identified: no two parts of the hand pressed against each "
+                     "other at " +
+                         Seconds(lost_at) + ".";
   }
   if (loss) {
     diagnosis.text += fmt::format(

@@ -28,7 +28,8 @@ Of what is left, where two parts press against each other through the object whi
 normal forces are 0.05 N or more each and more than 110 degrees apart, for 20 ms or longer:
 
     pushed by a digit     the object moved by more than 5 mm before two parts did
-    squeezed out          two parts did when the object was lost, or up to 30 ms before
+    squeezed out          two parts did when the object was lost, or up to 30 ms before, and the
+                          object moved by more than 5 mm
     cause not identified  neither */
 
 #include <optional>

@@ -23,8 +23,8 @@ struct RemovalAdvice {
 doubted trials are kept. */
 const RemovalAdvice& FindRemovalAdvice(const std::string& code);
 
-/** The parts of that advice that name no limit and no rule of the analysis: what a person can look at
-or measure where no setting helps. Empty when all of them do. */
+/** The parts of that advice that name no limit and no rule of the analysis: what a person can look
+at or measure where no setting helps. Empty when all of them do. */
 std::string FindAdviceBeyondSettings(const std::string& code);
 
 }  // namespace graspbench

@@ -201,6 +201,17 @@ TEST(Diagnosis, AnObjectThatBothSidesPressBeforeItMovesIsSqueezedOut) {
   EXPECT_NE(found.text.find("from 1.500 s on"), std::string::npos) << found.text;
 }
 
+// Too heavy, it stays where it is while the hand leaves.
+TEST(Diagnosis, AnObjectThatDoesNotMoveIsNotSqueezedOut) {
+  Story story = MakeSqueeze(2.0, kPi);
+  for (LoadSample& sample : story.samples) sample.shift *= 0.1;  // 5 mm
+  EXPECT_EQ(story.Find().cause, FailureCause::kNotIdentified);
+  EXPECT_NE(story.Find().text.find("the object moved by 5.0 mm at most"), std::string::npos)
+      << story.Find().text;
+  for (LoadSample& sample : story.samples) sample.shift *= 1.1;
+  EXPECT_EQ(story.Find().cause, FailureCause::kSqueezedOut);
+}
+
 TEST(Diagnosis, AnObjectThatMovesBeforeBothSidesPressIsPushed) {
   const Diagnosis found = MakeSqueeze(2.0, kPi, 0.0051).Find();
   EXPECT_EQ(found.cause, FailureCause::kPushedByDigit);
