@@ -115,11 +115,12 @@ void FindRate(const C3dHead& head, const C3dParameters& parameters, C3dLayout& l
   const double in_header = head.Float(c3d_header::kRate);
   const C3dParameter* parameter = parameters.Find("POINT", "RATE");
   const double rate = parameter == nullptr ? std::nan("") : parameter->Number();
-  const auto is_rate = [](double value) { return std::isfinite(value) && value > 0; };
+  // The bounds of every importer: what lies outside is no rate of a recording.
+  const auto is_rate = [](double value) { return value >= 1e-6 && value <= 1e6; };
   layout.rate = is_rate(rate) ? rate : is_rate(in_header) ? in_header : std::nan("");
   if (!is_rate(rate)) {
     recording.Note("missing_parameter", "POINT:RATE",
-                   is_rate(in_header) ? "absent or not above 0; the header's " +
+                   is_rate(in_header) ? "absent, or not from 1e-06 to 1000000; the header's " +
                                             std::to_string(in_header) + " Hz is taken"
                                       : "absent, and the header has no rate either; times are "
                                         "missing, none is invented");

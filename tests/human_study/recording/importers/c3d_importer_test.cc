@@ -270,6 +270,16 @@ TEST(C3dImporter, ContradictionsAreNotedAndTheSizeOfTheFileDecides) {
   }
 }
 
+TEST(C3dImporter, ARateOfNoRecordingIsNotTaken) {
+  for (const float rate : {3e38f, 2e6f, 1e-7f, -1.0f}) {
+    std::string bytes = FormatC3d(MakeSyntheticRecording(40, 3));
+    SetFloat(bytes, FindParameter(bytes, "RATE"), rate);
+    const Recording read = ImportBytes(bytes, "c3d");
+    EXPECT_EQ(read.rate, 100.0) << rate;
+    EXPECT_GE(CountFindings(read, "missing_parameter"), 1u) << rate;
+  }
+}
+
 TEST(C3dImporter, AFileWithoutAnyParametersIsReadByItsHeader) {
   std::string bytes = FormatC3d(MakeSyntheticRecording(40, 3));
   bytes[512 + 4] = '\0';
