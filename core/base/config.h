@@ -13,7 +13,8 @@ Configurations as plain structs. A struct names each field once, with its defaul
 
 and that one listing drives reading YAML, writing and reading JSON, `--set sim.step_s=0.001`, the
 checks of range, and the rows of help and schema (KeyInfo, FileKeys). Fields are int, double, bool,
-std::string, std::vector<std::string> or another such struct. A list of texts may be given as one text with commas: "tum, shadow". */
+std::string, std::vector<std::string> or another such struct. A list of texts may be given as one
+text with commas: "tum, shadow". */
 
 #include <string>
 #include <string_view>

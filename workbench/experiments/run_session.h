@@ -2,9 +2,9 @@
 /** @file
 A session from its configuration to the last trial in its folder, and the one runner of what it asks
 for. A plan has rounds: first its trials; then, of what they held, the judge. What a round asks for
-is computed from configuration, plan and the records of earlier rounds alone, so that every machine has
-the same, and its own part of it from its shard. A round can be stopped anywhere: what is kept is not
-asked for again.
+is computed from configuration, plan and the records of earlier rounds alone, so that every machine
+has the same, and its own part of it from its shard. A round can be stopped anywhere: what is kept
+is not asked for again.
 
 A kind of round is one row: what it asks for, and what a worker does with it. Sessions, experiments
 on their draws, the benchmark of a campaign and the shards of all of them run the same rounds. */

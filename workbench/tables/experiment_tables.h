@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-What experiments on the draws of a session say, as text for the terminal. Each table is defined in
-the file of the command that prints it. */
+Results of experiments on the draws of a session, as text for the terminal. Short tables are defined
+in the file of their command. */
 
 #include <string>
 #include <vector>

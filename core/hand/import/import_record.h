@@ -14,8 +14,9 @@ compared.
 
 `protrusion` is how far contact sticks out of the convex hull of a link of the description, rounded
 to 10 micrometres (core/hand/contact_protrusion.h). `read` is what the description refers to, meshes
-and included files. `unit_m` 0: inferred. Paths are names without their folder; of two files of one name the second is "palm.stl (2)". Folders of
-`package_path` are relative to that of the description. */
+and included files. `unit_m` 0: inferred. Paths are names without their folder; of two files of one
+name the second is "palm.stl (2)". Folders of `package_path` are relative to that of the
+description. */
 
 #include <filesystem>
 #include <map>

@@ -42,6 +42,7 @@ Answer<SceneHeadroom> FindHeadroom(const SceneRecord& scene) {
   if (!scene.result.is_object()) return NoAnswer{"the scene is not finished"};
   const Json* const step = scene.result.find("target_step");
   if (step == nullptr) return NoAnswer{"step 2 was not run"};
+  if (!step->contains("headroom_before")) return NoAnswer{"no headroom is recorded"};
   SceneHeadroom headroom;
   const auto read = [&](const char* key, double& share, double& bound) {
     const Json& recorded = step->at(key);

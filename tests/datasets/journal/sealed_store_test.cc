@@ -50,7 +50,7 @@ TEST_F(SealedStore, AnotherSeedStepOrPhysicsIsFound) {
            {"\"seed\": 1", "\"seed\": 2"},
            {"\"step_s\": 0.002", "\"step_s\": 0.001"},
            {"\"physics_version\": ", "\"physics_version\": 1"},
-           {"\"schema\": 4", "\"schema\": 3"}}) {
+           {"\"schema\": 6", "\"schema\": 5"}}) {
     Edit(frozen, from, to);
     EXPECT_NE(Look(session_), "") << from;
     WriteFile(frozen, whole);

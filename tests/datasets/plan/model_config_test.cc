@@ -71,16 +71,5 @@ TEST(ModelConfig, ChangesIdsAndNoDraws) {
   }
 }
 
-TEST(ModelConfig, OfAnOlderFrozenConfigurationIsTheDefault) {
-  TemporaryFolder folder;
-  Json config = ToJson(SessionConfig());
-  config.erase("model");
-  WriteFrozen(kSessionStore, folder.path(), config);
-  WriteFile(folder.path() / "plan.jsonl", "");
-  const SessionConfig read =
-      SessionConfigFromJson(LoadFrozen(kSessionStore, folder.path(), OnDamage::kAccept).config);
-  EXPECT_TRUE(FindConfigDifferences(read, SessionConfig()).empty());
-}
-
 }  // namespace
 }  // namespace graspbench

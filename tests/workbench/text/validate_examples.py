@@ -8,6 +8,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 
 import jsonschema
 import yaml
@@ -21,18 +22,21 @@ EXAMPLES = {
     "study.yaml": "human_study/examples/*/study.yaml",
     "profile.yaml": "datasets/profiles/*.yaml",
     "pipeline.yaml": "datasets/pipelines/*[!n].yaml",  # but for small_session.yaml
-    "grasp.yaml": "tests/datasets/stores/v*/optimisation/new-pregrasp.yaml",
 }
 # PyYAML knows YAML 1.1, in which 1.1e6 is a text.
 yaml.SafeLoader.add_implicit_resolver("tag:yaml.org,2002:float",
                                       re.compile(r"^[-+]?[0-9.]+[eE][-+]?[0-9]+$"),
                                       list("-+.0123456789"))
+made = tempfile.TemporaryDirectory()
+subprocess.check_call([program, "new", "grasp", f"{made.name}/grasp"], stdout=subprocess.DEVNULL)
+examples = {name: (source, pattern) for name, pattern in EXAMPLES.items()}
+examples["grasp.yaml"] = (pathlib.Path(made.name), "grasp/*.yaml")
 failures, num_files = [], 0
-for name, pattern in EXAMPLES.items():
+for name, (folder, pattern) in examples.items():
     schema = json.loads(subprocess.check_output([program, "help", name, "--schema"]))
     jsonschema.Draft202012Validator.check_schema(schema)
     validator = jsonschema.Draft202012Validator(schema)
-    files = sorted(source.glob(pattern))
+    files = sorted(folder.glob(pattern))
     if not files:
         failures.append(f"{name}: no file {pattern}")
     for file in files:

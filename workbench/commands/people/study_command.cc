@@ -71,12 +71,8 @@ StudyResult RunAndWrite(const StudyOptions& options, StagedFolder& staged,
 
 StudyResult RunStudyFile(const StudyOptions& options) {
   const std::atomic<bool>& stop = CatchInterrupts();  // before there is a folder to leave behind
-  StagedFolder staged({options.out,
-                       "study",
-                       options.replace,
-                       {options.study_file, options.data, options.robot},
-                       "",
-                       {kWrittenByR}});
+  const std::vector<fs::path> read = {options.study_file, options.data, options.robot};
+  StagedFolder staged({options.out, "study", options.replace, read, "", {kWrittenByR}});
   return RunAndWrite(options, staged, stop);
 }
 
@@ -95,8 +91,7 @@ void RunDemo(StudyOptions options) {
   const std::vector<SyntheticTrial> trials = MakeSyntheticStudy(MakeDemoOptions());
   WriteDemoStudy(trials, input);
   options.study_file = (input / "study.yaml").string();
-  const TruthComparison comparison = CompareWithTruth(RunAndWrite(options, staged, stop), trials);
-  PrintResult(FormatTruth(comparison));
+  PrintResult(FormatTruth(CompareWithTruth(RunAndWrite(options, staged, stop), trials)));
 }
 
 }  // namespace
@@ -109,6 +104,12 @@ void AddStudyCommand(Command& program, ExitCode& exit_code) {
                     "  graspbench study run study.yaml --out results/pilot");
   group.RequireSubcommand();
   const auto options = std::make_shared<StudyOptions>();
+  const auto add_study = [&](Command& command, const char* about) {
+    command.AddOption("study", options->study_file, about)->Require()->ValueName("STUDY.YAML");
+    command.AddOption("--data", options->data, "folder of the recordings")
+        ->ValueName("DIR")
+        ->ShowDefault("that of study.yaml");
+  };
   const auto add_common = [&](Command& command) {
     command.AddOption("--out", options->out, "folder for tables, BIDS derivative and report")
         ->Require()
@@ -124,12 +125,7 @@ void AddStudyCommand(Command& program, ExitCode& exit_code) {
       group, "run", "Turn recordings into tables, statistics and a report.",
       "  graspbench study run study.yaml --out results/pilot\n"
       "  graspbench study run study.yaml --data /data/mocap --out out --robot results/benchmark");
-  run.AddOption("study", options->study_file, "what was recorded and every choice")
-      ->Require()
-      ->ValueName("STUDY.YAML");
-  run.AddOption("--data", options->data, "folder of the recordings")
-      ->ValueName("DIR")
-      ->ShowDefault("that of study.yaml");
+  add_study(run, "what was recorded and every choice");
   AddSettingsOption(run, options->settings, "contact.detector=surface");
   add_common(run);
   AddJsonOption(run, options->json);
@@ -140,12 +136,7 @@ void AddStudyCommand(Command& program, ExitCode& exit_code) {
   Command& freeze = AddSubcommand(
       group, "freeze", "Write down every choice before the data; a run lists what deviates.",
       "  graspbench study freeze study.yaml");
-  freeze.AddOption("study", options->study_file, "what will be recorded and every choice")
-      ->Require()
-      ->ValueName("STUDY.YAML");
-  freeze.AddOption("--data", options->data, "folder of the recordings")
-      ->ValueName("DIR")
-      ->ShowDefault("that of study.yaml");
+  add_study(freeze, "what will be recorded and every choice");
   freeze.SetAction([options] { Freeze(*options); });
 
   Command& demo = AddSubcommand(

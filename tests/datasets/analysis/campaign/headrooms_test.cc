@@ -62,7 +62,7 @@ TEST(Headrooms, WhereNothingIsKnownTheReasonStandsThere) {
   campaign.scenes.push_back(scene);
   EXPECT_EQ(FindHeadroom(scene).reason(), "step 2 was not run");
   scene.result = {{"target_step", {{"taken", false}}}};
-  EXPECT_EQ(FindHeadroom(scene).reason(), "recorded by an older program");
+  EXPECT_EQ(FindHeadroom(scene).reason(), "no headroom is recorded");
   Json& step = scene.result["target_step"];
   step["headroom_before"] = {{"bound_n", nullptr}, {"share", nullptr}};
   campaign.scenes.push_back(scene);
