@@ -69,6 +69,4 @@ std::string FormatNumericsTables(const std::vector<NumericsSummary>& summaries,
   return text + '\n' + flips.Format();
 }
 
-namespace fs = std::filesystem;
-
 }  // namespace graspbench

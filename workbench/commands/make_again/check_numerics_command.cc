@@ -13,6 +13,8 @@
 #include "workbench/tables/experiment_tables.h"
 
 namespace graspbench {
+namespace fs = std::filesystem;
+
 namespace {
 
 struct NumericsOptions {
