@@ -50,8 +50,8 @@ SessionConfig MakeBasinConfig(const BasinRequest& request) {
 
 /** A basin is a session of such draws; another session is no result of this command. */
 std::string FindKindToReplace(const fs::path& folder) {
-  const bool is_other = HasSession(folder) && LoadPlannedSession(folder).config.draws != "halton";
-  return is_other ? "basin" : kSessionStore.name;
+  const bool is_basin = HasSession(folder) && LoadPlannedSession(folder).config.draws == "halton";
+  return is_basin ? kSessionStore.name : "basin";
 }
 
 /** Makes the session in `out`, or finds it there. */
