@@ -44,7 +44,7 @@ TEST_F(InstallTest, TheTreeMayBeMoved) {
   WriteFile(file, text);
   const std::string quoted = "'" + program() + "' ";
   EXPECT_EQ(Run(quoted + "object show can").find("installed can (can)\n"), 0u);
-  EXPECT_EQ(Run(quoted + "hand check tum").find("tum: can be used\n"), 0u);
+  EXPECT_NE(Run(quoted + "hand check tum").find("\ntum: can be used"), std::string::npos);
 
   // The reader of foreign meshes came along.
   WriteFile(folder_ / "a.stl",
