@@ -26,12 +26,6 @@ constexpr double kSizeTolerance = 1e-4;  // [m]
 
 fs::path FindCatalogue() { return FindDataRoot() / "objects" / "catalogue"; }
 
-Eigen::AlignedBox3d FindBox(const TriMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : mesh.vertices) box.extend(p);
-  return box;
-}
-
 // Of everything that the simulation depends on; names and colours may change.
 std::string CalcContentHash(const GraspObject& object) {
   std::string bytes;
@@ -76,7 +70,7 @@ std::shared_ptr<const GraspObject> LoadFolder(const fs::path& folder, const std:
   object->mesh = std::move(usable.mesh);
   const Overlap& overlap = usable.report.overlap;
 
-  const Eigen::AlignedBox3d box = FindBox(object->mesh);
+  const Eigen::AlignedBox3d box = CalcBounds(object->mesh);
   for (Eigen::Vector3d& p : object->mesh.vertices) p -= box.center();
   object->size = box.sizes();
   if (file.size.allFinite() && (object->size - file.size).cwiseAbs().maxCoeff() > kSizeTolerance) {
@@ -169,7 +163,7 @@ std::shared_ptr<const GraspObject> LoadMeshObject(const fs::path& path, double s
   const Overlap& overlap = usable.report.overlap;
   object->mass_properties = CalcSolidMassProperties(
       object->mesh, kDensity * (CalcVolume(object->mesh) - overlap.volume), overlap);
-  object->size = object->size_of_sight = FindBox(object->mesh).sizes();
+  object->size = object->size_of_sight = CalcBounds(object->mesh).sizes();
   object->surface.friction_static = object->surface.friction_dynamic = 0.0;
   object->content_hash = CalcContentHash(*object);
   object->field = LoadField(object->mesh);

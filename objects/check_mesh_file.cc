@@ -42,9 +42,7 @@ CheckedMeshFile CheckMeshFile(const std::filesystem::path& path, std::optional<L
   TriMesh mesh = LoadMesh(path, unit.value_or(LengthUnit::kM));
   CheckedMeshFile file;
   if (!unit) {
-    Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& p : mesh.vertices) box.extend(p);
-    unit = InferLengthUnit(box.sizes().maxCoeff());
+    unit = InferLengthUnit(CalcBounds(mesh).sizes().maxCoeff());
     file.is_unit_inferred = unit.has_value();
     for (Eigen::Vector3d& p : mesh.vertices) p *= MetresPer(unit.value_or(LengthUnit::kM));
   }

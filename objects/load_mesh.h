@@ -12,7 +12,7 @@ crash its importer, 3DS and DXF because theirs swaps axes. */
 #include <string>
 
 #include "core/shape/tri_mesh.h"
-#include "objects/length_unit.h"
+#include "objects/mesh_reader_protocol.h"
 
 namespace graspbench {
 
@@ -25,12 +25,22 @@ meshes up to 2 million triangles.
 @throws Error(kNotFound, kIo); Error(kFormat) when it is no complete file of a format known here. */
 TriMesh LoadMesh(const std::filesystem::path& path, LengthUnit unit);
 
-/** A picture of a hand's link: the same formats and COLLADA, one unit of the file a metre unless the
-file states another (COLLADA does). Axes as in the file. A damaged COLLADA file that crashes its
+/** A picture of a hand's link: the same formats and COLLADA, one unit of the file a metre unless
+the file states another (COLLADA does). Axes as in the file. A damaged COLLADA file that crashes its
 reader is an Error(kFormat) like others. */
 TriMesh LoadPictureMesh(const std::filesystem::path& path);
 
 /** The same from the content of a file that stands alone; `name` gives the format by its ending. */
 TriMesh ParseMesh(const std::string& bytes, const std::string& name, LengthUnit unit);
+
+/** Runs graspbench-mesh-reader (mesh_reader.cc) on the bytes of one file. Coordinates as in the
+file, every part of it; not welded, perhaps not finite. @param bytes   the file's content.
+@param format  stl, ply, glb, gltf or dae.
+@param folder  where the files lie that a glTF names; empty: nowhere.
+@param name    of the file, for messages.
+@throws Error(kFormat) when it is no such file, or reading it took more time or memory than allowed,
+or crashed; Error(kEnvironment) when the reader cannot be started. Safe with threads. */
+TriMesh RunMeshReader(const std::string& bytes, const std::string& format,
+                      const std::filesystem::path& folder, const std::string& name);
 
 }  // namespace graspbench

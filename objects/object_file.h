@@ -28,10 +28,10 @@ object.yaml: what is known of a thing to grasp beside its mesh.
 
 #include "core/base/file_keys.h"
 #include "core/base/units.h"
-#include "core/shape/approach.h"
+#include "core/shape/grasp_object.h"
 #include "core/shape/repair/mesh_check.h"
 #include "core/shape/surface_material.h"
-#include "objects/length_unit.h"
+#include "objects/mesh_reader_protocol.h"
 
 namespace graspbench {
 

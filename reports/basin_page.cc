@@ -5,9 +5,8 @@
 #include "core/base/version.h"
 #include "datasets/analysis/conditions/threshold_summary.h"
 #include "reports/kind_pages.h"
-#include "reports/outcome_words.h"
+#include "reports/page/layout.h"
 #include "reports/page/models.h"
-#include "reports/page/sectioned_page.h"
 #include "reports/plots/svg_parts.h"
 
 namespace graspbench {
@@ -149,22 +148,20 @@ Html DrawRadius(const BasinView& view) {
 }
 
 Html DrawSamples(const BasinView& view) {
-  const Align number = Align::kNumber;
   Table table("Every offset that was tried; basin.csv has them exactly.",
-              {{"Sample"},
-               {"x [mm]", number},
-               {"y [mm]", number},
-               {"Yaw [deg]", number},
-               {"Distance", number, "1 at the edge of the range"},
-               {"Outcome"},
-               {"sigma [N]", number}});
+              {"Sample",
+               "x [mm]",
+               "y [mm]",
+               "Yaw [deg]",
+               {"Distance", "1 at the edge of the range"},
+               "Outcome",
+               "sigma [N]"});
   int count = 0;
   for (const BasinSample& sample : view.data.samples) {
-    table.AddRow({Text(std::to_string(count++)), Text(FormatFixed(MmFromM(sample.offset_x), 1)),
-                  Text(FormatFixed(MmFromM(sample.offset_y), 1)),
-                  Text(FormatFixed(DegFromRad(sample.yaw), 1)),
-                  Text(FormatFixed(CalcBasinDistance(sample), 2)), Text(WordsOf(sample.outcome)),
-                  Text(FormatFixed(sample.sigma, 2))});
+    table.AddRow({count++, FormatFixed(MmFromM(sample.offset_x), 1),
+                  FormatFixed(MmFromM(sample.offset_y), 1), FormatFixed(DegFromRad(sample.yaw), 1),
+                  FormatFixed(CalcBasinDistance(sample), 2), WordsOf(sample.outcome),
+                  FormatFixed(sample.sigma, 2)});
   }
   return MakeDetails("All values of " + FormatCount(count, "sample"), table.ToHtml());
 }

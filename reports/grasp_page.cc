@@ -1,10 +1,9 @@
-#include "reports/grasp_page.h"
-
 #include "core/base/config.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/base/version.h"
-#include "reports/page/sectioned_page.h"
+#include "reports/kind_pages.h"
+#include "reports/page/layout.h"
 #include "reports/scenes/scene_3d.h"
 
 namespace graspbench {
@@ -50,9 +49,9 @@ Html DrawCourse(const DrawnGrasp& drawn) {
 
 Html DrawMeasures(const DrawnGrasp& drawn) {
   const FreeSpaceResult& result = drawn.data.traced.result;
-  Table table("What was found.", {{"Measure"}, {"Value", Align::kNumber}});
+  Table table("What was found.", {"Measure", "Value"});
   const auto add = [&table](const char* name, const std::string& value) {
-    table.AddRow({Text(name), Text(value.empty() ? "-" : value)});
+    table.AddRow({name, value.empty() ? "-" : value});
   };
   add("Hand in the object at the start [mm]", FormatFixed(MmFromM(result.start_penetration), 2));
   add("Hand in itself at the second stage [mm]", FormatFixed(MmFromM(result.self_penetration), 2));

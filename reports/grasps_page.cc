@@ -1,5 +1,3 @@
-#include "reports/grasps_page.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -7,12 +5,12 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/base/version.h"
-#include "reports/page/sectioned_page.h"
+#include "reports/kind_pages.h"
+#include "reports/page/layout.h"
 
 namespace graspbench {
 namespace {
 
-constexpr Align kNumber = Align::kNumber;
 constexpr size_t kMostFailures = 1000;  // rows of a page; grasps.csv has all
 
 struct GraspsView {
@@ -31,90 +29,77 @@ std::string NameOf(const JudgedGrasp& judged) {
 
 Html DrawSuccess(const GraspsView& view) {
   Table table("Success under each profile.",
-              {{"Profile"},
-               {"Grasps", kNumber},
-               {"Passed", kNumber},
-               {"Share", kNumber},
-               {"95 % interval [%]", kNumber, "Wilson"},
-               {"Gave up", kNumber, "the simulation, counted as failures"},
-               {"Disturbed", kNumber,
+              {"Profile",
+               "Grasps",
+               "Passed",
+               "Share",
+               {"95 % interval [%]", "Wilson"},
+               {"Gave up", "the simulation, counted as failures"},
+               {"Disturbed",
                 "share of the disturbances, 1 mm and 1 degree, of grasps that passed which pass, "
                 "too"}});
   for (const ProfileSummary& profile : view.summary.profiles) {
-    table.AddRow(
-        {Text(profile.profile), Text(std::to_string(profile.num_judged)),
-         Text(std::to_string(profile.num_passed)),
-         Text(FormatPercent(CalcShare(profile.num_passed, profile.num_judged))),
-         Text(FormatRateInterval(profile.num_passed, profile.num_judged)),
-         Text(std::to_string(profile.num_numerical)),
-         Text(std::isfinite(profile.jitter_share) ? FormatPercent(profile.jitter_share) : "-")});
+    table.AddRow({profile.profile, profile.num_judged, profile.num_passed,
+                  FormatPercent(CalcShare(profile.num_passed, profile.num_judged)),
+                  FormatRateInterval(profile.num_passed, profile.num_judged), profile.num_numerical,
+                  std::isfinite(profile.jitter_share) ? FormatPercent(profile.jitter_share) : "-"});
   }
   return table.ToHtml();
 }
 
 Html DrawAgreement(const GraspsView& view) {
-  Table table("Verdicts against the files' own.",
-              {{"Profile"},
-               {"Labelled", kNumber},
-               {"Both pass", kNumber},
-               {"Label only", kNumber},
-               {"Verdict only", kNumber},
-               {"Both fail", kNumber},
-               {"Kappa", kNumber, "1: the same; 0: as by chance"}});
+  Table table("Verdicts against the files' own.", {"Profile",
+                                                   "Labelled",
+                                                   "Both pass",
+                                                   "Label only",
+                                                   "Verdict only",
+                                                   "Both fail",
+                                                   {"Kappa", "1: the same; 0: as by chance"}});
   bool has_any = false;
   for (const ProfileSummary& profile : view.summary.profiles) {
     const PairedCounts& counts = profile.labels;
     if (counts.num_pairs() == 0) continue;
     has_any = true;
-    table.AddRow({Text(profile.profile), Text(std::to_string(counts.num_pairs())),
-                  Text(std::to_string(counts.both)), Text(std::to_string(counts.first_only)),
-                  Text(std::to_string(counts.second_only)), Text(std::to_string(counts.neither)),
-                  Text(FormatNumber(CalcKappa(counts), 2))});
+    table.AddRow({profile.profile, counts.num_pairs(), counts.both, counts.first_only,
+                  counts.second_only, counts.neither, FormatNumber(CalcKappa(counts), 2)});
   }
   return has_any ? table.ToHtml() : MakeParagraph("The files say nothing of success.");
 }
 
 Html DrawTransitions(const GraspsView& view) {
   if (view.summary.transitions.empty()) return MakeParagraph("There is one profile.");
-  Table table("The same grasps from profile to profile.", {{"From"},
-                                                           {"To"},
-                                                           {"Pass both", kNumber},
-                                                           {"Lost", kNumber},
-                                                           {"Won", kNumber},
-                                                           {"Fail both", kNumber}});
+  Table table("The same grasps from profile to profile.",
+              {"From", "To", "Pass both", "Lost", "Won", "Fail both"});
   for (const ProfileTransition& transition : view.summary.transitions) {
     const PairedCounts& counts = transition.counts;
-    table.AddRow({Text(transition.from), Text(transition.to), Text(std::to_string(counts.both)),
-                  Text(std::to_string(counts.first_only)), Text(std::to_string(counts.second_only)),
-                  Text(std::to_string(counts.neither))});
+    table.AddRow({transition.from, transition.to, counts.both, counts.first_only,
+                  counts.second_only, counts.neither});
   }
   return table.ToHtml();
 }
 
 Html DrawGraspTable(const std::string& caption, const std::vector<const JudgedGrasp*>& grasps) {
-  Table table(caption, {{"Grasp", Align::kText, "file, number in it"},
-                        {"Profile"},
-                        {"Verdict"},
-                        {"Failed at"},
-                        {"Moved [mm]", kNumber, "the most in all looks"},
-                        {"Turned [deg]", kNumber},
-                        {"Deep at start [mm]", kNumber},
-                        {"Grip [N]", kNumber, "after the last stage"},
-                        {"Breaking load [N]", kNumber,
+  Table table(caption, {{"Grasp", "file, number in it"},
+                        "Profile",
+                        "Verdict",
+                        "Failed at",
+                        {"Moved [mm]", "the most in all looks"},
+                        "Turned [deg]",
+                        "Deep at start [mm]",
+                        {"Grip [N]", "after the last stage"},
+                        {"Breaking load [N]",
                          "largest push stood along all six axes; -: not sought, or none"},
-                        {"Touching"},
-                        {"Why", Align::kProse}});
+                        "Touching",
+                        "Why"});
   for (const JudgedGrasp* judged : grasps) {
     const FreeSpaceResult& result = judged->result;
-    table.AddRow({Text(NameOf(*judged)), Text(judged->profile),
-                  Text(result.passed ? "pass" : "fail"),
-                  Text(result.failed_stage.empty() ? "-" : result.failed_stage),
-                  Text(FormatNumber(MmFromM(result.worst_shift), 1)),
-                  Text(FormatNumber(result.worst_turn_deg, 1)),
-                  Text(FormatNumber(MmFromM(result.start_penetration), 1)),
-                  Text(FormatNumber(result.grip_force, 1)),
-                  Text(result.breaking_load > 0.0 ? FormatNumber(result.breaking_load, 2) : "-"),
-                  Text(result.touching.empty() ? "-" : result.touching), Text(result.reason)});
+    table.AddRow(
+        {NameOf(*judged), judged->profile, result.passed ? "pass" : "fail",
+         result.failed_stage.empty() ? "-" : result.failed_stage,
+         FormatNumber(MmFromM(result.worst_shift), 1), FormatNumber(result.worst_turn_deg, 1),
+         FormatNumber(MmFromM(result.start_penetration), 1), FormatNumber(result.grip_force, 1),
+         result.breaking_load > 0.0 ? FormatNumber(result.breaking_load, 2) : "-",
+         result.touching.empty() ? "-" : result.touching, result.reason});
   }
   return table.ToHtml();
 }

@@ -1,15 +1,22 @@
 #pragma once
 /** @file
-Pages of sessions that are more than their trials: a map of simultaneity, a sweep, a basin. Each is
-self-contained like the session's report. A new one is a file here, a line in this header and a row
-of kKindPages (session_report.cc). */
+Pages beside the session's report, each as self-contained: of sessions that are more than their
+trials (a map of simultaneity, a sweep, a basin), of judged grasps, of developed postures. Without a
+renderer a page has no pictures and says why. A new one of a session is a file here, a line in this
+header and a row of kKindPages (session_report.cc). */
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "core/develop/develop_grasp.h"
+#include "core/hand/hand.h"
+#include "core/trial/protocols/free_space.h"
 #include "datasets/analysis/conditions/basin_summary.h"
 #include "datasets/analysis/conditions/sweep_summary.h"
+#include "datasets/analysis/development_summary.h"
 #include "datasets/analysis/map/map_result.h"
+#include "datasets/judged_grasps/grasp_store.h"
 
 namespace graspbench {
 
@@ -33,5 +40,41 @@ struct BasinPageData {
 std::string MakeBasinPage(const BasinPageData& data);
 /** That of a session. @pre IsBasin(session). */
 std::string MakeBasinPage(const Session& session);
+
+/** One grasp that somebody made, judged under one profile: the verdict, a moving 3-D view of its
+stages and of the push or lift that decides, what was measured, the profile. */
+struct GraspPageData {
+  std::string name;         ///< "mug.npy, grasp 3"
+  std::string object_name;  ///< as the file has it
+  std::shared_ptr<const Hand> hand;
+  std::shared_ptr<const GraspObject> object;
+  FreeSpaceProfile profile;
+  TracedFreeSpace traced;
+  std::vector<std::string> assumptions;  ///< what the file does not say
+  std::vector<std::string> commands;     ///< that make the page again
+};
+
+/** Without a renderer it has no pictures and says
+why. */
+std::string MakeGraspPage(const GraspPageData& data);
+
+/** Grasps that others made and profiles have judged: success under each profile, agreement with the
+files' own verdicts, transitions, failures with their reasons, what was nearest the border.
+@param config  frozen, of the store.   @param judged  what the summary is of. */
+std::string MakeGraspsPage(const Json& config, const std::vector<JudgedGrasp>& judged,
+                           const JudgedSummary& summary);
+
+/** Developed postures: what they look like, how far they keep the rules, what the simulation said
+of them. */
+struct PosturePageData {
+  std::shared_ptr<const Hand> hand;
+  DevelopConfig config;
+  std::vector<DevelopedGrasp> developed;
+  std::vector<std::vector<DevelopmentStage>> stages;  ///< by grasp, as far as known
+};
+
+/** On a machine that cannot draw it says so in the
+place of pictures. @pre a grasp's digits and postures fit the hand. */
+std::string MakePosturePage(const PosturePageData& data);
 
 }  // namespace graspbench

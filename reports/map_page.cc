@@ -5,10 +5,10 @@
 #include "core/base/hash.h"
 #include "core/base/text/text.h"
 #include "core/base/version.h"
-#include "datasets/analysis/map/map_precision.h"
+#include "datasets/analysis/map/simultaneity_map.h"
 #include "datasets/plan/scene_names.h"
 #include "reports/kind_pages.h"
-#include "reports/page/sectioned_page.h"
+#include "reports/page/layout.h"
 #include "reports/plots/svg_plot.h"
 
 namespace graspbench {
@@ -145,34 +145,6 @@ Html NameChanged(const std::vector<std::string>& changed) {
   return changed.empty() ? Text("-") : Element("code", {}, Text(changed.front()));
 }
 
-Html DrawRegionTable(const std::vector<std::pair<const MapPartResult*, const MapCell*>>& rows,
-                     const std::string& caption) {
-  Table table(caption, {{"Hand"},
-                        {"Measure"},
-                        {"Late digit"},
-                        {"Region"},
-                        {"Pairs", Align::kNumber},
-                        {"Objects", Align::kNumber},
-                        {"Effect (95 % interval)", Align::kProse},
-                        {"p adjusted", Align::kNumber},
-                        {"Verdict"},
-                        {"A trial that changed", Align::kText,
-                         "of the first such: graspbench trial DIR NAME"}});
-  for (const auto& [part, cell] : rows) {
-    std::string verdict = RowOf(kMapVerdicts, cell->verdict).name;
-    if (cell->num_objects_to_decide > 0) {
-      verdict +=
-          ": some " + FormatCount(cell->num_objects_to_decide, "object") + " in all would decide";
-    }
-    table.AddRow({Text(cell->hand), Text(RowOf(kMapMeasures, cell->measure).label),
-                  Text(NameLateDigit(cell->late)), Text(NameWhere(part->map, *cell)),
-                  Text(std::to_string(cell->num_pairs)), Text(std::to_string(cell->num_objects)),
-                  Text(FormatEffect(*cell)), Text(FormatFixed(cell->adjusted_p, 4)), Text(verdict),
-                  NameChanged(cell->changed)});
-  }
-  return table.ToHtml();
-}
-
 /** Which of the large regions resolve success to 5 points, by hand. */
 Html DrawPrecision(const SimultaneityMap& map) {
   Html content;
@@ -195,46 +167,41 @@ Html DrawPrecision(const SimultaneityMap& map) {
 }
 
 Html DrawRegions(const MapView& view) {
-  std::vector<std::pair<const MapPartResult*, const MapCell*>> all, found;
-  for (const MapPartResult& part : view.result.parts) {
-    for (const MapCell& cell : part.map.cells) {
-      if (cell.num_pairs == 0) continue;
-      all.emplace_back(&part, &cell);
-      const bool is_found =
-          cell.verdict == MapVerdict::kCosts || cell.verdict == MapVerdict::kGains;
-      if (is_found || cell.where.empty()) found.emplace_back(&part, &cell);
-    }
-  }
+  const std::vector<MapRow> all = ListMapRows(view.result);
+  std::vector<MapRow> found;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(found), [](const MapRow& row) {
+    const MapVerdict verdict = row.cell->verdict;
+    return verdict == MapVerdict::kCosts || verdict == MapVerdict::kGains ||
+           row.cell->where.empty();
+  });
   return DrawPrecision(view.result.parts.front().map) +
-         DrawRegionTable(found,
-                         "Everywhere, and the regions in which a late digit costs or gains.") +
+         MakeTable("Everywhere, and the regions in which a late digit costs or gains.",
+                   ShowRegions(found)) +
          MakeDetails("All " + FormatCount(static_cast<int>(all.size()), "region"),
-                     DrawRegionTable(all, "Every region of every measure."));
+                     MakeTable("Every region of every measure.", ShowRegions(all)));
 }
 
 Html DrawObjects(const MapView& view) {
   if (view.result.objects.empty()) return MakeParagraph("There is no pair.");
-  std::vector<Column> columns = {{"Hand"}, {"Late digit"}, {"Object"}, {"Pairs", Align::kNumber}};
+  std::vector<Column> columns = {"Hand", "Late digit", "Object", "Pairs"};
   const std::vector<RateWithDelay>& delays = view.result.objects.front().rates;
   for (const RateWithDelay& rate : delays) {
-    columns.push_back({FormatFixed(rate.delay, 1) + " s late [%]", Align::kNumber, "successes"});
+    columns.push_back({FormatFixed(rate.delay, 1) + " s late [%]", "successes"});
   }
-  columns.push_back({"Points for 100 ms (95 % interval)", Align::kNumber});
-  columns.push_back(
-      {"A trial that changed", Align::kText, "of the first such: graspbench trial DIR NAME"});
+  columns.push_back("Points for 100 ms (95 % interval)");
+  columns.push_back({"A trial that changed", "of the first such: graspbench trial DIR NAME"});
   Table table("Success of each object, all regions together.", columns);
   for (const ObjectEffect& effect : view.result.objects) {
-    std::vector<Html> row = {Text(effect.hand), Text(NameLateDigit(effect.late)),
-                             Text(effect.object), Text(std::to_string(effect.num_pairs))};
+    std::vector<Cell> row = {effect.hand, NameLateDigit(effect.late), effect.object,
+                             effect.num_pairs};
     for (size_t i = 0; i < delays.size(); ++i) {
-      row.push_back(
-          Text(i < effect.rates.size() ? FormatFixed(100.0 * effect.rates[i].rate, 0) : "n/a"));
+      row.push_back(i < effect.rates.size() ? FormatFixed(100.0 * effect.rates[i].rate, 0) : "n/a");
     }
     const std::string interval = effect.interval
                                      ? FormatFixed(100.0 * effect.interval->low, 1) + " to " +
                                            FormatFixed(100.0 * effect.interval->high, 1)
                                      : effect.interval.reason();
-    row.push_back(Text(FormatFixed(100.0 * effect.estimate, 1) + " (" + interval + ")"));
+    row.push_back(FormatFixed(100.0 * effect.estimate, 1) + " (" + interval + ")");
     row.push_back(NameChanged(effect.changed));
     table.AddRow(row);
   }
@@ -247,30 +214,24 @@ Html DrawObjects(const MapView& view) {
 
 Html DrawNatural(const MapView& view) {
   Table table("Late digits and success among trials without delay.",
-              {{"Hand"},
-               {"Trials", Align::kNumber},
-               {"Objects", Align::kNumber},
-               {"Correlation (95 % interval)", Align::kProse},
-               {"With a cause held (95 % interval)", Align::kProse},
-               {"Goes back to", Align::kProse}});
+              {"Hand", "Trials", "Objects", "Correlation (95 % interval)",
+               "With a cause held (95 % interval)", "Goes back to"});
   const auto format = [](double value, const Interval& interval) {
     return FormatFixed(value, 2) + " (" + FormatFixed(interval.low, 2) + " to " +
            FormatFixed(interval.high, 2) + ")";
   };
   for (const auto& [hand, relation] : view.result.natural) {
     if (!relation) {
-      table.AddRow(
-          {Text(hand), Text("-"), Text("-"), Text(relation.reason()), Text("-"), Text("-")});
+      table.AddRow({hand, "-", "-", relation.reason(), "-", "-"});
       continue;
     }
     std::string held;
     for (const NaturalRelation::Cause& cause : relation->causes) {
       held += (held.empty() ? "" : "; ") + cause.name + " " + format(cause.partial, cause.interval);
     }
-    table.AddRow({Text(hand), Text(std::to_string(relation->num_trials)),
-                  Text(std::to_string(relation->num_objects)),
-                  Text(format(relation->correlation, relation->interval)), Text(held),
-                  Text(relation->cause.empty() ? "-" : relation->cause)});
+    table.AddRow({hand, relation->num_trials, relation->num_objects,
+                  format(relation->correlation, relation->interval), held,
+                  relation->cause.empty() ? "-" : relation->cause});
   }
   return MakeParagraph(
              "A correlation, not an effect: below 0, late digits go with failures between draws of "

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "reports/plots/line_plot.h"
@@ -57,10 +56,7 @@ Html DrawScheduleCell(const ScheduleCell& cell, const SessionModels& models) {
       "for people and each schedule.";
   plot.axis = "first contact after the first digit's [% of the closing time]";
   for (const std::string& digit : cell.of.digits) {
-    IntervalPlot::Row heading;
-    heading.label = models.NameOfDigit(cell.of.hand, digit);
-    heading.is_heading = true;
-    plot.rows.push_back(heading);
+    plot.AddHeading(models.NameOfDigit(cell.of.hand, digit));
     if (cell.of.people) plot.rows.push_back(MakeTouchRow(kPeopleRow, 1, cell.of.people, digit));
     for (const ScheduleRow& row : cell.rows) {
       const int series = row.schedule == kNatural ? 0 : row.schedule == kSimultaneous ? 2 : 3;
@@ -97,30 +93,27 @@ std::string FormatScheduleCost(const ScheduleRow& row) {
 }
 
 Html DrawScheduleCosts(const ScheduleComparison& comparison, const SessionModels& models) {
-  const Align number = Align::kNumber;
   Table table("What each schedule costs, on the same draws.",
-              {{"Condition"},
-               {"Schedule"},
-               {"Trials", number},
-               {"GFT [ms]", number, "median; n/a: a digit does not touch in half of the trials"},
-               {"Held", number},
-               {"Threshold margin", number, "median over draws: the smallest margin that holds"},
-               {"Pairs", number, "draws with a threshold under this schedule and natural"},
-               {"Of natural", number,
+              {"Condition",
+               "Schedule",
+               "Trials",
+               {"GFT [ms]", "median; n/a: a digit does not touch in half of the trials"},
+               "Held",
+               {"Threshold margin", "median over draws: the smallest margin that holds"},
+               {"Pairs", "draws with a threshold under this schedule and natural"},
+               {"Of natural",
                 "ratio of the draw's threshold to that under natural: median, 95 % interval; 1 "
                 "costs nothing"}});
   for (const ScheduleCell& cell : comparison.cells) {
     const std::string name = NameScheduleCell(cell.of, models);
     if (cell.of.people) {
-      table.AddRow({Text(name), Text(kPeopleRow), Text(std::to_string(cell.of.people->num_trials)),
-                    Text(FormatScheduleGft(cell.of.people)), Text("n/a"), Text("n/a"), Text("n/a"),
-                    Text("n/a")});
+      table.AddRow({name, kPeopleRow, cell.of.people->num_trials, FormatScheduleGft(cell.of.people),
+                    "n/a", "n/a", "n/a", "n/a"});
     }
     for (const ScheduleRow& row : cell.rows) {
-      table.AddRow({Text(name), Text(row.schedule), Text(std::to_string(row.tally.finished)),
-                    Text(FormatScheduleGft(row.lags)), Text(std::to_string(row.tally.successes())),
-                    Text(row.threshold_text.empty() ? "n/a" : row.threshold_text),
-                    Text(std::to_string(row.num_pairs)), Text(FormatScheduleCost(row))});
+      table.AddRow({name, row.schedule, row.tally.finished, FormatScheduleGft(row.lags),
+                    row.tally.successes(), row.threshold_text.empty() ? "n/a" : row.threshold_text,
+                    row.num_pairs, FormatScheduleCost(row)});
     }
   }
   return table.ToHtml();

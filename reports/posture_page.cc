@@ -1,5 +1,3 @@
-#include "reports/posture_page.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -10,10 +8,10 @@
 #include "core/develop/write_grasps.h"
 #include "core/grasp/placement.h"
 #include "core/render/contact_marks.h"
-#include "core/render/contact_shapes.h"
 #include "core/render/hand_scene.h"
+#include "reports/kind_pages.h"
+#include "reports/page/layout.h"
 #include "reports/page/models.h"
-#include "reports/page/sectioned_page.h"
 
 namespace graspbench {
 namespace {
@@ -86,16 +84,12 @@ Html DrawRules(const Hand& hand, const DevelopedGrasp& one) {
       CalcStand(hand, proposed, proposed.q_target), CalcStand(hand, developed, developed.q_target)};
   const PostureAim& aim = one.proposed.aim;
   Table table("How the pads stand, by the rules of development. Geometry: before any simulation.",
-              {{"rule", Align::kText},
-               {"asked", Align::kText},
-               {"pre-grasp, geometry", Align::kNumber},
-               {"pre-grasp, developed", Align::kNumber},
-               {"target, geometry", Align::kNumber},
-               {"target, developed", Align::kNumber}});
+              {"rule", "asked", "pre-grasp, geometry", "pre-grasp, developed", "target, geometry",
+               "target, developed"});
   const auto add = [&](const char* rule, const std::string& asked, double PadStand::*value,
                        std::string (*format)(double)) {
-    std::vector<Html> cells = {Text(rule), Text(asked)};
-    for (const PadStand& stand : stands) cells.push_back(Text(format(stand.*value)));
+    std::vector<Cell> cells = {rule, asked};
+    for (const PadStand& stand : stands) cells.push_back(format(stand.*value));
     table.AddRow(cells);
   };
   add("opening [mm]", Mm(aim.opening) + ", met " + Mm(aim.meeting), &PadStand::opening, &Mm);
@@ -113,32 +107,24 @@ Html DrawRules(const Hand& hand, const DevelopedGrasp& one) {
 
 Html DrawStages(const std::vector<DevelopmentStage>& stages) {
   Table table("What the simulation was asked, and what held.",
-              {{"stage", Align::kText},
-               {"postures on shapes", Align::kNumber},
-               {"trials", Align::kNumber},
-               {"held", Align::kText},
-               {"best mean score", Align::kNumber}});
+              {"stage", "postures on shapes", "trials", "held", "best mean score"});
   for (const DevelopmentStage& stage : stages) {
-    table.AddRow({Text(stage.name), Text(std::to_string(stage.num_requests)),
-                  Text(std::to_string(stage.tally.finished)), Text(FormatRate(stage.tally)),
-                  Text(FormatFixed(stage.best_score, 2))});
+    table.AddRow({stage.name, stage.num_requests, stage.tally.finished, FormatRate(stage.tally),
+                  FormatFixed(stage.best_score, 2)});
   }
   return table.ToHtml();
 }
 
 Html DrawJoints(const Hand& hand, const DevelopedGrasp& one) {
   Table table("Driven joints in degrees, of slides in millimetres.",
-              {{"joint", Align::kText},
-               {"pre-grasp, geometry", Align::kNumber},
-               {"pre-grasp, developed", Align::kNumber},
-               {"target, geometry", Align::kNumber},
-               {"target, developed", Align::kNumber}});
+              {"joint", "pre-grasp, geometry", "pre-grasp, developed", "target, geometry",
+               "target, developed"});
   for (const int j : FindGraspJoints(hand, one.grasp.digits)) {
     const HandJoint& joint = hand.joints[static_cast<size_t>(j)];
-    std::vector<Html> cells = {Text(joint.name)};
+    std::vector<Cell> cells = {joint.name};
     for (const VectorXd* q : {&one.proposed.grasp.q_pre, &one.grasp.q_pre,
                               &one.proposed.grasp.q_target, &one.grasp.q_target}) {
-      cells.push_back(Text(FormatFixed(ToDisplayUnits(joint, (*q)[j]), 1)));
+      cells.push_back(FormatFixed(ToDisplayUnits(joint, (*q)[j]), 1));
     }
     table.AddRow(cells);
   }
@@ -210,13 +196,9 @@ Html DrawPictures(const std::shared_ptr<const Hand>& hand, const Grasp& grasp,
 }
 
 Html DrawSummary(const PosturePageData& data) {
-  Table table("Developed grasps.", {{"grasp", Align::kText},
-                                    {"digits", Align::kText},
-                                    {"trials", Align::kNumber},
-                                    {"failed numerically", Align::kNumber},
-                                    {"score by geometry", Align::kNumber},
-                                    {"developed", Align::kNumber},
-                                    {"held of shapes not met before", Align::kText}});
+  Table table("Developed grasps.",
+              {"grasp", "digits", "trials", "failed numerically", "score by geometry", "developed",
+               "held of shapes not met before"});
   for (size_t i = 0; i < data.developed.size(); ++i) {
     const DevelopedGrasp& one = data.developed[i];
     std::string digits, held = "n/a";
@@ -225,10 +207,9 @@ Html DrawSummary(const PosturePageData& data) {
         data.stages[i].back().name == "check") {
       held = FormatRate(data.stages[i].back().tally);
     }
-    table.AddRow(
-        {LinkTo(one.grasp.id, NameOfGrasp(one.grasp.id)), Text(digits),
-         Text(std::to_string(one.num_trials)), Text(std::to_string(one.num_numerical_failures)),
-         Text(FormatFixed(one.proposed_score, 2)), Text(FormatFixed(one.score, 2)), Text(held)});
+    table.AddRow({LinkTo(one.grasp.id, NameOfGrasp(one.grasp.id)), digits, one.num_trials,
+                  one.num_numerical_failures, FormatFixed(one.proposed_score, 2),
+                  FormatFixed(one.score, 2), held});
   }
   return table.ToHtml();
 }

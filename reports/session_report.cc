@@ -5,7 +5,6 @@
 #include "datasets/plan/map_design.h"
 #include "reports/kind_pages.h"
 #include "reports/page/layout.h"
-#include "reports/page/write_page.h"
 
 namespace graspbench {
 

@@ -4,12 +4,11 @@
 
 #include "core/base/error.h"
 #include "core/base/text/text.h"
-#include "datasets/records/compare_results.h"
+#include "datasets/records/trial_record.h"
 #include "datasets/session/find_trial.h"
-#include "reports/outcome_words.h"
 #include "reports/page/layout.h"
+#include "reports/page/models.h"
 #include "reports/scenes/cell_pictures.h"
-#include "reports/scenes/shown_trials.h"
 
 namespace graspbench {
 namespace {

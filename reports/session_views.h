@@ -9,8 +9,8 @@ whoever can carry it out again. */
 
 #include "datasets/analysis/session_summary.h"
 #include "reports/page/html.h"
+#include "reports/page/layout.h"
 #include "reports/page/models.h"
-#include "reports/page/page_script.h"
 #include "reports/scenes/scene_3d.h"
 
 namespace graspbench {

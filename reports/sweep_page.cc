@@ -6,7 +6,7 @@
 #include "core/base/version.h"
 #include "datasets/analysis/conditions/sensitivity_summary.h"
 #include "reports/kind_pages.h"
-#include "reports/page/sectioned_page.h"
+#include "reports/page/layout.h"
 #include "reports/plots/svg_plot.h"
 
 namespace graspbench {
@@ -51,30 +51,12 @@ std::string DescribeHand(const SweepSummary& summary, const std::string& hand) {
 }
 
 Html DrawConditions(const SweepView& view) {
-  std::vector<Column> columns = {{"Condition"}, {"Hand"}, {"Trials", Align::kNumber}};
-  for (size_t i = 0; i < ListSweepMeasures().size(); ++i) {
-    if (!view.summary.Shows(i)) continue;
-    columns.push_back(
-        {ListSweepMeasures()[i].label, Align::kNumber, "rate of success; medians of the others"});
-  }
-  columns.push_back({"Note", Align::kProse});
   Html lead;
   for (const std::string& hand : view.summary.hands) {
     lead += Element("p", {{"class", "verdict"}}, DescribeHand(view.summary, hand));
   }
-  Table table("Conditions and what their trials gave.", columns);
-  for (const ConditionRow& row : view.summary.rows) {
-    std::vector<Html> cells = {
-        Text(NameCondition(row.name)), Text(row.hand),
-        Text(std::to_string(row.num_finished) + " of " + std::to_string(row.num_planned))};
-    for (size_t i = 0; i < row.medians.size(); ++i) {
-      if (!view.summary.Shows(i)) continue;
-      cells.push_back(Text(FormatValue(ListSweepMeasures()[i], row.medians[i])));
-    }
-    cells.push_back(Text(row.undecided));
-    table.AddRow(cells);
-  }
-  return lead + table.ToHtml();
+  return lead + MakeTable("Conditions and what their trials gave; medians of all but success.",
+                          ShowConditions(view.summary));
 }
 
 /** The condition with these levels of the first factors and the base's of all others; null: none. */
@@ -91,13 +73,13 @@ const ConditionRow* FindRowAt(const SweepSummary& summary, const std::string& ha
 
 /** Shades run from the least to the largest value of the measure in all maps of a hand; those of
 success from none to all. */
-struct Range {
+struct ShadeRange {
   double low = 0.0, high = 1.0;
   double CalcShade(double value) const { return high > low ? (value - low) / (high - low) : 0.5; }
 };
 
-Range FindRange(const SweepSummary& summary, const std::string& hand, size_t measure) {
-  Range range;
+ShadeRange FindRange(const SweepSummary& summary, const std::string& hand, size_t measure) {
+  ShadeRange range;
   if (measure == 0) return range;
   bool is_first = true;
   for (const ConditionRow& row : summary.rows) {
@@ -113,7 +95,7 @@ Range FindRange(const SweepSummary& summary, const std::string& hand, size_t mea
 Html DrawMap(const SweepSummary& summary, const std::string& hand, size_t measure,
              const std::string& third) {
   const SweepMeasure& shown = ListSweepMeasures()[measure];
-  const Range range = FindRange(summary, hand, measure);
+  const ShadeRange range = FindRange(summary, hand, measure);
   HeatMap map;
   map.text.title = std::string(shown.label) + ", " + hand +
                    (third.empty() ? "" : ", " + summary.factors[2].key + "=" + third);
@@ -173,37 +155,12 @@ Html DrawMaps(const SweepView& view) {
   return content;
 }
 
-Html DrawEffectTable(const std::vector<SweepEffect>& effects, const std::string& caption) {
-  Table table(caption, {{"Level"},
-                        {"Hand"},
-                        {"Measure"},
-                        {"Draws", Align::kNumber},
-                        {"Objects", Align::kNumber},
-                        {"Change", Align::kNumber,
-                         "mean over draws, in the measure's unit; of a threshold a ratio, the "
-                         "geometric mean"},
-                        {"95 % interval", Align::kProse},
-                        {"Left out", Align::kProse, "planned draws that the change leaves out"}});
-  for (const SweepEffect& effect : effects) {
-    const SweepMeasure& measure = FindSweepMeasure(effect.measure);
-    const std::string no_change = measure.threshold ? ", excludes 1" : ", excludes 0";
-    const std::string interval = effect.interval ? FormatChangeInterval(measure, *effect.interval) +
-                                                       (effect.excludes_zero() ? no_change : "")
-                                                 : effect.interval.reason();
-    table.AddRow({Text(NameEffect(effect)), Text(effect.hand), Text(measure.label),
-                  Text(CountDraws(effect)), Text(std::to_string(effect.num_objects)),
-                  Text(FormatChange(measure, effect.estimate)), Text(interval),
-                  Text(effect.why_left_out.empty() ? "none" : effect.why_left_out)});
-  }
-  return table.ToHtml();
-}
-
 Html DrawEffects(const SweepView& view) {
   return MakeParagraph(
              "Each level against the base's on the same draws; intervals come from "
              "drawing objects with replacement. One interval in twenty misses 0 by "
              "chance.") +
-         DrawEffectTable(view.summary.effects, "What each level changes.");
+         MakeTable("What each level changes.", ShowEffects(view.summary.effects));
 }
 
 Html DrawInteractions(const SweepView& view) {
@@ -213,16 +170,14 @@ Html DrawInteractions(const SweepView& view) {
         "The design has no two factors that change alone and together, so that "
         "it says nothing of interactions.");
   }
-  std::vector<SweepEffect> named;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(named),
-               [](const SweepEffect& effect) { return effect.excludes_zero(); });
+  const std::vector<SweepEffect> named = view.summary.FindInteractions();
   const Html list =
       MakeDetails("All " + FormatCount(static_cast<int>(all.size()), "interaction"),
-                  DrawEffectTable(all, "What two levels change beyond the sum of both."));
+                  MakeTable("What two levels change beyond the sum of both.", ShowEffects(all)));
   if (named.empty()) {
     return MakeParagraph("No 95 % interval of an interaction excludes 0.") + list;
   }
-  return DrawEffectTable(named, "Interactions whose 95 % interval excludes 0.") + list;
+  return MakeTable("Interactions whose 95 % interval excludes 0.", ShowEffects(named)) + list;
 }
 
 Html DrawSweepThresholds(const SweepView& view) {
@@ -232,26 +187,12 @@ Html DrawSweepThresholds(const SweepView& view) {
                        Element("code", {}, "graspbench threshold") +
                        Text(" with the sweep's folder does it."));
   }
-  const Align number = Align::kNumber;
-  Table table("Grip thresholds of the draws under each condition.",
-              {{"Condition"},
-               {"Hand"},
-               {"Scale"},
-               {"Draws", number},
-               {"Held by the least", number, "the threshold is no larger than the scale's end"},
-               {"Never held", number, "by no grip that was asked"},
-               {"Not monotone", Align::kProse, "draws that fail again with a larger grip"}});
-  for (const ConditionThresholds& row : view.summary.thresholds) {
-    table.AddRow({Text(NameCondition(row.name)), Text(row.hand), Text(row.scale->name),
-                  Text(std::to_string(row.num_draws)), Text(std::to_string(row.num_below)),
-                  Text(std::to_string(row.num_never)),
-                  Text(row.not_monotone.empty() ? "-" : row.not_monotone)});
-  }
   return MakeParagraph(
              "The smallest grip with which each draw succeeds, by bisection. Medians are among the "
              "conditions, changes among the effects as ratios; there a draw that no grip held "
              "counts as one step above the largest.") +
-         table.ToHtml();
+         MakeTable("Grip thresholds of the draws under each condition.",
+                   ShowThresholds(view.summary));
 }
 
 Html DrawSweepFindings(const SweepView& view) {

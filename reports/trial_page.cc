@@ -6,13 +6,10 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/base/version.h"
-#include "reports/outcome_words.h"
 #include "reports/page/layout.h"
 #include "reports/page/models.h"
-#include "reports/page/sectioned_page.h"
-#include "reports/plots/contact_strip.h"
+#include "reports/plots/trial_plots.h"
 #include "reports/scenes/cell_pictures.h"
-#include "reports/scenes/filmstrip.h"
 #include "reports/scenes/scene_3d.h"
 
 namespace graspbench {
@@ -50,14 +47,14 @@ Html DrawResult(const DrawnTrial& data) {
 
 Html DrawMeasures(const DrawnTrial& data) {
   const TrialResult& result = data.record.result;
-  Table table("Measures of the trial.", {{"Measure"}, {"Value", Align::kNumber}});
+  Table table("Measures of the trial.", {"Measure", "Value"});
   const auto add = [&table](const char* name, double value, int decimals) {
-    table.AddRow({Text(name), Text(FormatFixed(value, decimals))});
+    table.AddRow({name, FormatFixed(value, decimals)});
   };
   const std::string remark =
       result.timing.contact_before_start ? std::string(", ") + kNotComparable : "";
   const auto add_time = [&](const std::string& name, double value) {
-    table.AddRow({Text(name + remark), Text(FormatFixed(value, 1))});
+    table.AddRow({name + remark, FormatFixed(value, 1)});
   };
   add_time("GCT [ms]", MsFromS(result.timing.gct));
   add_time("GFT [ms]", MsFromS(result.timing.gft));

@@ -8,16 +8,15 @@
 #include <thread>
 
 #include "core/base/text/text.h"
-#include "datasets/campaign/campaign_progress.h"
+#include "datasets/campaign/campaign_store.h"
 #include "datasets/campaign/check_records.h"
 #include "datasets/journal/append_file.h"
-#include "datasets/journal/journal_files.h"
+#include "datasets/journal/read_journal.h"
 #include "datasets/journal/sealed_store.h"
-#include "datasets/journal/unverified_files.h"
 #include "datasets/shards/worker_log.h"
 #include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/tables/progress_tables.h"
-#include "workbench/terminal/progress.h"
+#include "workbench/terminal/terminal_observer.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

@@ -4,29 +4,21 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <memory>
 #include <new>
-#include <sstream>
 #include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/text/escape.h"
 #include "core/base/text/text.h"
 #include "core/base/version.h"
-#include "datasets/journal/file_lock.h"
+#include "datasets/journal/append_file.h"
 #include "datasets/plan/scene_names.h"
-#include "workbench/commands/command.h"
-#include "workbench/experiments/machines/machine.h"
-#include "workbench/experiments/machines/shell_quote.h"
-#include "workbench/experiments/run_session.h"
-#include "workbench/pictures/scene_view.h"
+#include "workbench/command.h"
 
 namespace graspbench {
 namespace {
@@ -39,10 +31,9 @@ std::string MakeHeading(std::string room) {
 }
 
 /** Lists what `add` adds to the program under the heading of its room. */
-void AddToRoom(const std::string& room, void (*add)(Command&, ExitCode&), Command& program,
-               ExitCode& exit_code) {
+void AddToRoom(const std::string& room, void (*add)(Command&), Command& program) {
   const size_t num_before = program.subcommands().size();
-  add(program, exit_code);
+  add(program);
   for (size_t i = num_before; i < program.subcommands().size(); ++i) {
     program.subcommands()[i]->SetHeading(MakeHeading(room));
   }
@@ -98,201 +89,16 @@ void RefuseLineFeeds(int argc, const char* const* argv) {
   }
 }
 
-/** Adds the names of "g1,g2". @throws Error(kUsage) where one is empty. */
-void SplitNames(const std::string& option, const std::string& given,
-                std::vector<std::string>& names) {
-  size_t number = 1;
-  for (size_t start = 0; start <= given.size(); ++number) {
-    const size_t comma = std::min(given.find(',', start), given.size());
-    if (comma == start) {
-      throw Error(ErrorKind::kUsage, option + " \"" + given + "\": name " + std::to_string(number) +
-                                         " of the list is empty; expected names with one comma "
-                                         "between two");
-    }
-    names.push_back(given.substr(start, comma - start));
-    start = comma + 1;
-  }
-}
-
 }  // namespace
 
-void AddListOption(Command& command, const std::string& name, std::vector<std::string>& list,
-                   const std::string& text, const std::string& form) {
-  std::string names;
-  for (const std::string& item : list) names += (names.empty() ? "" : ",") + item;
-  // Not by SplitAtCommas(), which drops empty names.
-  command
-      .AddOptionFunction<std::vector<std::string>>(
-          name,
-          [name, &list](const std::vector<std::string>& given) {
-            list.clear();
-            for (const std::string& one : given) SplitNames(name, one, list);
-          },
-          text)
-      ->OneValueEach()
-      ->ValueName(form)
-      ->ShowDefault(names);
-}
-
-void AddSceneOptions(Command& command, SessionConfig& config) {
-  AddListOption(command, "--hand", config.hands, "hands by id or folder, or all", "H,..");
-  AddListOption(command, "--object", config.objects,
-                "objects by id or folder, all, or a folder of such folders", "O,..");
-}
-
-void AddSettingsOption(Command& command, std::vector<std::string>& settings,
-                       const std::string& example) {
-  command.AddOption("--set", settings, "any other setting, e.g. " + example)
-      ->OneValueEach()
-      ->ValueName("KEY=VALUE");
-}
-
-void AddSearchOptions(Command& command, OptimiseConfig& config, const std::string& of) {
-  command.AddOption("--evaluations", config.evaluations, of)->ValueName("N")->ShowDefault();
-  command
-      .AddOption("--fitness-trials", config.fitness_trials,
-                 "trials of an evaluation: 1 without variation, or so many drawn ones")
-      ->ValueName("N")
-      ->ShowDefault();
-  command
-      .AddOption("--search", config.search, "what step 2 changes: " + ListNames(ListGraspSpaces()))
-      ->OneOf(ListGraspSpaces())
-      ->ValueName("SPACE")
-      ->ShowDefault();
-  command.AddFlag("--race", config.race,
-                  "simulate only those individuals of which earlier ones promise most, 28 %");
-  command
-      .AddOption("--fitness", config.fitness,
-                 "what step 2 makes larger: sigma, by statics, or strength, by pulling")
-      ->OneOf(ListNames(kFitnessKinds))
-      ->ValueName("FITNESS")
-      ->ShowDefault();
-  command
-      .AddOption("--grip", config.grip,
-                 "what a target may grip with: equal to the start, free, or limit")
-      ->OneOf(ListNames(kGripBudgets))
-      ->ValueName("GRIP")
-      ->ShowDefault();
-  command.AddOption("--grip-limit", config.grip_limit, "for --grip limit [N]")->ValueName("N");
-}
-
-void AddReplaceOption(Command& command, bool& replace) {
-  command.AddFlag("--replace", replace,
-                  "write in the place of an earlier result, if all its files are as written");
-}
-
-void AddPlanOnlyOption(Command& command, bool& plan_only) {
-  command.AddFlag("--plan-only", plan_only, "make the folder and run nothing: see work, submit");
-}
-
-void PrintPlan(const std::filesystem::path& folder, int count, const std::string& unit,
-               bool as_json) {
-  const std::string name = folder.string();
-  const std::string next = "graspbench submit " + QuoteForShell(name) + " --engine local";
-  if (as_json) {
-    PrintJson({{"folder", name}, {unit + "s", count}, {"next", next}});
-  } else {
-    PrintResult(name + ": " + FormatCount(count, unit) + " planned\nnext     " + next + "\n");
-  }
-}
-
-void PrintExperimentPlan(const PreparedSession& experiment, bool as_json) {
-  PrintPlan(experiment.folder, static_cast<int>(experiment.session.plan.size()), "trial", as_json);
-}
-
-void DemandFinished(bool is_finished) {
-  if (is_finished) return;
-  throw Error(ErrorKind::kInterrupted,
-              "stopped; what has run is kept. Continue with the same command");
-}
-
-void AddJsonOption(Command& command, bool& as_json) {
-  command.AddFlag("--json", as_json, "print one JSON object");
-}
-
-void AddResumeOption(Command& command, bool& resume) {
-  command.AddFlag("--resume", resume,
-                  "continue what is in the folder of --out, with its own settings");
-}
-
-void CheckResume(const Command& command, const std::vector<std::string>& settings) {
-  if (!command.IsGiven("--out")) {
-    throw Error(ErrorKind::kUsage, "--resume needs --out DIR, the folder to be continued");
-  }
-  for (const std::string& name : settings) {
-    if (!command.IsGiven(name)) continue;
-    throw Error(ErrorKind::kUsage, name +
-                                       " does not go with --resume: what is continued keeps its "
-                                       "own settings; leave it out");
-  }
-}
-
-void AddAcceptDamageOption(Command& command, OnDamage& on_damage) {
-  command.AddFlag(
-      "--accept-damage", [&on_damage] { on_damage = OnDamage::kAccept; },
-      "go on with what is whole in a damaged folder; the report names the damage");
-}
-
-void AddSecondsOption(Command& command, const std::string& name, double& seconds,
-                      const std::string& text) {
-  const auto check = [](const std::string& value) {
-    double number = 0.0;
-    const bool is_time = ReadNumber(value, number) && std::isfinite(number) && number > 0.0;
-    return is_time ? std::string() : "\"" + value + "\": expected a number of seconds above 0";
-  };
-  command.AddOption(name, seconds, text)->Check(check)->ValueName("S")->ShowDefault();
-}
-
-void AddTrialTimeoutOption(Command& command, double& seconds) {
-  AddSecondsOption(
-      command, "--trial-timeout", seconds,
-      "seconds of processor time after which a trial is given up as a numerical failure");
-}
-
-void AddStoreFolder(Command& command, std::filesystem::path& folder, const std::string& text) {
-  const auto name = [](const std::string& value) {
-    return value == "." ? std::filesystem::current_path().string() : value;
-  };
-  command.AddOption("folder", folder, text)->Require()->Transform(name)->ValueName("DIR");
-}
-
-std::vector<Option*> AddPictureOptions(Command& command, std::string& at,
-                                       std::vector<std::string>& view, std::string& size) {
-  return {command
-              .AddOption("--at,--phase", at,
-                         "which instant: a time as 1.25s, or the end of a phase; else of "
-                         "stabilisation")
-              ->ValueName("TIME|PHASE"),
-          command.AddOption("--camera", view, "from where: " + ListNames(ListSceneViews()))
-              ->NumValues(1, 4)
-              ->ValueName("VIEW [AZ EL [ZOOM]]"),
-          command.AddOption("--size", size, "of the picture, in pixels")
-              ->ValueName("WxH")
-              ->ShowDefault()};
-}
-
-void AddJobsOption(Command& command, int& num_workers, const std::string& what) {
-  num_workers = CountProcessors();
-  command.AddOption("--jobs", num_workers, what + " at a time")
-      ->Within(1, 1024)
-      ->ValueName("N")
-      ->ShowDefault("processors");
-}
-
-std::string ListNames(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
-void AddCommands(Command& program, ExitCode& exit_code) {
+void AddCommands(Command& program) {
   program.Describe("graspbench", "Grasping experiments with simulated robot hands.",
                    "  graspbench run                       both hands, 21 objects, then a report\n"
                    "  graspbench render shadow can g3 --at closed --out can.png");
   program.RequireSubcommand();
   program.AddVersionFlag("--version,-V", std::string("graspbench ") + program_version(),
                          "Print the version of the program and exit");
-#define GRASPBENCH_COMMAND(Name, room) AddToRoom(#room, &Add##Name##Command, program, exit_code);
+#define GRASPBENCH_COMMAND(Name, room) AddToRoom(#room, &Add##Name##Command, program);
 #include "workbench/commands/command_list.inc"
 #include "workbench/terminal/command_line.h"
 #undef GRASPBENCH_COMMAND
@@ -302,10 +108,9 @@ void AddCommands(Command& program, ExitCode& exit_code) {
 
 int RunProgram(int argc, const char* const* argv) {
   WarnOfMissingLocks([](const std::string& text) { PrintMessage(text); });
-  ExitCode exit_code = kExitOk;
   Command program;
   try {
-    AddCommands(program, exit_code);
+    AddCommands(program);
     RefuseLineFeeds(argc, argv);
     std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
     if (argc == 1 && ::isatty(STDIN_FILENO) && ::isatty(STDOUT_FILENO)) words = {"shell"};
@@ -320,7 +125,7 @@ int RunProgram(int argc, const char* const* argv) {
       return kExitOk;
     }
     FlushResults();
-    return exit_code;
+    return parsed.exit_code;
   } catch (const Error& error) {
     PrintFault(error.what());
     return ExitCodeOf(error.kind());

@@ -9,9 +9,8 @@ namespace graspbench {
 
 class Command;
 
-/** Makes an empty parser that of graspbench: its name, help and every command, whose callbacks leave
-the exit code. */
-void AddCommands(Command& program, ExitCode& exit_code);
+/** Makes an empty parser that of graspbench: its name, help and every command. */
+void AddCommands(Command& program);
 
 int RunProgram(int argc, const char* const* argv);
 

@@ -1,23 +1,67 @@
 #include "workbench/result_page.h"
 
 #include <algorithm>
+#include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
+#include "core/trial/trial_runner.h"
+#include "datasets/analysis/export_result.h"
 #include "datasets/campaign/campaign_store.h"
-#include "datasets/judged_grasps/judged_summary.h"
+#include "datasets/judged_grasps/grasp_store.h"
+#include "datasets/plan/session_inputs.h"
 #include "datasets/session/session_store.h"
+#include "objects/catalogue.h"
 #include "reports/campaign/campaign_report.h"
-#include "reports/grasps_page.h"
-#include "reports/page/write_page.h"
+#include "reports/kind_pages.h"
+#include "reports/page/layout.h"
 #include "reports/session_report.h"
 #include "workbench/terminal/terminal.h"
-#include "workbench/trace_session.h"
 
 namespace graspbench {
+
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kInstantInterval = 0.01;  // finer than the keys of a view [s]
+
+}  // namespace
+
+TrialTracer MakeTrialTracer(const Session& session) {
+  using Pair = std::pair<std::string, std::string>;
+  struct Bench {
+    std::shared_ptr<const GraspObject> object;
+    std::unique_ptr<TrialRunner> runner;
+  };
+  const auto inputs = std::make_shared<const SessionInputs>(
+      LoadSessionInputs(session.config, FieldUse::kLater, session.folder));
+  const auto benches = std::make_shared<std::map<Pair, Bench>>();
+  return [config = session.config, inputs, benches](const PlannedTrial& planned) {
+    TrialSetup setup = MakeTrialSetup(config, *inputs, planned);
+    Bench& bench = (*benches)[{planned.hand, planned.object}];
+    if (!bench.runner) {
+      bench.object = CompleteObject(setup.object);
+      bench.runner = std::make_unique<TrialRunner>(setup.hand, bench.object);
+    }
+    setup.object = bench.object;
+    return TraceTrial(*bench.runner, setup, kInstantInterval);
+  };
+}
+
+TrialTracer MakeKeptTracer(const Session& session) {
+  const std::filesystem::path page = session.folder / "report" / "index.html";
+  if (!std::filesystem::exists(page) || !HasSessionViews(ReadFile(page))) return {};
+  try {
+    return MakeTrialTracer(session);
+  } catch (const Error& fault) {
+    PrintMessage("the page loses its 3-D views: " + std::string(fault.what()));
+    return {};
+  }
+}
 
 namespace {
 
@@ -97,6 +141,16 @@ fs::path WriteResultPage(const fs::path& folder, const fs::path& place, OnDamage
                             : views == PageViews::kAsBefore ? MakeKeptTracer(session)
                                                             : TrialTracer();
   return WriteSessionReport(place, std::move(session), trace).lexically_relative(place);
+}
+
+fs::path WriteResults(const Session& session, const TrialTracer& trace) {
+  ExportResult(session.folder, session);
+  return WriteSessionReport(session.folder, session, trace);
+}
+
+std::string FormatPlaces(const fs::path& page, const fs::path& table) {
+  return "\nreport   " + page.string() +
+         (table.empty() ? "\n" : "\ndata     " + table.string() + "\n");
 }
 
 }  // namespace graspbench

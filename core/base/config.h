@@ -20,10 +20,9 @@ text with commas: "tum, shadow". */
 #include <string_view>
 #include <type_traits>
 #include <utility>
-#include <variant>
 #include <vector>
 
-#include "core/base/diagnostics.h"
+#include "core/base/error.h"
 #include "core/base/file_keys.h"
 #include "core/base/text/json.h"
 #include "core/base/text/yaml.h"
@@ -159,23 +158,6 @@ class KeyLister {
   FileKeys* keys_;
 };
 
-class ValueLister {
- public:
-  template <class T>
-  void operator()(const char*, T& value, const KeyInfo& = {}) {
-    if constexpr (HasVisit<T>::value) {
-      value.Visit(*this);
-    } else {
-      values_.emplace_back(value);
-    }
-  }
-  using Value = std::variant<int, double, bool, std::string, std::vector<std::string>>;
-  const std::vector<Value>& values() const { return values_; }
-
- private:
-  std::vector<Value> values_;
-};
-
 /** Splits "sim.step_s=0.001" and gives {sim: {step_s: 0.001}}.
 @throws Error(kUsage) when it is not of that form or the key is not known. */
 YAML::Node ParseSetting(const std::string& assignment, const std::vector<std::string>& known);
@@ -201,10 +183,7 @@ Json ConfigToJson(Config config) {
 /** Whether all values are equal; one that is not a number equals none. */
 template <class Config>
 [[nodiscard]] bool HaveEqualValues(Config a, Config b) {
-  internal::ValueLister of_a, of_b;
-  a.Visit(of_a);
-  b.Visit(of_b);
-  return of_a.values() == of_b.values();
+  return ConfigToJson(std::move(a)) == ConfigToJson(std::move(b));
 }
 
 /** Reads a complete configuration; missing and unknown keys and wrong types go into `problems`. */

@@ -9,7 +9,8 @@ One table per enum: a row for each value, with its name and whatever else is sai
     };
     inline constexpr ShapeRow kShapes[] = {{Shape::kBall, "ball"}, {Shape::kBox, "box"}};
 
-A row may hold more: words for a person, a code, rules. Nothing else repeats the names. */
+A row may hold more: words for a person, a code, rules. Nothing else repeats the names. Where there
+is no more, NamedValue<Shape> is the row. */
 
 #include <string>
 #include <vector>
@@ -17,6 +18,12 @@ A row may hold more: words for a person, a code, rules. Nothing else repeats the
 #include "core/base/error.h"
 
 namespace graspbench {
+
+template <class Enum>
+struct NamedValue {
+  Enum value;
+  const char* name;  ///< in files
+};
 
 /** @pre the table has a row of this value. */
 template <class Row, size_t N, class Enum>

@@ -4,7 +4,7 @@ The one error class: a fault of the user, of a file or of the environment, repor
 
 Three cases, three mechanisms:
 - our own bug: GRASPBENCH_DEMAND, stops with file, line and values;
-- the user's or a file's fault: throw Error (several faults in one file: see diagnostics.h);
+- the user's or a file's fault: throw Error (several faults in one file: Diagnostics);
 - the outcome of an experiment (dropped, diverged): a status in the result, never an exception.
 
 A message says what was found, where, what was expected, and what to do about it. */
@@ -53,6 +53,37 @@ ExitCode ExitCodeOf(ErrorKind kind);
 none where more than 8 stand beside a suggestion. The suggestion is left out when nothing known is
 within a third of the name's length in edits. */
 std::string SuggestNames(std::string_view misspelt, const std::vector<std::string>& known);
+
+enum class Severity { kWarning, kError };
+
+struct Diagnostic {
+  Severity severity = Severity::kError;
+  std::string file;
+  int line = 0;  ///< one-based; 0 = the file as a whole
+  std::string text;
+};
+
+/** The faults inside one file: its reader goes on, and all problems are reported at once. */
+class Diagnostics {
+ public:
+  void Warn(const std::string& file, int line, const std::string& text) {
+    entries_.push_back({Severity::kWarning, file, line, text});
+  }
+  void Fail(const std::string& file, int line, const std::string& text) {
+    entries_.push_back({Severity::kError, file, line, text});
+  }
+  const std::vector<Diagnostic>& entries() const { return entries_; }
+  int num_errors() const;
+
+  /** One line each: "hand.urdf:12: error: ...". */
+  std::string Format() const;
+
+  /** Throws Error(kind) with all entries when there is at least one error. */
+  void ThrowIfErrors(ErrorKind kind, const std::string& headline) const;
+
+ private:
+  std::vector<Diagnostic> entries_;
+};
 
 namespace internal {
 [[noreturn]] void DemandFailed(const char* condition, const char* file, int line,

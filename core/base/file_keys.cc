@@ -12,6 +12,9 @@ namespace {
 // The longest ending first.
 constexpr std::pair<const char*, const char*> kUnits[] = {{"_grey_levels", "grey levels"},
                                                           {"_kg_per_m3", "kg/m3"},
+                                                          {"_m_per_s2", "m/s2"},
+                                                          {"_rad_per_m", "rad/m"},
+                                                          {"_kg_m2", "kg m2"},
                                                           {"_nms_per_rad", "N m s/rad"},
                                                           {"_nm_per_rad", "N m/rad"},
                                                           {"_ns_per_m", "N s/m"},
@@ -19,6 +22,8 @@ constexpr std::pair<const char*, const char*> kUnits[] = {{"_grey_levels", "grey
                                                           {"_n_per_m", "N/m"},
                                                           {"_m_per_s", "m/s"},
                                                           {"_hz", "Hz"},
+                                                          {"_pa", "Pa"},
+                                                          {"_m2", "m2"},
                                                           {"_px", "px"},
                                                           {"_kg", "kg"},
                                                           {"_mm", "mm"},

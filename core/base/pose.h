@@ -16,6 +16,7 @@ Monogram notation: `X_WO` is the pose of O in W, `p_WC` a point's position from 
 into F. In a product the letters meet: X_WC = X_WO * X_OC. */
 
 #include <Eigen/Geometry>
+#include <cmath>
 
 namespace graspbench {
 
@@ -37,6 +38,14 @@ inline Eigen::Matrix3d MakeRotationRpy(double roll, double pitch, double yaw) {
           Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
           Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX()))
       .toRotationMatrix();
+}
+
+/** The inverse of MakeRotationRpy: roll, pitch, yaw [rad]. One angle after the other is
+taken out, so that they stay exact where the pitch is 90 degrees. */
+inline Eigen::Vector3d CalcRollPitchYaw(const Eigen::Matrix3d& R) {
+  const double yaw = std::atan2(R(1, 0), R(0, 0));
+  const Eigen::Matrix3d tilted = Eigen::AngleAxisd(-yaw, Eigen::Vector3d::UnitZ()) * R;
+  return {std::atan2(-tilted(1, 2), tilted(1, 1)), std::atan2(-tilted(2, 0), tilted(0, 0)), yaw};
 }
 
 }  // namespace graspbench

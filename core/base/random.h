@@ -29,4 +29,10 @@ class RandomStream {
   uint64_t state_;
 };
 
+/** Limits between which a number is drawn evenly. */
+struct DrawnRange {
+  double low = 0.0, high = 0.0;
+  double Draw(RandomStream& stream) const { return stream.NextUniform(low, high); }
+};
+
 }  // namespace graspbench

@@ -11,7 +11,7 @@ Develops one grasp of a hand: geometry proposes, simulation on training shapes d
               nothing is chosen that scores lower on the same trials
     check     the chosen one on shapes that nothing has seen
 
-How it scores is in develop_trial.h, the shapes in training_shapes.h. The simulation is asked, so
+How it scores stands at DevelopTrial, the shapes in training_shapes.h. The simulation is asked, so
 that the caller runs the trials on its threads and keeps a journal; the same answers lead to the
 same questions. */
 
@@ -19,24 +19,54 @@ same questions. */
 #include <string>
 #include <vector>
 
-#include "core/develop/develop_trial.h"
+#include "core/base/text/record_fields.h"
 #include "core/develop/propose_grasps.h"
 #include "core/grasp/standard_grasp.h"
+#include "core/shape/grasp_object.h"
+#include "core/trial/trial_result.h"
 
 namespace graspbench {
+
+/** What the development keeps of a simulated trial, and how it scores it, larger is better:
+
+    success    1 + 0.3 x / (1 + x),  x = sigma / (m g + 0.2 N): how firmly it is held
+               + 0.2 (digits that touched) / (all)
+               + 0.6 when the palm touches in the end, of a grasp whose palm may
+               + 0.15 of a pinch that holds by the sides of its digits
+               - 0.3 when a digit touched before the hand closed
+    else       0.3 (digits that touched) / (all) + 0.2 (height reached) / (height of the lift),
+               0 of a numerical failure
+
+so that a failure leads towards success, and among successes the firm ones win. */
+struct DevelopTrial {
+  Outcome outcome = Outcome::kNotRun;
+  double score = 0.0;
+
+  template <class V>
+  static void ListFields(V&& field) {
+    field("outcome", &DevelopTrial::outcome);
+    field("score", &DevelopTrial::score);
+  }
+};
+
+DevelopTrial MakeDevelopTrial(const Grasp& grasp, const GraspObject& object,
+                              const TrialResult& result);
+
+double CalcMeanScore(const std::vector<DevelopTrial>& trials);  ///< 0 without trials
+int CountSuccesses(const std::vector<DevelopTrial>& trials);
 
 struct DevelopConfig {
   int budget = 15000;  ///< trials of all grasps together, about
   int seed = 1;
-  /** Of coupled joints (core/hand/coupling.h): the hand's own rule, or that and all others in turn,
+  /** Of coupled joints (core/hand/hand.h): the hand's own rule, or that and all others in turn,
   for a hand whose rule is not known. */
   bool any_coupling = false;
 
   template <class V>
   void Visit(V&& v) {
-    v("budget", budget);
-    v("seed", seed);
-    v("any_coupling", any_coupling);
+    v("budget", budget, "trials of all grasps together, about");
+    v("seed", seed, "random seed of shapes and search");
+    v("any_coupling", any_coupling, "the rule of coupled joints is not known: train with all");
   }
 };
 

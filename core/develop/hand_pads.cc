@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "core/hand/closing.h"
-#include "core/hand/coupling.h"
+#include "core/hand/hand.h"
 
 namespace graspbench {
 namespace {
@@ -29,7 +29,7 @@ Vector3d FindNearestBall(const Hand& hand, const Digit& digit) {
 }  // namespace
 
 PadState CalcPadState(const Hand& hand, const Digit& digit, const std::vector<Pose>& X_HL) {
-  const Pose& X_HF = X_HL[static_cast<size_t>(digit.distal_link)];
+  const Pose& X_HF = X_HL[digit.distal_link];
   const Vector3d axis_L =
       digit.p_LTip.norm() > kThin ? digit.p_LTip.normalized() : Vector3d::UnitZ();
   Vector3d out_L = digit.p_LPad - digit.p_LPad.dot(axis_L) * axis_L;
@@ -41,11 +41,11 @@ PadState CalcPadState(const Hand& hand, const Digit& digit, const std::vector<Po
 PadState CalcSideState(const Hand& hand, const Digit& digit, double side,
                        const std::vector<Pose>& X_HL) {
   PadState state = CalcPadState(hand, digit, X_HL);
-  const Pose& X_HF = X_HL[static_cast<size_t>(digit.distal_link)];
+  const Pose& X_HF = X_HL[digit.distal_link];
   for (size_t k = digit.links.size(); k-- > 0;) {
     const auto index = static_cast<size_t>(digit.links[k]);
     const HandLink& link = hand.links[index];
-    if (link.joint < 0 || hand.joints[static_cast<size_t>(link.joint)].is_prismatic) continue;
+    if (link.joint < 0 || hand.joints[link.joint].is_prismatic) continue;
     state.nhat_H = side * (X_HL[index].linear() * link.axis);
     break;
   }
@@ -66,8 +66,8 @@ double CalcFingerLength(const Hand& hand) {
   double length = 0.0;
   for (const Digit& digit : hand.digits) {
     if (digit.is_thumb && hand.digits.size() > 1) continue;
-    const Vector3d p_HBase = X_HL[static_cast<size_t>(digit.links.front())].translation();
-    const Vector3d p_HTip = X_HL[static_cast<size_t>(digit.distal_link)] * digit.p_LTip;
+    const Vector3d p_HBase = X_HL[digit.links.front()].translation();
+    const Vector3d p_HTip = X_HL[digit.distal_link] * digit.p_LTip;
     length = std::max(length, (p_HTip - p_HBase).norm());
   }
   return length;

@@ -38,14 +38,14 @@ PostureChanges::PostureChanges(const Hand& hand, Grasp grasp)
     if (!std::count(grasp_.digits.begin(), grasp_.digits.end(), digit.id)) continue;
     const std::vector<int> joints = FindDrivenJoints(hand, digit);
     for (size_t k = 0; k < joints.size(); ++k) {
-      const HandJoint& joint = hand.joints[static_cast<size_t>(joints[k])];
+      const HandJoint& joint = hand.joints[joints[k]];
       Move move{joints[k], CalcUnit(joint)};
       if (static_cast<int>(d) != opposing) {
         const auto [known, is_new] =
             group_of_build.emplace(std::pair(joints.size(), k), groups_.size());
         if (!is_new) {
           std::vector<Move>& group = groups_[known->second];
-          const HandJoint& first = hand.joints[static_cast<size_t>(group.front().joint)];
+          const HandJoint& first = hand.joints[group.front().joint];
           if (AreMirrored(first, joint)) move.per_unit = -move.per_unit;
           group.push_back(move);
           continue;
@@ -70,12 +70,12 @@ SearchSpace PostureChanges::MakeSpace() const {
 Grasp PostureChanges::Apply(const Eigen::VectorXd& change) const {
   Grasp grasp = grasp_;
   const auto move = [&](const Move& moved, double by, Eigen::VectorXd& q) {
-    const HandJoint& joint = hand_.joints[static_cast<size_t>(moved.joint)];
+    const HandJoint& joint = hand_.joints[moved.joint];
     q[moved.joint] = std::clamp(q[moved.joint] + moved.per_unit * by, joint.lower, joint.upper);
   };
   const auto size = static_cast<Eigen::Index>(groups_.size());
   for (Eigen::Index g = 0; g < size; ++g) {
-    for (const Move& moved : groups_[static_cast<size_t>(g)]) {
+    for (const Move& moved : groups_[g]) {
       move(moved, change[g], grasp.q_pre);
       move(moved, change[size + g], grasp.q_target);
     }

@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/grasp/placement.h"
-#include "core/hand/coupling.h"
+#include "core/hand/hand.h"
 
 namespace graspbench {
 namespace {
@@ -49,11 +49,11 @@ PostureRules::PostureRules(const Hand& hand, const PostureAim& aim, const Vector
     : hand_(hand), aim_(aim), q_rest_(q_rest), joints_(FindGraspJoints(hand, aim.digits)) {
   Grasp grasp;
   grasp.digits = aim.digits;
-  opposing_ = &hand.digits[static_cast<size_t>(FindOpposingDigit(hand, grasp))];
+  opposing_ = &hand.digits[FindOpposingDigit(hand, grasp)];
   is_tip_.resize(hand.links.size(), false);
   for (const Digit& digit : hand.digits) {
     if (!std::count(aim.digits.begin(), aim.digits.end(), digit.id)) continue;
-    is_tip_[static_cast<size_t>(digit.distal_link)] = true;
+    is_tip_[digit.distal_link] = true;
     if (&digit != opposing_) fingers_.push_back(&digit);
   }
   GRASPBENCH_DEMAND(!fingers_.empty(), "a grasp needs two digits");
@@ -69,8 +69,8 @@ void PostureRules::FindSides() {
   const std::vector<Pose> X_HL = CalcLinkPoses(hand_, VectorXd::Zero(hand_.num_joints()));
   const auto find_side = [&](const Digit& digit, const Digit& other) {
     const PadState side = CalcSideState(hand_, digit, 1.0, X_HL);
-    const Vector3d apart = X_HL[static_cast<size_t>(other.distal_link)].translation() -
-                           X_HL[static_cast<size_t>(digit.distal_link)].translation();
+    const Vector3d apart =
+        X_HL[other.distal_link].translation() - X_HL[digit.distal_link].translation();
     return side.nhat_H.dot(apart) < 0.0 ? -1.0 : 1.0;
   };
   if (!opposing_->is_thumb) sides_[0] = find_side(*opposing_, *fingers_.front());
@@ -88,8 +88,8 @@ PosturePair PostureRules::MakePair(const VectorXd& x) const {
   PosturePair pair{q_rest_, q_rest_, x[x.size() - 1]};
   const auto size = static_cast<Eigen::Index>(joints_.size());
   for (Eigen::Index k = 0; k < size; ++k) {
-    const int j = joints_[static_cast<size_t>(k)];
-    const HandJoint& joint = hand_.joints[static_cast<size_t>(j)];
+    const int j = joints_[k];
+    const HandJoint& joint = hand_.joints[j];
     const double range = joint.upper - joint.lower;
     pair.q_open[j] = joint.lower + range * std::clamp(x[k], 0.0, 1.0);
     pair.q_met[j] = joint.lower + range * std::clamp(x[size + k], 0.0, 1.0);
@@ -103,8 +103,8 @@ VectorXd PostureRules::MakeCoordinates(const PosturePair& pair) const {
   VectorXd x(num_coordinates());
   const auto size = static_cast<Eigen::Index>(joints_.size());
   for (Eigen::Index k = 0; k < size; ++k) {
-    const int j = joints_[static_cast<size_t>(k)];
-    const HandJoint& joint = hand_.joints[static_cast<size_t>(j)];
+    const int j = joints_[k];
+    const HandJoint& joint = hand_.joints[j];
     const double range = std::max(joint.upper - joint.lower, 1e-9);
     x[k] = (pair.q_open[j] - joint.lower) / range;
     x[size + k] = (pair.q_met[j] - joint.lower) / range;
@@ -221,15 +221,14 @@ VectorXd PostureRules::CalcResiduals(const VectorXd& x) const {
   }
   const auto size = static_cast<Eigen::Index>(joints_.size());
   const auto is_leader = [&](Eigen::Index k) {
-    const int j = joints_[static_cast<size_t>(k % size)];
+    const int j = joints_[k % size];
     return aim_.leaders_straight &&
            std::any_of(hand_.joints.begin(), hand_.joints.end(), [j](const HandJoint& other) {
              return other.coupled_to == j && !other.is_mimic;
            });
   };
   for (Eigen::Index k = 0; k < 2 * size; ++k) {
-    const HandJoint& joint =
-        hand_.joints[static_cast<size_t>(joints_[static_cast<size_t>(k % size)])];
+    const HandJoint& joint = hand_.joints[joints_[k % size]];
     const double range = std::max(joint.upper - joint.lower, 1e-9);
     const double rest = (std::clamp(0.0, joint.lower, joint.upper) - joint.lower) / range;
     residuals.push_back((x[k] - rest) / (is_leader(k) ? kLeaderEase : kEase));

@@ -6,13 +6,13 @@
 #include <unsupported/Eigen/NonLinearOptimization>
 #include <unsupported/Eigen/NumericalDiff>
 
+#include "core/base/random.h"
 #include "core/base/units.h"
-#include "core/develop/drawn_range.h"
+#include "core/grasp/grasp_yaml.h"
 #include "core/grasp/placement.h"
-#include "core/grasp/posture_yaml.h"
 #include "core/hand/closing.h"
-#include "core/hand/coupling.h"
-#include "core/hand/self_contact.h"
+#include "core/hand/contact_shape.h"
+#include "core/hand/hand.h"
 
 namespace graspbench {
 namespace {
@@ -59,7 +59,7 @@ std::vector<std::string> DrawDigits(const Hand& hand, int num_digits, RandomStre
   if (num_digits == 0) num_digits = num_all;
   int thumb = 0;
   for (int d = 0; d < num_all; ++d) {
-    if (hand.digits[static_cast<size_t>(d)].is_thumb) thumb = d;
+    if (hand.digits[d].is_thumb) thumb = d;
   }
   std::vector<int> others;
   for (int d = 0; d < num_all; ++d) {
@@ -71,7 +71,7 @@ std::vector<std::string> DrawDigits(const Hand& hand, int num_digits, RandomStre
   std::vector<std::string> digits;
   for (int d = 0; d < num_all; ++d) {
     if (d == thumb || std::count(others.begin(), others.end(), d)) {
-      digits.push_back(hand.digits[static_cast<size_t>(d)].id);
+      digits.push_back(hand.digits[d].id);
     }
   }
   return digits;
@@ -114,9 +114,9 @@ PosturePair DrawStart(const Hand& hand, const std::vector<int>& closing, RandomS
   start.q_open = CalcClosedPosture(hand, closing, stream.NextUniform(0.0, 0.4));
   start.q_met = CalcClosedPosture(hand, closing, stream.NextUniform(0.3, 0.8));
   for (int j = 0; j < hand.num_joints(); ++j) {
-    const HandJoint& joint = hand.joints[static_cast<size_t>(j)];
+    const HandJoint& joint = hand.joints[j];
     const double away = 0.5 * stream.NextUniform(-1.0, 1.0) * (joint.upper - joint.lower);
-    if (closing[static_cast<size_t>(j)] != 0 || joint.coupled_to >= 0) continue;
+    if (closing[j] != 0 || joint.coupled_to >= 0) continue;
     const double rest = std::clamp(0.0, joint.lower, joint.upper);
     start.q_open[j] = start.q_met[j] = std::clamp(rest + away, joint.lower, joint.upper);
   }
@@ -161,8 +161,8 @@ double CalcOverlap(const Hand& hand, const std::vector<std::string>& digits,
                    const std::vector<CapsulePair>& pairs, const PosturePair& pair) {
   const auto is_tip = [&](int link) {
     const int d = hand.FindDigitOfLink(link);
-    return d >= 0 && hand.digits[static_cast<size_t>(d)].distal_link == link &&
-           std::count(digits.begin(), digits.end(), hand.digits[static_cast<size_t>(d)].id) > 0;
+    return d >= 0 && hand.digits[d].distal_link == link &&
+           std::count(digits.begin(), digits.end(), hand.digits[d].id) > 0;
   };
   double overlap = 0.0;
   for (const double share : {0.0, 0.5, 1.0}) {
@@ -173,8 +173,8 @@ double CalcOverlap(const Hand& hand, const std::vector<std::string>& digits,
     for (const CapsulePair& capsules : pairs) {
       const double gap = CalcCapsuleGap(hand, capsules, X_HL);
       if (-gap <= deepest) continue;
-      if (share > 0.5 && is_tip(hand.capsules[static_cast<size_t>(capsules.a)].link) &&
-          is_tip(hand.capsules[static_cast<size_t>(capsules.b)].link)) {
+      if (share > 0.5 && is_tip(hand.capsules[capsules.a].link) &&
+          is_tip(hand.capsules[capsules.b].link)) {
         continue;
       }
       deepest = -gap;
@@ -235,7 +235,7 @@ VectorXd CalcSqueeze(const Hand& hand, const std::vector<std::string>& digits,
   constexpr double kMostTorque = 0.5;  // of a drive's limit
   Grasp grasp;
   grasp.digits = digits;
-  const Digit& opposing = hand.digits[static_cast<size_t>(FindOpposingDigit(hand, grasp))];
+  const Digit& opposing = hand.digits[FindOpposingDigit(hand, grasp)];
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, q_met);
   const double num_fingers = static_cast<double>(digits.size()) - 1.0;
   const Vector3d p_HThumb = CalcPadState(hand, opposing, X_HL).p_HPad;
@@ -254,9 +254,9 @@ VectorXd CalcSqueeze(const Hand& hand, const std::vector<std::string>& digits,
         &digit == &opposing ? Vector3d(grip * across_H) : Vector3d(-grip / num_fingers * across_H);
     const VectorXd torques = CalcPadJacobian(hand, digit, q_met, joints).transpose() * f_H;
     for (size_t k = 0; k < joints.size(); ++k) {
-      const HandJoint& joint = hand.joints[static_cast<size_t>(joints[k])];
+      const HandJoint& joint = hand.joints[joints[k]];
       const double most = kMostTorque * joint.drive.torque_limit;
-      const double torque = std::clamp(torques[static_cast<Eigen::Index>(k)], -most, most);
+      const double torque = std::clamp(torques[k], -most, most);
       q[joints[k]] =
           std::clamp(q[joints[k]] + torque / joint.drive.stiffness, joint.lower, joint.upper);
     }

@@ -10,7 +10,6 @@
 #include "core/base/hash.h"
 #include "core/base/random.h"
 #include "core/base/units.h"
-#include "core/develop/drawn_range.h"
 #include "core/shape/primitives.h"
 
 namespace graspbench {
@@ -98,8 +97,8 @@ TriMesh MakeRod(double length, double width) {
       // A side, not an edge, on the table; of this radius the sides touch the width.
       const double angle = 2.0 * kPi * (k + 0.5) / kSides;
       const double radius = 0.5 * width / std::cos(kPi / kSides);
-      rings[static_cast<size_t>(end)].emplace_back((end - 0.5) * length, radius * std::cos(angle),
-                                                   radius * std::sin(angle));
+      rings[end].emplace_back((end - 0.5) * length, radius * std::cos(angle),
+                              radius * std::sin(angle));
     }
   }
   return MakeLoft(rings);
@@ -139,8 +138,7 @@ TriMesh MakeCross(double width, double height) {
       const double c = quarter == 0 ? 1.0 : quarter == 2 ? -1.0 : 0.0;
       const double s = quarter == 1 ? 1.0 : quarter == 3 ? -1.0 : 0.0;
       for (const Vector2d& p : {Vector2d(tip, -arm), Vector2d(tip, arm), Vector2d(arm, arm)}) {
-        rings[static_cast<size_t>(end)].emplace_back(c * p.x() - s * p.y(), s * p.x() + c * p.y(),
-                                                     z);
+        rings[end].emplace_back(c * p.x() - s * p.y(), s * p.x() + c * p.y(), z);
       }
     }
   }

@@ -4,8 +4,8 @@
 
 #include "core/base/units.h"
 #include "core/develop/development_warnings.h"
+#include "core/grasp/grasp_yaml.h"
 #include "core/grasp/placement.h"
-#include "core/grasp/posture_yaml.h"
 
 namespace graspbench {
 namespace {

@@ -5,12 +5,11 @@
 
 #include "core/base/files/files.h"
 #include "core/base/text/text.h"
-#include "core/base/text/yaml_text.h"
+#include "core/base/text/yaml.h"
 #include "core/base/units.h"
-#include "core/grasp/closing_yaml.h"
-#include "core/grasp/grasp_keys.h"
+#include "core/grasp/grasp_yaml.h"
 #include "core/grasp/placement.h"
-#include "core/grasp/posture_yaml.h"
+#include "core/grasp/standard_grasp.h"
 
 namespace graspbench {
 namespace {
@@ -127,34 +126,19 @@ GraspFile ParseGraspFile(const std::string& text, const std::string& file,
 
   YamlMap map(root, file, "grasp", problems, &ListGraspFileKeys());
   ReadHeader(map);
-  GraspFile result;
-  Grasp& grasp = result.grasp;
   const GraspTaxon& taxon = ReadTaxon(map);
-  grasp.type = taxon.type;
-  grasp.approach_distance = taxon.approach_distance;
-  grasp.alpha = taxon.alpha;
-  double tilt_deg = 0.0;
+  const Hand* hand = ReadHand(map, hands);
+  GraspFile result;
+  if (hand) result.hand = hand->id;
+  Grasp& grasp = result.grasp;
+  grasp = ReadGrasp(hand, taxon, {map, ListGraspFileKeys(), "", file, "", problems});
+  grasp.id.clear();
   map.Read("id", grasp.id);
   map.Read("object", grasp.object, Needed::kNo);
-  map.Read("digits", grasp.digits);
-  map.Read("tilt_deg", tilt_deg);
-  map.Read("palm_may_touch", grasp.palm_may_touch, Needed::kNo);
-  map.Read("palm_gap_m", grasp.palm_gap, Needed::kNo);
-  ReadApproach(map, grasp.approach);
-  grasp.tilt = RadFromDeg(tilt_deg);
   const auto& taxa = ListGraspTaxa();
   if (std::any_of(taxa.begin(), taxa.end(), [&](const auto& t) { return t.id == grasp.id; })) {
     map.Fail("id", "\"" + grasp.id + "\" is the name of a standard grasp; choose another");
   }
-
-  const YAML::Node pre = map.Child("pre_deg"), target = map.Child("target_deg");
-  if (const Hand* hand = ReadHand(map, hands)) {
-    result.hand = hand->id;
-    CheckGraspDigits(*hand, grasp.digits, map);
-    ReadPosture(*hand, pre, file, "pre_deg", problems, grasp.q_pre);
-    ReadPosture(*hand, target, file, "target_deg", problems, grasp.q_target);
-  }
-  ReadClosing(file, "", problems, ListGraspFileKeys(), "", map, grasp);
   const YAML::Node placement = map.Child("placement", Needed::kNo);
   if (!placement.IsNull()) grasp.placement = ReadPlacement(placement, file, problems);
   map.FinishKnownKeys();

@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
-#include "core/hand/coupling.h"
+#include "core/hand/hand.h"
 
 namespace graspbench {
 namespace {

@@ -27,8 +27,9 @@ the object's near face by 3 mm, the grasp does not reach the object.
 
 From the side the approach is horizontal, along the object's width, and the flexion axis of the
 fingers vertical, the grasp centre at half height; the strategy is the same, only position and
-orientation differ. Session, object and grasp may choose it or exclude it (core/shape/approach.h);
-when none does, it is for power grasps of objects taller than the fingers reach.
+orientation differ. Session, object and grasp may choose it or exclude it
+(core/shape/grasp_object.h); when none does, it is for power grasps of objects taller than the
+fingers reach.
 
 All of this is proposed by graspbench: the thesis gives d and alpha, and that p is computed. */
 
@@ -77,8 +78,8 @@ double CalcReachMiss(const Hand& hand, const Grasp& grasp, const GraspObject& ob
 /** Signed distance of a point in O from a box of this size about O [m]. */
 double CalcBoxDistance(const Eigen::Vector3d& size, const Eigen::Vector3d& p_O);
 
-/** A computed one as it would be if the object filled its bounding box; needs no distance field. One
-that reaches the box implies that the object itself, which lies inside, is reached. */
+/** A computed one as it would be if the object filled its bounding box; needs no distance field.
+One that reaches the box implies that the object itself, which lies inside, is reached. */
 Placement CalcBoxPlacement(const Hand& hand, const Grasp& grasp, const GraspObject& object);
 
 }  // namespace graspbench

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/grasp/placement.h"
-#include "core/hand/coupling.h"
+#include "core/hand/hand.h"
 
 namespace graspbench {
 namespace {

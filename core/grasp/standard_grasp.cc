@@ -5,39 +5,24 @@
 
 #include "core/base/text/yaml.h"
 #include "core/base/units.h"
-#include "core/grasp/closing_yaml.h"
-#include "core/grasp/grasp_keys.h"
-#include "core/grasp/posture_yaml.h"
+#include "core/grasp/grasp_yaml.h"
 
 namespace graspbench {
 namespace {
 
-Grasp ReadGrasp(const Hand& hand, const GraspTaxon& taxon, const YAML::Node& node,
-                const std::string& file, Diagnostics& problems) {
+constexpr const char* kCodes[] = {"t1", "t2", "t3", "t4"};
+constexpr const char* kNames[] = {"all finger precision", "two finger precision", "power",
+                                  "two finger pinch"};
+
+Grasp ReadStandardGrasp(const Hand& hand, const GraspTaxon& taxon, const YAML::Node& node,
+                        const std::string& file, Diagnostics& problems) {
   const std::string where = "grasp " + taxon.id;
   YamlMap map(node, file, where, problems, &ListHandGraspKeys(), "grasps.ID.");
-  Grasp grasp;
-  grasp.id = taxon.id;
-  grasp.type = taxon.type;
-  grasp.approach_distance = taxon.approach_distance;
-  grasp.alpha = taxon.alpha;
-
-  double tilt_deg = 0.0;
-  std::string changed;
-  map.Read("digits", grasp.digits);
-  map.Read("tilt_deg", tilt_deg);
-  map.Read("palm_may_touch", grasp.palm_may_touch, Needed::kNo);
-  map.Read("palm_gap_m", grasp.palm_gap, Needed::kNo);
+  Grasp grasp = ReadGrasp(&hand, taxon,
+                          {map, ListHandGraspKeys(), "grasps.ID.", file, where + ", ", problems});
+  std::string changed;  // for people
   map.Read("held_share", grasp.held_share, Needed::kNo);
-  ReadApproach(map, grasp.approach);
   map.Read("changed", changed, Needed::kNo);
-  grasp.tilt = RadFromDeg(tilt_deg);
-
-  CheckGraspDigits(hand, grasp.digits, map);
-  ReadClosing(file, where + ", ", problems, ListHandGraspKeys(), "grasps.ID.", map, grasp);
-  ReadPosture(hand, map.Child("pre_deg"), file, where + ", pre_deg", problems, grasp.q_pre);
-  ReadPosture(hand, map.Child("target_deg"), file, where + ", target_deg", problems,
-              grasp.q_target);
   map.FinishKnownKeys();
   return grasp;
 }
@@ -91,7 +76,7 @@ std::vector<Grasp> LoadStandardGrasps(const Hand& hand) {
   for (const GraspTaxon& taxon : ListGraspTaxa()) {
     const YAML::Node child = map.Child(taxon.id, Needed::kNo);
     if (child.IsDefined() && !child.IsNull()) {
-      grasps.push_back(ReadGrasp(hand, taxon, child, file, problems));
+      grasps.push_back(ReadStandardGrasp(hand, taxon, child, file, problems));
     }
   }
   map.FinishKnownKeys();
@@ -99,5 +84,30 @@ std::vector<Grasp> LoadStandardGrasps(const Hand& hand) {
                          "the grasps of hand \"" + hand.id + "\" cannot be used:");
   return grasps;
 }
+
+const std::vector<GraspTaxonomy>& ListGraspTaxonomies() {
+  static const std::vector<GraspTaxonomy> taxonomies = {
+      {"Schlesinger",
+       1919,
+       {"palmar prehension", "tip precision", "spherical grasp", "lateral prehension"}},
+      {"Napier", 1956, {"precision grasp", "precision grasp", "power grasp", "-"}},
+      {"Iberall and Lyons",
+       1984,
+       {"basic precision-b", "basic precision-a", "modified power", "basic precision/power-d"}},
+      {"Arbib et al.",
+       1985,
+       {"thumb, fingers 2-3", "thumb, finger 2", "palm, fingers 2-3", "finger 2, finger 3"}},
+      {"Lyons", 1985, {"precision grasp", "precision grasp", "encompass grasp", "lateral grasp"}},
+      {"Cutkosky",
+       1986,
+       {"thumb-two finger", "thumb-index finger", "prehensile power", "lateral pinch"}},
+      {"Iberall",
+       1987,
+       {"pad opposition", "pad opposition", "palm opposition", "side opposition"}}};
+  return taxonomies;
+}
+
+const char* CodeOf(GraspType type) { return kCodes[static_cast<int>(type)]; }
+const char* NameOf(GraspType type) { return kNames[static_cast<int>(type)]; }
 
 }  // namespace graspbench

@@ -7,6 +7,7 @@ belong to the grasp and are the same for every hand; the rest belongs to the han
 its hand.yaml. */
 
 #include <Eigen/Core>
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -15,7 +16,7 @@ its hand.yaml. */
 #include "core/base/pose.h"
 #include "core/grasp/closing_law.h"
 #include "core/hand/hand.h"
-#include "core/shape/approach.h"
+#include "core/shape/grasp_object.h"
 
 namespace graspbench {
 
@@ -74,5 +75,26 @@ int FindOpposingDigit(const Hand& hand, const Grasp& grasp);
 /** All standard grasps the hand can do, from its hand.yaml.
 @throws Error(kFormat) listing every problem with file and line. */
 std::vector<Grasp> LoadStandardGrasps(const Hand& hand);
+
+/** What the four grasp types are called in an earlier taxonomy (Roethling 2007, chapter 2): names
+of hand postures of people, so a relation, no equality. */
+struct GraspTaxonomy {
+  const char* author;
+  int year;
+  /** By GraspType: all finger precision, two finger precision, power, two finger pinch; "-": it has
+  no such grasp. */
+  std::array<const char*, 4> names;
+};
+
+inline constexpr GraspType kGraspTypes[] = {GraspType::kAllFingerPrecision,
+                                            GraspType::kTwoFingerPrecision, GraspType::kPower,
+                                            GraspType::kTwoFingerPinch};
+
+/** Seven of them, by year. */
+const std::vector<GraspTaxonomy>& ListGraspTaxonomies();
+
+/** "t1" to "t4". */
+const char* CodeOf(GraspType type);
+const char* NameOf(GraspType type);  ///< "all finger precision"
 
 }  // namespace graspbench

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/hand/coupling.h"
+#include "core/hand/hand.h"
 
 namespace graspbench {
 namespace {

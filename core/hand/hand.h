@@ -10,7 +10,7 @@ A link's frame L is its joint's frame (URDF's rule).
 
 Joint positions q hold one number for every moving joint, in the order of `joints`: radians of a
 revolute one, metres of a prismatic one. Coupled joints are part of q but no degrees of freedom of
-their own: see coupling.h. */
+their own: see DistalMode. */
 
 #include <Eigen/Core>
 #include <memory>
@@ -103,7 +103,7 @@ double FromDisplayUnits(const HandJoint& joint, double displayed);
 const char* DisplayUnitOf(const HandJoint& joint);  ///< "deg", "mm"
 ///@}
 
-/** How a distal joint follows its middle joint; see coupling.h. */
+/** How a distal joint follows its middle joint. */
 enum class CouplingRule { kMiddleFirst, kEven, kFixed };
 std::string NameOf(CouplingRule rule);  ///< "middle-first", "even", "fixed"
 const std::vector<CouplingRule>& ListCouplingRules();
@@ -119,7 +119,7 @@ struct Digit {
 };
 
 /** Fixed to a link. Its frame K: x right in the picture, y down, z forward; the axis meets the
-picture's middle. Its lens: core/vision/lens.h. */
+picture's middle. Its lens: core/vision/camera_config.h. */
 struct HandCamera {
   int link = -1;  ///< index into Hand::links
   Pose X_LK = Pose::Identity();
@@ -175,5 +175,43 @@ palm's is the identity. */
 std::vector<Pose> CalcLinkPoses(const Hand& hand, const Eigen::VectorXd& q);
 /** That of one link, at the cost of its chain alone. */
 Pose CalcLinkPose(const Hand& hand, const Eigen::VectorXd& q, int index);
+
+/** Joints that follow another, eliminated from the equations.
+
+A linkage (HandJoint::is_mimic) ties a joint to any other by a line, q = offset + ratio q_other, and
+there is no more to it. The rest of this file is about fingers whose distal joint follows the middle
+one.
+
+One drive moves a finger's middle joint J2 and its distal joint J1 together; its coordinate is
+theta.
+
+    rule            angles                     (dJ2, dJ1) / dtheta
+    even            J1 = J2 = theta            (1, 1)
+    fixed           J2 = theta, J1 = r J2      (1, r), r = 0.8
+    middle-first    J1 + J2 = theta            (1, 0) or (0, 1)
+
+Under middle-first J2 moves while it can; when it is blocked (by an object at the middle or proximal
+phalanx, or at its upper limit) J1 moves instead. Opening undoes J1 first. Always J2 >= J1 >= 0.
+
+So at every instant the finger has one degree of freedom here, u_J = T_J dtheta/dt, and T_J is
+constant within a step. A posture names J2 only; theta of a posture is that angle, J1 starts at zero
+under middle-first and at its coupled value otherwise.
+
+Which joint a middle-first pair moves in this step. */
+enum class DistalMode { kMiddleMoves, kDistalMoves };
+
+struct DistalRates {
+  double middle = 1.0;  ///< dJ2 / dtheta
+  double distal = 0.0;  ///< dJ1 / dtheta
+};
+DistalRates CalcDistalRates(CouplingRule rule, double fixed_ratio, DistalMode mode);
+
+/** @param closing  the drive pushes towards closing.
+@param middle_is_blocked  an object holds the middle or proximal phalanx back. */
+DistalMode FindDistalMode(double q_middle, double q_distal, double middle_upper, bool closing,
+                          bool middle_is_blocked, DistalMode previous);
+
+/** Fills the coupled joints of q from those they follow, for a posture with nothing touching. */
+void ApplyCoupling(const Hand& hand, Eigen::VectorXd& q);
 
 }  // namespace graspbench

@@ -34,10 +34,10 @@ hand.yaml: what a URDF cannot say about a hand. Lengths are in metres, in the fr
     surfaces:                  # absent: all as the session has it; what is left out, too
       - links: [palm]
         contact_stiffness_n_per_m: 2e5   # of one contact point
-        friction_static: 0.6             # with the object's: core/physics/combine_surfaces.h
+        friction_static: 0.6             # with the object's: core/physics/contact.h
         friction_dynamic: 0.5
         torsion_radius_m: 0.002
-    pads:                      # absent: none. Soft layers: core/physics/pad_contact.h
+    pads:                      # absent: none. Soft layers: core/physics/contact.h
       - links: [th_distal]
         youngs_modulus_pa: 1.1e6
         depth_m: 0.003         # how far it can be compressed
@@ -57,13 +57,13 @@ hand.yaml: what a URDF cannot say about a hand. Lengths are in metres, in the fr
       width_px: 640
       height_px: 480
       focal_length_px: 580
-      radial_1: 0              # distortion, core/vision/lens.h
+      radial_1: 0              # distortion, core/vision/camera_config.h
       radial_2: 0
     grasps: ...                # see core/grasp/standard_grasp.h */
 
 #include <string>
 
-#include "core/base/diagnostics.h"
+#include "core/base/error.h"
 #include "core/base/file_keys.h"
 #include "core/hand/hand.h"
 #include "core/hand/read_urdf.h"
@@ -76,7 +76,7 @@ all problems of its hand.yaml reported. */
 void ReadHandYaml(const std::string& text, const std::string& file, const Urdf& urdf, Hand& hand,
                   Diagnostics& problems);
 
-/** The keys of hand.yaml but for its grasps (core/grasp/grasp_keys.h). */
+/** The keys of hand.yaml but for its grasps (core/grasp/grasp_yaml.h). */
 const FileKeys& ListHandKeys();
 
 }  // namespace graspbench

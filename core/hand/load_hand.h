@@ -11,7 +11,7 @@ thickness (contact_shape.h). One that is named "cover" is met by objects and the
 #include <string>
 #include <vector>
 
-#include "core/base/diagnostics.h"
+#include "core/base/error.h"
 #include "core/hand/hand.h"
 
 namespace graspbench {

@@ -16,7 +16,7 @@ Elements that describe no hand (`<gazebo>`, `<transmission>`, `<dynamics>`, ...)
 #include <string>
 #include <vector>
 
-#include "core/base/diagnostics.h"
+#include "core/base/error.h"
 #include "core/base/pose.h"
 #include "core/base/units.h"
 

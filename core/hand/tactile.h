@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-What a hand feels with (its file: tactile_yaml.h).
+What a hand feels with, and its file tactile.yaml.
 
 A sensed surface is that part of its link's contact surface (its capsules). Each point of it belongs
 to the nearest of its elements, so that there is no gap between cells. The surface is kept as points
@@ -11,6 +11,8 @@ some 0.7 mm apart, each with the area around it. Frames: L of the link; SI. */
 #include <vector>
 
 #include "core/base/enum_table.h"
+#include "core/base/error.h"
+#include "core/base/file_keys.h"
 
 namespace graspbench {
 
@@ -68,5 +70,25 @@ void AssignElements(const std::vector<TactileElement>& elements, SensedSurface& 
 
 /** The nearest point of a link's contact surface. @pre the link has contact. */
 Eigen::Vector3d ProjectOntoSurface(const Hand& hand, int link, const Eigen::Vector3d& p_L);
+
+/** What a hand feels with, from tactile.yaml beside its hand.yaml (absent: nothing):
+
+    response: exponential      # of each element to its force: exponential or linear
+    surfaces:
+      - link: ffdistal
+        palmar: [0, -1, 0]     # only the side whose normal has a part along it; absent: all round
+        along: [0, 0, 1]       # and only what lies beyond from_m in this direction; absent: all
+        from_m: -0.001
+        elements:
+          - {position_m: [0, -0.007, 0.01], normal: [0, -1, 0], area_m2: 1.4e-5}
+
+Frames: L of the link; SI. Directions need no length.
+
+Every key of tactile.yaml, a line each. */
+const FileKeys& ListTactileKeys();
+
+/** From the text of a tactile.yaml; `file` is its name in messages. */
+TactileSkin ParseTactile(const std::string& text, const std::string& file, const Hand& hand,
+                         Diagnostics& problems);
 
 }  // namespace graspbench

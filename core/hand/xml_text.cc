@@ -6,9 +6,116 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/base/error.h"
 #include "core/base/text/text.h"
+#include "core/hand/read_urdf.h"
 
 namespace graspbench {
+
+tinyxml2::XMLElement* UrdfElements::FindRobot(tinyxml2::XMLDocument& document,
+                                              const std::string& text) {
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
+    problems_.Fail(file_, 0, "the file is empty");
+    return nullptr;
+  }
+  if (const tinyxml2::XMLError error = document.Parse(text.data(), text.size());
+      error != tinyxml2::XML_SUCCESS) {
+    problems_.Fail(file_, document.ErrorLineNum(),
+                   std::string("not valid XML: ") +
+                       (error == tinyxml2::XML_ERROR_MISMATCHED_ELEMENT
+                            ? "this element is not closed by its own name"
+                            : "a tag or a value from here on is not closed or not well-formed (" +
+                                  std::string(document.ErrorName()) + ")"));
+    return nullptr;
+  }
+  XMLElement* robot = document.RootElement();
+  const std::string name = robot ? robot->Name() : "";
+  if (name != "robot") {
+    problems_.Fail(
+        file_, robot ? robot->GetLineNum() : 0,
+        std::string(is_own_ ? "not a URDF: the outermost element must be <robot>"
+                            : "neither URDF nor MJCF: the outermost element must be <robot> or "
+                              "<mujoco>") +
+            (robot ? ", found <" + name + ">" : "") +
+            (name == "sdf" ? ", an SDF world: give the URDF that it was made of" : ""));
+    return nullptr;
+  }
+  for (XMLElement* e = robot->FirstChildElement(); e && !is_own_; e = e->NextSiblingElement()) {
+    if (std::strncmp(e->Name(), "xacro:", 6) != 0) continue;
+    Fail(*e, std::string("<") + e->Name() +
+                 "> is a macro: expand the file first (xacro FILE.xacro > FILE.urdf)");
+    return nullptr;
+  }
+  size_t num_links = 0, num_joints = 0;
+  for (XMLElement* e = robot->FirstChildElement(); e; e = e->NextSiblingElement()) {
+    num_links += std::strcmp(e->Name(), "link") == 0;
+    num_joints += std::strcmp(e->Name(), "joint") == 0;
+  }
+  if (std::max(num_links, num_joints) < kMostLinks) return robot;
+  Fail(*robot, "the file has " + std::to_string(num_links) + " links and " +
+                   std::to_string(num_joints) + " joints; expected a hand, which has fewer than " +
+                   std::to_string(kMostLinks) + " of each");
+  return nullptr;
+}
+
+tinyxml2::XMLElement* UrdfElements::Only(XMLElement& parent, const char* name,
+                                         const std::string& where, bool is_needed) {
+  XMLElement* child = parent.FirstChildElement(name);
+  if (!child) {
+    if (is_needed) Fail(parent, where + ": <" + name + "> is missing");
+    return nullptr;
+  }
+  XMLElement* second = child->NextSiblingElement(name);
+  if (second && (is_own_ || std::strcmp(name, "origin") == 0)) {
+    Fail(*second, where + ": a second <" + name + ">; one is allowed");
+  }
+  return child;
+}
+
+std::string UrdfElements::Text(XMLElement& element, const char* attribute,
+                               const std::string& where) {
+  const char* text = element.Attribute(attribute);
+  if (text && *text) return text;
+  Fail(element, where + ": <" + element.Name() + "> has no attribute " + attribute);
+  return "";
+}
+
+std::vector<double> UrdfElements::ReadNumbers(XMLElement* element, const char* attribute,
+                                              size_t count, const std::string& where,
+                                              bool is_needed) {
+  const char* text = element ? element->Attribute(attribute) : nullptr;
+  if (!text) {
+    if (element && is_own_ && is_needed) Text(*element, attribute, where);
+    return {};
+  }
+  const auto numbers = ParseNumbers(text);
+  const bool is_separated = !is_own_ || !std::strchr(text, ',');
+  if (numbers && numbers->size() == count && is_separated) return *numbers;
+  const std::string fault = where + ", <" + element->Name() + "> " + attribute + ": expected " +
+                            FormatCount(static_cast<int64_t>(count), "finite number") +
+                            ", found \"" + text + "\"";
+  if (std::strstr(text, "${")) {
+    Fail(*element, fault + ", a macro: expand the file first (xacro FILE.xacro > FILE.urdf)");
+  } else if (std::strcmp(element->Name(), "origin") == 0) {
+    Fail(*element,
+         fault + "; without it nobody knows where the " + element->Parent()->Value() + " is");
+  } else {
+    FailOrRepair(*element, fault, "taken as if it were not there");
+  }
+  return {};
+}
+
+void UrdfElements::WarnOfUnused(XMLElement& parent, const std::vector<std::string>& used,
+                                const std::vector<std::string>& ignored, const std::string& where) {
+  const auto contains = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  for (XMLElement* e = parent.FirstChildElement(); e && is_own_; e = e->NextSiblingElement()) {
+    const std::string name = e->Name();
+    if (contains(used, name) || contains(ignored, name)) continue;
+    Warn(*e, where + ": <" + name + "> is not used" + SuggestNames(name, used));
+  }
+}
 
 std::optional<std::vector<double>> ParseNumbers(const char* text) {
   const char* const end = text + std::strlen(text);

@@ -1,11 +1,16 @@
 #pragma once
 /** @file
-Numbers and names as they stand in XML. */
+Numbers, names and elements as they stand in XML. */
 
+#include <tinyxml2.h>
+
+#include <Eigen/Core>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
+
+#include "core/base/error.h"
 
 namespace graspbench {
 
@@ -27,6 +32,56 @@ class NameList {
  private:
   std::string kind_;
   std::set<std::string> taken_;
+};
+
+/** Elements and attributes of a URDF, their faults reported with their lines. Base of the reader.
+In a hand of our own form any fault is an error; in a foreign description most are warnings. */
+class UrdfElements {
+ protected:
+  using XMLElement = tinyxml2::XMLElement;
+
+  UrdfElements(std::string file, bool is_own, Diagnostics& problems)
+      : file_(std::move(file)), is_own_(is_own), problems_(problems) {}
+
+  void Fail(const XMLElement& at, const std::string& text) {
+    problems_.Fail(file_, at.GetLineNum(), text);
+  }
+  void Warn(const XMLElement& at, const std::string& text) {
+    problems_.Warn(file_, at.GetLineNum(), text);
+  }
+  /** A fault that is repaired in a foreign description. */
+  void FailOrRepair(const XMLElement& at, const std::string& text, const std::string& repair) {
+    is_own_ ? Fail(at, text) : Warn(at, text + "; " + repair);
+  }
+  /** The document's <robot>; null, with an error, where it holds no description of a hand. */
+  XMLElement* FindRobot(tinyxml2::XMLDocument& document, const std::string& text);
+  /** The child of that name, with an error when it is needed and absent. */
+  XMLElement* Only(XMLElement& parent, const char* name, const std::string& where, bool is_needed);
+  std::string Text(XMLElement& element, const char* attribute, const std::string& where);
+  /** The numbers of an attribute; none, with a problem, when something else stands there or, in a
+  hand of our own that needs them, nothing. */
+  std::vector<double> ReadNumbers(XMLElement* element, const char* attribute, size_t count,
+                                  const std::string& where, bool is_needed);
+  template <int kCount>
+  Eigen::Matrix<double, kCount, 1> Numbers(XMLElement* element, const char* attribute,
+                                           const Eigen::Matrix<double, kCount, 1>& otherwise,
+                                           const std::string& where, bool is_needed = true) {
+    const std::vector<double> read = ReadNumbers(element, attribute, kCount, where, is_needed);
+    if (read.empty()) return otherwise;
+    return Eigen::Map<const Eigen::Matrix<double, kCount, 1>>(read.data());
+  }
+  double Number(XMLElement* element, const char* attribute, double otherwise,
+                const std::string& where) {
+    const std::vector<double> read = ReadNumbers(element, attribute, 1, where, true);
+    return read.empty() ? otherwise : read[0];
+  }
+  /** In our own form, a warning of each element that the model does not use. */
+  void WarnOfUnused(XMLElement& parent, const std::vector<std::string>& used,
+                    const std::vector<std::string>& ignored, const std::string& where);
+
+  std::string file_;
+  bool is_own_;
+  Diagnostics& problems_;
 };
 
 }  // namespace graspbench

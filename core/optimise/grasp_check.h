@@ -11,7 +11,7 @@ by which it was chosen flatter it. */
 #include "core/grasp/standard_grasp.h"
 #include "core/optimise/learning_trial.h"
 #include "core/optimise/methods/search.h"
-#include "core/optimise/optimise_steps.h"
+#include "core/optimise/optimise_config.h"
 #include "core/statistics/paired_decision.h"
 
 namespace graspbench {

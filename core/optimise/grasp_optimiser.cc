@@ -8,8 +8,8 @@
 #include "core/base/text/text.h"
 #include "core/grasp/grasp_file.h"
 #include "core/grasp/placement.h"
-#include "core/optimise/delay_learning.h"
-#include "core/optimise/methods/race.h"
+#include "core/optimise/methods/search.h"
+#include "core/optimise/pregrasp_learning.h"
 #include "core/statistics/summary.h"
 
 namespace graspbench {
@@ -88,7 +88,7 @@ int FindBest(const std::vector<PreGraspShot>& shots, int enough, const IsAsked& 
   int best = -1;
   for (size_t i = 0; i < shots.size(); ++i) {
     if (!is_asked(shots[i])) continue;
-    if (best < 0 || IsBetter(shots[i].trials, shots[static_cast<size_t>(best)].trials, enough)) {
+    if (best < 0 || IsBetter(shots[i].trials, shots[best].trials, enough)) {
       best = static_cast<int>(i);
     }
   }
@@ -98,7 +98,7 @@ int FindBest(const std::vector<PreGraspShot>& shots, int enough, const IsAsked& 
 /** Checks a shot against the standard grasp, or says why it is not worth it. */
 void Check(int number, const Grasp& standard, const OptimiseConfig& config,
            const RunLearningTrials& run, PreGraspStep& step) {
-  const PreGraspShot& shot = step.shots[static_cast<size_t>(number)];
+  const PreGraspShot& shot = step.shots[number];
   const std::string missed = "contacts were not more simultaneous";
   if (!(CalcMedianGftRatio(shot.trials) < CalcMedianGftRatio(step.standard_trials))) {
     if (step.verdict.empty()) step.verdict = "standard kept: " + missed;
@@ -130,7 +130,7 @@ void Choose(const Grasp& standard, const OptimiseConfig& config, const RunLearni
   const auto is_delayed = [&](const PreGraspShot& shot) {
     return !(shot.grasp.closing == standard.closing);
   };
-  const bool was_delayed = is_delayed(step.shots[static_cast<size_t>(best)]);
+  const bool was_delayed = is_delayed(step.shots[best]);
   const int other = FindBest(step.shots, enough, [&](const PreGraspShot& shot) {
     return is_delayed(shot) != was_delayed;
   });
@@ -197,13 +197,13 @@ PreGraspStep LearnInTwoShots(const Hand& hand, const GraspObject& object, const 
     const int best = FindBest(shots, enough, IsAny);
     step.shots.insert(step.shots.end(), shots.begin(), shots.end());
     if (best < 0) break;
-    grasp = shots[static_cast<size_t>(best)].grasp;
-    lesson = shots[static_cast<size_t>(best)].trials.front();
+    grasp = shots[best].grasp;
+    lesson = shots[best].trials.front();
   }
   const int best = FindBest(step.shots, enough, IsAny);
   const PreGraspShot standard = MakeStandardShot(hand, start, step);
   if (best >= 0) {
-    const PreGraspShot new_pregrasp = step.shots[static_cast<size_t>(best)];
+    const PreGraspShot new_pregrasp = step.shots[best];
     LearnToWait(hand, new_pregrasp, made_from, run, step.shots);
   }
   LearnToWait(hand, standard, made_from, run, step.shots);
@@ -218,7 +218,7 @@ void ChooseFinalist(const TargetSearch& search, const OptimiseConfig& config,
       ListDraws(kFirstScreeningDraw, kScreeningTrials), run);
   std::vector<Individual> chosen;
   for (size_t i = 0; i < std::min<size_t>(screened.size(), kNumFinalists); ++i) {
-    chosen.push_back(step.search.individuals[static_cast<size_t>(screened[i].number)]);
+    chosen.push_back(step.search.individuals[screened[i].number]);
   }
   step.finalists = search.Rank(LearningStage::kFinalist, chosen,
                                ListDraws(kFirstFinalDraw, config.choice_trials), run);
@@ -311,7 +311,7 @@ OptimisedGrasp OptimiseGrasp(const Hand& hand, const GraspObject& object, const 
   if (StepsOf(config).learns_pregrasp) {
     PreGraspStep& step = result.pregrasp_step;
     step = LearnInTwoShots(hand, object, result.new_pregrasp, standard.id, config, run);
-    if (step.chosen >= 0) result.new_pregrasp = step.shots[static_cast<size_t>(step.chosen)].grasp;
+    if (step.chosen >= 0) result.new_pregrasp = step.shots[step.chosen].grasp;
   }
   result.new_target = result.new_pregrasp;
   result.new_target.id = NameOf(kNewTarget);
@@ -329,7 +329,7 @@ OptimisedGrasp OptimiseGrasp(const Hand& hand, const GraspObject& object, const 
     step.verdict = "start kept: the search tried nothing else";
     return result;
   }
-  const Individual& best = step.search.individuals[static_cast<size_t>(step.found)];
+  const Individual& best = step.search.individuals[step.found];
   const Grasp found = RoundAngles(hand, search.space().MakeGrasp(best.genome), standard.id);
   step.check = CheckGrasp(start, found, plan, run);
   step.verdict = step.check.is_taken()

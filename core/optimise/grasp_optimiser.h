@@ -6,7 +6,7 @@ Makes a standard grasp object-specific in simulation, in two steps (Roethling 20
    standard grasp's trial without variation, shot 2 from that of the best of shot 1, because fingers
    hold each other back in another way when they close in another order; so it expects the mean of
    what both lessons showed. Each shot is tried in three widths. What no pre-grasp reaches digits
-   wait for (delay_learning.h), from the best of them and from the standard pre-grasp;
+   wait for (LearnDelays), from the best of them and from the standard pre-grasp;
 2. the new target grasp: the opposing digit's (the thumb's) target angles, evolved from there within
    the joint limits and +-25 deg, or another search space (grasp_space.h); fitness sigma
    (learning_trial.h).
@@ -34,7 +34,7 @@ check's draws come from streams that no benchmark uses. */
 #include <string>
 #include <vector>
 
-#include "core/grasp/gft_floor.h"
+#include "core/grasp/contact_timing.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/optimise/grasp_check.h"
 #include "core/optimise/learning_trial.h"
@@ -99,7 +99,7 @@ int CountLearningTrials(const OptimiseConfig& config);
 
 /** Infinite when half of the trials or more lack a contact; NaN without trials. */
 double CalcMedianGftRatio(const std::vector<LearningTrial>& trials);
-/** Its floor (core/grasp/gft_floor.h) over the same trials. */
+/** Its floor (core/grasp/contact_timing.h) over the same trials. */
 Answer<double> CalcGftFloor(const std::vector<LearningTrial>& trials);
 double CalcMeanSigma(const std::vector<LearningTrial>& trials);  ///< NaN without trials
 

@@ -1,13 +1,104 @@
 #pragma once
 /** @file
-The settings of an optimisation. */
+An optimisation's settings and terms, one table each: its steps, the stages in which it asks the
+simulation something, and the variants of a grasp that it makes. */
 
 #include <string>
 
-#include "core/optimise/optimise_steps.h"
-#include "core/optimise/spaces/grasp_space.h"
+#include "core/base/enum_table.h"
+#include "core/base/text/json.h"
+#include "core/optimise/grasp_space.h"
 
 namespace graspbench {
+
+struct OptimiseStepRow {
+  const char* name;  ///< in files and options
+  bool learns_pregrasp, searches_target;
+};
+inline constexpr OptimiseStepRow kOptimiseSteps[] = {
+    {"1", true, false}, {"2", false, true}, {"both", true, true}};
+
+/** What a new target may grip with, so that it holds better and does not only squeeze harder. */
+enum class GripBudget { kFree, kEqual, kLimit };
+struct GripBudgetRow {
+  GripBudget value;
+  const char* name;  ///< in files and options
+  const char* words;
+};
+inline constexpr GripBudgetRow kGripBudgets[] = {
+    {GripBudget::kFree, "free", "whatever it likes"},
+    {GripBudget::kEqual, "equal", "as much as the search's start"},
+    {GripBudget::kLimit, "limit", "as much as grip_limit_n says"},
+};
+
+/** What step 2 makes larger (learning_trial.h). */
+enum class FitnessKind { kSigma, kStrength };
+struct FitnessKindRow {
+  FitnessKind value;
+  const char* name;  ///< in files and options
+  const char* words;
+};
+inline constexpr FitnessKindRow kFitnessKinds[] = {
+    {FitnessKind::kSigma, "sigma", "the stability sigma"},
+    {FitnessKind::kStrength, "strength", "the smallest of six pulls that break the grasp"},
+};
+
+enum class LearningStage {
+  kStandard,
+  kOneShot,
+  kTwoShot,
+  kDelayed,
+  kSearch,
+  kScreening,
+  kFinalist,
+  kCheckBefore,
+  kCheckAfter,
+};
+struct LearningStageRow {
+  LearningStage value;
+  const char* name;     ///< in files and for people
+  bool has_individual;  ///< asks about an individual of the search
+};
+inline constexpr LearningStageRow kLearningStages[] = {
+    {LearningStage::kStandard, "standard", false},
+    {LearningStage::kOneShot, "one-shot", false},
+    {LearningStage::kTwoShot, "two-shot", false},
+    {LearningStage::kDelayed, "delayed", false},
+    {LearningStage::kSearch, "search", true},
+    {LearningStage::kScreening, "screening", true},
+    {LearningStage::kFinalist, "finalist", true},
+    {LearningStage::kCheckBefore, "check before", false},
+    {LearningStage::kCheckAfter, "check after", false},
+};
+
+/** In the order of their making; also an index. */
+enum Variant { kStandardGrasp, kNewPreGrasp, kNewTarget };
+struct VariantRow {
+  Variant value;
+  const char* name;   ///< in tables; of the two new ones also the grasp's id and its file's name
+  const char* words;  ///< the name of the thesis
+};
+inline constexpr VariantRow kVariants[] = {
+    {kStandardGrasp, "standard", "standard grasp"},
+    {kNewPreGrasp, "new-pregrasp", "new pre-grasp"},
+    {kNewTarget, "new-target", "new target grasp"},
+};
+inline constexpr int kNumVariants = static_cast<int>(std::size(kVariants));
+/** What the optimisation makes. */
+inline constexpr Variant kNewVariants[] = {kNewPreGrasp, kNewTarget};
+
+/** Of grasp ids: those of the new variants, else the standard grasp. */
+inline Variant VariantOfGrasp(const std::string& grasp) {
+  for (const Variant variant : kNewVariants) {
+    if (grasp == RowOf(kVariants, variant).name) return variant;
+  }
+  return kStandardGrasp;
+}
+
+inline const char* NameOf(LearningStage stage) { return RowOf(kLearningStages, stage).name; }
+inline const char* NameOf(Variant variant) { return RowOf(kVariants, variant).name; }
+inline Json ToJson(Variant variant) { return NameOf(variant); }
+inline const char* WordsOf(Variant variant) { return RowOf(kVariants, variant).words; }
 
 struct OptimiseConfig {
   std::string step = "both";         ///< of kOptimiseSteps
@@ -17,7 +108,7 @@ struct OptimiseConfig {
   /** Per evaluation; 1: without variation, more: so many drawn ones. At the same number of trials
   the one without variation found targets that hold better on unseen draws (README.md). */
   int fitness_trials = 1;
-  bool race = false;              ///< not all are simulated (methods/race.h)
+  bool race = false;              ///< not all are simulated (Race)
   std::string fitness = "sigma";  ///< of kFitnessKinds
   std::string grip = "equal";     ///< of kGripBudgets
   double grip_limit = 0.0;        ///< for the grip "limit" [N]
@@ -27,18 +118,18 @@ struct OptimiseConfig {
 
   template <class V>
   void Visit(V&& v) {
-    v("step", step);
-    v("search", search);
-    v("method", method);
-    v("evaluations", evaluations);
-    v("fitness_trials", fitness_trials);
-    v("race", race);
-    v("fitness", fitness);
-    v("grip", grip);
-    v("grip_limit_n", grip_limit);
-    v("choice_trials", choice_trials);
-    v("check_pairs", check_pairs);
-    v("seed", seed);
+    v("step", step, "1: new pre-grasp, 2: new target grasp, or both");
+    v("search", search, "what step 2 changes: thumb, hand-pose, all-digits, synergy or closing");
+    v("method", method, "search method of step 2: es, cmaes, de, random or grid");
+    v("evaluations", evaluations, "grasps that step 2 tries");
+    v("fitness_trials", fitness_trials, "trials of an evaluation; 1: without variation");
+    v("race", race, "not all evaluations are simulated");
+    v("fitness", fitness, "what a target is judged by: sigma or strength");
+    v("grip", grip, "what a target may grip with: equal to the start, free, or limit");
+    v("grip_limit_n", grip_limit, "for the grip limit: largest sum of normal forces");
+    v("choice_trials", choice_trials, "draws by which pre-grasps and finalists are compared");
+    v("check_pairs", check_pairs, "pairs of the old and the new grasp in the check, at most");
+    v("seed", seed, "random seed of the search");
   }
 };
 

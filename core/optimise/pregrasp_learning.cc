@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/error.h"
+#include "core/base/text/text.h"
+#include "core/base/units.h"
+#include "core/grasp/contact_timing.h"
 #include "core/grasp/placement.h"
-#include "core/hand/coupling.h"
-#include "core/optimise/digit_course.h"
+#include "core/hand/hand.h"
 
 namespace graspbench {
 namespace {
@@ -18,6 +21,28 @@ constexpr double kFreeRoom = 0.02;    ///< the opening exceeds the width by this
 constexpr double kMostOpened = 3.0;   ///< largest l
 constexpr double kMostClosed = -0.9;  ///< smallest l
 constexpr int kOpeningSteps = 30;
+
+constexpr int kSteps = 100;
+
+struct DigitPlace {
+  double gap = std::numeric_limits<double>::infinity();     ///< to the object [m]
+  double lowest = std::numeric_limits<double>::infinity();  ///< above the table [m]
+};
+
+DigitPlace CalcPlace(const Hand& hand, const GraspObject& object, const Pose& X_WH,
+                     const Digit& digit, const VectorXd& q) {
+  // As the object rests: frame O above the origin of W, axes parallel (placement.h).
+  const Vector3d p_WO(0.0, 0.0, 0.5 * object.size.z());
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand, q);
+  DigitPlace place;
+  for (const ContactSphere& sphere : hand.contact_spheres) {
+    if (!std::count(digit.links.begin(), digit.links.end(), sphere.link)) continue;
+    const Vector3d p_WS = X_WH * (X_HL[sphere.link] * sphere.p_LS);
+    place.gap = std::min(place.gap, object.field->CalcDistance(p_WS - p_WO) - sphere.radius);
+    place.lowest = std::min(place.lowest, p_WS.z() - sphere.radius);
+  }
+  return place;
+}
 
 const Digit& FindDigit(const Hand& hand, const std::string& id) {
   const auto digit = std::find_if(hand.digits.begin(), hand.digits.end(),
@@ -68,7 +93,7 @@ class OpenableDigit {
  private:
   void PutOpened(double opened, VectorXd& q) const {
     for (const int joint : FindDrivenJoints(hand_, digit_)) {
-      const HandJoint& limits = hand_.joints[static_cast<size_t>(joint)];
+      const HandJoint& limits = hand_.joints[joint];
       const double wanted =
           grasp_.q_pre[joint] - opened * (grasp_.q_target[joint] - grasp_.q_pre[joint]);
       q[joint] = std::clamp(wanted, limits.lower, limits.upper);
@@ -99,6 +124,28 @@ DigitCase FindCase(double touch) {
 
 }  // namespace
 
+DigitCourse CalcDigitCourse(const Hand& hand, const GraspObject& object, const Grasp& grasp,
+                            const Digit& digit, const VectorXd& q_pre, const VectorXd& deviation) {
+  GRASPBENCH_DEMAND(grasp.placement, grasp.id);
+  DigitCourse course;
+  course.lowest = std::numeric_limits<double>::infinity();
+  double last_gap = 0.0;
+  for (int k = 0; k <= kSteps; ++k) {
+    const double s = static_cast<double>(k) / kSteps;
+    VectorXd q = q_pre + s * (grasp.q_target - q_pre);
+    ApplyCoupling(hand, q);
+    const DigitPlace place = CalcPlace(hand, object, grasp.placement->X_WH, digit, q + deviation);
+    course.lowest = std::min(course.lowest, place.lowest);
+    if (place.gap <= 0.0) {
+      // Between two steps the gap changes linearly.
+      course.touch = k == 0 ? 0.0 : s + place.gap / (last_gap - place.gap) / kSteps;
+      return course;
+    }
+    last_gap = place.gap;
+  }
+  return course;
+}
+
 double CalcOpening(const Hand& hand, const Grasp& grasp, const VectorXd& q) {
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, q);
   const std::string& opposing = hand.digits[FindOpposingDigit(hand, grasp)].id;
@@ -125,8 +172,8 @@ std::vector<VectorXd> CalcDeviations(const Hand& hand, const Grasp& grasp,
     if (q[d].size() == 0) continue;
     const VectorXd q_commanded = CalcClosingPosture(hand, grasp, closings[d]);
     for (int j = 0; j < hand.num_joints(); ++j) {
-      const int digit = hand.FindDigitOfLink(hand.joints[static_cast<size_t>(j)].link);
-      if (digit < 0 || hand.digits[static_cast<size_t>(digit)].id != grasp.digits[d]) continue;
+      const int digit = hand.FindDigitOfLink(hand.joints[j].link);
+      if (digit < 0 || hand.digits[digit].id != grasp.digits[d]) continue;
       deviations[d][j] = q[d][j] - q_commanded[j];
     }
   }
@@ -169,6 +216,41 @@ LearnedPreGrasp LearnPreGrasp(const Hand& hand, const GraspObject& object, const
   result.q_pre = wanted;
   result.opening = opening;
   return result;
+}
+
+std::map<std::string, ClosingSchedule> LearnDelays(const Grasp& grasp,
+                                                   const std::vector<LearningTrial>& trials,
+                                                   double gain) {
+  const std::vector<double> medians = CalcMedianTimes(ListContacts(trials));
+  double latest = -HUGE_VAL, least = HUGE_VAL;
+  for (const double median : medians) {
+    if (!std::isnan(median)) latest = std::max(latest, median);
+  }
+  std::map<std::string, ClosingSchedule> closing;
+  for (size_t d = 0; d < grasp.digits.size(); ++d) {
+    const auto own = grasp.closing.find(grasp.digits[d]);
+    ClosingSchedule schedule = own == grasp.closing.end() ? ClosingSchedule() : own->second;
+    const double median = d < medians.size() ? medians[d] : kUnset;
+    if (!std::isnan(median)) schedule.delay += gain * (latest - median);
+    least = std::min(least, schedule.delay);
+    closing[grasp.digits[d]] = schedule;
+  }
+  for (auto it = closing.begin(); it != closing.end();) {
+    it->second.delay -= least;
+    it = it->second == ClosingSchedule() ? closing.erase(it) : std::next(it);
+  }
+  return closing;
+}
+
+std::string DescribeDelays(const Grasp& grasp) {
+  std::string text;
+  for (const std::string& digit : grasp.digits) {
+    const auto own = grasp.closing.find(digit);
+    if (own == grasp.closing.end() || own->second.delay <= 0.0) continue;
+    text += (text.empty() ? digit + " waits " : ", " + digit + " ") +
+            FormatFixed(MsFromS(own->second.delay), 0) + " ms";
+  }
+  return text;
 }
 
 }  // namespace graspbench

@@ -10,7 +10,7 @@ l along this line beyond its old pre-grasp, and every joint goes no further than
 
 A lesson, one trial without variation, tells by how much the joints of each digit fell short of
 their commands when it first touched. With that, geometry tells at which s_i(l) the digit meets the
-object at rest (digit_course.h), and every l_i is chosen such that s_i(l_i) = s* for all digits.
+object at rest (CalcDigitCourse), and every l_i is chosen such that s_i(l_i) = s* for all digits.
 Where no joint is at its limit this is the closed form, with q_c the contact angles,
 
     q'_pre = (q_c - s* q_target) / (1 - s*)
@@ -26,12 +26,15 @@ Cases with a name: a digit that never comes to the object keeps its pre-grasp; o
 object before the closure begins is opened. */
 
 #include <Eigen/Core>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "core/base/enum_table.h"
+#include "core/base/units.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/hand.h"
+#include "core/optimise/learning_trial.h"
 #include "core/shape/grasp_object.h"
 
 namespace graspbench {
@@ -79,5 +82,43 @@ LearnedPreGrasp LearnPreGrasp(const Hand& hand, const GraspObject& object, const
 
 /** Distance from the opposing digit's pad to the mean of the other grasping digits' pads [m]. */
 double CalcOpening(const Hand& hand, const Grasp& grasp, const Eigen::VectorXd& q);
+
+/** The way of one digit to the object at rest, by geometry alone.
+
+A trial disturbs what it measures: the digit that comes first pushes the object towards the others,
+so it tells when a digit met an object on its way, not when it would have met the object where it
+stood. Here the object stands still, and the joints follow the closing law but for a deviation that
+does not change on the way: lag, sag and what neighbouring fingers hold back, as a trial showed it
+at the digit's first touch. */
+struct DigitCourse {
+  double touch = kUnset;  ///< the first s at which the digit is at the object; NaN: at none
+  double lowest = 0.0;    ///< lowest point of the digit on its way there, above the table [m]
+};
+
+/** @param q_pre  the course is q_pre + s (grasp.q_target - q_pre), coupled joints filled in
+(num_joints) [rad].
+@param deviation  added to it (num_joints) [rad].  @pre the grasp brings its placement. */
+DigitCourse CalcDigitCourse(const Hand& hand, const GraspObject& object, const Grasp& grasp,
+                            const Digit& digit, const Eigen::VectorXd& q_pre,
+                            const Eigen::VectorXd& deviation);
+
+/** Step 1, what no pre-grasp reaches: each digit waits at the start of closure until the others
+come. With m_d the median over trials of digit d's first contact and M the largest of them,
+
+    delay_d <- delay_d + gain (M - m_d),   then less the least of them
+
+so that GFT% comes to its floor (contact_timing.h) when the delayed digits meet the object
+where they met it before. They need not: what a digit no longer pushes lies elsewhere. So the rule
+is used twice, the second time with half the gain, and the better of both is kept. A digit that
+never touched keeps its delay. Proposed by graspbench.
+
+The closing schedules of the grasp after `trials` of it; those of its digits that need none are
+left out. Its speeds stay. */
+std::map<std::string, ClosingSchedule> LearnDelays(const Grasp& grasp,
+                                                   const std::vector<LearningTrial>& trials,
+                                                   double gain);
+
+/** "TH waits 88 ms, FF 26 ms"; empty where no digit waits. */
+std::string DescribeDelays(const Grasp& grasp);
 
 }  // namespace graspbench

@@ -86,7 +86,7 @@ std::vector<Individual> FindCandidates(const SearchResult& search,
                                        const std::vector<int>& simulated, int most) {
   std::vector<Individual> sorted;
   for (const int number : simulated) {
-    if (number > 0) sorted.push_back(search.individuals[static_cast<size_t>(number)]);
+    if (number > 0) sorted.push_back(search.individuals[number]);
   }
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const auto& a, const auto& b) { return a.fitness > b.fitness; });

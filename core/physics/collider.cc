@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "core/base/units.h"
-#include "core/hand/self_contact.h"
-#include "core/physics/combine_surfaces.h"
+#include "core/hand/contact_shape.h"
+#include "core/physics/contact.h"
 
 namespace graspbench {
 namespace {

@@ -3,9 +3,27 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace graspbench {
 namespace {
+
+/** The patch of a contact that is about to touch is that at this compression [m]. */
+constexpr double kLeastCompression = 1e-6;
+
+/** Sets the stiffness along the patch and the torsion radius of a contact with a pad. */
+void ApplyPatch(ContactPoint& contact) {
+  ContactMaterial& material = contact.material;
+  const PadCompression state =
+      CalcPadCompression(contact.hertz, material.stiffness, material.pad.depth, contact.depth);
+  // hertz / (4/3 E*) is the root of R.
+  const double patch = contact.hertz / (4.0 / 3.0 * material.pad.modulus) *
+                       std::sqrt(std::max(state.compression, kLeastCompression));
+  const double along = 4.0 / 3.0 * material.pad.modulus * patch;
+  material.tangential_stiffness = 1.0 / (1.0 / along + 1.0 / material.tangential_stiffness);
+  material.torsion_radius =
+      std::min(material.torsion_radius, material.pad.torsion_scale * kHertzTorsionShare * patch);
+}
 
 /** Damping of bristles as a time over their stiffness; a pad loses along as it does across [s]. */
 double CalcDampingTime(const ContactPoint& contact) {
@@ -27,7 +45,56 @@ Bristle CalcBristle(const ContactPoint& contact, const ContactRates& rates, doub
 
 double CalcNorm(const Bristle& y) { return std::sqrt(y[0] * y[0] + y[1] * y[1] + y[2] * y[2]); }
 
+/** The value of the one side that gives it, or of `both`; `neither` when none does. */
+template <class Both>
+double Combine(double a, double b, double neither, Both&& both) {
+  if (std::isnan(a)) return std::isnan(b) ? neither : b;
+  return std::isnan(b) ? a : both(a, b);
+}
+
+double CombineFriction(double a, double b) {
+  return Combine(a, b, 0.0, [](double mu_a, double mu_b) {
+    return mu_a + mu_b > 0.0 ? 2.0 * mu_a * mu_b / (mu_a + mu_b) : 0.0;
+  });
+}
+
+PadMaterial CombinePads(const SoftPad& a, const SoftPad& b) {
+  constexpr double kPoisson = 0.5;
+  double compliance = 0.0;  // 1 / E*
+  for (const SoftPad* pad : {&a, &b}) {
+    if (pad->youngs_modulus > 0.0) {
+      compliance += (1.0 - kPoisson * kPoisson) / pad->youngs_modulus;
+    }
+  }
+  return {1.0 / compliance, a.depth + b.depth, std::min(a.torsion_scale, b.torsion_scale)};
+}
+
 }  // namespace
+
+double CalcHertzFactor(double modulus, double radius) {
+  return 4.0 / 3.0 * modulus * std::sqrt(radius);
+}
+
+double CalcPatchRadius(double modulus, double radius, double force) {
+  return std::cbrt(0.75 * force * radius / modulus);
+}
+
+PadCompression CalcPadCompression(double hertz, double stiffness, double pad_depth, double x) {
+  if (!(x > 0.0)) return {};
+  const double full = hertz * pad_depth * std::sqrt(pad_depth);
+  if (x >= pad_depth + full / stiffness) {
+    return {pad_depth, stiffness * (x - pad_depth), stiffness};
+  }
+  // w^2 + (hertz / k) w^3 = x with w = sqrt(y). From above Newton only falls.
+  const double ratio = hertz / stiffness;
+  double w = std::sqrt(x);
+  for (int i = 0; i < 50; ++i) {
+    const double change = (w * w * (1.0 + ratio * w) - x) / (w * (2.0 + 3.0 * ratio * w));
+    w -= change;
+    if (change <= 1e-8 * w) break;  // what is left is its square
+  }
+  return {w * w, hertz * w * w * w, 1.0 / (1.0 / (1.5 * hertz * w) + 1.0 / stiffness)};
+}
 
 void SetRadius(double radius, ContactPoint& contact) {
   const PadMaterial& pad = contact.material.pad;
@@ -144,6 +211,48 @@ void FinishContact(const ContactPoint& contact, const ContactRates& mean_rates,
   memory->normal_force = fn;
   memory->last_step = step_number;
   if (forces.is_at_limit) memory->last_slide = step_number;
+}
+
+ContactMaterial CombineSurfaces(const SurfaceMaterial& a, const SurfaceMaterial& b,
+                                const SimConfig& config) {
+  ContactMaterial pair;
+  pair.stiffness = Combine(a.stiffness, b.stiffness, config.contact_stiffness,
+                           [](double ka, double kb) { return ka * kb / (ka + kb); });
+  pair.friction_static = CombineFriction(a.friction_static, b.friction_static);
+  pair.friction_dynamic = CombineFriction(a.friction_dynamic, b.friction_dynamic);
+  pair.torsion_radius = Combine(a.torsion_radius, b.torsion_radius, 0.0,
+                                [](double r_a, double r_b) { return std::min(r_a, r_b); });
+  pair.relaxation_time = Combine(a.relaxation_time, b.relaxation_time, kContactRelaxationTime,
+                                 [](double t_a, double t_b) { return std::max(t_a, t_b); });
+  if (a.pad.youngs_modulus > 0.0 || b.pad.youngs_modulus > 0.0) {
+    pair.pad = CombinePads(a.pad, b.pad);
+    // A pad's patch resists spin by its size, up to what the other side allows.
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    if (std::isnan(a.torsion_radius) && std::isnan(b.torsion_radius)) {
+      pair.torsion_radius = kInfinity;
+    }
+  }
+  pair.tangential_stiffness =
+      config.tangential_stiffness * (pair.stiffness / config.contact_stiffness);
+  return pair;
+}
+
+SurfaceMaterial MakeSelfSurface(const SurfaceMaterial& link, const SimConfig& config) {
+  SurfaceMaterial surface = link;
+  surface.torsion_radius = 0.0;
+  if (std::isnan(link.friction_static)) {
+    surface.friction_static = config.hand_friction_static;
+    surface.friction_dynamic = config.hand_friction_dynamic;
+  }
+  return surface;
+}
+
+SurfaceMaterial MakeTableSurface(const SimConfig& config) {
+  SurfaceMaterial table;
+  table.friction_static = config.table_friction_static;
+  table.friction_dynamic = config.table_friction_dynamic;
+  table.torsion_radius = 0.0;
+  return table;
 }
 
 }  // namespace graspbench

@@ -8,7 +8,7 @@ normal rate separates. Everything below is evaluated at the END of the step, wit
 and depth x0 the penetration at its middle:
 
     normal     fn = F(x0+ - (h + tau) (vn - x0-/h))       x0+ the depth or 0, x0- minus the gap or 0
-                    F(x) = k x+ where both sides are bare, that of pad_contact.h where one is soft
+                    F(x) = k x+ where both sides are bare, that of a pad where one is soft
     friction   (ft, m/r) = -clip(kt (s + h vt) + ct vt, mu fn)
                with s = (bristle, r phi) and vt = (tangential speed, r wn)
 
@@ -34,9 +34,60 @@ resistance, wear, adhesion. */
 #include <array>
 #include <limits>
 
-#include "core/physics/pad_contact.h"
+#include "core/base/units.h"
+#include "core/physics/sim_config.h"
+#include "core/shape/surface_material.h"
 
 namespace graspbench {
+
+/* Force over depth of a soft pad, and the patch of contact that results.
+
+A ball of radius R with a pad of Young's modulus E and Poisson's ratio 1/2 pressed on something flat
+and stiff (Hertz 1882; Johnson 1985, "Contact Mechanics", 4.2, 3.9 and 7.2):
+
+    force over compression     F = 4/3 E* sqrt(R) y^1.5          E* = E / (1 - 1/4)
+    radius of the patch        a = sqrt(R y)
+    stiffness along it         kt = 4/3 E* a                     Mindlin 1949, nothing slips
+    largest moment of twist    M = (3 pi / 16) mu F a            pressure of Hertz, all slips
+
+The pad stands in series with the bare contact's spring: depth x = y + F / k, and a pad compressed
+by all of its depth D yields no more: from there on F grows with k alone. Two pads on each other:
+1/E* = 1/E1* + 1/E2*, 1/R = 1/R1 + 1/R2, D = D1 + D2.
+
+Limits: small patches (a well below R and the pad's thickness; a thin layer on bone is stiffer), a
+partner that is flat within the patch, no loss but that of every contact, a coefficient
+of friction that does not fall with pressure; the twist's stiffness kt r^2 is a third of the true
+one. A link touches with several balls: a cylinder's flank of balls 0.8 R apart is within a fifth of
+a line contact, (pi / 4) E* y per length (Popov 2010), at compressions around R / 15. */
+
+/** What both sides' pads come to. */
+struct PadMaterial {
+  double modulus = 0.0;  ///< E* [Pa]; 0: neither side has one
+  double depth = 0.0;    ///< D [m]
+  double torsion_scale = 1.0;
+
+  bool is_soft() const { return modulus > 0.0; }
+};
+
+/** How a pad of force over compression F = hertz y^1.5 and a spring share a depth. */
+struct PadCompression {
+  double compression = 0.0;  ///< y [m]
+  double force = 0.0;        ///< [N]
+  double slope = 0.0;        ///< dF / dx [N/m]
+};
+
+/** @param hertz  4/3 E* sqrt(R) [N/m^1.5]   @param stiffness  k [N/m]
+@param pad_depth  D [m]   @param x  depth [m]; no force at or below zero. */
+PadCompression CalcPadCompression(double hertz, double stiffness, double pad_depth, double x);
+
+/** Of the radius of Hertz's patch, all of which slips: M / (mu F a). */
+inline constexpr double kHertzTorsionShare = 3.0 * kPi / 16.0;
+
+/** a under a force, of Hertz's contact alone: (3 F R / (4 E*))^(1/3). */
+double CalcPatchRadius(double modulus, double radius, double force);
+
+/** 4/3 E* sqrt(R). */
+double CalcHertzFactor(double modulus, double radius);
 
 inline constexpr double kContactRelaxationTime = 0.01;  ///< tau where no surface has one [s]
 
@@ -73,7 +124,7 @@ struct ContactPoint {
       kMaxDofs / 2;  ///< joints between root and link: two chains, or one, base and object
 
   ContactMaterial material;  ///< with a pad, PrepareContact sets kt and r to those of the patch
-  double hertz = 0.0;        ///< pad_contact.h [N/m^1.5]; 0: bare
+  double hertz = 0.0;        ///< 4/3 E* sqrt(R) [N/m^1.5]; 0: bare
   Eigen::Vector3d p_WC = Eigen::Vector3d::Zero();
   Eigen::Vector3d nhat_BA_W = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d tangent1_W = Eigen::Vector3d::UnitX();
@@ -137,5 +188,34 @@ step's start and end: where a body turns, those of its end alone would let a bri
 slip by h / 2 times the turn of its place. */
 void FinishContact(const ContactPoint& contact, const ContactRates& mean_rates,
                    const ContactForces& forces, double h, int step_number);
+
+/* The constants of a contact from the surfaces of its two sides: one rule for every pair.
+
+    given on no side      stiffness: that of the session; no friction, no torsion
+    given on one side     its value
+    given on both sides   as springs in series, k = kA kB / (kA + kB)
+                          mu = 2 muA muB / (muA + muB)
+                          r = the smaller: the smaller patch of contact
+                          tau = the longer one; given on no side kContactRelaxationTime
+
+A soft pad stands in series with that spring, and its patch gives the torsion radius, if a side says
+one at most that.
+
+This is Simbody's rule for compliant contact (CompliantContactSubsystem, Sherman 2011), with what
+was left out read as "the other side decides". The tangential stiffness keeps the session's ratio to
+the normal one.
+
+Friction is measured between two things. object.yaml gives it against a hand, so towards the table
+an object's own is left out and sim.table_friction_* hold. */
+
+ContactMaterial CombineSurfaces(const SurfaceMaterial& a, const SurfaceMaterial& b,
+                                const SimConfig& config);
+
+/** A link towards another one: sim.hand_friction_* where it says nothing of its own, and no
+torsion, which is that of pads on a smooth object. */
+SurfaceMaterial MakeSelfSurface(const SurfaceMaterial& link, const SimConfig& config);
+
+/** The table: sim.table_friction_*, no torsion, else as the session has it. */
+SurfaceMaterial MakeTableSurface(const SimConfig& config);
 
 }  // namespace graspbench

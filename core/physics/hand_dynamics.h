@@ -11,9 +11,9 @@ motion vector is S = (a, p x a), of a prismatic joint (0, a); composite rigid bo
 matrix, recursive Newton-Euler the bias.
 
 Degrees of freedom: one for every driven joint, then six of the base, which an arm carries. A
-coupled joint shares that of the joint it follows: u_joint = rate_j * u_dof (coupling.h). One whose
-coupling yields has a second one of its own, its deviation: u_joint = rate_j * u_dof + u_deviation.
-Speeds are
+coupled joint shares that of the joint it follows: u_joint = rate_j * u_dof (core/hand/hand.h). One
+whose coupling yields has a second one of its own, its deviation: u_joint = rate_j * u_dof +
+u_deviation. Speeds are
 
     u = [ of driven joints and deviations (num_dofs) | w_WH (3) | v_WH (3) ]
 
@@ -24,7 +24,6 @@ v_WH is that of H's origin.
 #include <vector>
 
 #include "core/base/pose.h"
-#include "core/hand/coupling.h"
 #include "core/hand/hand.h"
 
 namespace graspbench {

@@ -26,7 +26,7 @@ With a damped drive of stiffness k a slow command therefore waits until it leads
 / k, and the joint jumps by ((friction_static - friction_dynamic) - d kStribeckSpeed) / k. A bristle
 gives back what stretched it, never more; a falling tau only dissipates.
 
-Yielding coupling: a coupled joint has a deviation e from where coupling.h has it, held by
+Yielding coupling: a coupled joint has a deviation e from where its coupling has it, held by
 
     tau_e = -e / c - (T_c / c) de/dt          c = coupling_compliance
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
+#include "core/base/error.h"
 #include "core/base/units.h"
 
 namespace graspbench {
@@ -36,11 +38,26 @@ Matrix3d Orthonormalize(const Matrix3d& R) {
   return Eigen::Quaterniond(R).normalized().toRotationMatrix();
 }
 
-double CalcScalarForce(const ScalarForce& scalar, const VectorXd& v) {
-  return std::clamp(scalar.offset - scalar.gain * v[scalar.dof], scalar.lower, scalar.upper);
-}
-
 }  // namespace
+
+void DemandShortChains(const Hand& hand) {
+  const HandDynamics dynamics(hand);
+  for (size_t link = 0; link < hand.links.size(); ++link) {
+    const std::vector<int>& chain = dynamics.chain(static_cast<int>(link));
+    std::set<int> dofs;
+    for (int joint : chain) {
+      dynamics.ForEachSpeed(joint, [&](int dof, double) { dofs.insert(dof); });
+    }
+    const size_t length = std::max(chain.size(), dofs.size());
+    if (length > ContactPoint::kMaxChain) {
+      throw Error(ErrorKind::kUnsupported,
+                  "hand \"" + hand.id + "\" has " + std::to_string(length) +
+                      " joints between its root and link \"" + hand.links[link].name +
+                      "\"; the simulation takes at most " +
+                      std::to_string(ContactPoint::kMaxChain));
+    }
+  }
+}
 
 ImplicitWorld::ImplicitWorld(const Hand& hand, const GraspObject& object, const SimConfig& config,
                              TablePresence table)
@@ -322,7 +339,7 @@ void ImplicitWorld::FinishForces(const VectorXd& v) {
   energy_.arm += h * carrying_.dot(mean.segment<6>(base));
   for (size_t i = 0; i < problem_.scalars.size(); ++i) {
     const ScalarForce& scalar = problem_.scalars[i];
-    const double work = h * CalcScalarForce(scalar, v) * mean[scalar.dof];
+    const double work = h * scalar.Calc(v[scalar.dof]) * mean[scalar.dof];
     const int index = static_cast<int>(i);
     (index < num_drives_       ? energy_.drives
      : index < num_drives_ + 6 ? energy_.arm
@@ -419,7 +436,10 @@ StepReport ImplicitWorld::MakeReport(const VectorXd& v, bool converged) const {
                                                contact.material.pad.depth);
   }
   Eigen::Matrix<double, 6, 1> arm;
-  for (int k = 0; k < 6; ++k) arm[k] = CalcScalarForce(problem_.scalars[num_drives_ + k], v);
+  for (int k = 0; k < 6; ++k) {
+    const ScalarForce& scalar = problem_.scalars[num_drives_ + k];
+    arm[k] = scalar.Calc(v[scalar.dof]);
+  }
   report.arm_moment = arm.head<3>().norm();
   report.arm_force = arm.tail<3>().norm();
   report.is_finite = v.allFinite();

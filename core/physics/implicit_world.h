@@ -57,6 +57,10 @@ struct EnergyAccount {
   double kinetic_at_start = 0.0;
 };
 
+/** The solver keeps room for contacts of links behind so many joints (ContactPoint::kMaxChain).
+@throws Error(kUnsupported) for a hand with a longer chain. */
+void DemandShortChains(const Hand& hand);
+
 class ImplicitWorld : public World {
  public:
   ImplicitWorld(const Hand& hand, const GraspObject& object, const SimConfig& config,

@@ -16,7 +16,7 @@ inline constexpr int kPhysicsVersion = 13;
 /** Settings of the physics; part of the frozen session configuration. */
 struct SimConfig {
   double step = 0.002;  ///< [s]
-  /** Where contacts are steady, one step is as long as so many (steady_contacts.h); 1: none is. */
+  /** Where contacts are steady, one step is as long as so many (contact_events.h); 1: none is. */
   int steady_step_factor = 5;
   double gravity = kStandardGravity;   ///< downwards [m/s^2]
   double contact_stiffness = 1e5;      ///< normal, per contact point [N/m]

@@ -11,8 +11,7 @@
 #include <unordered_map>
 
 #include "core/base/units.h"
-#include "core/physics/outermost_vertices.h"
-#include "core/physics/rim_circles.h"
+#include "core/physics/mesh_outline.h"
 
 namespace graspbench {
 namespace {

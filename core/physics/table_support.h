@@ -1,7 +1,7 @@
 #pragma once
 /** @file
 Where an object touches the table z = 0: corners at vertices of its mesh, round parts at the lowest
-point of their ball or of the circle that a rim stands for (rim_circles.h).
+point of their ball or of the circle that a rim stands for (mesh_outline.h).
 
 A mesh that stands for a smooth surface must not roll on its vertices: each would be an impact.
 Where a vertex and the vertices around it lie on a sphere and no edge there is sharper than a smooth

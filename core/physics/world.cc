@@ -8,6 +8,17 @@ Pose CalcPalmPose(const Hand& hand, const WorldState& state) {
   return state.X_WH * CalcLinkPose(hand, state.q, hand.palm_link);
 }
 
+double CalcDrivePosition(const Hand& hand, const WorldState& state, int joint) {
+  double position = state.q[joint];
+  if (hand.coupling != CouplingRule::kMiddleFirst) return position;
+  for (int other = 0; other < hand.num_joints(); ++other) {
+    const HandJoint& coupled = hand.joints[static_cast<size_t>(other)];
+    if (coupled.coupled_to != joint || coupled.is_mimic) continue;
+    position += state.q[other] - (state.deviation.size() > 0 ? state.deviation[other] : 0.0);
+  }
+  return position;
+}
+
 const char* DescribeState(const HandContact& contact) {
   return !contact.is_at_limit ? "sticks" : IsSliding(contact) ? "slides" : "at its limit";
 }

@@ -39,6 +39,11 @@ struct WorldState {
 /** X_W<palm>: the palm's, which a wrist may turn against H. */
 Pose CalcPalmPose(const Hand& hand, const WorldState& state);
 
+/** The coordinate that a joint's drive acts on: its position, and that of the joint which follows it
+where the middle joint moves first (CouplingRule::kMiddleFirst).
+@param joint  index into Hand::joints.   @returns [rad], of a prismatic joint [m]. */
+double CalcDrivePosition(const Hand& hand, const WorldState& state, int joint);
+
 /** What the hand is asked for at the end of a step. */
 struct WorldCommand {
   Eigen::VectorXd q;  ///< drive commands (num_joints) [rad]

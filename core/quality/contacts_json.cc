@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/diagnostics.h"
 #include "core/base/error.h"
 #include "core/base/text/json.h"
 

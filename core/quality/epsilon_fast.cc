@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/quality/affine_basis.h"
+#include "core/quality/wrench_space.h"
 
 namespace graspbench {
 namespace {

@@ -1,13 +1,112 @@
 #include "core/quality/grasp_quality.h"
 
+#include <Eigen/QR>
+#include <Eigen/SVD>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <string>
 
+#include "core/base/error.h"
 #include "core/base/text/text.h"
-#include "core/quality/force_closure.h"
+#include "core/quality/linear_program.h"
 #include "core/quality/wrench_hull.h"
 
 namespace graspbench {
+namespace {
+
+double CalcRadius(const ObjectExtent& object) { return object.radius; }
+
+double CalcHalfDiagonal(const ObjectExtent& object) { return 0.5 * object.size.norm(); }
+
+double CalcMedianHalfSide(const ObjectExtent& object) {
+  std::array<double, 3> corner = {0.5 * object.size.x(), 0.5 * object.size.y(),
+                                  0.5 * object.size.z()};
+  std::sort(corner.begin(), corner.end());
+  return corner[1];
+}
+
+}  // namespace
+
+const std::vector<QualityConvention>& ListQualityConventions() {
+  static const auto* const kConventions = new std::vector<QualityConvention>{
+      {"ferrari-canny", UnitForce::kNormal, TorqueScaleRule::kGiven, ReferenceRule::kGiven,
+       EpsilonRule::kFromOrigin, true, 1.0, 8, 0.0,
+       "as given; meant: largest distance of the surface from the centre of mass", CalcRadius},
+      {"graspit", UnitForce::kNormal, TorqueScaleRule::kGiven, ReferenceRule::kGiven,
+       EpsilonRule::kFromOrigin, false, 1.0, 8, -1.0,
+       "as given; meant: largest distance of the surface from the centre of mass", CalcRadius},
+      {"simox", UnitForce::kTotal, TorqueScaleRule::kGiven, ReferenceRule::kGiven,
+       EpsilonRule::kFromHullCentre, false, 1.0, 8, std::nullopt,
+       "as given; meant: half the bounding length", CalcHalfDiagonal},
+      {"dexgraspbench", UnitForce::kNormal, TorqueScaleRule::kMeanContactDistance,
+       ReferenceRule::kContactCentroid, EpsilonRule::kTwoMinus, true, 0.5, 8, 2.0,
+       "mean distance of the contacts from their centroid", CalcRadius},
+      {"dex-net", UnitForce::kNormal, TorqueScaleRule::kGiven, ReferenceRule::kGiven,
+       EpsilonRule::kFromOrigin, false, 1.0, 8, 0.0,
+       "as given; meant: median of the bounding box's upper corner", CalcMedianHalfSide},
+      {"frogger", UnitForce::kTotal, TorqueScaleRule::kOneMetre, ReferenceRule::kFrameOrigin,
+       EpsilonRule::kFromOrigin, false, 1.0, 4, -1.0, "not scaled", CalcRadius},
+  };
+  return *kConventions;
+}
+
+const QualityConvention& FindQualityConvention(const std::string& id) {
+  const auto& all = ListQualityConventions();
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const QualityConvention& row) { return row.id == id; });
+  if (found != all.end()) return *found;
+  std::vector<std::string> known;
+  for (const QualityConvention& row : all) known.push_back(row.id);
+  throw Error(ErrorKind::kNotFound,
+              "no quality convention \"" + id + "\"" + SuggestNames(id, known));
+}
+
+double CalcMinSingularValue(const WrenchMatrix& grasp_matrix) {
+  if (grasp_matrix.cols() < 6) return 0.0;
+  // The values of R in G' = Q R are those of G. Eigen's SVD of a matrix of any size would do this
+  // step itself, and takes six seconds to compile.
+  using Matrix6 = Eigen::Matrix<double, 6, 6>;
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(grasp_matrix.transpose());
+  const Matrix6 R = qr.matrixR().topRows<6>().triangularView<Eigen::Upper>();
+  const Eigen::Matrix<double, 6, 1> values =
+      Eigen::JacobiSVD<Matrix6, Eigen::NoQRPreconditioner>(R).singularValues();
+  return values[5] > kNegligibleShare * values[0] ? values[5] : 0.0;
+}
+
+double CalcTaskForce(const ConeWrenches& cones, const Eigen::Matrix<double, 6, 1>& direction,
+                     ForceLimit limit) {
+  GRASPBENCH_DEMAND(std::abs(direction.norm() - 1.0) < 1e-9,
+                    "length: " + std::to_string(direction.norm()));
+  if (cones.contact_indices.empty()) return 0.0;
+  const Eigen::Index num_generators = cones.wrenches.cols();
+  const int num_limits = limit == ForceLimit::kSum ? 1 : cones.contact_indices.back() + 1;
+  // Variables: the weights, then s. Rows: W lambda - s d <= 0, the same >= 0, the limits, and a
+  // bound on s that it cannot reach, so that rounding never looks like a way to infinity. Dividing
+  // by the largest wrench makes all entries at most one, so |W lambda| <= sqrt(6) num_limits.
+  const double scale = cones.wrenches.cwiseAbs().maxCoeff();
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(13 + num_limits, num_generators + 1);
+  A.topLeftCorner(6, num_generators) = cones.wrenches / scale;
+  A.block<6, 1>(0, num_generators) = -direction;
+  A.middleRows<6>(6) = -A.topRows<6>();
+  for (Eigen::Index j = 0; j < num_generators; ++j) {
+    A(12 + (limit == ForceLimit::kSum ? 0 : cones.contact_indices[j]), j) = 1.0;
+  }
+  A(12 + num_limits, num_generators) = 1.0;
+  const double unreachable = 3.0 * num_limits;
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(13 + num_limits);
+  b.segment(12, num_limits).setOnes();
+  b[12 + num_limits] = unreachable;
+  const Eigen::VectorXd c = Eigen::VectorXd::Unit(num_generators + 1, num_generators);
+  const LinearProgramResult result = SolveLinearProgram(A, b, c);
+  // The program is bounded by its last row: what looks otherwise is rounding.
+  if (result.end != LinearProgramEnd::kOptimum || result.value > 0.9 * unreachable) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  return result.value * scale;
+}
+
 namespace {
 
 WrenchSpace MakeWrenchSpace(const QualityRequest& request) {

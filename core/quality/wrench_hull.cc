@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/quality/affine_basis.h"
+#include "core/quality/wrench_space.h"
 
 extern "C" {
 #include <libqhull_r/qhull_ra.h>

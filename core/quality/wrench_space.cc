@@ -39,13 +39,6 @@ Eigen::Vector3d CalcFirstTangent(const GraspContact& contact) {
 
 }  // namespace
 
-GraspContact MakePadContact(const Eigen::Vector3d& p_OC, const Eigen::Vector3d& nhat_O,
-                            ContactState state, double mu_static, double mu_dynamic,
-                            double pad_radius) {
-  const double mu = state == ContactState::kSticking ? mu_static : mu_dynamic;
-  return {p_OC, nhat_O, mu, mu * pad_radius, std::nullopt};
-}
-
 ConeWrenches CalcConeWrenches(const std::vector<GraspContact>& contacts, const WrenchSpace& space) {
   GRASPBENCH_DEMAND(space.num_edges >= 3, "edges: " + std::to_string(space.num_edges));
   GRASPBENCH_DEMAND(space.torque_scale > 0.0, fmt::format("scale: {:.9g}", space.torque_scale));
@@ -94,6 +87,22 @@ WrenchMatrix CalcGraspMatrix(const std::vector<GraspContact>& contacts, const Wr
   }
   matrix.conservativeResize(6, num_columns);
   return matrix;
+}
+
+std::vector<int> FindAffineBasis(const Eigen::Ref<const Eigen::MatrixXd>& points) {
+  if (points.cols() == 0) return {};
+  Eigen::Index index = 0;
+  const double scale = std::sqrt(points.colwise().squaredNorm().maxCoeff(&index));
+  std::vector<int> basis{static_cast<int>(index)};
+  Eigen::MatrixXd rest = points.colwise() - points.col(index);
+  while (static_cast<Eigen::Index>(basis.size()) <= points.rows()) {
+    const double distance = std::sqrt(rest.colwise().squaredNorm().maxCoeff(&index));
+    if (!(distance > kNegligibleShare * scale)) break;
+    basis.push_back(static_cast<int>(index));
+    const Eigen::VectorXd direction = rest.col(index) / distance;
+    rest -= direction * (direction.transpose() * rest).eval();
+  }
+  return basis;
 }
 
 bool IsPosition(const Eigen::Vector3d& p) {

@@ -33,21 +33,12 @@ namespace graspbench {
 struct GraspContact {
   Eigen::Vector3d p_OC = Eigen::Vector3d::Zero();    ///< where [m]
   Eigen::Vector3d nhat_O = Eigen::Vector3d::Zero();  ///< unit normal, finger into object
-  double mu = 0.0;  ///< Coulomb coefficient that holds in the contact's state, see MakePadContact
+  double mu = 0.0;  ///< Coulomb coefficient that holds in the contact's state, static or dynamic
   double torsion = 0.0;  ///< largest moment about the normal per newton of normal force [m]
   /** Direction of the first cone edge, projected into the tangent plane. Unset: the coordinate axis
   farthest from the normal; then the pyramid, unlike the cone, depends on the frame. */
   std::optional<Eigen::Vector3d> first_edge_O;
 };
-
-enum class ContactState { kSticking, kSliding };
-
-/** A fingertip pad: friction follows the contact's state (mu_s while it sticks, mu_d while it
-slides), so that one grasp mixes wide and narrow cones; a patch of the effective radius `pad_radius`
-[m] (0: hard finger) adds torsion = mu * pad_radius. */
-GraspContact MakePadContact(const Eigen::Vector3d& p_OC, const Eigen::Vector3d& nhat_O,
-                            ContactState state, double mu_static, double mu_dynamic,
-                            double pad_radius);
 
 /** Which force of a generator has length one. */
 enum class UnitForce {
@@ -55,7 +46,7 @@ enum class UnitForce {
   kTotal,   ///< the whole force; wide cones then push less
 };
 
-/** How generators are formed; the choices differ between tools, see quality_convention.h. */
+/** How generators are formed; the choices differ between tools, see grasp_quality.h. */
 struct WrenchSpace {
   int num_edges = 8;  ///< of each cone, >= 3
   UnitForce unit_force = UnitForce::kNormal;
@@ -77,6 +68,17 @@ ConeWrenches CalcConeWrenches(const std::vector<GraspContact>& contacts, const W
 /** The grasp matrix G (6 x k): wrench = G * contact forces, with the columns n, t1, t2 for a
 contact with friction, n alone without, and a unit moment about n for a soft pad. */
 WrenchMatrix CalcGraspMatrix(const std::vector<GraspContact>& contacts, const WrenchSpace& space);
+
+/** Lengths below this share of the longest vector count as zero: far above rounding, far below what
+a grasp can mean. */
+inline constexpr double kNegligibleShare = 1e-9;
+
+/** How many dimensions a set of points really fills: the indices of affinely independent columns,
+chosen far apart, the longest first, then each time the one farthest from the flat through those
+before. Fewer than rows + 1 indices: the set is flat. A flat set (two hard point fingers can make no
+moment about the line between them, so their wrenches fill five dimensions) has no volume and no ball
+around the origin: its quality is exactly zero, and neither a hull nor rounding may say otherwise. */
+std::vector<int> FindAffineBasis(const Eigen::Ref<const Eigen::MatrixXd>& points);
 
 /** Finite, and within 100 m of the frame's origin: what is farther is in another unit than metres.
  */

@@ -13,6 +13,7 @@ namespace graspbench {
 namespace {
 
 using Eigen::Vector3d;
+using Eigen::Vector3f;
 
 constexpr double kPointRadius = 0.0015;   // [m]
 constexpr double kFailedRadius = 0.0040;  // [m]
@@ -24,11 +25,16 @@ constexpr double kWireRadius = 0.0004;    // [m]
 constexpr int kNumSpokes = 10;
 constexpr int kNumSegments = 8;  // around a wire
 
-const Eigen::Vector3f kForceColour(0.80f, 0.12f, 0.02f);
-const Eigen::Vector3f kPointColour(0.05f, 0.05f, 0.05f);
-const Eigen::Vector3f kFailedColour(0.85f, 0.0f, 0.60f);
-const Eigen::Vector3f kStaticColour(0.05f, 0.42f, 0.08f);
-const Eigen::Vector3f kDynamicColour(0.05f, 0.16f, 0.75f);
+const Vector3f kForceColour(0.80f, 0.12f, 0.02f);
+const Vector3f kPointColour(0.05f, 0.05f, 0.05f);
+const Vector3f kFailedColour(0.85f, 0.0f, 0.60f);
+const Vector3f kStaticColour(0.05f, 0.42f, 0.08f);
+const Vector3f kDynamicColour(0.05f, 0.16f, 0.75f);
+
+const Vector3f kBallColour(0.75f, 0.42f, 0.10f), kPadColour(0.06f, 0.25f, 0.60f),
+    kCapsuleColour(0.45f, 0.47f, 0.50f);
+constexpr double kThinner = 0.95;  // of a capsule
+constexpr int kBallSegments = 24;
 
 /** With its z axis along `axis`. */
 Pose MakeAxisPose(const Vector3d& axis, const Vector3d& p_W) {
@@ -36,18 +42,20 @@ Pose MakeAxisPose(const Vector3d& axis, const Vector3d& p_W) {
                   p_W);
 }
 
+void Append(const TriMesh& part, const Pose& X_MP, TriMesh& mesh) {
+  const int first = mesh.num_vertices();
+  for (const Vector3d& p_P : part.vertices) mesh.vertices.push_back(X_MP * p_P);
+  for (const Eigen::Vector3i& triangle : part.triangles) {
+    mesh.triangles.emplace_back(triangle.array() + first);
+  }
+}
+
 /** The marks of one colour as one mesh: a picture has hundreds, and each mesh has its price. */
 class MarkMesh {
  public:
-  void Add(const TriMesh& mesh, const Pose& X_WM) {
-    const int first = mesh_.num_vertices();
-    for (const Vector3d& p_M : mesh.vertices) mesh_.vertices.push_back(X_WM * p_M);
-    for (const Eigen::Vector3i& triangle : mesh.triangles) {
-      mesh_.triangles.emplace_back(triangle.array() + first);
-    }
-  }
+  void Add(const TriMesh& mesh, const Pose& X_WM) { Append(mesh, X_WM, mesh_); }
 
-  void MoveTo(Scene* scene, const Eigen::Vector3f& colour) {
+  void MoveTo(Scene* scene, const Vector3f& colour) {
     if (mesh_.vertices.empty()) return;
     Drawable drawable;
     drawable.mesh = std::make_shared<const TriMesh>(std::move(mesh_));
@@ -99,7 +107,7 @@ void AddContactMarks(const std::vector<ContactMark>& contacts, double length_per
   for (const ContactMark& contact : contacts) {
     (contact.has_failed ? failed : points)
         .Add(MakeSphere(contact.has_failed ? kFailedRadius : kPointRadius, 16),
-             MakePose(Eigen::Matrix3d::Identity(), contact.p_WC));
+             MakePose(contact.p_WC));
     const double force = contact.force_W.norm();
     if (force > 0.0) {
       forces.Add(MakeArrow(length_per_force * force),
@@ -115,6 +123,35 @@ void AddContactMarks(const std::vector<ContactMark>& contacts, double length_per
   forces.MoveTo(scene, kForceColour);
   still_cones.MoveTo(scene, kStaticColour);
   sliding_cones.MoveTo(scene, kDynamicColour);
+}
+
+void AddContactShapes(const Hand& hand, const Eigen::VectorXd& q, const Pose& X_WH, Scene* scene) {
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand, q);
+  for (size_t link = 0; link < hand.links.size(); ++link) {
+    auto balls = std::make_shared<TriMesh>(), capsules = std::make_shared<TriMesh>();
+    for (const ContactSphere& ball : hand.contact_spheres) {
+      if (ball.link != static_cast<int>(link)) continue;
+      Append(MakeSphere(ball.radius, kBallSegments), MakePose(ball.p_LS), *balls);
+    }
+    for (const LinkCapsule& capsule : hand.capsules) {
+      if (capsule.link != static_cast<int>(link)) continue;
+      const double radius = kThinner * capsule.radius;
+      Append(MakeTaperedCapsule(capsule.p_LA, radius, capsule.p_LB, radius), Pose::Identity(),
+             *capsules);
+    }
+    const bool is_pad = std::any_of(
+        hand.digits.begin(), hand.digits.end(),
+        [&](const Digit& digit) { return digit.distal_link == static_cast<int>(link); });
+    for (const auto& [mesh, colour] :
+         {std::pair{balls, is_pad ? kPadColour : kBallColour}, {capsules, kCapsuleColour}}) {
+      if (mesh->triangles.empty()) continue;
+      Drawable drawable;
+      drawable.mesh = mesh;
+      drawable.X_WM = X_WH * X_HL[link];
+      drawable.colour = colour;
+      scene->drawables.push_back(drawable);
+    }
+  }
 }
 
 }  // namespace graspbench

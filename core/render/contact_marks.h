@@ -1,6 +1,8 @@
 #pragma once
 /** @file
-Contacts as marks over a picture: a point where hand and object touch, an arrow for the force on the
+Contacts in a scene: marks over a picture, and what of a hand can touch.
+
+A mark is a point where hand and object touch, an arrow for the force on the
 object that ends there, and the friction cone that the arrow may not leave, green where the contact
 stands still (static friction) and blue where it slides (dynamic). A contact that failed has a large
 magenta point. */
@@ -8,6 +10,7 @@ magenta point. */
 #include <Eigen/Core>
 #include <vector>
 
+#include "core/hand/hand.h"
 #include "core/render/scene.h"
 
 namespace graspbench {
@@ -26,5 +29,12 @@ half angle atan(mu); without friction there is none.
 @param length_per_force  of the arrows [m/N]. */
 void AddContactMarks(const std::vector<ContactMark>& contacts, double length_per_force,
                      Scene* scene);
+
+/** What of a hand touches: the balls that meet objects and table, those of links with a pad in
+another colour, and the capsules by which links meet each other inside them.
+
+Adds them to a scene; a capsule is drawn a little thinner than it is, so that balls of the same
+radius show. @pre q has num_joints positions [rad], [m]. */
+void AddContactShapes(const Hand& hand, const Eigen::VectorXd& q, const Pose& X_WH, Scene* scene);
 
 }  // namespace graspbench

@@ -5,8 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/shape/repair/mesh_edges.h"
-#include "core/shape/repair/weld_vertices.h"
+#include "core/shape/repair/mesh_topology.h"
 
 namespace graspbench {
 namespace {

@@ -3,8 +3,6 @@
 #include <initializer_list>
 #include <string_view>
 
-#include "core/render/assets.h"
-
 namespace graspbench {
 namespace {
 

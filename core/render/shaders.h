@@ -7,8 +7,22 @@ along the camera's heading. Light comes from fixed directions in S, so a picture
 the camera stands relative to the scene and not on where both stand in the world. */
 
 #include <string>
+#include <string_view>
 
 namespace graspbench {
+
+/** Files of core/render/assets, compiled into the program (graspbench_embed). */
+namespace assets {
+extern const std::string_view kEncodeGlsl;       ///< encode.glsl
+extern const std::string_view kGeometryFrag;     ///< geometry.frag
+extern const std::string_view kLightMapsGlsl;    ///< light_maps.glsl
+extern const std::string_view kNoLightMapsGlsl;  ///< no_light_maps.glsl
+extern const std::string_view kPositionVert;     ///< position.vert
+extern const std::string_view kSurfaceFrag;      ///< surface.frag
+extern const std::string_view kSurfaceVert;      ///< surface.vert
+extern const std::string_view kTableFrag;        ///< table.frag
+extern const std::string_view kTableVert;        ///< table.vert
+}  // namespace assets
 
 struct ShaderSource {
   const char* name;  ///< for messages

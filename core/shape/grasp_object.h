@@ -9,13 +9,32 @@ from a user's mesh; shared read-only between threads. */
 #include <string>
 #include <vector>
 
-#include "core/shape/approach.h"
+#include "core/base/enum_table.h"
+#include "core/base/text/yaml.h"
 #include "core/shape/mass_properties.h"
 #include "core/shape/signed_distance_field.h"
 #include "core/shape/surface_material.h"
 #include "core/shape/tri_mesh.h"
 
 namespace graspbench {
+
+/** From where a hand comes to an object: a grasp, an object and a session may each say so. What a
+session says comes before what the object says, and that before the grasp's own word. */
+enum class Approach {
+  kAutomatic,  ///< by the rule in core/grasp/placement.h
+  kAbove,
+  kSide
+};
+
+struct ApproachRow {
+  Approach value;
+  const char* name;  ///< in files
+};
+inline constexpr ApproachRow kApproaches[] = {
+    {Approach::kAutomatic, "automatic"}, {Approach::kAbove, "above"}, {Approach::kSide, "side"}};
+
+/** The key `approach`, which may be left out; another word is a problem with a hint. */
+void ReadApproach(YamlMap& map, Approach& approach);
 
 struct GraspObject {
   std::string id;    ///< "adhesive_tape"

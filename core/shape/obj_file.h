@@ -5,12 +5,12 @@ for the looks of a hand; other formats of a user's object are read in objects/. 
 
 #include <string>
 
-#include "core/base/diagnostics.h"
+#include "core/base/error.h"
 #include "core/shape/tri_mesh.h"
 
 namespace graspbench {
 
-/** Polygons are cut into triangles (polygon.h); texture and normal indices and all other statements
+/** Polygons are cut into triangles; texture and normal indices and all other statements
 are skipped: a material library is never opened. Time grows with the text; polygons that are not
 convex cost up to a second together, then they are refused. A bad line goes into `problems`; the
 first one ends the reading with an empty mesh. */

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
 What a surface brings into a contact. Every object and every link of a hand has one; how the two of
-a contact are combined says core/physics/combine_surfaces.h.
+a contact are combined says core/physics/contact.h.
 
 Stiffness is that of one contact point, f = k x, not of a material as such: a link has as many
 points as its surface has balls. */
@@ -18,7 +18,7 @@ enum class Needed;
 class YamlMap;
 
 /** A soft layer on the surface, of a rubber that keeps its volume (Poisson's ratio 1/2). How it
-gives way: core/physics/pad_contact.h. */
+gives way: core/physics/contact.h. */
 struct SoftPad {
   double youngs_modulus = 0.0;  ///< [Pa]; 0: there is none, the surface is bare
   double depth = 0.0;           ///< beyond which it yields no more [m]

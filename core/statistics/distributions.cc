@@ -4,12 +4,12 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/complement.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
+#include <boost/math/distributions/non_central_t.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
 namespace graspbench {
-
 namespace bm = boost::math;
 
 double CalcStudentUpperP(double t, double df) {
@@ -48,5 +48,9 @@ double CalcBinomialUpperP(int num_successes, int num_trials, double probability)
 double CalcNormalP(double z) { return bm::cdf(bm::normal(), z); }
 
 double CalcNormalQuantile(double probability) { return bm::quantile(bm::normal(), probability); }
+
+double CalcNoncentralStudentUpperP(double t, double df, double shift) {
+  return bm::cdf(bm::complement(bm::non_central_t(df, shift), t));
+}
 
 }  // namespace graspbench

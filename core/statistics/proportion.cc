@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
 #include "core/statistics/distributions.h"
 
@@ -73,7 +72,7 @@ double CalcFisherExactTwoSided(int num_successes_a, int num_trials_a, int num_su
     log_factorial[i] = log_factorial[i - 1] + std::log(static_cast<double>(i));
   }
   const auto log_choose = [&](int n, int k) {
-    const auto at = [&](int i) { return log_factorial[static_cast<size_t>(i)]; };
+    const auto at = [&](int i) { return log_factorial[i]; };
     return at(n) - at(k) - at(n - k);
   };
   const auto log_probability = [&](int k) {  // of k successes in a

@@ -63,17 +63,41 @@ inline constexpr OutcomeRow kOutcomes[] = {
 /** Without kNotRun. */
 inline constexpr int kNumOutcomes = static_cast<int>(std::size(kOutcomes)) - 1;
 
-const char* NameOf(Outcome outcome);  ///< "success", "no contact", ...
-const char* CodeOf(Outcome outcome);  ///< "OK", "NC", ...
-bool IsSuccess(Outcome outcome);
-bool IsNumericalFailure(Outcome outcome);
-bool IsOutOfReach(Outcome outcome);  ///< the object was moved away
-bool MayBeInHand(Outcome outcome);   ///< at the end of the hold, so that there may be a judgement
+/** "success", "no contact", ... */
+inline const char* NameOf(Outcome outcome) { return RowOf(kOutcomes, outcome).name; }
+/** "OK", "NC", ... */
+inline const char* CodeOf(Outcome outcome) { return RowOf(kOutcomes, outcome).code; }
+inline OutcomeKind KindOf(Outcome outcome) { return RowOf(kOutcomes, outcome).kind; }
+inline bool IsSuccess(Outcome outcome) { return KindOf(outcome) == OutcomeKind::kSuccess; }
+inline bool IsNumericalFailure(Outcome outcome) {
+  return KindOf(outcome) == OutcomeKind::kNumerical;
+}
+/** The object was moved away. */
+inline bool IsOutOfReach(Outcome outcome) { return KindOf(outcome) == OutcomeKind::kOutOfReach; }
+/** At the end of the hold, so that there may be a judgement. */
+inline bool MayBeInHand(Outcome outcome) {
+  return IsSuccess(outcome) || KindOf(outcome) == OutcomeKind::kMaybeInHand;
+}
 
 /** All outcomes but kNotRun, in the order of the table. */
-const std::vector<Outcome>& ListOutcomes();
+inline const std::vector<Outcome>& ListOutcomes() {
+  static const std::vector<Outcome> outcomes = [] {
+    std::vector<Outcome> all;
+    for (const OutcomeRow& row : kOutcomes) {
+      if (row.kind != OutcomeKind::kNone) all.push_back(row.value);
+    }
+    return all;
+  }();
+  return outcomes;
+}
 /** @throws Error(kFormat) for another name, and for that of kNotRun. */
-Outcome OutcomeFromName(const std::string& name);
+inline Outcome OutcomeFromName(const std::string& name) {
+  const OutcomeRow* row = FindRow(kOutcomes, name);
+  if (row && row->kind != OutcomeKind::kNone) return row->value;
+  std::vector<std::string> known;
+  for (const Outcome outcome : ListOutcomes()) known.push_back(NameOf(outcome));
+  throw Error(ErrorKind::kFormat, "no outcome \"" + name + "\"" + SuggestNames(name, known));
+}
 
 inline Json ToJson(Outcome outcome) { return NameOf(outcome); }
 inline void ReadJson(const Json& json, Outcome& outcome) {

@@ -15,52 +15,37 @@ constexpr double kOnSurface = 0.001;     // from its nearest point: half their s
 constexpr double kRoundPeak = 1000.0;    // to mN
 constexpr double kTimeTolerance = 1e-9;  // of sums of steps [s]
 
-/** From a place to each point of a surface [m^2], and which is the nearest: of thousands, at every
-step for every contact, so once. */
-struct SurfaceDistances {
-  std::vector<double> squares;
-  size_t nearest = 0;
-};
-SurfaceDistances CalcDistances(const SensedSurface& surface, const Vector3d& p_L) {
-  SurfaceDistances distances;
-  distances.squares.reserve(surface.points.size());
-  for (const SurfacePoint& point : surface.points) {
-    distances.squares.push_back((point.p_L - p_L).squaredNorm());
-  }
-  distances.nearest =
-      static_cast<size_t>(std::min_element(distances.squares.begin(), distances.squares.end()) -
-                          distances.squares.begin());
-  return distances;
-}
-
-void Spread(const SensedSurface& surface, const SurfaceDistances& distances, double force,
-            double patch_radius, std::vector<double>& forces) {
-  const double a = patch_radius * std::cbrt(force / kPatchForce);
-  std::vector<std::pair<size_t, double>> pressed;  // element, weight
-  double sum = 0.0;
-  for (size_t i = 0; i < surface.points.size(); ++i) {
-    if (!(distances.squares[i] < a * a)) continue;
-    const SurfacePoint& point = surface.points[i];
-    pressed.emplace_back(static_cast<size_t>(point.element),
-                         point.area * std::sqrt(1.0 - distances.squares[i] / (a * a)));
-    sum += pressed.back().second;
-  }
-  if (pressed.empty()) {  // smaller than the points' spacing
-    forces[static_cast<size_t>(surface.points[distances.nearest].element)] += force;
-    return;
-  }
-  for (const auto& [element, weight] : pressed) forces[element] += force * weight / sum;
-}
-
 double CalcFullResponse(const SensorConfig& config) {
   return 1.0 - std::exp(-config.saturation / config.force_scale);
 }
 
 }  // namespace
 
-void SpreadForce(const SensedSurface& surface, const Vector3d& p_L, double force,
+bool SpreadForce(const SensedSurface& surface, const Vector3d& p_L, double force,
                  double patch_radius, std::vector<double>& forces) {
-  Spread(surface, CalcDistances(surface, p_L), force, patch_radius, forces);
+  std::vector<double> squares;  // of distances from the place [m^2]
+  squares.reserve(surface.points.size());
+  for (const SurfacePoint& point : surface.points) {
+    squares.push_back((point.p_L - p_L).squaredNorm());
+  }
+  const auto least = std::min_element(squares.begin(), squares.end());
+  if (!(*least <= kOnSurface * kOnSurface)) return false;
+  const double a = patch_radius * std::cbrt(force / kPatchForce);
+  std::vector<std::pair<size_t, double>> pressed;  // element, weight
+  double sum = 0.0;
+  for (size_t i = 0; i < surface.points.size(); ++i) {
+    if (!(squares[i] < a * a)) continue;
+    const SurfacePoint& point = surface.points[i];
+    pressed.emplace_back(static_cast<size_t>(point.element),
+                         point.area * std::sqrt(1.0 - squares[i] / (a * a)));
+    sum += pressed.back().second;
+  }
+  if (pressed.empty()) {  // smaller than the points' spacing
+    const auto nearest = static_cast<size_t>(least - squares.begin());
+    forces[static_cast<size_t>(surface.points[nearest].element)] += force;
+  }
+  for (const auto& [element, weight] : pressed) forces[element] += force * weight / sum;
+  return true;
 }
 
 double CalcReading(TactileResponse response, const SensorConfig& config, double force) {
@@ -95,9 +80,7 @@ void TouchSensors::Press(const HandContact& contact, const HandDynamics& dynamic
   if (const SensedSurface* surface = skin_->FindSurface(contact.link)) {
     const Vector3d p_L = ProjectOntoSurface(*hand_, contact.link,
                                             dynamics.X_WL(contact.link).inverse() * contact.p_WC);
-    const SurfaceDistances distances = CalcDistances(*surface, p_L);
-    if (distances.squares[distances.nearest] <= kOnSurface * kOnSurface) {
-      Spread(*surface, distances, contact.normal_force, config_.patch_radius, forces_);
+    if (SpreadForce(*surface, p_L, contact.normal_force, config_.patch_radius, forces_)) {
       sensed_[link] += contact.normal_force;
       return;
     }
@@ -163,19 +146,11 @@ void TouchSensors::Observe(double time, const std::vector<HandContact>& contacts
   FollowTouches(time);
 }
 
-double TouchSensors::CalcFeltForce() const {
-  double sum = 0.0;
-  for (const double reading : readings_) {
-    if (reading > config_.threshold) sum += CalcForce(skin_->response, config_, reading);
-  }
-  return sum;
-}
-
-double TouchSensors::CalcFeltForce(int digit) const {
+double TouchSensors::CalcFeltForce(std::optional<int> digit) const {
   double sum = 0.0;
   for (size_t i = 0; i < readings_.size(); ++i) {
     if (readings_[i] <= config_.threshold) continue;
-    if (hand_->FindDigitOfLink(skin_->elements[i].link) != digit) continue;
+    if (digit && hand_->FindDigitOfLink(skin_->elements[i].link) != *digit) continue;
     sum += CalcForce(skin_->response, config_, readings_[i]);
   }
   return sum;

@@ -39,12 +39,8 @@ enum class TouchSense {
   kExact,  ///< the contacts themselves
   kSensed  ///< what the elements feel
 };
-struct TouchSenseRow {
-  TouchSense value;
-  const char* name;  ///< in files
-};
-inline constexpr TouchSenseRow kTouchSenses[] = {{TouchSense::kExact, "exact"},
-                                                 {TouchSense::kSensed, "sensed"}};
+inline constexpr NamedValue<TouchSense> kTouchSenses[] = {{TouchSense::kExact, "exact"},
+                                                          {TouchSense::kSensed, "sensed"}};
 
 struct SensorConfig {
   double patch_radius = 0.004;  ///< at 5 N [m]
@@ -74,10 +70,9 @@ struct SensorConfig {
   }
 };
 
-/** Adds a contact's force to the forces on the cells of a surface; these sum to it.
-@param p_L     on the surface.
-@param forces  of all elements of the skin [N]. */
-void SpreadForce(const SensedSurface& surface, const Eigen::Vector3d& p_L, double force,
+/** Adds a contact's force to the forces on the cells of a surface, which sum to it; false where the
+place is not on the surface. @param forces  of all elements of the skin [N]. */
+bool SpreadForce(const SensedSurface& surface, const Eigen::Vector3d& p_L, double force,
                  double patch_radius, std::vector<double>& forces);
 
 /** Reading of an element without noise, from the force that it remembers. */
@@ -117,9 +112,9 @@ class TouchSensors {
 
   double time() const { return time_; }  ///< of the last step that was observed [s]
   bool has_felt(int digit) const { return has_felt_[static_cast<size_t>(digit)]; }  ///< ever
-  double CalcFeltForce() const;  ///< sum over the elements, of the last sample [N]
-  /** The same of a digit; -1: of the rest of the hand. */
-  double CalcFeltForce(int digit) const;
+  /** Sum over the elements, of the last sample [N]. @param digit  -1: the rest of the hand; unset:
+  all. */
+  double CalcFeltForce(std::optional<int> digit = std::nullopt) const;
   /** On each cell, before any response [N]. */
   const std::vector<double>& forces() const { return forces_; }
   const TouchRecord& record() const { return record_; }

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/base/text/record_text.h"
+#include "core/base/text/record_fields.h"
 
 namespace graspbench {
 

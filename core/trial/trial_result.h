@@ -7,22 +7,44 @@ What is known of a trial after it was carried out. */
 #include <string>
 #include <vector>
 
+#include "core/base/enum_table.h"
 #include "core/base/pose.h"
 #include "core/base/text/json.h"
 #include "core/base/text/json_cursor.h"
 #include "core/base/text/record_fields.h"
 #include "core/base/units.h"
-#include "core/grasp/contact_order.h"
+#include "core/grasp/contact_timing.h"
+#include "core/grasp/strategy.h"
 #include "core/trial/grip/grip_record.h"
 #include "core/trial/measures/contact_events.h"
 #include "core/trial/measures/diagnosis.h"
 #include "core/trial/measures/opposition.h"
 #include "core/trial/measures/stability.h"
-#include "core/trial/moment.h"
 #include "core/trial/outcome.h"
 #include "core/trial/touch_sensors.h"
 
 namespace graspbench {
+
+/** The moments of a trial whose posture is kept, for pictures and numbers. Each stands for a phase
+of the strategy: the pre-grasp at the object, the end of stabilisation, the end of the trial. */
+enum class Moment { kPreGrasp, kClosed, kLifted };
+struct MomentRow {
+  Moment value;
+  const char* name;  ///< in records
+  Phase phase;       ///< gives its name in options and headings
+};
+inline constexpr MomentRow kMoments[] = {{Moment::kPreGrasp, "pregrasp", Phase::kPreGrasp},
+                                         {Moment::kClosed, "closed", Phase::kStabilisation},
+                                         {Moment::kLifted, "lifted", Phase::kHold}};
+
+/** That of its phase. */
+inline const char* NameOf(Moment moment) { return NameOf(RowOf(kMoments, moment).phase); }
+
+inline Json ToJson(Moment moment) { return RowOf(kMoments, moment).name; }
+/** @throws Error(kFormat). */
+inline void ReadJson(const Json& json, Moment& moment) {
+  moment = RowFromName(kMoments, json.get<std::string>(), "moment").value;
+}
 
 /** A posture of the whole scene, for pictures. */
 struct SceneSnapshot {
@@ -110,7 +132,7 @@ struct TrialResult {
   double grip_force = 0.0;  ///< sum of normal forces on the object before lift-off [N]
   /** Of the object's centre of mass from the first touch to the end of stabilisation: how far it
   rose against the palm, its displacement in the palm's frame, and how far it slid through all links
-  that touched it at once; NaN: not lifted [m]. See measures/seat.h. */
+  that touched it at once; NaN: not lifted [m]. See measures/object_in_hand.h. */
   double closure_rise = kUnset, closure_displacement = kUnset, closure_slide = kUnset;
   double object_height = kUnset;       ///< from its lowest to its highest point at the start [m]
   double weight = kUnset;              ///< of the object [N]
@@ -203,7 +225,7 @@ ContactOrder FindContactOrder(const TrialResult& result);
 
 Json ToJson(const TrialResult& result);
 TrialResult TrialResultFromJson(const Json& json);
-/** The same from its text; fails as record_text.h says. */
+/** The same from its text; fails as record_fields.h says. */
 TrialResult ReadTrialResultText(JsonCursor& text);
 
 }  // namespace graspbench

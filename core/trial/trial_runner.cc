@@ -5,24 +5,23 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <utility>
 
 #include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/physics/implicit_world.h"
-#include "core/physics/simbody/compare_with_simbody.h"
+#include "core/physics/simbody/compliant_world.h"
+#include "core/physics/simbody/simbody_dynamics.h"
 #include "core/physics/simbody/simbody_model.h"
-#include "core/trial/chain_limit.h"
-#include "core/trial/compliant_trial.h"
-#include "core/trial/delayed_digit.h"
-#include "core/trial/grasp_by_sight.h"
-#include "core/trial/judge/disturbance.h"
+#include "core/trial/digit_delays.h"
+#include "core/trial/measures/object_in_hand.h"
 #include "core/trial/protocols/protocol.h"
+#include "core/trial/protocols/table_lift.h"
+#include "core/vision/locate_object.h"
 #include "core/vision/wrist_camera.h"
 
 namespace graspbench {
 namespace {
-
-bool IsSame(const SimConfig& a, const SimConfig& b) { return ConfigToJson(a) == ConfigToJson(b); }
 
 JudgedTrial MakeNumericalFailure(const char* reason) {
   JudgedTrial trial;
@@ -33,17 +32,15 @@ JudgedTrial MakeNumericalFailure(const char* reason) {
 
 /** Of one hand and object, and without a late digit. */
 bool IsSame(const TrialSetup& a, const TrialSetup& b) {
-  const auto describe = [](const TrialSetup& setup) {
-    return Json{ConfigToJson(setup.strategy), ConfigToJson(setup.camera),
-                ConfigToJson(setup.sensors)};
-  };
   return a.grasp.id == b.grasp.id && a.grasp.q_pre == b.grasp.q_pre &&
-         a.grasp.q_target == b.grasp.q_target && IsSame(a.sim, b.sim) &&
+         a.grasp.q_target == b.grasp.q_target && HaveEqualValues(a.sim, b.sim) &&
          a.draw.offset_x == b.draw.offset_x && a.draw.offset_y == b.draw.offset_y &&
          a.draw.offset_yaw == b.draw.offset_yaw && a.draw.joint_error == b.draw.joint_error &&
          a.sight_grasps.empty() && b.sight_grasps.empty() &&
          a.sight.has_value() == b.sight.has_value() && a.protocol == b.protocol &&
-         a.positioning == b.positioning && a.touch == b.touch && describe(a) == describe(b);
+         a.positioning == b.positioning && a.touch == b.touch &&
+         HaveEqualValues(a.strategy, b.strategy) && HaveEqualValues(a.camera, b.camera) &&
+         HaveEqualValues(a.sensors, b.sensors);
 }
 
 }  // namespace
@@ -68,8 +65,12 @@ struct TrialRunner::Impl {
         object(std::move(the_object)),
         simbody(*hand, object->mass_properties) {}
 
+  /** Without an exception for what happens inside the trial. */
   JudgedTrial Run(const TrialSetup& setup, bool is_judged,
                   const std::function<void(TrialCourse&)>& observe = {});
+  /** Of a setup that is neither chosen by sight nor delayed. */
+  JudgedTrial RunCourse(const TrialSetup& setup, bool is_judged,
+                        const std::function<void(TrialCourse&)>& observe);
   std::unique_ptr<World> MakeWorld(const SimConfig& config, TablePresence the_table);
   /** The setup with the commands of its late digit. */
   TrialSetup Delay(const TrialSetup& setup);
@@ -88,7 +89,7 @@ WristCamera* TrialRunner::Impl::FindCamera(const TrialSetup& setup) {
 
 std::unique_ptr<World> TrialRunner::Impl::MakeWorld(const SimConfig& config,
                                                     TablePresence the_table) {
-  if (!world || !IsSame(config, sim) || table != the_table) {
+  if (!world || !HaveEqualValues(config, sim) || table != the_table) {
     sim = config;
     table = the_table;
     world = std::make_unique<ImplicitWorld>(*hand, *object, config, table);
@@ -142,52 +143,80 @@ JudgedTrial TrialRunner::Impl::Run(const TrialSetup& setup, bool is_judged,
                                    const std::function<void(TrialCourse&)>& observe) {
   GRASPBENCH_DEMAND(setup.hand == hand && setup.object == object,
                     "a runner serves one hand and one object");
-  if (!setup.sight_grasps.empty()) {
-    std::optional<TrialSetup> chosen;
-    try {
-      chosen = ChooseGraspBySight(setup, MakeWorld(setup.sim, TablePresence::kPresent),
-                                  FindCamera(setup));
-    } catch (const std::bad_alloc&) {  // of the machine, not of the trial
-      throw;
-    } catch (const std::exception& e) {
-      return MakeNumericalFailure(e.what());
-    }
-    return Run(*chosen, is_judged, observe);
+  if (setup.sight_grasps.empty() && setup.late != LateDigit::kNone) {
+    return Run(Delay(setup), is_judged, observe);
   }
-  if (setup.late != LateDigit::kNone) return Run(Delay(setup), is_judged, observe);
-  JudgedTrial trial;
-  TrialResult& result = trial.result;
-  if (setup.is_compliant) {
-    result = RunCompliantTrial(setup);
-    return trial;
-  }
-  ClosingMeter closing;
-  const auto observe_closing = [&](TrialCourse& course) {
-    closing.Observe(course.phase(), course.world().CalcObjectPose());
-    if (observe) observe(course);
-  };
   try {
-    const Protocol& protocol = FindProtocol(setup.protocol);
-    const std::unique_ptr<TrialCourse> course =
-        protocol.make_course(MakeWorld(setup.sim, protocol.table), setup, FindCamera(setup));
-    result = setup.keeps_closing ? course->Run(observe_closing) : course->Run(observe);
-    if (setup.keeps_closing) result.closing = closing.Calc();
-    if (result.outcome == Outcome::kNumericalFailure) return trial;
-    if (const double difference = CompareWithSimbody(course->world(), simbody);
-        !(difference < kSimbodyTolerance)) {
-      result.outcome = Outcome::kNumericalFailure;
-      result.reason =
-          fmt::format("mass matrix or bias differs from Simbody's by {:.1e}", difference);
-      return trial;
+    if (!setup.sight_grasps.empty()) {
+      return Run(ChooseGraspBySight(setup, MakeWorld(setup.sim, TablePresence::kPresent),
+                                    FindCamera(setup)),
+                 is_judged, observe);
     }
-    if (setup.finds_strength) result.strength = course->FindStrength();
-    if (is_judged && course->is_held()) trial.judgement = course->Judge();
+    if (setup.is_compliant) {
+      auto second_world = MakeCompliantWorld(*hand, *object, setup.sim);
+      return {TableLift(std::move(second_world), setup).Run(), std::nullopt};
+    }
+    return RunCourse(setup, is_judged, observe);
   } catch (const std::bad_alloc&) {  // of the machine, not of the trial
     throw;
   } catch (const std::exception& e) {
-    return MakeNumericalFailure(e.what());  // Simbody reports impossible states this way
+    // Simbody reports impossible states, and steps that become too short, this way.
+    return MakeNumericalFailure(e.what());
   }
+}
+
+JudgedTrial TrialRunner::Impl::RunCourse(const TrialSetup& setup, bool is_judged,
+                                         const std::function<void(TrialCourse&)>& observe) {
+  const Protocol& protocol = FindProtocol(setup.protocol);
+  const std::unique_ptr<TrialCourse> course =
+      protocol.make_course(MakeWorld(setup.sim, protocol.table), setup, FindCamera(setup));
+  JudgedTrial trial;
+  TrialResult& result = trial.result;
+  if (setup.keeps_closing) {
+    ClosingMeter closing;
+    result = course->Run([&](TrialCourse& watched) {
+      closing.Observe(watched.phase(), watched.world().CalcObjectPose());
+      if (observe) observe(watched);
+    });
+    result.closing = closing.Calc();
+  } else {
+    result = course->Run(observe);
+  }
+  if (result.outcome == Outcome::kNumericalFailure) return trial;
+  if (const double difference = CompareWithSimbody(course->world(), simbody);
+      !(difference < kSimbodyTolerance)) {
+    result.outcome = Outcome::kNumericalFailure;
+    result.reason = fmt::format("mass matrix or bias differs from Simbody's by {:.1e}", difference);
+    return trial;
+  }
+  if (setup.finds_strength) result.strength = course->FindStrength();
+  if (is_judged && course->is_held()) trial.judgement = course->Judge();
   return trial;
+}
+
+TrialSetup ChooseGraspBySight(TrialSetup setup, std::unique_ptr<World> world, WristCamera* camera) {
+  if (setup.sight_grasps.empty()) return setup;
+  TrialSetup looking = setup;
+  looking.positioning = Positioning::kNominal;  // else the course would look, too
+  const Sighting seen = TableLift(std::move(world), looking).Look(camera);
+  const std::vector<Grasp> grasps = std::exchange(setup.sight_grasps, {});
+  if (!seen.is_found) {
+    setup.sight = SightChoice{"", seen.reason};
+    return setup;
+  }
+  const GraspType type = SuggestGraspType(seen);
+  const auto chosen = std::find_if(grasps.begin(), grasps.end(),
+                                   [&](const Grasp& grasp) { return grasp.type == type; });
+  GRASPBENCH_DEMAND(chosen != grasps.end(), setup.hand->id);
+  setup.grasp = *chosen;
+  setup.sight = SightChoice{chosen->id, ""};
+  return setup;
+}
+
+TrialSetup ChooseGraspBySight(TrialSetup setup) {
+  if (setup.sight_grasps.empty()) return setup;
+  auto world = std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim);
+  return ChooseGraspBySight(std::move(setup), std::move(world), nullptr);
 }
 
 }  // namespace graspbench

@@ -9,16 +9,26 @@ to trial. */
 #include <string>
 #include <vector>
 
+#include "core/base/enum_table.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/grasp/strategy.h"
 #include "core/hand/hand.h"
 #include "core/physics/sim_config.h"
 #include "core/shape/grasp_object.h"
-#include "core/trial/positioning.h"
 #include "core/trial/touch_sensors.h"
 #include "core/vision/camera_config.h"
 
 namespace graspbench {
+
+/** What the hand knows of where the object lies before it places itself. */
+enum class Positioning {
+  kNominal,  ///< nothing: it goes to where the object should be
+  kTrue,     ///< the object's pose, exactly
+  kCamera    ///< what its own camera finds (core/vision/wrist_camera.h)
+};
+inline constexpr NamedValue<Positioning> kPositionings[] = {{Positioning::kNominal, "nominal"},
+                                                            {Positioning::kTrue, "true"},
+                                                            {Positioning::kCamera, "camera"}};
 
 /** What differs from trial to trial. The draws depend on the trial's number and the object only, so
 that every grasp and variant meets the same poses. */
@@ -51,7 +61,7 @@ struct TrialSetup {
   std::string protocol = "table_lift";  ///< id of what happens in the trial (protocols/)
   Grasp grasp;
   /** Of these the camera chooses `grasp`, which until then is the one in whose pre-grasp posture it
-  looks (grasp_by_sight.h); empty: `grasp` is given. */
+  looks (ChooseGraspBySight); empty: `grasp` is given. */
   std::vector<Grasp> sight_grasps = {};
   std::optional<SightChoice> sight = {};  ///< that was made; unset: `grasp` is given
   StrategyConfig strategy;
@@ -63,11 +73,11 @@ struct TrialSetup {
   SensorConfig sensors = {};
   std::vector<DriveCommand> drives = {};  ///< a person's, by time; none in a session
   std::vector<double> lateness = {};      ///< of each digit of the hand [s]; empty: none is late
-  LateDigit late = LateDigit::kNone;      ///< see delayed_digit.h, which is
+  LateDigit late = LateDigit::kNone;      ///< see digit_delays.h, which is
   double delay = 0.0;                     ///< so much later [s]
   bool keeps_closing = false;             ///< the result says how far closing moved the object
   bool finds_strength = false;            ///< the result says what the grasp stands
-  bool is_compliant = false;              ///< in the second world (compliant_trial.h)
+  bool is_compliant = false;  ///< in the second world (core/physics/simbody/compliant_world.h)
 };
 
 }  // namespace graspbench

@@ -6,24 +6,21 @@
 #include "core/trial/protocols/protocol.h"
 
 namespace graspbench {
-namespace {
 
-TraceInstant MakeInstant(TrialCourse& course) {
-  const World& world = course.world();
+TraceInstant MakeTraceInstant(const World& world, double time, Phase phase,
+                              const StepReport& report, const WorldCommand& command) {
   TraceInstant instant;
-  instant.time = course.time();
-  instant.phase = instant.next_phase = course.phase();
+  instant.time = time;
+  instant.phase = instant.next_phase = phase;
   instant.X_WH = world.state().X_WH;
   instant.X_WO = world.CalcObjectPose();
   instant.q = world.state().q;
-  instant.q_asked = course.last_command().q;
+  instant.q_asked = command.q;
   world.FindHandContacts(instant.contacts);
-  instant.grip_force = course.report().grip_force;
-  instant.table_force = course.report().table_force;
+  instant.grip_force = report.grip_force;
+  instant.table_force = report.table_force;
   return instant;
 }
-
-}  // namespace
 
 TracedTrial TraceTrial(TrialRunner& runner, const TrialSetup& setup, double interval) {
   const double num_steps = std::ceil(interval / setup.sim.step - 1e-9);
@@ -42,7 +39,8 @@ TracedTrial TraceTrial(TrialRunner& runner, const TrialSetup& setup, double inte
       keep_latest();
       traced.trace.back().next_phase = course.phase();
     }
-    latest = MakeInstant(course);
+    latest = MakeTraceInstant(course.world(), course.time(), course.phase(), course.report(),
+                              course.last_command());
     traced.closure_start = course.closure_start();
     is_kept = false;
     if (step < next_kept) return;

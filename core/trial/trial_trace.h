@@ -27,6 +27,10 @@ struct TraceInstant {
   double table_force = 0.0;  ///< normal force of the table on the object [N]
 };
 
+/** The world now. @param report  of the last step.  @param command  of it. */
+TraceInstant MakeTraceInstant(const World& world, double time, Phase phase,
+                              const StepReport& report, const WorldCommand& command);
+
 struct TracedTrial {
   TrialResult result;  ///< that of TrialRunner::Run, to the last byte
   /** From the start to the end of the trial; empty when it could not begin. */

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/base/error.h"
 #include "core/base/units.h"
 
 namespace graspbench {
@@ -17,6 +18,14 @@ constexpr double kSmallShare = 0.05;    // of the largest region: a second thing
 constexpr double kEdge = 1.5;           // nearer to the picture's edge is cut [pixel]
 constexpr double kTolerance = 0.3;      // of an outline: a worse fit is clearly worse [pixel]
 constexpr double kWorstFit = 0.003;     // [m]
+
+// Of a suggestion.
+constexpr double kLargeWidth = 0.047;   // [m]
+constexpr double kRoundish = 1.85;      // length over width, less
+constexpr double kSolid = 0.8;          // a propeller's blades fill less of their hull
+constexpr double kThinWidth = 0.022;    // [m]
+constexpr double kLongestForTwo = 0.2;  // [m]
+constexpr double kSmallLength = 0.035;  // [m]
 
 bool IsCut(const SeenRegion& region, const Lens& lens) {
   for (const Vector2d& p : region.contour) {
@@ -80,6 +89,16 @@ Sighting LocateObject(const Image& picture, const Image& empty_table, const Lens
   sighting.fill = CalcArea(outline) / CalcArea(FindHull(outline));
   sighting.outline = std::move(outline);
   return sighting;
+}
+
+GraspType SuggestGraspType(const Sighting& seen) {
+  GRASPBENCH_DEMAND(seen.is_found, "nothing was seen");
+  if (seen.width >= kLargeWidth && seen.length < kRoundish * seen.width && seen.fill >= kSolid) {
+    return GraspType::kPower;
+  }
+  const bool is_thin = seen.width < kThinWidth && seen.length < kLongestForTwo;
+  if (is_thin || seen.length < kSmallLength) return GraspType::kTwoFingerPrecision;
+  return GraspType::kAllFingerPrecision;
 }
 
 }  // namespace graspbench

@@ -22,7 +22,7 @@ std::array<float, 256> MakeExposureTable(double exposure) {
     const double srgb = level / 255.0;
     const double light = srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
     const double scaled = std::min(exposure * light, 1.0);
-    table[static_cast<size_t>(level)] = static_cast<float>(
+    table[level] = static_cast<float>(
         255.0 * (scaled <= 0.0031308 ? 12.92 * scaled : 1.055 * std::pow(scaled, 1 / 2.4) - 0.055));
   }
   return table;

@@ -20,7 +20,6 @@ shadows are in it, it is the same everywhere and taken once. All of this is prop
 #include "core/render/scene.h"
 #include "core/shape/grasp_object.h"
 #include "core/vision/camera_config.h"
-#include "core/vision/lens.h"
 #include "core/vision/locate_object.h"
 #include "core/vision/picture_tools.h"
 #include "core/vision/silhouette.h"

@@ -2,12 +2,112 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "core/base/text/csv.h"
 #include "core/base/text/text.h"
+#include "core/base/units.h"
 
 namespace graspbench {
+
+namespace {
+
+SeatSummary SummariseSeat(const CellSummary& cell, Seat seat) {
+  SeatSummary summary;
+  summary.cell = &cell;
+  summary.seat = seat;
+  std::vector<double> grip, sigma, gft;
+  for (const TrialRecord* record : cell.records) {
+    const TrialResult& result = record->result;
+    if (!IsSuccess(result.outcome) || FindSeat(result) != seat) continue;
+    ++summary.num_held;
+    summary.num_caged += IsCaged(result);
+    grip.push_back(result.stability.hold.normal_force);
+    sigma.push_back(result.stability.sigma);
+    if (!result.timing.contact_before_start) gft.push_back(result.timing.gft);
+  }
+  summary.grip = CalcSpread(grip);
+  summary.sigma = CalcSpread(sigma);
+  summary.gft = CalcSpread(gft);
+  return summary;
+}
+
+/** Median, lowest and highest of a measure; people see "12.3 (10.1 to 14.2)". */
+CsvColumn<SeatSummary> MakeSpreadColumn(const char* name, const char* heading, const char* meaning,
+                                        Spread SeatSummary::*member, double unit, int decimals) {
+  const auto value = [member](const SeatSummary& row) {
+    const Spread& spread = row.*member;
+    return Json{{"n", spread.n},
+                {"median", JsonNumber(spread.median)},
+                {"lowest", JsonNumber(spread.lowest)},
+                {"highest", JsonNumber(spread.highest)}};
+  };
+  return CsvColumn<SeatSummary>(name, "string", "", meaning, value)
+      .Shown(heading, [=](const SeatSummary& row) {
+        const Spread& spread = row.*member;
+        return FormatWithRange(unit * spread.median, unit * spread.lowest, unit * spread.highest,
+                               decimals);
+      });
+}
+
+std::vector<CsvColumn<SeatSummary>> ListSeatColumns() {
+  using Row = SeatSummary;
+  using C = CsvColumn<Row>;
+  return {C("hand", "", "", [](const Row& row) { return row.cell->hand; }).Shown("hand"),
+          C("object", "", "", [](const Row& row) { return row.cell->object; }).Shown("object"),
+          C("grasp", "", "", [](const Row& row) { return row.cell->grasp; }).Shown("grasp"),
+          C("seat", "string", "", "kept, reseated, or not known",
+            [](const Row& row) {
+              return row.seat == Seat::kUnknown ? Json() : Json(NameOf(row.seat));
+            }).Shown("seat", [](const Row& row) { return NameOf(row.seat); }),
+          C("held", "", "successes that sit so", &Row::num_held).Shown("held"),
+          C("caged", "", "of them", &Row::num_caged).Shown("caged"),
+          MakeSpreadColumn("grip_n", "grip [N]", "mean sum of the normal forces over the hold",
+                           &Row::grip, 1.0, 2),
+          MakeSpreadColumn("sigma_n", "sigma [N]", "stability in the hold", &Row::sigma, 1.0, 2),
+          MakeSpreadColumn("gft_s", "GFT [ms]", "grasp forming time", &Row::gft, MsFromS(1.0), 0)};
+}
+
+}  // namespace
+
+std::vector<SeatSummary> ListSeats(const SessionSummary& summary) {
+  std::vector<SeatSummary> seats;
+  for (const CellSummary& cell : summary.cells) {
+    for (const Seat seat : kSeats) {
+      const SeatSummary one = SummariseSeat(cell, seat);
+      if (one.num_held > 0) seats.push_back(one);
+    }
+  }
+  return seats;
+}
+
+std::string DescribeSeats(const std::vector<SeatSummary>& seats) {
+  int num_held = 0, num_reseated = 0, num_caged = 0, num_double = 0;
+  for (size_t i = 0; i < seats.size(); ++i) {
+    if (seats[i].seat == Seat::kUnknown) continue;
+    num_held += seats[i].num_held;
+    num_caged += seats[i].num_caged;
+    if (seats[i].seat != Seat::kReseated) continue;
+    num_reseated += seats[i].num_held;
+    num_double += i > 0 && seats[i - 1].cell == seats[i].cell;
+  }
+  if (num_held == 0) return "";
+  return "of " + FormatCount(num_held, "held grasp") + " " + std::to_string(num_reseated) +
+         (num_reseated == 1 ? " is" : " are") + " reseated, " + std::to_string(num_caged) +
+         (num_caged == 1 ? " is" : " are") + " caged; " +
+         FormatCount(num_double, "condition has", "conditions have") + " two seats";
+}
+
+ShownTable ShowSeats(const std::vector<SeatSummary>& seats) {
+  return ShowTable(ListSeatColumns(), seats);
+}
+
+Json ToJson(const std::vector<SeatSummary>& seats) {
+  return MakeJsonRows(ListSeatColumns(), seats);
+}
+
 namespace {
 
 constexpr double kExcess = 2.0;  // in truth over asked, by sensed touch, which is said

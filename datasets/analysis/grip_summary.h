@@ -6,6 +6,9 @@ differ from what was asked of them by more than kGripTolerance, for which reason
 #include <string>
 #include <vector>
 
+#include "core/base/text/csv.h"
+#include "core/base/text/json.h"
+#include "core/trial/measures/object_in_hand.h"
 #include "datasets/analysis/session_summary.h"
 
 namespace graspbench {
@@ -47,5 +50,34 @@ std::string DescribeShortfall(const GripShortfall& shortfall);
 
 /** "grip     2 of 4 trials pressed more than twice as hard as asked, ..."; empty where none did. */
 std::string DescribeExcess(const GripShortfall& shortfall);
+
+/* What held grasps of a condition are like, seat by seat (object_in_hand.h): grip force,
+sigma and GFT of two seats of one object differ by several times, so that a figure over both would
+describe neither. */
+
+/** Successes of one cell that sit alike. */
+struct SeatSummary {
+  const CellSummary* cell = nullptr;
+  Seat seat = Seat::kUnknown;
+  int num_held = 0;
+  int num_caged = 0;
+  Spread grip;   ///< mean sum of the normal forces over the hold [N]
+  Spread sigma;  ///< [N]
+  Spread gft;    ///< without trials with a contact before the start of closure [s]
+};
+
+/** Cells in their order, of each the seats that occur: kept, reseated, unknown (records of older
+physics). Cells without a success have none. The result points into `summary`. */
+std::vector<SeatSummary> ListSeats(const SessionSummary& summary);
+
+/** "12 of 420 held grasps are reseated, 1 is caged; 5 conditions have two seats"; empty where no
+seat is known. */
+std::string DescribeSeats(const std::vector<SeatSummary>& seats);
+
+/** Medians, lowest to highest. */
+ShownTable ShowSeats(const std::vector<SeatSummary>& seats);
+
+/** One object each. */
+Json ToJson(const std::vector<SeatSummary>& seats);
 
 }  // namespace graspbench

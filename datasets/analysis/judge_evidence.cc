@@ -6,14 +6,14 @@
 
 #include "core/statistics/proportion.h"
 #include "core/statistics/ranks.h"
-#include "core/trial/judge/verdicts.h"
+#include "core/trial/judge/judge.h"
 #include "datasets/records/trial_table.h"
 
 namespace graspbench {
 namespace {
 
 /** Enough for two digits of an interval of thousands of trials, in seconds. */
-constexpr int kNumResamples = 400;
+constexpr int kNumJudgeResamples = 400;
 
 struct HeldMeasure {
   std::string column;
@@ -76,7 +76,7 @@ Answer<BootstrapInterval> DrawCells(const Cells& cells, const std::string& id,
         const Answer<double> answer = statistic(trials);
         return answer ? *answer : std::nan("");
       },
-      id, kNumResamples);
+      id, kNumJudgeResamples);
 }
 
 std::vector<RankEvidence> CalcRanks(const std::vector<TrialColumn>& columns,

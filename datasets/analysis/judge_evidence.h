@@ -9,7 +9,7 @@ Intervals come from drawing cells (hand, object, grasp), because trials of one c
 
 #include "core/base/text/json.h"
 #include "core/statistics/bootstrap.h"
-#include "core/trial/measures/seat.h"
+#include "core/trial/measures/object_in_hand.h"
 #include "datasets/analysis/session_summary.h"
 
 namespace graspbench {

@@ -162,20 +162,21 @@ std::vector<ThresholdChange> CompareThresholds(const std::vector<TrialPair>& pai
   return changes;
 }
 
-Json ToJson(const std::vector<ThresholdChange>& changes) {
-  Json list = Json::array();
-  for (const ThresholdChange& change : changes) {
-    list.push_back({{"scale", change.scale->name},
-                    {"hand", change.hand},
-                    {"pairs", change.num_pairs},
-                    {"lower", change.num_lower},
-                    {"equal", change.num_equal},
-                    {"higher", change.num_higher},
-                    {"ratio", JsonNumber(change.ratio)},
-                    {"ratio_low", JsonNumber(change.low)},
-                    {"ratio_high", JsonNumber(change.high)}});
-  }
-  return list;
+std::vector<CsvColumn<ThresholdChange>> ListThresholdChangeColumns() {
+  using Row = ThresholdChange;
+  using C = CsvColumn<Row>;
+  return {
+      C("scale", "", "", [](const Row& row) { return row.scale->name; }).Shown("grip threshold"),
+      C("hand", "", "", &Row::hand).Shown("hand"),
+      C("pairs", "", "", &Row::num_pairs).Shown("pairs"),
+      C("lower", "", "", &Row::num_lower).Shown("lower"),
+      C("equal", "", "", &Row::num_equal).Shown("equal"),
+      C("higher", "", "", &Row::num_higher).Shown("higher"),
+      C("ratio", "", "", &Row::ratio)
+          .Shown("second over first",
+                 [](const Row& row) { return FormatWithRange(row.ratio, row.low, row.high, 2); }),
+      {"ratio_low", "", "", &Row::low},
+      {"ratio_high", "", "", &Row::high}};
 }
 
 }  // namespace graspbench

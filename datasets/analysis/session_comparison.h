@@ -53,6 +53,6 @@ std::vector<ThresholdChange> CompareThresholds(const std::vector<TrialPair>& pai
                                                const std::vector<ThresholdSummary>& before,
                                                const std::vector<ThresholdSummary>& after);
 
-Json ToJson(const std::vector<ThresholdChange>& changes);
+std::vector<CsvColumn<ThresholdChange>> ListThresholdChangeColumns();
 
 }  // namespace graspbench

@@ -16,7 +16,9 @@ count as not successful and are left out of every other figure. */
 #include <utility>
 #include <vector>
 
+#include "core/grasp/contact_timing.h"
 #include "core/statistics/proportion.h"
+#include "core/statistics/summary.h"
 #include "datasets/session/session_store.h"
 
 namespace graspbench {
@@ -71,7 +73,7 @@ struct CellSummary {
   std::string key;                  ///< one plain word: "tum-can-g3"
   std::vector<const TrialRecord*> records;
   Tally tally;
-  ContactTimes times;           ///< of the trials that are not reseated (seat.h)
+  ContactTimes times;           ///< of the trials that are not reseated (object_in_hand.h)
   ContactTimes reseated_times;  ///< of those that are
   int num_early = 0;            ///< trials with a contact before the start of closure
   /** Orders of contact with their number of trials, most frequent first. */
@@ -103,5 +105,24 @@ std::string DescribeGrasp(const CellSummary& cell);
 
 /** The summary points into `session`, which must outlive it. */
 SessionSummary SummariseSession(const Session& session);
+
+/* GFT% and GOT% (core/grasp/contact_timing.h) of groups of trials, of robots and people alike, so
+that both stand side by side as the same numbers. */
+
+/** Ratios of a group of trials. */
+struct TimingRatios {
+  Answer<Summary> gft, got;
+  int num_without_gft = 0;  ///< a digit never touched, or the closure took no time
+};
+TimingRatios SummariseTimings(const std::vector<ContactTiming>& timings);
+
+/** A robot's trials of one hand: of all grasps (empty name) or one. */
+struct TimingGroup {
+  std::string hand, grasp;  ///< ids
+  TimingRatios ratios;
+};
+/** By hand in the plan's order: all grasps, then each; a hand with one grasp has that alone. Trials
+that failed numerically are left out. */
+std::vector<TimingGroup> ListTimingGroups(const Session& session);
 
 }  // namespace graspbench

@@ -6,9 +6,56 @@
 #include <set>
 #include <utility>
 
+#include "core/base/text/csv.h"
+#include "core/base/text/text.h"
+#include "core/base/units.h"
 #include "core/statistics/multiple_tests.h"
+#include "core/trial/measures/object_in_hand.h"
 
 namespace graspbench {
+
+namespace {
+
+using Record = const TrialRecord&;
+
+double OfSuccess(Record record, double value) {
+  return IsSuccess(record.result.outcome) ? value : kUnset;
+}
+
+double FindSuccess(Record record) {
+  if (record.result.outcome == Outcome::kNumericalFailure) return kUnset;
+  return IsSuccess(record.result.outcome) ? 1.0 : 0.0;
+}
+
+}  // namespace
+
+const std::vector<GraspResponse>& ListGraspResponses() {
+  static const std::vector<GraspResponse> responses = {
+      {{"success", "success [%]", 100.0, 1}, FindSuccess},
+      {{"shift_m", "push before lift-off [mm]", MmFromM(1.0), 2},
+       [](Record record) { return CalcDisturbance(record.result).before_lift.shift; }},
+      {{"turn_rad", "turn before lift-off [deg]", DegFromRad(1.0), 2},
+       [](Record record) { return CalcDisturbance(record.result).before_lift.turn; }},
+      {{"shift_in_hand_m", "in-hand displacement [mm]", MmFromM(1.0), 2},
+       [](Record record) {
+         return OfSuccess(record, CalcDisturbance(record.result).in_hand.shift);
+       }},
+      {{"turn_in_hand_rad", "turn in the hand [deg]", DegFromRad(1.0), 2},
+       [](Record record) {
+         return OfSuccess(record, CalcDisturbance(record.result).in_hand.turn);
+       }},
+      {{"hold_slip_m", "slip in the hold [mm]", MmFromM(1.0), 3},
+       [](Record record) { return OfSuccess(record, record.result.hold_slip); }},
+      {{"sigma_n", "sigma [N]", 1.0, 2},
+       [](Record record) { return OfSuccess(record, record.result.stability.sigma); }},
+      {{"breaking_force_n", "breaking force [N]", 1.0, 2},
+       [](Record record) {
+         return record.judgement ? OfSuccess(record, record.judgement->breaking_force) : kUnset;
+       }},
+  };
+  return responses;
+}
+
 namespace {
 
 struct SimultaneityMeasure {
@@ -130,22 +177,70 @@ std::string NameTimingMeasure(const std::string& measure) {
   return found->name;
 }
 
-Json ToJson(const SimultaneityRelation& row) {
-  Json json = {{"hand", row.hand}, {"measure", row.measure}, {"response", row.response->shown.id}};
-  if (!row.relation) {
-    json["correlation"] = nullptr;
-    json["reason"] = row.relation.reason();
-    return json;
+std::string NameResponse(const SimultaneityRelation& row) {
+  const std::string label = row.response->shown.label;
+  return label.substr(0, label.find(" ["));
+}
+
+std::string FormatRho(const SimultaneityRelation& row) {
+  if (!row.relation) return "n/a";
+  const Interval range =
+      row.relation->interval ? *row.relation->interval : Interval{kUnset, kUnset};
+  return FormatWithRange(row.relation->correlation, range.low, range.high, 2);
+}
+
+namespace {
+
+std::vector<CsvColumn<SimultaneityRelation>> ListRelationColumns() {
+  using Row = SimultaneityRelation;
+  using C = CsvColumn<Row>;
+  // Without a relation the file has neither counts nor numbers.
+  const auto count = [](int WithinCorrelation::*member) {
+    return [member](const Row& row) { return row.relation ? (*row.relation).*member : 0; };
+  };
+  const auto bound = [](double Interval::*member) {
+    return [member](const Row& row) {
+      return row.relation && row.relation->interval ? (*row.relation->interval).*member : kUnset;
+    };
+  };
+  const auto p = [](const Row& row) { return row.relation ? row.relation->p : kUnset; };
+  const auto correlation = [](const Row& row) {
+    return row.relation ? row.relation->correlation : kUnset;
+  };
+  return {
+      C("hand", "", "", &Row::hand).Shown("hand"),
+      C("measure", "", "", &Row::measure)
+          .Shown("measure", [](const Row& row) { return NameTimingMeasure(row.measure); }),
+      C("response", "", "",
+        [](const Row& row) {
+          return row.response->shown.id;
+        }).Shown("of the trial", NameResponse),
+      C("cells", "", "", count(&WithinCorrelation::num_groups)).Shown("conditions"),
+      C("trials", "", "in conditions with informative trials", count(&WithinCorrelation::num_pairs))
+          .Shown("trials"),
+      C("correlation", "", "", correlation).Shown("rank correlation", FormatRho),
+      {"low", "", "", bound(&Interval::low)},
+      {"high", "", "", bound(&Interval::high)},
+      C("p", "", "two-sided, by permutation within conditions", p)
+          .Shown("p", [p](const Row& row) { return FormatFixed(p(row), 4); }),
+      C("p_holm", "", "after Holm, over the table", &Row::p_holm)
+          .Shown("p of all", [](const Row& row) { return FormatFixed(row.p_holm, 3); })};
+}
+
+}  // namespace
+
+ShownTable ShowRelations(const std::vector<SimultaneityRelation>& relations) {
+  return ShowTable(ListRelationColumns(), relations);
+}
+
+Json MakeRelationsJson(const std::vector<SimultaneityRelation>& relations) {
+  Json list = MakeJsonRows(ListRelationColumns(), relations);
+  for (size_t i = 0; i < relations.size(); ++i) {
+    if (relations[i].relation) continue;
+    for (const char* key : {"cells", "trials", "low", "high", "p", "p_holm"}) list[i].erase(key);
+    list[i]["reason"] = relations[i].relation.reason();
   }
-  const WithinCorrelation& relation = *row.relation;
-  json["cells"] = relation.num_groups;
-  json["trials"] = relation.num_pairs;
-  json["correlation"] = JsonNumber(relation.correlation);
-  json["low"] = relation.interval ? JsonNumber(relation.interval->low) : Json();
-  json["high"] = relation.interval ? JsonNumber(relation.interval->high) : Json();
-  json["p"] = JsonNumber(relation.p);
-  json["p_holm"] = JsonNumber(row.p_holm);
-  return json;
+  return list;
 }
 
 }  // namespace graspbench

@@ -3,16 +3,115 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "core/base/config.h"
+#include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "core/base/hash.h"
+#include "datasets/journal/checked_line.h"
 #include "datasets/plan/frozen_folder.h"
+#include "datasets/shards/worker_log.h"
 
 namespace graspbench {
+
 namespace fs = std::filesystem;
 
 namespace {
+
+void AddShards(const std::vector<fs::path>& scenes, int num_shards, const Deal& deal,
+               double stale_after, std::vector<ShardProgress>& shards) {
+  std::vector<ShardProgress> of_deal;
+  for (int number = 1; number <= num_shards; ++number) {
+    ShardProgress& progress = of_deal.emplace_back();
+    progress.shard = {number, num_shards};
+    for (size_t i = 0; i < scenes.size(); ++i) {
+      if (!IsCardOf(i, progress.shard)) continue;
+      ++progress.num_trials;
+      progress.num_finished += HasSceneResult(scenes[i]);
+      const fs::path journal = scenes[i] / "journal.jsonl";
+      if (deal.ages.count(number) == 0 || !fs::exists(journal)) continue;
+      progress.age = std::min(CalcAge(journal), progress.age.value_or(CalcAge(journal)));
+    }
+  }
+  CompleteShards(deal, stale_after, of_deal);
+  shards.insert(shards.end(), of_deal.begin(), of_deal.end());
+}
+
+/** What is to be copied, found before a byte is written. */
+struct Copies {
+  std::vector<std::pair<fs::path, fs::path>> files;  // from, to; in this order
+  int num_answers = 0;
+};
+
+/** A journal's whole lines; empty: there is none. */
+std::string ReadLines(const fs::path& path) {
+  std::error_code status;
+  if (!fs::exists(path, status)) return "";
+  const std::string text = ReadFile(path);
+  return text.substr(0, text.rfind('\n') + 1);  // npos + 1 is 0
+}
+
+/** True when the journal there is the longer one. */
+bool AddJournal(const fs::path& here, const fs::path& there, Copies& copies) {
+  const std::string mine = ReadLines(here), other = ReadLines(there);
+  const size_t common = std::min(mine.size(), other.size());
+  if (mine.compare(0, common, other, 0, common) != 0) {
+    throw Error(ErrorKind::kFormat, "\"" + there.string() + "\" has other answers than \"" +
+                                        here.string() +
+                                        "\": two machines or versions of the program have worked "
+                                        "on it; nothing was merged, leave one of them out");
+  }
+  if (other.size() <= mine.size()) return false;
+  copies.files.emplace_back(there, here);
+  copies.num_answers += static_cast<int>(
+      std::count(other.begin() + static_cast<std::ptrdiff_t>(common), other.end(), '\n'));
+  return true;
+}
+
+void AddScene(const fs::path& here, const fs::path& there, Copies& copies) {
+  AddJournal(here / "journal.jsonl", there / "journal.jsonl", copies);
+  if (!HasSceneResult(there)) return;
+  if (HasSceneResult(here)) {
+    if (ReadFile(here / "result.json") == ReadFile(there / "result.json")) return;
+    throw Error(ErrorKind::kFormat, "\"" + there.string() + "\" has another result than \"" +
+                                        here.string() + "\"; nothing was merged");
+  }
+  for (const std::string& name : ListMatches(there, kSceneStore.derived)) {
+    copies.files.emplace_back(there / name, here / name);
+  }
+  copies.files.emplace_back(there / kManifestFile, here / kManifestFile);  // last: it is finished
+}
+
+/** The program's version may differ. */
+void CheckSameStore(const StoreKind& kind, const fs::path& folder, const fs::path& other) {
+  VerifyStore(other, OnDamage::kRefuse);
+  LoadFrozen(kind, other);
+  const auto load = [&kind](const fs::path& of) {
+    Json frozen = Json::parse(ReadFile(of / kind.file));
+    frozen.erase("program_version");
+    const std::optional<Manifest> manifest = FindManifest(of);
+    return std::pair(frozen, kind.stores.empty() || !manifest ? "" : manifest->inputs);
+  };
+  const auto describe = [](const fs::path& of, const std::pair<Json, std::string>& store) {
+    return "\n  " + of.string() + ": schema " + FormatJson(store.first.at("schema")) +
+           ", physics " + FormatJson(store.first.at("physics_version")) + ", settings " +
+           CalcHashHex(FormatJson(store.first.at("config"))) +
+           (store.second.empty() ? "" : ", inputs " + store.second);
+  };
+  const auto here = load(folder), there = load(other);
+  if (here == there) return;
+  throw Error(ErrorKind::kUsage, "\"" + other.string() + "\" holds another " + kind.name +
+                                     " than \"" + folder.string() + "\", nothing was merged:" +
+                                     describe(folder, here) + describe(other, there));
+}
+
+void Copy(const Copies& copies) {
+  for (const auto& [from, to] : copies.files) {
+    MakeFolder(to.parent_path());
+    WriteFileAtomically(to, to.extension() == ".jsonl" ? ReadLines(from) : ReadFile(from));
+  }
+}
 
 fs::path FindComparisonFolder(const fs::path& folder, const std::string& hand,
                               const std::string& object) {
@@ -64,20 +163,11 @@ std::vector<ComparisonRun> LoadComparison(const fs::path& folder, const Campaign
   return runs;
 }
 
-CampaignConfig ParseConfig(const fs::path& folder, Frozen frozen) {
-  CompleteOptimiseConfig(frozen.config);
-  Diagnostics problems;
-  const auto config = ConfigFromJson<CampaignConfig>(
-      frozen.config, (folder / kCampaignStore.file).string(), problems);
-  problems.ThrowIfErrors(ErrorKind::kFormat, "the frozen configuration cannot be read");
-  return config;
-}
-
 /** Configuration and damage; nothing else is loaded. */
 Campaign LoadFrozenCampaign(const fs::path& folder, OnDamage on_damage = OnDamage::kRefuse) {
   Frozen frozen = LoadFrozen(kCampaignStore, folder, on_damage);
   Campaign campaign;
-  campaign.config = ParseConfig(folder, frozen);
+  campaign.config = ParseFrozen<CampaignConfig>(kCampaignStore, folder, frozen.config);
   campaign.damage = std::move(frozen.damage);
   return campaign;
 }
@@ -90,9 +180,88 @@ std::string HashScenes(const std::vector<CampaignScene>& scenes) {
 
 }  // namespace
 
+CampaignProgress ReadCampaignProgress(const fs::path& folder, double stale_after,
+                                      IndexUse index_use) {
+  LoadCampaignConfig(folder);
+  const std::vector<fs::path> scenes = ListScenes(folder);
+  CampaignProgress progress;
+  progress.num_scenes = static_cast<int>(scenes.size());
+  progress.num_finished =
+      static_cast<int>(std::count_if(scenes.begin(), scenes.end(), HasSceneResult));
+  progress.num_searches = static_cast<int>(ListMatches(folder, {"comparison/*/*.jsonl"}).size());
+  progress.damages = FindLostBytes(folder);
+  Diagnostics ignored;  // a merge reports them
+  const Workers workers = LoadWorkers(folder, ignored);
+  progress.unchecked = FindUnchecked(folder, workers.starts);
+  constexpr int kMostShards = 100000;  // a file of another origin must not fill the memory
+  for (const auto& [num_shards, deal] : FindDeals(folder, "journal", "", workers, kMostShards)) {
+    AddShards(scenes, num_shards, deal, stale_after, progress.shards);
+  }
+  if (HasSession(folder / "benchmark")) {
+    progress.benchmark = ReadProgress(folder / "benchmark", stale_after, index_use);
+  }
+  return progress;
+}
+
+SearchProgress ReadSearchProgress(const fs::path& folder) {
+  SearchProgress progress;
+  const fs::path journal = folder / "journal.jsonl";
+  progress.damages = FindLostBytes(folder);
+  const Manifest manifest = FindManifest(folder).value_or(Manifest());
+  // A result counts when it is sealed.
+  progress.is_finished = manifest.Find("result.json") || manifest.Find("grasps.csv");
+  if (!fs::exists(journal)) return progress;
+  progress.age = CalcAge(journal);
+  ForEachLineOfFile(journal, [&](const FileLine& line) {
+    if (!line.is_whole || line.text.empty()) return;
+    ++(IsCheckedLine(line.text) ? progress.num_answers : progress.num_bad_lines);
+  });
+  return progress;
+}
+
+int MergeScenes(const fs::path& folder, const std::vector<fs::path>& others) {
+  int num_answers = 0;
+  VerifyStore(folder, OnDamage::kRefuse);
+  for (const fs::path& other : others) CheckSameStore(kSceneStore, folder, other);
+  for (const fs::path& other : others) {
+    Copies copies;
+    AddScene(folder, other, copies);
+    Copy(copies);
+    num_answers += copies.num_answers;
+  }
+  return num_answers;
+}
+
+int MergeCampaigns(const fs::path& folder, const std::vector<fs::path>& others) {
+  int num_answers = 0;
+  VerifyStore(folder, OnDamage::kRefuse);
+  for (const fs::path& other : others) CheckSameStore(kCampaignStore, folder, other);
+  for (const fs::path& other : others) {
+    Copies copies;
+    for (const fs::path& scene : ListScenes(other)) {
+      const fs::path here = folder / scene.lexically_relative(other);
+      if (!HasScene(here)) {
+        throw Error(ErrorKind::kFormat, "\"" + folder.string() + "\" lacks the scene \"" +
+                                            here.filename().string() +
+                                            "\" of the same campaign; nothing was merged");
+      }
+      AddScene(here, scene, copies);
+    }
+    for (const std::string& search : ListMatches(other, {"comparison/*/*.jsonl"})) {
+      AddJournal(folder / search, other / search, copies);
+    }
+    Copy(copies);
+    std::set<std::string> known = ListStartLines(folder);
+    AppendStarts(folder, CollectStarts(other, known));
+    num_answers += copies.num_answers;
+  }
+  return num_answers;
+}
+
 CampaignConfig LoadCampaignConfig(const fs::path& folder) {
-  return ParseConfig(folder,
-                     LoadFrozen(kCampaignStore, folder, OnDamage::kRefuse, {kCampaignStore.file}));
+  return ParseFrozen<CampaignConfig>(
+      kCampaignStore, folder,
+      LoadFrozen(kCampaignStore, folder, OnDamage::kRefuse, {kCampaignStore.file}).config);
 }
 
 void CheckCampaignConfig(const CampaignConfig& config) {

@@ -20,11 +20,14 @@ Same promise as for sessions: the same bytes for any number of workers and inter
 and the benchmark's journals of each worker aside. */
 
 #include <filesystem>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "datasets/campaign/real_trials.h"
 #include "datasets/scene/scene_store.h"
+#include "datasets/session/session_progress.h"
 #include "datasets/session/session_store.h"
 
 namespace graspbench {
@@ -38,11 +41,11 @@ struct ComparisonConfig {
 
   template <class V>
   void Visit(V&& v) {
-    v("scenes", scenes);
-    v("methods", methods);
-    v("seeds", seeds);
-    v("evaluations", evaluations);
-    v("fitness_trials", fitness_trials);
+    v("scenes", scenes, "hand/object pairs on which search methods are compared; empty: none");
+    v("methods", methods, "search methods that are compared");
+    v("seeds", seeds, "searches of each method and scene");
+    v("evaluations", evaluations, "grasps that each search tries");
+    v("fitness_trials", fitness_trials, "trials of an evaluation; 1: without variation");
   }
 };
 
@@ -137,5 +140,48 @@ struct Campaign {
 /** Everything that is stored, finished or not; hands and objects are not loaded.
 @throws Error(kNotFound, kVersion, kFormat, kIo). */
 Campaign LoadCampaign(const std::filesystem::path& folder, OnDamage on_damage = OnDamage::kRefuse);
+
+/** The parts of one campaign, or of one optimisation, from several folders, where machines share no
+disk.
+
+Takes what the optimisation in `folder` lacks of those in `others`. The same questions have the
+same answers, so one journal must be the beginning of the other, and the longer one is taken, with
+the result when there is one. Nothing is written unless all of it fits.
+@returns how many answers were new. @throws Error(kUsage) for one of other settings or another
+physics; Error(kFormat) for damage, and when the answers differ; as LoadScene; Error(kIo). */
+int MergeScenes(const std::filesystem::path& folder,
+                const std::vector<std::filesystem::path>& others);
+
+/** The same for the scenes and the compared searches of a campaign, and lines of its workers. The
+benchmark is a session and has its own merge (merge_sessions.h). */
+int MergeCampaigns(const std::filesystem::path& folder,
+                   const std::vector<std::filesystem::path>& others);
+
+/** How far a campaign, an optimisation or a development is, from its folders and journals alone; no
+hand or object is loaded. */
+struct CampaignProgress {
+  int num_scenes = 0;
+  int num_finished = 0;
+  std::vector<ShardProgress> shards;  ///< of the scenes; of every number of shards with a worker
+  std::set<std::string> unchecked;    ///< see SessionProgress
+  std::vector<Damage> damages;        ///< see SessionProgress
+  int num_searches = 0;               ///< of the comparison that are begun
+  std::optional<SessionProgress> benchmark;  ///< none: it is not planned yet
+};
+
+/** @param stale_after  as in ReadProgress. @throws as LoadCampaignConfig; Error(kIo). */
+CampaignProgress ReadCampaignProgress(const std::filesystem::path& folder, double stale_after,
+                                      IndexUse index_use = IndexUse::kBelieve);
+
+/** A search that keeps one journal, of an optimisation or of a hand's development: its number of
+answers. */
+struct SearchProgress {
+  bool is_finished = false;
+  int num_answers = 0;
+  int num_bad_lines = 0;
+  std::vector<Damage> damages;  ///< see SessionProgress
+  std::optional<double> age;    ///< since its journal was written [s]; none: nobody has begun
+};
+SearchProgress ReadSearchProgress(const std::filesystem::path& folder);
 
 }  // namespace graspbench

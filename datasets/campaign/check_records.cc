@@ -6,9 +6,9 @@
 #include "core/base/files/files.h"
 #include "core/base/text/json.h"
 #include "datasets/judged_grasps/grasp_store.h"
+#include "datasets/scene/answer_journal.h"
 #include "datasets/scene/development_store.h"
-#include "datasets/scene/evaluation_journal.h"
-#include "datasets/session/session_experiments.h"
+#include "datasets/session/find_trial.h"
 #include "datasets/session/session_store.h"
 
 namespace graspbench {

@@ -5,7 +5,7 @@ belong to another session or contradict each other, or be no answer that this pr
 
 #include <filesystem>
 
-#include "core/base/diagnostics.h"
+#include "core/base/error.h"
 #include "datasets/journal/sealed_store.h"
 
 namespace graspbench {

@@ -7,7 +7,6 @@
 #include <tuple>
 
 #include "core/base/files/files.h"
-#include "core/base/text/data_table.h"
 #include "core/base/text/delimited_text.h"
 #include "core/base/text/text.h"
 #include "datasets/journal/sealed_store.h"
@@ -116,6 +115,8 @@ class RealTable {
   std::vector<std::string> digits_;
 };
 
+fs::path FindPublished(const char* file) { return FindDataRoot() / "datasets" / kFolder / file; }
+
 }  // namespace
 
 std::vector<RealTrial> ReadRealTrials(const std::string& text, const std::string& file,
@@ -167,12 +168,6 @@ std::vector<RealTrial> LoadRealTrials(const fs::path& campaign) {
   problems.ThrowIfErrors(ErrorKind::kFormat, "the laboratory's trials cannot be read");
   return trials;
 }
-
-namespace {
-
-fs::path FindPublished(const char* file) { return FindDataRoot() / "datasets" / kFolder / file; }
-
-}  // namespace
 
 std::vector<RealTrial> LoadPublishedTrials(const std::vector<RealScene>& scenes) {
   const fs::path path = FindPublished(kFile);

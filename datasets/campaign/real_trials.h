@@ -19,9 +19,9 @@ come with the program, in datasets/real; they stand there where a laboratory has
 #include <utility>
 #include <vector>
 
-#include "core/base/diagnostics.h"
+#include "core/base/error.h"
 #include "core/grasp/contact_timing.h"
-#include "core/optimise/optimise_steps.h"
+#include "core/optimise/optimise_config.h"
 #include "datasets/plan/session_inputs.h"
 
 namespace graspbench {

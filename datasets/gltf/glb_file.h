@@ -1,14 +1,17 @@
 #pragma once
 /** @file
-A binary glTF 2.0 file (GLB) in the making: one JSON chunk and one buffer.
+A binary glTF 2.0 file (GLB) in the making: one JSON chunk and one buffer; and triangle meshes in
+it.
 
 Source: Khronos, glTF 2.0 specification, sections 3.6 (binary data) and 4 (GLB). */
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "core/base/text/json.h"
+#include "core/shape/tri_mesh.h"
 
 namespace graspbench {
 
@@ -48,5 +51,15 @@ class GlbFile {
   Json views_ = Json::array();
   std::string bytes_;  // of the buffer, little endian
 };
+
+/** A triangle mesh in few bytes: coarse enough to be looked at, vertices as integers
+(KHR_mesh_quantization): positions in 16 bits over the mesh's largest side, normals in 8.
+
+A vertex lies within half of 1/65534 of that side of where it was, about 2 um on a hand.
+
+Adds accessors, material and mesh of a colour to the file.
+@param share  of the triangles that are wanted, at least some 64; 1 or more: all.
+@returns a node without name that holds the mesh where it was; null when nothing of it is left. */
+Json AddGltfMesh(const TriMesh& mesh, const Eigen::Vector3f& colour, double share, GlbFile& file);
 
 }  // namespace graspbench

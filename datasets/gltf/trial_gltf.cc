@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "datasets/gltf/gltf_mesh.h"
+#include "datasets/gltf/glb_file.h"
 
 namespace graspbench {
 namespace {

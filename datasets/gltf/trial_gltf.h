@@ -21,7 +21,7 @@ The scene's `extras` hold
     contacts           fields: what the numbers of one contact are; units: what 1 stands for;
                        keys: for each key its contacts, in W
 
-Meshes are coarse, some 10,000 triangles for hand and object together (gltf_mesh.h). */
+Meshes are coarse, some 10,000 triangles for hand and object together (glb_file.h). */
 
 #include <string>
 

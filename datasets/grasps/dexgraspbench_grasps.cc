@@ -8,10 +8,10 @@
 #include <array>
 
 #include "core/base/error.h"
-#include "datasets/grasps/grasp_format.h"
+#include "datasets/grasps/grasp_files.h"
+#include "datasets/grasps/map_to_hand.h"
 #include "datasets/grasps/pose_numbers.h"
 #include "datasets/grasps/python_values.h"
-#include "datasets/grasps/shadow_layout.h"
 
 namespace graspbench {
 namespace {

@@ -1,6 +1,6 @@
 // DexGraspNet: a list of dictionaries, one a grasp, saved by np.save; the file's name is the
 // object's. Source: README and grasp_generation of PKU-EPIC/DexGraspNet. Its joints count from 0
-// where the maker's count from 1 (shadow_layout.h): the record keeps the file's names, and mapping
+// where the maker's count from 1 (map_to_hand.h): the record keeps the file's names, and mapping
 // translates.
 
 #include <fmt/core.h>
@@ -9,10 +9,10 @@
 #include <filesystem>
 
 #include "core/base/error.h"
-#include "datasets/grasps/grasp_format.h"
+#include "datasets/grasps/grasp_files.h"
+#include "datasets/grasps/map_to_hand.h"
 #include "datasets/grasps/pose_numbers.h"
 #include "datasets/grasps/python_values.h"
-#include "datasets/grasps/shadow_layout.h"
 
 namespace graspbench {
 namespace {

@@ -1,8 +1,6 @@
 #include "datasets/grasps/grasp_files.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <optional>
 #include <system_error>
 
 #include "core/base/error.h"
@@ -44,6 +42,27 @@ void OpenHand(const GraspReadOptions& options, ForeignGrasp& grasp) {
   for (GraspStage& stage : grasp.stages) stage.joints = positions;
 }
 
+/** The format of that id, or with "auto" the one that recognises the content.
+@throws Error(kUsage) for an unknown id, Error(kFormat) where none does, naming the formats. */
+const GraspFormat& FindGraspFormat(const std::string& format, std::string_view bytes,
+                                   const std::string& file) {
+  std::vector<std::string> known;
+  std::string list;
+  for (const GraspFormat& candidate : ListGraspFormats()) {
+    if (format == "auto" ? candidate.recognises(bytes) : format == candidate.id) return candidate;
+    known.emplace_back(candidate.id);
+    list += (list.empty() ? "" : ", ") + std::string(candidate.id);
+  }
+  if (format == "auto") {
+    throw Error(ErrorKind::kFormat,
+                file + (bytes.empty() ? " is empty" : " is a file of no known format of grasps") +
+                    "; known: " + list + ". --format NAME reads it as one of them");
+  }
+  known.emplace_back("auto");
+  throw Error(ErrorKind::kUsage,
+              "there is no format of grasps \"" + format + "\"" + SuggestNames(format, known));
+}
+
 }  // namespace
 
 std::string NameInside(std::string reason, const std::filesystem::path& file,
@@ -63,25 +82,6 @@ const std::vector<GraspFormat>& ListGraspFormats() {
 #undef GRASPBENCH_GRASP_FORMAT
   };
   return formats;
-}
-
-const GraspFormat& FindGraspFormat(const std::string& format, std::string_view bytes,
-                                   const std::string& file) {
-  std::vector<std::string> known;
-  std::string list;
-  for (const GraspFormat& candidate : ListGraspFormats()) {
-    if (format == "auto" ? candidate.recognises(bytes) : format == candidate.id) return candidate;
-    known.emplace_back(candidate.id);
-    list += (list.empty() ? "" : ", ") + std::string(candidate.id);
-  }
-  if (format == "auto") {
-    throw Error(ErrorKind::kFormat,
-                file + (bytes.empty() ? " is empty" : " is a file of no known format of grasps") +
-                    "; known: " + list + ". --format NAME reads it as one of them");
-  }
-  known.emplace_back("auto");
-  throw Error(ErrorKind::kUsage,
-              "there is no format of grasps \"" + format + "\"" + SuggestNames(format, known));
 }
 
 std::vector<ForeignGrasp> ParseGrasps(std::string_view bytes, const std::string& file,

@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "datasets/grasps/grasp_format.h"
-#include "datasets/grasps/json_values.h"
+#include "datasets/grasps/grasp_files.h"
 #include "datasets/grasps/pose_numbers.h"
 
 namespace graspbench {

@@ -5,10 +5,9 @@
 #include <cmath>
 #include <set>
 
-#include "core/base/diagnostics.h"
 #include "core/base/error.h"
 #include "core/base/text/yaml.h"
-#include "datasets/grasps/grasp_format.h"
+#include "datasets/grasps/grasp_files.h"
 #include "datasets/grasps/pose_numbers.h"
 
 namespace graspbench {

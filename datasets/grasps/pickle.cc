@@ -8,7 +8,6 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "core/base/text/escape.h"
 #include "core/base/text/text.h"
 
 namespace graspbench {
@@ -18,7 +17,7 @@ using Kind = PickleValue::Kind;
 
 constexpr int kMaxDepth = 32;
 constexpr size_t kMaxValues = 4'000'000;
-constexpr int kHighestProtocol = 5;
+constexpr uint64_t kHighestProtocol = 5;
 
 const std::array<const char*, 9> kAllowedNames = {"numpy.core.multiarray _reconstruct",
                                                   "numpy._core.multiarray _reconstruct",
@@ -37,8 +36,14 @@ class PickleMachine {
       : bytes_(bytes), file_(file), first_byte_(first_byte) {}
 
   Pickle Run() {
-    while (!Step()) {
+    for (;;) {
+      operation_at_ = at_;
+      const auto operation = static_cast<uint8_t>(TakeLittle(1));
+      if (operation == '.') break;
+      Execute(operation);
     }
+    pickle_.root = Pop();
+    if (!stack_.empty()) Fail("the pickle ends with values left over: damaged");
     return std::move(pickle_);
   }
 
@@ -85,6 +90,7 @@ class PickleMachine {
     stack_.push_back(&value);
     return value;
   }
+  void PushEmpty(Kind kind) { Push(kind); }
   void PushNumber(Kind kind, double number) { Push(kind).number = number; }
   void PushText(Kind kind, std::string_view text) {
     if (kind == Kind::kText && !IsUtf8(text)) Fail("a text that is not UTF-8");
@@ -122,13 +128,20 @@ class PickleMachine {
   void PutAllInto(PickleValue& outer, const std::vector<PickleValue*>& values) {
     for (const PickleValue* value : values) PutInto(outer, value);
   }
-  void PutPairsInto(PickleValue& dict, const std::vector<PickleValue*>& values) {
+  void AppendToList(const std::vector<PickleValue*>& values) {
+    PutAllInto(*Top(Kind::kList, "a list"), values);
+  }
+  void AppendToDict(const std::vector<PickleValue*>& values) {
+    PickleValue& dict = *Top(Kind::kDict, "a dictionary");
     if (values.size() % 2 != 0) Fail("a key without its value: damaged");
     PutAllInto(dict, values);
   }
-  void PushTuple(size_t count) {
+  std::vector<PickleValue*> PopValues(size_t count) {
     std::vector<PickleValue*> values(count);
     for (size_t i = count; i-- > 0;) values[i] = Pop();
+    return values;
+  }
+  void PushTuple(const std::vector<PickleValue*>& values) {
     PutAllInto(Push(Kind::kTuple), values);
   }
 
@@ -317,8 +330,12 @@ class PickleMachine {
     PushNumber(Kind::kNumber, value);
   }
 
-  /** One operation; true behind the last. */
-  bool Step();
+  void CheckProtocol(uint64_t protocol) const {
+    if (protocol >= 2 && protocol <= kHighestProtocol) return;
+    Fail(fmt::format("pickle protocol {}; 2 to {} are read", protocol, kHighestProtocol));
+  }
+
+  void Execute(uint8_t operation);
 
   std::string_view bytes_;
   const std::string& file_;
@@ -331,157 +348,99 @@ class PickleMachine {
   Pickle pickle_;
 };
 
-bool PickleMachine::Step() {
-  operation_at_ = at_;
-  const uint8_t operation = static_cast<uint8_t>(TakeLittle(1));
+void PickleMachine::Execute(uint8_t operation) {
   switch (operation) {
-    case 0x80: {  // PROTO
-      const uint64_t protocol = TakeLittle(1);
-      if (protocol < 2 || protocol > kHighestProtocol) {
-        Fail(fmt::format("pickle protocol {}; 2 to {} are read", protocol, kHighestProtocol));
-      }
-      return false;
-    }
-    case 0x95:
+    case 0x80:
+      return CheckProtocol(TakeLittle(1));
+    case 0x95:  // FRAME: only a hint for reading ahead
       TakeLittle(8);
-      return false;  // FRAME: only a hint for reading ahead
-    case '.':        // STOP
-      pickle_.root = Pop();
-      if (!stack_.empty()) Fail("the pickle ends with values left over: damaged");
-      return true;
+      return;
     case '(':
-      stack_.push_back(nullptr);
-      return false;
+      return stack_.push_back(nullptr);
     case '0':
       Pop();
-      return false;
+      return;
     case '1':
       PopToMark();
-      return false;
+      return;
     case 'N':
-      Push(Kind::kNone);
-      return false;
+      return PushEmpty(Kind::kNone);
     case 0x88:
-      PushNumber(Kind::kBool, 1.0);
-      return false;
+      return PushNumber(Kind::kBool, 1.0);
     case 0x89:
-      PushNumber(Kind::kBool, 0.0);
-      return false;
+      return PushNumber(Kind::kBool, 0.0);
     case 'J':
-      PushNumber(Kind::kInteger, static_cast<int32_t>(static_cast<uint32_t>(TakeLittle(4))));
-      return false;
+      return PushNumber(Kind::kInteger, static_cast<int32_t>(static_cast<uint32_t>(TakeLittle(4))));
     case 'K':
-      PushNumber(Kind::kInteger, static_cast<double>(TakeLittle(1)));
-      return false;
+      return PushNumber(Kind::kInteger, static_cast<double>(TakeLittle(1)));
     case 'M':
-      PushNumber(Kind::kInteger, static_cast<double>(TakeLittle(2)));
-      return false;
+      return PushNumber(Kind::kInteger, static_cast<double>(TakeLittle(2)));
     case 0x8a:
-      PushLong(TakeLittle(1));
-      return false;
+      return PushLong(TakeLittle(1));
     case 0x8b:
-      PushLong(TakeLittle(4));
-      return false;
+      return PushLong(TakeLittle(4));
     case 'G':
-      PushFloat();
-      return false;
+      return PushFloat();
     case 0x8c:
-      PushText(Kind::kText, Take(TakeLittle(1)));
-      return false;
+      return PushText(Kind::kText, Take(TakeLittle(1)));
     case 'X':
-      PushText(Kind::kText, Take(TakeLittle(4)));
-      return false;
+      return PushText(Kind::kText, Take(TakeLittle(4)));
     case 0x8d:
-      PushText(Kind::kText, Take(TakeLittle(8)));
-      return false;
+      return PushText(Kind::kText, Take(TakeLittle(8)));
     case 'C':
-      PushText(Kind::kBytes, Take(TakeLittle(1)));
-      return false;
+      return PushText(Kind::kBytes, Take(TakeLittle(1)));
     case 'B':
-      PushText(Kind::kBytes, Take(TakeLittle(4)));
-      return false;
+      return PushText(Kind::kBytes, Take(TakeLittle(4)));
     case 0x8e:  // BINBYTES8
     case 0x96:
-      PushText(Kind::kBytes, Take(TakeLittle(8)));
-      return false;
+      return PushText(Kind::kBytes, Take(TakeLittle(8)));
     case ']':
-      Push(Kind::kList);
-      return false;
-    case 'a': {
-      const PickleValue* value = Pop();
-      PutInto(*Top(Kind::kList, "a list"), value);
-      return false;
-    }
-    case 'e': {
-      const std::vector<PickleValue*> values = PopToMark();
-      PutAllInto(*Top(Kind::kList, "a list"), values);
-      return false;
-    }
+      return PushEmpty(Kind::kList);
+    case 'a':
+      return AppendToList({Pop()});
+    case 'e':
+      return AppendToList(PopToMark());
     case ')':
-      Push(Kind::kTuple);
-      return false;
-    case 't': {
-      const std::vector<PickleValue*> values = PopToMark();
-      PutAllInto(Push(Kind::kTuple), values);
-      return false;
-    }
+      return PushEmpty(Kind::kTuple);
+    case 't':
+      return PushTuple(PopToMark());
     case 0x85:
-      PushTuple(1);
-      return false;
+      return PushTuple(PopValues(1));
     case 0x86:
-      PushTuple(2);
-      return false;
+      return PushTuple(PopValues(2));
     case 0x87:
-      PushTuple(3);
-      return false;
+      return PushTuple(PopValues(3));
     case '}':
-      Push(Kind::kDict);
-      return false;
-    case 's': {
-      PickleValue* value = Pop();
-      PickleValue* key = Pop();
-      PutPairsInto(*Top(Kind::kDict, "a dictionary"), {key, value});
-      return false;
-    }
-    case 'u': {
-      const std::vector<PickleValue*> values = PopToMark();
-      PutPairsInto(*Top(Kind::kDict, "a dictionary"), values);
-      return false;
-    }
+      return PushEmpty(Kind::kDict);
+    case 's':
+      return AppendToDict(PopValues(2));
+    case 'u':
+      return AppendToDict(PopToMark());
     case 'q':
-      Memoize(TakeLittle(1));
-      return false;
+      return Memoize(TakeLittle(1));
     case 'r':
-      Memoize(TakeLittle(4));
-      return false;
+      return Memoize(TakeLittle(4));
     case 0x94:
-      Memoize(memo_.size());
-      return false;
+      return Memoize(memo_.size());
     case 'h':
-      Recall(TakeLittle(1));
-      return false;
+      return Recall(TakeLittle(1));
     case 'j':
-      Recall(TakeLittle(4));
-      return false;
+      return Recall(TakeLittle(4));
     case 'c': {
       const std::string module_name(TakeLine());
-      PushName(module_name, std::string(TakeLine()));
-      return false;
+      return PushName(module_name, std::string(TakeLine()));
     }
     case 0x93: {  // STACK_GLOBAL
       const PickleValue* name = Pop();
       const PickleValue* module_name = Pop();
       if (name->kind != Kind::kText || module_name->kind != Kind::kText)
         Fail("a name without text");
-      PushName(module_name->text, name->text);
-      return false;
+      return PushName(module_name->text, name->text);
     }
     case 'R':
-      Call();
-      return false;
+      return Call();
     case 'b':
-      Build();
-      return false;
+      return Build();
     default:
       Fail(
           fmt::format("operation 0x{:02x}, which plain values and arrays of numpy do not take; "

@@ -253,52 +253,35 @@ double ReadNumber(const PickleValue& value, const std::string& where) {
   return table.numbers.front();
 }
 
-bool IsText(const PickleValue& wrapped) {
-  const PickleValue& value = Unwrap(wrapped);
-  return value.kind == Kind::kText ||
-         (value.kind == Kind::kArray && value.type == 'U' && value.shape.empty());
-}
-
 std::string ReadText(const PickleValue& wrapped, const std::string& where) {
   const PickleValue& value = Unwrap(wrapped);
-  if (!IsText(value)) {
+  const bool is_array = value.kind == Kind::kArray && value.type == 'U' && value.shape.empty();
+  if (value.kind != Kind::kText && !is_array) {
     throw Error(ErrorKind::kFormat, where + " is " + DescribeValue(value) + ", expected a text");
   }
   return value.kind == Kind::kText ? value.text : FromUtf32(value, where);
 }
 
 std::string DescribeValue(const PickleValue& value) {
-  switch (value.kind) {
-    case Kind::kNone:
-      return "None";
-    case Kind::kBool:
-      return "a truth value";
-    case Kind::kInteger:
-    case Kind::kNumber:
-      return "a number";
-    case Kind::kText:
-      return "a text";
-    case Kind::kBytes:
-      return "bytes";
-    case Kind::kList:
-      return "a list";
-    case Kind::kTuple:
-      return "a tuple";
-    case Kind::kDict:
-      return "a dictionary";
-    case Kind::kDtype:
-      return "a type of numpy";
-    case Kind::kName:
-      return "a function of numpy";
-    case Kind::kArray:
-      break;
-  }
+  static constexpr const char* kWords[] = {"None",
+                                           "a truth value",
+                                           "a number",
+                                           "a number",
+                                           "a text",
+                                           "bytes",
+                                           "a list",
+                                           "a tuple",
+                                           "a dictionary",
+                                           "an array of numpy",
+                                           "a type of numpy",
+                                           "a function of numpy"};  // by kind
+  const std::string word = kWords[static_cast<size_t>(value.kind)];
+  if (value.kind != Kind::kArray) return word;
   std::string shape;
   for (const int64_t size : value.shape) {
     shape += (shape.empty() ? "" : " x ") + std::to_string(size);
   }
-  return fmt::format("an array of numpy (type {}{}{})", value.type, shape.empty() ? "" : ", ",
-                     shape);
+  return fmt::format("{} (type {}{}{})", word, value.type, shape.empty() ? "" : ", ", shape);
 }
 
 }  // namespace graspbench

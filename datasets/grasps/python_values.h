@@ -41,7 +41,6 @@ NumberTable ReadNumbers(const PickleValue& value, const std::string& where);
 /** One number. @throws Error(kFormat). */
 double ReadNumber(const PickleValue& value, const std::string& where);
 
-bool IsText(const PickleValue& value);
 /** @throws Error(kFormat) when it is no text. */
 std::string ReadText(const PickleValue& value, const std::string& where);
 

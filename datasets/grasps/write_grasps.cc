@@ -9,9 +9,9 @@
 
 #include "core/base/error.h"
 #include "core/base/text/json.h"
-#include "core/base/text/yaml_text.h"
+#include "core/base/text/yaml.h"
+#include "datasets/grasps/map_to_hand.h"
 #include "datasets/grasps/pose_numbers.h"
-#include "datasets/grasps/shadow_layout.h"
 
 namespace graspbench {
 namespace {

@@ -5,7 +5,7 @@ Grasps as files of other tools. Read again, they have the same numbers, bit by b
 #include <string>
 #include <vector>
 
-#include "datasets/grasps/foreign_grasp.h"
+#include "datasets/grasps/grasp_files.h"
 
 namespace graspbench {
 

@@ -68,4 +68,8 @@ struct FileLine {
 void ForEachLineOfFile(const std::filesystem::path& path,
                        const std::function<void(const FileLine&)>& take, uintmax_t start = 0);
 
+/** What is wrong with a JSON text: "it is no JSON from line 1, column 3 on", "its key "schema" is
+missing", or that a value is not of its type: the end of a sentence that names the file. */
+std::string DescribeJsonFault(const Json::exception& fault);
+
 }  // namespace graspbench

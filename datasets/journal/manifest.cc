@@ -2,19 +2,40 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <set>
 
 #include "core/base/error.h"
-#include "core/base/files/file_pieces.h"
 #include "core/base/files/files.h"
-#include "core/base/sha256.h"
+#include "core/base/hash.h"
 #include "core/base/text/json_cursor.h"
 #include "core/base/text/text.h"
 #include "datasets/journal/checked_line.h"
 
 namespace graspbench {
+
 namespace fs = std::filesystem;
 
 namespace {
+
+bool IsPattern(const std::string& name) { return name.find('*') != name.npos; }
+
+/** Of several named hashes, in their order. */
+std::string CalcListSha256(const std::vector<ManifestSource>& sources) {
+  Sha256 sum;
+  for (const ManifestSource& source : sources) sum.Add(source.path + " " + source.sha256 + "\n");
+  return sum.CalcDigest();
+}
+
+std::string CalcFilesSha256(const fs::path& folder, const std::vector<std::string>& files) {
+  std::vector<ManifestSource> sources;
+  for (const std::string& file : files) {
+    // The files of a folder match a longer pattern; what else is no file is damage, found elsewhere.
+    if (!fs::is_regular_file(folder / file)) continue;
+    sources.push_back({file, SealFile(folder, file).sha256});
+  }
+  return sources.empty() ? "" : CalcListSha256(sources);
+}
 
 /** Bytes, hash and line breaks of a file's first `limit` bytes. */
 ManifestFile Measure(const fs::path& folder, const std::string& path, uintmax_t limit) {
@@ -44,52 +65,40 @@ uintmax_t FindEndOfLines(const fs::path& path) {
   return end;
 }
 
-Json ToJson(const ManifestFile& file) {
-  Json json = {{"path", file.path}, {"bytes", file.bytes}, {"sha256", file.sha256}};
-  if (file.lines) json["lines"] = *file.lines;
-  return json;
-}
-
-ManifestFile ManifestFileFromJson(const Json& json) {
-  ManifestFile file;
-  file.path = json.at("path").get<std::string>();
-  file.bytes = json.at("bytes").get<uintmax_t>();
-  file.sha256 = json.at("sha256").get<std::string>();
-  if (json.contains("lines")) file.lines = IntFrom(json.at("lines"));
-  return file;
-}
-
-Json ToJson(const ManifestOrigin& origin) {
-  Json inputs = Json::array();
-  for (const ManifestSource& source : origin.inputs) {
-    inputs.push_back({{"path", source.path}, {"sha256", source.sha256}});
-  }
-  return {{"command", origin.command}, {"versions", origin.versions}, {"inputs", inputs}};
-}
-
-ManifestOrigin OriginFromJson(const Json& json) {
-  ManifestOrigin origin = {json.at("command").get<std::string>(), json.at("versions"), {}};
-  for (const Json& source : json.at("inputs")) {
-    origin.inputs.push_back(
-        {source.at("path").get<std::string>(), source.at("sha256").get<std::string>()});
-  }
-  return origin;
-}
-
-Json MakeBody(const Manifest& manifest) {
+std::string FormatManifest(const Manifest& manifest) {
   Json json = {{"kind", manifest.kind}, {"versions", manifest.versions}};
   if (!manifest.inputs.empty()) json["inputs"] = manifest.inputs;
-  if (manifest.origin) json["made"] = ToJson(*manifest.origin);
+  if (manifest.origin) json["made"] = RecordToJson(*manifest.origin);
   if (manifest.is_made_anew) json["made_anew"] = true;
   json["files"] = Json::array();
-  for (const ManifestFile& file : manifest.files) json["files"].push_back(ToJson(file));
-  return json;
+  for (const ManifestFile& file : manifest.files) json["files"].push_back(RecordToJson(file));
+  json["sha256"] = CalcSha256(FormatJson(json));
+  return FormatJson(json, 2) + "\n";
+}
+
+/** The text is compared, so that no byte of it can change, not even a blank; none: it is another. */
+std::optional<Manifest> ParseManifest(const std::string& text) {
+  try {
+    const Json json = Json::parse(text);
+    Manifest manifest;
+    manifest.kind = json.at("kind").get<std::string>();
+    manifest.versions = json.at("versions");
+    if (json.contains("inputs")) manifest.inputs = json.at("inputs").get<std::string>();
+    if (json.contains("made")) ReadRecord(json.at("made"), manifest.origin.emplace());
+    manifest.is_made_anew = json.value("made_anew", false);
+    for (const Json& file : json.at("files")) ReadRecord(file, manifest.files.emplace_back());
+    if (FormatManifest(manifest) == text) return manifest;
+  } catch (const Json::exception&) {
+  } catch (const Error&) {
+  }
+  return std::nullopt;
 }
 
 std::string FormatBytes(uintmax_t bytes) { return std::to_string(bytes) + " bytes"; }
 
 void AddJournalDamage(const fs::path& folder, const ManifestFile& file, const ManifestFile& now,
                       std::vector<Damage>& damages) {
+  uintmax_t committed = 0;  // bytes whose lines need no look
   if (now.bytes < file.bytes) {
     damages.push_back({file.path, 0,
                        "has " + FormatBytes(now.bytes) + " and " + std::to_string(*now.lines) +
@@ -98,11 +107,9 @@ void AddJournalDamage(const fs::path& folder, const ManifestFile& file, const Ma
   } else if (now.sha256 != file.sha256) {
     damages.push_back({file.path, 0, "its committed lines have changed"});
   } else {
-    const std::vector<Damage> bad = FindBadLines(folder, file.path, file.bytes);
-    damages.insert(damages.end(), bad.begin(), bad.end());
-    return;
+    committed = file.bytes;
   }
-  const std::vector<Damage> bad = FindBadLines(folder, file.path, 0);
+  const std::vector<Damage> bad = FindBadLines(folder, file.path, committed);
   damages.insert(damages.end(), bad.begin(), bad.end());
 }
 
@@ -143,6 +150,89 @@ std::vector<std::string> ListDamage(const std::vector<Damage>& damages) {
 
 }  // namespace
 
+std::string CalcJournalSha256(const fs::path& folder, const std::string& pattern) {
+  std::set<std::string> digests;
+  for (const std::string& journal : ListMatches(folder, {pattern})) {
+    if (!fs::is_regular_file(folder / journal)) continue;
+    ForEachLineOfFile(folder / journal, [&](const FileLine& line) {
+      if (line.is_whole && IsCheckedLine(line.text)) digests.insert(CalcSha256(line.text));
+    });
+  }
+  Sha256 sum;
+  for (const std::string& digest : digests) sum.Add(digest + "\n");
+  return sum.CalcDigest();
+}
+
+std::vector<ManifestSource> ListSources(const StoreKind& kind, const fs::path& folder,
+                                        const std::vector<std::string>& only) {
+  const auto is_asked_for = [&](const std::string& name) {
+    return only.empty() || std::find(only.begin(), only.end(), name) != only.end();
+  };
+  std::vector<ManifestSource> sources;
+  const auto add = [&](const std::string& name, const std::string& sha256) {
+    if (!sha256.empty()) sources.push_back({name, sha256});
+  };
+  for (const std::string& name : kind.files) {
+    const std::vector<std::string> files = ListMatches(folder, {name});
+    if (!is_asked_for(name) || files.empty()) continue;
+    if (IsPattern(name)) {
+      add(name, CalcFilesSha256(folder, files));
+    } else if (fs::is_regular_file(folder / name)) {
+      add(name, SealFile(folder, name).sha256);
+    }
+  }
+  for (const std::string& name : kind.journals) {
+    const bool is_of_results = name.rfind("workers/", 0) != 0;
+    if (is_of_results && is_asked_for(name)) add(name, CalcJournalSha256(folder, name));
+  }
+  for (const std::string& pattern : kind.stores) {
+    const bool all = std::find(only.begin(), only.end(), pattern) != only.end();
+    const std::vector<std::string> names = ListMatches(folder, {pattern});
+    if (all && IsPattern(pattern)) add(pattern, CalcSha256(FormatJson(names)));
+    for (const std::string& name : names) {
+      if (all || is_asked_for(name)) add(name, CalcSourceSha256(folder / name));
+    }
+  }
+  return sources;
+}
+
+std::string CalcSourceSha256(const fs::path& path) {
+  std::error_code status;
+  if (fs::is_regular_file(path, status)) {
+    return SealFile(path.parent_path(), path.filename().string()).sha256;
+  }
+  if (const StoreKind* kind = FindStoreKind(path)) return CalcListSha256(ListSources(*kind, path));
+  if (HasManifest(path)) return SealFile(path, kManifestFile).sha256;
+  return "";
+}
+
+std::vector<std::string> FindChangedSources(const fs::path& folder, const ManifestOrigin& origin) {
+  const fs::path store = folder / "..";
+  const StoreKind* kind = FindStoreKind(store);
+  const bool is_output = kind && std::find(kind->outputs.begin(), kind->outputs.end(),
+                                           folder.filename().string()) != kind->outputs.end();
+  std::map<std::string, std::string> now;
+  if (is_output) {
+    std::vector<std::string> names;
+    for (const ManifestSource& source : origin.inputs) {
+      if (source.path.rfind("../", 0) == 0) names.push_back(source.path.substr(3));
+    }
+    for (const ManifestSource& source : ListSources(*kind, store, names)) {
+      now["../" + source.path] = source.sha256;
+    }
+  }
+  std::vector<std::string> changed;
+  for (const ManifestSource& source : origin.inputs) {
+    const auto found = now.find(source.path);
+    const std::string sha256 = found != now.end() ? found->second
+                               : is_output        ? ""
+                                                  : CalcSourceSha256(folder / source.path);
+    // What an output came from lies beside it for good; anything else may have been moved.
+    if (sha256 != source.sha256 && (is_output || !sha256.empty())) changed.push_back(source.path);
+  }
+  return changed;
+}
+
 std::string FormatDamage(const std::vector<Damage>& damages) {
   std::string text;
   for (const std::string& line : ListDamage(damages)) text += "\n  " + line;
@@ -172,9 +262,15 @@ bool HasManifest(const fs::path& folder) {
   return fs::exists(fs::symlink_status(folder / kManifestFile, status));
 }
 
+const ManifestFile* Manifest::Find(const std::string& path) const {
+  const auto found = std::find_if(files.begin(), files.end(),
+                                  [&](const ManifestFile& file) { return file.path == path; });
+  return found == files.end() ? nullptr : &*found;
+}
+
 std::optional<Manifest> FindManifest(const fs::path& folder) {
   try {
-    if (HasManifest(folder)) return LoadManifest(folder);
+    if (HasManifest(folder)) return ParseManifest(ReadFile(folder / kManifestFile));
   } catch (const Error&) {
   }
   return std::nullopt;
@@ -182,32 +278,12 @@ std::optional<Manifest> FindManifest(const fs::path& folder) {
 
 Manifest LoadManifest(const fs::path& folder) {
   const fs::path path = folder / kManifestFile;
-  const std::string text = ReadFile(path);
-  Manifest manifest;
-  try {
-    const Json json = Json::parse(text);
-    manifest.kind = json.at("kind").get<std::string>();
-    manifest.versions = json.at("versions");
-    if (json.contains("inputs")) manifest.inputs = json.at("inputs").get<std::string>();
-    if (json.contains("made")) manifest.origin = OriginFromJson(json.at("made"));
-    manifest.is_made_anew = json.value("made_anew", false);
-    for (const Json& file : json.at("files")) manifest.files.push_back(ManifestFileFromJson(file));
-    // The text is compared, so that no byte of it can change, not even a blank.
-    if (FormatManifest(manifest) == text) return manifest;
-  } catch (const Json::exception&) {
-  } catch (const Error&) {
-  }
+  if (std::optional<Manifest> manifest = ParseManifest(ReadFile(path))) return *manifest;
   throw Error(
       ErrorKind::kFormat,
       "\"" + path.string() +
           "\" is damaged: the integrity of the files beside it cannot be verified; take it from a "
           "backup, or make it again with graspbench verify --repair");
-}
-
-std::string FormatManifest(const Manifest& manifest) {
-  Json json = MakeBody(manifest);
-  json["sha256"] = CalcSha256(FormatJson(json));
-  return FormatJson(json, 2) + "\n";
 }
 
 void WriteManifest(const fs::path& folder, const Manifest& manifest) {

@@ -2,19 +2,19 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <set>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
-#include "core/base/sha256.h"
+#include "core/base/hash.h"
 #include "core/base/text/text.h"
 #include "datasets/journal/append_file.h"
 #include "datasets/journal/checked_line.h"
-#include "datasets/journal/foreign_lines.h"
-#include "datasets/journal/json_fault.h"
-#include "datasets/journal/store_sources.h"
+#include "datasets/journal/read_journal.h"
 
 namespace graspbench {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -33,13 +33,6 @@ void Remove(std::vector<ManifestFile>& files, const std::vector<std::string>& pa
       std::remove_if(files.begin(), files.end(),
                      [&](const ManifestFile& file) { return IsMatch(file.path, patterns); }),
       files.end());
-}
-
-/** The old seal of a file; null: none. */
-const ManifestFile* FindFile(const Manifest& manifest, const std::string& path) {
-  const auto found = std::find_if(manifest.files.begin(), manifest.files.end(),
-                                  [&](const ManifestFile& file) { return file.path == path; });
-  return found == manifest.files.end() ? nullptr : &*found;
 }
 
 /** Schema and versions as the text of a frozen configuration has them. */
@@ -126,7 +119,7 @@ StoreState CheckOwnFiles(const StoreKind& kind, const fs::path& folder,
   if (manifest.files.empty() && !state.damages.empty()) return state;
   for (const std::string& file : ListMatches(folder, kind.files)) {
     // Stores inside come and go between two seals; they vouch for themselves.
-    if (file.find('/') == file.npos && is_asked_for(file) && !FindFile(manifest, file)) {
+    if (file.find('/') == file.npos && is_asked_for(file) && !manifest.Find(file)) {
       state.damages.push_back({file, 0, kIsUnsealed});
     }
   }
@@ -135,7 +128,7 @@ StoreState CheckOwnFiles(const StoreKind& kind, const fs::path& folder,
   };
   for (const std::string& journal : ListMatches(folder, kind.journals)) {
     if (!is_asked_for(journal)) continue;
-    const bool is_sealed = FindFile(manifest, journal) != nullptr;
+    const bool is_sealed = manifest.Find(journal) != nullptr;
     if (!fs::is_regular_file(folder / journal)) {
       if (!is_sealed) state.damages.push_back({journal, 0, "is no file"});
       continue;
@@ -290,75 +283,6 @@ std::vector<std::string> ListStores(const StoreKind& kind, const fs::path& folde
   return stores;
 }
 
-}  // namespace
-
-void SealNewStore(const StoreKind& kind, const fs::path& folder, const std::string& frozen) {
-  Manifest manifest = MakeManifest(kind, folder);
-  Remove(manifest.files, {kind.file});
-  manifest.files.push_back({kind.file, frozen.size(), CalcSha256(frozen), std::nullopt});
-  SortByPath(manifest.files);
-  manifest.versions = ParseVersions(kind, frozen);
-  WriteManifest(folder, manifest);
-}
-
-void WriteDerived(const StoreKind& kind, const fs::path& folder,
-                  const std::map<std::string, std::string>& contents) {
-  std::optional<Manifest> manifest = FindManifest(folder);
-  std::vector<std::string> names;
-  for (const auto& [name, content] : contents) {
-    const ManifestFile* seal = manifest ? FindFile(*manifest, name) : nullptr;
-    if (!seal || seal->sha256 != CalcSha256(content)) names.push_back(name);
-  }
-  if (names.empty()) return;
-  if (manifest) {  // a program that is killed between the two leaves no file with a wrong seal
-    Remove(manifest->files, names);
-    WriteManifest(folder, *manifest);
-  }
-  for (const auto& [name, content] : contents) WriteFileAtomically(folder / name, content);
-  SealStore(kind, folder);
-}
-
-void SealStore(const StoreKind& kind, const fs::path& folder, const std::string& inputs) {
-  const Manifest before = FindManifest(folder).value_or(Manifest());
-  Manifest manifest = MakeManifest(kind, folder);
-  KeepFirstSeals(kind, before, manifest);
-  manifest.versions = before.files.empty() ? LoadVersions(kind, folder) : before.versions;
-  manifest.inputs = inputs.empty() ? before.inputs : inputs;
-  manifest.is_made_anew = before.is_made_anew;
-  WriteManifest(folder, manifest);
-}
-
-void UnsealOutput(const fs::path& output) {
-  if (fs::is_symlink(output)) {
-    throw Error(ErrorKind::kUsage, "\"" + output.string() +
-                                       "\" is a link to a folder that may be somebody else's; "
-                                       "remove the link, or name another place with --out");
-  }
-  for (const Damage& changed : CheckOutput(output)) {
-    const fs::path file = output / changed.path;
-    const bool is_there = fs::exists(fs::symlink_status(file));
-    if (is_there && changed.path != kManifestFile) SetFileAside(file, kSetAside);
-  }
-  std::error_code status;
-  if (fs::remove(output / kManifestFile, status)) SyncFolder(output);
-  if (status) {
-    throw Error(ErrorKind::kIo,
-                "cannot remove \"" + (output / kManifestFile).string() + "\": " + status.message());
-  }
-}
-
-void SealOutput(const fs::path& output, const std::vector<std::string>& files,
-                const ManifestOrigin& origin) {
-  Manifest manifest;
-  manifest.kind = "output";
-  manifest.origin = origin;
-  for (const std::string& file : files) manifest.files.push_back(SealFile(output, file));
-  SortByPath(manifest.files);
-  WriteManifest(output, manifest);
-}
-
-namespace {
-
 enum class OutputUse { kSkip, kCheck };
 
 /** @param name  of the folder for the person who asked. */
@@ -415,6 +339,71 @@ std::string DescribeAcceptance(const StoreKind* kind) {
 }
 
 }  // namespace
+
+void SealNewStore(const StoreKind& kind, const fs::path& folder, const std::string& frozen) {
+  Manifest manifest = MakeManifest(kind, folder);
+  Remove(manifest.files, {kind.file});
+  manifest.files.push_back({kind.file, frozen.size(), CalcSha256(frozen), std::nullopt});
+  SortByPath(manifest.files);
+  manifest.versions = ParseVersions(kind, frozen);
+  WriteManifest(folder, manifest);
+}
+
+void WriteDerived(const StoreKind& kind, const fs::path& folder,
+                  const std::map<std::string, std::string>& contents) {
+  std::optional<Manifest> manifest = FindManifest(folder);
+  std::vector<std::string> names;
+  for (const auto& [name, content] : contents) {
+    const ManifestFile* seal = manifest ? manifest->Find(name) : nullptr;
+    if (!seal || seal->sha256 != CalcSha256(content)) names.push_back(name);
+  }
+  if (names.empty()) return;
+  if (manifest) {  // a program that is killed between the two leaves no file with a wrong seal
+    Remove(manifest->files, names);
+    WriteManifest(folder, *manifest);
+  }
+  for (const auto& [name, content] : contents) WriteFileAtomically(folder / name, content);
+  SealStore(kind, folder);
+}
+
+void SealStore(const StoreKind& kind, const fs::path& folder, const std::string& inputs) {
+  const Manifest before = FindManifest(folder).value_or(Manifest());
+  Manifest manifest = MakeManifest(kind, folder);
+  KeepFirstSeals(kind, before, manifest);
+  manifest.versions = before.files.empty() ? LoadVersions(kind, folder) : before.versions;
+  manifest.inputs = inputs.empty() ? before.inputs : inputs;
+  manifest.is_made_anew = before.is_made_anew;
+  WriteManifest(folder, manifest);
+}
+
+void UnsealOutput(const fs::path& output) {
+  if (fs::is_symlink(output)) {
+    throw Error(ErrorKind::kUsage, "\"" + output.string() +
+                                       "\" is a link to a folder that may be somebody else's; "
+                                       "remove the link, or name another place with --out");
+  }
+  for (const Damage& changed : CheckOutput(output)) {
+    const fs::path file = output / changed.path;
+    const bool is_there = fs::exists(fs::symlink_status(file));
+    if (is_there && changed.path != kManifestFile) SetFileAside(file, kSetAside);
+  }
+  std::error_code status;
+  if (fs::remove(output / kManifestFile, status)) SyncFolder(output);
+  if (status) {
+    throw Error(ErrorKind::kIo,
+                "cannot remove \"" + (output / kManifestFile).string() + "\": " + status.message());
+  }
+}
+
+void SealOutput(const fs::path& output, const std::vector<std::string>& files,
+                const ManifestOrigin& origin) {
+  Manifest manifest;
+  manifest.kind = "output";
+  manifest.origin = origin;
+  for (const std::string& file : files) manifest.files.push_back(SealFile(output, file));
+  SortByPath(manifest.files);
+  WriteManifest(output, manifest);
+}
 
 StoreState CheckStore(const fs::path& folder) { return Check(folder, OutputUse::kCheck); }
 
@@ -483,6 +472,32 @@ StoreRepair RepairStore(const fs::path& folder) {
   }
   repair.state = CheckStore(folder);
   return repair;
+}
+
+std::vector<std::string> FindUnverified(const fs::path& folder) {
+  std::vector<std::string> files;
+  const StoreKind* kind = FindStoreKind(folder);
+  const std::optional<Manifest> manifest = FindManifest(folder);
+  if (!kind || !manifest) return files;
+  for (const std::string& file : ListMatches(folder, kind->derived)) {
+    if (!manifest->Find(file) && fs::is_regular_file(folder / file)) files.push_back(file);
+  }
+  for (const std::string& output : kind->outputs) {
+    if (HasManifest(folder / output) || !fs::is_directory(folder / output)) continue;
+    for (const std::string& file : ListMatches(folder, {output + "/*"})) {
+      if (fs::is_regular_file(folder / file)) files.push_back(file);
+    }
+  }
+  for (const std::string& store : ListMatches(folder, kind->stores)) {
+    for (const std::string& file : FindUnverified(folder / store)) {
+      files.push_back(store + "/" + file);
+    }
+  }
+  return files;
+}
+
+std::string DescribeUnverified(const std::string& file) {
+  return file + ": cannot be verified, no hash of it is kept";
 }
 
 }  // namespace graspbench

@@ -39,7 +39,7 @@ void AddMatches(const fs::path& folder, const fs::path& inside, const std::strin
   }
 }
 
-/** The questions and answers of a search: evaluation_journal.h. */
+/** The questions and answers of a search: answer_journal.h. */
 LineKind MakeEvaluationLines(const char* journals, const char* result) {
   return {{journals}, {"stage", "trials"}, "id", "request", result};
 }

@@ -13,12 +13,15 @@ the order of the tasks whatever the number of workers, so that an interrupted ru
 leaves the same bytes. */
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/text/json.h"
+#include "core/statistics/proportion.h"
 #include "core/trial/protocols/free_space.h"
 #include "datasets/scene/answer_journal.h"
 
@@ -72,8 +75,51 @@ Json LoadGraspConfig(const std::filesystem::path& folder);
 std::vector<JudgedGrasp> LoadJudgedGrasps(const std::filesystem::path& folder);
 
 inline constexpr char kGraspTable[] = "grasps.csv";
+/** Its data dictionary. */
+Json MakeGraspTableSchema();
 /** Writes grasps.csv and seals the store. @throws Error(kIo). */
 void FinishJudgedGrasps(const std::filesystem::path& folder,
                         const std::vector<JudgedGrasp>& judged);
+
+/** Summary: how many pass under each profile, how far the files' own verdicts agree, how
+verdicts change from profile to profile, and what nearly passed or failed.
+
+Agreement beyond chance: Cohen's kappa = (p_o - p_e) / (1 - p_e), p_o the share of equal verdicts and
+p_e that of two judges who pass as often, independently (J. Cohen, Educ. Psychol. Meas. 20, 1960).
+Grasps whose simulation gave up fail, and are counted. */
+
+/** NaN where both always say the same. */
+double CalcKappa(const PairedCounts& counts);
+
+struct ProfileSummary {
+  std::string profile;
+  int num_judged = 0, num_passed = 0, num_numerical = 0;
+  PairedCounts labels;  ///< of the grasps with one: first the label, second the verdict
+  std::vector<std::pair<std::string, int>> stages;  ///< where grasps failed, most first
+  /** Of grasps that passed undisturbed: the share of their disturbances that passes, too; NaN: none
+  were asked for. */
+  double jitter_share = kUnset;
+};
+
+/** The same grasps under two profiles. */
+struct ProfileTransition {
+  std::string from, to;
+  PairedCounts counts;
+};
+
+struct JudgedSummary {
+  int num_grasps = 0;  ///< without disturbances
+  std::vector<ProfileSummary> profiles;
+  std::vector<ProfileTransition> transitions;  ///< of each profile to the next
+  /** Undisturbed, nearest to the limits first. */
+  std::vector<const JudgedGrasp*> nearest;
+};
+
+/** @param judged  outlives the summary. @param limits  of each profile: shift [m], turn [deg]. */
+JudgedSummary SummariseJudged(const std::vector<JudgedGrasp>& judged,
+                              const std::map<std::string, std::pair<double, double>>& limits);
+
+/** The limits of the profiles in a frozen configuration. @throws Error(kFormat). */
+std::map<std::string, std::pair<double, double>> FindLimits(const Json& config);
 
 }  // namespace graspbench

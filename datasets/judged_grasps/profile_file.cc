@@ -6,7 +6,7 @@
 #include "core/base/config.h"
 #include "core/base/files/files.h"
 #include "core/base/text/yaml.h"
-#include "datasets/plan/sim_check.h"
+#include "datasets/plan/session_config.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

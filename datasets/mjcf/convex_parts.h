@@ -11,8 +11,11 @@ polygon's.
 The idea is that of approximate convex decomposition (Lien and Amato 2007): the depth of the notch,
 not the volume, says where to cut. */
 
+#include <set>
+#include <utility>
 #include <vector>
 
+#include "core/hand/hand.h"
 #include "core/shape/signed_distance_field.h"
 #include "core/shape/tri_mesh.h"
 
@@ -32,5 +35,12 @@ struct ConvexPartsConfig {
 some seconds. */
 std::vector<ConvexPart> CutIntoConvexParts(const TriMesh& mesh, const SignedDistanceField& field,
                                            const ConvexPartsConfig& config = {});
+
+/** Which links of a hand are built so that they touch, and are therefore no contact.
+
+Pairs of links, the smaller index first, of different digits or of a digit and the palm, whose
+capsules touch with all joints at zero: balls along the axis of one against the axis of the other, a
+64th of its length apart. */
+std::set<std::pair<int, int>> FindLinksTouchingAtRest(const Hand& hand);
 
 }  // namespace graspbench

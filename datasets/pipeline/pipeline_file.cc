@@ -8,7 +8,7 @@
 
 #include "core/base/files/files.h"
 #include "core/base/text/yaml.h"
-#include "datasets/pipeline/hidden_inputs.h"
+#include "datasets/pipeline/stable_files.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

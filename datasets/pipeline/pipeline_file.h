@@ -18,7 +18,7 @@ command is called, takes and needs is told by whoever knows the commands (StageC
 #include <string>
 #include <vector>
 
-#include "core/base/diagnostics.h"
+#include "core/base/error.h"
 #include "core/base/file_keys.h"
 
 namespace graspbench {

@@ -12,8 +12,6 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/files/atomic_file.h"
-#include "core/base/files/file_pieces.h"
 #include "core/base/files/files.h"
 #include "datasets/pipeline/stable_files.h"
 
@@ -260,9 +258,7 @@ fs::path FindPackedFile(const fs::path& folder, const Manifest& manifest) {
   const std::string prefix = std::string(kPackedPipeline) + "/";
   if (manifest.origin && manifest.origin->inputs.size() == 1) {
     const std::string& name = manifest.origin->inputs.front().path;
-    const bool is_listed = std::any_of(manifest.files.begin(), manifest.files.end(),
-                                       [&](const ManifestFile& file) { return file.path == name; });
-    if (is_listed && name.compare(0, prefix.size(), prefix) == 0) return folder / name;
+    if (manifest.Find(name) && name.compare(0, prefix.size(), prefix) == 0) return folder / name;
   }
   throw Error(ErrorKind::kFormat, "the pack's manifest does not say which file is its pipeline");
 }

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "core/base/files/files.h"
-#include "core/base/sha256.h"
+#include "core/base/hash.h"
 #include "core/base/text/json.h"
 #include "datasets/pipeline/stable_files.h"
 

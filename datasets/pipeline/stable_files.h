@@ -9,6 +9,8 @@ journals whose files are named after workers count by their lines, whichever fil
 #include <map>
 #include <string>
 
+#include "datasets/pipeline/pipeline_file.h"
+
 namespace graspbench {
 
 /** SHA-256 by name from the folder, of stores inside it too; such journals by their pattern.
@@ -23,5 +25,12 @@ std::string CalcStableSha256(const std::map<std::string, std::string>& files);
 each store gets a manifest again, so that every program can open it. The same result, the same
 bytes. @throws Error(kNotFound, kIo). */
 void CopyStableFiles(const std::filesystem::path& from, const std::filesystem::path& to);
+
+/** Files that a stage would read though its pipeline does not name them: an object's folder given
+by a session file, recordings of a study. Nobody would see them change, and no pack would hold them.
+
+A fault for each value in a YAML file among the stage's inputs that is a path outside of them, by
+its root or by "..", and leads to something. */
+void CheckHiddenInputs(const Pipeline& pipeline, const PipelineStage& stage, Diagnostics& problems);
 
 }  // namespace graspbench

@@ -3,14 +3,175 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numeric>
+#include <set>
 
 #include "core/base/config.h"
 #include "core/base/error.h"
+#include "core/base/files/files.h"
+#include "core/base/random.h"
 #include "core/base/text/text.h"
-#include "datasets/plan/input_copies.h"
+#include "datasets/plan/grip_check.h"
 
 namespace graspbench {
+
 namespace {
+
+constexpr size_t kMostConditions = 10000;
+
+/** A level of each factor, by its place; all 0: the base. */
+using Point = std::vector<size_t>;
+
+SweepFactor ParseFactor(const std::string& text, const SessionConfig& config) {
+  const size_t sign = text.find('=');
+  if (sign == text.npos || sign == 0) {
+    throw Error(ErrorKind::kUsage,
+                "--factor \"" + text + "\": expected KEY=VALUE,VALUE,.. as model.mass_scale=1,2");
+  }
+  SweepFactor factor;
+  for (size_t start = sign + 1; start <= text.size();) {
+    const size_t comma = std::min(text.find(',', start), text.size());
+    const std::string setting =
+        NormaliseSetting(text.substr(0, sign + 1) + text.substr(start, comma - start), config);
+    const size_t middle = setting.find('=');
+    factor.key = setting.substr(0, middle);
+    const std::string level = setting.substr(middle + 1);
+    if (std::count(factor.levels.begin(), factor.levels.end(), level) > 0) {
+      throw Error(ErrorKind::kUsage,
+                  "--factor " + text + ": the level " + level + " is given twice; leave one out");
+    }
+    factor.levels.push_back(level);
+    start = comma + 1;
+  }
+  if (factor.levels.size() < 2) {
+    throw Error(ErrorKind::kUsage, "--factor " + text +
+                                       ": expected two levels or more, the base's first; a single "
+                                       "value is a setting, --set " +
+                                       text);
+  }
+  return factor;
+}
+
+std::vector<SweepFactor> ParseFactors(const SweepConfig& sweep) {
+  if (sweep.factors.empty()) {
+    throw Error(ErrorKind::kUsage,
+                "a sweep needs a factor; name one with --factor KEY=VALUE,VALUE,.. as "
+                "model.mass_scale=1,0.5,2");
+  }
+  std::vector<SweepFactor> factors;
+  std::set<std::string> keys;
+  for (const std::string& text : sweep.factors) {
+    factors.push_back(ParseFactor(text, sweep));
+    if (keys.insert(factors.back().key).second) continue;
+    throw Error(ErrorKind::kUsage, "the factor \"" + factors.back().key +
+                                       "\" is named twice; give all its levels in one list");
+  }
+  return factors;
+}
+
+std::vector<Point> ListFull(const std::vector<SweepFactor>& factors) {
+  std::vector<Point> points = {{}};
+  for (const SweepFactor& factor : factors) {
+    std::vector<Point> longer;
+    for (const Point& point : points) {
+      for (size_t level = 0; level < factor.levels.size(); ++level) {
+        longer.push_back(point);
+        longer.back().push_back(level);
+      }
+    }
+    points = std::move(longer);
+    if (points.size() <= kMostConditions) continue;
+    throw Error(ErrorKind::kUsage, "the full design has more than " +
+                                       std::to_string(kMostConditions) +
+                                       " conditions; take fewer levels, or --design latin:N");
+  }
+  return points;
+}
+
+std::vector<Point> ListOneAtATime(const std::vector<SweepFactor>& factors) {
+  std::vector<Point> points;
+  for (size_t i = 0; i < factors.size(); ++i) {
+    for (size_t level = 1; level < factors[i].levels.size(); ++level) {
+      points.emplace_back(factors.size(), 0);
+      points.back()[i] = level;
+    }
+  }
+  return points;
+}
+
+std::vector<Point> ListLatin(const std::vector<SweepFactor>& factors, size_t count, int seed) {
+  size_t num_all = 1;
+  for (const SweepFactor& factor : factors) {
+    num_all = std::min(num_all * factor.levels.size(), kMostConditions + 1);
+  }
+  if (count >= num_all) {
+    throw Error(ErrorKind::kUsage, "latin:" + std::to_string(count) + ": the factors have " +
+                                       std::to_string(num_all) +
+                                       " combinations in all; expected fewer, or --design full");
+  }
+  std::vector<Point> points(count);
+  for (const SweepFactor& factor : factors) {
+    std::vector<size_t> levels(count);
+    for (size_t i = 0; i < count; ++i) levels[i] = i % factor.levels.size();
+    RandomStream stream(std::to_string(seed), "latin hypercube " + factor.key);
+    for (size_t i = count; i > 1; --i) {
+      std::swap(levels[i - 1], levels[static_cast<size_t>(stream.NextIndex(static_cast<int>(i)))]);
+    }
+    for (size_t i = 0; i < count; ++i) points[i].push_back(levels[i]);
+  }
+  return points;
+}
+
+std::vector<Point> ListPoints(const SweepConfig& sweep, const std::vector<SweepFactor>& factors) {
+  if (sweep.design == "full") return ListFull(factors);
+  if (sweep.design == "one-at-a-time") return ListOneAtATime(factors);
+  const std::string latin = "latin:";
+  size_t count = 0;
+  const char* const end = sweep.design.data() + sweep.design.size();
+  if (sweep.design.rfind(latin, 0) == 0) {
+    const auto read = std::from_chars(sweep.design.data() + latin.size(), end, count);
+    if (read.ec == std::errc() && read.ptr == end && count >= 2 && count <= kMostConditions) {
+      return ListLatin(factors, count, sweep.seed);
+    }
+  }
+  throw Error(ErrorKind::kUsage, "no design \"" + sweep.design +
+                                     "\"; expected full, one-at-a-time or latin:N with N from 2 "
+                                     "to " +
+                                     std::to_string(kMostConditions));
+}
+
+/** A factor that no trial looks at would be reported as one without effect; of one that the base
+leaves out, its conditions would have the default in the place of its first level.
+@param strategies  of the base and of each condition. */
+void RefuseUnused(const std::vector<SweepFactor>& factors, const SessionConfig& base,
+                  const std::vector<StrategyConfig>& strategies) {
+  for (const SweepFactor& factor : factors) {
+    const auto used = std::find_if(
+        strategies.begin(), strategies.end(),
+        [&](const StrategyConfig& strategy) { return CanMatter(factor.key, strategy); });
+    const bool has_level = FindBaseLevel(base, factor.key) == factor.levels.front();
+    if (used != strategies.end() && has_level) continue;
+    const std::string& grip = strategies.front().grip;
+    throw Error(
+        ErrorKind::kUsage,
+        "the factor \"" + factor.key + "\" has no use where strategy.grip is " + grip +
+            (used == strategies.end() ? "; leave it out, or set strategy.grip"
+                                      : ", the base's; name the grip that has one first: --factor "
+                                        "strategy.grip=" +
+                                            used->grip + "," + grip));
+  }
+}
+
+/** Trials that are those of another condition would halve the effect of a factor. */
+void RefuseRepeated(const SweepFactor& factor, const StrategyConfig& strategy,
+                    const Condition& condition) {
+  if (CanMatter(factor.key, strategy)) return;
+  throw Error(ErrorKind::kUsage,
+              "the factor \"" + factor.key + "\" has no use under the condition \"" +
+                  condition.name +
+                  "\", whose trials would be those without it; use --design one-at-a-time, or "
+                  "sweep each grip by itself");
+}
 
 constexpr double kLongestDelay = 10.0;  // [s]
 
@@ -88,6 +249,65 @@ void Apply(const std::string& text, ConditionInputs& made) {
 }
 
 }  // namespace
+
+SweepConfig ParseSweepConfig(const std::string& text, const std::string& file) {
+  Diagnostics problems;
+  SweepConfig config;
+  const YAML::Node root = ParseYaml(text, file, problems);
+  ReadConfig(root, file, "sweep", config, problems);
+  for (const ConfigProblem& problem : Validate(config)) {
+    problems.Fail(file, FindConfigLine(root, problem.key), problem.key + ": " + problem.text);
+  }
+  problems.ThrowIfErrors(ErrorKind::kFormat, "the sweep cannot be run");
+  return config;
+}
+
+SweepConfig LoadSweepConfig(const std::string& path) {
+  return ParseSweepConfig(ReadFile(path), path);
+}
+
+const FileKeys& ListSweepKeys() {
+  static const FileKeys keys = DescribeConfig(SweepConfig());
+  return keys;
+}
+
+SessionConfig MakeSweep(const SweepConfig& sweep) {
+  const std::vector<SweepFactor> factors = ParseFactors(sweep);
+  Condition base;
+  for (const SweepFactor& factor : factors) {
+    base.settings.push_back(factor.key + "=" + factor.levels.front());
+  }
+  const ConditionInputs made = ApplyCondition(base, sweep);
+  if (made.late != LateDigit::kNone || made.is_compliant) {
+    throw Error(ErrorKind::kUsage,
+                "the first level of delay.last and delay.first must be 0, that of backend "
+                "implicit: it is the base's");
+  }
+  SessionConfig config = made.config;
+  std::vector<StrategyConfig> strategies = {config.strategy};
+  std::set<Point> known = {Point(factors.size(), 0)};
+  std::vector<Point> points;  // of the conditions
+  for (const Point& point : ListPoints(sweep, factors)) {
+    if (!known.insert(point).second) continue;
+    points.push_back(point);
+    Condition condition;
+    for (size_t i = 0; i < factors.size(); ++i) {
+      if (point[i] == 0) continue;
+      condition.settings.push_back(factors[i].key + "=" + factors[i].levels[point[i]]);
+      condition.name += (condition.name.empty() ? "" : ", ") + condition.settings.back();
+    }
+    // What cannot be combined is refused here.
+    strategies.push_back(ApplyCondition(condition, config).config.strategy);
+    config.conditions.push_back(condition);
+  }
+  RefuseUnused(factors, made.config, strategies);
+  for (size_t k = 0; k < points.size(); ++k) {
+    for (size_t i = 0; i < factors.size(); ++i) {
+      if (points[k][i] != 0) RefuseRepeated(factors[i], strategies[k + 1], config.conditions[k]);
+    }
+  }
+  return config;
+}
 
 std::string NormaliseSetting(const std::string& assignment, const SessionConfig& config) {
   const Assignment setting = Split(assignment);

@@ -3,8 +3,8 @@
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "core/base/version.h"
-#include "datasets/journal/json_fault.h"
-#include "datasets/plan/firm_grip.h"
+#include "datasets/journal/checked_line.h"
+#include "datasets/plan/grip_check.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

@@ -7,7 +7,7 @@ Sessions, scenes and campaigns each have one such file (store_kind.h), and a man
 #include <string>
 #include <vector>
 
-#include "core/base/text/json.h"
+#include "core/base/config.h"
 #include "datasets/journal/sealed_store.h"
 
 namespace graspbench {
@@ -25,6 +25,16 @@ struct Frozen {
 Frozen LoadFrozen(const StoreKind& kind, const std::filesystem::path& folder,
                   OnDamage on_damage = OnDamage::kRefuse,
                   const std::vector<std::string>& only = {});
+
+/** The configuration that LoadFrozen gives, as a struct of keys (core/base/config.h).
+@throws Error(kFormat) listing every missing, unknown or wrong key or value. */
+template <class Config>
+Config ParseFrozen(const StoreKind& kind, const std::filesystem::path& folder, const Json& frozen) {
+  Diagnostics problems;
+  const auto config = ConfigFromJson<Config>(frozen, (folder / kind.file).string(), problems);
+  problems.ThrowIfErrors(ErrorKind::kFormat, "the frozen configuration cannot be read");
+  return config;
+}
 
 /** Writes the manifest of what is there already, and then the file, whose presence makes the folder
 a store; the folder exists. @throws Error(kIo). */

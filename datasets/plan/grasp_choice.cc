@@ -1,12 +1,13 @@
 #include "datasets/plan/grasp_choice.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "core/base/error.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/grasp/placement.h"
-#include "core/trial/positioning.h"
+#include "core/trial/trial_setup.h"
 #include "objects/catalogue.h"
 
 namespace graspbench {
@@ -16,31 +17,6 @@ namespace {
 bool NamesBySight(const std::vector<std::string>& names) {
   return std::find(names.begin(), names.end(), kBySight) != names.end();
 }
-
-}  // namespace
-
-bool NeedsCamera(const SessionConfig& config) {
-  return config.positioning == RowOf(kPositionings, Positioning::kCamera).name ||
-         NamesBySight(config.grasps);
-}
-
-bool HasGraspBySight(const SessionConfig& config) {
-  return NamesBySight(config.grasps) ||
-         std::any_of(config.conditions.begin(), config.conditions.end(),
-                     [setting = std::string("grasp=") + kBySight](const Condition& condition) {
-                       const auto& all = condition.settings;
-                       return std::find(all.begin(), all.end(), setting) != all.end();
-                     });
-}
-
-const Grasp* FindGrasp(const SessionHand& hand, const GraspObject& object, const std::string& id) {
-  const auto grasp = std::find_if(hand.grasps.begin(), hand.grasps.end(), [&](const Grasp& g) {
-    return g.id == id && (g.object.empty() || g.object == object.id);
-  });
-  return grasp == hand.grasps.end() ? nullptr : &*grasp;
-}
-
-namespace {
 
 /** Found once, and with the prediction. */
 const FittedGrasp& FitOnce(const SessionInputs& inputs, const SessionHand& hand, const Grasp& grasp,
@@ -58,6 +34,32 @@ bool CanTake(const SessionInputs& inputs, const SessionHand& hand, const Grasp& 
   if (grasp.placement) return true;
   const GraspPrediction& prediction = FitOnce(inputs, hand, grasp, object).prediction;
   return prediction.reaches() && prediction.is_clear() && prediction.meets();
+}
+
+/** Larger is better. That a grasp reaches the object and meets it when it closes comes first, then
+that its development found it to hold what it had not met, then how many of four conditions it
+keeps, then how low it meets the object: what is pushed above its centre of mass tips. */
+struct GraspRank {
+  int meets = -1;
+  bool has_held = false;
+  int num_kept = 0;    ///< clear of it; forces that hold; every digit meets it; the palm near
+  double depth = 0.0;  ///< of the contacts below the object's centre of mass [m]
+
+  bool operator>(const GraspRank& other) const {
+    return std::tie(meets, has_held, num_kept, depth) >
+           std::tie(other.meets, other.has_held, other.num_kept, other.depth);
+  }
+};
+
+GraspRank RankGrasp(const Grasp& grasp, const GraspPrediction& prediction) {
+  constexpr double kLeastHeldShare = 0.5;
+  GraspRank rank;
+  rank.meets = prediction.reaches() + (prediction.reaches() && prediction.meets());
+  rank.has_held = !(grasp.held_share < kLeastHeldShare);
+  rank.num_kept = prediction.is_clear() + (prediction.opposes && prediction.lifts) +
+                  (prediction.num_touching == prediction.num_digits) + prediction.palm_is_near;
+  rank.depth = -prediction.contact_height;
+  return rank;
 }
 
 const Grasp& ChooseBestGrasp(const SessionInputs& inputs, const SessionHand& hand,
@@ -121,17 +123,100 @@ std::vector<std::vector<const Grasp*>> ListTried(const SessionConfig& config,
   return tried;
 }
 
+/** An object that a hand cannot take by one of the session's names of grasps: none that it stands
+for reaches it, comes to it clear of it and meets it. */
+struct UnreachedObject {
+  std::string hand, object;
+  std::vector<std::string> tried;  ///< ids of grasps, the object's order for "best"
+  std::string nearest;             ///< of these
+  double miss = 0.0;               ///< by which its pads stop short [m]; 0: it reaches the object
+  double lacking_room = 0.0;       ///< of one that reaches it, beside the open digits [m]
+  double width = 0.0;              ///< the object's, the smaller one on the table [m]
+  double opening = 0.0;            ///< of the nearest grasp's pads [m]
+};
+
+std::vector<UnreachedObject> FindUnreached(const SessionConfig& config,
+                                           const SessionInputs& inputs) {
+  std::vector<UnreachedObject> all;
+  for (const SessionHand& hand : inputs.hands) {
+    for (const auto& object : inputs.objects) {
+      for (const auto& tried : ListTried(config, inputs, hand, object)) {
+        const auto can_take = [&](const Grasp* grasp) {
+          return CanTake(inputs, hand, *grasp, object);
+        };
+        if (std::any_of(tried.begin(), tried.end(), can_take)) continue;
+        UnreachedObject unreached;
+        unreached.hand = hand.hand->id;
+        unreached.object = object->id;
+        unreached.width = std::min(object->size.x(), object->size.y());
+        for (const Grasp* grasp : tried) {
+          const auto& [fitted, prediction] = FitOnce(inputs, hand, *grasp, object);
+          const double miss = prediction.reach_miss;
+          const double lacking = std::max(0.0, prediction.needed_room - prediction.room);
+          if (unreached.tried.empty() ||
+              std::pair(miss, lacking) < std::pair(unreached.miss, unreached.lacking_room)) {
+            unreached.nearest = grasp->id;
+            unreached.miss = miss;
+            unreached.lacking_room = lacking;
+            unreached.opening = CalcPreGraspWidth(*hand.hand, fitted);
+          }
+          unreached.tried.push_back(grasp->id);
+        }
+        all.push_back(std::move(unreached));
+      }
+    }
+  }
+  return all;
+}
+
+std::string DescribeUnreached(const UnreachedObject& unreached) {
+  std::string tried;
+  for (const std::string& id : unreached.tried) tried += (tried.empty() ? "" : ", ") + id;
+  const bool is_one = unreached.tried.size() == 1;
+  const std::string who =
+      unreached.hand + ", " + unreached.object + ": " + (is_one ? tried : "none of " + tried);
+  const auto format = [](double length) { return FormatFixed(MmFromM(length), 1) + " mm"; };
+  if (unreached.miss > 0.0) {
+    const bool is_wide = unreached.opening > 0.0 && unreached.width > unreached.opening;
+    return who + (is_one ? " does not reach it" : " reaches it") +
+           ", so every trial will be unreachable; " +
+           (is_one ? "its" : "nearest is " + unreached.nearest + ", whose") + " pads stop " +
+           format(unreached.miss) + " short" +
+           (is_wide ? ": it is " + format(unreached.width) + " wide, and they open to " +
+                          format(unreached.opening)
+                    : "");
+  }
+  if (unreached.lacking_room > 0.0) {
+    return who + (is_one ? " is not" : " is") +
+           " clear of it wherever a draw puts it, so digits may touch it before they close; " +
+           (is_one ? "it" : "nearest is " + unreached.nearest + ", which") + " lacks " +
+           format(unreached.lacking_room) + " beside the object";
+  }
+  return who + (is_one ? " does not meet it" : " meets it") +
+         " with its opposing digit and another when it closes";
+}
+
 }  // namespace
 
-GraspRank RankGrasp(const Grasp& grasp, const GraspPrediction& prediction) {
-  constexpr double kLeastHeldShare = 0.5;
-  GraspRank rank;
-  rank.meets = prediction.reaches() + (prediction.reaches() && prediction.meets());
-  rank.has_held = !(grasp.held_share < kLeastHeldShare);
-  rank.num_kept = prediction.is_clear() + (prediction.opposes && prediction.lifts) +
-                  (prediction.num_touching == prediction.num_digits) + prediction.palm_is_near;
-  rank.depth = -prediction.contact_height;
-  return rank;
+bool NeedsCamera(const SessionConfig& config) {
+  return config.positioning == RowOf(kPositionings, Positioning::kCamera).name ||
+         NamesBySight(config.grasps);
+}
+
+bool HasGraspBySight(const SessionConfig& config) {
+  return NamesBySight(config.grasps) ||
+         std::any_of(config.conditions.begin(), config.conditions.end(),
+                     [setting = std::string("grasp=") + kBySight](const Condition& condition) {
+                       const auto& all = condition.settings;
+                       return std::find(all.begin(), all.end(), setting) != all.end();
+                     });
+}
+
+const Grasp* FindGrasp(const SessionHand& hand, const GraspObject& object, const std::string& id) {
+  const auto grasp = std::find_if(hand.grasps.begin(), hand.grasps.end(), [&](const Grasp& g) {
+    return g.id == id && (g.object.empty() || g.object == object.id);
+  });
+  return grasp == hand.grasps.end() ? nullptr : &*grasp;
 }
 
 Grasp FindFitted(const SessionInputs& inputs, const SessionHand& hand, const Grasp& grasp,
@@ -204,67 +289,6 @@ std::vector<const Grasp*> FindGrasps(const SessionConfig& config, const SessionI
     }
   }
   return grasps;
-}
-
-std::vector<UnreachedObject> FindUnreached(const SessionConfig& config,
-                                           const SessionInputs& inputs) {
-  std::vector<UnreachedObject> all;
-  for (const SessionHand& hand : inputs.hands) {
-    for (const auto& object : inputs.objects) {
-      for (const auto& tried : ListTried(config, inputs, hand, object)) {
-        const auto can_take = [&](const Grasp* grasp) {
-          return CanTake(inputs, hand, *grasp, object);
-        };
-        if (std::any_of(tried.begin(), tried.end(), can_take)) continue;
-        UnreachedObject unreached;
-        unreached.hand = hand.hand->id;
-        unreached.object = object->id;
-        unreached.width = std::min(object->size.x(), object->size.y());
-        for (const Grasp* grasp : tried) {
-          const auto& [fitted, prediction] = FitOnce(inputs, hand, *grasp, object);
-          const double miss = prediction.reach_miss;
-          const double lacking = std::max(0.0, prediction.needed_room - prediction.room);
-          if (unreached.tried.empty() ||
-              std::pair(miss, lacking) < std::pair(unreached.miss, unreached.lacking_room)) {
-            unreached.nearest = grasp->id;
-            unreached.miss = miss;
-            unreached.lacking_room = lacking;
-            unreached.opening = CalcPreGraspWidth(*hand.hand, fitted);
-          }
-          unreached.tried.push_back(grasp->id);
-        }
-        all.push_back(std::move(unreached));
-      }
-    }
-  }
-  return all;
-}
-
-std::string DescribeUnreached(const UnreachedObject& unreached) {
-  std::string tried;
-  for (const std::string& id : unreached.tried) tried += (tried.empty() ? "" : ", ") + id;
-  const bool is_one = unreached.tried.size() == 1;
-  const std::string who =
-      unreached.hand + ", " + unreached.object + ": " + (is_one ? tried : "none of " + tried);
-  const auto format = [](double length) { return FormatFixed(MmFromM(length), 1) + " mm"; };
-  if (unreached.miss > 0.0) {
-    const bool is_wide = unreached.opening > 0.0 && unreached.width > unreached.opening;
-    return who + (is_one ? " does not reach it" : " reaches it") +
-           ", so every trial will be unreachable; " +
-           (is_one ? "its" : "nearest is " + unreached.nearest + ", whose") + " pads stop " +
-           format(unreached.miss) + " short" +
-           (is_wide ? ": it is " + format(unreached.width) + " wide, and they open to " +
-                          format(unreached.opening)
-                    : "");
-  }
-  if (unreached.lacking_room > 0.0) {
-    return who + (is_one ? " is not" : " is") +
-           " clear of it wherever a draw puts it, so digits may touch it before they close; " +
-           (is_one ? "it" : "nearest is " + unreached.nearest + ", which") + " lacks " +
-           format(unreached.lacking_room) + " beside the object";
-  }
-  return who + (is_one ? " does not meet it" : " meets it") +
-         " with its opposing digit and another when it closes";
 }
 
 std::vector<std::string> ListObjectWarnings(const SessionConfig& config,

@@ -5,7 +5,6 @@ of them can take it: known by geometry before the first trial (core/grasp/predic
 
 #include <memory>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "core/grasp/predict_grasp.h"
@@ -36,22 +35,6 @@ for this hand, stays as it is; so does what is clear of its bounding box, unless
 Grasp FindFitted(const SessionInputs& inputs, const SessionHand& hand, const Grasp& grasp,
                  const std::shared_ptr<const GraspObject>& object);
 
-/** Larger is better. That a grasp reaches the object and meets it when it closes comes first, then
-that its development found it to hold what it had not met, then how many of four conditions it
-keeps, then how low it meets the object: what is pushed above its centre of mass tips. */
-struct GraspRank {
-  int meets = -1;
-  bool has_held = false;
-  int num_kept = 0;    ///< clear of it; forces that hold; every digit meets it; the palm near
-  double depth = 0.0;  ///< of the contacts below the object's centre of mass [m]
-
-  bool operator>(const GraspRank& other) const {
-    return std::tie(meets, has_held, num_kept, depth) >
-           std::tie(other.meets, other.has_held, other.num_kept, other.depth);
-  }
-};
-GraspRank RankGrasp(const Grasp& grasp, const GraspPrediction& prediction);
-
 /** What stands in the plan as one grasp. */
 struct GraspEntry {
   std::string id;
@@ -59,13 +42,14 @@ struct GraspEntry {
 };
 
 /** Of the hand's standard grasps the first of each type that the outline of an object may suggest
-(core/vision/suggest_grasp.h). @throws Error(kUsage) when the hand has none of one type. */
+(core/vision/locate_object.h). @throws Error(kUsage) when the hand has none of one type. */
 std::vector<const Grasp*> FindSightGrasps(const SessionHand& hand, const GraspObject& object);
 
 /** As MakePlan says (session_plan.h). "best" is what the object names for this hand, else of those
 that reach and meet it by prediction one that held half of the shapes that its development had not
-met (Grasp::held_share), else any; then the one that keeps most conditions (GraspRank), and of those
-alike the one that meets it lowest. */
+met (Grasp::held_share), else any; then the one that keeps most of four conditions (clear of it,
+forces that hold, every digit meets it, the palm near), and of those alike the one that meets it
+lowest. */
 std::vector<GraspEntry> ListGraspEntries(const SessionConfig& config, const SessionInputs& inputs,
                                          const SessionHand& hand,
                                          const std::shared_ptr<const GraspObject>& object);
@@ -75,32 +59,15 @@ std::vector<const Grasp*> FindGrasps(const SessionConfig& config, const SessionI
                                      const SessionHand& hand,
                                      const std::shared_ptr<const GraspObject>& object);
 
-/** An object that a hand cannot take by one of the session's names of grasps: none that it stands
-for reaches it, comes to it clear of it and meets it. */
-struct UnreachedObject {
-  std::string hand, object;
-  std::vector<std::string> tried;  ///< ids of grasps, the object's order for "best"
-  std::string nearest;             ///< of these
-  double miss = 0.0;               ///< by which its pads stop short [m]; 0: it reaches the object
-  double lacking_room = 0.0;       ///< of one that reaches it, beside the open digits [m]
-  double width = 0.0;              ///< the object's, the smaller one on the table [m]
-  double opening = 0.0;            ///< of the nearest grasp's pads [m]
-};
+/** What is to be said of the session's objects before it: those that no grasp takes, then those
+that tip over when they are set down as their mesh lies (core/shape/resting_pose.h). Of the first,
+in the order hand, object, name of grasp, what an object names as its best grasp is believed:
 
-/** In the order hand, object, name of grasp. What an object names as its best grasp for a hand is
-believed. */
-std::vector<UnreachedObject> FindUnreached(const SessionConfig& config,
-                                           const SessionInputs& inputs);
-
-/** "allegro, carton: none of g1, g2 reaches it, so every trial will be unreachable; nearest is g2,
+"allegro, carton: none of g1, g2 reaches it, so every trial will be unreachable; nearest is g2,
 whose pads stop 6.2 mm short", with the widths where the object is too wide; or "..: none of g1, g2
 is clear of it wherever a draw puts it, so digits may touch it before they close; nearest is g2,
-which lacks 6.2 mm beside the object"; or "..: none of g1, g2 meets it with its opposing
-digit and another when it closes". */
-std::string DescribeUnreached(const UnreachedObject& unreached);
-
-/** What is to be said of the session's objects before it: those that no grasp takes, then those
-that tip over when they are set down as their mesh lies (core/shape/resting_pose.h). */
+which lacks 6.2 mm beside the object"; or "..: none of g1, g2 meets it with its opposing digit and
+another when it closes". */
 std::vector<std::string> ListObjectWarnings(const SessionConfig& config,
                                             const SessionInputs& inputs);
 

@@ -4,16 +4,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
+#include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/hand/tactile.h"
-#include "core/trial/grip/grip_limit.h"
+#include "core/trial/grip/grip_statics.h"
 #include "core/trial/touch_sensors.h"
 #include "datasets/plan/grasp_choice.h"
 
 namespace graspbench {
+
 namespace {
+
+StrategyConfig MakeFirmStrategy() {
+  StrategyConfig strategy;
+  strategy.grip = RowOf(kGripModes, GripMode::kPosture).name;
+  strategy.drive_law = RowOf(kDriveLaws, DriveLaw::kHold).name;
+  strategy.touch_speed = 1.0;
+  strategy.closure_lead = 0.0;
+  return strategy;
+}
 
 std::vector<const Grasp*> ListUsed(const SessionConfig& config, const SessionInputs& inputs,
                                    const SessionHand& hand) {
@@ -40,25 +50,6 @@ std::pair<const Grasp*, double> FindLeast(const SessionConfig& config, const Ses
   }
   return least;
 }
-
-}  // namespace
-
-void CheckGripForces(const SessionConfig& config, const SessionInputs& inputs) {
-  for (const SessionHand& hand : inputs.hands) {
-    const auto [grasp, bound] = FindLeast(config, inputs, hand, &CalcGripBound);
-    if (config.strategy.grip_force <= bound) continue;
-    throw Error(
-        ErrorKind::kRange,
-        fmt::format(
-            "strategy.grip_force_n: a digit of the hand \"{}\" cannot press with {:.2f} N in "
-            "the grasp {}: its drives' torque limits over their shortest levers give at "
-            "most {:.2f} N, at its pads some {:.2f} N; ask for less",
-            hand.hand->id, config.strategy.grip_force, grasp->id, bound,
-            CalcPadGrip(*hand.hand, *grasp)));
-  }
-}
-
-namespace {
 
 /** Whether forces are asked of a hand that goes by what its elements feel. */
 bool GoesByFeeling(const SessionConfig& config) {
@@ -95,27 +86,6 @@ void CheckRange(const SessionConfig& config, const SessionInputs& inputs, const 
   }
 }
 
-}  // namespace
-
-void CheckFeltForces(const SessionConfig& config, const SessionInputs& inputs) {
-  if (!GoesByFeeling(config)) return;
-  const StrategyConfig& strategy = config.strategy;
-  for (const SessionHand& hand : inputs.hands) {
-    CheckRange(config, inputs, hand);
-    const double felt_from = CalcFeltFrom(config, *hand.hand);
-    const bool is_all = strategy.grip == RowOf(kGripModes, GripMode::kForce).name;
-    if (!is_all || strategy.grip_force > felt_from) continue;
-    throw Error(
-        ErrorKind::kRange,
-        fmt::format("sensors.threshold: an element of the hand \"{}\" feels nothing below "
-                    "{:.2f} N, and {:.2f} N is asked of each digit (strategy.grip_force_n); "
-                    "lower the threshold, or ask for more",
-                    hand.hand->id, felt_from, strategy.grip_force));
-  }
-}
-
-namespace {
-
 void WarnOfFeeling(const SessionConfig& config, const Hand& hand,
                    std::vector<std::string>& warnings) {
   const double asked = config.strategy.grip_force, felt_from = CalcFeltFrom(config, hand);
@@ -134,6 +104,84 @@ void WarnOfFeeling(const SessionConfig& config, const Hand& hand,
 }
 
 }  // namespace
+
+Json StrategyToJson(const StrategyConfig& strategy) {
+  Json json = ConfigToJson(strategy);
+  const StrategyConfig firm = MakeFirmStrategy();
+  if (strategy.touch_speed == firm.touch_speed) json.erase("touch_speed");
+  if (strategy.closure_lead == firm.closure_lead) json.erase("closure_lead_s");
+  if (strategy.drive_law == firm.drive_law) json.erase("drive_law");
+  if (strategy.grip != firm.grip) return json;
+  for (const char* key : {"grip", "grip_force_n", "grip_margin"}) json.erase(key);
+  return json;
+}
+
+bool CanMatter(const std::string& key, const StrategyConfig& strategy) {
+  const GripMode mode = RowFromName(kGripModes, strategy.grip, "grip").value;
+  if (key == "strategy.grip_force_n") return mode != GripMode::kPosture;
+  if (key == "strategy.grip_margin") return mode == GripMode::kMargin;
+  return true;
+}
+
+std::string DescribeUnusedGrip(const StrategyConfig& strategy) {
+  return "has no use where strategy.grip is " + strategy.grip +
+         "; leave it out, or set strategy.grip";
+}
+
+void RefuseUnusedGrip(const std::string& assignment, const StrategyConfig& strategy) {
+  if (CanMatter(assignment.substr(0, assignment.find('=')), strategy)) return;
+  throw Error(ErrorKind::kUsage, assignment + " " + DescribeUnusedGrip(strategy));
+}
+
+void DropUnusedGrip(StrategyConfig& strategy) {
+  const StrategyConfig firm = MakeFirmStrategy();
+  if (strategy.grip != firm.grip) return;
+  strategy.grip_force = firm.grip_force;
+  strategy.grip_margin = firm.grip_margin;
+}
+
+void AddFirmGrip(Json& conditions) {
+  if (!conditions.is_object() || !conditions.contains("strategy")) return;
+  Json& strategy = conditions["strategy"];
+  if (!strategy.is_object()) return;
+  const Json firm = ConfigToJson(MakeFirmStrategy());
+  for (const char* key :
+       {"grip", "grip_force_n", "grip_margin", "touch_speed", "drive_law", "closure_lead_s"}) {
+    if (!strategy.contains(key)) strategy[key] = firm.at(key);
+  }
+}
+
+void CheckGripForces(const SessionConfig& config, const SessionInputs& inputs) {
+  for (const SessionHand& hand : inputs.hands) {
+    const auto [grasp, bound] = FindLeast(config, inputs, hand, &CalcGripBound);
+    if (config.strategy.grip_force <= bound) continue;
+    throw Error(
+        ErrorKind::kRange,
+        fmt::format(
+            "strategy.grip_force_n: a digit of the hand \"{}\" cannot press with {:.2f} N in "
+            "the grasp {}: its drives' torque limits over their shortest levers give at "
+            "most {:.2f} N, at its pads some {:.2f} N; ask for less",
+            hand.hand->id, config.strategy.grip_force, grasp->id, bound,
+            CalcPadGrip(*hand.hand, *grasp)));
+  }
+}
+
+void CheckFeltForces(const SessionConfig& config, const SessionInputs& inputs) {
+  if (!GoesByFeeling(config)) return;
+  const StrategyConfig& strategy = config.strategy;
+  for (const SessionHand& hand : inputs.hands) {
+    CheckRange(config, inputs, hand);
+    const double felt_from = CalcFeltFrom(config, *hand.hand);
+    const bool is_all = strategy.grip == RowOf(kGripModes, GripMode::kForce).name;
+    if (!is_all || strategy.grip_force > felt_from) continue;
+    throw Error(
+        ErrorKind::kRange,
+        fmt::format("sensors.threshold: an element of the hand \"{}\" feels nothing below "
+                    "{:.2f} N, and {:.2f} N is asked of each digit (strategy.grip_force_n); "
+                    "lower the threshold, or ask for more",
+                    hand.hand->id, felt_from, strategy.grip_force));
+  }
+}
 
 std::vector<std::string> ListGripWarnings(const SessionConfig& config,
                                           const SessionInputs& inputs) {

@@ -1,20 +1,49 @@
 #include "datasets/plan/session_config.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "core/base/config.h"
+#include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "core/base/text/text.h"
-#include "core/shape/approach.h"
-#include "core/trial/positioning.h"
-#include "datasets/plan/firm_grip.h"
+#include "core/shape/grasp_object.h"
+#include "core/trial/trial_setup.h"
 #include "datasets/plan/grasp_choice.h"
-#include "datasets/plan/presets.h"
-#include "datasets/plan/sim_check.h"
+#include "datasets/plan/grip_check.h"
 
 namespace graspbench {
+
+namespace fs = std::filesystem;
+
 namespace {
+
+std::string FindFirstComment(const std::string& text) {
+  const std::string line = text.substr(0, text.find('\n'));
+  return line.rfind("# ", 0) == 0 ? line.substr(2) : "";
+}
+
+/** Coefficients that are left out stay so. */
+void Scale(const ModelConfig& model, SurfaceMaterial& surface) {
+  surface.friction_static *= model.friction_scale;
+  surface.friction_dynamic *= model.friction_scale;
+  surface.torsion_radius *= model.pad_torsion_scale;
+  surface.pad.torsion_scale *= model.pad_torsion_scale;
+  surface.pad.youngs_modulus *= model.pad_stiffness_scale;
+}
+
+bool Turns(const HandJoint& joint) { return !joint.is_prismatic; }
+bool TurnsByDrive(const HandJoint& joint) { return Turns(joint) && joint.coupled_to < 0; }
+bool TurnsByCoupling(const HandJoint& joint) { return Turns(joint) && joint.coupled_to >= 0; }
+
+void CheckConcerned(const Hand& hand, const char* key, bool (*is_concerned)(const HandJoint&),
+                    const char* expected) {
+  if (std::any_of(hand.joints.begin(), hand.joints.end(), is_concerned)) return;
+  throw Error(ErrorKind::kUsage, std::string("imperfections.") + key +
+                                     " concerns nothing of the "
+                                     "hand \"" +
+                                     hand.id + "\": it has no joint that " + expected +
+                                     "; leave the setting or the hand out");
+}
 
 /** Over the noise: none of the 300,000 samples of a trial of the Shadow Hand is above by chance. */
 constexpr double kLeastThreshold = 5.0;
@@ -69,20 +98,25 @@ void CheckSensors(const SessionConfig& config, std::vector<ConfigProblem>& probl
   }
 }
 
+/** @param what  the name is of: "approach". @returns whether it is one of the table. */
+template <class Row, size_t N>
+bool CheckRow(const Row (&table)[N], const std::string& key, const std::string& what,
+              const std::string& name, std::vector<ConfigProblem>& problems) {
+  if (FindRow(table, name)) return true;
+  problems.push_back(
+      {key, "no " + what + " \"" + name + "\"" + SuggestNames(name, ListNames(table))});
+  return false;
+}
+
 void CheckGrip(const StrategyConfig& strategy, std::vector<ConfigProblem>& problems) {
-  if (!FindRow(kGripModes, strategy.grip)) {
-    problems.push_back({"strategy.grip", "no grip \"" + strategy.grip + "\"" +
-                                             SuggestNames(strategy.grip, ListNames(kGripModes))});
-  } else if (strategy.grip == RowOf(kGripModes, GripMode::kForce).name &&
-             strategy.grip_force <= 0.0) {
+  const bool is_known = CheckRow(kGripModes, "strategy.grip", "grip", strategy.grip, problems);
+  if (is_known && strategy.grip == RowOf(kGripModes, GripMode::kForce).name &&
+      strategy.grip_force <= 0.0) {
     problems.push_back({"strategy.grip_force_n", "must be above 0 where strategy.grip is force"});
   }
-  if (!FindRow(kDriveLaws, strategy.drive_law)) {
-    problems.push_back(
-        {"strategy.drive_law", "no drive law \"" + strategy.drive_law + "\"" +
-                                   SuggestNames(strategy.drive_law, ListNames(kDriveLaws))});
-  } else if (strategy.drive_law != StrategyConfig().drive_law &&
-             strategy.grip == RowOf(kGripModes, GripMode::kPosture).name) {
+  if (CheckRow(kDriveLaws, "strategy.drive_law", "drive law", strategy.drive_law, problems) &&
+      strategy.drive_law != StrategyConfig().drive_law &&
+      strategy.grip == RowOf(kGripModes, GripMode::kPosture).name) {
     problems.push_back({"strategy.drive_law",
                         "drives are limited to a regulated force, and strategy.grip is posture; "
                         "set it to force or margin"});
@@ -92,71 +126,6 @@ void CheckGrip(const StrategyConfig& strategy, std::vector<ConfigProblem>& probl
         {"strategy.closure_lead_s", "must not be longer than strategy.placing_time_s"});
   }
 }
-
-}  // namespace
-
-const FileKeys& ListSessionKeys() {
-  static const FileKeys keys = DescribeConfig(SessionFile());
-  return keys;
-}
-
-std::vector<ConfigProblem> Validate(const SessionConfig& config) {
-  std::vector<ConfigProblem> problems;
-  CheckNames("hands", config.hands, {"all"}, problems);
-  CheckNames("objects", config.objects, {"all"}, problems);
-  CheckNames("grasps", config.grasps, {"all"}, problems);
-  for (const auto& [key, text] : FindOutOfRange(config, ListSessionKeys())) {
-    problems.push_back({key, text});
-  }
-  if (config.strategy.stabilisation_min_time > config.strategy.stabilisation_max_time) {
-    problems.push_back({"strategy.stabilisation_min_time_s",
-                        "must not be longer than strategy.stabilisation_max_time_s"});
-  }
-  CheckGrip(config.strategy, problems);
-  for (const auto& [key, text] : FindSimProblems(config.sim)) problems.push_back({key, text});
-  if (!FindRow(kApproaches, config.approach)) {
-    problems.push_back({"approach", "no approach \"" + config.approach + "\"" +
-                                        SuggestNames(config.approach, ListNames(kApproaches))});
-  }
-  if (!FindRow(kPositionings, config.positioning)) {
-    problems.push_back(
-        {"positioning", "no positioning \"" + config.positioning + "\"" +
-                            SuggestNames(config.positioning, ListNames(kPositionings))});
-  }
-  if (!FindRow(kTouchSenses, config.touch)) {
-    problems.push_back({"touch", "no touch \"" + config.touch + "\"" +
-                                     SuggestNames(config.touch, ListNames(kTouchSenses))});
-  }
-  if (!ParseColour(config.camera.table_colour)) {
-    problems.push_back({"camera.table_colour", "\"" + config.camera.table_colour +
-                                                   "\" is no colour; expected one as \"#b4509b\""});
-  }
-  CheckSensors(config, problems);
-  if (config.draws != "random" && config.draws != "halton") {
-    problems.push_back({"draws", "no draws \"" + config.draws + "\"; expected random or halton"});
-  }
-  const std::vector<std::string> couplings = ListModelCouplings();
-  const std::string& coupling = config.model.coupling_rule;
-  if (std::find(couplings.begin(), couplings.end(), coupling) == couplings.end()) {
-    problems.push_back({"model.coupling_rule",
-                        "no rule \"" + coupling + "\"" + SuggestNames(coupling, couplings)});
-  }
-  return problems;
-}
-
-void CheckSessionConfig(const SessionConfig& config) {
-  std::string text;
-  for (const ConfigProblem& problem : Validate(config)) {
-    text += "\n" + problem.key + ": " + problem.text;
-  }
-  if (!text.empty()) throw Error(ErrorKind::kRange, "the session cannot be run" + text);
-}
-
-SessionConfig LoadSessionConfig(const std::string& path) {
-  return ParseSessionConfig(ReadFile(path), path);
-}
-
-namespace {
 
 /** What a session has written: a complete configuration, alone or in its session.json. */
 SessionConfig ParseFrozenConfig(const std::string& text, const std::string& file) {
@@ -205,7 +174,151 @@ void CheckGripUsed(const YAML::Node& root, const std::string& file, const Sessio
   }
 }
 
+/** Null: it is not there. */
+Json TakeKey(const char* key, Json& json) {
+  if (!json.is_object() || !json.contains(key)) return Json();
+  Json value = json.at(key);
+  json.erase(key);
+  return value;
+}
+
 }  // namespace
+
+std::vector<Preset> ListPresets() {
+  std::vector<Preset> presets;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(FindDataRoot() / "datasets" / "presets", none)) {
+    const fs::path& file = entry.path();
+    if (file.extension() != ".yaml") continue;
+    presets.push_back({file.stem().string(), file, FindFirstComment(ReadFile(file))});
+  }
+  std::sort(presets.begin(), presets.end(),
+            [](const Preset& a, const Preset& b) { return a.name < b.name; });
+  return presets;
+}
+
+Preset FindPreset(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Preset& preset : ListPresets()) {
+    if (preset.name == name) return preset;
+    names.push_back(preset.name);
+  }
+  throw Error(ErrorKind::kNotFound, "no preset \"" + name + "\"" + SuggestNames(name, names));
+}
+
+std::vector<std::string> ListModelCouplings() {
+  std::vector<std::string> names = {ModelConfig::kOwnRule};
+  for (const CouplingRule rule : ListCouplingRules()) names.push_back(NameOf(rule));
+  return names;
+}
+
+void ApplyModel(const ModelConfig& model, Hand& hand) {
+  for (HandLink& link : hand.links) Scale(model, link.surface);
+  for (HandJoint& joint : hand.joints) joint.drive.torque_limit *= model.drive_torque_scale;
+  hand.joint_accuracy *= model.joint_error_scale;
+  hand.slide_accuracy *= model.joint_error_scale;
+  for (const CouplingRule rule : ListCouplingRules()) {
+    if (NameOf(rule) == model.coupling_rule) hand.coupling = rule;
+  }
+}
+
+void ApplyModel(const ModelConfig& model, GraspObject& object) {
+  Scale(model, object.surface);
+  object.mass_properties.mass *= model.mass_scale;
+  object.mass_properties.I_OOcm *= model.mass_scale;
+}
+
+bool operator==(const ImperfectionConfig& a, const ImperfectionConfig& b) {
+  return HaveEqualValues(a, b);
+}
+
+void ApplyImperfections(const ImperfectionConfig& config, Hand& hand) {
+  const char* const turns = "turns by a drive of its own";
+  if (config.hysteresis > 0.0) CheckConcerned(hand, "hysteresis_rad", TurnsByDrive, turns);
+  if (config.stick_slip > 0.0) CheckConcerned(hand, "stick_slip", TurnsByDrive, turns);
+  if (config.coupling_compliance > 0.0) {
+    CheckConcerned(hand, "coupling_compliance_rad_per_nm", TurnsByCoupling,
+                   "turns with another (coupling in hand.yaml)");
+  }
+  for (HandJoint& joint : hand.joints) {
+    joint.drive.stiffness *= config.stiffness_scale;
+    if (TurnsByDrive(joint)) {
+      joint.drive.hysteresis_width = config.hysteresis;
+      joint.drive.friction_static = config.stick_slip * joint.drive.torque_limit;
+      joint.drive.friction_dynamic = kSlidingFrictionShare * joint.drive.friction_static;
+    } else if (TurnsByCoupling(joint)) {
+      joint.coupling_compliance = config.coupling_compliance;
+    }
+  }
+}
+
+const FileKeys& ListSessionKeys() {
+  static const FileKeys keys = DescribeConfig(SessionFile());
+  return keys;
+}
+
+std::vector<std::pair<std::string, std::string>> FindSimProblems(const SimConfig& sim) {
+  std::vector<std::pair<std::string, std::string>> problems;
+  if (sim.table_friction_dynamic > sim.table_friction_static) {
+    problems.emplace_back("sim.table_friction_dynamic",
+                          "must not be higher than sim.table_friction_static");
+  }
+  if (sim.hand_friction_dynamic > sim.hand_friction_static) {
+    problems.emplace_back("sim.hand_friction_dynamic",
+                          "must not be higher than sim.hand_friction_static");
+  }
+  if (sim.multibody != "arrays" && sim.multibody != "simbody") {
+    problems.emplace_back("sim.multibody", "no multibody \"" + sim.multibody + "\"" +
+                                               SuggestNames(sim.multibody, {"arrays", "simbody"}));
+  }
+  return problems;
+}
+
+std::vector<ConfigProblem> Validate(const SessionConfig& config) {
+  std::vector<ConfigProblem> problems;
+  CheckNames("hands", config.hands, {"all"}, problems);
+  CheckNames("objects", config.objects, {"all"}, problems);
+  CheckNames("grasps", config.grasps, {"all"}, problems);
+  for (const auto& [key, text] : FindOutOfRange(config, ListSessionKeys())) {
+    problems.push_back({key, text});
+  }
+  if (config.strategy.stabilisation_min_time > config.strategy.stabilisation_max_time) {
+    problems.push_back({"strategy.stabilisation_min_time_s",
+                        "must not be longer than strategy.stabilisation_max_time_s"});
+  }
+  CheckGrip(config.strategy, problems);
+  for (const auto& [key, text] : FindSimProblems(config.sim)) problems.push_back({key, text});
+  CheckRow(kApproaches, "approach", "approach", config.approach, problems);
+  CheckRow(kPositionings, "positioning", "positioning", config.positioning, problems);
+  CheckRow(kTouchSenses, "touch", "touch", config.touch, problems);
+  if (!ParseColour(config.camera.table_colour)) {
+    problems.push_back({"camera.table_colour", "\"" + config.camera.table_colour +
+                                                   "\" is no colour; expected one as \"#b4509b\""});
+  }
+  CheckSensors(config, problems);
+  if (config.draws != "random" && config.draws != "halton") {
+    problems.push_back({"draws", "no draws \"" + config.draws + "\"; expected random or halton"});
+  }
+  const std::vector<std::string> couplings = ListModelCouplings();
+  const std::string& coupling = config.model.coupling_rule;
+  if (std::find(couplings.begin(), couplings.end(), coupling) == couplings.end()) {
+    problems.push_back({"model.coupling_rule",
+                        "no rule \"" + coupling + "\"" + SuggestNames(coupling, couplings)});
+  }
+  return problems;
+}
+
+void CheckSessionConfig(const SessionConfig& config) {
+  std::string text;
+  for (const ConfigProblem& problem : Validate(config)) {
+    text += "\n" + problem.key + ": " + problem.text;
+  }
+  if (!text.empty()) throw Error(ErrorKind::kRange, "the session cannot be run" + text);
+}
+
+SessionConfig LoadSessionConfig(const std::string& path) {
+  return ParseSessionConfig(ReadFile(path), path);
+}
 
 SessionConfig ParseSessionConfig(const std::string& text, const std::string& file) {
   if (std::filesystem::path(file).extension() == ".json") return ParseFrozenConfig(text, file);
@@ -252,18 +365,6 @@ Json ToJson(const SessionConfig& config) {
   }
   return json;
 }
-
-namespace {
-
-/** Null: it is not there. */
-Json TakeKey(const char* key, Json& json) {
-  if (!json.is_object() || !json.contains(key)) return Json();
-  Json value = json.at(key);
-  json.erase(key);
-  return value;
-}
-
-}  // namespace
 
 SessionConfig SessionConfigFromJson(const Json& json, const std::string& file) {
   Diagnostics problems;

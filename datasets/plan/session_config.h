@@ -3,19 +3,87 @@
 What a benchmark session runs: read from YAML, completed with defaults, overridden by `--set a.b=v`,
 frozen in full into the session's folder. */
 
+#include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/file_keys.h"
 #include "core/base/text/json.h"
 #include "core/grasp/strategy.h"
+#include "core/hand/hand.h"
 #include "core/physics/sim_config.h"
+#include "core/shape/grasp_object.h"
 #include "core/trial/touch_sensors.h"
 #include "core/vision/camera_config.h"
-#include "datasets/plan/imperfection_config.h"
-#include "datasets/plan/model_config.h"
 
 namespace graspbench {
+
+/** How far a session's hands and objects differ from their files: factors on what no data sheet
+gives or nobody has measured. The defaults change nothing. */
+struct ModelConfig {
+  static constexpr const char* kOwnRule = "own";
+
+  double mass_scale = 1.0;               ///< of the object's mass and inertia
+  double friction_scale = 1.0;           ///< of the coefficients of objects and links
+  double pad_torsion_scale = 1.0;        ///< of every torsion radius
+  double pad_stiffness_scale = 1.0;      ///< of the modulus of every soft pad
+  double drive_torque_scale = 1.0;       ///< of the drives' torque limits
+  double joint_error_scale = 1.0;        ///< of the drives' error from trial to trial
+  std::string coupling_rule = kOwnRule;  ///< of coupled joints (core/hand/hand.h)
+
+  template <class V>
+  void Visit(V&& v) {
+    v("mass_scale", mass_scale, {"factor on every object's mass and inertia", 0.01, 100});
+    v("friction_scale", friction_scale, {"factor on the friction of objects and links", 0, 10});
+    v("pad_torsion_scale", pad_torsion_scale, {"factor on every torsion radius", 0, 10});
+    v("pad_stiffness_scale", pad_stiffness_scale,
+      {"factor on the modulus of soft pads", 0.01, 1e4});
+    v("drive_torque_scale", drive_torque_scale, {"factor on the drives' torque limits", 0.01, 100});
+    v("joint_error_scale", joint_error_scale,
+      {"factor on the drives' error from trial to trial", 0, 10});
+    v("coupling_rule", coupling_rule,
+      "rule of coupled joints: own (as hand.yaml says), middle-first, even or fixed");
+  }
+};
+
+/** "own" (what hand.yaml says) and the rules. */
+std::vector<std::string> ListModelCouplings();
+
+/** @pre model.coupling_rule is one of ListModelCouplings(). */
+void ApplyModel(const ModelConfig& model, Hand& hand);
+void ApplyModel(const ModelConfig& model, GraspObject& object);
+
+/** What a session's real hands do beside following their commands, as named options
+(core/physics/imperfect_drive.h). The thesis names all four and gives no size; none is the default,
+and the same for every hand of the session. Joints that slide have no hysteresis, stick-slip or
+yielding coupling. */
+struct ImperfectionConfig {
+  double hysteresis = 0.0;           ///< width of the loop between command and joint [rad]
+  double stick_slip = 0.0;           ///< breakaway friction over the drive's torque limit
+  double stiffness_scale = 1.0;      ///< factor on the drives' stiffness; damping stays
+  double coupling_compliance = 0.0;  ///< of coupled joints [rad/(N m)]
+
+  template <class V>
+  void Visit(V&& v) {
+    v("hysteresis_rad", hysteresis,
+      {"width of the loop between a drive's command and its joint; 0: none", 0, 0.3});
+    v("stick_slip", stick_slip,
+      {"friction at which a resting joint breaks loose, share of its drive's torque limit; 0: none",
+       0, 0.9});
+    v("stiffness_scale", stiffness_scale, {"factor on the drives' stiffness", 0.05, 10});
+    v("coupling_compliance_rad_per_nm", coupling_compliance,
+      {"how far coupled joints yield from where their coupling has them; 0: rigid", 0, 10});
+  }
+};
+
+/** Sliding friction over breakaway friction under stick_slip. Proposed. */
+inline constexpr double kSlidingFrictionShare = 0.6;
+
+bool operator==(const ImperfectionConfig& a, const ImperfectionConfig& b);
+
+/** @throws Error(kUsage) where an option concerns no joint of the hand. */
+void ApplyImperfections(const ImperfectionConfig& config, Hand& hand);
 
 /** Half-widths of the uniform variation between trials. Proposed by graspbench, not by the thesis.
  */
@@ -67,8 +135,8 @@ struct SessionConfig : TrialConditions {
   std::vector<std::string> hands = {"tum", "shadow"};
   std::vector<std::string> objects = {"all"};
   std::vector<std::string> grasps = {"best"};  ///< "all", or "best", "by-sight", ids, files
-  std::string approach = "automatic";          ///< core/shape/approach.h
-  std::string positioning = "nominal";         ///< core/trial/positioning.h
+  std::string approach = "automatic";          ///< core/shape/grasp_object.h
+  std::string positioning = "nominal";         ///< core/trial/trial_setup.h
   CameraConfig camera;                         ///< for positioning, and grasps, by camera
   std::string touch = "exact";                 ///< core/trial/touch_sensors.h
   SensorConfig sensors;                        ///< for touch: sensed
@@ -110,7 +178,7 @@ struct SessionConfig : TrialConditions {
 
 /** A session file: what is left out is that of a preset, or the default. */
 struct SessionFile : SessionConfig {
-  std::string preset;  ///< datasets/plan/presets.h; empty: none
+  std::string preset;  ///< datasets/plan/session_config.h; empty: none
 
   template <class V>
   void Visit(V&& v) {
@@ -128,6 +196,10 @@ struct ConfigProblem {
   std::string key;   ///< full name: "sim.step_s"
   std::string text;  ///< what it is and what was expected
 };
+
+/** Values of the simulation that contradict each other, in a session or a profile: keys
+("sim.multibody") with what is wrong. Ranges are checked where the keys are listed. */
+std::vector<std::pair<std::string, std::string>> FindSimProblems(const SimConfig& sim);
 
 /** All problems of the values: ranges, empty or repeated names. Whether hands, objects and grasps
 of these names exist is asked when they are loaded (session_inputs.h). */
@@ -155,5 +227,20 @@ Json ToJson(const SessionConfig& config);
 /** @param file  name of the file in messages.
 @throws Error(kFormat) listing every missing, unknown or wrong key or value. */
 SessionConfig SessionConfigFromJson(const Json& json, const std::string& file = "session.json");
+
+/** Named settings of sessions: the files of datasets/presets, `<name>.yaml` each. A preset is a
+session file that stands in the place of the defaults; a session that begins with one freezes what
+it contains, so a later change of the preset changes no session. */
+struct Preset {
+  std::string name;
+  std::filesystem::path file;
+  std::string about;  ///< its first line, which is a comment
+};
+
+/** Sorted by name. @throws Error(kIo) when a file of the folder cannot be read. */
+[[nodiscard]] std::vector<Preset> ListPresets();
+
+/** @throws Error(kNotFound) with suggestions; as ListPresets. */
+[[nodiscard]] Preset FindPreset(const std::string& name);
 
 }  // namespace graspbench

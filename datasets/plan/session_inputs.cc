@@ -1,13 +1,120 @@
 #include "datasets/plan/session_inputs.h"
 
+#include <algorithm>
+#include <regex>
+#include <string_view>
+
 #include "core/base/config.h"
+#include "core/base/error.h"
+#include "core/base/files/files.h"
+#include "core/base/text/json.h"
 #include "core/grasp/grasp_file.h"
 #include "core/hand/load_hand.h"
+#include "datasets/journal/store_kind.h"
 #include "datasets/plan/conditions.h"
-#include "datasets/plan/input_copies.h"
+#include "objects/object_file.h"
 
 namespace graspbench {
+
+namespace fs = std::filesystem;
+
 namespace {
+
+constexpr char kInputs[] = "inputs";
+
+bool IsOneOf(const std::string& name, const std::vector<std::string>& names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/** The folder that the name of an own hand or object stands for; its own name is the id. */
+fs::path FindOriginal(const std::string& name) {
+  fs::path path = fs::absolute(name).lexically_normal();
+  if (path.filename() == "object.yaml" || !path.has_filename()) path = path.parent_path();
+  return path;
+}
+
+fs::path FindCopy(const fs::path& inputs, const char* kind, const std::string& name) {
+  return inputs / kind / FindOriginal(name).filename();
+}
+
+/** The session that an experiment's folder belongs to; else the folder itself. */
+fs::path FindOwner(const fs::path& folder) {
+  if (folder.empty()) return folder;
+  const fs::path place = fs::absolute(folder).lexically_normal();
+  const fs::path above = place.parent_path().parent_path();
+  const bool is_part = FindStoreKind(above) == &kSessionStore &&
+                       IsMatch(place.lexically_relative(above).string(), kSessionStore.stores);
+  return is_part ? above : folder;
+}
+
+/** Of the store itself, of the session or of the campaign that it is part of. */
+fs::path FindInputs(const fs::path& part) {
+  std::error_code status;
+  if (fs::exists(part / kInputs, status)) return part / kInputs;
+  const fs::path folder = FindOwner(part);
+  if (fs::exists(folder / kInputs, status)) return folder / kInputs;
+  for (const fs::path& above : {folder / "..", folder / ".." / ".."}) {
+    if (FindStoreKind(above) == &kCampaignStore) return above / kInputs;
+  }
+  return folder / kInputs;
+}
+
+/** The copy, or the name when there is none. */
+std::string ChooseInput(const std::string& name, const fs::path& copy) {
+  std::error_code status;
+  return fs::exists(copy, status) ? copy.string() : name;
+}
+
+void CopyFiles(const fs::path& from, const fs::path& to, const std::vector<std::string>& files) {
+  for (const std::string& file : files) {
+    const fs::path name = fs::path(file).lexically_normal();
+    if (name.is_absolute() || *name.begin() == "..") {
+      throw Error(ErrorKind::kUsage, "\"" + from.string() + "\" names \"" + file +
+                                         "\", which lies outside that folder, so that a session "
+                                         "cannot keep a copy; move it inside");
+    }
+    MakeFolder((to / name).parent_path());
+    WriteFile(to / name, ReadFile(from / name));
+  }
+}
+
+/** Texts that `pattern` finds in the file, each once. */
+std::vector<std::string> ListNamed(const fs::path& path, const std::regex& pattern) {
+  const std::string text = ReadFile(path);
+  std::vector<std::string> names;
+  for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) {
+    if (!IsOneOf((*match)[1], names)) names.push_back((*match)[1]);
+  }
+  return names;
+}
+
+/** Of the meshes that a hand.urdf names. */
+const std::regex& MeshPattern() {
+  static const std::regex pattern("filename\\s*=\\s*[\"']([^\"']+)[\"']");
+  return pattern;
+}
+
+void CopyHand(const fs::path& from, const fs::path& to) {
+  std::vector<std::string> files = {"hand.urdf", "hand.yaml"};
+  if (fs::is_regular_file(from / "tactile.yaml")) files.push_back("tactile.yaml");
+  for (const std::string& mesh : ListNamed(from / "hand.urdf", MeshPattern())) {
+    // A name in a comment may stand for nothing.
+    if (fs::is_regular_file(from / mesh)) files.push_back(mesh);
+  }
+  CopyFiles(from, to, files);
+}
+
+void CopyObject(const fs::path& from, const fs::path& to) {
+  std::vector<std::string> files = {"object.yaml", LoadObjectFile(from / "object.yaml").mesh};
+  if (fs::path(files[1]).extension() == ".gltf") {
+    const Json gltf = Json::try_parse(ReadFile(from / files[1]));
+    for (const Json& buffer : gltf.value("buffers", Json::array())) {
+      const std::string uri = buffer.value("uri", "");
+      if (!uri.empty() && uri.rfind("data:", 0) != 0) files.push_back(uri);
+    }
+  }
+  CopyFiles(from, to, files);
+}
 
 const std::vector<std::string> kAll = {"all"};
 
@@ -39,10 +146,6 @@ void ApplyApproach(const std::string& name, SessionInputs& inputs) {
     object = std::move(changed);
   }
 }
-
-}  // namespace
-
-namespace {
 
 /** All that decides what hands and objects are. */
 Json DescribeInputs(const SessionConfig& config) {
@@ -77,6 +180,83 @@ SessionInputs LoadBaseInputs(const SessionConfig& config, FieldUse field_use,
 }
 
 }  // namespace
+
+void GatherHand(const fs::path& from, const fs::path& to) {
+  std::string urdf = ReadFile(from / "hand.urdf");
+  const std::vector<std::string> meshes = ListNamed(from / "hand.urdf", MeshPattern());
+  std::vector<std::string> files = {"hand.yaml"}, taken = meshes;
+  if (fs::is_regular_file(from / "tactile.yaml")) files.push_back("tactile.yaml");
+  for (const std::string& mesh : meshes) {
+    if (!fs::is_regular_file(from / mesh)) continue;
+    const fs::path name = fs::path(mesh).lexically_normal();
+    if (!name.is_absolute() && *name.begin() != "..") {
+      files.push_back(mesh);
+      continue;
+    }
+    std::string own = "meshes/" + name.filename().string();
+    while (IsOneOf(own, taken)) own.insert(own.find('/') + 1, "other_");
+    taken.push_back(own);
+    MakeFolder(to / "meshes");
+    WriteFile(to / own, ReadFile(from / mesh));
+    for (size_t at = 0; (at = urdf.find(mesh, at)) != std::string::npos; at += own.size()) {
+      urdf.replace(at, mesh.size(), own);
+    }
+  }
+  MakeFolder(to);
+  WriteFile(to / "hand.urdf", urdf);
+  CopyFiles(from, to, files);
+}
+
+bool IsGraspFile(const std::string& name) {
+  constexpr std::string_view kEnding = ".yaml";
+  return name.size() > kEnding.size() &&
+         name.compare(name.size() - kEnding.size(), kEnding.size(), kEnding) == 0;
+}
+
+void CopyInputs(const SessionConfig& config, const fs::path& folder) {
+  const fs::path inputs = folder / kInputs;
+  std::vector<std::string> own = ListHands();
+  own.push_back("all");
+  for (const std::string& name : config.hands) {
+    if (!IsOneOf(name, own)) CopyHand(FindOriginal(name), FindCopy(inputs, "hands", name));
+  }
+  own = ListObjects();
+  own.push_back("all");
+  for (const std::string& name : config.objects) {
+    if (!IsOneOf(name, own)) CopyObject(FindOriginal(name), FindCopy(inputs, "objects", name));
+  }
+  for (size_t i = 0; i < config.grasps.size(); ++i) {
+    if (!IsGraspFile(config.grasps[i])) continue;
+    MakeFolder(inputs / "grasps");
+    WriteFile(inputs / "grasps" / (std::to_string(i) + ".yaml"), ReadFile(config.grasps[i]));
+  }
+  if (fs::exists(inputs)) SyncFileSystem(folder);  // once for thousands of files
+}
+
+std::string FindHandInput(const std::string& name, const fs::path& folder) {
+  if (folder.empty()) return name;
+  return ChooseInput(name, FindCopy(FindInputs(folder), "hands", name));
+}
+
+std::string FindObjectInput(const std::string& name, const fs::path& folder) {
+  if (folder.empty()) return name;
+  return ChooseInput(name, FindCopy(FindInputs(folder), "objects", name));
+}
+
+std::string FindGraspInput(const std::string& name, size_t number, const fs::path& folder) {
+  if (folder.empty()) return name;
+  return ChooseInput(name, FindInputs(folder) / "grasps" / (std::to_string(number) + ".yaml"));
+}
+
+std::vector<std::string> ListSceneGrasps(const std::string& id, const fs::path& folder) {
+  const fs::path campaign = FindOwner(folder) / "..";
+  std::vector<std::string> files;
+  if (folder.empty() || FindStoreKind(campaign) != &kCampaignStore) return files;
+  for (const std::string& name : ListMatches(campaign, {"scenes/*/" + id + ".yaml"})) {
+    files.push_back((campaign / name).string());
+  }
+  return files;
+}
 
 SessionInputs LoadSessionInputs(const SessionConfig& config, FieldUse field_use,
                                 const std::filesystem::path& folder) {

@@ -3,20 +3,52 @@
 The hands and objects of a session, loaded once and shared between threads. */
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
+#include <tuple>
 #include <vector>
 
+#include "core/grasp/predict_grasp.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/hand.h"
 #include "core/shape/grasp_object.h"
 #include "core/trial/trial_setup.h"
-#include "datasets/plan/fitted_grasps.h"
 #include "datasets/plan/session_config.h"
 #include "objects/catalogue.h"
 
 namespace graspbench {
+
+/** Grasps fitted to objects, each found once for a session and shared by threads.
+
+A standard grasp on one object. */
+struct FittedGrasp {
+  Grasp grasp;                 ///< as the hand does it there
+  GraspPrediction prediction;  ///< of it
+};
+
+class FittedGrasps {
+ public:
+  using Key = std::tuple<std::shared_ptr<const Hand>, std::shared_ptr<const GraspObject>,
+                         std::string>;  ///< with the grasp's id
+
+  /** What `make` gives for a new key; the reference stays valid. */
+  const FittedGrasp& Find(const Key& key, const std::function<FittedGrasp()>& make) {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (const auto found = fitted_.find(key); found != fitted_.end()) return found->second;
+    }
+    FittedGrasp made = make();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return fitted_.emplace(key, std::move(made)).first->second;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<Key, FittedGrasp> fitted_;
+};
 
 struct SessionHand {
   std::shared_ptr<const Hand> hand;
@@ -50,11 +82,48 @@ struct SessionInputs {
 /** Loads what the configuration names, with its `model` applied; "all" is every hand and object that
 comes with the program. A grasp whose name ends in ".yaml" is a file (core/grasp/grasp_file.h) and
 goes to its hand; the benchmark of a campaign has the grasps of the campaign's scenes, too.
-@param folder  of the session whose copies are taken (input_copies.h); empty: the originals.
+@param folder  of the session whose copies are taken; empty: the originals.
 @param field_use  kLater where thousands of objects must fit: whoever simulates one completes it
 (CompleteObject).
 @throws Error(kNotFound) with suggestions; Error(kFormat) when one of them cannot be used. */
 SessionInputs LoadSessionInputs(const SessionConfig& config, FieldUse field_use = FieldUse::kNow,
                                 const std::filesystem::path& folder = {});
+
+/** The user's own hands, objects and grasp files, copied into the folder of a session, an
+optimisation or a campaign when it is made:
+
+    inputs/hands/<id>/     hand.urdf, hand.yaml and the meshes that hand.urdf names
+    inputs/objects/<id>/   object.yaml, its mesh and the files that a .gltf names
+    inputs/grasps/<n>.yaml the n-th of the configuration's grasps, from 0
+
+What comes with the program is not copied. The copies are sealed with the store; whoever continues
+or reads it takes them, wherever it was moved to and whatever became of the originals. The scenes
+and the benchmark of a campaign have no copies of their own: theirs are the campaign's; nor do the
+experiments in a session's folder.
+
+True for a name that stands for a grasp file and not for a grasp's id. */
+bool IsGraspFile(const std::string& name);
+
+/** @pre LoadSessionInputs(config) has found them usable. @throws Error(kUsage) for a file that is
+named from outside its hand's or object's folder; Error(kIo). */
+void CopyInputs(const SessionConfig& config, const std::filesystem::path& folder);
+
+/** hand.urdf, hand.yaml and the meshes that hand.urdf names, into the folder `to`; meshes named
+from outside the folder are put into `meshes` and hand.urdf names them there: a hand of its own, not
+a copy to the byte. @throws Error(kIo). */
+void GatherHand(const std::filesystem::path& from, const std::filesystem::path& to);
+
+/** Where to load an input from: its copy in the store's folder, else the name itself.
+@param folder  empty: there is no store yet. */
+std::string FindHandInput(const std::string& name, const std::filesystem::path& folder);
+std::string FindObjectInput(const std::string& name, const std::filesystem::path& folder);
+/** @param number  in the configuration's list of grasps. */
+std::string FindGraspInput(const std::string& name, size_t number,
+                           const std::filesystem::path& folder);
+
+/** Files of the grasps of this id that the scenes of a campaign have found.
+@param folder  of the campaign's benchmark; none for any other. */
+std::vector<std::string> ListSceneGrasps(const std::string& id,
+                                         const std::filesystem::path& folder);
 
 }  // namespace graspbench

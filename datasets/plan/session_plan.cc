@@ -4,62 +4,20 @@
 #include <map>
 #include <set>
 
-#include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/base/hash.h"
-#include "core/base/random.h"
 #include "core/base/text/text.h"
-#include "core/hand/tactile.h"
 #include "core/physics/simbody/compliant_world.h"
-#include "core/trial/grip/grip_limit.h"
-#include "core/trial/positioning.h"
+#include "core/trial/grip/grip_statics.h"
+#include "core/trial/trial_setup.h"
 #include "datasets/plan/conditions.h"
-#include "datasets/plan/firm_grip.h"
 #include "datasets/plan/grasp_choice.h"
 #include "datasets/plan/grip_check.h"
+#include "datasets/plan/trial_id.h"
 
 namespace graspbench {
+
 namespace {
-
-Json ToJson(const HandCamera& camera) {
-  return {{"link", camera.link},     {"X_LK", JsonPose(camera.X_LK)},       {"width", camera.width},
-          {"height", camera.height}, {"focal_length", camera.focal_length}, {"k1", camera.k1},
-          {"k2", camera.k2}};
-}
-
-/** @param grasp  one, or the list of those of which the camera chooses.
-@pre a hand that looks has a camera, one that feels has a skin. */
-std::string CalcTrialId(const SessionConfig& config, const Hand& hand, const GraspObject& object,
-                        const Json& grasp, int trial) {
-  Json content = {{"physics", kPhysicsVersion},
-                  {"hand", {hand.id, hand.content_hash}},
-                  {"object", {object.id, object.content_hash}},
-                  {"grasp", grasp},
-                  {"variation", ConfigToJson(config.variation)},
-                  {"strategy", StrategyToJson(config.strategy)},
-                  {"sim", ConfigToJson(config.sim)},
-                  {"model", ConfigToJson(config.model)},
-                  {"seed", config.seed},
-                  {"trial", trial}};
-  // Only what differs from the default, so that the ids of all other trials stay as they were.
-  if (config.positioning != SessionConfig().positioning) {
-    content["positioning"] = config.positioning;
-  }
-  if (config.positioning == RowOf(kPositionings, Positioning::kCamera).name || grasp.is_array()) {
-    content["camera"] = ConfigToJson(config.camera);
-    content["mount"] = ToJson(*hand.camera);
-  }
-  if (config.touch != SessionConfig().touch) {
-    content["touch"] = config.touch;
-    content["sensors"] = ConfigToJson(config.sensors);
-    content["skin"] = hand.skin->content_hash;
-  }
-  if (config.draws != SessionConfig().draws) content["draws"] = config.draws;
-  if (!(config.imperfections == SessionConfig().imperfections)) {
-    content["imperfections"] = ConfigToJson(config.imperfections);
-  }
-  return CalcHashHex(FormatJson(content));
-}
 
 /** Names stand in tables, journals and file names; what cannot stand there is refused before
 anything is written. */
@@ -149,51 +107,6 @@ void CheckSkinsExist(const SessionConfig& config, const SessionInputs& inputs) {
 /** A stream's name made of parts that may hold any character. */
 std::string JoinNames(const Json& parts) { return FormatJson(parts); }
 
-}  // namespace
-
-bool operator==(const PlannedTrial& a, const PlannedTrial& b) {
-  return a.id == b.id && a.hand == b.hand && a.object == b.object && a.grasp == b.grasp &&
-         a.trial == b.trial && a.condition == b.condition;
-}
-
-std::string DescribeTrial(const PlannedTrial& planned) {
-  return planned.hand + ", " + planned.object + ", " + planned.grasp + ", number " +
-         std::to_string(planned.trial) + (planned.condition ? ", under " + *planned.condition : "");
-}
-
-std::string NameDraw(PlannedTrial planned, bool is_any_grasp) {
-  planned.condition.reset();
-  if (is_any_grasp) planned.grasp.clear();
-  return DescribeTrial(planned);
-}
-
-Json ToJson(const Grasp& grasp) {
-  Json json{{"id", grasp.id},
-            {"type", static_cast<int>(grasp.type)},
-            {"approach_distance_m", grasp.approach_distance},
-            {"alpha_rad", grasp.alpha},
-            {"tilt_rad", grasp.tilt},
-            {"q_pre_rad", JsonAngles(grasp.q_pre)},
-            {"q_target_rad", JsonAngles(grasp.q_target)},
-            {"digits", grasp.digits},
-            {"palm_may_touch", grasp.palm_may_touch}};
-  // Only what differs from the default, so that the ids of all other trials stay as they were.
-  if (grasp.palm_gap != kPalmGap) json["palm_gap_m"] = grasp.palm_gap;
-  if (grasp.approach != Approach::kAutomatic) {
-    json["approach"] = RowOf(kApproaches, grasp.approach).name;
-  }
-  for (const auto& [digit, schedule] : grasp.closing) {
-    json["closing"][digit] = {schedule.delay, schedule.speed};
-  }
-  if (grasp.placement) {
-    json["X_WH"] = JsonPose(grasp.placement->X_WH);
-    json["approach_W"] = JsonVector(grasp.placement->approach_W);
-  }
-  return json;
-}
-
-namespace {
-
 /** Conditions that differ in what happens to one set-up only: tried trial by trial. */
 struct ConditionBlock {
   const SessionConfig* config;
@@ -273,7 +186,79 @@ void CheckIdsDiffer(const std::vector<PlannedTrial>& plan) {
   }
 }
 
+TrialDraw DrawObject(const VariationConfig& variation, RandomStream pose) {
+  TrialDraw draw;
+  draw.offset_x = pose.NextUniform(-variation.offset, variation.offset);
+  draw.offset_y = pose.NextUniform(-variation.offset, variation.offset);
+  draw.offset_yaw = pose.NextUniform(-variation.yaw, variation.yaw);
+  return draw;
+}
+
+RandomStream MakePoseStream(const SessionConfig& config, const std::string& object, int trial) {
+  return RandomStream(JoinNames({config.seed, object, trial}), "object pose");
+}
+
+/** The digits of `index` in the base, mirrored at the point: in [0, 1). */
+double CalcHalton(int index, int base) {
+  double value = 0.0, digit = 1.0;
+  for (; index > 0; index /= base) {
+    digit /= base;
+    value += digit * (index % base);
+  }
+  return value;
+}
+
+/** The offset of this number in the box of the variation: none for 0, then the Halton sequence. */
+TrialDraw MakeHaltonDraw(const VariationConfig& box, int index) {
+  if (index == 0) return {};
+  return {box.offset * (2.0 * CalcHalton(index, 2) - 1.0),
+          box.offset * (2.0 * CalcHalton(index, 3) - 1.0),
+          box.yaw * (2.0 * CalcHalton(index, 5) - 1.0),
+          {}};
+}
+
 }  // namespace
+
+bool operator==(const PlannedTrial& a, const PlannedTrial& b) {
+  return a.id == b.id && a.hand == b.hand && a.object == b.object && a.grasp == b.grasp &&
+         a.trial == b.trial && a.condition == b.condition;
+}
+
+std::string DescribeTrial(const PlannedTrial& planned) {
+  return planned.hand + ", " + planned.object + ", " + planned.grasp + ", number " +
+         std::to_string(planned.trial) + (planned.condition ? ", under " + *planned.condition : "");
+}
+
+std::string NameDraw(PlannedTrial planned, bool is_any_grasp) {
+  planned.condition.reset();
+  if (is_any_grasp) planned.grasp.clear();
+  return DescribeTrial(planned);
+}
+
+Json ToJson(const Grasp& grasp) {
+  Json json{{"id", grasp.id},
+            {"type", static_cast<int>(grasp.type)},
+            {"approach_distance_m", grasp.approach_distance},
+            {"alpha_rad", grasp.alpha},
+            {"tilt_rad", grasp.tilt},
+            {"q_pre_rad", JsonAngles(grasp.q_pre)},
+            {"q_target_rad", JsonAngles(grasp.q_target)},
+            {"digits", grasp.digits},
+            {"palm_may_touch", grasp.palm_may_touch}};
+  // Only what differs from the default, so that the ids of all other trials stay as they were.
+  if (grasp.palm_gap != kPalmGap) json["palm_gap_m"] = grasp.palm_gap;
+  if (grasp.approach != Approach::kAutomatic) {
+    json["approach"] = RowOf(kApproaches, grasp.approach).name;
+  }
+  for (const auto& [digit, schedule] : grasp.closing) {
+    json["closing"][digit] = {schedule.delay, schedule.speed};
+  }
+  if (grasp.placement) {
+    json["X_WH"] = JsonPose(grasp.placement->X_WH);
+    json["approach_W"] = JsonVector(grasp.placement->approach_W);
+  }
+  return json;
+}
 
 std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInputs& inputs) {
   CheckSessionConfig(config);
@@ -317,22 +302,6 @@ std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInp
   return plan;
 }
 
-namespace {
-
-TrialDraw DrawObject(const VariationConfig& variation, RandomStream pose) {
-  TrialDraw draw;
-  draw.offset_x = pose.NextUniform(-variation.offset, variation.offset);
-  draw.offset_y = pose.NextUniform(-variation.offset, variation.offset);
-  draw.offset_yaw = pose.NextUniform(-variation.yaw, variation.yaw);
-  return draw;
-}
-
-RandomStream MakePoseStream(const SessionConfig& config, const std::string& object, int trial) {
-  return RandomStream(JoinNames({config.seed, object, trial}), "object pose");
-}
-
-}  // namespace
-
 TrialDraw DrawVariation(const VariationConfig& variation, const Hand& hand, RandomStream pose,
                         RandomStream error) {
   TrialDraw draw = DrawObject(variation, pose);
@@ -345,29 +314,6 @@ TrialDraw DrawVariation(const VariationConfig& variation, const Hand& hand, Rand
   }
   return draw;
 }
-
-namespace {
-
-/** The digits of `index` in the base, mirrored at the point: in [0, 1). */
-double CalcHalton(int index, int base) {
-  double value = 0.0, digit = 1.0;
-  for (; index > 0; index /= base) {
-    digit /= base;
-    value += digit * (index % base);
-  }
-  return value;
-}
-
-/** The offset of this number in the box of the variation: none for 0, then the Halton sequence. */
-TrialDraw MakeHaltonDraw(const VariationConfig& box, int index) {
-  if (index == 0) return {};
-  return {box.offset * (2.0 * CalcHalton(index, 2) - 1.0),
-          box.offset * (2.0 * CalcHalton(index, 3) - 1.0),
-          box.yaw * (2.0 * CalcHalton(index, 5) - 1.0),
-          {}};
-}
-
-}  // namespace
 
 TrialDraw MakeTrialDraw(const SessionConfig& config, const Hand& hand, const GraspObject& object,
                         int trial) {

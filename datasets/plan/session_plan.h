@@ -58,13 +58,13 @@ the grasps
 
 - "best": the object's best grasp for that hand; where it names none (a user's hand) or one that the
   hand cannot do, of the object's grasp_order that of the highest rank by prediction, the first of
-  equal ones (GraspRank of grasp_choice.h); else the hand's first. Conditions use the one that the
-  base chooses, so that every draw has a pair; how the hand does it on the object (FindFitted) each
-  finds with its own settings, as a session of its own would;
+  equal ones (grasp_choice.h); else the hand's first. Conditions use the one that the base chooses,
+  so that every draw has a pair; how the hand does it on the object (FindFitted) each finds with its
+  own settings, as a session of its own would;
 - "all": all that the hand can do;
 - ids and grasp files, "best" among them: those that the hand can do on the object;
 - "by-sight", which may be among ids: what the hand's camera chooses in the trial
-  (core/trial/grasp_by_sight.h).
+  (core/trial/trial_runner.h).
 
 @throws Error(kRange) for a bad configuration; Error(kUsage) for two hands or objects of one name,
 for a hand that cannot choose by sight or when nothing is left to do; Error(kNotFound) for a grasp

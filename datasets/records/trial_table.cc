@@ -4,9 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include "core/trial/judge/verdicts.h"
-#include "core/trial/measures/palm_contact.h"
-#include "core/trial/measures/seat.h"
+#include "core/trial/judge/judge.h"
+#include "core/trial/measures/object_in_hand.h"
 #include "datasets/plan/conditions.h"
 #include "datasets/plan/grasp_choice.h"
 
@@ -41,7 +40,7 @@ std::string FindWeakestForce(const Judgement& judgement) {
 
 std::string ListFailureCauses() {
   std::string text;
-  for (const FailureCauseRow& row : kFailureCauses) {
+  for (const NamedValue<FailureCause>& row : kFailureCauses) {
     text += (text.empty() ? "" : ", ") + std::string(row.name);
   }
   return text;

@@ -6,7 +6,7 @@ data dictionary and the SQLite index are made. */
 #include <vector>
 
 #include "core/base/text/csv.h"
-#include "core/quality/quality_convention.h"
+#include "core/quality/grasp_quality.h"
 #include "datasets/records/trial_record.h"
 
 namespace graspbench {

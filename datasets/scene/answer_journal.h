@@ -4,7 +4,7 @@ The journal of a search, which is deterministic: the same answers lead to the sa
 is resumed by asking again from the start and answering from the journal what is there, and a
 resumed journal has the same bytes as one that was never interrupted. A line is good when its
 checksum is right, whatever the lines before it are: `request` says which question it answers, and
-`search` in which journal it was written (foreign_lines.h). What a crash has left of a line at the
+`search` in which journal it was written (read_journal.h). What a crash has left of a line at the
 end is cut off when the journal is opened for writing. */
 
 #include <algorithm>
@@ -14,9 +14,9 @@ end is cut off when the journal is opened for writing. */
 #include <utility>
 #include <vector>
 
-#include "core/base/diagnostics.h"
+#include "core/base/error.h"
+#include "core/optimise/grasp_optimiser.h"
 #include "datasets/journal/append_file.h"
-#include "datasets/journal/foreign_lines.h"
 #include "datasets/journal/read_journal.h"
 
 namespace graspbench {
@@ -28,10 +28,7 @@ std::vector<Record> LoadAnswers(const std::filesystem::path& path, Diagnostics& 
                                 std::vector<Damage>& damage) {
   std::vector<Record> records;
   if (!std::filesystem::exists(path)) return records;
-  const auto take = [&](const FileLine& line) {
-    records.push_back(Record::Parse(line.text));
-    if (records.back().request < 0) records.back().request = line.number - 1;
-  };
+  const auto take = [&](const FileLine& line) { records.push_back(Record::Parse(line.text)); };
   ReadJournal(path.parent_path(), path.filename().string(), take, findings, damage);
   std::stable_sort(records.begin(), records.end(),
                    [](const Record& a, const Record& b) { return a.request < b.request; });
@@ -119,5 +116,26 @@ class AnswerJournal {
   std::vector<Record> stored_;
   int num_asked_ = 0;
 };
+
+/** Everything that an optimisation asked of the simulation, one line a request, in the order of
+asking.
+
+    {"request":57,"stage":"search","number":41,"generation":3,"parents":[12,8],"genome_rad":[..],
+     "steps_rad":[..],"fitness":3.2,"trials":[{"trial_id":"..","draw":0,"sigma":3.2,..}],
+     "search":"..","xxh64":".."} */
+struct EvaluationRecord {
+  int request = 0;  ///< index of the question, from 0
+  LearningStage stage = LearningStage::kStandard;
+  Individual individual;  ///< of the stages that have one; `fitness` is that of the trials
+  std::vector<std::string> trial_ids;
+  std::vector<LearningTrial> trials;
+  std::optional<std::string> search = {};
+
+  static std::string Format(const EvaluationRecord& record);
+  /** @throws Error(kFormat). */
+  static EvaluationRecord Parse(std::string_view line);
+};
+
+using EvaluationJournal = AnswerJournal<EvaluationRecord>;
 
 }  // namespace graspbench

@@ -43,11 +43,8 @@ void CreateDevelopment(const fs::path& folder, const DevelopmentConfig& config) 
 }
 
 void CheckSameDevelopment(const fs::path& folder, const DevelopmentConfig& config) {
-  Diagnostics problems;
-  const auto there =
-      ConfigFromJson<DevelopmentConfig>(LoadFrozen(kDevelopmentStore, folder).config,
-                                        (folder / kDevelopmentStore.file).string(), problems);
-  problems.ThrowIfErrors(ErrorKind::kFormat, "the frozen configuration cannot be read");
+  const auto there = ParseFrozen<DevelopmentConfig>(kDevelopmentStore, folder,
+                                                    LoadFrozen(kDevelopmentStore, folder).config);
   const std::string text = ListDifferences(FindConfigDifferences(there, config));
   if (text.empty()) return;
   throw Error(ErrorKind::kUsage, "\"" + folder.string() +

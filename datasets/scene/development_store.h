@@ -32,8 +32,8 @@ struct DevelopmentConfig : TrialConditions {
 
   template <class V>
   void Visit(V&& v) {
-    v("hand", hand);
-    v("hand_content", hand_content);
+    v("hand", hand, "id of the hand");
+    v("hand_content", hand_content, "hash of hand.urdf and hand.yaml");
     v("develop", develop);
     TrialConditions::Visit(v);
   }

@@ -8,15 +8,21 @@
 #include "core/base/hash.h"
 #include "core/base/text/csv.h"
 #include "core/grasp/grasp_file.h"
-#include "core/optimise/headroom.h"
-#include "datasets/journal/json_fault.h"
+#include "core/optimise/learning_trial.h"
+#include "core/trial/judge/judgement.h"
+#include "datasets/journal/checked_line.h"
 #include "datasets/plan/frozen_folder.h"
+#include "datasets/plan/grip_check.h"
 #include "datasets/plan/session_plan.h"
 
 namespace graspbench {
+
 namespace fs = std::filesystem;
 
 namespace {
+
+/** Length of the hold from which a search takes its fitness [s]. */
+constexpr double kFitnessHoldTime = 0.5;
 
 constexpr char kResult[] = "result.json";
 
@@ -131,36 +137,60 @@ Json MakeTargetJson(const TargetStep& step, const std::string& space) {
   return json;
 }
 
-/** One row an individual. */
-std::string FormatIndividuals(const TargetStep& step) {
-  std::vector<Json> heading = {"number", "generation", "parents", "fitness", "best_fitness"};
-  for (const char* part : {"", "_step"}) {
-    for (const GraspCoordinate& coordinate : step.coordinates) {
-      heading.push_back(coordinate.name + part + "_" + coordinate.unit);
-    }
+struct IndividualRow {
+  const TargetStep* step;
+  const Individual* individual;
+  double best;  ///< fitness so far
+
+  bool is_simulated() const {
+    return std::binary_search(step->simulated.begin(), step->simulated.end(), individual->number);
   }
-  std::string csv = FormatCsvLine(heading);
+};
+
+std::vector<CsvColumn<IndividualRow>> ListIndividualColumns(
+    const std::vector<GraspCoordinate>& coordinates) {
+  using Row = IndividualRow;
+  std::vector<CsvColumn<Row>> columns = {
+      {"number", "", "in the order of their making, from 0, the start",
+       [](const Row& row) { return row.individual->number; }},
+      {"generation", "", "of the search; 0: the start",
+       [](const Row& row) { return row.individual->generation; }},
+      {"parents", "", "their numbers; empty where the method has none",
+       [](const Row& row) {
+         std::string parents;
+         for (const int parent : row.individual->parents) {
+           parents += (parents.empty() ? "" : " ") + std::to_string(parent);
+         }
+         return parents;
+       }},
+      {"fitness", "number", "", "larger is better; empty: not simulated",
+       [](const Row& row) { return row.is_simulated() ? Json(row.individual->fitness) : Json(); }},
+      {"best_fitness", "number", "", "largest so far",
+       [](const Row& row) { return Json(row.best); }}};
+  const auto add = [&](const char* part, const char* meaning, Eigen::VectorXd Individual::*values) {
+    for (size_t i = 0; i < coordinates.size(); ++i) {
+      const GraspCoordinate& each = coordinates[i];
+      columns.push_back(
+          {each.name + part + "_" + each.unit, "number", each.unit, meaning + each.name,
+           [values, per_radian = each.per_radian, i](const Row& row) {
+             const Eigen::VectorXd& all = row.individual->*values;
+             return all.size() > 0 ? Json(per_radian * all[static_cast<Eigen::Index>(i)]) : Json();
+           }});
+    }
+  };
+  add("", "value of ", &Individual::genome);
+  add("_step", "self-adapted standard deviation of ", &Individual::steps);
+  return columns;
+}
+
+std::string FormatIndividuals(const TargetStep& step) {
+  std::vector<IndividualRow> rows;
   double best = step.search.individuals.front().fitness;
   for (const Individual& individual : step.search.individuals) {
     best = std::max(best, individual.fitness);
-    std::string parents;
-    for (const int parent : individual.parents) {
-      parents += (parents.empty() ? "" : " ") + std::to_string(parent);
-    }
-    const bool is_simulated =
-        std::binary_search(step.simulated.begin(), step.simulated.end(), individual.number);
-    std::vector<Json> cells = {individual.number, individual.generation, parents,
-                               is_simulated ? Json(individual.fitness) : Json(), best};
-    for (const Eigen::VectorXd* values : {&individual.genome, &individual.steps}) {
-      for (size_t i = 0; i < step.coordinates.size(); ++i) {
-        cells.push_back(values->size() > 0 ? Json(step.coordinates[i].per_radian *
-                                                  (*values)[static_cast<Eigen::Index>(i)])
-                                           : Json());
-      }
-    }
-    csv += FormatCsvLine(cells);
+    rows.push_back({&step, &individual, best});
   }
-  return csv;
+  return FormatCsv(ListIndividualColumns(step.coordinates), rows);
 }
 
 /** Trials of what a step kept, which did not choose it. */
@@ -168,17 +198,99 @@ const std::vector<LearningTrial>& ListTold(const GraspCheck& check) {
   return check.is_taken() ? check.after : check.before;
 }
 
-SceneConfig ParseSceneConfig(const fs::path& folder, OnDamage on_damage = OnDamage::kRefuse) {
-  Json frozen = LoadFrozen(kSceneStore, folder, on_damage).config;
-  CompleteOptimiseConfig(frozen);
-  Diagnostics problems;
-  const auto config =
-      ConfigFromJson<SceneConfig>(frozen, (folder / kSceneStore.file).string(), problems);
-  problems.ThrowIfErrors(ErrorKind::kFormat, "the frozen configuration cannot be read");
-  return config;
+SceneConfig LoadSceneConfig(const fs::path& folder, OnDamage on_damage = OnDamage::kRefuse) {
+  return ParseFrozen<SceneConfig>(kSceneStore, folder,
+                                  LoadFrozen(kSceneStore, folder, on_damage).config);
 }
 
 }  // namespace
+
+std::vector<ConfigProblem> Validate(const OptimiseConfig& config) {
+  std::vector<ConfigProblem> problems;
+  const auto check_range = [&](const char* key, int value, int low, int high) {
+    if (value >= low && value <= high) return;
+    problems.push_back({key, std::to_string(value) + " is out of range; expected " +
+                                 std::to_string(low) + " to " + std::to_string(high)});
+  };
+  check_range("evaluations", config.evaluations, 1, 1000000);
+  check_range("fitness_trials", config.fitness_trials, 1, 100);
+  check_range("choice_trials", config.choice_trials, 1, 500);
+  constexpr int kMostPairs = kPairsPerLook * kMostLooks;
+  check_range("check_pairs", config.check_pairs, kPairsPerLook, kMostPairs);
+  if (config.check_pairs % kPairsPerLook != 0) {
+    problems.push_back({"check_pairs", std::to_string(config.check_pairs) + " is no multiple of " +
+                                           std::to_string(kPairsPerLook) +
+                                           ", the pairs between two looks at them"});
+  }
+  check_range("seed", config.seed, 0, 2147483647);
+  const auto check_name = [&](const char* key, const std::string& name,
+                              const std::vector<std::string>& known) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) return;
+    problems.push_back({key, "\"" + name + "\" is not known" + SuggestNames(name, known)});
+  };
+  check_name("step", config.step, ListNames(kOptimiseSteps));
+  check_name("fitness", config.fitness, ListNames(kFitnessKinds));
+  check_name("grip", config.grip, ListNames(kGripBudgets));
+  const bool has_limit = config.grip == RowOf(kGripBudgets, GripBudget::kLimit).name;
+  if (has_limit != (config.grip_limit > 0.0)) {
+    problems.push_back({"grip_limit_n", has_limit ? "the grip \"limit\" needs one above 0 N"
+                                                  : "is only for the grip \"limit\""});
+  }
+  check_name("search", config.search, ListGraspSpaces());
+  check_name("method", config.method, ListSearchMethods());
+  return problems;
+}
+
+void CheckOptimiseConfig(const OptimiseConfig& config) {
+  std::string text;
+  for (const ConfigProblem& problem : Validate(config)) {
+    text += "\n" + problem.key + ": " + problem.text;
+  }
+  if (!text.empty()) throw Error(ErrorKind::kRange, "the optimisation cannot be run" + text);
+}
+
+TrialSetup MakeLearningSetup(const SceneConfig& config, const SceneInputs& inputs,
+                             const LearningRequest& request, int draw) {
+  const Hand& hand = *inputs.hand;
+  const int seed = config.optimise.seed;
+  TrialSetup setup;
+  setup.hand = inputs.hand;
+  setup.object = inputs.object;
+  setup.grasp = request.grasp;
+  setup.strategy = config.strategy;
+  if (!request.full_hold) {
+    setup.strategy.hold_time = std::min(setup.strategy.hold_time, kFitnessHoldTime);
+  }
+  setup.sim = config.sim;
+  setup.finds_strength = request.finds_strength;
+  if (draw == 0) {
+    setup.draw.joint_error = Eigen::VectorXd::Zero(hand.num_joints());
+    return setup;
+  }
+  setup.draw = DrawVariation(
+      config.variation, hand,
+      RandomStream(FormatJson({seed, inputs.object->id, draw}), "object pose of learning"),
+      RandomStream(FormatJson({seed, hand.id, inputs.object->id, draw}),
+                   "joint error of learning"));
+  return setup;
+}
+
+std::string CalcLearningTrialId(const SceneConfig& config, const SceneInputs& inputs,
+                                const LearningRequest& request, int draw) {
+  Json content = {{"physics", kPhysicsVersion},
+                  {"hand", {inputs.hand->id, inputs.hand->content_hash}},
+                  {"object", {inputs.object->id, inputs.object->content_hash}},
+                  {"grasp", ToJson(request.grasp)},
+                  {"variation", ConfigToJson(config.variation)},
+                  {"strategy", StrategyToJson(config.strategy)},
+                  {"full_hold", request.full_hold},
+                  {"sim", ConfigToJson(config.sim)},
+                  {"model", ConfigToJson(config.model)},
+                  {"seed", config.optimise.seed},
+                  {"learning_draw", draw}};
+  if (request.finds_strength) content["strength"] = kJudgeVersion;
+  return CalcHashHex(FormatJson(content));
+}
 
 bool HasScene(const fs::path& folder) { return HasFrozen(kSceneStore, folder); }
 
@@ -191,10 +303,7 @@ std::string CalcInputsHash(const SceneInputs& inputs) {
 }
 
 bool HasSceneResult(const fs::path& folder) {
-  if (!HasManifest(folder)) return false;
-  const Manifest manifest = LoadManifest(folder);
-  return std::any_of(manifest.files.begin(), manifest.files.end(),
-                     [](const ManifestFile& file) { return file.path == kResult; });
+  return HasManifest(folder) && LoadManifest(folder).Find(kResult);
 }
 
 bool IsSceneFinished(const fs::path& folder, const SceneInputs& inputs) {
@@ -204,7 +313,7 @@ bool IsSceneFinished(const fs::path& folder, const SceneInputs& inputs) {
 void CreateScene(const fs::path& folder, const SceneConfig& config) {
   if (HasScene(folder)) {
     const std::string text =
-        ListDifferences(FindConfigDifferences(ParseSceneConfig(folder), config));
+        ListDifferences(FindConfigDifferences(LoadSceneConfig(folder), config));
     if (text.empty()) return;
     throw Error(ErrorKind::kUsage, "\"" + folder.string() +
                                        "\" was started with other settings (there and now):" +
@@ -212,6 +321,10 @@ void CreateScene(const fs::path& folder, const SceneConfig& config) {
   }
   MakeFolder(folder);
   WriteFrozen(kSceneStore, folder, ConfigToJson(config));
+}
+
+Json MakeIndividualSchema() {
+  return MakeTableSchema(ListIndividualColumns({{"COORDINATE", "rad"}}), "");
 }
 
 void WriteSceneResult(const fs::path& folder, const SceneConfig& config, const SceneInputs& inputs,
@@ -246,7 +359,7 @@ void WriteSceneResult(const fs::path& folder, const SceneConfig& config, const S
 
 SceneRecord LoadScene(const fs::path& folder, OnDamage on_damage) {
   SceneRecord scene;
-  scene.config = ParseSceneConfig(folder, on_damage);
+  scene.config = LoadSceneConfig(folder, on_damage);
   std::vector<Damage> damage;
   scene.evaluations =
       LoadAnswers<EvaluationRecord>(folder / "journal.jsonl", scene.findings, damage);

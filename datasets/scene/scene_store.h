@@ -15,14 +15,57 @@ All but scene.json and journal.jsonl is made from the journal; all of it has the
 any number of interruptions. */
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "core/optimise/grasp_optimiser.h"
+#include "core/trial/trial_setup.h"
 #include "datasets/journal/sealed_store.h"
-#include "datasets/scene/evaluation_journal.h"
-#include "datasets/scene/learning_plan.h"
+#include "datasets/plan/session_config.h"
+#include "datasets/scene/answer_journal.h"
 
 namespace graspbench {
+
+/** One scene of the optimisation, a hand, an object and the standard grasp to improve: its settings,
+its trials' ids and draws.
+
+Frozen in scene.json; the variation is that of the drawn learning trials. */
+struct SceneConfig : TrialConditions {
+  std::string hand;
+  std::string object;
+  std::string grasp;  ///< id of the standard grasp
+  OptimiseConfig optimise;
+
+  template <class V>
+  void Visit(V&& v) {
+    v("hand", hand, "id of the hand");
+    v("object", object, "id of the object");
+    v("grasp", grasp, "id of the standard grasp that it begins at");
+    v("optimise", optimise);
+    TrialConditions::Visit(v);
+  }
+};
+
+struct SceneInputs {
+  std::shared_ptr<const Hand> hand;
+  std::shared_ptr<const GraspObject> object;
+  Grasp grasp;
+};
+
+/** All problems of the values, as Validate(SessionConfig) reports them. */
+[[nodiscard]] std::vector<ConfigProblem> Validate(const OptimiseConfig& config);
+/** @throws Error(kRange) listing them. */
+void CheckOptimiseConfig(const OptimiseConfig& config);
+
+/** The draw of a number: 0 without variation, else from streams of (seed, object, number) and
+(seed, hand, object, number) that no benchmark trial uses. */
+TrialSetup MakeLearningSetup(const SceneConfig& config, const SceneInputs& inputs,
+                             const LearningRequest& request, int draw);
+
+/** Hash of all that decides the trial's result, as PlannedTrial::id. */
+std::string CalcLearningTrialId(const SceneConfig& config, const SceneInputs& inputs,
+                                const LearningRequest& request, int draw);
 
 /** Creates the folder, or finds the same scene there.
 @throws Error(kUsage) listing the settings that differ; kVersion; kFormat; kIo. */
@@ -39,6 +82,9 @@ bool IsSceneFinished(const std::filesystem::path& folder, const SceneInputs& inp
 /** Writes everything but scene.json and journal.jsonl, and seals it. */
 void WriteSceneResult(const std::filesystem::path& folder, const SceneConfig& config,
                       const SceneInputs& inputs, const OptimisedGrasp& optimised);
+
+/** The data dictionary of individuals.csv, with COORDINATE for each coordinate of the search. */
+Json MakeIndividualSchema();
 
 struct SceneRecord {
   SceneConfig config;

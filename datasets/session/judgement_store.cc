@@ -6,9 +6,8 @@
 
 #include "core/base/files/files.h"
 #include "datasets/journal/checked_line.h"
-#include "datasets/journal/journal_files.h"
 #include "datasets/journal/read_journal.h"
-#include "datasets/records/judgement_line.h"
+#include "datasets/records/trial_record.h"
 
 namespace graspbench {
 namespace {
@@ -43,7 +42,8 @@ class Joiner {
     }
     if (found == places_.end()) {  // its record was set aside
       const std::string& file = session_.lines.files.at(static_cast<size_t>(place.file));
-      session_.findings.Warn(file, place.number, "skipped: " + DescribeUnfinished(id));
+      session_.findings.Warn(file, place.number,
+                             "skipped: trial " + id + " is not finished; it counts as not there");
       return true;
     }
     Judgement judgement;
@@ -123,10 +123,6 @@ void LoadJudgements(const std::filesystem::path& folder, Session& session) {
       "two machines or versions of the program have judged this session or a file was edited; "
       "graspbench merge DIR --set-aside FILE leaves out what one of these files holds and keeps it "
       "beside, then judge again");
-}
-
-std::string DescribeUnfinished(const std::string& trial_id) {
-  return "trial " + trial_id + " is not finished; it counts as not there";
 }
 
 bool HasBegunJudge(const std::filesystem::path& folder) {

@@ -13,7 +13,7 @@ has found counts as not judged. Equal duplicates are fine, unequal ones are an e
 #include <vector>
 
 #include "datasets/journal/append_file.h"
-#include "datasets/session/session.h"
+#include "datasets/session/session_store.h"
 
 namespace graspbench {
 
@@ -32,9 +32,6 @@ class JudgementWriter {
 findings, lines of trials that are not in the plan session.damage.
 @throws Error(kFormat) for unequal duplicates, Error(kIo). */
 void LoadJudgements(const std::filesystem::path& folder, Session& session);
-
-/** What becomes of a line about a trial that has no record. */
-std::string DescribeUnfinished(const std::string& trial_id);
 
 /** Whether somebody has begun to judge the session in the folder. */
 bool HasBegunJudge(const std::filesystem::path& folder);

@@ -5,12 +5,34 @@
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "core/base/text/json.h"
-#include "datasets/journal/json_fault.h"
-#include "datasets/journal/store_sources.h"
-#include "datasets/session/provenance.h"
+#include "core/base/version.h"
+#include "core/physics/sim_config.h"
+#include "core/trial/judge/judgement.h"
+#include "datasets/journal/checked_line.h"
 
 namespace graspbench {
+
 namespace fs = std::filesystem;
+
+ManifestOrigin MakeOrigin(const std::string& command) {
+  return {command,
+          {{"program", program_version()},
+           {"commit", program_commit()},
+           {"physics", kPhysicsVersion},
+           {"judge", kJudgeVersion}},
+          {}};
+}
+
+ManifestOrigin MakeOutputOrigin(const std::filesystem::path& folder, const std::string& command,
+                                const std::vector<std::string>& only) {
+  ManifestOrigin origin = MakeOrigin(command);
+  const StoreKind* kind = FindStoreKind(folder);
+  if (!kind) return origin;
+  for (const ManifestSource& source : ListSources(*kind, folder, only)) {
+    origin.inputs.push_back({"../" + source.path, source.sha256});
+  }
+  return origin;
+}
 
 namespace {
 
@@ -45,12 +67,12 @@ Json LoadRuns(const fs::path& folder) {
 
 /** Several journals are one collection, by their content. */
 Json MakeRecords(const fs::path& folder) {
-  return {{"@id", "journal/"},
-          {"@type", "Dataset"},
-          {"name", "records of the finished trials"},
-          {"description",
-           "one JSON line a trial; identifier: SHA-256 of the lines, see store_sources.h"},
-          {"identifier", CalcJournalSha256(folder, "journal/*.jsonl")}};
+  return {
+      {"@id", "journal/"},
+      {"@type", "Dataset"},
+      {"name", "records of the finished trials"},
+      {"description", "one JSON line a trial; identifier: SHA-256 of the lines, see manifest.h"},
+      {"identifier", CalcJournalSha256(folder, "journal/*.jsonl")}};
 }
 
 /** What runs a session with conditions, and one without. */

@@ -9,11 +9,25 @@ not the same for the same session. Of a host it says nothing. */
 
 #include <filesystem>
 #include <string>
+#include <vector>
+
+#include "datasets/journal/manifest.h"
 
 namespace graspbench {
 
 /** @pre the session was exported. @throws Error(kNotFound) without run.json or its export;
 Error(kFormat) when one of them is damaged; Error(kIo). */
 std::string FormatRoCrate(const std::filesystem::path& folder);
+
+/** Which program has made something, and from what.
+
+This program: version, commit, versions of physics and judge. */
+ManifestOrigin MakeOrigin(const std::string& command);
+
+/** Of an output of the store in `folder`, made by a command that can be given again there, as
+"graspbench export .". @param only  of the store's sources (manifest.h); empty: all.
+@throws Error(kIo). */
+ManifestOrigin MakeOutputOrigin(const std::filesystem::path& folder, const std::string& command,
+                                const std::vector<std::string>& only = {});
 
 }  // namespace graspbench

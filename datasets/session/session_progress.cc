@@ -4,11 +4,8 @@
 
 #include <algorithm>
 #include <ctime>
-#include <map>
-#include <set>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
@@ -16,7 +13,6 @@
 #include "datasets/plan/frozen_folder.h"
 #include "datasets/session/judgement_store.h"
 #include "datasets/session/session_store.h"
-#include "datasets/shards/worker_log.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

@@ -1,19 +1,23 @@
 #include "datasets/session/session_store.h"
 
 #include <algorithm>
+#include <exception>
+#include <map>
+#include <set>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 
 #include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "datasets/journal/checked_line.h"
-#include "datasets/journal/read_journal.h"
 #include "datasets/plan/frozen_folder.h"
 #include "datasets/session/judgement_store.h"
 #include "datasets/shards/worker_log.h"
 
 namespace graspbench {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -154,26 +158,6 @@ class Merger {
   Diagnostics conflicts_;
 };
 
-}  // namespace
-
-bool HasSession(const fs::path& folder) { return HasFrozen(kSessionStore, folder); }
-
-void CreateSession(const fs::path& folder, const SessionConfig& config,
-                   const std::vector<PlannedTrial>& plan) {
-  if (HasSession(folder)) {
-    throw Error(ErrorKind::kUsage, "\"" + folder.string() +
-                                       "\" already holds a session; continue it with --resume or "
-                                       "choose another folder with --out");
-  }
-  std::string lines;
-  for (const PlannedTrial& planned : plan) lines += FormatJson(ToJson(planned)) + "\n";
-  MakeFolder(folder / "journal");
-  WriteFileAtomically(folder / "plan.jsonl", lines);
-  WriteFrozen(kSessionStore, folder, ToJson(config));
-}
-
-namespace {
-
 /** @param num_known  of the damages, which its hashes have shown. */
 void RefuseForeign(const Session& session, size_t num_known, OnDamage on_damage) {
   RefuseDamage(
@@ -206,7 +190,88 @@ Session LoadFiles(const fs::path& folder, OnDamage on_damage, RecordParts parts,
   return session;
 }
 
+/** The first condition in which they differ, there and now; empty: in none. */
+std::string DescribeConditions(const std::vector<Condition>& there,
+                               const std::vector<Condition>& now) {
+  const auto describe = [](const std::vector<Condition>& conditions, size_t i) {
+    return i < conditions.size() ? conditions[i].name : "none";
+  };
+  for (size_t i = 0; i < std::max(there.size(), now.size()); ++i) {
+    if (describe(there, i) == describe(now, i)) continue;
+    return "\n  condition " + std::to_string(i + 1) + ": " + describe(there, i) + " and " +
+           describe(now, i);
+  }
+  return "";
+}
+
 }  // namespace
+
+TrialRecord LoadWhole(const Session& session, const TrialRecord& record) {
+  const RecordLines& lines = session.lines;
+  if (lines.trials.empty()) return record;
+  const auto index = static_cast<size_t>(&record - session.records.data());
+  GRASPBENCH_DEMAND(index < session.records.size(), record.plan.id);
+  LinePlace place = lines.trials[index];
+  try {
+    TrialRecord whole = ParseJournalLine(ReadLine(lines, place));
+    if (!(whole.plan == record.plan)) throw Error(ErrorKind::kFormat, "it is another trial's");
+    place = lines.judgements[index];
+    if (place.file >= 0) whole.judgement = ParseJudgementLine(ReadLine(lines, place));
+    return whole;
+  } catch (const Error& e) {
+    if (e.kind() != ErrorKind::kFormat) throw;
+    throw Error(ErrorKind::kFormat, NameOfLine(lines, place) +
+                                        " has changed since the session was loaded: " + e.what() +
+                                        "; let nobody else write there and start again");
+  }
+}
+
+std::string DescribeForeign(const std::string& trial_id) {
+  return "trial " + trial_id + " is not in the plan: the line is another session's";
+}
+
+std::vector<TrialRecord> ReadDamagedRecords(const Session& session) {
+  std::set<std::pair<std::string, int>> damaged;  // file and line
+  for (const Damage& damage : session.damage) {
+    if (damage.line > 0 && IsMatch(damage.path, {"journal/*.jsonl"})) {
+      damaged.emplace(damage.path, damage.line);
+    }
+  }
+  std::map<std::string, TrialRecord> found;
+  for (const auto& [file, number] : damaged) {
+    ForEachLineOfFile(session.folder / file, [&, wanted = number](const FileLine& line) {
+      if (line.number != wanted || IsCheckedLine(line.text)) return;
+      try {
+        const Json json = Json::parse(line.text);
+        TrialRecord record = {PlannedTrialFromJson(json), TrialResultFromJson(json.at("result"))};
+        found.emplace(record.plan.id, std::move(record));
+      } catch (const std::exception&) {  // it is no record any more
+      }
+    });
+  }
+  std::vector<TrialRecord> records;
+  for (const PlannedTrial& planned : FindUnfinished(session)) {
+    const auto record = found.find(planned.id);
+    if (record != found.end()) records.push_back(std::move(record->second));
+  }
+  return records;
+}
+
+bool HasSession(const fs::path& folder) { return HasFrozen(kSessionStore, folder); }
+
+void CreateSession(const fs::path& folder, const SessionConfig& config,
+                   const std::vector<PlannedTrial>& plan) {
+  if (HasSession(folder)) {
+    throw Error(ErrorKind::kUsage, "\"" + folder.string() +
+                                       "\" already holds a session; continue it with --resume or "
+                                       "choose another folder with --out");
+  }
+  std::string lines;
+  for (const PlannedTrial& planned : plan) lines += FormatJson(ToJson(planned)) + "\n";
+  MakeFolder(folder / "journal");
+  WriteFileAtomically(folder / "plan.jsonl", lines);
+  WriteFrozen(kSessionStore, folder, ToJson(config));
+}
 
 Session LoadSession(const fs::path& folder, OnDamage on_damage, RecordParts parts) {
   Session session = LoadFiles(folder, on_damage, parts, {});
@@ -253,24 +318,6 @@ std::vector<PlannedTrial> FindUnfinished(const Session& session) {
   }
   return unfinished;
 }
-
-namespace {
-
-/** The first condition in which they differ, there and now; empty: in none. */
-std::string DescribeConditions(const std::vector<Condition>& there,
-                               const std::vector<Condition>& now) {
-  const auto describe = [](const std::vector<Condition>& conditions, size_t i) {
-    return i < conditions.size() ? conditions[i].name : "none";
-  };
-  for (size_t i = 0; i < std::max(there.size(), now.size()); ++i) {
-    if (describe(there, i) == describe(now, i)) continue;
-    return "\n  condition " + std::to_string(i + 1) + ": " + describe(there, i) + " and " +
-           describe(now, i);
-  }
-  return "";
-}
-
-}  // namespace
 
 void CheckSameSession(const Session& session, const SessionConfig& config,
                       const std::vector<PlannedTrial>& plan) {

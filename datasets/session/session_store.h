@@ -6,7 +6,7 @@ A session's folder:
                           folder a session
     manifest.json         hashes of all that must not change and of what was committed (manifest.h)
     plan.jsonl            one planned trial a line
-    inputs/               the user's own hands, objects and grasps, see input_copies.h
+    inputs/               the user's own hands, objects and grasps, see session_inputs.h
     journal/<n>.jsonl     append-only, one file per worker; a line = record + checksum, synced
     judge/<n>.jsonl       what `graspbench judge` found, see judgement_store.h
     sensitivity/<hash>/   sessions of the same draws under conditions (datasets/plan/conditions.h),
@@ -44,13 +44,61 @@ for (const TrialRecord& record : session.records) {
 #include <string>
 #include <vector>
 
+#include "core/base/error.h"
 #include "datasets/journal/append_file.h"
-#include "datasets/journal/journal_files.h"
+#include "datasets/journal/read_journal.h"
 #include "datasets/journal/sealed_store.h"
+#include "datasets/plan/session_config.h"
+#include "datasets/plan/session_plan.h"
 #include "datasets/records/journal_index.h"
-#include "datasets/session/session.h"
+#include "datasets/records/trial_record.h"
 
 namespace graspbench {
+
+/** How much of every record is held in memory: 7 kB of journal are 5 kB whole and 1 kB brief. */
+enum class RecordParts {
+  kWhole,
+  /** Without what only exports, pictures and single trials need: postures at the touches, phases,
+  contact events, snapshots, the loads of a judgement. LoadWhole reads a record again. */
+  kBrief,
+  /** None of them, though all are read and checked: RecordLines says where each of the plan is. */
+  kPlaces
+};
+
+/** A session in memory, as LoadSession gives it. */
+struct Session {
+  std::filesystem::path folder;  ///< it was loaded from; empty: it stands in none
+  SessionConfig config;
+  int physics_version = 0;  ///< kPhysicsVersion of the program that planned it; 0: not said
+  std::vector<PlannedTrial> plan;
+  std::vector<TrialRecord> records;  ///< finished trials in the plan's order
+  RecordLines lines;                 ///< of brief records and of places; empty when they are whole
+  /** Warnings about journal lines that were skipped; files are named from the session's folder. */
+  Diagnostics findings;
+  std::vector<Damage> damage;  ///< found and accepted
+  /** Machines that did not agree on a sentinel trial or have run none, as sentences
+  (worker_log.h). */
+  std::vector<std::string> machine_differences = {};
+};
+
+/** The whole of one of session.records. Several threads may ask.
+@throws Error(kFormat, kIo) when its line is not what it was when the session was loaded. */
+TrialRecord LoadWhole(const Session& session, const TrialRecord& record);
+
+/** Calls `take(const TrialRecord&)` for the whole of every record, in their order. */
+template <class Take>
+void ForEachWhole(const Session& session, Take&& take) {
+  for (const TrialRecord& record : session.records) {
+    if (session.lines.trials.empty()) {
+      take(record);
+    } else {
+      take(LoadWhole(session, record));
+    }
+  }
+}
+
+/** What is wrong with a whole line of a trial that is not in the plan. */
+std::string DescribeForeign(const std::string& trial_id);
 
 /** True when the folder holds a session, of whatever version and state. */
 bool HasSession(const std::filesystem::path& folder);
@@ -111,5 +159,13 @@ bytes. @param with_records  also records.jsonl; where it is, it is always writte
 @throws Error(kIo). */
 void ExportSession(const std::filesystem::path& folder, const Session& session,
                    bool with_records = false, const std::vector<ExportTable>& more = {});
+
+/** What lines that fail their checksum still say. Its integrity cannot be verified: it is for a
+comparison with the trial run again, which names what has changed, and for nothing else.
+
+The records in the damaged lines of the session's journals whose trials are in the plan and have
+no whole line, in the plan's order. A line that is no record any more is left out.
+@pre the session was loaded in spite of its damage. @throws Error(kIo). */
+std::vector<TrialRecord> ReadDamagedRecords(const Session& session);
 
 }  // namespace graspbench

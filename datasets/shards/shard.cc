@@ -10,6 +10,7 @@
 #include "core/base/text/text.h"
 
 namespace graspbench {
+
 namespace {
 
 constexpr size_t kNumSentinels = 3;
@@ -48,6 +49,40 @@ int FindLargestHand(const std::vector<int>& cards, int num_shards) {
   std::vector<int> sizes(static_cast<size_t>(num_shards), 0);
   for (size_t i = 0; i < cards.size(); ++i) sizes[i % sizes.size()] += cards[i];
   return *std::max_element(sizes.begin(), sizes.end());
+}
+
+/** The first trial of every draw, in the plan's order. */
+std::vector<PlannedTrial> ListDraws(const std::vector<PlannedTrial>& plan) {
+  std::set<std::tuple<std::string, std::string, int>> known;
+  std::vector<PlannedTrial> draws;
+  for (const PlannedTrial& planned : plan) {
+    if (known.emplace(planned.hand, planned.object, planned.trial).second) draws.push_back(planned);
+  }
+  return draws;
+}
+
+/** @param unit  "trial": what the plan is of. */
+std::vector<PlannedTrial> Partition(const std::vector<PlannedTrial>& plan, const Shard& shard,
+                                    const std::string& unit) {
+  if (static_cast<size_t>(shard.count) > plan.size()) {
+    throw Error(ErrorKind::kUsage, FormatCount(shard.count, "shard") + " of " +
+                                       FormatCount(static_cast<int64_t>(plan.size()), unit) +
+                                       ": expected at most as many shards as " + unit + "s");
+  }
+  std::vector<int> group_sizes;
+  const PlannedTrial* last = nullptr;
+  for (const PlannedTrial& planned : plan) {
+    const bool is_same = last && last->hand == planned.hand && last->object == planned.object;
+    if (!is_same) group_sizes.push_back(0);
+    ++group_sizes.back();
+    last = &planned;
+  }
+  const std::vector<int> shards = DealGroups(group_sizes, shard.count);
+  std::vector<PlannedTrial> trials;
+  for (size_t i = 0; i < plan.size(); ++i) {
+    if (shards[i] == shard.number) trials.push_back(plan[i]);
+  }
+  return trials;
 }
 
 }  // namespace
@@ -99,44 +134,6 @@ std::vector<int> DealGroups(const std::vector<int>& group_sizes, int num_shards)
   }
   return shards;
 }
-
-namespace {
-
-/** The first trial of every draw, in the plan's order. */
-std::vector<PlannedTrial> ListDraws(const std::vector<PlannedTrial>& plan) {
-  std::set<std::tuple<std::string, std::string, int>> known;
-  std::vector<PlannedTrial> draws;
-  for (const PlannedTrial& planned : plan) {
-    if (known.emplace(planned.hand, planned.object, planned.trial).second) draws.push_back(planned);
-  }
-  return draws;
-}
-
-/** @param unit  "trial": what the plan is of. */
-std::vector<PlannedTrial> Partition(const std::vector<PlannedTrial>& plan, const Shard& shard,
-                                    const std::string& unit) {
-  if (static_cast<size_t>(shard.count) > plan.size()) {
-    throw Error(ErrorKind::kUsage, FormatCount(shard.count, "shard") + " of " +
-                                       FormatCount(static_cast<int64_t>(plan.size()), unit) +
-                                       ": expected at most as many shards as " + unit + "s");
-  }
-  std::vector<int> group_sizes;
-  const PlannedTrial* last = nullptr;
-  for (const PlannedTrial& planned : plan) {
-    const bool is_same = last && last->hand == planned.hand && last->object == planned.object;
-    if (!is_same) group_sizes.push_back(0);
-    ++group_sizes.back();
-    last = &planned;
-  }
-  const std::vector<int> shards = DealGroups(group_sizes, shard.count);
-  std::vector<PlannedTrial> trials;
-  for (size_t i = 0; i < plan.size(); ++i) {
-    if (shards[i] == shard.number) trials.push_back(plan[i]);
-  }
-  return trials;
-}
-
-}  // namespace
 
 std::vector<PlannedTrial> PartitionPlan(const std::vector<PlannedTrial>& plan, const Shard& shard) {
   return Partition(plan, shard, "trial");

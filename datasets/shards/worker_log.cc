@@ -4,14 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "core/base/text/record_fields.h"
 #include "core/base/text/text.h"
 #include "datasets/journal/checked_line.h"
-#include "datasets/journal/journal_files.h"
+#include "datasets/journal/read_journal.h"
 #include "datasets/shards/shard.h"
 
 namespace graspbench {

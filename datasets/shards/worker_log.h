@@ -17,7 +17,7 @@ does not run them again; it may miss them, as nothing waits for what others writ
 #include <string>
 #include <vector>
 
-#include "core/base/diagnostics.h"
+#include "core/base/error.h"
 #include "datasets/journal/append_file.h"
 #include "datasets/records/trial_record.h"
 

@@ -124,10 +124,6 @@ void AddPose(const Pose& pose, std::vector<double>& values) {
   for (double part : turn.coeffs()) values.push_back(part);
 }
 
-void AddVector(const Eigen::Vector3d& v, std::vector<double>& values) {
-  values.insert(values.end(), v.begin(), v.end());
-}
-
 void NamePose(const std::string& of, std::vector<std::string>& columns) {
   for (const char* part : {"_x_m", "_y_m", "_z_m", "_qx", "_qy", "_qz", "_qw"}) {
     columns.push_back(of + part);
@@ -176,33 +172,16 @@ H5Table MakeActions(const TrialTrajectory& trajectory) {
 
 /** One row a contact; `instant` is the row of the states, `link` a number in the links' names. */
 H5Table MakeContactTable(const TrialTrajectory& trajectory) {
+  const auto numbers = ListContactNumbers();
   H5Table table;
-  table.columns = {"instant",
-                   "link",
-                   "p_x_m",
-                   "p_y_m",
-                   "p_z_m",
-                   "n_x",
-                   "n_y",
-                   "n_z",
-                   "normal_force_n",
-                   "friction_x_n",
-                   "friction_y_n",
-                   "friction_z_n",
-                   "spin_moment_nm",
-                   "slip_speed_m_per_s",
-                   "mu"};
+  table.columns = {"instant", "link"};
+  for (const auto& number : numbers) table.columns.push_back(number.name);
   double row = 0.0;
   for (const TraceInstant& instant : trajectory.traced.trace) {
     for (const HandContact& contact : instant.contacts) {
-      table.values.push_back(row);
-      table.values.push_back(contact.link);
-      AddVector(contact.p_WC, table.values);
-      AddVector(contact.nhat_W, table.values);
-      table.values.push_back(contact.normal_force);
-      AddVector(contact.friction_W, table.values);
-      for (double v : {contact.spin_moment, contact.slip_speed, contact.mu}) {
-        table.values.push_back(v);
+      table.values.insert(table.values.end(), {row, static_cast<double>(contact.link)});
+      for (const auto& number : numbers) {
+        table.values.push_back(number.value({&instant, &contact}).get<double>());
       }
     }
     row += 1.0;

@@ -1,10 +1,92 @@
 #include "datasets/trajectory/trajectory_form.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "core/base/hash.h"
+#include "datasets/records/trial_record.h"
 
 namespace graspbench {
+namespace {
+
+template <class Find>
+void AddVectorColumns(const std::string& name, const std::string& unit, const std::string& of,
+                      Find find, std::vector<CsvColumn<TrajectoryContact>>& columns) {
+  const std::string ending = unit.empty() ? "" : "_" + std::string(unit == "N" ? "n" : unit);
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string letter(1, "xyz"[axis]);
+    columns.push_back(
+        {name + "_" + letter + ending, unit, letter + " of " + of,
+         [find, axis](const TrajectoryContact& row) { return find(*row.contact)[axis]; }});
+  }
+}
+
+}  // namespace
+
+std::string CalcRecordSha256(const PlannedTrial& planned, const TrialResult& result) {
+  return CalcSha256(FormatJson(ToJson(TrialRecord{planned, result})));
+}
+
+TrialTrajectory MakeTrajectory(const PlannedTrial& planned, const TrialSetup& setup,
+                               const TracedTrial& traced, double rate) {
+  if (traced.trace.empty()) {
+    throw Error(ErrorKind::kUnsupported, "trial " + planned.id + " (" + DescribeTrial(planned) +
+                                             ") has no course: it could not begin; " +
+                                             traced.result.reason);
+  }
+  TrialTrajectory trajectory = {
+      planned, CalcRecordSha256(planned, traced.result), setup.hand, setup.object, rate, {}};
+  trajectory.traced.result = traced.result;
+  trajectory.traced.closure_start = traced.closure_start;
+  std::vector<TraceInstant>& kept = trajectory.traced.trace;
+  int num_regular = 0;
+  for (const TraceInstant& instant : traced.trace) {
+    const bool is_due =
+        instant.time - traced.trace.front().time >= num_regular / rate - 1e-9;  // of rounding
+    num_regular += is_due;
+    const bool ends_phase = instant.next_phase != instant.phase;
+    if (is_due || ends_phase || &instant == &traced.trace.back()) kept.push_back(instant);
+  }
+  return trajectory;
+}
+
+std::vector<TrajectoryEvent> ListTrajectoryEvents(const TrialTrajectory& trajectory) {
+  const TracedTrial& traced = trajectory.traced;
+  std::vector<TrajectoryEvent> events = {{0.0, "phase", NameOf(Phase::kPlacing), "", "", kUnset}};
+  for (const PhaseStart& phase : traced.result.phases) {
+    events.push_back({phase.time + traced.closure_start, "phase", phase.name, "", "", kUnset});
+  }
+  for (const ContactEvent& event : traced.result.contact_events) {
+    events.push_back({event.time + traced.closure_start, NameOf(event.kind), "", event.digit,
+                      event.link, event.impulse});
+  }
+  std::stable_sort(
+      events.begin(), events.end(),
+      [](const TrajectoryEvent& a, const TrajectoryEvent& b) { return a.time < b.time; });
+  return events;
+}
+
+std::vector<CsvColumn<TrajectoryContact>> ListContactNumbers() {
+  std::vector<CsvColumn<TrajectoryContact>> columns;
+  AddVectorColumns(
+      "p", "m", "the contact in the world", [](const HandContact& c) { return c.p_WC; }, columns);
+  AddVectorColumns(
+      "n", "", "the unit normal from the hand into the object, in the world",
+      [](const HandContact& c) { return c.nhat_W; }, columns);
+  columns.push_back({"normal_force_n", "N", "of the hand on the object",
+                     [](const TrajectoryContact& row) { return row.contact->normal_force; }});
+  AddVectorColumns(
+      "friction", "N", "the tangential force on the object, in the world",
+      [](const HandContact& c) { return c.friction_W; }, columns);
+  columns.push_back({"spin_moment_nm", "N m", "on the object about the normal",
+                     [](const TrajectoryContact& row) { return row.contact->spin_moment; }});
+  columns.push_back({"slip_speed_m_per_s", "m/s", "tangential speed of the surfaces",
+                     [](const TrajectoryContact& row) { return row.contact->slip_speed; }});
+  columns.push_back({"mu", "", "coefficient of friction in this state",
+                     [](const TrajectoryContact& row) { return row.contact->mu; }});
+  return columns;
+}
 
 const std::vector<TrajectoryForm>& ListTrajectoryForms() {
   static const std::vector<TrajectoryForm> forms = {

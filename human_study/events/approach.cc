@@ -48,7 +48,7 @@ Way TakeWay(const Trajectory& p_O, const Hold& hold, double noise) {
   for (size_t i = run.first; i < run.last; ++i) {
     if (p_O.states[i] != SampleState::kMeasured) continue;
     way.times.push_back(p_O.times[i]);
-    way.raw.emplace_back(p_O.p.col(static_cast<Column>(i)));
+    way.raw.emplace_back(p_O.At(i));
   }
   Vector3d sum = Vector3d::Zero();
   size_t first = 0, last = 0;  // of the samples in the sum
@@ -72,7 +72,7 @@ Clearances MeasureBefore(const Trajectory& p_O, const Hold& hold, const Measure&
   for (size_t i = run.first; i < run.last; ++i) {
     if (p_O.states[i] != SampleState::kMeasured) continue;
     clearances.times.push_back(p_O.times[i]);
-    clearances.values.push_back(measure(Vector3d(p_O.p.col(static_cast<Column>(i)))));
+    clearances.values.push_back(measure(Vector3d(p_O.At(i))));
   }
   clearances.is_away.assign(clearances.times.size(), false);
   return clearances;
@@ -248,7 +248,7 @@ Vector3d FindHoldPlace(const Trajectory& p_O, const Hold& hold) {
   for (size_t k = 0; k < seen.size(); ++k) {
     const double since = p_O.times[seen[k].second] - hold.time;
     if (k >= 10 && (since < -0.05 || since > 0.1)) continue;
-    places.emplace_back(p_O.p.col(static_cast<Column>(seen[k].second)));
+    places.emplace_back(p_O.At(seen[k].second));
   }
   return CalcMiddle(places);
 }

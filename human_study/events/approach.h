@@ -9,7 +9,7 @@ touch_fit.h. Only measured samples of the unfiltered path take part. */
 
 #include "core/base/pose.h"
 #include "human_study/events/hold.h"
-#include "human_study/events/object_surface.h"
+#include "human_study/events/reach_trial.h"
 #include "human_study/events/touch_fit.h"
 #include "human_study/recording/cleaning/trajectory.h"
 

@@ -8,9 +8,9 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/statistics/summary.h"
-#include "human_study/events/detectors/detector_list.h"
 
 namespace graspbench {
+
 namespace {
 
 using Column = Eigen::Index;
@@ -72,7 +72,7 @@ double CalcLooseness(const SmoothPath& smooth, double noise, const Hold& hold) {
   double squares = 0.0, count = 0.0;
   for (size_t i = window.first; i < window.last; ++i) {
     if (smooth.path.states[i] != SampleState::kMeasured) continue;
-    const Eigen::Vector3d p = smooth.path.p.col(static_cast<Column>(i));
+    const Eigen::Vector3d p = smooth.path.At(i);
     sum += p;
     squares += p.squaredNorm();
     count += 1.0;
@@ -262,6 +262,33 @@ std::vector<DigitContactEvents> FindContacts(const ContactEvidence& evidence,
     contacts.push_back(std::move(events));
   }
   return contacts;
+}
+
+namespace {
+
+constexpr double kAtPlace = 2e-3, kLeftPlace = 4e-3;  // [m]
+constexpr double kAtPlaceNoise = 3.0, kLeftPlaceNoise = 6.0;
+
+}  // namespace
+
+Regrasp FindRegrasp(const ScalarCurve& departure, double begin, double contact) {
+  const double at_place = std::max(kAtPlace, kAtPlaceNoise * departure.noise);
+  const double left = std::max(kLeftPlace, kLeftPlaceNoise * departure.noise);
+  const SampleRun run = FindSamples(departure.times, begin, contact);
+  const auto value = [&](size_t i) { return departure.At(i); };
+  Regrasp regrasp;
+  regrasp.first_touch = regrasp.release = MissingEvent("it touched once");
+  size_t first = run.first;
+  while (first < run.last && !(departure.IsValid(first) && value(first) < at_place)) ++first;
+  size_t farthest = first;
+  for (size_t i = first; i < run.last; ++i) {
+    if (departure.IsValid(i) && value(i) > value(farthest)) farthest = i;
+  }
+  if (first >= run.last || first == 0 || !(value(farthest) > left)) return regrasp;
+  regrasp.left_by = value(farthest);
+  regrasp.first_touch = TraceBack(departure, first, first - 1, at_place, Side::kBelow);
+  regrasp.release = TraceBack(departure, farthest, first, at_place, Side::kAbove);
+  return regrasp;
 }
 
 }  // namespace graspbench

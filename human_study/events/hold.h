@@ -3,11 +3,11 @@
 When the hand holds the object. Contacts are looked for backwards from there, so that touching and
 letting go before the grasp does not count.
 
-An object that is lifted tells it: at its lift-off it is in the hand (lift_off.h). Where nothing is
-lifted, or the object was not recorded, the hand must tell. A grasp then is where the hand rests at
-the object, closed: three criteria, each a number between 0 and 1 at every sample, combined by a
-rule. This is the way of Schot, Brenner and Smeets (2010): a speed threshold alone takes every pause
-for the grasp, a place alone every passage.
+An object that is lifted tells it: at its lift-off it is in the hand (LiftOffRuleList). Where
+nothing is lifted, or the object was not recorded, the hand must tell. A grasp then is where the
+hand rests at the object, closed: three criteria, each a number between 0 and 1 at every sample,
+combined by a rule. This is the way of Schot, Brenner and Smeets (2010): a speed threshold alone
+takes every pause for the grasp, a place alone every passage.
 
     slow    of the fastest visible tip against the object: 1 at rest, 0 from the threshold on,
             linear between. The threshold is the usual 50 mm/s, or four standard deviations of the
@@ -24,12 +24,14 @@ across gaps, as they weigh and decide no instant.
 Not told apart: an object that was not recorded and is carried on before the hand rests. Cut such a
 trial before that. */
 
+#include <Eigen/Core>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "core/base/file_keys.h"
 #include "human_study/events/filtered_trial.h"
+#include "human_study/events/reach_trial.h"
 #include "human_study/events/scalar_curve.h"
 
 namespace graspbench {
@@ -86,5 +88,71 @@ const HoldRule& FindHoldRule(const std::string& id);
 @throws Error(kNotFound) for an unknown rule, Error(kRange) when a cut-off does not fit the rate. */
 Hold FindHold(FilteredTrial& trial, const Trajectory& transport, const ScalarCurve& opening,
               const HoldOptions& options, double object_cutoff);
+
+// When the object leaves its support, and when it first moves at all.
+struct LiftOffOptions {
+  std::string rule = "traced_back";  ///< an id of LiftOffRuleList()
+  double cutoff = 10.0;              ///< of the zero-phase filter on the middle of the markers [Hz]
+  double min_rise = 0.01;            ///< an object that rises less is not lifted [m]
+  double rise = 0.003;               ///< "rise": this high [m]
+  double speed = 0.01;               ///< "traced_back": slower than this [m/s]
+  double displacement = 0.002;       ///< an object this far from its place has moved [m]
+  double up_x = 0.0, up_y = 0.0, up_z = 1.0;  ///< direction of the lift, in L
+
+  template <class V>
+  void Visit(V&& v) {
+    v("rule", rule, "how the lift-off is found");
+    v("cutoff_hz", cutoff,
+      {"cut-off of the zero-phase filter on the object; unless stated, at most 0.34 of the "
+       "recording's rate",
+       kAboveZero});
+    v("min_rise_m", min_rise, {"an object that rises less is not lifted", kAboveZero});
+    v("rise_m", rise, {"rule rise: this high", kAboveZero});
+    v("speed_m_per_s", speed, {"rule traced_back: slower than this", kAboveZero});
+    v("displacement_m", displacement, {"an object this far from its place has moved", kAboveZero});
+    v("up_x", up_x, "direction of the lift in the laboratory, x");
+    v("up_y", up_y, "the same, y");
+    v("up_z", up_z, "the same, z");
+  }
+};
+
+struct LiftOffRule {
+  const char* id;
+  const char* text;
+  /** @param height  above the place of rest [m]. */
+  EventTime (*find)(const ScalarCurve& height, const LiftOffOptions& options);
+};
+
+const std::vector<LiftOffRule>& LiftOffRuleList();
+
+struct ObjectEvents {
+  EventTime moved;     ///< first left its place, in any direction: bounds the first contact
+  EventTime lift_off;  ///< first leaves its support for good
+};
+
+/** How far the object is from its place of rest, the median position over the first tenth of the
+trial. */
+struct ObjectTravel {
+  ScalarCurve height;        ///< along the direction of the lift [m]
+  ScalarCurve displacement;  ///< in any direction [m]
+  Eigen::Matrix3Xd moved;    ///< the same as vectors in L [m]; NaN where invalid
+};
+
+/** @pre the object was recorded and the direction of the lift is not zero. */
+ObjectTravel CalcObjectTravel(const ReachTrial& trial, const LiftOffOptions& options);
+
+/** @pre the rule is known. */
+ObjectEvents FindObjectEvents(const ObjectTravel& travel, const LiftOffOptions& options);
+
+/** A way of the object along an axis of L. */
+struct ObjectWay {
+  Eigen::Vector3d axis;  ///< unit, in L
+  double along = 0.0;    ///< the largest displacement that way [m]
+  EventTime lift_off;    ///< the rule's instant, as if that were the stated direction
+};
+/** Ways of more than `least` [m] on which the object was under way, by 10 mm, while it had hardly
+risen: by less than 0.3 of the height that would keep pace. */
+std::vector<ObjectWay> FindWaysBeforeRise(const ObjectTravel& travel, double least,
+                                          const LiftOffOptions& options);
 
 }  // namespace graspbench

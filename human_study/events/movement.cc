@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 
 namespace graspbench {
+
 namespace {
 
 using Column = Eigen::Index;
@@ -16,15 +17,14 @@ EventTime FindThreshold(const ScalarCurve& speed, size_t peak, const MovementOpt
 }
 
 EventTime FindPeakFraction(const ScalarCurve& speed, size_t peak, const MovementOptions& options) {
-  const double threshold = options.peak_fraction * speed.values[static_cast<Column>(peak)];
+  const double threshold = options.peak_fraction * speed.At(peak);
   return TraceBack(speed, peak, 0, threshold, Side::kAbove);
 }
 
 EventTime FindLongestRun(const ScalarCurve& speed, size_t, const MovementOptions& options) {
   SampleRun longest, run;
   for (size_t i = 0; i < speed.size(); ++i) {
-    const bool is_fast =
-        speed.IsValid(i) && speed.values[static_cast<Column>(i)] > options.speed_threshold;
+    const bool is_fast = speed.IsValid(i) && speed.At(i) > options.speed_threshold;
     if (!is_fast) {
       run = {i + 1, i + 1};
     } else {
@@ -47,7 +47,7 @@ EventTime FindBaseline(const ScalarCurve& speed, size_t peak, const MovementOpti
   double sum = 0.0, square_sum = 0.0, count = 0.0;
   for (size_t i = window.first; i < window.last; ++i) {
     if (!speed.IsValid(i)) continue;
-    const double value = speed.values[static_cast<Column>(i)];
+    const double value = speed.At(i);
     sum += value;
     square_sum += value * value;
     count += 1.0;
@@ -59,12 +59,12 @@ EventTime FindBaseline(const ScalarCurve& speed, size_t peak, const MovementOpti
 }
 
 EventTime FindRegression(const ScalarCurve& speed, size_t peak, const MovementOptions&) {
-  const double top = speed.values[static_cast<Column>(peak)];
+  const double top = speed.At(peak);
   // The rising flank from 10 to 60 % of the peak.
   size_t last = peak;
-  while (last > 0 && !(speed.values[static_cast<Column>(last)] <= 0.6 * top)) --last;
+  while (last > 0 && !(speed.At(last) <= 0.6 * top)) --last;
   size_t first = last;
-  while (first > 0 && !(speed.values[static_cast<Column>(first)] <= 0.1 * top)) --first;
+  while (first > 0 && !(speed.At(first) <= 0.1 * top)) --first;
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   double count = 0.0, square_sum = 0.0;
@@ -73,7 +73,7 @@ EventTime FindRegression(const ScalarCurve& speed, size_t peak, const MovementOp
   for (size_t i = first; i <= last; ++i) {
     if (!speed.IsValid(i)) continue;
     const double t = speed.times[i] - origin;
-    const double y = std::sqrt(speed.values[static_cast<Column>(i)]);
+    const double y = std::sqrt(speed.At(i));
     const Eigen::Vector3d row(1.0, t, t * t);
     normal += row * row.transpose();
     right += row * y;
@@ -106,13 +106,13 @@ EventTime FindRegression(const ScalarCurve& speed, size_t peak, const MovementOp
 }
 
 EventTime FindMultiplied(const ScalarCurve& speed, size_t peak, const MovementOptions&) {
-  const double top = speed.values[static_cast<Column>(peak)];
+  const double top = speed.At(peak);
   const double begin = speed.times[0], length = speed.times[peak] - begin;
   ScalarCurve product = Cut(speed, {0, peak + 1});
   for (size_t i = 0; i <= peak; ++i) {
-    const double is_slow = 1.0 - speed.values[static_cast<Column>(i)] / top;
+    const double is_slow = 1.0 - speed.At(i) / top;
     const double is_late = (speed.times[i] - begin) / length;
-    product.values[static_cast<Column>(i)] = is_slow * is_late;
+    product.At(i) = is_slow * is_late;
   }
   return FindProductPeak(product);
 }
@@ -128,7 +128,7 @@ FlankFit FitFlank(const ScalarCurve& speed, size_t first, size_t last, double ex
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   const auto at = [&](size_t i) { return speed.times[i] - speed.times[first]; };
-  const auto value = [&](size_t i) { return speed.values[static_cast<Column>(i)]; };
+  const auto value = [&](size_t i) { return speed.At(i); };
   for (size_t i = first; i <= last; ++i) {
     if (!speed.IsValid(i) || !(value(i) > 0.0)) continue;
     const double y = std::pow(value(i), 1.0 / exponent);
@@ -159,12 +159,12 @@ FlankFit FitFlank(const ScalarCurve& speed, size_t first, size_t last, double ex
 
 /** @param peak  its sample. */
 EventTime FindStart(const ScalarCurve& speed, size_t peak) {
-  const double top = speed.values[static_cast<Column>(peak)];
+  const double top = speed.At(peak);
   const double low = std::max(0.04 * top, 4.0 * speed.noise);
   size_t last = peak;
-  while (last > 0 && !(speed.values[static_cast<Column>(last)] <= 0.6 * top)) --last;
+  while (last > 0 && !(speed.At(last) <= 0.6 * top)) --last;
   size_t first = last;
-  while (first > 0 && speed.values[static_cast<Column>(first - 1)] > low) --first;
+  while (first > 0 && speed.At(first - 1) > low) --first;
   const double count = static_cast<double>(last + 1 - first);
   if (count < 8.0) return MissingEvent("fewer than eight samples on the rising flank");
   std::vector<FlankFit> fits;
@@ -202,12 +202,12 @@ EventTime FindStart(const ScalarCurve& speed, size_t peak) {
 double FindSlowestBefore(const ScalarCurve& speed, size_t peak) {
   double slowest = std::numeric_limits<double>::quiet_NaN();
   for (size_t i = 0; i < peak; ++i) {
-    if (speed.IsValid(i)) slowest = std::fmin(slowest, speed.values[static_cast<Column>(i)]);
+    if (speed.IsValid(i)) slowest = std::fmin(slowest, speed.At(i));
   }
   return slowest;
 }
 
-/** Shape and length of the movement, for what goes with them (study/inference/shared_timing.h). */
+/** Shape and length of the movement, for what goes with them (CalcSharedTiming). */
 void DescribeRise(const ScalarCurve& speed, size_t peak, Movement& movement) {
   for (size_t i = 0; i < kRiseShares.size(); ++i) {
     const EventTime event =
@@ -221,7 +221,7 @@ void DescribeRise(const ScalarCurve& speed, size_t peak, Movement& movement) {
   movement.distance = 0.0;
   for (const int side : {-1, 1}) {
     for (size_t i = peak; i < speed.size(); i += static_cast<size_t>(side)) {
-      const double value = speed.values[static_cast<Column>(i)];
+      const double value = speed.At(i);
       if (value < kRiseShares[0] * movement.peak_speed) break;
       if (speed.IsValid(i) && (side > 0 || i != peak))
         movement.distance += value * speed.Interval();
@@ -285,6 +285,79 @@ Movement FindMovement(const ScalarCurve& whole, double begin, double end,
       rule.find_onset(Reverse(speed), speed.size() - 1 - static_cast<size_t>(peak), options);
   movement.end.time = -movement.end.time;
   return movement;
+}
+
+namespace {
+
+constexpr double kProminence = 0.1;  // of the largest deceleration
+constexpr double kNoiseSigmas = 4.0;
+
+MovementPhases NoPhases(const char* why) {
+  MovementPhases phases;
+  phases.reacceleration = MissingEvent(why);
+  return phases;
+}
+
+/** By central differences; NaN beside what is not valid [m/s^2]. */
+Eigen::VectorXd CalcAcceleration(const ScalarCurve& speed) {
+  const auto size = static_cast<Column>(speed.size());
+  Eigen::VectorXd a = Eigen::VectorXd::Constant(size, std::nan(""));
+  for (Column i = 1; i + 1 < size; ++i) {
+    a[i] = (speed.values[i + 1] - speed.values[i - 1]) / (2.0 * speed.Interval());
+  }
+  return a;
+}
+
+/** Where the parabola through a sample and its neighbours has its top, in samples from it. */
+double FindTop(const Eigen::VectorXd& a, Column i) {
+  const double bend = a[i - 1] - 2.0 * a[i] + a[i + 1];
+  return bend < 0.0 ? std::clamp((a[i - 1] - a[i + 1]) / (2.0 * bend), -0.5, 0.5) : 0.0;
+}
+
+}  // namespace
+
+MovementPhases FindPhases(const ScalarCurve& speed, const Movement& movement) {
+  if (!movement.onset.IsFound() || !movement.end.IsFound()) {
+    return NoPhases("the movement has no onset or no end");
+  }
+  const SampleRun run = FindSamples(speed.times, movement.peak_time, movement.end.time);
+  if (run.size() < 5) return NoPhases("too few samples between the peak of speed and the end");
+  const Eigen::VectorXd a = CalcAcceleration(speed);
+  const auto first = static_cast<Column>(run.first), last = static_cast<Column>(run.last);
+  Column lowest = first;
+  for (Column i = first; i < last; ++i) {
+    if (std::isnan(a[i])) return NoPhases("the wrist is hidden while it slows down");
+    if (a[i] < a[lowest]) lowest = i;
+  }
+  const double noise =
+      speed.reach > 0.0 ? speed.noise / speed.reach : 0.0;  // of a, behind a filter
+  const double prominence = std::max(-kProminence * a[lowest], kNoiseSigmas * noise);
+  Column highest = lowest;
+  bool falls = false;
+  for (Column i = lowest; i < last && !falls; ++i) {
+    if (a[i] > a[highest]) highest = i;
+    falls = a[highest] - a[lowest] > prominence && a[i] < a[highest] - prominence;
+  }
+  if (!falls) return NoPhases("the hand slows down once, without a second phase");
+
+  MovementPhases phases;
+  EventTime& event = phases.reacceleration;
+  const double interval = speed.Interval();
+  phases.rises = a[highest] > 0.0;
+  double slope = 0.0;  // how fast what decides changes there, per second
+  if (phases.rises) {
+    Column i = highest;
+    while (i > lowest && a[i - 1] > 0.0) --i;  // a[i - 1] <= 0 < a[i]
+    slope = (a[i] - a[i - 1]) / interval;
+    event.time = speed.times[static_cast<size_t>(i)] - a[i] / slope;
+  } else {
+    const double bend = (a[highest - 1] - 2.0 * a[highest] + a[highest + 1]) / interval;
+    event.time = speed.times[static_cast<size_t>(highest)] + FindTop(a, highest) * interval;
+    slope = std::abs(bend) / std::max(speed.reach, interval) * interval;
+  }
+  event.uncertainty = std::hypot(interval / std::sqrt(12.0), slope > 0.0 ? noise / slope : 0.0);
+  event.is_filled = HasFilledNear(speed, event.time);
+  return phases;
 }
 
 }  // namespace graspbench

@@ -3,15 +3,45 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "core/base/error.h"
 #include "human_study/events/scalar_curve.h"
 #include "human_study/recording/cleaning/butterworth.h"
-#include "human_study/recording/cleaning/resample.h"
+#include "human_study/recording/cleaning/trajectory.h"
 
 namespace graspbench {
+
+SurfaceDistance MakeSphereDistance(double radius) {
+  GRASPBENCH_DEMAND(radius > 0.0, std::to_string(radius));
+  return [radius](const Eigen::Vector3d& p_O) { return p_O.norm() - radius; };
+}
+
+SurfaceDistance MakeCylinderDistance(double radius, double height) {
+  GRASPBENCH_DEMAND(radius > 0.0 && height > 0.0, std::to_string(radius));
+  return [radius, height](const Eigen::Vector3d& p_O) {
+    const Eigen::Vector2d beyond(p_O.head<2>().norm() - radius, std::abs(p_O.z()) - height / 2);
+    return std::min(beyond.maxCoeff(), 0.0) + beyond.cwiseMax(0.0).norm();
+  };
+}
+
+SurfaceDistance MakeBoxDistance(const Eigen::Vector3d& size) {
+  GRASPBENCH_DEMAND(size.minCoeff() > 0.0, std::to_string(size.minCoeff()));
+  return [size](const Eigen::Vector3d& p_O) {
+    const Eigen::Vector3d beyond = p_O.cwiseAbs() - size / 2;
+    return std::min(beyond.maxCoeff(), 0.0) + beyond.cwiseMax(0.0).norm();
+  };
+}
+
+SurfaceDistance MakeFieldDistance(std::shared_ptr<const SignedDistanceField> field) {
+  return
+      [field = std::move(field)](const Eigen::Vector3d& p_O) { return field->Query(p_O).distance; };
+}
+
 namespace {
 
 using Column = Eigen::Index;
@@ -103,7 +133,7 @@ Trajectory TakePath(const ReachTrial& trial, const MakePoint& make_point) {
   path.states = trial.object.states;
   path.p.resize(3, static_cast<Column>(trial.times.size()));
   for (size_t i = 0; i < trial.times.size(); ++i) {
-    path.p.col(static_cast<Column>(i)) = make_point(trial.object.X_LO[i]);
+    path.At(i) = make_point(trial.object.X_LO[i]);
   }
   return path;
 }
@@ -167,6 +197,11 @@ Eigen::Matrix3d ShrinkTurn(const Eigen::Vector3d& u, const Eigen::Matrix3d& axes
 
 }  // namespace
 
+Trajectory TakeObjectPath(const ReachTrial& trial) {
+  return TakePath(trial,
+                  [&](const Pose& X_LO) { return Eigen::Vector3d(X_LO * trial.object.p_OC); });
+}
+
 void CheckTrial(const ReachTrial& trial) {
   if (trial.times.size() < kMinTrialSamples) {
     Refuse("it has " + std::to_string(trial.times.size()) + " samples; expected " +
@@ -207,7 +242,7 @@ std::vector<Eigen::Vector3d> FindMarkerPlaces(const std::vector<Trajectory>& mar
     double count = 0.0;
     for (size_t i = 0; i < markers[m].size() && markers[m].times[i] < until; ++i) {
       if (!markers[m].IsValid(i)) continue;
-      sum += markers[m].p.col(static_cast<Column>(i));
+      sum += markers[m].At(i);
       count += 1.0;
     }
     if (count == 0.0) {
@@ -242,7 +277,7 @@ ObjectTrack MakeObjectTrack(const std::vector<Trajectory>& markers,
       if (!markers[m].IsValid(i)) continue;
       if (markers[m].states[i] == SampleState::kFilled) state = SampleState::kFilled;
       places.col(count) = p_OM[m];
-      seen.col(count++) = markers[m].p.col(static_cast<Column>(i));
+      seen.col(count++) = markers[m].At(i);
     }
     if (static_cast<size_t>(count) < num_needed) {
       track.X_LO.push_back(MakePose(Eigen::Vector3d::Constant(std::nan(""))));
@@ -257,9 +292,7 @@ ObjectTrack MakeObjectTrack(const std::vector<Trajectory>& markers,
 
 ObjectTrack SmoothObject(const ReachTrial& trial, double cutoff, double turn_cutoff) {
   ObjectTrack smooth = trial.object;
-  const Eigen::Vector3d& p_OC = smooth.p_OC;
-  const SmoothPath middle = Smooth(
-      TakePath(trial, [&](const Pose& X_LO) { return Eigen::Vector3d(X_LO * p_OC); }), cutoff);
+  const SmoothPath middle = Smooth(TakeObjectPath(trial), cutoff);
   smooth.smooth_noise = middle.smooth_noise;
   const bool turns = !smooth.turn_lever.isZero();
   const Eigen::Matrix3d R_rest = FindRestingOrientation(trial.object);
@@ -293,7 +326,7 @@ ObjectTrack SmoothObject(const ReachTrial& trial, double cutoff, double turn_cut
     Eigen::Matrix3d R = R_rest;
     if (turns) R *= ShrinkTurn(u.col(column), turning_axes[i], smooth.turn_lever, noise);
     smooth.X_LO[i].linear() = R;
-    smooth.X_LO[i].translation() = middle.path.p.col(column) - R * p_OC;
+    smooth.X_LO[i].translation() = middle.path.p.col(column) - R * smooth.p_OC;
   }
   return smooth;
 }

@@ -9,15 +9,34 @@ Everything is in the laboratory's frame L (metres, seconds, newtons) or, where i
 frame of the object. */
 
 #include <Eigen/Core>
+#include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/base/pose.h"
-#include "human_study/events/object_surface.h"
+#include "core/shape/signed_distance_field.h"
 #include "human_study/recording/cleaning/trajectory.h"
 
 namespace graspbench {
+
+/** How far a point is from the surface of the object, for objects that a study describes in a line
+and for those of the catalogue.
+
+All are in frame O [m], positive outside, negative inside. O is the centre of the solid; z is up as
+the object rests (core/base/pose.h). */
+using SurfaceDistance = std::function<double(const Eigen::Vector3d& p_O)>;
+
+/** @pre radius > 0. */
+SurfaceDistance MakeSphereDistance(double radius);
+/** Axis z. @pre both > 0. */
+SurfaceDistance MakeCylinderDistance(double radius, double height);
+/** @param size  length, width, height, each > 0. */
+SurfaceDistance MakeBoxDistance(const Eigen::Vector3d& size);
+/** Any closed mesh. Farther than SignedDistanceField::kMargin away it is a lower bound, which no
+rule here minds. */
+SurfaceDistance MakeFieldDistance(std::shared_ptr<const SignedDistanceField> field);
 
 /** A sensor's samples on the trial's clock, at its own rate; empty when there is none. */
 struct ForceChannel {
@@ -57,7 +76,7 @@ struct ReachTrial {
   std::vector<DigitTrack> digits;  ///< thumb first, then from radial to ulnar
   Trajectory wrist;                ///< empty: the centroid of the tips stands in for it
   ObjectTrack object;
-  /** Cut-off of a low-pass before the export (low_pass_trace.h) [Hz]; NaN: none seen. */
+  /** Cut-off of a low-pass before the export (FindLowPassTrace) [Hz]; NaN: none seen. */
   double low_pass = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -79,6 +98,9 @@ pose is filled when a filled marker took part.
 @throws Error(kRange) when three or more markers lie on one line. */
 ObjectTrack MakeObjectTrack(const std::vector<Trajectory>& markers,
                             const std::vector<Eigen::Vector3d>& p_OM);
+
+/** Path of the middle of the object's markers, which no turn moves. */
+Trajectory TakeObjectPath(const ReachTrial& trial);
 
 /** The object's path behind a zero-phase low-pass: each coordinate of the middle of its markers and
 of its axes, the axes then made orthonormal. A thing on a table moves slowly: filter its turn harder

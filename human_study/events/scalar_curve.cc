@@ -59,8 +59,8 @@ EventTime MakeCrossing(const ScalarCurve& curve, size_t before, size_t after, do
     event.time = (t0 + t1) / 2;
     event.is_in_gap = true;
   } else {
-    const double y0 = curve.values[static_cast<Column>(before)];
-    const double y1 = curve.values[static_cast<Column>(after)];
+    const double y0 = curve.At(before);
+    const double y1 = curve.At(after);
     event.time = t0 + (t1 - t0) * (threshold - y0) / (y1 - y0);
     const double slope = (y1 - y0) / (t1 - t0);
     variance += curve.noise * curve.noise / (slope * slope);
@@ -74,7 +74,7 @@ EventTime MakeCrossing(const ScalarCurve& curve, size_t before, size_t after, do
 EventTime TraceBackOnce(const ScalarCurve& curve, size_t from, size_t first, double threshold,
                         Side side, double min_duration) {
   const auto is_inside = [&](size_t i) {
-    const double value = curve.values[static_cast<Column>(i)];
+    const double value = curve.At(i);
     return side == Side::kAbove ? value > threshold : value < threshold;
   };
   if (!curve.IsValid(from) || !is_inside(from)) {
@@ -139,9 +139,8 @@ ScalarCurve CalcSpeed(const SmoothPath& smooth) {
     for (size_t i = run.first; i < run.last; ++i) {
       if (path.times[i] < begin || path.times[i] > end) continue;
       const size_t before = std::max(i, run.first + 1) - 1, after = std::min(i + 1, run.last - 1);
-      const Eigen::Vector3d step =
-          path.p.col(static_cast<Column>(after)) - path.p.col(static_cast<Column>(before));
-      speed.values[static_cast<Column>(i)] = step.norm() / (path.times[after] - path.times[before]);
+      const Eigen::Vector3d step = path.At(after) - path.At(before);
+      speed.At(i) = step.norm() / (path.times[after] - path.times[before]);
       speed.states[i] = path.states[i];
     }
   }
@@ -187,7 +186,7 @@ ScalarCurve Thin(const ScalarCurve& curve, size_t num_samples) {
   for (size_t i = 0; i < count; ++i) {
     thin.times.push_back(curve.times[step * i]);
     thin.states.push_back(curve.states[step * i]);
-    thin.values[static_cast<Eigen::Index>(i)] = curve.values[static_cast<Eigen::Index>(step * i)];
+    thin.At(i) = curve.At(step * i);
   }
   return thin;
 }
@@ -195,14 +194,14 @@ ScalarCurve Thin(const ScalarCurve& curve, size_t num_samples) {
 double ValueNear(const ScalarCurve& curve, double time) {
   const SampleRun run =
       FindSamples(curve.times, time - curve.Interval() / 2, time + curve.Interval());
-  return run.size() == 0 ? std::nan("") : curve.values[static_cast<Eigen::Index>(run.first)];
+  return run.size() == 0 ? std::nan("") : curve.At(run.first);
 }
 
 int FindPeak(const ScalarCurve& curve, const SampleRun& samples) {
   int peak = -1;
   for (size_t i = samples.first; i < samples.last; ++i) {
     if (!curve.IsValid(i)) continue;
-    if (peak < 0 || curve.values[static_cast<Column>(i)] > curve.values[peak]) {
+    if (peak < 0 || curve.At(i) > curve.values[peak]) {
       peak = static_cast<int>(i);
     }
   }
@@ -226,8 +225,7 @@ EventTime FindProductPeak(const ScalarCurve& product) {
   }
   const auto at = static_cast<size_t>(peak);
   const auto is_near = [&](size_t i) {
-    return !product.IsValid(i) ||
-           product.values[static_cast<Column>(i)] > 0.95 * product.values[peak];
+    return !product.IsValid(i) || product.At(i) > 0.95 * product.values[peak];
   };
   size_t first = at, last = at;
   while (first > 0 && is_near(first - 1)) --first;

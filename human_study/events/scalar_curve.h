@@ -5,12 +5,44 @@ questions that rules ask of one. */
 
 #include <Eigen/Core>
 #include <cmath>
+#include <limits>
+#include <string>
 #include <vector>
 
-#include "human_study/events/event_time.h"
+#include "core/statistics/distributions.h"
 #include "human_study/recording/cleaning/trajectory.h"
 
 namespace graspbench {
+
+/** An instant found in recorded data, with what it rests on.
+
+The uncertainty is a standard uncertainty (one standard deviation) [s], the root of the sum of
+squares of
+
+    sampling   T / sqrt(12): the frame of length T in which it lies
+    noise      s / |slope|: noise of the signal over its slope where it decides
+    rule       spread of the instants for half and one and a half times the threshold, / sqrt(12)
+    gap        length of the gap it falls into, / sqrt(12)
+
+as far as they apply. "Rule" covers the smoothing, too: a filter that smears a step moves those
+instants apart. What is not covered: an error common to all trials, such as a wrong shape. */
+struct EventTime {
+  double time = std::numeric_limits<double>::quiet_NaN();  ///< on the trial's clock [s]; NaN: none
+  double uncertainty = std::numeric_limits<double>::quiet_NaN();  ///< standard [s]
+  bool is_filled = false;  ///< a filled sample lies where the event was decided
+  bool is_in_gap = false;  ///< fell into a gap (`time` is its middle); a maximum: beside one
+  std::string missing;     ///< why there is none; empty when there is one
+
+  bool IsFound() const { return missing.empty() && time == time; }
+  double CalcHalfWidth() const { return kNormal95 * uncertainty; }  ///< of the 95 % interval [s]
+};
+
+/** An event that was not found, and why. */
+inline EventTime MissingEvent(std::string why) {
+  EventTime event;
+  event.missing = std::move(why);
+  return event;
+}
 
 /** Median length of a normal vector over the SD of one of its three coordinates, in any frame: the
 root of the median of chi-squared with 3 degrees of freedom, 2.3660. */
@@ -25,6 +57,8 @@ struct ScalarCurve {
   double reach = 0.0;       ///< [s] a value is made of samples as far away as this
 
   size_t size() const { return times.size(); }
+  double At(size_t i) const { return values[static_cast<Eigen::Index>(i)]; }
+  double& At(size_t i) { return values[static_cast<Eigen::Index>(i)]; }
   bool IsValid(size_t i) const { return states[i] != SampleState::kInvalid; }
   double Interval() const { return times[1] - times[0]; }  ///< [s] @pre size() >= 2
 };

@@ -34,7 +34,7 @@ stops as one that touches does. */
 #include <limits>
 #include <vector>
 
-#include "human_study/events/event_time.h"
+#include "human_study/events/scalar_curve.h"
 
 namespace graspbench {
 

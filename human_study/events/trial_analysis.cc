@@ -4,26 +4,37 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
+#include "core/base/config.h"
 #include "core/base/error.h"
-#include "human_study/events/doubts/recording_doubts.h"
+#include "human_study/events/doubts/plausibility.h"
 
 namespace graspbench {
 namespace {
 
-using Column = Eigen::Index;
+/** Of every number the range that its listing states. */
+class RangeCheck {
+ public:
+  explicit RangeCheck(const char* group = "") : group_(group) {}
 
-void CheckPositive(const char* key, double value) {
-  if (value > 0.0 && std::isfinite(value)) return;
-  throw Error(ErrorKind::kRange,
-              std::string(key) + " is " + std::to_string(value) + "; expected more than 0");
-}
+  template <class T>
+  void operator()(const char* key, T& value, const KeyInfo& info = {}) const {
+    if constexpr (internal::HasVisit<T>::value) {
+      value.Visit(RangeCheck(key));
+    } else if constexpr (std::is_same_v<T, double>) {
+      const bool has_limit = std::isfinite(info.low) || std::isfinite(info.high);
+      const bool is_in_range = std::isfinite(value) && value >= info.low && value <= info.high;
+      if (!has_limit || is_in_range) return;
+      const FileKey row(std::string(group_) + "." + key, "", "", info.low, info.high);
+      throw Error(ErrorKind::kRange,
+                  fmt::format("{} is {:g}; expected {}", row.key, value, FormatRange(row)));
+    }
+  }
 
-void CheckNotNegative(const char* key, double value) {
-  if (value >= 0.0 && std::isfinite(value)) return;
-  throw Error(ErrorKind::kRange,
-              std::string(key) + " is " + std::to_string(value) + "; expected 0 (off) or more");
-}
+ private:
+  const char* group_;
+};
 
 void CheckUp(const LiftOffOptions& lift_off) {
   const double length = std::hypot(lift_off.up_x, lift_off.up_y, lift_off.up_z);
@@ -237,34 +248,9 @@ void CheckOptions(const AnalysisOptions& options) {
     throw Error(ErrorKind::kNotFound, "opening.maximum is \"" + maximum + "\"" +
                                           SuggestNames(maximum, {"largest", "last"}));
   }
-  CheckPositive("movement.cutoff_hz", options.movement.cutoff);
-  CheckPositive("movement.speed_threshold_m_per_s", options.movement.speed_threshold);
-  CheckPositive("movement.peak_fraction", options.movement.peak_fraction);
-  CheckPositive("lift_off.cutoff_hz", options.lift_off.cutoff);
-  CheckPositive("lift_off.min_rise_m", options.lift_off.min_rise);
-  CheckPositive("lift_off.rise_m", options.lift_off.rise);
-  CheckPositive("lift_off.speed_m_per_s", options.lift_off.speed);
-  CheckPositive("lift_off.displacement_m", options.lift_off.displacement);
+  AnalysisOptions copy = options;
+  copy.Visit(RangeCheck());
   CheckUp(options.lift_off);
-  CheckPositive("hold.cutoff_hz", options.hold.cutoff);
-  CheckPositive("hold.speed_threshold_m_per_s", options.hold.speed_threshold);
-  CheckPositive("opening.cutoff_hz", options.opening.cutoff);
-  CheckPositive("opening.min_prominence_m", options.opening.min_prominence);
-  CheckPositive("contact.cutoff_hz", options.contact.cutoff);
-  CheckPositive("contact.object_cutoff_hz", options.contact.object_cutoff);
-  CheckPositive("contact.speed_threshold_m_per_s", options.contact.speed_threshold);
-  CheckPositive("contact.max_pad_offset_m", options.contact.max_pad_offset);
-  CheckPositive("contact.max_pad_difference_m", options.contact.max_pad_difference);
-  CheckPositive("contact.max_looseness", options.contact.max_looseness);
-  CheckNotNegative("contact.max_uncertainty_s", options.contact.max_uncertainty);
-  CheckPositive("contact.force_noise_factor", options.contact.force_noise_factor);
-  const PlausibilityOptions& plausibility = options.plausibility;
-  CheckNotNegative("plausibility.max_contact_after_end_s", plausibility.max_contact_after_end);
-  CheckNotNegative("plausibility.max_closure_time_s", plausibility.max_closure_time);
-  CheckNotNegative("plausibility.max_hold_distance_m", plausibility.max_hold_distance);
-  CheckNotNegative("plausibility.max_disagreement_s", plausibility.max_disagreement);
-  CheckNotNegative("plausibility.max_moved_before_s", plausibility.max_moved_before);
-  CheckNotNegative("plausibility.min_carried_m", plausibility.min_carried);
 }
 
 Cutoffs ListCutoffs(AnalysisOptions options) {

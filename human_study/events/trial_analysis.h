@@ -14,15 +14,12 @@ measures. */
 #include <vector>
 
 #include "core/base/file_keys.h"
-#include "core/grasp/contact_order.h"
+#include "core/grasp/contact_timing.h"
 #include "human_study/events/contact_detector.h"
 #include "human_study/events/doubts/plausibility.h"
 #include "human_study/events/hand_opening.h"
 #include "human_study/events/hold.h"
-#include "human_study/events/lift_off.h"
 #include "human_study/events/movement.h"
-#include "human_study/events/peak_opening.h"
-#include "human_study/events/phases.h"
 #include "human_study/events/reach_trial.h"
 
 namespace graspbench {
@@ -115,8 +112,8 @@ struct TrialAnalysis {
   bool used_filled = false;  ///< an event that a measure rests on was decided on filled samples
   bool used_gap = false;     ///< .. or fell into a gap
   double low_pass = std::numeric_limits<double>::quiet_NaN();  ///< ReachTrial::low_pass [Hz]
-  bool may_be_exchanged = false;      ///< thumb and index (recording_doubts.h)
-  bool goes_elsewhere_first = false;  ///< the object, before it rises (recording_doubts.h)
+  bool may_be_exchanged = false;                               ///< thumb and index (MayBeExchanged)
+  bool goes_elsewhere_first = false;  ///< the object, before it rises (GoesElsewhereFirst)
   std::vector<Doubt> trial_doubts;    ///< about the trial as such
   std::vector<Doubt> doubts;          ///< those, then those about the contacts believed
 };

@@ -18,6 +18,7 @@ at frame 1 starts at zero and a cropped one keeps its place. */
 #include <vector>
 
 #include "core/base/enum_table.h"
+#include "core/base/text/json.h"
 
 namespace graspbench {
 
@@ -129,5 +130,14 @@ void SetLengthUnit(Recording& recording, const std::string& unit, const std::str
 
 /** @throws Error(kFormat) when a point's unit is not known, with what to do about it. */
 void CheckLengthUnits(const Recording& recording, const std::string& file);
+
+// What is in a recording, for people (`graspbench mocap info`) and for programs (`--json`).
+/** Keys: format, processor, points, frames, first_frame, rate_hz, duration_s, unit, labels,
+invalid_samples and filled_samples (by label), analog_channels, analog_rate_hz, analog_labels,
+events, findings, mean_m (by label: mean position over the valid samples [m], null without any). */
+Json DescribeRecording(const Recording& recording);
+
+/** The same as text, one fact a line. */
+std::string FormatRecording(const Recording& recording);
 
 }  // namespace graspbench

@@ -4,7 +4,7 @@ Writes a recording in the format its file name asks for.
 
     name   what it is                           what is lost
     .c3d   C3D, Intel, floating point           nothing; uneven time stamps are refused
-           (c3d_writer.h)
+           (C3dWriteOptions)
     .tsv   Qualisys TSV, millimetres            analog channels, contexts of events; filled samples
                                                 make a trajectory "Mixed"
     .csv   plain table: frame, time_s, then     analog channels, events
@@ -13,6 +13,7 @@ Writes a recording in the format its file name asks for.
 #include <filesystem>
 #include <iosfwd>
 
+#include "human_study/recording/importers/c3d_parameters.h"
 #include "human_study/recording/recording.h"
 
 namespace graspbench {
@@ -25,5 +26,28 @@ size_t SaveRecording(const std::filesystem::path& path, const Recording& recordi
 
 void WriteQualisysTsv(std::ostream& out, const Recording& recording);
 void WritePlainCsv(std::ostream& out, const Recording& recording);
+
+/** Writes a recording as C3D, in every variant the format knows.
+
+Coordinates, residual states, analog channels, events and labels survive; floating point keeps every
+bit, integers are rounded to `scale`. The file has no text about persons. Above 65,535 frames the
+counts of the header saturate and POINT:LONG_FRAMES and TRIAL:ACTUAL_END_FIELD hold the truth; above
+255 points or channels the arrays continue in LABELS2, LABELS3, .. Points that are no positions are
+left out. */
+struct C3dWriteOptions {
+  C3dProcessor processor = C3dProcessor::kIntel;
+  bool is_float = true;
+  /** Length of an integer step, in the recording's unit; 0: the range over 32,000. */
+  double scale = 0.0;
+  /** Integer analog data as 16-bit unsigned with ANALOG:FORMAT and an offset of 32,768. */
+  bool analog_is_unsigned = false;
+  int parameter_block = 2;
+};
+
+/** @throws Error(kUnsupported) when the format cannot hold the recording: uneven times, no
+frames, no rate, points in different units, analog rates that are no multiples of the rate, more
+than 65,535 points.
+@throws Error(kIo). */
+void WriteC3d(std::ostream& out, const Recording& recording, const C3dWriteOptions& options = {});
 
 }  // namespace graspbench

@@ -18,8 +18,8 @@ propose the intervals of all pairwise differences instead: ComparePairs. */
 #include <string_view>
 #include <vector>
 
+#include "human_study/statistics/location_tests.h"
 #include "human_study/statistics/measure_table.h"
-#include "human_study/statistics/t_tests.h"
 
 namespace graspbench {
 

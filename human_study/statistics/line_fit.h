@@ -8,8 +8,8 @@ reference such as 0 or 1. */
 #include <string>
 #include <vector>
 
+#include "human_study/statistics/location_tests.h"
 #include "human_study/statistics/measure_table.h"
-#include "human_study/statistics/t_tests.h"
 
 namespace graspbench {
 

@@ -5,6 +5,7 @@ and its mean per person and condition, the unit of analysis of a repeated-measur
 vary within each person; groups (patients, controls) are factors that do not. */
 
 #include <Eigen/Core>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -29,6 +30,13 @@ struct Observation {
   double value = std::numeric_limits<double>::quiet_NaN();  ///< NaN: missing
   std::vector<std::string> groups = {};                     ///< one per group factor
   std::string session = {};                                 ///< empty: none named
+};
+
+/** What a measure is tested against, decided before the data were seen. */
+struct Hypothesis {
+  std::string measure;
+  double slope = 0.0;         ///< [measure's unit per the factor's]
+  double equal_within = NAN;  ///< [measure's unit]; NaN: equivalence is not tested
 };
 
 struct MeasureTable {

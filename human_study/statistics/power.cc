@@ -5,8 +5,7 @@
 
 #include "core/base/random.h"
 #include "core/statistics/distributions.h"
-#include "core/statistics/noncentral_t.h"
-#include "human_study/statistics/t_tests.h"
+#include "human_study/statistics/location_tests.h"
 
 namespace graspbench {
 namespace {

@@ -17,6 +17,17 @@ using Eigen::VectorXd;
 
 constexpr double kSingularTheta = 1e-4;  // as lme4's isSingular
 
+/** Products of whole matrices, compiled once: expressions, each of a type of its own, made this file
+the one that took longest to compile. The kernels are the same, and so are the bits. */
+///@{
+MatrixXd Multiply(const MatrixXd& a, const MatrixXd& b) { return a * b; }
+VectorXd Apply(const MatrixXd& a, const VectorXd& b) { return a * b; }
+MatrixXd MultiplyTransposed(const MatrixXd& a, const MatrixXd& b) { return a.transpose() * b; }
+VectorXd ApplyTransposed(const MatrixXd& a, const VectorXd& b) { return a.transpose() * b; }
+MatrixXd MultiplyByTransposed(const MatrixXd& a, const MatrixXd& b) { return a * b.transpose(); }
+MatrixXd MultiplyOuter(const VectorXd& a, const VectorXd& b) { return a * b.transpose(); }
+///@}
+
 /** An entry of Lambda. */
 struct Entry {
   Index row = 0, column = 0;
@@ -61,14 +72,14 @@ struct Weights {
   double log_det = 0.0;
 
   Weights(const Products& group, const VectorXd& theta) : lambda(MakeLambda(group, theta)) {
-    const Index n = lambda.rows();
-    const MatrixXd g = lambda * lambda.transpose();
-    const Eigen::PartialPivLU<MatrixXd> lu(MatrixXd::Identity(n, n) + group.zz * g);
+    MatrixXd to_invert = Multiply(group.zz, MultiplyByTransposed(lambda, lambda));
+    to_invert.diagonal().array() += 1.0;
+    const Eigen::PartialPivLU<MatrixXd> lu(to_invert);
     weight = lu.inverse();
     log_det = std::log(std::abs(lu.determinant()));
-    zvz = weight * group.zz;
-    zvx = weight * group.zx;
-    zvy = weight * group.zy;
+    zvz = Multiply(weight, group.zz);
+    zvx = Multiply(weight, group.zx);
+    zvy = Apply(weight, group.zy);
   }
 };
 
@@ -91,24 +102,27 @@ Terms CalcTerms(const std::vector<Products>& groups, const VectorXd& theta) {
   weights.reserve(groups.size());
   for (const Products& group : groups) {
     const Weights& own = weights.emplace_back(group, theta);
-    const MatrixXd g = own.lambda * own.lambda.transpose();
-    c += group.xx - group.zx.transpose() * (g * own.zvx);
-    xvy += group.xy - group.zx.transpose() * (g * own.zvy);
-    yvy += group.yy - group.zy.dot(g * own.zvy);
+    const MatrixXd g = MultiplyByTransposed(own.lambda, own.lambda);
+    const VectorXd gzvy = Apply(g, own.zvy);
+    c += group.xx - MultiplyTransposed(group.zx, Multiply(g, own.zvx));
+    xvy += group.xy - ApplyTransposed(group.zx, gzvy);
+    yvy += group.yy - group.zy.dot(gzvy);
     terms.log_dets += own.log_det;
   }
   const Eigen::LLT<MatrixXd> llt(0.5 * (c + c.transpose()));
-  terms.c_inverse = llt.solve(MatrixXd::Identity(p, p));
+  const MatrixXd identity = MatrixXd::Identity(p, p);
+  terms.c_inverse = llt.solve(identity);
   terms.log_dets += 2.0 * llt.matrixLLT().diagonal().array().log().sum();
   terms.beta = llt.solve(xvy);
   terms.quadratic = yvy - xvy.dot(terms.beta);
   terms.log_dets_slope = terms.quadratic_slope = VectorXd::Zero(theta.size());
   for (size_t i = 0; i < groups.size(); ++i) {
     const Weights& own = weights[i];
-    const VectorXd u = own.zvy - own.zvx * terms.beta;  // Z^T V^-1 r
+    const VectorXd u = own.zvy - Apply(own.zvx, terms.beta);  // Z^T V^-1 r
     const MatrixXd by_log_dets =
-        2.0 * (own.zvz - own.zvx * terms.c_inverse * own.zvx.transpose()) * own.lambda;
-    const MatrixXd by_quadratic = -2.0 * u * (u.transpose() * own.lambda);
+        2.0 * Multiply(own.zvz - MultiplyByTransposed(Multiply(own.zvx, terms.c_inverse), own.zvx),
+                       own.lambda);
+    const MatrixXd by_quadratic = MultiplyOuter(-2.0 * u, ApplyTransposed(own.lambda, u));
     for (const Entry& entry : groups[i].entries) {
       terms.log_dets_slope(entry.parameter) += by_log_dets(entry.row, entry.column);
       terms.quadratic_slope(entry.parameter) += by_quadratic(entry.row, entry.column);
@@ -165,7 +179,7 @@ Answer<VectorXd> FindTheta(const std::vector<Products>& groups, double df, Vecto
     const double largest = values.cwiseAbs().maxCoeff();
     const VectorXd magnitudes = values.cwiseAbs().cwiseMax(1e-10 * largest);
     const MatrixXd& axes = curvature.eigenvectors();
-    VectorXd move = -axes * (axes.transpose() * profile.gradient).cwiseQuotient(magnitudes);
+    VectorXd move = -Apply(axes, ApplyTransposed(axes, profile.gradient).cwiseQuotient(magnitudes));
     const double longest = 1.0 + theta.norm();
     if (move.norm() > longest) move *= longest / move.norm();
 
@@ -213,7 +227,7 @@ Answer<VectorXd> FindBestTheta(const std::vector<Products>& groups, double df,
 VectorXd TakeOut(const MatrixXd& z, const VectorXd& column) {
   if (z.cols() == 0) return column;
   const Eigen::ColPivHouseholderQR<MatrixXd> qr(z);
-  return column - z * qr.solve(column);
+  return column - Apply(z, qr.solve(column));
 }
 
 /** Why fixed and random effects together leave nothing to estimate the residual from. */
@@ -244,7 +258,7 @@ std::string FindNoResidual(const std::vector<RemlGroup>& groups, const MatrixXd&
            " trials are no more than the fixed and random effects: no residual to compare with";
   }
   VectorXd residual = y_left;
-  if (qr.rank() > 0) residual -= x_left * qr.solve(y_left);
+  if (qr.rank() > 0) residual -= Apply(x_left, qr.solve(y_left));
   if (residual.norm() <= 1e-12 * y.norm() || y.norm() == 0.0) {
     return "the effects explain every trial: no residual to compare with";
   }
@@ -270,10 +284,11 @@ void FillParameterCovariance(const std::vector<Products>& groups, double df, con
   fit.covariance_slopes.assign(static_cast<size_t>(n + 1), MatrixXd::Zero(p, p));
   for (const Products& group : groups) {
     const Weights own(group, fit.theta);
-    const MatrixXd f = own.zvx * terms.c_inverse * back.transpose();
-    const MatrixXd lf = own.lambda.transpose() * f;
+    const MatrixXd f = MultiplyByTransposed(Multiply(own.zvx, terms.c_inverse), back);
+    const MatrixXd lf = MultiplyTransposed(own.lambda, f);
     for (const Entry& entry : group.entries) {
-      const MatrixXd half = sigma2 * f.row(entry.row).transpose() * lf.row(entry.column);
+      const MatrixXd half =
+          MultiplyOuter(sigma2 * f.row(entry.row).transpose(), lf.row(entry.column).transpose());
       fit.covariance_slopes[static_cast<size_t>(entry.parameter)] += half + half.transpose();
     }
   }
@@ -303,7 +318,7 @@ MatrixXd RemlFit::CalcCovariance(int num_correlated) const {
   for (Index column = 0; column < num_correlated; ++column) {
     for (Index row = column; row < num_correlated; ++row) factor(row, column) = theta(parameter++);
   }
-  return sigma * sigma * factor * factor.transpose();
+  return sigma * sigma * MultiplyByTransposed(factor, factor);
 }
 
 Answer<double> RemlFit::CalcDf(const VectorXd& contrast) const {
@@ -312,10 +327,10 @@ Answer<double> RemlFit::CalcDf(const VectorXd& contrast) const {
   }
   VectorXd slope(static_cast<Index>(covariance_slopes.size()));
   for (Index i = 0; i < slope.size(); ++i) {
-    slope(i) = contrast.dot(covariance_slopes[static_cast<size_t>(i)] * contrast);
+    slope(i) = contrast.dot(Apply(covariance_slopes[i], contrast));
   }
-  const double variance = contrast.dot(covariance * contrast);
-  const double df = 2.0 * variance * variance / slope.dot(parameter_covariance * slope);
+  const double variance = contrast.dot(Apply(covariance, contrast));
+  const double df = 2.0 * variance * variance / slope.dot(Apply(parameter_covariance, slope));
   if (!(df >= 0.5)) {
     return NoAnswer{"the likelihood is too flat: less than half a degree of freedom"};
   }
@@ -323,7 +338,7 @@ Answer<double> RemlFit::CalcDf(const VectorXd& contrast) const {
 }
 
 Answer<RemlFTest> RemlFit::TestContrasts(const MatrixXd& contrasts) const {
-  const MatrixXd own = contrasts * covariance * contrasts.transpose();
+  const MatrixXd own = MultiplyByTransposed(Multiply(contrasts, covariance), contrasts);
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(own);
   const VectorXd& variances = eigen.eigenvalues();
   if (variances.minCoeff() <= 1e-12 * variances.maxCoeff()) {
@@ -333,7 +348,7 @@ Answer<RemlFTest> RemlFit::TestContrasts(const MatrixXd& contrasts) const {
   test.df_1 = static_cast<double>(contrasts.rows());
   std::vector<double> dfs;
   for (Index i = 0; i < variances.size(); ++i) {
-    const VectorXd contrast = contrasts.transpose() * eigen.eigenvectors().col(i);
+    const VectorXd contrast = ApplyTransposed(contrasts, eigen.eigenvectors().col(i));
     const Answer<double> df = CalcDf(contrast);
     if (!df) return df.none();
     dfs.push_back(*df);
@@ -368,8 +383,8 @@ Answer<RemlFit> FitReml(const std::vector<RemlGroup>& groups, const RemlStructur
   const Eigen::HouseholderQR<MatrixXd> qr(x);
   const MatrixXd r = qr.matrixQR().topRows(p).triangularView<Eigen::Upper>();
   const MatrixXd q = qr.householderQ() * MatrixXd::Identity(num_rows, p);
-  const VectorXd ordinary = r.triangularView<Eigen::Upper>().solve(q.transpose() * y);
-  const VectorXd residual = y - x * ordinary;
+  const VectorXd ordinary = r.triangularView<Eigen::Upper>().solve(ApplyTransposed(q, y));
+  const VectorXd residual = y - Apply(x, ordinary);
   if (residual.norm() <= 1e-14 * y.norm()) {
     return NoAnswer{"the effects explain every trial: no residual to compare with"};
   }
@@ -382,9 +397,10 @@ Answer<RemlFit> FitReml(const std::vector<RemlGroup>& groups, const RemlStructur
     const Index n = group.y.size();
     const MatrixXd own = q.middleRows(first, n);
     const VectorXd own_y = residual.segment(first, n);
-    products.push_back({group.z.transpose() * group.z, group.z.transpose() * own,
-                        own.transpose() * own, group.z.transpose() * own_y, own.transpose() * own_y,
-                        own_y.squaredNorm(), ListEntries(structure, group.z.cols())});
+    products.push_back({MultiplyTransposed(group.z, group.z), MultiplyTransposed(group.z, own),
+                        MultiplyTransposed(own, own), ApplyTransposed(group.z, own_y),
+                        ApplyTransposed(own, own_y), own_y.squaredNorm(),
+                        ListEntries(structure, group.z.cols())});
     first += n;
   }
   const double df = static_cast<double>(num_rows - p);
@@ -393,12 +409,14 @@ Answer<RemlFit> FitReml(const std::vector<RemlGroup>& groups, const RemlStructur
   if (!theta) return theta.none();
 
   const Terms terms = CalcTerms(products, *theta);
-  const MatrixXd back = r.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(p, p));
+  const MatrixXd identity = MatrixXd::Identity(p, p);
+  const MatrixXd back = r.triangularView<Eigen::Upper>().solve(identity);
   RemlFit fit;
   fit.theta = *theta;
   fit.sigma = std::sqrt(terms.quadratic / df);
-  fit.beta = ordinary + back * terms.beta;
-  fit.covariance = fit.sigma * fit.sigma * back * terms.c_inverse * back.transpose();
+  fit.beta = ordinary + Apply(back, terms.beta);
+  const MatrixXd half = fit.sigma * fit.sigma * Multiply(back, terms.c_inverse);
+  fit.covariance = MultiplyByTransposed(half, back);
   fit.criterion = terms.log_dets + df * (1.0 + std::log(2.0 * kPi * terms.quadratic / df)) +
                   2.0 * r.diagonal().cwiseAbs().array().log().sum();
   for (const Products& group : products) {
@@ -407,7 +425,8 @@ Answer<RemlFit> FitReml(const std::vector<RemlGroup>& groups, const RemlStructur
           entry.row == entry.column && std::abs((*theta)(entry.parameter)) < kSingularTheta;
     }
     const Weights own(group, *theta);
-    fit.random.push_back(own.lambda * own.lambda.transpose() * (own.zvy - own.zvx * terms.beta));
+    fit.random.push_back(
+        Apply(MultiplyByTransposed(own.lambda, own.lambda), own.zvy - Apply(own.zvx, terms.beta)));
   }
   if (!fit.is_singular) FillParameterCovariance(products, df, terms, back, fit);
   return fit;

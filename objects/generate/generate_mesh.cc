@@ -1,5 +1,3 @@
-#include "objects/generate/generate_mesh.h"
-
 #include <utility>
 #include <vector>
 

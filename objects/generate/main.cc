@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
-#include "objects/generate/generate_mesh.h"
+#include "objects/generate/object_shapes.h"
 
 int main(int argc, char** argv) {
   if (argc != 2) {

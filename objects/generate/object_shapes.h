@@ -6,6 +6,7 @@ The shapes of the 21 objects of the benchmark. The thesis gives their sizes, mas
 Each function draws one object as it rests on the table, z up, length along x, in millimetres and
 only roughly of the right size: the generator fits it to the size in object.yaml. */
 
+#include <filesystem>
 #include <string>
 
 #include "core/shape/tri_mesh.h"
@@ -33,5 +34,13 @@ TriMesh DrawVoltageTester();
 TriMesh DrawEraser();
 TriMesh DrawBunchOfKeys();
 TriMesh DrawPencil();
+
+/** Draws the catalogue's meshes; see main.cc. The drawn shape of a catalogue object, exactly of
+`size` [m], its bounding box centred at O. @throws Error(kNotFound) for an id that has no drawing.
+*/
+TriMesh GenerateMesh(const std::string& id, const Eigen::Vector3d& size);
+
+/** Writes `FOLDER/ID/mesh.obj` for every drawing, sized by `FOLDER/ID/object.yaml`. */
+void GenerateMeshes(const std::filesystem::path& folder);
 
 }  // namespace graspbench

@@ -6,7 +6,7 @@
 
 #include "core/base/random.h"
 #include "core/base/units.h"
-#include "core/shape/repair/weld_vertices.h"
+#include "core/shape/repair/mesh_topology.h"
 #include "objects/generate/object_shapes.h"
 #include "objects/generate/shape_parts.h"
 

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
-#include "core/shape/repair/weld_vertices.h"
+#include "core/shape/repair/mesh_topology.h"
 
 namespace graspbench {
 namespace {
@@ -173,8 +173,7 @@ void FlattenBottom(TriMesh& mesh, double depth) {
 }
 
 void FitTo(const Eigen::Vector3d& size, TriMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : mesh.vertices) box.extend(p);
+  const Eigen::AlignedBox3d box = CalcBounds(mesh);
   GRASPBENCH_DEMAND((box.sizes().array() > 0.0).all(), "a flat shape");
   for (Eigen::Vector3d& p : mesh.vertices) {
     p = (p - box.center()).cwiseQuotient(box.sizes()).cwiseProduct(size);

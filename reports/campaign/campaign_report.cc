@@ -5,7 +5,7 @@
 #include "core/base/config.h"
 #include "core/base/hash.h"
 #include "core/base/text/text.h"
-#include "reports/page/write_page.h"
+#include "reports/page/layout.h"
 
 namespace graspbench {
 

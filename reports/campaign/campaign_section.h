@@ -4,14 +4,29 @@ A section of a campaign's report. A new one is one file in sections/ that define
 `CampaignSection <name>_campaign_section()` and one line in section_list.inc, which fixes the order
 of the page. */
 
+#include <array>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "datasets/analysis/campaign/campaign_summary.h"
-#include "reports/campaign/variant_pictures.h"
+#include "reports/page/layout.h"
 #include "reports/page/models.h"
-#include "reports/page/sectioned_page.h"
+#include "reports/scenes/cell_pictures.h"
 
 namespace graspbench {
+
+/** The three variants of a scene's grasp side by side, closed, seen by one camera. */
+struct VariantPictures {
+  /** By the scene's anchor; a variant without a drawable trial has an empty picture. */
+  std::map<std::string, std::array<Picture, kNumVariants>> by_scene;
+  std::vector<std::string> problems;  ///< why pictures are missing
+};
+
+/** Never throws for a machine that cannot draw: the reason becomes a problem. */
+VariantPictures RenderVariantPictures(const Session& benchmark,
+                                      const std::vector<SceneVariants>& scenes,
+                                      const SessionModels& models);
 
 struct CampaignData {
   const Campaign& campaign;
@@ -34,5 +49,10 @@ std::vector<CampaignSection> ListCampaignSections();
 #define GRASPBENCH_CAMPAIGN_SECTION(name) CampaignSection name##_campaign_section();
 #include "reports/campaign/sections/section_list.inc"
 #undef GRASPBENCH_CAMPAIGN_SECTION
+
+/** Everything a reader of a campaign must know before trusting the numbers, as sentences. Scenes
+that are not finished, damage, models and pictures that are missing, trials that failed numerically,
+grasps that are not judged. Empty for a flawless campaign. */
+std::vector<std::string> ListCampaignFindings(const CampaignData& data);
 
 }  // namespace graspbench

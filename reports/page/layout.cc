@@ -1,15 +1,188 @@
 #include "reports/page/layout.h"
 
+#include <algorithm>
 #include <cctype>
 #include <kainjow/mustache.hpp>
 #include <map>
+#include <string_view>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/files/files.h"
+#include "core/base/hash.h"
+#include "core/base/text/json.h"
+#include "core/base/version.h"
+#include "core/physics/sim_config.h"
+#include "datasets/journal/sealed_store.h"
+#include "datasets/session/ro_crate.h"
 #include "reports/page/assets.h"
-#include "reports/page/page_script.h"
+#include "reports/page/html.h"
 
 namespace graspbench {
+
+namespace {
+
+void InsertAt(std::string& page, size_t at, std::string_view what, const std::string& text) {
+  GRASPBENCH_DEMAND(at != std::string::npos, std::string(what) + " is not in the page");
+  page.insert(at, text);
+}
+
+}  // namespace
+
+std::string FormatScriptSource(const std::string& script) {
+  const std::string digest = CalcSha256(script);
+  std::string bytes;
+  for (size_t i = 0; i < digest.size(); i += 2) {
+    bytes += static_cast<char>(std::stoi(digest.substr(i, 2), nullptr, 16));
+  }
+  return "'sha256-" + EncodeBase64(bytes) + "'";
+}
+
+std::string AddStyle(std::string page, const std::string& style) {
+  constexpr std::string_view kHeadEnd = "</head>";
+  InsertAt(page, page.find(kHeadEnd), kHeadEnd, "<style>\n" + style + "</style>\n");
+  return page;
+}
+
+std::string AddScript(std::string page, const PageScript& added) {
+  constexpr std::string_view kHeadEnd = "</head>", kBodyEnd = "</body>",
+                             kPolicy = "default-src 'none'; ", kScripts = "script-src ";
+  if (added.script.empty()) return page;
+  page = AddStyle(std::move(page), added.style);
+  GRASPBENCH_DEMAND(added.script.find("</script") == std::string::npos &&
+                        added.script.find("]]>") == std::string::npos,
+                    "the script of the page");
+  // The comments make it text for XML parsers, too.
+  const std::string script = "//<![CDATA[\n" + added.script + "\n//]]>\n";
+  InsertAt(page, page.rfind(kBodyEnd), kBodyEnd, "<script>" + script + "</script>\n");
+  const size_t head_end = page.find(kHeadEnd);
+  const size_t scripts = page.find(kScripts), policy = page.find(kPolicy);
+  if (scripts < head_end) {
+    page.insert(scripts + kScripts.size(), FormatScriptSource(script) + " ");
+  } else {
+    GRASPBENCH_DEMAND(policy < head_end, std::string(kPolicy));
+    page.insert(policy + kPolicy.size(), std::string(kScripts) + FormatScriptSource(script) + "; ");
+  }
+  return page;
+}
+
+namespace {
+
+/** What the page shows. Of the experiments on a session's draws it is the sensitivity, a run that
+comes later among it; empty: the whole store. */
+std::vector<std::string> ListShown(const std::filesystem::path& folder) {
+  if (FindStoreKind(folder) != &kSessionStore) return {};
+  std::vector<std::string> shown = kSessionStore.files;
+  shown.insert(shown.end(), kSessionStore.journals.begin(), kSessionStore.journals.end());
+  shown.push_back("sensitivity/*");
+  return shown;
+}
+
+}  // namespace
+
+std::filesystem::path WriteReportPage(const std::filesystem::path& folder, std::string_view page) {
+  const std::filesystem::path report = folder / "report", path = report / "index.html";
+  MakeFolder(report);
+  UnsealOutput(report);
+  WriteFileAtomically(path, page);
+  SealOutput(report, {"index.html"},
+             MakeOutputOrigin(folder, "graspbench report .", ListShown(folder)));
+  return path;
+}
+
+namespace {
+
+std::vector<std::pair<std::string, std::string>> ListFacts(const PageFrame& frame) {
+  std::vector<std::pair<std::string, std::string>> facts = {
+      {"graspbench, which made this page", program_version()},
+      {"Physics of this graspbench", std::to_string(kPhysicsVersion)},
+      {"Libraries of this graspbench", std::string(assets::kLibraries)}};
+  facts.insert(facts.end(), frame.facts.begin(), frame.facts.end());
+  return facts;
+}
+
+/** The entry with this key, up to its closing brace. */
+std::string FindReference(const std::string& key) {
+  const std::string_view all = assets::kReferences;
+  const size_t name = all.find("{" + key + ",");
+  GRASPBENCH_DEMAND(name != std::string_view::npos, key);
+  const size_t begin = all.rfind('@', name);
+  const size_t end = all.find("\n}\n", name);
+  return std::string(all.substr(begin, end + 3 - begin));
+}
+
+}  // namespace
+
+std::string MakeBibtex(const std::vector<std::string>& keys) {
+  std::string text =
+      "@software{graspbench,\n  author  = {{The graspbench developers}},\n"
+      "  title   = {graspbench: a workbench for grasping experiments},\n  version = {" +
+      std::string(program_version()) + "},\n  year    = {" + std::string(assets::kReleaseYear) +
+      "},\n  note    = {commit " + program_commit() + "}\n}\n";
+  for (const std::string& key : keys) text += "\n" + FindReference(key);
+  return text;
+}
+
+Html DrawProvenance(const PageFrame& frame) {
+  Html html;
+  if (!frame.commands.empty()) {
+    std::string lines;
+    for (const std::string& command : frame.commands) lines += command + "\n";
+    html += MakeParagraph("Made by") + MakeScroll("Commands", Element("pre", {}, lines));
+  }
+  Table table("Versions and provenance.", {"What", "Value"});
+  for (const auto& [what, value] : ListFacts(frame)) table.AddRow({what, value});
+  return html + table.ToHtml() +
+         MakeDetails("BibTeX of what to cite",
+                     MakeScroll("BibTeX", Element("pre", {{"class", "bibtex"}},
+                                                  MakeBibtex(frame.references))));
+}
+
+std::string MakeJsonLd(const PageFrame& frame) {
+  Json facts = Json::array();
+  for (const auto& [what, value] : ListFacts(frame)) {
+    facts.push_back({{"@type", "PropertyValue"}, {"name", what}, {"value", value}});
+  }
+  const Json json = {{"@context", "https://schema.org"},
+                     {"@type", "Dataset"},
+                     {"name", frame.title},
+                     {"description", frame.subtitle},
+                     {"creator",
+                      {{"@type", "SoftwareApplication"},
+                       {"name", "graspbench"},
+                       {"softwareVersion", program_version()},
+                       {"softwareRequirements", assets::kLibraries}}},
+                     {"measurementTechnique", frame.commands},
+                     {"additionalProperty", facts}};
+  std::string safe;
+  for (const char c : FormatJson(json)) {
+    if (c == '<') {
+      safe += "\\u003c";
+    } else if (c == '>') {
+      safe += "\\u003e";
+    } else if (c == '&') {
+      safe += "\\u0026";
+    } else {
+      safe += c;
+    }
+  }
+  return safe;
+}
+
+std::string DescribePhysics(int version) {
+  if (version == kPhysicsVersion) return "";
+  return "; simulated with " +
+         (version == 0 ? "a physics that its folder does not name"
+                       : "physics " + std::to_string(version)) +
+         ", this graspbench has " + std::to_string(kPhysicsVersion);
+}
+
+Html MakeMethodsText(const std::vector<std::string>& paragraphs) {
+  Html text;
+  for (const std::string& paragraph : paragraphs) text += MakeParagraph(paragraph);
+  return MakeParagraph("Ready to paste:") + Element("blockquote", {{"class", "methods"}}, text);
+}
+
 namespace {
 
 // NumberParts finds what has these and no other elements.
@@ -35,25 +208,13 @@ std::string MakeSlug(std::string_view text) {
   return slug.substr(0, 2 * kLongest);
 }
 
-}  // namespace
-
-Table::Table(std::string caption, std::vector<Column> columns)
-    : caption_(std::move(caption)), columns_(std::move(columns)) {}
-
-void Table::AddRow(const std::vector<Html>& cells, const std::string& anchor) {
-  GRASPBENCH_DEMAND(cells.size() == columns_.size(), caption_);
-  Html row;
-  for (size_t i = 0; i < cells.size(); ++i) {
-    Attributes attributes;
-    if (i == 0) attributes.push_back({"scope", "row"});
-    if (columns_[i].align == Align::kNumber) attributes.push_back({"class", "number"});
-    if (columns_[i].align == Align::kProse) attributes.push_back({"class", "prose"});
-    row += Element(i == 0 ? "th" : "td", attributes, cells[i]);
-  }
-  rows_ += Element("tr", anchor.empty() ? Attributes() : Attributes{{"id", anchor}}, row);
+/** "12.5", "6 of 10", "-0.4 (-1.2 to 0.3)", "x 1.41"; what stands for no number is one, too. */
+bool IsNumber(const std::string& text) {
+  constexpr size_t kLongest = 40;
+  if (text.empty() || text == "-" || text == "n/a" || text == "none held") return true;
+  const size_t start = text.find_first_not_of("+-<x ");
+  return text.size() <= kLongest && start < 3 && text[start] >= '0' && text[start] <= '9';
 }
-
-namespace {
 
 /** Whoever uses the keyboard must be able to reach what scrolls. */
 Html DrawScroll(Attributes attributes, std::string_view label, const Html& content) {
@@ -66,19 +227,69 @@ Html DrawScroll(Attributes attributes, std::string_view label, const Html& conte
 
 }  // namespace
 
+Table::Table(std::string caption, std::vector<Column> columns)
+    : caption_(std::move(caption)), columns_(std::move(columns)) {}
+
+void Table::AddRow(std::vector<Cell> cells, std::string anchor) {
+  GRASPBENCH_DEMAND(cells.size() == columns_.size(), caption_);
+  rows_.push_back({std::move(cells), std::move(anchor)});
+}
+
 Html Table::ToHtml() const {
-  Html head;
-  for (const Column& column : columns_) {
+  constexpr size_t kLongText = 40;
+  Html head, body;
+  std::vector<const char*> classes(columns_.size(), "number");
+  for (size_t i = 0; i < columns_.size(); ++i) {
+    size_t longest = 0;
+    bool is_number = i > 0, is_empty = true;
+    for (const Row& row : rows_) {
+      const Cell& cell = row.cells[i];
+      longest = std::max(longest, cell.text.size());
+      is_number = is_number && IsNumber(cell.text) && (!cell.text.empty() || cell.markup.empty());
+      is_empty = is_empty && cell.text.empty();
+    }
+    if (!is_number || is_empty) classes[i] = longest > kLongText ? "prose" : "";
     Attributes attributes = {{"scope", "col"}};
-    if (column.align == Align::kNumber) attributes.push_back({"class", "number"});
-    if (!column.hint.empty()) attributes.push_back({"title", column.hint});
-    head += Element("th", attributes, column.head);
+    if (classes[i] == std::string_view("number")) attributes.push_back({"class", "number"});
+    if (!columns_[i].hint.empty()) attributes.push_back({"title", columns_[i].hint});
+    head += Element("th", attributes, columns_[i].head);
+  }
+  for (const auto& [cells, anchor] : rows_) {
+    Html row;
+    for (size_t i = 0; i < cells.size(); ++i) {
+      Attributes attributes;
+      if (i == 0) attributes.push_back({"scope", "row"});
+      if (*classes[i]) attributes.push_back({"class", classes[i]});
+      row += Element(i == 0 ? "th" : "td", attributes, cells[i].markup);
+    }
+    body += Element("tr", anchor.empty() ? Attributes() : Attributes{{"id", anchor}}, row);
   }
   const Html table =
       Element("table", {},
               Element("caption", {}, MakeNumberLabel("Table") + Text(" " + caption_)) +
-                  Element("thead", {}, Element("tr", {}, head)) + Element("tbody", {}, rows_));
+                  Element("thead", {}, Element("tr", {}, head)) + Element("tbody", {}, body));
   return DrawScroll({{"id", "table-" + MakeSlug(caption_)}}, caption_, table);
+}
+
+Html MakeTable(const std::string& caption, const ShownTable& shown,
+               const std::vector<Html>& first) {
+  std::vector<Column> columns;
+  for (const ShownTable::Column& column : shown.columns) {
+    std::string head = column.heading;
+    const auto is_lower = [](char c) { return std::islower(static_cast<unsigned char>(c)) != 0; };
+    if (head.size() > 2 && std::all_of(head.begin(), head.begin() + 3, is_lower)) {
+      head[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(head[0])));
+    }
+    columns.emplace_back(head, column.hint);
+  }
+  Table table(caption, columns);
+  for (size_t row = 0; row < shown.num_rows; ++row) {
+    std::vector<Cell> cells;
+    for (const ShownTable::Column& column : shown.columns) cells.emplace_back(column.cells[row]);
+    if (!first.empty()) cells.front() = first[row];
+    table.AddRow(std::move(cells));
+  }
+  return table.ToHtml();
 }
 
 namespace {
@@ -96,7 +307,7 @@ void AddConfigRows(const Json& config, const std::string& prefix, Table& table) 
 }  // namespace
 
 Html MakeConfigTable(const std::string& caption, const Json& config) {
-  Table table(caption, {{"Key"}, {"Value", Align::kProse}});
+  Table table(caption, {"Key", "Value"});
   AddConfigRows(config, "", table);
   return table.ToHtml();
 }

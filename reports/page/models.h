@@ -9,6 +9,9 @@ The hands and objects of a session, as far as they can still be loaded, for name
 
 #include "core/hand/hand.h"
 #include "core/shape/grasp_object.h"
+#include "core/trial/measures/object_in_hand.h"
+#include "core/trial/outcome.h"
+#include "core/trial/trial_result.h"
 #include "datasets/analysis/session_summary.h"
 
 namespace graspbench {
@@ -37,5 +40,22 @@ std::string NameOfGrasp(const std::string& id);
 
 /** "TUM Hand, can, power (g3)". */
 std::string NameOfCell(const CellSummary& cell, const SessionModels& models);
+
+/** How an outcome, or the seat of an object, is called in a page, and how an end is explained. The
+name in records and tables of export/, said in full where it can be misread: the other digits of a
+trial of "no contact" may well have touched. */
+inline std::string WordsOf(Outcome outcome) {
+  return NameOf(outcome) + std::string(outcome == Outcome::kNoContact ? " of a digit" : "");
+}
+
+/** Why a trial ended as it did, in the words of its record; empty for a success. */
+inline std::string ExplainEnd(const TrialResult& result) {
+  if (!result.diagnosis) return result.reason;
+  return (result.reason.empty() ? "" : result.reason + ". ") + result.diagnosis->text;
+}
+
+inline std::string WordsOf(Seat seat) {
+  return seat == Seat::kUnknown ? "not recorded" : NameOf(seat);
+}
 
 }  // namespace graspbench

@@ -39,7 +39,7 @@ struct IntervalPlot {
     double value = 0.0;                ///< NaN: no mark, the text alone
     double low = 0.0, high = 0.0;      ///< NaN: no interval
     std::string text;                  ///< beside the row
-    std::string anchor;                ///< where the label leads; empty: nowhere
+    std::string anchor = {};           ///< where the label leads; empty: nowhere
     int series = 0;                    ///< 0..7, the mark's colour
     bool is_heading = false;           ///< a label over the rows that follow, without a value
     std::vector<double> singles = {};  ///< what the estimate was made of: a tick each; NaN: none
@@ -48,6 +48,11 @@ struct IntervalPlot {
   std::string axis;  ///< with unit
   bool holds_zero = true;
   std::vector<Row> rows;
+
+  void AddHeading(const std::string& label) {
+    rows.emplace_back().label = label;
+    rows.back().is_heading = true;
+  }
 };
 Html DrawIntervalPlot(const IntervalPlot& plot);
 

@@ -9,14 +9,53 @@
 #include "core/base/text/text.h"
 #include "datasets/records/trace_table.h"
 #include "reports/page/assets.h"
+#include "reports/page/layout.h"
 #include "reports/plots/line_plot.h"
 #include "reports/plots/svg_parts.h"
 
 namespace graspbench {
+
+Html DrawContactStrip(const TrialRecord& record, const std::string& name,
+                      const SessionModels& models) {
+  const TrialResult& result = record.result;
+  if (result.phases.empty() || result.contact_events.empty()) return {};
+  const double end = std::max(result.phases.back().time, result.contact_events.back().time);
+  StripChart chart;
+  chart.text.title = "Contacts with " + name;
+  chart.text.description = "One row per link that touched the object: bars of contact over time.";
+  chart.axis = "time since the start of closure [s]";
+  chart.kinds = {"in contact"};
+  for (size_t i = 0; i + 1 < result.phases.size(); ++i) {
+    chart.phases.push_back(
+        {result.phases[i].time, result.phases[i + 1].time, result.phases[i].name});
+  }
+  for (const ContactEvent& event : result.contact_events) {
+    const std::string label = models.NameOfDigit(record.plan.hand, event.digit) + ", " + event.link;
+    auto row = std::find_if(chart.rows.begin(), chart.rows.end(),
+                            [&](const StripChart::Row& known) { return known.label == label; });
+    if (row == chart.rows.end()) row = chart.rows.insert(row, {label, {}, {}});
+    const std::string at = " at " + FormatFixed(event.time, 3) + " s";
+    if (event.kind == ContactEventKind::kLost) {
+      if (!row->spans.empty()) row->spans.back().to = event.time;
+    } else if (event.kind != ContactEventKind::kSlip) {
+      row->spans.push_back({event.time, end, 0, std::string(NameOf(event.kind)) + at});
+    }
+    row->marks.push_back({event.time, RowOf(kContactEvents, event.kind).symbol,
+                          std::string(NameOf(event.kind)) + at});
+  }
+  return MakeFigure(
+      name + ", trial " + std::to_string(record.plan.trial) +
+          ", contact of each link: T touched, L lost, R regained, S began to slip. Dashed lines: "
+          "the phases of the "
+          "trial.",
+      "links that let go and come back, slip late in the hold; rows stand in the order of contact.",
+      MakeScroll(chart.text.title, DrawStripChart(chart)));
+}
+
 namespace {
 
 constexpr double kPlotInterval = 0.03;  // finer would not be seen [s]
-constexpr size_t kMaxCurves = 8;        // of a plot
+constexpr size_t kMaxDrawnCurves = 8;   // of a plot
 constexpr const char* kTimeAxis = "time since the start [s]";
 
 std::vector<const TraceInstant*> ChooseShownInstants(const std::vector<TraceInstant>& trace) {
@@ -48,7 +87,8 @@ class TrialPlotter {
       for (const TraceInstant* instant : shown_) series.y.push_back(find_force(*instant));
       const bool is_zero =
           std::all_of(series.y.begin(), series.y.end(), [](double force) { return force == 0.0; });
-      if (!is_zero && plot.series.size() < kMaxCurves) plot.series.push_back(std::move(series));
+      if (!is_zero && plot.series.size() < kMaxDrawnCurves)
+        plot.series.push_back(std::move(series));
     };
     add("table", [](const TraceInstant& instant) { return instant.table_force; });
     for (int d = -1; d < static_cast<int>(hand_.digits.size()); ++d) {
@@ -58,7 +98,7 @@ class TrialPlotter {
     return DrawLinePlot(plot);
   }
 
-  /** At most kMaxCurves joints of one unit. */
+  /** At most kMaxDrawnCurves joints of one unit. */
   Html DrawJoints(const std::string& of, const std::vector<int>& joints) const {
     const std::string unit = DisplayUnitOf(JointAt(joints[0]));
     LinePlot plot = StartPlot("Joints of the " + of, of + ": position [" + unit + "]");
@@ -113,7 +153,7 @@ std::vector<Html> DrawTrialPlots(const Hand& hand, const TracedTrial& traced,
       for (int j = 0; j < hand.num_joints(); ++j) {
         const HandJoint& joint = plotter.JointAt(j);
         if (hand.FindDigitOfLink(joint.link) != d || joint.is_prismatic != is_prismatic) continue;
-        if (joints.size() < kMaxCurves) joints.push_back(j);
+        if (joints.size() < kMaxDrawnCurves) joints.push_back(j);
       }
       const std::string of = d < 0 ? "wrist" : hand.digits[static_cast<size_t>(d)].name;
       if (!joints.empty()) plots.push_back(plotter.DrawJoints(of, joints));

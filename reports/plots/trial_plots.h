@@ -7,7 +7,9 @@ The course of one trial as curves over time: what every digit presses with, and 
 
 #include "core/hand/hand.h"
 #include "core/trial/trial_trace.h"
+#include "datasets/records/trial_record.h"
 #include "reports/page/html.h"
+#include "reports/page/models.h"
 
 namespace graspbench {
 
@@ -24,5 +26,10 @@ Html DrawPhaseStrip(const TracedTrial& traced, const std::string& name);
 /** The curves below each other as one SVG file. @throws Error(kUnsupported) where there is nothing.
 */
 std::string MakeTrialSvg(const Hand& hand, const TracedTrial& traced, const std::string& name);
+
+/** When each link of the hand touched the object in one trial, as a strip chart.
+Empty when nothing touched. @param name  of what is grasped, for the title. */
+Html DrawContactStrip(const TrialRecord& record, const std::string& name,
+                      const SessionModels& models);
 
 }  // namespace graspbench

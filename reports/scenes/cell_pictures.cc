@@ -7,12 +7,102 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/text/text.h"
 #include "core/render/hand_scene.h"
 #include "core/render/scene.h"
 #include "reports/scenes/instant_scene.h"
-#include "reports/scenes/shown_trials.h"
 
 namespace graspbench {
+
+namespace {
+
+/** A trial that failed may end long before the hold. */
+std::string NameMoment(Moment moment, const TrialResult& result) {
+  const bool is_end = moment == Moment::kLifted && !IsSuccess(result.outcome);
+  return is_end ? "End" : Capitalise(NameOf(moment));
+}
+
+const std::vector<Filmstrip>* FindStrips(const CellPictures& pictures, const std::string& cell) {
+  const auto found = pictures.by_cell.find(cell);
+  return found == pictures.by_cell.end() || found->second.empty() ? nullptr : &found->second;
+}
+
+}  // namespace
+
+Html DrawFilmstrip(const std::vector<Picture>& pictures, const TrialResult& result,
+                   const std::string& of) {
+  Html frames;
+  for (const Picture& picture : pictures) {
+    const std::string name = NameMoment(picture.moment, result);
+    frames +=
+        Element("figure", {},
+                Element("img", {{"src", MakeDataUri("image/webp", picture.webp)},
+                                {"width", std::to_string(kPictureWidth)},
+                                {"height", std::to_string(kPictureHeight)},
+                                {"alt", of + ": " + name}}) +
+                    Element("figcaption", {}, name + ", " + FormatFixed(picture.time, 2) + " s"));
+  }
+  return Element("div", {{"class", "film"}}, frames);
+}
+
+Html DrawThumbnail(const std::vector<Picture>& pictures) {
+  const Picture* shown = nullptr;
+  for (const Picture& picture : pictures) {
+    if (shown == nullptr || shown->moment != Moment::kClosed) shown = &picture;
+  }
+  if (shown == nullptr || shown->thumbnail.empty()) return {};
+  return Element("img", {{"class", "thumb"},
+                         {"src", MakeDataUri("image/webp", shown->thumbnail)},
+                         {"width", std::to_string(kPictureWidth / kThumbnailShrink)},
+                         {"height", std::to_string(kPictureHeight / kThumbnailShrink)},
+                         {"alt", ""}});
+}
+
+Html DrawFirstThumbnail(const CellPictures& pictures, const std::string& cell) {
+  const std::vector<Filmstrip>* strips = FindStrips(pictures, cell);
+  return strips ? DrawThumbnail(strips->front().pictures) : Html();
+}
+
+Html DrawLastThumbnail(const CellPictures& pictures, const std::string& cell) {
+  const std::vector<Filmstrip>* strips = FindStrips(pictures, cell);
+  return strips ? DrawThumbnail(strips->back().pictures) : Html();
+}
+
+namespace {
+
+constexpr size_t kMaxCells = 250;
+constexpr size_t kMaxTrials = 3000;      // of the page
+constexpr size_t kMinTrialsOfCell = 10;  // also where the page gets larger by it
+
+}  // namespace
+
+bool IsDrawnInFull(const CellSummary& cell, const SessionSummary& summary) {
+  const size_t num_full = std::min(kMaxCells, summary.cells.size());
+  return &cell < summary.cells.data() + num_full;
+}
+
+std::vector<const TrialRecord*> ChooseShownTrials(const CellSummary& cell,
+                                                  const SessionSummary& summary) {
+  const size_t num = cell.records.size();
+  const size_t num_of_cell = std::max(kMaxTrials / summary.cells.size(), kMinTrialsOfCell);
+  if (static_cast<size_t>(summary.total.finished) <= kMaxTrials || num <= num_of_cell) {
+    return cell.records;
+  }
+  std::vector<const TrialRecord*> shown;
+  for (size_t i = 0; i < num_of_cell; ++i) shown.push_back(cell.records[i * num / num_of_cell]);
+  return shown;
+}
+
+std::string MakeTrialAnchor(const PlannedTrial& planned) { return "trial-" + planned.id; }
+
+std::string MakeViewAnchor(const PlannedTrial& planned) { return "view-" + planned.id; }
+
+std::string DescribeShownTrials(size_t num_shown, const CellSummary& cell) {
+  if (num_shown == cell.records.size()) return {};
+  return std::to_string(num_shown) + " of " + std::to_string(cell.records.size()) +
+         " trials, evenly spaced; export/trials.csv has all of them.";
+}
+
 namespace {
 
 // An object that rolled away must not shrink the hand to a dot; what is nearer than this to the

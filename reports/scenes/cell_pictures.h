@@ -13,8 +13,10 @@ allow. The records hold three moments; for all phases a trial has to be simulate
 #include <vector>
 
 #include "core/render/scene.h"
+#include "core/trial/trial_result.h"
 #include "core/trial/trial_trace.h"
 #include "datasets/analysis/session_summary.h"
+#include "reports/page/html.h"
 #include "reports/page/models.h"
 
 namespace graspbench {
@@ -63,10 +65,47 @@ std::vector<std::string> RenderInstants(const std::vector<const TraceInstant*>& 
                                         const std::shared_ptr<const GraspObject>& object,
                                         Renderer& renderer);
 
-/** Of the cells that are drawn in full (shown_trials.h); the strips of other outcomes as long as
+/** Of the cells that are drawn in full; the strips of other outcomes as long as
 there are not too many for one page. Never throws for a machine that cannot draw: the reason becomes
 a problem. */
 CellPictures RenderCellPictures(const Session& session, const SessionSummary& summary,
                                 const SessionModels& models);
+
+/* What a page shows one by one of a session that is too large for it: of 100,000 trials a table
+alone would be 90 MB. Rates, medians and ranges are always of all trials. */
+
+/** True for all cells of most sessions, and for the first 250 of a larger one: the others have no
+pictures, strips and tables of trials. */
+bool IsDrawnInFull(const CellSummary& cell, const SessionSummary& summary);
+
+/** Of a session of up to 3,000 finished trials all of the cell's; of a larger one evenly spaced
+ones, as many for every cell, at least 10 and 3,000 in all. */
+std::vector<const TrialRecord*> ChooseShownTrials(const CellSummary& cell,
+                                                  const SessionSummary& summary);
+
+/** Of a shown trial's row, for links: "trial-3f2a...". */
+std::string MakeTrialAnchor(const PlannedTrial& planned);
+
+/** Of its scene in 3-D, where the page has one: "view-3f2a...". */
+std::string MakeViewAnchor(const PlannedTrial& planned);
+
+/** "71 of 2381 trials, evenly spaced; export/trials.csv has all of them." Empty when all are shown.
+*/
+std::string DescribeShownTrials(size_t num_shown, const CellSummary& cell);
+
+/** The pictures of one trial side by side, with their moments and times.
+@param of  what is grasped by what, for people who cannot see it. */
+Html DrawFilmstrip(const std::vector<Picture>& pictures, const TrialResult& result,
+                   const std::string& of);
+
+/** The hand when it was closed, else the trial's last picture, small and without words of its own;
+nothing without pictures. */
+Html DrawThumbnail(const std::vector<Picture>& pictures);
+
+/** That of the first or the last of a cell's strips: its success, and a failure. */
+///@{
+Html DrawFirstThumbnail(const CellPictures& pictures, const std::string& cell);
+Html DrawLastThumbnail(const CellPictures& pictures, const std::string& cell);
+///@}
 
 }  // namespace graspbench

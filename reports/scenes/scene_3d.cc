@@ -87,22 +87,19 @@ std::string FormatCamera(const Camera& camera) {
 
 /** What the scene shows in numbers, at the end of each phase. */
 Html DrawPhaseTable(const TrialView& view, const std::vector<const TraceInstant*>& ends) {
-  std::vector<Column> columns = {{"End of"},
-                                 {"Time [s]", Align::kNumber},
-                                 {"Contacts", Align::kNumber},
-                                 {"Grip [N]", Align::kNumber, "sum of the hand's normal forces"}};
+  std::vector<Column> columns = {
+      "End of", "Time [s]", "Contacts", {"Grip [N]", "sum of the hand's normal forces"}};
   for (const Digit& digit : view.hand->digits) {
-    columns.push_back({digit.name + " [N]", Align::kNumber, "its normal forces on the object"});
+    columns.push_back({digit.name + " [N]", "its normal forces on the object"});
   }
-  columns.push_back({"Lifted [mm]", Align::kNumber, "rise of the object since the start"});
+  columns.push_back({"Lifted [mm]", "rise of the object since the start"});
   Table table("The trial at the end of each phase.", columns);
   const double start = view.traced.trace.front().X_WO.translation().z();
   for (const TraceInstant* end : ends) {
     const auto number = [](double value, int decimals) {
       return Text(FormatFixed(value, decimals));
     };
-    std::vector<Html> cells = {Text(NameOf(end->phase)), number(end->time, 3),
-                               Text(std::to_string(end->contacts.size())),
+    std::vector<Cell> cells = {NameOf(end->phase), number(end->time, 3), end->contacts.size(),
                                number(end->grip_force, 2)};
     for (size_t d = 0; d < view.hand->digits.size(); ++d) {
       cells.push_back(number(CalcDigitForce(*view.hand, *end, static_cast<int>(d)), 2));

@@ -18,7 +18,7 @@ page: it works from a file, without a network, under its content security policy
 #include "core/shape/grasp_object.h"
 #include "core/trial/trial_trace.h"
 #include "reports/page/html.h"
-#include "reports/page/page_script.h"
+#include "reports/page/layout.h"
 
 namespace graspbench {
 

@@ -1,8 +1,8 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
-#include "reports/outcome_words.h"
 #include "reports/page/layout.h"
-#include "reports/scenes/filmstrip.h"
+#include "reports/page/models.h"
+#include "reports/scenes/cell_pictures.h"
 #include "reports/sections/section.h"
 
 namespace graspbench {
@@ -60,38 +60,36 @@ std::string ExplainCodes() {
 }
 
 Html DrawCellTable(const ReportData& data) {
-  const Align number = Align::kNumber;
   Table table(
       "Every condition: successes with 95 % Wilson interval, other outcomes, median contact times.",
-      {{"Object", Align::kText, "leads to the condition's section"},
-       {"Hand"},
-       {"Grasp"},
-       {"n", number, "finished trials"},
-       {"Successes", number},
-       {"Rate [%]", number, "successes of n"},
-       {"95 % interval [%]", number, "Wilson interval of the rate"},
-       {"Other outcomes"},
-       {"GCT [s]", number, "median grasp closure time"},
-       {"GFT [s]", number, "median grasp forming time"},
-       {"GOT [s]", number, "median grasp opposing time"},
-       {"GFT% [%]", number, "median of GFT / GCT"},
-       {"GOT% [%]", number, "median of GOT / GCT"},
-       {"Penetration [mm]", number, "deepest finger contact of any trial"}});
+      {{"Object", "leads to the condition's section"},
+       "Hand",
+       "Grasp",
+       {"n", "finished trials"},
+       "Successes",
+       {"Rate [%]", "successes of n"},
+       {"95 % interval [%]", "Wilson interval of the rate"},
+       "Other outcomes",
+       {"GCT [s]", "median grasp closure time"},
+       {"GFT [s]", "median grasp forming time"},
+       {"GOT [s]", "median grasp opposing time"},
+       {"GFT% [%]", "median of GFT / GCT"},
+       {"GOT% [%]", "median of GOT / GCT"},
+       {"Penetration [mm]", "deepest finger contact of any trial"}});
   for (const CellSummary& cell : data.summary.cells) {
     const Tally& tally = cell.tally;
     const std::string early = cell.num_early > 0 ? kEarly : "";
     table.AddRow({DrawFirstThumbnail(data.pictures, cell.key) +
                       LinkTo(cell.key, data.models.NameOfObject(cell.object)),
-                  Text(data.models.NameOfHand(cell.hand)),
+                  data.models.NameOfHand(cell.hand),
                   Element("span", {{"title", NameOfGrasp(cell.grasp)}}, DescribeGrasp(cell)),
-                  Text(std::to_string(tally.finished)), Text(std::to_string(tally.successes())),
-                  DrawRate(tally), Text(FormatRateInterval(tally)), ListFailures(tally),
-                  FormatMedians(cell, &ContactTimes::gct, 1.0, 3, ""),
+                  tally.finished, tally.successes(), DrawRate(tally), FormatRateInterval(tally),
+                  ListFailures(tally), FormatMedians(cell, &ContactTimes::gct, 1.0, 3, ""),
                   FormatMedians(cell, &ContactTimes::gft, 1.0, 3, ""),
                   FormatMedians(cell, &ContactTimes::got, 1.0, 3, ""),
                   FormatMedians(cell, &ContactTimes::gft_ratio, 100.0, 1, early),
                   FormatMedians(cell, &ContactTimes::got_ratio, 100.0, 1, early),
-                  Text(FormatFixed(MmFromM(tally.worst_penetration), 2))});
+                  FormatFixed(MmFromM(tally.worst_penetration), 2)});
   }
   return table.ToHtml() + Element("p", {{"class", "small"}}, ExplainCodes());
 }

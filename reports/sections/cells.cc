@@ -3,13 +3,12 @@
 
 #include "core/base/text/text.h"
 #include "core/base/units.h"
-#include "reports/outcome_words.h"
 #include "reports/page/layout.h"
-#include "reports/plots/contact_strip.h"
+#include "reports/page/models.h"
 #include "reports/plots/line_plot.h"
 #include "reports/plots/svg_plot.h"
-#include "reports/scenes/filmstrip.h"
-#include "reports/scenes/shown_trials.h"
+#include "reports/plots/trial_plots.h"
+#include "reports/scenes/cell_pictures.h"
 #include "reports/sections/section.h"
 
 namespace graspbench {
@@ -135,19 +134,14 @@ Html DescribeOrders(const CellSummary& cell) {
 }
 
 Html DrawTiming(const CellSummary& cell, const SessionModels& models) {
-  const Align number = Align::kNumber;
   Table table("Contact simultaneity, " + NameOfCell(cell, models) + ".",
-              {{"Measure"},
-               {"Median", number},
-               {"Range", number},
-               {"n", number, "trials in which it is defined"}});
+              {"Measure", "Median", "Range", {"n", "trials in which it is defined"}});
   const auto add = [&](const std::string& name, const Spread& spread, double unit, int decimals) {
     const auto format = [&](double value) { return FormatFixed(unit * value, decimals); };
-    table.AddRow(
-        {Text(name),
-         Text(format(spread.median) + (spread.n > 0 && spread.n < Spread::kFew ? kFewMark : "")),
-         Text(spread.n == 0 ? "n/a" : format(spread.lowest) + " to " + format(spread.highest)),
-         Text(std::to_string(spread.n))});
+    table.AddRow({name,
+                  format(spread.median) + (spread.n > 0 && spread.n < Spread::kFew ? kFewMark : ""),
+                  spread.n == 0 ? "n/a" : format(spread.lowest) + " to " + format(spread.highest),
+                  spread.n});
   };
   bool has_few = false;
   const auto add_all = [&](const ContactTimes& times, const std::string& seat) {
@@ -184,56 +178,54 @@ Html FormatDraw(const ReportData& data, const PlannedTrial& planned) {
 
 Html DrawTrials(const CellSummary& cell, const std::vector<std::string>& digits,
                 const ReportData& data) {
-  const Align number = Align::kNumber;
   const bool is_by_sight =
       std::any_of(cell.records.begin(), cell.records.end(),
                   [](const TrialRecord* record) { return record->result.sight_grasp.has_value(); });
-  std::vector<Column> columns = {{"Trial"}, {"Outcome"}, {"Why", Align::kProse}};
-  if (is_by_sight) columns.push_back({"Grasp", Align::kText, "that the camera chose"});
+  std::vector<Column> columns = {"Trial", "Outcome", "Why"};
+  if (is_by_sight) columns.push_back({"Grasp", "that the camera chose"});
   for (const std::string& digit : digits) {
-    columns.push_back({data.models.NameOfDigit(cell.hand, digit) + " [s]", number,
+    columns.push_back({data.models.NameOfDigit(cell.hand, digit) + " [s]",
                        "first contact since the start of closure"});
   }
   for (const char* head : {"GCT [s]", "GFT [s]", "GOT [s]", "GFT% [%]", "GOT% [%]"}) {
-    columns.push_back({head, number, {}});
+    columns.push_back(head);
   }
-  columns.push_back({"Order", Align::kText, "of first contacts; = in the same step"});
-  columns.push_back({"Grip [N]", number, "sum of normal forces before lift-off"});
-  columns.push_back({"Lift [mm]", number, "of the object's centre at the end"});
-  columns.push_back({"Slip [mm]", number, "motion relative to the palm while held"});
-  columns.push_back({"End speed [mm/s]", number, "relative to the palm"});
-  columns.push_back({"Penetration [mm]", number, "deepest finger contact"});
-  columns.push_back({"Energy residual [mJ]", number, "unexplained energy"});
-  columns.push_back({"Steps", number, {}});
-  columns.push_back({"Not converged", number, "steps whose solve missed its tolerance"});
-  columns.push_back({"Drawn", number, "x, y [mm], yaw [deg] of the object, off its nominal place"});
-  columns.push_back({"Trial id"});
+  columns.push_back({"Order", "of first contacts; = in the same step"});
+  columns.push_back({"Grip [N]", "sum of normal forces before lift-off"});
+  columns.push_back({"Lift [mm]", "of the object's centre at the end"});
+  columns.push_back({"Slip [mm]", "motion relative to the palm while held"});
+  columns.push_back({"End speed [mm/s]", "relative to the palm"});
+  columns.push_back({"Penetration [mm]", "deepest finger contact"});
+  columns.push_back({"Energy residual [mJ]", "unexplained energy"});
+  columns.push_back("Steps");
+  columns.push_back({"Not converged", "steps whose solve missed its tolerance"});
+  columns.push_back({"Drawn", "x, y [mm], yaw [deg] of the object, off its nominal place"});
+  columns.push_back("Trial id");
   Table table("Trials of " + NameOfCell(cell, data.models) + ".", columns);
   const std::vector<const TrialRecord*> shown = ChooseShownTrials(cell, data.summary);
   for (const TrialRecord* record : shown) {
     const TrialResult& result = record->result;
-    std::vector<Html> row = {Text(std::to_string(record->plan.trial)),
-                             Text(WordsOf(result.outcome)), Text(ExplainEnd(result))};
-    if (is_by_sight) row.push_back(Text(result.sight_grasp.value_or("n/a")));
+    std::vector<Cell> row = {record->plan.trial, WordsOf(result.outcome), ExplainEnd(result)};
+    if (is_by_sight) row.push_back(result.sight_grasp.value_or("n/a"));
     for (const std::string& digit : digits) {
-      row.push_back(Text(FormatFixed(FindContactTime(result, digit), 3)));
+      row.push_back(FormatFixed(FindContactTime(result, digit), 3));
     }
     const ContactTiming& timing = result.timing;
     for (double time : {timing.gct, timing.gft, timing.got}) {
-      row.push_back(Text(FormatFixed(time, 3)));
+      row.push_back(FormatFixed(time, 3));
     }
     for (double ratio : {timing.gft_ratio, timing.got_ratio}) {
-      row.push_back(Text(FormatFixed(100.0 * ratio, 1)));
+      row.push_back(FormatFixed(100.0 * ratio, 1));
     }
     row.push_back(Element("code", {}, FindContactOrder(result).Format()));
-    row.push_back(Text(FormatFixed(result.grip_force, 2)));
-    row.push_back(Text(FormatFixed(MmFromM(result.lift_height), 1)));
-    row.push_back(Text(FormatFixed(MmFromM(result.hold_slip), 1)));
-    row.push_back(Text(FormatFixed(MmFromM(result.end_speed), 1)));
-    row.push_back(Text(FormatFixed(MmFromM(result.worst_penetration), 2)));
-    row.push_back(Text(FormatSignificant(MjFromJ(result.energy_residual), 3)));
-    row.push_back(Text(std::to_string(result.num_steps)));
-    row.push_back(Text(std::to_string(result.num_unconverged)));
+    row.push_back(FormatFixed(result.grip_force, 2));
+    row.push_back(FormatFixed(MmFromM(result.lift_height), 1));
+    row.push_back(FormatFixed(MmFromM(result.hold_slip), 1));
+    row.push_back(FormatFixed(MmFromM(result.end_speed), 1));
+    row.push_back(FormatFixed(MmFromM(result.worst_penetration), 2));
+    row.push_back(FormatSignificant(MjFromJ(result.energy_residual), 3));
+    row.push_back(result.num_steps);
+    row.push_back(result.num_unconverged);
     row.push_back(FormatDraw(data, record->plan));
     row.push_back(Element("code", {}, record->plan.id));
     table.AddRow(row, MakeTrialAnchor(record->plan));

@@ -1,8 +1,8 @@
 #include "core/base/text/text.h"
 #include "datasets/session/find_trial.h"
-#include "reports/outcome_words.h"
 #include "reports/page/layout.h"
-#include "reports/scenes/shown_trials.h"
+#include "reports/page/models.h"
+#include "reports/scenes/cell_pictures.h"
 #include "reports/sections/section.h"
 
 namespace graspbench {
@@ -35,15 +35,14 @@ Html DrawFailedTrials(const ReportData& data) {
   const std::vector<const TrialRecord*> failures = ListFailures(data.summary);
   const size_t num_rows = std::min(failures.size(), kMaxRows);
   Table table("Every trial that did not succeed, and why.",
-              {{"Trial", Align::kText, "leads to all its values"},
-               {"3-D", Align::kText, "leads to its scene, or says how to make it"},
-               {"Outcome"},
-               {"Why", Align::kProse}});
+              {{"Trial", "leads to all its values"},
+               {"3-D", "leads to its scene, or says how to make it"},
+               "Outcome",
+               "Why"});
   for (size_t i = 0; i < num_rows; ++i) {
     const PlannedTrial& planned = failures[i]->plan;
     table.AddRow({LinkTo(MakeTrialAnchor(planned), NameTrial(planned)), LinkToView(data, planned),
-                  Text(WordsOf(failures[i]->result.outcome)),
-                  Text(ExplainEnd(failures[i]->result))});
+                  WordsOf(failures[i]->result.outcome), ExplainEnd(failures[i]->result)});
   }
   Html html =
       Element("p", {},

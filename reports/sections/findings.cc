@@ -1,5 +1,3 @@
-#include "reports/page/findings.h"
-
 #include "reports/page/layout.h"
 #include "reports/sections/section.h"
 

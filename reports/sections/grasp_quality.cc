@@ -1,12 +1,11 @@
 #include <algorithm>
 
-#include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
-#include "core/trial/judge/verdicts.h"
+#include "core/trial/judge/judge.h"
 #include "datasets/analysis/judge_evidence.h"
-#include "reports/outcome_words.h"
 #include "reports/page/layout.h"
+#include "reports/page/models.h"
 #include "reports/plots/line_plot.h"
 #include "reports/sections/section.h"
 
@@ -14,18 +13,9 @@ namespace graspbench {
 namespace {
 
 IntervalPlot::Row MakeRow(const std::string& label, const Answer<BootstrapInterval>& answer) {
-  IntervalPlot::Row row;
-  row.label = label;
-  if (answer) {
-    row.value = answer->estimate;
-    row.low = answer->interval.low;
-    row.high = answer->interval.high;
-    row.text = FormatWithRange(answer->estimate, answer->interval.low, answer->interval.high, 2);
-  } else {
-    row.value = row.low = row.high = kUnset;
-    row.text = answer.reason();
-  }
-  return row;
+  if (!answer) return {label, kUnset, kUnset, kUnset, answer.reason()};
+  const auto& [low, high] = answer->interval;
+  return {label, answer->estimate, low, high, FormatWithRange(answer->estimate, low, high, 2)};
 }
 
 Html DrawRanks(const JudgeEvidence& evidence) {
@@ -62,17 +52,16 @@ Html DrawRoc(const JudgeEvidence& evidence) {
 }
 
 Html DrawAgreement(const JudgeEvidence& evidence) {
-  std::vector<Column> columns = {{"Rule"}, {"passed", Align::kNumber, "judged grasps that pass"}};
+  std::vector<Column> columns = {"Rule", {"passed", "judged grasps that pass"}};
   for (const std::string& rule : evidence.rules) {
-    columns.push_back({rule, Align::kNumber, "share of judged grasps on which both rules agree"});
+    columns.push_back({rule, "share of judged grasps on which both rules agree"});
   }
   Table table("Share [%] of judged grasps on which two published rules agree.", columns);
   for (size_t a = 0; a < evidence.rules.size(); ++a) {
-    std::vector<Html> row = {Text(evidence.rules[a]),
-                             Text(std::to_string(evidence.agreements[a][a].num_both) + " of " +
-                                  std::to_string(evidence.num_judged))};
+    std::vector<Cell> row = {evidence.rules[a], std::to_string(evidence.agreements[a][a].num_both) +
+                                                    " of " + std::to_string(evidence.num_judged)};
     for (const Agreement& agreement : evidence.agreements[a]) {
-      row.push_back(Text(FormatFixed(100.0 * agreement.share(), 1)));
+      row.push_back(FormatFixed(100.0 * agreement.share(), 1));
     }
     table.AddRow(row);
   }
@@ -84,23 +73,20 @@ Html DrawAgreement(const JudgeEvidence& evidence) {
 }
 
 Html DrawQualityOfCells(const ReportData& data) {
-  const Align number = Align::kNumber;
   Table table("Held grasps by condition and seat, medians.",
-              {{"Condition"},
-               {"Seat"},
-               {"Judged", number},
-               {"Breaking force [N]", number, "smallest of six pulls, on top of the weight"},
-               {"Lowest [N]", number},
-               {"Breaking moment [N mm]", number, "smallest of six twists"},
-               {"sigma [N]", number, "what the contacts' forces predict"},
-               {"epsilon", number, "ferrari-canny, before lift-off"}});
+              {"Condition",
+               "Seat",
+               "Judged",
+               {"Breaking force [N]", "smallest of six pulls, on top of the weight"},
+               "Lowest [N]",
+               {"Breaking moment [N mm]", "smallest of six twists"},
+               {"sigma [N]", "what the contacts' forces predict"},
+               {"epsilon", "ferrari-canny, before lift-off"}});
   for (const CellLoads& loads : ListCellLoads(data.summary)) {
-    table.AddRow(
-        {LinkTo(loads.cell->key, NameOfCell(*loads.cell, data.models)), Text(WordsOf(loads.seat)),
-         Text(std::to_string(loads.num_judged)), Text(FormatFixed(loads.force.median, 2)),
-         Text(FormatFixed(loads.force.lowest, 2)),
-         Text(FormatFixed(MmFromM(loads.moment.median), 1)),
-         Text(FormatFixed(loads.sigma.median, 2)), Text(FormatFixed(loads.epsilon.median, 3))});
+    table.AddRow({LinkTo(loads.cell->key, NameOfCell(*loads.cell, data.models)),
+                  WordsOf(loads.seat), loads.num_judged, FormatFixed(loads.force.median, 2),
+                  FormatFixed(loads.force.lowest, 2), FormatFixed(MmFromM(loads.moment.median), 1),
+                  FormatFixed(loads.sigma.median, 2), FormatFixed(loads.epsilon.median, 3)});
   }
   return MakeDetails("Breaking loads of every condition", table.ToHtml());
 }

@@ -21,17 +21,15 @@ Html DrawGrip(const ReportData& data) {
   }
   const bool is_felt =
       std::any_of(grips.begin(), grips.end(), [](const GripSummary& grip) { return grip.is_felt; });
-  const Align number = Align::kNumber;
   Table table("Regulated grips of each condition: medians of the trials that reached the hold.",
-              {{"Condition"},
-               {"Trials", number, "that reached the hold"},
-               {"Asked [N]", number, "sum over the hand"},
-               {"Held [N]", number,
-                is_felt ? "sum over the hand as its elements feel it, mean of the hold"
-                        : "sum over the hand, mean of the hold"},
-               {"In truth [N]", number, "the true sum, felt or not"},
-               {"Within 20 %", number, "trials whose held sum is"},
-               {"Digits without their force", Align::kText,
+              {"Condition",
+               {"Trials", "that reached the hold"},
+               {"Asked [N]", "sum over the hand"},
+               {"Held [N]", is_felt ? "sum over the hand as its elements feel it, mean of the hold"
+                                    : "sum over the hand, mean of the hold"},
+               {"In truth [N]", "the true sum, felt or not"},
+               {"Within 20 %", "trials whose held sum is"},
+               {"Digits without their force",
                 "more than a fifth off, with the reason and in how many of these trials"}});
   int num_held = 0;
   int num_within = 0;
@@ -43,10 +41,9 @@ Html DrawGrip(const ReportData& data) {
       off += (off.empty() ? "" : "; ") + NameOfCell(*grip.cell, data.models);
     }
     const std::string faults = DescribeFaults(grip.faults);
-    table.AddRow({LinkTo(grip.cell->key, NameOfCell(*grip.cell, data.models)),
-                  Text(std::to_string(grip.held.n)), Text(FormatGripMedian(grip.asked)),
-                  Text(FormatGripMedian(grip.held)), Text(FormatGripMedian(grip.pressed)),
-                  Text(std::to_string(grip.num_within)), Text(faults.empty() ? "-" : faults)});
+    table.AddRow({LinkTo(grip.cell->key, NameOfCell(*grip.cell, data.models)), grip.held.n,
+                  FormatGripMedian(grip.asked), FormatGripMedian(grip.held),
+                  FormatGripMedian(grip.pressed), grip.num_within, faults.empty() ? "-" : faults});
   }
   return MakeParagraph(
              "A hand that regulates its grip closes until each digit has its share, then keeps "

@@ -1,7 +1,7 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/base/version.h"
-#include "core/grasp/grasp_taxonomies.h"
+#include "core/grasp/standard_grasp.h"
 #include "reports/page/layout.h"
 #include "reports/sections/section.h"
 
@@ -38,20 +38,18 @@ Html DrawMeasures() {
   Table table(
       "Measures of contact simultaneity; t is the first contact of a grasping digit, T the "
       "thumb, t0 the start of closure.",
-      {{"Measure"}, {"Definition"}});
-  table.AddRow({Text("GCT, grasp closure time"), Text("max t - t0")});
-  table.AddRow({Text("GFT, grasp forming time"), Text("max t - min t")});
-  table.AddRow({Text("GOT, grasp opposing time"), Text("|t of T - min t of the others|")});
-  table.AddRow({Text("GFT%, GOT%"), Text("GFT / GCT and GOT / GCT")});
+      {"Measure", "Definition"});
+  table.AddRow({"GCT, grasp closure time", "max t - t0"});
+  table.AddRow({"GFT, grasp forming time", "max t - min t"});
+  table.AddRow({"GOT, grasp opposing time", "|t of T - min t of the others|"});
+  table.AddRow({"GFT%, GOT%", "GFT / GCT and GOT / GCT"});
   return table.ToHtml();
 }
 
 Html DrawOrigins() {
   Table table("What stands in Röthling's thesis (Bielefeld, 2007) and what is graspbench's own.",
-              {{"Item", Align::kProse}, {"Origin"}});
-  const auto add = [&](const char* item, const char* origin) {
-    table.AddRow({Text(item), Text(origin)});
-  };
+              {"Item", "Origin"});
+  const auto add = [&](const char* item, const char* origin) { table.AddRow({item, origin}); };
   add("Five-phase strategy; four grasp types, five standard grasps", "known from the thesis");
   add("Mass, size, centre of mass and friction of the 21 objects; ten trials per condition",
       "known from the thesis, table 4.1");
@@ -67,62 +65,58 @@ Html DrawOrigins() {
 }
 
 Html DrawTaxonomies() {
-  std::vector<Column> columns = {{"Taxonomy"}};
+  std::vector<Column> columns = {"Taxonomy"};
   for (const GraspType type : kGraspTypes) {
-    columns.push_back({std::string(CodeOf(type)) + " " + NameOf(type), Align::kProse});
+    columns.push_back(std::string(CodeOf(type)) + " " + NameOf(type));
   }
   Table table("What earlier taxonomies call the four grasp types (Röthling 2007).", columns);
   for (const GraspTaxonomy& taxonomy : ListGraspTaxonomies()) {
-    std::vector<Html> row = {
-        Text(taxonomy.author + std::string(" ") + std::to_string(taxonomy.year))};
-    for (const char* name : taxonomy.names) row.push_back(Text(name));
+    std::vector<Cell> row = {taxonomy.author + std::string(" ") + std::to_string(taxonomy.year)};
+    for (const char* name : taxonomy.names) row.push_back(name);
     table.AddRow(row);
   }
   return table.ToHtml();
 }
 
 Html DrawHands(const ReportData& data) {
-  const Align number = Align::kNumber;
   Table table("Hands as they were when this page was made.",
-              {{"Hand"},
-               {"Id"},
-               {"Digits", number},
-               {"Joints", number},
-               {"Joint accuracy [deg]", number, "half-width of the uniform error"},
-               {"Content hash"}});
+              {"Hand",
+               "Id",
+               "Digits",
+               "Joints",
+               {"Joint accuracy [deg]", "half-width of the uniform error"},
+               "Content hash"});
   for (const std::string& id : data.summary.hands) {
     const auto hand = data.models.FindHand(id);
     if (!hand) continue;
-    table.AddRow({Text(hand->name), Text(id), Text(std::to_string(hand->digits.size())),
-                  Text(std::to_string(hand->num_joints())),
-                  Text(FormatFixed(DegFromRad(hand->joint_accuracy), 2)),
+    table.AddRow({hand->name, id, hand->digits.size(), hand->num_joints(),
+                  FormatFixed(DegFromRad(hand->joint_accuracy), 2),
                   Element("code", {}, hand->content_hash)});
   }
   return table.ToHtml();
 }
 
 Html DrawObjects(const ReportData& data) {
-  const Align number = Align::kNumber;
   Table table("Objects as they were when this page was made; sizes of grasp.",
-              {{"Object"},
-               {"Id"},
-               {"Mass [g]", number},
-               {"Length [mm]", number},
-               {"Width [mm]", number},
-               {"Height [mm]", number},
-               {"Centre of mass [mm]", number, "from the geometric centre, along the length"},
-               {"Static friction", number},
-               {"Dynamic friction", number},
-               {"Content hash"}});
+              {"Object",
+               "Id",
+               "Mass [g]",
+               "Length [mm]",
+               "Width [mm]",
+               "Height [mm]",
+               {"Centre of mass [mm]", "from the geometric centre, along the length"},
+               "Static friction",
+               "Dynamic friction",
+               "Content hash"});
   for (const std::string& id : data.summary.objects) {
     const auto object = data.models.FindObject(id);
     if (!object) continue;
-    std::vector<Html> row = {Text(object->name), Text(id),
-                             Text(FormatFixed(GFromKg(object->mass_properties.mass), 1))};
-    for (double side : object->size) row.push_back(Text(FormatFixed(MmFromM(side), 1)));
-    row.push_back(Text(FormatFixed(MmFromM(object->mass_properties.p_OOcm.x()), 1)));
-    row.push_back(Text(FormatFixed(object->surface.friction_static, 2)));
-    row.push_back(Text(FormatFixed(object->surface.friction_dynamic, 2)));
+    std::vector<Cell> row = {object->name, id,
+                             FormatFixed(GFromKg(object->mass_properties.mass), 1)};
+    for (double side : object->size) row.push_back(FormatFixed(MmFromM(side), 1));
+    row.push_back(FormatFixed(MmFromM(object->mass_properties.p_OOcm.x()), 1));
+    row.push_back(FormatFixed(object->surface.friction_static, 2));
+    row.push_back(FormatFixed(object->surface.friction_dynamic, 2));
     row.push_back(Element("code", {}, object->content_hash));
     table.AddRow(row);
   }

@@ -1,6 +1,6 @@
 #include "core/base/text/text.h"
-#include "reports/outcome_words.h"
 #include "reports/page/layout.h"
+#include "reports/page/models.h"
 #include "reports/plots/svg_plot.h"
 #include "reports/sections/section.h"
 

@@ -2,11 +2,10 @@
 #include <limits>
 
 #include "core/base/text/text.h"
-#include "reports/outcome_words.h"
-#include "reports/page/findings.h"
 #include "reports/page/layout.h"
+#include "reports/page/models.h"
 #include "reports/plots/svg_plot.h"
-#include "reports/scenes/filmstrip.h"
+#include "reports/scenes/cell_pictures.h"
 #include "reports/sections/section.h"
 
 namespace graspbench {
@@ -154,16 +153,15 @@ Html DrawWorstCells(const ReportData& data) {
                   FormatCount(static_cast<int>(data.summary.cells.size()), "condition") + "; " +
                   std::to_string(worst.size()) + (worst.size() == 1 ? " has" : " have") +
                   " failures.",
-              {{"Condition", Align::kProse}, {"Successes", Align::kNumber}, {"Most often"}});
+              {"Condition", "Successes", "Most often"});
   for (size_t i = 0; i < num_shown; ++i) {
     const CellSummary& cell = *worst[i];
     table.AddRow(
         {DrawLastThumbnail(data.pictures, cell.key) +
              LinkTo(cell.key, data.models.NameOfHand(cell.hand) + ", " +
                                   data.models.NameOfObject(cell.object) + ", " + cell.grasp),
-         Text(std::to_string(cell.tally.successes()) + " of " +
-              std::to_string(cell.tally.finished)),
-         Text(NameOf(cell.tally.most_frequent_failure()))});
+         std::to_string(cell.tally.successes()) + " of " + std::to_string(cell.tally.finished),
+         NameOf(cell.tally.most_frequent_failure())});
   }
   return table.ToHtml();
 }

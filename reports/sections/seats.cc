@@ -1,19 +1,11 @@
 #include "core/base/text/text.h"
-#include "core/base/units.h"
-#include "datasets/analysis/seat_summary.h"
-#include "reports/outcome_words.h"
+#include "datasets/analysis/grip_summary.h"
 #include "reports/page/layout.h"
+#include "reports/page/models.h"
 #include "reports/sections/section.h"
 
 namespace graspbench {
 namespace {
-
-Html FormatSpread(const Spread& spread, double unit, int decimals) {
-  if (spread.n == 0) return Text("n/a");
-  const auto format = [&](double value) { return FormatFixed(unit * value, decimals); };
-  return Text(format(spread.median) + " (" + format(spread.lowest) + " to " +
-              format(spread.highest) + ")");
-}
 
 Html DrawSeats(const ReportData& data) {
   const std::vector<SeatSummary> seats = ListSeats(data.summary);
@@ -24,24 +16,15 @@ Html DrawSeats(const ReportData& data) {
       "is lifted (reseated): by more than 43 % of its height, sliding through all that touch it. "
       "Caged is a success that holds with less than 1.5 N or five weights. Figures of two seats "
       "are not averaged. ";
-  const Align number = Align::kNumber;
-  Table table("Held grasps by condition and seat: medians, lowest to highest.",
-              {{"Condition"},
-               {"Seat"},
-               {"Held", number, "successes that sit so"},
-               {"Caged", number},
-               {"Grip [N]", number, "mean sum of the normal forces over the hold"},
-               {"sigma [N]", number, "stability in the hold"},
-               {"GFT [ms]", number, "grasp forming time"}});
+  std::vector<Html> names;
   for (const SeatSummary& seat : seats) {
-    table.AddRow({LinkTo(seat.cell->key, NameOfCell(*seat.cell, data.models)),
-                  Text(WordsOf(seat.seat)), Text(std::to_string(seat.num_held)),
-                  Text(std::to_string(seat.num_caged)), FormatSpread(seat.grip, 1.0, 2),
-                  FormatSpread(seat.sigma, 1.0, 2), FormatSpread(seat.gft, MsFromS(1.0), 0)});
+    names.push_back(LinkTo(seat.cell->key, data.models.NameOfHand(seat.cell->hand)));
   }
   return MakeParagraph(
              intro + (counts.empty() ? "These records tell no seats." : Capitalise(counts) + ".")) +
-         MakeDetails("Seats of all conditions", table.ToHtml());
+         MakeDetails("Seats of all conditions",
+                     MakeTable("Held grasps by condition and seat: medians, lowest to highest.",
+                               ShowSeats(seats), names));
 }
 
 }  // namespace

@@ -3,14 +3,15 @@
 A section of the report. A new one is one file here that defines `Section <name>_section()` and one
 line in section_list.inc, which fixes the order of the page. */
 
+#include <string>
 #include <vector>
 
 #include "datasets/analysis/conditions/numerics_summary.h"
 #include "datasets/analysis/conditions/sensitivity_summary.h"
 #include "datasets/analysis/conditions/threshold_summary.h"
 #include "datasets/analysis/session_summary.h"
+#include "reports/page/layout.h"
 #include "reports/page/models.h"
-#include "reports/page/sectioned_page.h"
 #include "reports/scenes/cell_pictures.h"
 #include "reports/session_views.h"
 
@@ -36,5 +37,11 @@ std::vector<Section> ListSections();
 #define GRASPBENCH_SECTION(name) Section name##_section();
 #include "reports/sections/section_list.inc"
 #undef GRASPBENCH_SECTION
+
+// Everything a reader must know before trusting the numbers, as sentences.
+/** Errors first: missing trials, damaged journal lines of an unfinished session, numerical
+failures, contacts before the start of closure, models and pictures that are missing. Empty for a
+flawless session. */
+std::vector<std::string> ListFindings(const ReportData& data);
 
 }  // namespace graspbench

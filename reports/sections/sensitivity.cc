@@ -1,8 +1,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/base/text/range_text.h"
-#include "core/base/units.h"
+#include "core/base/text/text.h"
 #include "datasets/analysis/conditions/sensitivity_summary.h"
 #include "reports/page/layout.h"
 #include "reports/plots/line_plot.h"
@@ -33,34 +32,14 @@ Html DrawRates(const std::string& hand, const SensitivitySummary& summary) {
 }
 
 Html DrawMeasures(const std::string& hand, const SensitivitySummary& summary) {
-  const Align number = Align::kNumber;
-  Table table(
-      "What single settings change of medians of the " + hand +
-          ", with 95 % intervals from drawing conditions; trials in which both have the measure.",
-      {{"Setting"},
-       {"Was", number, "the session's value"},
-       {"Pairs", number, "trials of the same draws"},
-       {"Left out", Align::kProse, "trials without a pair"},
-       {"Lost", number, "successes that fail under the setting"},
-       {"Won", number, "failures that succeed under the setting"},
-       {"GCT [ms]", number},
-       {"GFT [ms]", number},
-       {"GFT% [%]", number},
-       {"GOT% [%]", number},
-       {"sigma [N]", number}});
-  for (const SettingChange& change : summary.changes) {
-    table.AddRow({Element("code", {}, FormatSetting(change.setting)),
-                  Text(FormatSetting(change.value)), Text(CountPairs(change)),
-                  Text(change.why_left_out.empty() ? "none" : change.why_left_out),
-                  Text(std::to_string(change.successes.first_only)),
-                  Text(std::to_string(change.successes.second_only)),
-                  Text(FormatChange(change, "gct_s", MsFromS(1.0), 0)),
-                  Text(FormatChange(change, "gft_s", MsFromS(1.0), 0)),
-                  Text(FormatChange(change, "gft_ratio", 100.0, 1)),
-                  Text(FormatChange(change, "got_ratio", 100.0, 1)),
-                  Text(FormatChange(change, "sigma_n", 1.0, 2))});
-  }
-  return MakeDetails("Times, ratios and sigma", table.ToHtml());
+  return MakeDetails(
+      "Times, ratios and sigma",
+      MakeTable("What single settings change of medians of the " + hand +
+                    ", with 95 % intervals from drawing conditions; trials in which both have the "
+                    "measure.",
+                ShowChanges(summary.changes,
+                            {"setting", "was", "pairs", "won", "lost", "GCT [ms]", "GFT [ms]",
+                             "GFT% [%]", "GOT% [%]", "sigma [N]", "left out"})));
 }
 
 Html DrawHands(const ReportData& data, const SensitivitySummary& summary) {

@@ -8,7 +8,6 @@
 #include "datasets/analysis/sensor_summary.h"
 #include "datasets/plan/grasp_choice.h"
 #include "reports/page/layout.h"
-#include "reports/plots/hand_map.h"
 #include "reports/scenes/sight_picture.h"
 #include "reports/sections/section.h"
 
@@ -22,26 +21,24 @@ constexpr size_t kFewElements = 12;         // a table rather than a map
 std::string FormatMm(double length) { return FormatFixed(MmFromM(length), 2); }
 
 Html DrawPlaces(const SensorSummary& summary, const SessionModels& models) {
-  const Align number = Align::kNumber;
   Table table("Where the hand took the objects to be, against where they lay.",
-              {{"Hand"},
-               {"Object"},
-               {"Trials", number},
-               {"Found", number},
-               {"Position, median [mm]", number},
-               {"Position, worst [mm]", number},
-               {"Direction, median [deg]", number, "half-turns apart; of what is longer than wide"},
-               {"Direction, worst [deg]", number}});
+              {"Hand",
+               "Object",
+               "Trials",
+               "Found",
+               "Position, median [mm]",
+               "Position, worst [mm]",
+               {"Direction, median [deg]", "half-turns apart; of what is longer than wide"},
+               "Direction, worst [deg]"});
   for (const PlaceErrors& place : summary.places) {
     const auto object = models.FindObject(place.object);
     const bool has_direction = object && object->size.x() > kSurelyLong * object->size.y();
     const auto turn = [&](double angle) {
       return has_direction ? FormatFixed(DegFromRad(angle), 2) : std::string("n/a");
     };
-    table.AddRow({Text(models.NameOfHand(place.hand)), Text(models.NameOfObject(place.object)),
-                  Text(std::to_string(place.num_trials)), Text(std::to_string(place.num_found)),
-                  Text(FormatMm(place.median)), Text(FormatMm(place.worst)),
-                  Text(turn(place.median_turn)), Text(turn(place.worst_turn))});
+    table.AddRow({models.NameOfHand(place.hand), models.NameOfObject(place.object),
+                  place.num_trials, place.num_found, FormatMm(place.median), FormatMm(place.worst),
+                  turn(place.median_turn), turn(place.worst_turn)});
   }
   return MakeDetails("Errors of every object", table.ToHtml());
 }
@@ -49,23 +46,23 @@ Html DrawPlaces(const SensorSummary& summary, const SessionModels& models) {
 /** A row a hand and class, a column a positioning. */
 Html DrawOffsets(const std::vector<OffsetClass>& offsets, const SessionModels& models) {
   std::vector<std::string> positionings;
-  std::vector<Column> columns = {{"Hand"}, {"Offset [mm]", Align::kNumber}};
+  std::vector<Column> columns = {"Hand", "Offset [mm]"};
   for (const OffsetClass& offset : offsets) {
     if (std::count(positionings.begin(), positionings.end(), offset.positioning)) continue;
     positionings.push_back(offset.positioning);
-    columns.push_back({"Success, " + offset.positioning, Align::kProse});
+    columns.push_back("Success, " + offset.positioning);
   }
   Table table(std::string("Success by how far the object lay from where it should") +
                   (positionings.size() > 1 ? ", on the same draws." : "."),
               columns);
   for (const OffsetClass& row : offsets) {
     if (row.positioning != positionings.front()) continue;
-    std::vector<Html> cells = {
-        Text(models.NameOfHand(row.hand)),
-        Text(FormatFixed(MmFromM(row.low), 1) + " to " + FormatFixed(MmFromM(row.high), 1))};
+    std::vector<Cell> cells = {
+        models.NameOfHand(row.hand),
+        FormatFixed(MmFromM(row.low), 1) + " to " + FormatFixed(MmFromM(row.high), 1)};
     for (const OffsetClass& offset : offsets) {
       if (offset.hand != row.hand || offset.low != row.low) continue;
-      cells.push_back(Text(offset.tally.finished > 0 ? FormatRate(offset.tally) : "n/a"));
+      cells.push_back(offset.tally.finished > 0 ? FormatRate(offset.tally) : "n/a");
     }
     table.AddRow(cells);
   }
@@ -112,33 +109,29 @@ std::string FormatShare(int count, int all) {
 }
 
 Html DrawTouches(const SensorSummary& summary, const SessionModels& models) {
-  const Align number = Align::kNumber;
   Table table("Touches of more than 0.1 N, by link of the hand, and what was felt of them.",
-              {{"Hand"},
-               {"Trials", number},
-               {"On sensed surface: felt within 10 ms", number},
-               {"Felt later", number},
-               {"Never felt", number},
-               {"Longest delay [ms]", number},
-               {"Elsewhere", number, "of all touches those beside any sensed surface"}});
+              {"Hand",
+               "Trials",
+               "On sensed surface: felt within 10 ms",
+               "Felt later",
+               "Never felt",
+               "Longest delay [ms]",
+               {"Elsewhere", "of all touches those beside any sensed surface"}});
   for (const FeltTouches& felt : summary.touches) {
     const TouchRecord& sum = felt.sum;
     const int missed = sum.num_touches - sum.num_felt_in_time - sum.num_felt_late;
-    table.AddRow({Text(models.NameOfHand(felt.hand)), Text(std::to_string(felt.num_trials)),
-                  Text(FormatShare(sum.num_felt_in_time, sum.num_touches)),
-                  Text(std::to_string(sum.num_felt_late)), Text(std::to_string(missed)),
-                  Text(FormatFixed(MsFromS(sum.longest_delay), 0)),
-                  Text(FormatShare(sum.num_elsewhere, sum.num_touches + sum.num_elsewhere))});
+    table.AddRow({models.NameOfHand(felt.hand), felt.num_trials,
+                  FormatShare(sum.num_felt_in_time, sum.num_touches), sum.num_felt_late, missed,
+                  FormatFixed(MsFromS(sum.longest_delay), 0),
+                  FormatShare(sum.num_elsewhere, sum.num_touches + sum.num_elsewhere)});
   }
   return table.ToHtml();
 }
 
 Html DrawPeakTable(const Hand& hand, const std::vector<double>& peak) {
-  Table table("Largest force on each sensor of the " + hand.name + ".",
-              {{"Link"}, {"Peak [N]", Align::kNumber}});
+  Table table("Largest force on each sensor of the " + hand.name + ".", {"Link", "Peak [N]"});
   for (size_t i = 0; i < peak.size(); ++i) {
-    table.AddRow(
-        {Text(hand.links[hand.skin->elements[i].link].name), Text(FormatFixed(peak[i], 2))});
+    table.AddRow({hand.links[hand.skin->elements[i].link].name, FormatFixed(peak[i], 2)});
   }
   return table.ToHtml();
 }

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
 #include "datasets/analysis/simultaneity_summary.h"
 #include "reports/page/layout.h"
@@ -17,19 +16,6 @@ constexpr double kFamilyLevel = 0.05;
 /** Reading and shuffling more takes longer than the rest of the page. */
 constexpr size_t kMostTrials = 5000;
 
-/** "push before lift-off" of "push before lift-off [mm]". */
-std::string NameWithoutUnit(const SimultaneityRelation& row) {
-  const std::string label = row.response->shown.label;
-  return label.substr(0, label.find(" ["));
-}
-
-std::string FormatRho(const SimultaneityRelation& row) {
-  if (!row.relation) return "n/a";
-  const Interval range =
-      row.relation->interval ? *row.relation->interval : Interval{kUnset, kUnset};
-  return FormatWithRange(row.relation->correlation, range.low, range.high, 2);
-}
-
 Relations TakeHand(const Relations& relations, const std::string& hand) {
   Relations part;
   std::copy_if(relations.begin(), relations.end(), std::back_inserter(part),
@@ -44,7 +30,7 @@ std::string DescribeHand(const std::string& name, const Relations& relations) {
     num_tests += row.relation ? 1 : 0;
     if (!(row.p_holm <= kFamilyLevel)) continue;
     found += (found.empty() ? ": " : ", ") + NameTimingMeasure(row.measure) + " with " +
-             NameWithoutUnit(row) + " (" + FormatRho(row) + ")";
+             NameResponse(row) + " (" + FormatRho(row) + ")";
     ++num_found;
   }
   if (num_tests == 0) return name + ": too few trials of a condition that differ.";
@@ -59,13 +45,10 @@ Html DrawRatios(const std::string& name, const Relations& relations) {
   plot.axis = "rank correlation with GFT%, within conditions";
   for (const SimultaneityRelation& row : relations) {
     if (row.measure != "gft_ratio" || !row.relation) continue;
-    IntervalPlot::Row shown;
-    shown.label = NameWithoutUnit(row);
-    shown.value = row.relation->correlation;
-    shown.low = row.relation->interval ? row.relation->interval->low : kUnset;
-    shown.high = row.relation->interval ? row.relation->interval->high : kUnset;
-    shown.text = FormatRho(row);
-    plot.rows.push_back(shown);
+    const Interval range =
+        row.relation->interval ? *row.relation->interval : Interval{kUnset, kUnset};
+    plot.rows.push_back(
+        {NameResponse(row), row.relation->correlation, range.low, range.high, FormatRho(row)});
   }
   if (plot.rows.empty()) return Html();
   return MakeFigure(plot.text.title + ".",
@@ -75,27 +58,17 @@ Html DrawRatios(const std::string& name, const Relations& relations) {
 }
 
 Html DrawAll(const Relations& relations, const SessionModels& models) {
-  const Align number = Align::kNumber;
-  Table table(
-      "Rank correlation of measures of simultaneity with what became of the trial, within "
-      "conditions, with 95 % intervals.",
-      {{"Hand"},
-       {"Of the trial"},
-       {"Measure"},
-       {"Trials", number, "in conditions with informative trials"},
-       {"Conditions", number},
-       {"Correlation", number},
-       {"p", number, "two-sided, by permutation within conditions"},
-       {"p of all", number, "after Holm, over the table"}});
+  Relations found;
+  std::vector<Html> hands;
   for (const SimultaneityRelation& row : relations) {
     if (!row.relation) continue;
-    table.AddRow({Text(models.NameOfHand(row.hand)), Text(NameWithoutUnit(row)),
-                  Text(NameTimingMeasure(row.measure)),
-                  Text(std::to_string(row.relation->num_pairs)),
-                  Text(std::to_string(row.relation->num_groups)), Text(FormatRho(row)),
-                  Text(FormatFixed(row.relation->p, 4)), Text(FormatFixed(row.p_holm, 3))});
+    found.push_back(row);
+    hands.push_back(Text(models.NameOfHand(row.hand)));
   }
-  return MakeDetails("All relations", table.ToHtml());
+  return MakeDetails("All relations",
+                     MakeTable("Rank correlation of measures of simultaneity with what became of "
+                               "the trial, within conditions, with 95 % intervals.",
+                               ShowRelations(found), hands));
 }
 
 Html DrawSimultaneity(const ReportData& data) {

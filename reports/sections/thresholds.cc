@@ -15,32 +15,16 @@ Html NameCell(const ReportData& data, const CellThreshold& cell) {
   const auto known = std::find_if(cells.begin(), cells.end(), [&](const auto& one) {
     return one.hand == cell.hand && one.object == cell.object && one.grasp == cell.grasp;
   });
-  if (known == cells.end()) return Text(cell.hand + ", " + cell.object + ", " + cell.grasp);
-  return LinkTo(known->key, NameOfCell(*known, data.models));
+  if (known == cells.end()) return Text(cell.hand);
+  return LinkTo(known->key, data.models.NameOfHand(cell.hand));
 }
 
 Html DrawCellThresholds(const ReportData& data, const ThresholdSummary& summary) {
-  const ThresholdScale& scale = *summary.scale;
-  const Align number = Align::kNumber;
-  Table table(
-      "Grip thresholds of the draws of each condition, as a " + std::string(scale.name) + ".",
-      {{"Condition"},
-       {"Draws", number},
-       {"Median", number, "smallest grip with which the draw in the middle succeeds"},
-       {"95 % interval", number, "of order statistics"},
-       {"Held by the least", number, "the threshold is no larger than the scale's end"},
-       {"Never held", number, "by no grip that was asked"},
-       {"Not monotone", number, "trials that fail again with a larger grip, as far as was asked"}});
-  for (const CellThreshold& cell : summary.cells) {
-    const std::string interval = std::isnan(cell.low) ? "n/a"
-                                                      : FormatThreshold(scale, cell.low) + " to " +
-                                                            FormatThreshold(scale, cell.high);
-    table.AddRow({NameCell(data, cell), Text(std::to_string(cell.num_draws)),
-                  Text(FormatMedian(scale, cell)), Text(interval),
-                  Text(std::to_string(cell.num_below)), Text(std::to_string(cell.num_never)),
-                  Text(NameNotMonotone(cell))});
-  }
-  return table.ToHtml();
+  std::vector<Html> names;
+  for (const CellThreshold& cell : summary.cells) names.push_back(NameCell(data, cell));
+  return MakeTable("Grip thresholds of the draws of each condition, as a " +
+                       std::string(summary.scale->name) + ".",
+                   ShowCells(summary), names);
 }
 
 Html DrawMedians(const ReportData& data, const ThresholdSummary& summary) {
@@ -52,14 +36,10 @@ Html DrawMedians(const ReportData& data, const ThresholdSummary& summary) {
               (*scale.unit ? std::string(" [") + scale.unit + "]" : "");
   const auto finite = [](double value) { return std::isfinite(value) ? value : kUnset; };
   for (const CellThreshold& cell : summary.cells) {
-    IntervalPlot::Row row;
-    row.label = data.models.NameOfHand(cell.hand) + ", " + data.models.NameOfObject(cell.object) +
-                ", " + cell.grasp;
-    row.value = finite(cell.median);
-    row.low = std::isfinite(cell.high) ? cell.low : kUnset;
-    row.high = finite(cell.high);
-    row.text = FormatMedian(scale, cell);
-    plot.rows.push_back(row);
+    const std::string label = data.models.NameOfHand(cell.hand) + ", " +
+                              data.models.NameOfObject(cell.object) + ", " + cell.grasp;
+    plot.rows.push_back({label, finite(cell.median), std::isfinite(cell.high) ? cell.low : kUnset,
+                         finite(cell.high), FormatMedian(scale, cell)});
   }
   return MakeFigure(
       plot.text.title + ".",

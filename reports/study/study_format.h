@@ -8,6 +8,8 @@ cent; heads carry the unit, cells the number alone. */
 
 #include "human_study/events/trial_analysis.h"
 #include "human_study/study/inference/study_statistics.h"
+#include "reports/page/layout.h"
+#include "reports/study/study_report.h"
 
 namespace graspbench {
 
@@ -41,5 +43,21 @@ std::string DescribeFactors(const std::vector<Factor>& factors);
 std::string FormatSlopeUnit(const std::string& unit);
 /** An effect of statistics.csv in words: names of factors, and of the conditions of a pair. */
 std::string NameOfEffect(const std::string& effect, const std::vector<Factor>& factors);
+
+/* A section of the study's report. A new one is one file in sections/ that defines `StudySection
+<name>_study_section()` and one line in section_list.inc, which fixes the order of the page. */
+struct StudyPageData {
+  const StudyResult& result;
+  const RobotSession* robot;  ///< null: none
+};
+
+using StudySection = PageSection<StudyPageData>;
+
+/** In the order of the page. */
+std::vector<StudySection> ListStudySections();
+
+#define GRASPBENCH_STUDY_SECTION(name) StudySection name##_study_section();
+#include "reports/study/sections/section_list.inc"
+#undef GRASPBENCH_STUDY_SECTION
 
 }  // namespace graspbench

@@ -7,7 +7,7 @@
 #include "core/base/files/files.h"
 #include "core/base/hash.h"
 #include "core/base/text/text.h"
-#include "reports/study/study_section.h"
+#include "reports/study/study_format.h"
 
 namespace graspbench {
 

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -31,22 +30,22 @@ constexpr MarkerSet kMarkerSets[] = {
 
 struct Behaviour {
   const char* name;
-  void (*set)(ReachConditions& conditions);
+  void (*set)(Conditions& conditions);
 };
 
 const Behaviour kBehaviours[] = {
-    {"rigid", [](ReachConditions&) {}},
-    {"yield 2 mm", [](ReachConditions& c) { c.yield = 2e-3; }},
-    {"nail marker", [](ReachConditions& c) { c.nail_markers = true; }},
-    {"push 5 mm", [](ReachConditions& c) { c.push = 5e-3; }},
+    {"rigid", [](Conditions&) {}},
+    {"yield 2 mm", [](Conditions& c) { c.yield = 2e-3; }},
+    {"nail marker", [](Conditions& c) { c.nail_markers = true; }},
+    {"push 5 mm", [](Conditions& c) { c.push = 5e-3; }},
     {"soft approach",
-     [](ReachConditions& c) {
+     [](Conditions& c) {
        c.min_touch_speed = 10e-3;
        c.max_touch_speed = 25e-3;
      }},
-    {"half hidden", [](ReachConditions& c) { c.hidden_share = 0.5; }},
-    {"ring hovers", [](ReachConditions& c) { c.hovering_digit = 3; }},
-    {"true GFT 0", [](ReachConditions& c) { c.min_gft = c.max_gft = 0.0; }},
+    {"half hidden", [](Conditions& c) { c.hidden_share = 0.5; }},
+    {"ring hovers", [](Conditions& c) { c.hovering_digit = 3; }},
+    {"true GFT 0", [](Conditions& c) { c.min_gft = c.max_gft = 0.0; }},
 };
 
 struct Recorder {
@@ -73,14 +72,16 @@ void PrintHeading() {
 }
 
 void PrintRow(const Recorder& recorder, const char* markers, const char* behaviour,
-              const Accuracy& a) {
+              const Judged& judged) {
+  const Accuracy a = CompareWithTruth(judged);
+  const ZeroGft& zero = judged.result.statistics.zero_gft;
   std::printf(
       "| %g | %g | %s | %s | %d/%d | %d/%d | %d | %.1f | %.1f | %.2f | %.1f | %.1f | %.1f | %.1f | "
       "%.1f |\n",
       recorder.rate, 1e3 * recorder.noise, markers, behaviour, a.num_kept, a.num_trials,
       a.num_contacts, a.num_true_contacts, a.num_false_contacts, 1e3 * a.bias, 1e3 * a.sd,
-      a.coverage, 1e3 * a.gft_bias, 1e3 * a.gft_sd, 1e3 * a.median_gft, 1e3 * a.zero_median,
-      1e3 * a.zero_limit);
+      a.coverage, 1e3 * a.gft_bias, 1e3 * a.gft_sd, 1e3 * a.median_gft, 1e3 * zero.median,
+      1e3 * zero.limit);
   std::fflush(stdout);
 }
 
@@ -105,8 +106,6 @@ int Run(int argc, char** argv) {
       return 2;
     }
   }
-  const std::filesystem::path scratch =
-      std::filesystem::temp_directory_path() / ("graspbench_contact_accuracy_" + seed + detector);
   PrintHeading();
   for (const Recorder& recorder : ListRecorders(all)) {
     for (const MarkerSet& markers : kMarkerSets) {
@@ -114,6 +113,8 @@ int Run(int argc, char** argv) {
         const std::string name = std::string(markers.name) + " " + behaviour.name;
         if (!only.empty() && name.find(only) == std::string::npos) continue;
         StudyPlan plan;
+        plan.make_reach = MakeProtocolReach;
+        plan.conditions = MakeProtocolConditions();
         plan.seed = seed;
         plan.trials_per_person = num_trials / plan.num_people;
         plan.conditions.rate = recorder.rate;
@@ -123,11 +124,10 @@ int Run(int argc, char** argv) {
         plan.has_shape = markers.has_shape;
         behaviour.set(plan.conditions);
         if (!detector.empty()) plan.settings = "contact: {detector: " + detector + "}\n";
-        PrintRow(recorder, markers.name, behaviour.name, Measure(plan, scratch));
+        PrintRow(recorder, markers.name, behaviour.name, RunPlan(plan));
       }
     }
   }
-  std::filesystem::remove_all(scratch);
   return 0;
 }
 

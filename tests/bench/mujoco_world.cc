@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/physics/combine_surfaces.h"
+#include "core/physics/contact.h"
 
 namespace graspbench {
 namespace {
@@ -316,7 +316,7 @@ void MujocoWorld::Impl::Build(const Hand& hand, const Pose& X_WH) {
   std::vector<double> M(static_cast<size_t>(nv * nv));
   mj_fullM(model.get(), M.data(), data->qM);
   double sum = 0.0;
-  for (int i = num_slides; i < nv; ++i) sum += M[static_cast<size_t>(i * nv + i)];
+  for (int i = num_slides; i < nv; ++i) sum += M[i * nv + i];
   model->stat.meaninertia = sum / (nv - num_slides);
 }
 

@@ -2,9 +2,8 @@
 // creep during the hold and penetration side by side. Arguments: pairs of runs (default 10).
 //   build/release/tests/bench/peer_mujoco
 // Both sides run the same course of a trial (core/trial/protocols/table_lift.h) without variation
-// and are
-// judged by the same rules. Then the commands of that trial are repeated in a plain loop of steps,
-// which is what is timed, ours and MuJoCo's in turns. What is equal and what is not:
+// and are judged by the same rules. Then the commands of that trial are repeated in a plain loop of
+// steps, which is what is timed, ours and MuJoCo's in turns. What is equal and what is not:
 // mujoco_world.h.
 
 #include <mujoco/mujoco.h>
@@ -17,9 +16,11 @@
 #include <string>
 #include <vector>
 
+#include "core/base/text/text.h"
 #include "core/grasp/placement.h"
 #include "core/hand/load_hand.h"
 #include "core/physics/implicit_world.h"
+#include "core/statistics/summary.h"
 #include "core/trial/protocols/table_lift.h"
 #include "objects/catalogue.h"
 #include "tests/bench/mujoco_world.h"
@@ -79,25 +80,13 @@ struct Side {
 /** The benchmark's step, and that at which halving it flips no verdict of ours [s]. */
 constexpr double kSteps[] = {0.002, 0.00025};
 
-std::string FormatStep(double step) {
-  char text[20];
-  std::snprintf(text, sizeof text, ", %g ms", 1e3 * step);
-  return text;
-}
+std::string FormatStep(double step) { return ", " + FormatSignificant(1e3 * step, 6) + " ms"; }
 
 std::string FormatQuartiles(std::vector<double> values, double scale, int decimals) {
-  std::sort(values.begin(), values.end());
-  const auto at = [&](double share) {
-    const double place = share * static_cast<double>(values.size() - 1);
-    const auto low = static_cast<size_t>(place);
-    const size_t high = std::min(low + 1, values.size() - 1);
-    return scale *
-           (values[low] + (place - static_cast<double>(low)) * (values[high] - values[low]));
-  };
-  char text[80];
-  std::snprintf(text, sizeof text, "%.*f (%.*f to %.*f)", decimals, at(0.5), decimals, at(0.25),
-                decimals, at(0.75));
-  return text;
+  for (double& value : values) value *= scale;
+  const Answer<Summary> summary = CalcSummary(values);
+  return FormatWithRange(summary->median, summary->lower_quartile, summary->upper_quartile,
+                         decimals);
 }
 
 void RunScene(const std::shared_ptr<const Hand>& hand, const PeerScene& scene, int num_pairs) {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/quality/epsilon_fast.h"
-#include "core/quality/force_closure.h"
+#include "core/quality/grasp_quality.h"
 #include "core/quality/wrench_hull.h"
 #include "core/statistics/summary.h"
 #include "tests/bench/validation_main.h"

@@ -9,7 +9,7 @@
 #include <map>
 
 #include "core/base/files/files.h"
-#include "core/base/text/data_table.h"
+#include "core/base/text/delimited_text.h"
 #include "core/statistics/summary.h"
 #include "human_study/study/synthetic/demo_study.h"
 #include "workbench/program.h"

@@ -15,6 +15,7 @@
 #include "core/base/units.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/load_hand.h"
+#include "core/statistics/summary.h"
 #include "core/vision/wrist_camera.h"
 #include "objects/catalogue.h"
 
@@ -30,10 +31,8 @@ double ReadProcessorTime() {
 }
 
 double TakeQuantile(std::vector<double> values, double share) {
-  if (values.empty()) return kUnset;
   std::sort(values.begin(), values.end());
-  return values[std::min(values.size() - 1,
-                         static_cast<size_t>(share * static_cast<double>(values.size())))];
+  return values.empty() ? kUnset : CalcSortedQuantile(values, share);
 }
 
 struct Timing {

@@ -1,20 +1,15 @@
 // Any bytes as a set of contacts: refused with an Error, or a quality within its bounds. The hull
 // is left to the replay: it is too slow for a fuzzer.
-#include <cstddef>
-#include <cstdint>
-#include <string_view>
 
-#include "core/base/error.h"
 #include "core/quality/contacts_json.h"
 #include "core/quality/epsilon_fast.h"
+#include "tests/fuzz/fuzz_target.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
+namespace graspbench {
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  using namespace graspbench;
+void FuzzInput(const std::string& bytes) {
   try {
-    const QualityRequest request =
-        ParseQualityRequest({reinterpret_cast<const char*>(data), size}, "fuzz");
+    const QualityRequest request = ParseQualityRequest(bytes, "fuzz");
     WrenchSpace space;
     space.torque_scale = request.torque_scale.value_or(1.0);
     space.p_OR = request.p_OR;
@@ -24,5 +19,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
                       std::to_string(bounds.lower) + " to " + std::to_string(bounds.upper));
   } catch (const Error&) {
   }
-  return 0;
 }
+
+}  // namespace graspbench

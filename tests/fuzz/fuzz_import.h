@@ -9,8 +9,8 @@ One input for an importer, as a fuzzer or a replayed case gives it. */
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
-#include "human_study/recording/describe_recording.h"
 #include "human_study/recording/importers/importer.h"
+#include "human_study/recording/recording.h"
 
 namespace graspbench {
 

@@ -1,22 +1,18 @@
 // Any bytes as a grasp file of the TUM Hand: refused with an Error, or a grasp that the hand can
 // take and that is read again from what is written of it.
-#include <cstddef>
-#include <cstdint>
 #include <string>
 
-#include "core/base/error.h"
 #include "core/grasp/grasp_file.h"
 #include "core/grasp/placement.h"
 #include "core/hand/load_hand.h"
+#include "tests/fuzz/fuzz_target.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
+namespace graspbench {
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  using namespace graspbench;
+void FuzzInput(const std::string& bytes) {
   static const Hand hand = LoadHand("tum");
   try {
-    const Grasp grasp =
-        ParseGraspFile({reinterpret_cast<const char*>(data), size}, "fuzz", {&hand}).grasp;
+    const Grasp grasp = ParseGraspFile(bytes, "fuzz", {&hand}).grasp;
     for (const double s : {0.0, 0.5, 1.0}) {
       const Eigen::VectorXd q = CalcClosingPosture(hand, grasp, s);
       for (int j = 0; j < hand.num_joints(); ++j) {
@@ -29,5 +25,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     GRASPBENCH_DEMAND(placement.X_WH.matrix().allFinite(), "the hand's place is not finite");
   } catch (const Error&) {
   }
-  return 0;
 }
+
+}  // namespace graspbench

@@ -1,16 +1,12 @@
 /** @file
-libFuzzer target for one format of foreign grasps, named by GRASPBENCH_FUZZ_GRASPS at compile time:
+Target for one format of foreign grasps, named by GRASPBENCH_FUZZ_GRASPS at compile time:
 refused with an Error, or grasps of finite numbers that are written and read again the same. */
 
-#include <cstddef>
-#include <cstdint>
 #include <string>
 
-#include "core/base/error.h"
 #include "datasets/grasps/grasp_files.h"
 #include "datasets/grasps/write_grasps.h"
-
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
+#include "tests/fuzz/fuzz_target.h"
 
 namespace graspbench {
 namespace {
@@ -42,13 +38,11 @@ void CheckReadAgain(const std::vector<ForeignGrasp>& grasps, const std::string& 
 }
 
 }  // namespace
-}  // namespace graspbench
 
-int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  using namespace graspbench;
+void FuzzInput(const std::string& bytes) {
   try {
-    const std::vector<ForeignGrasp> grasps = ParseGrasps(
-        {reinterpret_cast<const char*>(data), size}, "fuzz", GRASPBENCH_FUZZ_GRASPS, MakeOptions());
+    const std::vector<ForeignGrasp> grasps =
+        ParseGrasps(bytes, "fuzz", GRASPBENCH_FUZZ_GRASPS, MakeOptions());
     for (const ForeignGrasp& grasp : grasps) {
       GRASPBENCH_DEMAND(!grasp.stages.empty() && grasp.scale > 0.0, grasp.object);
       for (const GraspStage& stage : grasp.stages) {
@@ -60,5 +54,6 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     CheckReadAgain(grasps, "isaac");
   } catch (const Error&) {
   }
-  return 0;
 }
+
+}  // namespace graspbench

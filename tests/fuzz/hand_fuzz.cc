@@ -1,24 +1,21 @@
 // Any bytes as hand.urdf and hand.yaml, parted by a line "%%%%": problems, or a hand that stands.
 
-#include <cstdint>
 #include <string>
 
-#include "core/base/error.h"
-#include "core/hand/coupling.h"
+#include "core/hand/hand.h"
 #include "core/hand/load_hand.h"
+#include "tests/fuzz/fuzz_target.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
+namespace graspbench {
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  using namespace graspbench;
-  const std::string bytes(reinterpret_cast<const char*>(data), size);
+void FuzzInput(const std::string& bytes) {
   const std::string part = "\n%%%%\n";
   const size_t at = bytes.find(part);
   const std::string urdf = bytes.substr(0, at);
   const std::string yaml = at == std::string::npos ? "" : bytes.substr(at + part.size());
   Diagnostics problems;
   const Hand hand = ParseHand(urdf, yaml, "no-such-folder", problems);
-  if (problems.num_errors() > 0) return 0;
+  if (problems.num_errors() > 0) return;
   Eigen::VectorXd q = Eigen::VectorXd::Constant(hand.num_joints(), 0.1);
   ApplyCoupling(hand, q);
   for (const Pose& X_HL : CalcLinkPoses(hand, q)) {
@@ -28,5 +25,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     GRASPBENCH_DEMAND(sphere.p_LS.allFinite() && sphere.radius > 0.0,
                       std::to_string(sphere.radius));
   }
-  return 0;
 }
+
+}  // namespace graspbench

@@ -4,18 +4,16 @@
 
 #include <unistd.h>
 
-#include <cstdint>
 #include <string>
 
-#include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "core/hand/import/import_hand.h"
 #include "core/hand/load_hand.h"
+#include "tests/fuzz/fuzz_target.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
+namespace graspbench {
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  using namespace graspbench;
+void FuzzInput(const std::string& bytes) {
   HandSource source;
   source.file = "hand.urdf";
   source.folder = "no-such-folder";
@@ -27,10 +25,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     return mesh;
   };
   Diagnostics problems;
-  const ImportedFiles imported =
-      ImportHand(std::string(reinterpret_cast<const char*>(data), size), source, "", problems);
+  const ImportedFiles imported = ImportHand(bytes, source, "", problems);
   GRASPBENCH_DEMAND(imported.files.empty() == (problems.num_errors() > 0), problems.Format());
-  if (imported.files.empty()) return 0;
+  if (imported.files.empty()) return;
   // Pictures lie in files of their own, which the loader reads.
   const std::filesystem::path folder = std::filesystem::temp_directory_path() /
                                        ("graspbench_fuzz_hand_" + std::to_string(::getpid()));
@@ -44,5 +41,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   std::filesystem::remove_all(folder);
   GRASPBENCH_DEMAND(of_loading.num_errors() == 0,
                     of_loading.Format() + "\n" + imported.files.at("hand.yaml"));
-  return 0;
 }
+
+}  // namespace graspbench

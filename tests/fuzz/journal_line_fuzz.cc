@@ -1,14 +1,10 @@
 /** @file
-libFuzzer target: a line of a journal: of trials, judgements, evaluations, developments, workers. */
-
-#include <cstddef>
-#include <cstdint>
+Target: a line of a journal: of trials, judgements, evaluations, developments, workers. */
 
 #include "tests/fuzz/fuzz_session.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
+namespace graspbench {
 
-int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  graspbench::FuzzJournalLine(std::string(reinterpret_cast<const char*>(data), size));
-  return 0;
-}
+void FuzzInput(const std::string& bytes) { FuzzJournalLine(bytes); }
+
+}  // namespace graspbench

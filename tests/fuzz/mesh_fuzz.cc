@@ -1,20 +1,16 @@
 // Any bytes as a mesh file of one format (GRASPBENCH_FUZZ_MESH), or of every one: refused with an
 // Error, or checked, repaired and checked again. A mesh without problems has a volume. The time and
 // memory of the reader of foreign formats are its own limits.
-#include <cstddef>
-#include <cstdint>
 #include <string>
 
-#include "core/base/error.h"
 #include "core/shape/repair/mesh_check.h"
 #include "core/shape/repair/mesh_repair.h"
 #include "objects/load_mesh.h"
+#include "tests/fuzz/fuzz_target.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
+namespace graspbench {
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  using namespace graspbench;
-  const std::string bytes(reinterpret_cast<const char*>(data), size);
+void FuzzInput(const std::string& bytes) {
 #ifdef GRASPBENCH_FUZZ_MESH
   const char* const kNames[] = {"mesh." GRASPBENCH_FUZZ_MESH};
 #else
@@ -31,5 +27,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
       GRASPBENCH_DEMAND(e.kind() == ErrorKind::kFormat, e.what());
     }
   }
-  return 0;
 }
+
+}  // namespace graspbench

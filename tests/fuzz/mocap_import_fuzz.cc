@@ -1,15 +1,11 @@
 /** @file
-libFuzzer target for one importer, named by GRASPBENCH_FUZZ_IMPORTER at compile time. */
-
-#include <cstddef>
-#include <cstdint>
+Target for one importer, named by GRASPBENCH_FUZZ_IMPORTER at compile time. */
 
 #include "tests/fuzz/fuzz_import.h"
+#include "tests/fuzz/fuzz_target.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
+namespace graspbench {
 
-int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  graspbench::FuzzImport(GRASPBENCH_FUZZ_IMPORTER,
-                         std::string(reinterpret_cast<const char*>(data), size));
-  return 0;
-}
+void FuzzInput(const std::string& bytes) { FuzzImport(GRASPBENCH_FUZZ_IMPORTER, bytes); }
+
+}  // namespace graspbench

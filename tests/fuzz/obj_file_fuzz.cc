@@ -1,21 +1,19 @@
 // Any bytes as an OBJ file: a problem, or a mesh whose triangles name vertices.
 
-#include <cstdint>
 #include <string>
 
-#include "core/base/error.h"
 #include "core/shape/obj_file.h"
+#include "tests/fuzz/fuzz_target.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
+namespace graspbench {
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  using namespace graspbench;
+void FuzzInput(const std::string& bytes) {
   Diagnostics problems;
-  const TriMesh mesh =
-      ParseObj(std::string(reinterpret_cast<const char*>(data), size), "fuzz", problems);
+  const TriMesh mesh = ParseObj(bytes, "fuzz", problems);
   for (const Eigen::Vector3i& t : mesh.triangles) {
     GRASPBENCH_DEMAND(t.minCoeff() >= 0 && t.maxCoeff() < mesh.num_vertices(),
                       std::to_string(t.maxCoeff()));
   }
-  return 0;
 }
+
+}  // namespace graspbench

@@ -2,25 +2,23 @@
 
 #include <stdlib.h>
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 
-#include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "datasets/pipeline/pipeline_pack.h"
+#include "tests/fuzz/fuzz_target.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
+namespace graspbench {
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  using namespace graspbench;
+void FuzzInput(const std::string& bytes) {
   namespace fs = std::filesystem;
   static const fs::path top = [] {
     std::string name = (fs::temp_directory_path() / "graspbench_fuzz_XXXXXX").string();
     GRASPBENCH_DEMAND(::mkdtemp(name.data()) != nullptr, name);
     return fs::path(name);
   }();
-  WriteFile(top / "pack.tar", {reinterpret_cast<const char*>(data), size});
+  WriteFile(top / "pack.tar", bytes);
   try {
     FindPackedFile(top / "out", Unpack(top / "pack.tar", top / "out"));
   } catch (const Error&) {
@@ -30,5 +28,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     GRASPBENCH_DEMAND(name == "out" || name == "pack.tar", name);
   }
   fs::remove_all(top / "out");
-  return 0;
 }
+
+}  // namespace graspbench

@@ -1,18 +1,16 @@
 // Any bytes as pipeline.yaml: problems in words, or stages that can run in their order.
 
-#include <cstdint>
 #include <set>
 #include <string>
 
 #include "tests/datasets/pipeline/made_commands.h"
+#include "tests/fuzz/fuzz_target.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
+namespace graspbench {
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  using namespace graspbench;
+void FuzzInput(const std::string& bytes) {
   try {
-    const Pipeline pipeline =
-        ParsePipeline({reinterpret_cast<const char*>(data), size}, "fuzz", MakeCommands());
+    const Pipeline pipeline = ParsePipeline(bytes, "fuzz", MakeCommands());
     std::set<std::string> done;
     for (const PipelineStage& stage : pipeline.stages) {
       for (const std::string& needed : stage.ListNeeded()) {
@@ -28,5 +26,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     }
   } catch (const Error&) {
   }
-  return 0;
 }
+
+}  // namespace graspbench

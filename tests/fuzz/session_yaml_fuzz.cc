@@ -1,14 +1,10 @@
 /** @file
-libFuzzer target: session.yaml, and the text behind --set. */
-
-#include <cstddef>
-#include <cstdint>
+Target: session.yaml, and the text behind --set. */
 
 #include "tests/fuzz/fuzz_session.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
+namespace graspbench {
 
-int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  graspbench::FuzzSessionYaml(std::string(reinterpret_cast<const char*>(data), size));
-  return 0;
-}
+void FuzzInput(const std::string& bytes) { FuzzSessionYaml(bytes); }
+
+}  // namespace graspbench

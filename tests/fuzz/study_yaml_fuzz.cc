@@ -1,17 +1,14 @@
 // Any bytes as study.yaml, and as a table beside it: problems in words, never a crash.
 
-#include <cstdint>
 #include <string>
 
-#include "core/base/error.h"
-#include "core/base/text/data_table.h"
+#include "core/base/text/delimited_text.h"
 #include "human_study/study/design/study_config.h"
+#include "tests/fuzz/fuzz_target.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
+namespace graspbench {
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  using namespace graspbench;
-  const std::string bytes(reinterpret_cast<const char*>(data), size);
+void FuzzInput(const std::string& bytes) {
   Diagnostics problems;
   const StudyConfig config = ParseStudyConfig(bytes, "fuzz", problems);
   if (problems.num_errors() == 0) {
@@ -24,5 +21,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     table.Text(row, "file");
     table.Number(row, "start_s");
   }
-  return 0;
 }
+
+}  // namespace graspbench

@@ -1,20 +1,16 @@
 // Any bytes as sweep.yaml, and as a line of the plan of such a session: refused with an Error, or
 // conditions that differ in each of its factors and can be run.
 
-#include <cstdint>
 #include <string>
 
-#include "core/base/error.h"
 #include "datasets/plan/conditions.h"
 #include "datasets/plan/session_plan.h"
-#include "datasets/plan/sweep_design.h"
 #include "datasets/records/trial_record.h"
+#include "tests/fuzz/fuzz_target.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
+namespace graspbench {
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  using namespace graspbench;
-  const std::string bytes(reinterpret_cast<const char*>(data), size);
+void FuzzInput(const std::string& bytes) {
   try {
     const SweepConfig sweep = ParseSweepConfig(bytes, "fuzz.yaml");
     const SessionConfig session = MakeSweep(sweep);
@@ -30,5 +26,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   } catch (const Error&) {
   } catch (const Json::exception&) {
   }
-  return 0;
 }
+
+}  // namespace graspbench

@@ -2,24 +2,21 @@
 // element and which shares a force out whole.
 
 #include <cmath>
-#include <cstdint>
 #include <numeric>
 #include <string>
 
-#include "core/base/error.h"
 #include "core/hand/load_hand.h"
-#include "core/hand/tactile_yaml.h"
+#include "core/hand/tactile.h"
 #include "core/trial/touch_sensors.h"
+#include "tests/fuzz/fuzz_target.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
+namespace graspbench {
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  using namespace graspbench;
+void FuzzInput(const std::string& bytes) {
   static const Hand hand = LoadHand("shadow");
   Diagnostics problems;
-  const TactileSkin skin = ParseTactile(std::string(reinterpret_cast<const char*>(data), size),
-                                        "tactile.yaml", hand, problems);
-  if (problems.num_errors() > 0) return 0;
+  const TactileSkin skin = ParseTactile(bytes, "tactile.yaml", hand, problems);
+  if (problems.num_errors() > 0) return;
   for (const SensedSurface& surface : skin.surfaces) {
     for (const SurfacePoint& point : surface.points) {
       GRASPBENCH_DEMAND(point.element >= 0, "a point without an element");
@@ -32,5 +29,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   for (const TactileElement& element : skin.elements) {
     GRASPBENCH_DEMAND(std::abs(element.normal_L.norm() - 1.0) < 1e-9, "a normal is not unit");
   }
-  return 0;
 }
+
+}  // namespace graspbench

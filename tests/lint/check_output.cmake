@@ -4,10 +4,9 @@ include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 set(allowed
   workbench/terminal/terminal.cc
   workbench/terminal/terminal.h
-  workbench/terminal/progress.cc                       # moves the cursor; escapes the names in its block
   workbench/terminal/status_region.cc                  # moves the cursor; takes what is escaped
   workbench/shell/look_commands.cc            # a picture's own colours
-  workbench/experiments/interrupt.cc          # a constant, from a signal handler
+  workbench/terminal/terminal_observer.cc     # moves the cursor, names escaped; a constant, from a handler
   core/base/error.cc                          # ends the program; escapes what it shows
   core/hand/generate/generate_hand_visuals.cc # tools of the build, not of the program
   core/hand/generate/generate_tactile.cc

@@ -1,5 +1,3 @@
-#include "objects/generate/generate_mesh.h"
-
 #include <gtest/gtest.h>
 
 #include "catalogue_table.h"
@@ -8,6 +6,7 @@
 #include "core/base/units.h"
 #include "core/shape/obj_file.h"
 #include "core/shape/repair/mesh_check.h"
+#include "objects/generate/object_shapes.h"
 #include "objects/load_mesh.h"
 #include "objects/object_file.h"
 
@@ -58,17 +57,6 @@ TEST(GenerateMeshTest, EveryObjectRestsStably) {
       }
       EXPECT_GT(reach, 5e-4) << "towards " << DegFromRad(angle) << " deg";
     }
-  }
-}
-
-TEST(GenerateMeshTest, AnUnknownIdIsRefusedWithASuggestion) {
-  try {
-    GenerateMesh("toy_cub", {0.03, 0.03, 0.03});
-    FAIL();
-  } catch (const Error& e) {
-    EXPECT_EQ(e.kind(), ErrorKind::kNotFound);
-    EXPECT_EQ(std::string(e.what()).find("no drawing of \"toy_cub\"; did you mean \"toy_cube\"?"),
-              0u);
   }
 }
 

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <set>
 
-#include "core/base/sha256.h"
+#include "core/base/hash.h"
 #include "core/base/text/json.h"
 #include "reports/page/html.h"
 
@@ -89,6 +89,25 @@ void ExpectKnownScripts(const std::string& page) {
 }
 
 }  // namespace
+
+std::string TextOf(const std::string& page) {
+  tinyxml2::XMLDocument document;
+  ParsePage(page, document);
+  return ListText(*document.RootElement());
+}
+
+std::string TextOfId(const std::string& page, const std::string& id) {
+  tinyxml2::XMLDocument document;
+  ParsePage(page, document);
+  const tinyxml2::XMLElement* found = FindById(*document.RootElement(), id);
+  return found ? ListText(*found) : "no element " + id;
+}
+
+void ExpectParts(const std::string& text, const std::vector<std::string>& parts) {
+  for (const std::string& part : parts) {
+    EXPECT_NE(text.find(part), std::string::npos) << "\"" << part << "\" is missing in:\n" << text;
+  }
+}
 
 void ExpectSoundPage(const std::string& page) {
   tinyxml2::XMLDocument document;

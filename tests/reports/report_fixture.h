@@ -21,6 +21,13 @@ void ParsePage(const std::string& page, tinyxml2::XMLDocument& document);
 /** All text below an element, one space between elements; the style sheet is left out. */
 std::string ListText(const tinyxml2::XMLElement& element);
 
+/** All text of a page, and that of its element with this id. */
+std::string TextOf(const std::string& page);
+std::string TextOfId(const std::string& page, const std::string& id);
+
+/** Every part must be in the text. */
+void ExpectParts(const std::string& text, const std::vector<std::string>& parts);
+
 /** The first element below `root` with this id; null: none. */
 const tinyxml2::XMLElement* FindById(const tinyxml2::XMLElement& root, const std::string& id);
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "reports/kind_pages.h"
+#include "tests/reports/report_fixture.h"
 
 namespace graspbench {
 namespace {
@@ -40,13 +41,11 @@ Session MakeCubeSession() {
 TEST(SweepPage, ShowsAMapForEachLevelOfTheThirdFactorAndSaysWhatCannotBeDecided) {
   const Session session = MakeCubeSession();
   const std::string page = MakeSweepPage(session, SummariseSweep(session, {}));
-  for (const char* part :
-       {"3 factors, 8 conditions, 48 of 48 planned trials finished", "sim.step_s=0.002",
-        "sim.step_s=0.001", "success [%], tum: model.mass_scale by model.friction_scale",
-        "tum: success from 33.3 % (condition 3) to 100.0 % (condition 4), 83.3 % (base); ",
-        "cannot decide success: all 6 trials succeed", "sigma [N]", "Interactions"}) {
-    EXPECT_NE(page.find(part), std::string::npos) << part;
-  }
+  ExpectParts(page,
+              {"3 factors, 8 conditions, 48 of 48 planned trials finished", "sim.step_s=0.002",
+               "sim.step_s=0.001", "success [%], tum: model.mass_scale by model.friction_scale",
+               "tum: success from 33.3 % (condition 3) to 100.0 % (condition 4), 83.3 % (base); ",
+               "cannot decide success: all 6 trials succeed", "sigma [N]", "Interactions"});
   EXPECT_EQ(page.find("breaking force [N], tum:"), std::string::npos) << "nobody judged";
 }
 

@@ -7,6 +7,7 @@ anew and puts it back. */
 #include <cstdlib>
 
 #include "core/base/random.h"
+#include "tests/sessions/test_folder.h"
 #include "tests/support/run_program.h"
 
 namespace graspbench {
@@ -23,17 +24,12 @@ const char kBlock[] =
 class GRASPBENCH_SUITE : public testing::Test {
  protected:
   void SetUp() override {
-    top_ = fs::path(testing::TempDir()) / ("damaged_cache_" + std::to_string(::getpid()));
-    fs::remove_all(top_);
     fs::create_directories(top_ / "block");
     ASSERT_EQ(::setenv("XDG_CACHE_HOME", (top_ / "cache").c_str(), 1), 0);
     WriteFile(top_ / "block" / "block.obj", kBlock);
     WriteFile(top_ / "block" / "object.yaml",
               "name: block\nmesh: block.obj\nmesh_unit: mm\nmass_kg: 0.05\n"
               "friction_static: 0.5\nfriction_dynamic: 0.4\n");
-  }
-  void TearDown() override {
-    if (!HasFailure()) fs::remove_all(top_);
   }
   /** @returns the records of a session of one trial. */
   std::string RunTrial() const {
@@ -46,7 +42,8 @@ class GRASPBENCH_SUITE : public testing::Test {
     EXPECT_EQ(WaitFor(Start({"work", folder, "--shard", "1/1"})), 0);
     return ReadFile(fs::path(folder) / "journal" / "1of1-0.jsonl");
   }
-  fs::path top_;
+  const TestFolder own_{"damaged_cache"};
+  const fs::path& top_ = own_.path();
 };
 
 TEST_F(GRASPBENCH_SUITE, ChangesNoRecord) {

@@ -7,6 +7,7 @@ Trials that do not end in time: the others are finished, and what did not end is
 
 #include "core/shape/obj_file.h"
 #include "core/shape/primitives.h"
+#include "tests/sessions/test_folder.h"
 #include "tests/support/run_program.h"
 
 namespace graspbench {
@@ -15,14 +16,6 @@ namespace fs = std::filesystem;
 
 class EndlessTrial : public testing::Test {
  protected:
-  void SetUp() override {
-    top_ = fs::path(testing::TempDir()) / ("endless_trial_" + std::to_string(::getpid()));
-    fs::remove_all(top_);
-    fs::create_directories(top_);
-  }
-  void TearDown() override {
-    if (!HasFailure()) fs::remove_all(top_);
-  }
   static int Call(const std::vector<std::string>& arguments) { return WaitFor(Start(arguments)); }
   static std::vector<std::string> ReadLines(const fs::path& path) {
     std::ifstream file(path);
@@ -31,7 +24,8 @@ class EndlessTrial : public testing::Test {
     return lines;
   }
 
-  fs::path top_;
+  const TestFolder own_{"endless_trial"};
+  const fs::path& top_ = own_.path();
 };
 
 // A cube that no hand can reach around ends at once. A ball that is held for a minute in steps of a

@@ -7,14 +7,13 @@ killed at random: afterwards the same command ends with the bytes of an undistur
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <filesystem>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "core/base/files/files.h"
 #include "core/base/random.h"
+#include "tests/sessions/test_folder.h"
 
 namespace graspbench {
 namespace {
@@ -22,18 +21,6 @@ namespace fs = std::filesystem;
 
 class FailingDisk : public testing::Test {
  protected:
-  FailingDisk()
-      : top_(fs::path(testing::TempDir()) /
-             (std::string("failing_disk_") +
-              testing::UnitTest::GetInstance()->current_test_info()->name() + "_" +
-              std::to_string(::getpid()))) {
-    fs::remove_all(top_);
-    fs::create_directories(top_);
-  }
-  ~FailingDisk() override {
-    if (!HasFailure()) fs::remove_all(top_);
-  }
-
   /** A shell line in the test's folder; GB stands for the program. */
   pid_t Start(std::string line, int fault_seed = 0) const {
     const std::string program = std::string("'") + GRASPBENCH_PROGRAM + "'";
@@ -65,7 +52,9 @@ class FailingDisk : public testing::Test {
     }
   }
 
-  fs::path top_;
+  const TestFolder own_{std::string("failing_disk_") +
+                        testing::UnitTest::GetInstance()->current_test_info()->name()};
+  const fs::path& top_ = own_.path();
   int num_failed_ = 0;
   std::string fault_probability_ = "0.03";
 
@@ -158,7 +147,7 @@ TEST_F(FailingDisk, CampaignsAreContinuedToTheSameBytes) {
   EXPECT_GT(num_failed_, 2) << "the faults must bite";
 }
 
-// These are there as a whole or not at all, whenever the program is killed or a file fails.
+// These are there as a whole or not at all, whichever file fails; kill_commands_test kills them.
 const std::vector<std::pair<std::string, std::string>>& ListWholeResults() {
   static const std::vector<std::pair<std::string, std::string>> commands = {
       {"export base --out ", "export/trials.csv"},
@@ -206,34 +195,6 @@ TEST_F(FailingDisk, ARepairLosesNoLine) {
     EXPECT_NE(ReadFile(journal.string() + ".damaged").find(damaged), std::string::npos);
   }
   EXPECT_GT(num_failed_, 3) << "the faults must bite";
-}
-
-TEST_F(FailingDisk, WholeResultsAppearWholeWhenKilled) {
-  ASSERT_EQ(Run("run --hand tum --object golf_ball --trials 1 --out base"), 0) << Log();
-  for (const auto& [line, file] : ListWholeResults()) {
-    fs::remove_all(top_ / "whole");
-    fs::remove_all(top_ / "out");
-    const auto start = std::chrono::steady_clock::now();
-    ASSERT_EQ(Run(line + "whole"), 0) << Log();
-    const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
-    RandomStream moments(line, "kill");
-    for (int kill = 0; kill < 4 && !fs::exists(top_ / "out"); ++kill) {
-      const pid_t child = Start(line + "out");
-      std::this_thread::sleep_for(duration * moments.NextUniform(0.1, 1.0));
-      ::kill(child, SIGKILL);
-      Wait(child);
-      if (fs::exists(top_ / "out")) {
-        EXPECT_EQ(Run("verify out"), 0) << Log();
-      }
-    }
-    if (!fs::exists(top_ / "out")) {
-      EXPECT_EQ(Run(line + "out"), 0) << Log();
-    }
-    ExpectSame({file, "manifest.json"});
-    for (const auto& entry : fs::directory_iterator(top_)) {
-      EXPECT_NE(entry.path().filename().string()[0], '.') << entry.path() << " is left";
-    }
-  }
 }
 
 }  // namespace

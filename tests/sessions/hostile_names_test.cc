@@ -17,9 +17,9 @@ much must be accepted stands with each text. */
 #include <vector>
 
 #include "core/base/files/files.h"
-#include "core/base/text/escape.h"
 #include "core/base/text/json.h"
 #include "core/base/text/text.h"
+#include "tests/sessions/test_folder.h"
 
 namespace graspbench {
 namespace {
@@ -57,8 +57,8 @@ std::string QuoteForShell(const std::string& text) {
 /** A JSON string is one of YAML, too. */
 std::string QuoteForYaml(const std::string& text) { return FormatJson(text); }
 
-/** Elements with their attributes, as a browser finds them: "img", "img onerror". Scripts and styles
-are texts to it, up to their end. */
+/** Elements with their attributes, as a browser finds them: "img", "img onerror". Scripts and
+styles are texts to it, up to their end. */
 std::map<std::string, int> CountMarkup(const std::string& page) {
   std::map<std::string, int> found;
   const auto is_name = [](char c) {
@@ -129,15 +129,6 @@ bool IsNumber(const std::string& text) {
 
 class GRASPBENCH_SUITE : public testing::TestWithParam<HostileText> {
  protected:
-  GRASPBENCH_SUITE()
-      : top_(fs::path(testing::TempDir()) /
-             (std::string("hostile_names_") + GetParam().id + "_" + std::to_string(::getpid()))) {
-    fs::remove_all(top_);
-  }
-  ~GRASPBENCH_SUITE() override {
-    if (!HasFailure()) fs::remove_all(top_);
-  }
-
   void Write(const fs::path& file, const std::string& content) const {
     MakeFolder(file.parent_path());
     WriteFile(file, content);
@@ -158,7 +149,9 @@ class GRASPBENCH_SUITE : public testing::TestWithParam<HostileText> {
   void Run(const std::string& line);
   void CheckFiles(const fs::path& folder);
 
-  fs::path top_, folder_;
+  const TestFolder own_{std::string("hostile_names_") + GetParam().id};
+  const fs::path& top_ = own_.path();
+  fs::path folder_;
   std::string name_;
   int num_accepted_ = 0;
   bool is_reference_ = true;

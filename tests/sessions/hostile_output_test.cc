@@ -12,6 +12,7 @@ prints, to a pipe, has no control character but line feeds and tabs, and is vali
 
 #include "core/base/files/files.h"
 #include "core/base/text/text.h"
+#include "tests/sessions/test_folder.h"
 
 namespace graspbench {
 namespace {
@@ -22,13 +23,6 @@ const std::string kBackwards = "\u202e";
 
 class HostileOutput : public testing::Test {
  protected:
-  HostileOutput()
-      : folder_(fs::path(testing::TempDir()) / ("hostile_" + std::to_string(::getpid()))) {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  ~HostileOutput() override { fs::remove_all(folder_); }
-
   void Write(const std::string& name, const std::string& content) {
     WriteFileAtomically(folder_ / name, content);
   }
@@ -57,7 +51,8 @@ class HostileOutput : public testing::Test {
     EXPECT_NE(text.find(shown), std::string::npos) << arguments << "\n" << text;
   }
 
-  fs::path folder_;
+  const TestFolder own_{"hostile_output"};
+  const fs::path& folder_ = own_.path();
 };
 
 TEST_F(HostileOutput, NamesOfFilesAndArguments) {

@@ -11,6 +11,7 @@ byte for byte, as one that ran through, for any number of workers. */
 #include <vector>
 
 #include "core/base/random.h"
+#include "tests/sessions/test_folder.h"
 #include "tests/support/run_program.h"
 
 namespace graspbench {
@@ -43,13 +44,10 @@ const std::vector<std::string> kCampaign = {"campaign",
                                             "--set",
                                             "comparison.evaluations=20"};
 
-class KillAndResume : public testing::TestWithParam<int> {};
-
-TEST_P(KillAndResume, GivesTheBytesOfAnUninterruptedRun) {
-  const std::string jobs = std::to_string(GetParam());
-  const fs::path folder =
-      fs::path(testing::TempDir()) / ("kill_and_resume_" + jobs + "_" + std::to_string(::getpid()));
-  fs::remove_all(folder);
+TEST(KillAndResume, GivesTheBytesOfAnUninterruptedRunOfOtherWorkers) {
+  const std::string jobs = "4";
+  const TestFolder own("kill_and_resume");
+  const fs::path& folder = own.path();
   const std::string whole = (folder / "whole").string(), killed = (folder / "killed").string();
 
   std::vector<std::string> arguments = kSession;
@@ -75,17 +73,12 @@ TEST_P(KillAndResume, GivesTheBytesOfAnUninterruptedRun) {
        {"session.json", "plan.jsonl", "export/trials.csv", "report/index.html"}) {
     ExpectSameFile(fs::path(whole) / file, fs::path(killed) / file);
   }
-  if (!HasFailure()) fs::remove_all(folder);
 }
-
-INSTANTIATE_TEST_SUITE_P(Jobs, KillAndResume, testing::Values(1, 2, 4));
 
 // Nobody would know what a watch waits for that only counts the trials.
 TEST(KilledJudge, IsNamedByAWatch) {
-  const fs::path folder =
-      fs::path(testing::TempDir()) / ("killed_judge_" + std::to_string(::getpid()));
-  fs::remove_all(folder);
-  fs::create_directories(folder);
+  const TestFolder own("killed_judge");
+  const fs::path& folder = own.path();
   const std::string session = (folder / "s").string(), told = (folder / "told").string();
   const auto fork_watch = [&] {
     return Start({"watch", session, "--interval", "0.05"},
@@ -115,14 +108,12 @@ TEST(KilledJudge, IsNamedByAWatch) {
   ASSERT_EQ(WaitFor(Start({"judge", session})), 0);
   EXPECT_EQ(WaitFor(fork_watch()), 0);
   EXPECT_FALSE(is_told()) << ReadFile(told);
-  if (!HasFailure()) fs::remove_all(folder);
 }
 
 // A trial of minutes: a first TERM is enough, and what it leaves is a session.
 TEST(Terminate, EndsInTenSecondsEvenIfATrialDoesNot) {
-  const fs::path folder =
-      fs::path(testing::TempDir()) / ("terminate_" + std::to_string(::getpid()));
-  fs::remove_all(folder);
+  const TestFolder own("terminate");
+  const fs::path& folder = own.path();
   const pid_t child = Start({"run", "--hand", "shadow", "--object", "golf_ball", "--trials", "2",
                              "--jobs", "2", "--set", "strategy.hold_time_s=60", "--set",
                              "sim.step_s=0.0001", "--out", folder.string()});
@@ -136,7 +127,6 @@ TEST(Terminate, EndsInTenSecondsEvenIfATrialDoesNot) {
   EXPECT_EQ(WaitFor(child), 75);
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
   EXPECT_EQ(WaitFor(Start({"export", folder.string()})), 0);
-  if (!HasFailure()) fs::remove_all(folder);
 }
 
 /** Files below the folder that must not depend on workers and interruptions. */
@@ -157,9 +147,8 @@ std::vector<fs::path> ListResults(const fs::path& folder) {
 }
 
 TEST(KillAndResumeCampaign, GivesTheBytesOfAnUninterruptedOne) {
-  const fs::path folder =
-      fs::path(testing::TempDir()) / ("kill_campaign_" + std::to_string(::getpid()));
-  fs::remove_all(folder);
+  const TestFolder own("kill_campaign");
+  const fs::path& folder = own.path();
   const fs::path whole = folder / "whole", killed = folder / "killed";
   std::vector<std::string> arguments = kCampaign;
   arguments.insert(arguments.end(), {"--jobs", "1", "--out", whole.string()});
@@ -182,7 +171,6 @@ TEST(KillAndResumeCampaign, GivesTheBytesOfAnUninterruptedOne) {
   EXPECT_GT(files.size(), 20u);
   EXPECT_EQ(ListResults(killed), files);
   for (const fs::path& file : files) ExpectSameFile(whole / file, killed / file);
-  if (!HasFailure()) fs::remove_all(folder);
 }
 
 }  // namespace

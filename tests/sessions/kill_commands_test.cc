@@ -8,6 +8,7 @@ started again it ends with the bytes of one that was left alone, and nothing cou
 #include <chrono>
 
 #include "core/base/random.h"
+#include "tests/sessions/test_folder.h"
 #include "tests/support/store_results.h"
 
 namespace graspbench {
@@ -45,19 +46,12 @@ std::string FormatGrasp(int number) {
 class GRASPBENCH_SUITE : public testing::TestWithParam<Command> {
  protected:
   void SetUp() override {
-    top_ = fs::path(testing::TempDir()) /
-           ("kill_" + GetParam().words.back() + "_" + std::to_string(::getpid()));
-    fs::remove_all(top_);
-    fs::create_directories(top_);
     WriteFile(top_ / "t.yaml", kSessionFile);
     WriteFile(top_ / "p.yaml", kPipeline);
     std::string grasps = kForeignGrasps;
     for (int i = 0; i < 8; ++i) grasps += FormatGrasp(i);
     WriteFile(top_ / "grasps.yaml", grasps);
     ASSERT_EQ(WaitFor(Start({"new", "hand", (top_ / "gripper").string()})), 0);
-  }
-  void TearDown() override {
-    if (!HasFailure()) fs::remove_all(top_);
   }
   /** Whether the command makes its folder, and does not work in that of a session. */
   static bool IsNew() {
@@ -82,7 +76,8 @@ class GRASPBENCH_SUITE : public testing::TestWithParam<Command> {
   int Verify(const fs::path& folder) const {
     return WaitFor(Start({"verify", (folder / GetParam().store).string()}));
   }
-  fs::path top_;
+  const TestFolder own_{"kill_" + GetParam().words.back()};
+  const fs::path& top_ = own_.path();
 };
 
 TEST_P(GRASPBENCH_SUITE, EndsWithTheSameBytesWheneverItIsKilled) {
@@ -105,8 +100,9 @@ TEST_P(GRASPBENCH_SUITE, EndsWithTheSameBytesWheneverItIsKilled) {
     EXPECT_EQ(Verify(killed), 0);
   };
 
-  // What is killed is continued by the next attempt, until one ends: the next begins anew. When even
-  // such a one was too fast, machines have become less busy, and the kills have to come earlier.
+  // What is killed is continued by the next attempt, until one ends: the next begins anew. When
+  // even such a one was too fast, machines have become less busy, and the kills have to come
+  // earlier.
   double latest = 0.9 * std::chrono::duration<double>(Clock::now() - start).count();
   RandomStream moments("kill " + GetParam().words.back(), "moment");
   constexpr int kMostAttempts = 4 * GRASPBENCH_NUM_KILLS + 20;

@@ -11,6 +11,7 @@ working directory. */
 #include "core/hand/load_hand.h"
 #include "core/shape/obj_file.h"
 #include "core/shape/primitives.h"
+#include "tests/sessions/test_folder.h"
 #include "tests/support/run_program.h"
 
 namespace graspbench {
@@ -20,8 +21,6 @@ namespace fs = std::filesystem;
 class MovedSession : public testing::Test {
  protected:
   void SetUp() override {
-    top_ = fs::path(testing::TempDir()) / ("moved_session_" + std::to_string(::getpid()));
-    fs::remove_all(top_);
     fs::create_directories(top_ / "mine" / "block");
     fs::copy(FindDataRoot() / "core" / "hand" / "models" / "tum", top_ / "mine" / "my_hand",
              fs::copy_options::recursive);
@@ -36,10 +35,7 @@ class MovedSession : public testing::Test {
     grasp.id = "my-grasp";
     WriteFile(top_ / "mine" / "my.yaml", FormatGraspFile(hand, grasp, made_from));
   }
-  void TearDown() override {
-    fs::current_path(testing::TempDir());
-    if (!HasFailure()) fs::remove_all(top_);
-  }
+  void TearDown() override { fs::current_path(testing::TempDir()); }
   static int Call(const std::vector<std::string>& arguments) { return WaitFor(Start(arguments)); }
 
   /** Names and bytes of all files. */
@@ -70,7 +66,8 @@ class MovedSession : public testing::Test {
     EXPECT_EQ(Call({"verify", folder.string()}), 3);
   }
 
-  fs::path top_;
+  const TestFolder own_{"moved_session"};
+  const fs::path& top_ = own_.path();
 };
 
 TEST_F(MovedSession, NeedsNothingButItsFolder) {

@@ -7,7 +7,6 @@ the shell's `why`, the trial's page, the session's table and its report. */
 #include <unistd.h>
 
 #include <fstream>
-#include <sstream>
 
 #include "core/base/text/json.h"
 #include "tests/support/run_program.h"

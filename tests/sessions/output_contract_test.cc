@@ -12,10 +12,10 @@ before is there afterwards, byte for byte. */
 #include <map>
 #include <sstream>
 #include <string>
-#include <vector>
 
 #include "core/base/files/files.h"
 #include "core/base/hash.h"
+#include "tests/sessions/test_folder.h"
 
 namespace graspbench {
 namespace {
@@ -88,10 +88,7 @@ std::map<std::string, std::string> TakeInventory(const fs::path& folder) {
 
 class OutputContract : public testing::TestWithParam<WritingCommand> {
  protected:
-  OutputContract()
-      : top_(fs::path(testing::TempDir()) /
-             ("contract_" + std::string(GetParam().name) + "_" + std::to_string(::getpid()))) {
-    fs::remove_all(top_);
+  OutputContract() {
     for (const char* name : {"home", "in", "foreign"}) fs::create_directories(top_ / name);
     Write("home/letter.txt", "dear");
     // The names of the program's own files, but not its files.
@@ -106,9 +103,6 @@ class OutputContract : public testing::TestWithParam<WritingCommand> {
     Write("in/reach.tsv",
           "NO_OF_FRAMES\t2\nNO_OF_MARKERS\t2\nFREQUENCY\t100\nDATA_INCLUDED\t3D\n"
           "MARKER_NAMES\tthumb\tindex\n1\t2\t3\t4\t5\t6\n1\t2\t3\t4\t5\t7\n");
-  }
-  ~OutputContract() override {
-    if (!HasFailure()) fs::remove_all(top_);
   }
 
   void Write(const std::string& name, const std::string& content) {
@@ -145,7 +139,8 @@ class OutputContract : public testing::TestWithParam<WritingCommand> {
         << printed_;  // refused because of it
   }
 
-  fs::path top_;
+  const TestFolder own_{"contract_" + std::string(GetParam().name)};
+  const fs::path& top_ = own_.path();
   std::string printed_;
 };
 
@@ -168,9 +163,8 @@ TEST_P(OutputContract, LeavesEverythingForeignAlone) {
 
 // A person withdraws: the new result takes the place of the old one, and nothing of theirs is left.
 TEST(OutputContractOfStudies, AWithdrawnParticipantLeavesNoFile) {
-  const fs::path top = fs::path(testing::TempDir()) / ("withdrawn_" + std::to_string(::getpid()));
-  fs::remove_all(top);
-  fs::create_directories(top);
+  const TestFolder own("withdrawn");
+  const fs::path& top = own.path();
   const auto run = [&](const std::string& line) {
     return std::system(
         ("cd '" + top.string() + "' && '" GRASPBENCH_PROGRAM "' " + line + " >log 2>&1 </dev/null")
@@ -194,7 +188,6 @@ TEST(OutputContractOfStudies, AWithdrawnParticipantLeavesNoFile) {
   EXPECT_FALSE(fs::exists(bids / "sub-03"));
   EXPECT_TRUE(fs::exists(bids / "sub-02"));
   EXPECT_EQ(ReadFile(bids / "participants.tsv").find("03"), std::string::npos);
-  fs::remove_all(top);
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, OutputContract, testing::ValuesIn(kCommands),

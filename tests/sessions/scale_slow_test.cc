@@ -11,7 +11,7 @@ ids of a plan, because to simulate them takes hours. */
 
 #include "core/shape/obj_file.h"
 #include "core/shape/primitives.h"
-#include "datasets/records/judgement_line.h"
+#include "datasets/records/trial_record.h"
 #include "datasets/session/session_store.h"
 #include "tests/support/run_program.h"
 

@@ -10,6 +10,7 @@ with 5 and a sentence, and the same command without the lack gives the bytes of 
 
 #include <cstdio>
 
+#include "tests/sessions/test_folder.h"
 #include "tests/support/run_program.h"
 
 namespace graspbench {
@@ -40,16 +41,6 @@ const WritingCommand kCommands[] = {
 
 class GRASPBENCH_SUITE : public testing::TestWithParam<WritingCommand> {
  protected:
-  GRASPBENCH_SUITE()
-      : top_(fs::path(testing::TempDir()) /
-             (std::string("scarce_files_") + GetParam().name + "_" + std::to_string(::getpid()))) {
-    fs::remove_all(top_);
-    fs::create_directories(top_);
-  }
-  ~GRASPBENCH_SUITE() override {
-    if (!HasFailure()) fs::remove_all(top_);
-  }
-
   /** @param lack  what the program has not, called in its process. @returns as WaitFor. */
   int Run(
       std::vector<std::string> line, const fs::path& out,
@@ -97,7 +88,8 @@ class GRASPBENCH_SUITE : public testing::TestWithParam<WritingCommand> {
     Renew();
   }
 
-  fs::path top_;
+  const TestFolder own_{std::string("scarce_files_") + GetParam().name};
+  const fs::path& top_ = own_.path();
   bool works_in_session_ = false;
   int num_failed_ = 0;
 };

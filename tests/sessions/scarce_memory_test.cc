@@ -1,6 +1,6 @@
 /** @file
-Commands under a limit of address space end well, or with 5 and a sentence: no signal, no record that
-says of a trial what is true of the machine alone. */
+Commands under a limit of address space end well, or with 5 and a sentence: no signal, no record
+that says of a trial what is true of the machine alone. */
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -11,6 +11,7 @@ says of a trial what is true of the machine alone. */
 #include <string>
 
 #include "core/base/files/files.h"
+#include "tests/sessions/test_folder.h"
 
 namespace graspbench {
 namespace {
@@ -18,13 +19,6 @@ namespace fs = std::filesystem;
 
 class GRASPBENCH_SUITE : public testing::TestWithParam<int> {
  protected:
-  GRASPBENCH_SUITE()
-      : top_(fs::path(testing::TempDir()) /
-             ("scarce_memory_" + std::to_string(GetParam()) + "_" + std::to_string(::getpid()))) {
-    fs::create_directories(top_);
-  }
-  ~GRASPBENCH_SUITE() override { fs::remove_all(top_); }
-
   /** @param limit  of address space [MB]; 0: none.
   @returns the exit code, or the signal with a minus. */
   int Run(const std::string& arguments, int limit) const {
@@ -44,7 +38,8 @@ class GRASPBENCH_SUITE : public testing::TestWithParam<int> {
     return code == 0;
   }
 
-  fs::path top_;
+  const TestFolder own_{"scarce_memory_" + std::to_string(GetParam())};
+  const fs::path& top_ = own_.path();
 };
 
 TEST_P(GRASPBENCH_SUITE, IsNoOutcomeOfATrial) {

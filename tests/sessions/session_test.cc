@@ -24,8 +24,6 @@ into the failing cases: read the difference before committing it. */
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <map>
-#include <sstream>
 #include <vector>
 
 #include "core/base/files/files.h"

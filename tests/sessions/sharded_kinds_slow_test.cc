@@ -8,6 +8,7 @@ run, byte for byte but for journals and what names them. */
 #include <numeric>
 
 #include "core/base/random.h"
+#include "tests/sessions/test_folder.h"
 #include "tests/support/store_results.h"
 
 namespace graspbench {
@@ -27,15 +28,8 @@ std::ostream& operator<<(std::ostream& out, const Kind& kind) { return out << ki
 class ShardedKindsSlow : public testing::TestWithParam<Kind> {
  protected:
   void SetUp() override {
-    top_ = fs::path(testing::TempDir()) /
-           ("shards_" + GetParam().name + "_" + std::to_string(::getpid()));
-    fs::remove_all(top_);
-    fs::create_directories(top_);
     Run({"run", "--hand", "tum,shadow", "--object", "golf_ball,tea_light", "--trials", "3", "--out",
          (top_ / "begun").string()});
-  }
-  void TearDown() override {
-    if (!HasFailure()) fs::remove_all(top_);
   }
   static void Run(const std::vector<std::string>& line) {
     const int code = WaitFor(Start(line));
@@ -55,7 +49,8 @@ class ShardedKindsSlow : public testing::TestWithParam<Kind> {
     ADD_FAILURE() << "nothing in " << folder / GetParam().place;
     return folder;
   }
-  fs::path top_;
+  const TestFolder own_{"shards_" + GetParam().name};
+  const fs::path& top_ = own_.path();
 };
 
 TEST_P(ShardedKindsSlow, AreOneRun) {

@@ -6,6 +6,7 @@ The log of a shell is a script: run again it gives the same bytes, also when the
 
 #include <sstream>
 
+#include "tests/sessions/test_folder.h"
 #include "tests/support/run_program.h"
 
 namespace graspbench {
@@ -48,15 +49,7 @@ std::string MakeScript() {
 
 class ShellReplay : public testing::Test {
  protected:
-  ShellReplay()
-      : top_(fs::path(testing::TempDir()) / ("shell_replay_" + std::to_string(::getpid()))) {
-    fs::remove_all(top_);
-    fs::create_directories(top_);
-    WriteFileAtomically(top_ / "script", MakeScript());
-  }
-  ~ShellReplay() override {
-    if (!HasFailure()) fs::remove_all(top_);
-  }
+  ShellReplay() { WriteFileAtomically(top_ / "script", MakeScript()); }
   /** `graspbench shell`, with a script from stdin. */
   pid_t StartShell(const fs::path& script, const fs::path& log, const fs::path& out) const {
     const pid_t child = ::fork();
@@ -73,7 +66,8 @@ class ShellReplay : public testing::Test {
     return std::count(text.begin(), text.end(), '\n');
   }
 
-  fs::path top_;
+  const TestFolder own_{"shell_replay"};
+  const fs::path& top_ = own_.path();
 };
 
 TEST_F(ShellReplay, ALogGivesTheSameBytes) {

@@ -1,8 +1,8 @@
 /** @file
 What surrounds the program changes no byte of its results: another language, a calendar that leaps
 (tests/support/jump_clock.cc), a folder for temporary files that takes nothing, a second process on
-the same folder, a file system without locks. Signals that were ignored stay so; others end a command
-with 75. A umask that forbids everything ends one with 5 and a sentence. */
+the same folder, a file system without locks. Signals that were ignored stay so; others end a
+command with 75. A umask that forbids everything ends one with 5 and a sentence. */
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -11,6 +11,7 @@ with 75. A umask that forbids everything ends one with 5 and a sentence. */
 #include <cstdlib>
 #include <fstream>
 
+#include "tests/sessions/test_folder.h"
 #include "tests/support/store_results.h"
 
 namespace graspbench {
@@ -19,17 +20,6 @@ namespace fs = std::filesystem;
 
 class Surroundings : public testing::Test {
  protected:
-  Surroundings()
-      : top_(fs::path(testing::TempDir()) /
-             (std::string("surroundings_") +
-              testing::UnitTest::GetInstance()->current_test_info()->name())) {
-    fs::remove_all(top_);
-    fs::create_directories(top_);
-  }
-  ~Surroundings() override {
-    if (!HasFailure()) fs::remove_all(top_);
-  }
-
   /** What the program prints goes to the files printed and log. @param prepare  in its process. */
   pid_t Begin(
       const std::vector<std::string>& line, const std::function<void()>& prepare = [] {}) const {
@@ -83,7 +73,9 @@ class Surroundings : public testing::Test {
     ExpectSameResults(top_ / "plain", top_ / "other");
   }
 
-  fs::path top_;
+  const TestFolder own_{std::string("surroundings_") +
+                        testing::UnitTest::GetInstance()->current_test_info()->name()};
+  const fs::path& top_ = own_.path();
 };
 
 /** Numbers with a comma; an i whose capital is another letter. */

@@ -22,7 +22,7 @@ Every field is needed. */
 #include <string>
 #include <vector>
 
-#include "core/base/diagnostics.h"
+#include "core/base/error.h"
 
 namespace graspbench {
 

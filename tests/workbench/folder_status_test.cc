@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "core/base/error.h"
-#include "core/base/files/files.h"
 #include "datasets/session/judgement_store.h"
 #include "datasets/session/session_store.h"
 #include "tests/datasets/session/fake_session.h"

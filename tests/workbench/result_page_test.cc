@@ -5,9 +5,13 @@
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
+#include "core/trial/trial_runner.h"
+#include "datasets/plan/session_inputs.h"
+#include "datasets/records/trial_record.h"
 #include "workbench/experiments/output_folder.h"
 
 namespace graspbench {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -64,5 +68,24 @@ TEST_F(ResultPageTest, AFolderWithoutAResultIsRefusedAndAdviceDoesNotWriteIntoIt
   EXPECT_NE(FindFault(top_ / "mine").find("optimisation, which has no page"), std::string::npos);
 }
 
+TEST(TraceSession, EveryTrialIsThatOfTheSession) {
+  Session session;
+  session.config.hands = {"tum"};
+  session.config.objects = {"golf_ball"};
+  session.config.trials = 2;
+  const SessionInputs inputs = LoadSessionInputs(session.config);
+  session.plan = MakePlan(session.config, inputs);
+  const TrialTracer trace = MakeTrialTracer(session);
+  // Backwards: what was carried out before leaves nothing behind.
+  for (auto planned = session.plan.rbegin(); planned != session.plan.rend(); ++planned) {
+    const TrialSetup setup = MakeTrialSetup(session.config, inputs, *planned);
+    const TrialResult result = TrialRunner(setup.hand, setup.object).Run(setup);
+    const TracedTrial traced = trace(*planned);
+    EXPECT_FALSE(FindFirstDifference(result, traced.result)) << planned->id;
+    EXPECT_GT(traced.trace.size(), 100u);
+  }
+}
+
 }  // namespace
+
 }  // namespace graspbench

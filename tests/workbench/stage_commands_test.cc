@@ -4,9 +4,12 @@
 
 #include <algorithm>
 
-#include "workbench/commands/command.h"
+#include "core/base/files/files.h"
+#include "tests/datasets/session/fake_session.h"
+#include "workbench/command.h"
 
 namespace graspbench {
+
 namespace {
 
 const StageOption* FindStageOption(const StageCommand& command, const std::string& name) {
@@ -19,7 +22,7 @@ const StageOption* FindStageOption(const StageCommand& command, const std::strin
 class StageCommands : public testing::Test {
  protected:
   StageCommands() {
-#define GRASPBENCH_COMMAND(Name, room) Add##Name##Command(program_, exit_code_);
+#define GRASPBENCH_COMMAND(Name, room) Add##Name##Command(program_);
 #include "workbench/commands/command_list.inc"
 #undef GRASPBENCH_COMMAND
   }
@@ -30,7 +33,6 @@ class StageCommands : public testing::Test {
     return {};
   }
 
-  ExitCode exit_code_ = kExitOk;
   Command program_;
 };
 
@@ -63,5 +65,25 @@ TEST_F(StageCommands, EveryPlaceFitsItsCommand) {
   }
 }
 
+// What a good pack gives is told by tests/workbench/experiments/pipelines/replay_pack_test.cc.
+TEST(PackReplayCommand, WhatIsNoPackIsRefusedByName) {
+  Command program;
+#define GRASPBENCH_COMMAND(Name, room) Add##Name##Command(program);
+#include "workbench/commands/command_list.inc"
+#undef GRASPBENCH_COMMAND
+  const TemporaryFolder temporary;
+  const std::filesystem::path pack = temporary.path() / "some.tar";
+  WriteFile(pack, "no tar file at all");
+  try {
+    ReplayPackFile(program, {pack, temporary.path() / "new", 1, false});
+    FAIL();
+  } catch (const Error& fault) {
+    EXPECT_EQ(fault.kind(), ErrorKind::kFormat);
+    EXPECT_NE(std::string(fault.what()).find("some.tar\" is no tar file"), std::string::npos)
+        << fault.what();
+  }
+}
+
 }  // namespace
+
 }  // namespace graspbench

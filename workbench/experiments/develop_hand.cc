@@ -8,9 +8,9 @@
 #include "core/base/hash.h"
 #include "core/develop/training_shapes.h"
 #include "core/develop/write_grasps.h"
-#include "core/hand/coupling.h"
+#include "core/hand/hand.h"
 #include "core/hand/load_hand.h"
-#include "datasets/plan/input_copies.h"
+#include "datasets/plan/session_inputs.h"
 #include "datasets/plan/session_plan.h"
 #include "datasets/scene/development_store.h"
 #include "objects/catalogue.h"
@@ -27,8 +27,8 @@ constexpr int kNumKept = 32;           ///< of these
 constexpr double kLargestShape = 0.8;  ///< of the widest opening that was proposed
 constexpr double kHoldTime = 0.7;      ///< shorter than the benchmark's: what slips, slips soon [s]
 constexpr double kPlacingTime = 0.5;   ///< likewise: nothing is touched meanwhile [s]
-/** Of the grip, and of its margin beyond 1, by turn: the mean score of trials that ask less and less
-is higher the lower the threshold of grip is. */
+/** Of the grip, and of its margin beyond 1, by turn: the mean score of trials that ask less and
+less is higher the lower the threshold of grip is. */
 constexpr double kGripShares[] = {1.0, 0.5, 1.0, 0.25};
 
 /** The hand, and for a coupling that is not known the same with the other rules, its own in turn
@@ -229,8 +229,7 @@ std::vector<std::shared_ptr<const GraspObject>> MakeAllShapes(
 
 }  // namespace
 
-std::vector<DevelopedGrasp> DevelopHand(const DevelopHandRequest& request, Observer& observer,
-                                        const std::atomic<bool>& stop) {
+std::vector<DevelopedGrasp> DevelopHand(const DevelopHandRequest& request, Observer& observer) {
   const auto hand = std::make_shared<const Hand>(LoadHand(request.hand));
   const std::vector<const GraspTaxon*> taxa = FindTaxa(*hand);
   DevelopmentConfig config;
@@ -242,7 +241,7 @@ std::vector<DevelopedGrasp> DevelopHand(const DevelopHandRequest& request, Obser
   PrepareFolder(request, *hand, config);
 
   DevelopmentJournal journal(request.out / kDevelopment / "journal.jsonl");
-  TrialPool pool(request.num_workers, stop, request.trial_time_limit);
+  TrialPool pool(request.num_workers, observer.stop(), request.trial_time_limit);
   Stage stage = MakeStage(StageKind::kDevelopment, taxa.size());
   stage.num_trials = 0;
   const std::vector<int> budgets = ShareBudget(request.config.budget, taxa);

@@ -16,7 +16,7 @@ The same request again continues what was stopped. */
 
 #include "core/develop/develop_grasp.h"
 #include "workbench/experiments/observer.h"
-#include "workbench/experiments/pool/trial_pool.h"
+#include "workbench/experiments/pool/batch_runner.h"
 
 namespace graspbench {
 
@@ -30,7 +30,6 @@ struct DevelopHandRequest {
 
 /** @throws Error(kUsage) when the hand has too few digits, or the folder holds another development
 or anything else, or lies in that of the hand; Error(kInterrupted); as LoadHand. */
-std::vector<DevelopedGrasp> DevelopHand(const DevelopHandRequest& request, Observer& observer,
-                                        const std::atomic<bool>& stop);
+std::vector<DevelopedGrasp> DevelopHand(const DevelopHandRequest& request, Observer& observer);
 
 }  // namespace graspbench

@@ -1,7 +1,6 @@
 #include "workbench/experiments/grasp_inputs.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 
@@ -11,8 +10,8 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/hand/load_hand.h"
-#include "core/trial/chain_limit.h"
-#include "core/trial/protocols/profiled_scene.h"
+#include "core/physics/implicit_world.h"
+#include "core/trial/protocols/free_space_profile.h"
 #include "datasets/grasps/map_to_hand.h"
 #include "objects/catalogue.h"
 

@@ -10,6 +10,7 @@
 #include "workbench/experiments/run_record.h"
 
 namespace graspbench {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -65,6 +66,21 @@ void PrepareFolder(const fs::path& folder, const Json& config) {
   staged.Commit();
 }
 
+/** The value under a full key, "drives.law". */
+Json FindValue(const Json& config, const std::string& key) {
+  const Json* at = &config;
+  size_t start = 0;
+  for (size_t dot = key.find('.'); dot != std::string::npos; dot = key.find('.', start)) {
+    at = &at->at(key.substr(start, dot - start));
+    start = dot + 1;
+  }
+  return at->at(key.substr(start));
+}
+
+std::string FormatValue(const Json& value) {
+  return value.is_string() ? value.get<std::string>() : FormatJson(value);
+}
+
 }  // namespace
 
 Json DescribeRequest(const JudgeGraspsRequest& request, const GraspInputs& inputs) {
@@ -83,8 +99,7 @@ Json DescribeRequest(const JudgeGraspsRequest& request, const GraspInputs& input
   return config;
 }
 
-bool JudgeGrasps(const JudgeGraspsRequest& request, const GraspInputs& inputs, Observer& observer,
-                 const std::atomic<bool>& stop) {
+bool JudgeGrasps(const JudgeGraspsRequest& request, const GraspInputs& inputs, Observer& observer) {
   PrepareFolder(request.out, DescribeRequest(request, inputs));
   RunRecorder recorder(request.out, request.num_workers, observer);
   const Tasks tasks(inputs, request.profiles, request.jitter);
@@ -117,7 +132,7 @@ bool JudgeGrasps(const JudgeGraspsRequest& request, const GraspInputs& inputs, O
     };
     is_complete = RunTasks(
         count, request.num_workers, make_runner,
-        [&] { recorder.ShowStatus(board.Read(), stage.num_trials); }, stop);
+        [&] { recorder.ShowStatus(board.Read(), stage.num_trials); }, observer.stop());
     std::vector<JudgedGrasp> done;  // up to the first that is not, so that the order holds
     for (const auto& one : judged) {
       if (!one) break;
@@ -183,6 +198,23 @@ void MergeJudgedGrasps(const std::vector<fs::path>& parts, const fs::path& out) 
   PrepareFolder(out, whole);
   GraspJournal(out / "journal.jsonl").Append(judged);
   FinishJudgedGrasps(out, LoadJudgedGrasps(out));
+}
+
+std::vector<ExplainStep> ExplainGrasp(const GraspInputs& inputs, const GraspInput& input,
+                                      const FreeSpaceProfile& from, const FreeSpaceProfile& to) {
+  FreeSpaceProfile profile = from;
+  std::vector<ExplainStep> steps = {{"", "", "", JudgeGraspInput(inputs, input, profile), false}};
+  const Json before = ConfigToJson(from), after = ConfigToJson(to);
+  for (const std::string& key : ListConfigKeys(from)) {
+    const Json a = FindValue(before, key), b = FindValue(after, key);
+    if (a == b || key == "about" || key == "source") continue;
+    SetConfigValue(key + "=" + FormatValue(b), profile);
+    ExplainStep step{key, FormatValue(a), FormatValue(b), JudgeGraspInput(inputs, input, profile),
+                     false};
+    step.turns = step.result.passed != steps.back().result.passed;
+    steps.push_back(std::move(step));
+  }
+  return steps;
 }
 
 }  // namespace graspbench

@@ -1,8 +1,9 @@
 #pragma once
 /** @file
-What an experiment reports while it runs. Experiments neither print nor know a terminal: whoever
-starts one passes an observer. */
+What an experiment reports while it runs, and who asks it to stop. Experiments neither print nor
+know a terminal: whoever starts one passes an observer. */
 
+#include <atomic>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -72,12 +73,22 @@ inline Stage MakeStage(StageKind kind, size_t num_tasks) {
 /** Called in the thread that started the experiment. */
 class Observer {
  public:
+  /** It never asks to stop. */
+  Observer() = default;
+  /** @param stop  when set, the experiment ends soon and keeps what is finished; outlives this. */
+  explicit Observer(const std::atomic<bool>& stop) : stop_(stop) {}
   virtual ~Observer() = default;
+
+  const std::atomic<bool>& stop() const { return stop_; }
   virtual void BeginStage(const Stage&) {}
   /** About ten times a second. @param num_trials  those of the stage, as far as known by now. */
   virtual void ShowStatus(const BatchStatus&, int num_trials) { static_cast<void>(num_trials); }
   /** Not called for a stage in which nothing runs or that throws. */
   virtual void EndStage() {}
+
+ private:
+  static inline const std::atomic<bool> never_{false};
+  const std::atomic<bool>& stop_ = never_;
 };
 
 /** The status that several workers change. */

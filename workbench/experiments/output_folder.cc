@@ -13,11 +13,10 @@
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "core/base/version.h"
-#include "datasets/journal/file_lock.h"
+#include "datasets/journal/append_file.h"
 #include "datasets/journal/manifest.h"
 #include "datasets/journal/store_kind.h"
-#include "datasets/journal/store_sources.h"
-#include "datasets/session/provenance.h"
+#include "datasets/session/ro_crate.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

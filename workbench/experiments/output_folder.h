@@ -12,7 +12,7 @@ mount point, a folder that holds an input.
 
 A new folder is filled beside the target, in `.<name>.part-<process>`, and swapped in when it is
 complete, so that the target holds the old result, the new one, or nothing. What a killed program
-left there is removed by the next, but not on a file system without locks (file_lock.h). */
+left there is removed by the next, but not on a file system without locks (append_file.h). */
 
 #include <filesystem>
 #include <string>

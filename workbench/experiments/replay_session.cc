@@ -8,10 +8,9 @@
 
 #include "core/base/error.h"
 #include "core/trial/trial_trace.h"
-#include "datasets/session/damaged_records.h"
+#include "datasets/session/session_store.h"
 #include "datasets/shards/worker_log.h"
-#include "workbench/experiments/machines/machine.h"
-#include "workbench/experiments/pool/trial_bench.h"
+#include "workbench/experiments/pool/batch_runner.h"
 #include "workbench/experiments/run_record.h"
 
 namespace graspbench {
@@ -93,8 +92,7 @@ ReplayConditions FindReplayConditions(const Session& session, const SessionInput
 }
 
 SessionReplay ReplaySession(const Session& session, const SessionInputs& inputs,
-                            const ReplayRequest& request, Observer& observer,
-                            const std::atomic<bool>& stop) {
+                            const ReplayRequest& request, Observer& observer) {
   const RecordFinder records(session);
   SessionReplay replay;
   std::unordered_map<std::string, size_t> places;  // in the request
@@ -106,31 +104,26 @@ SessionReplay ReplaySession(const Session& session, const SessionInputs& inputs,
     records.Compare(now, replay.trials[places.at(now.plan.id)]);
   };
   const auto make_worker = [&](int) {
-    const auto bench = std::make_shared<TrialBench>();
     const auto traced = std::make_shared<TracedTrial>();  // of the trial that has just run
-    const bool is_traced = static_cast<bool>(request.take);
-    BatchWorker worker;
-    worker.prepare = [&, bench, traced,
-                      is_traced](const PlannedTrial& planned) -> std::function<TrialResult()> {
-      TrialSetup setup = MakeTrialSetup(session.config, inputs, planned);
-      TrialRunner& runner = bench->Prepare(setup);
-      if (!is_traced) return [bench, &runner, setup] { return runner.Run(setup); };
-      return [bench, &runner, setup, traced] {
-        *traced = TraceTrial(runner, setup, 0.0);
-        return traced->result;
-      };
-    };
-    worker.keep = [&, traced](const TrialRecord& now) {
+    const auto keep = [&, traced](const TrialRecord& now) {
       compare(now);
       if (!request.take) return;
       request.take(places.at(now.plan.id), MakeTrialSetup(session.config, inputs, now.plan),
                    *traced);
     };
+    CarryOut trace;
+    if (request.take) {
+      trace = [traced](TrialRunner& runner, const TrialSetup& setup) {
+        *traced = TraceTrial(runner, setup, 0.0);
+        return traced->result;
+      };
+    }
+    BatchWorker worker = MakeTrialWorker(session.config, inputs, keep, trace);
     worker.give_up = compare;
     return worker;
   };
   if (!RunBatch(MakeStage(StageKind::kReplay, request.trials.size()), request.trials,
-                request.num_workers, make_worker, observer, stop, request.trial_time_limit)) {
+                request.num_workers, make_worker, observer, request.trial_time_limit)) {
     throw Error(ErrorKind::kInterrupted,
                 "stopped before all trials were compared; nothing was written. Start again with "
                 "the same command");

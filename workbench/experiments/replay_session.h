@@ -11,7 +11,7 @@ Nothing is written into the session's folder. */
 
 #include "core/trial/trial_trace.h"
 #include "datasets/plan/session_inputs.h"
-#include "datasets/records/compare_results.h"
+#include "datasets/records/trial_record.h"
 #include "datasets/session/session_store.h"
 #include "workbench/experiments/observer.h"
 #include "workbench/experiments/pool/batch_runner.h"
@@ -62,7 +62,6 @@ struct ReplayRequest {
 @pre session and inputs belong together. @throws Error(kInterrupted) when stopped; Error(kNotFound)
 when a hand no longer has the grasp; what `take` throws. */
 SessionReplay ReplaySession(const Session& session, const SessionInputs& inputs,
-                            const ReplayRequest& request, Observer& observer,
-                            const std::atomic<bool>& stop);
+                            const ReplayRequest& request, Observer& observer);
 
 }  // namespace graspbench

@@ -1,24 +1,33 @@
 #include "workbench/experiments/run_campaign.h"
 
 #include <algorithm>
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
-#include "datasets/plan/input_copies.h"
+#include "datasets/campaign/campaign_store.h"
+#include "datasets/plan/session_inputs.h"
+#include "datasets/session/judgement_store.h"
+#include "datasets/session/merge_sessions.h"
+#include "datasets/shards/worker_log.h"
 #include "workbench/experiments/output_folder.h"
-#include "workbench/experiments/pool/learning_batch.h"
+#include "workbench/experiments/pool/worker_pool.h"
 #include "workbench/experiments/run_session.h"
 
 namespace graspbench {
+
 namespace fs = std::filesystem;
 
 namespace {
 
 class CampaignRun {
  public:
-  CampaignRun(const CampaignRequest& request, Observer& observer, const std::atomic<bool>& stop)
+  CampaignRun(const CampaignRequest& request, Observer& observer)
       : config_(request.config ? *request.config : LoadCampaignConfig(request.folder)),
         num_workers_(request.num_workers),
         trial_time_limit_(request.trial_time_limit),
@@ -26,8 +35,7 @@ class CampaignRun {
         inputs_(LoadSessionInputs(config_.session, FieldUse::kNow,
                                   request.config ? fs::path() : folder_)),
         scenes_(PlanScenes(config_, inputs_, folder_)),
-        observer_(observer),
-        stop_(stop) {
+        observer_(observer) {
     PlanComparison(config_, scenes_, folder_);  // its names must exist before hours are spent
     if (!request.real.empty()) ReadReal(request.real);
   }
@@ -78,7 +86,7 @@ class CampaignRun {
   /** @pre what the round was made of outlives this. */
   bool Search(const SearchRound& round) {
     RunRecorder recorder(folder_, num_workers_, observer_);
-    const int num_done = RunSearches(round, num_workers_, recorder, stop_, trial_time_limit_);
+    const int num_done = RunSearches(round, num_workers_, recorder, trial_time_limit_);
     if (round.left.empty()) return true;
     SealStore(kCampaignStore, folder_);
     const bool is_complete = num_done == static_cast<int>(round.left.size());
@@ -99,7 +107,7 @@ class CampaignRun {
     CheckSameSession(LoadPlannedSession(folder), config, MakePlan(config, inputs));
     for (const RoundKind& round : {kBenchmarkRound, kJudgeRound}) {
       const RunRecord run = RunRound(round, {config, inputs, folder, LoadSession(folder)},
-                                     num_workers_, observer_, stop_, trial_time_limit_);
+                                     num_workers_, observer_, trial_time_limit_);
       if (run.ending != RunEnding::kFinished) return false;
     }
     ExportSession(folder, LoadSession(folder));
@@ -114,7 +122,6 @@ class CampaignRun {
   std::vector<CampaignScene> scenes_;
   std::string real_;  ///< the table of real trials; empty: none given
   Observer& observer_;
-  const std::atomic<bool>& stop_;
 };
 
 LearningTask MakeSceneTask(const CampaignScene& scene) {
@@ -150,6 +157,13 @@ bool IsSearchFinished(const ComparisonTask& search) {
   return true;
 }
 
+int CountSearchesLeft(const fs::path& folder) {
+  const CampaignConfig config = LoadCampaignConfig(folder);
+  const SessionInputs inputs = LoadSessionInputs(config.session, FieldUse::kNow, folder);
+  const std::vector<CampaignScene> scenes = PlanScenes(config, inputs, folder);
+  return static_cast<int>(ListComparisons(PlanComparison(config, scenes, folder)).left.size());
+}
+
 }  // namespace
 
 SearchRound ListOptimisations(const std::vector<CampaignScene>& scenes, const Shard& shard) {
@@ -174,43 +188,92 @@ SearchRound ListComparisons(const std::vector<ComparisonTask>& searches, const S
 }
 
 int RunSearches(const SearchRound& round, int num_workers, Observer& observer,
-                const std::atomic<bool>& stop, double trial_time_limit) {
+                double trial_time_limit) {
   Stage stage = MakeStage(round.stage, round.left.size());
   stage.num_all = round.num_all;
-  stage.num_trials = 0;
-  std::atomic<int> num_done{0};
-  std::vector<LearningTask> counted = round.left;
-  for (LearningTask& task : counted) {
-    stage.num_trials += task.num_trials;
-    task.run = [run = task.run, &num_done](TrialPool& pool, const ObserveLearning& observe) {
-      run(pool, observe);
+  std::atomic<int> num_planned{0}, num_done{0};
+  for (const LearningTask& task : round.left) num_planned += task.num_trials;
+  stage.num_trials = num_planned;
+  observer.BeginStage(stage);
+  if (round.left.empty()) return 0;
+  StatusBoard board(CalcNumWorkers(num_workers, round.left.size()));
+  const auto make_runner = [&](int worker, const std::atomic<bool>& must_stop) -> RunTask {
+    const auto pool = std::make_shared<TrialPool>(1, must_stop, trial_time_limit);
+    return [&, worker, pool](size_t i) {
+      const LearningTask& task = round.left[i];
+      int num_trials = 0;
+      task.run(*pool, [&](const LearningRequest& request, const LearningTrial& trial) {
+        if (++num_trials > task.num_trials) ++num_planned;  // which was an estimate
+        board.Count(trial.outcome);
+        board.SetBusy(worker, PlannedTrial{"", task.hand, task.object,
+                                           task.grasp + "  " + NameOf(request.stage),
+                                           request.individual.number});
+      });
+      num_planned -= std::max(0, task.num_trials - num_trials);
+      board.SetBusy(worker, std::nullopt);
       ++num_done;
     };
-  }
-  observer.BeginStage(stage);
-  if (counted.empty()) return 0;
-  RunLearningBatch(counted, num_workers, observer, stop, trial_time_limit);
+  };
+  RunTasks(
+      round.left.size(), num_workers, make_runner,
+      [&] { observer.ShowStatus(board.Read(), num_planned); }, observer.stop());
   observer.EndStage();
   return num_done;
 }
 
 int PlanCampaign(const CampaignRequest& request) {
   Observer nobody;
-  const std::atomic<bool> stop{false};
-  return CampaignRun(request, nobody, stop).Plan();
+  return CampaignRun(request, nobody).Plan();
 }
 
 int PlanBenchmark(const fs::path& folder) {
   Observer nobody;
-  const std::atomic<bool> stop{false};
   CampaignRequest request;
   request.folder = folder;
-  return CampaignRun(request, nobody, stop).PlanBenchmark();
+  return CampaignRun(request, nobody).PlanBenchmark();
 }
 
-bool RunCampaign(const CampaignRequest& request, Observer& observer,
-                 const std::atomic<bool>& stop) {
-  return CampaignRun(request, observer, stop).Run();
+bool RunCampaign(const CampaignRequest& request, Observer& observer) {
+  return CampaignRun(request, observer).Run();
+}
+
+CampaignRest MergeCampaign(const fs::path& folder, const std::vector<fs::path>& others) {
+  const fs::path benchmark = folder / "benchmark";
+  MergeCampaigns(folder, others);
+  CampaignRest rest;
+  rest.scenes = PlanBenchmark(folder);
+  if (!HasSession(benchmark)) {
+    SealStore(kCampaignStore, folder);
+    return rest;
+  }
+  std::vector<fs::path> sessions;
+  for (const fs::path& other : others) {
+    if (HasSession(other / "benchmark")) sessions.push_back(other / "benchmark");
+  }
+  MergeSessions(benchmark, sessions);
+  const Session session = LoadSession(benchmark);
+  SealStore(kSessionStore, benchmark);
+  rest.trials = static_cast<int>(FindUnfinished(session).size());
+  rest.judgements = static_cast<int>(FindUnjudged(session).size());
+  rest.searches = CountSearchesLeft(folder);
+  if (rest.trials + rest.judgements == 0) ExportSession(benchmark, session);
+  SealStore(kCampaignStore, folder);
+  return rest;
+}
+
+std::vector<std::string> DescribeCampaignMachines(const fs::path& folder) {
+  Diagnostics ignored;
+  std::vector<WorkerStart> starts = LoadWorkers(folder, ignored).starts;
+  std::set<std::string> unchecked = FindUnchecked(folder, starts);
+  if (HasSession(folder / "benchmark")) {
+    const std::vector<WorkerStart> more = LoadWorkers(folder / "benchmark", ignored).starts;
+    const std::set<std::string> others = FindUnchecked(folder / "benchmark", more);
+    unchecked.insert(others.begin(), others.end());
+    starts.insert(starts.end(), more.begin(), more.end());
+  }
+  std::vector<std::string> sentences = DescribeDifferences(starts);
+  if (!unchecked.empty()) sentences.push_back(DescribeUnchecked(unchecked));
+  return sentences;
 }
 
 }  // namespace graspbench

@@ -1,18 +1,29 @@
 #pragma once
 /** @file
 A campaign from its configuration to its last search: optimise every scene, try all variants on the
-same trial poses, judge what was held, compare search methods. */
+same trial poses, judge what was held, compare search methods; and its merge from several machines.
+*/
 
-#include <atomic>
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "datasets/campaign/campaign_store.h"
 #include "datasets/shards/shard.h"
 #include "workbench/experiments/observer.h"
-#include "workbench/experiments/pool/learning_batch.h"
+#include "workbench/experiments/scene_runner.h"
 
 namespace graspbench {
+
+/** A scene or one search of a comparison, which runs on one thread from start to end. */
+struct LearningTask {
+  std::string hand, object, grasp;  ///< shown while it runs
+  int num_trials = 0;               ///< at most
+  /** Called once, in a worker's thread. */
+  std::function<void(TrialPool& pool, const ObserveLearning& observe)> run;
+};
 
 /** A round of searches as far as it is a shard's: what is left of it. */
 struct SearchRound {
@@ -22,14 +33,17 @@ struct SearchRound {
 };
 SearchRound ListOptimisations(const std::vector<CampaignScene>& scenes, const Shard& shard = {});
 SearchRound ListComparisons(const std::vector<ComparisonTask>& searches, const Shard& shard = {});
-/** Runs what is left. @returns how many of it are finished. @throws as RunLearningBatch. */
+/** Runs what is left, in its order, until all is done or the observer asks to stop. The number of
+trials that the observer is shown falls when a task needs fewer than announced.
+@param trial_time_limit  see TrialPool.
+@returns how many of it are finished. @throws as RunTasks of worker_pool.h. */
 int RunSearches(const SearchRound& round, int num_workers, Observer& observer,
-                const std::atomic<bool>& stop, double trial_time_limit);
+                double trial_time_limit);
 
 struct CampaignRequest {
   std::filesystem::path folder;
   /** None: that of the campaign in `folder`, with its copies of hands and objects
-  (input_copies.h). Whoever names them again asks whether they are still the same. */
+  (session_inputs.h). Whoever names them again asks whether they are still the same. */
   std::optional<CampaignConfig> config;
   int num_workers = 1;
   double trial_time_limit = kTrialTimeLimit;
@@ -47,10 +61,25 @@ int PlanBenchmark(const std::filesystem::path& folder);
 
 /** Starts or continues a campaign. Stages: optimisation, benchmark, judge and, when searches are
 compared, comparison.
-@returns whether it is finished; else `stop` was set and all finished trials are kept.
+@returns whether it is finished; else it was stopped and all finished trials are kept.
 @throws Error(kFormat) for real trials that cannot be read, before anything runs; Error(kUsage) for
 a folder with another campaign; what LoadSessionInputs and the stores
 throw. */
-bool RunCampaign(const CampaignRequest& request, Observer& observer, const std::atomic<bool>& stop);
+bool RunCampaign(const CampaignRequest& request, Observer& observer);
+
+/** What of a campaign is not finished; the next follows when all of one is. */
+struct CampaignRest {
+  int scenes = 0, trials = 0, judgements = 0, searches = 0;
+  int sum() const { return scenes + trials + judgements + searches; }
+};
+
+/** Puts a campaign together whose shards were worked on, in one folder or several: merges scenes,
+searches and the benchmark, which is planned when all scenes are finished; writes
+the benchmark's exports when it is finished and judged. @throws as MergeCampaigns, MergeSessions. */
+CampaignRest MergeCampaign(const std::filesystem::path& folder,
+                           const std::vector<std::filesystem::path>& others);
+
+/** Machines that disagree or were not asked, in any part of the campaign, as sentences. */
+std::vector<std::string> DescribeCampaignMachines(const std::filesystem::path& folder);
 
 }  // namespace graspbench

@@ -8,6 +8,7 @@ in the folder holds a clock or a host, so the results of two runs can be compare
 #include <string>
 #include <vector>
 
+#include "datasets/shards/worker_log.h"
 #include "workbench/experiments/observer.h"
 
 namespace graspbench {
@@ -66,5 +67,16 @@ std::vector<std::string> ListBuilds(const std::filesystem::path& folder);
 
 /** True when an earlier run in run.json was made by another build of the program. */
 bool HasRunOfAnotherBuild(const std::filesystem::path& folder);
+
+std::string FindHost();
+
+/** Two builds of one source are the same build when their bytes are. */
+const std::string& FindBuild();
+
+/** What this process runs on and is. */
+Machine FindMachine();
+
+/** At least 1. */
+int CountProcessors();
 
 }  // namespace graspbench

@@ -5,14 +5,14 @@
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
-#include "core/trial/judge/verdicts.h"
+#include "core/trial/judge/judge.h"
 #include "datasets/analysis/conditions/threshold_summary.h"
-#include "datasets/plan/firm_grip.h"
-#include "datasets/plan/input_copies.h"
+#include "datasets/plan/grip_check.h"
+#include "datasets/plan/session_inputs.h"
 #include "datasets/session/judgement_store.h"
 #include "datasets/shards/worker_log.h"
 #include "workbench/experiments/output_folder.h"
-#include "workbench/experiments/pool/trial_bench.h"
+#include "workbench/experiments/pool/batch_runner.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -41,14 +41,9 @@ void CheckSameResult(const Session& session, const PlannedTrial& planned,
 MakeBatchWorker MakeSessionWorkers(const Session& session, const SessionInputs& inputs,
                                    const fs::path& folder, const std::string& label) {
   return [&session, &inputs, folder, label](int worker) {
-    const auto bench = std::make_shared<TrialBench>();
     const auto journal = std::make_shared<JournalWriter>(folder, worker, label);
-    const auto prepare = [&session, &inputs, bench](const PlannedTrial& planned) {
-      TrialSetup setup = MakeTrialSetup(session.config, inputs, planned);
-      TrialRunner& runner = bench->Prepare(setup);
-      return [bench, &runner, setup] { return runner.Run(setup); };
-    };
-    return BatchWorker{prepare, [journal](const TrialRecord& record) { journal->Append(record); }};
+    return MakeTrialWorker(session.config, inputs,
+                           [journal](const TrialRecord& record) { journal->Append(record); });
   };
 }
 
@@ -57,24 +52,21 @@ MakeBatchWorker MakeSessionWorkers(const Session& session, const SessionInputs& 
 MakeBatchWorker MakeJudgeWorkers(const Session& session, const SessionInputs& inputs,
                                  const fs::path& folder, const std::string& label) {
   return [&session, &inputs, folder, label](int worker) {
-    const auto bench = std::make_shared<TrialBench>();
     const auto writer = std::make_shared<JudgementWriter>(folder, worker, label);
     const auto judgement = std::make_shared<Judgement>();  // of the trial that has just run
-    const auto prepare = [&session, &inputs, bench, judgement](const PlannedTrial& planned) {
-      TrialSetup setup = MakeTrialSetup(session.config, inputs, planned);
-      TrialRunner& runner = bench->Prepare(setup);
-      return [bench, &runner, setup, judgement] {
-        JudgedTrial trial = runner.Judge(setup);
-        *judgement = trial.judgement ? *trial.judgement : MakeEmptyHandJudgement();
-        return trial.result;
-      };
-    };
     const auto keep = [&session, writer, judgement](const TrialRecord& record) {
       CheckSameResult(session, record.plan, record.result);
       writer->Append(record.plan.id, *judgement);
     };
+    BatchWorker made = MakeTrialWorker(
+        session.config, inputs, keep, [judgement](TrialRunner& runner, const TrialSetup& setup) {
+          JudgedTrial trial = runner.Judge(setup);
+          *judgement = trial.judgement ? *trial.judgement : MakeEmptyHandJudgement();
+          return trial.result;
+        });
     // Nothing is known of a grasp whose test does not end: it stays unjudged.
-    return BatchWorker{prepare, keep, [](const TrialRecord&) {}};
+    made.give_up = [](const TrialRecord&) {};
+    return made;
   };
 }
 
@@ -133,28 +125,27 @@ const RoundKind& FindTrialRound(const SessionConfig& config) {
 }
 
 RunRecord RunRound(const RoundKind& kind, const PreparedSession& prepared, int num_workers,
-                   Observer& observer, const std::atomic<bool>& stop, double trial_time_limit) {
+                   Observer& observer, double trial_time_limit) {
   const Session& session = prepared.session;
   const std::vector<PlannedTrial> trials = kind.find_left(session);
   RunRecorder recorder(session.folder, num_workers, observer);
   SealStore(kSessionStore, session.folder);
-  const bool is_complete =
-      RunBatch(MakeRoundStage(kind, session, trials.size()), trials, num_workers,
-               kind.make_workers(session, prepared.inputs, session.folder, ""), recorder, stop,
-               trial_time_limit);
+  const bool is_complete = RunBatch(
+      MakeRoundStage(kind, session, trials.size()), trials, num_workers,
+      kind.make_workers(session, prepared.inputs, session.folder, ""), recorder, trial_time_limit);
   SealStore(kSessionStore, session.folder);
   if (trials.empty()) return {{}, 0.0, num_workers, 0, RunEnding::kFinished};
   return recorder.Keep(is_complete);
 }
 
-bool JudgeSession(const fs::path& folder, int num_workers, Observer& observer,
-                  const std::atomic<bool>& stop, OnDamage on_damage, double trial_time_limit) {
+bool JudgeSession(const fs::path& folder, int num_workers, Observer& observer, OnDamage on_damage,
+                  double trial_time_limit) {
   PreparedSession finished;
   finished.session = LoadSession(folder, on_damage, RecordParts::kBrief);
   const Session& session = finished.session;
   finished.inputs = LoadSessionInputs(session.config, FieldUse::kLater, folder);
   CheckSameSession(session, session.config, MakePlan(session.config, finished.inputs));
-  return RunRound(kJudgeRound, finished, num_workers, observer, stop, trial_time_limit).ending ==
+  return RunRound(kJudgeRound, finished, num_workers, observer, trial_time_limit).ending ==
          RunEnding::kFinished;
 }
 

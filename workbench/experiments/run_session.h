@@ -75,11 +75,10 @@ const RoundKind& FindTrialRound(const SessionConfig& config);
 was something to run. @pre session and inputs belong together.
 @param trial_time_limit  of a trial [s of processor time]; a grasp whose judge has not ended by then
 stays unjudged. @returns the run; finished: nothing is left but those.
-@throws Error(kVersion) when a trial that is judged gives another result than its record; Error(kIo);
-as RunTasks of worker_pool.h. */
+@throws Error(kVersion) when a trial that is judged gives another result than its record;
+Error(kIo); as RunTasks of worker_pool.h. */
 RunRecord RunRound(const RoundKind& kind, const PreparedSession& prepared, int num_workers,
-                   Observer& observer, const std::atomic<bool>& stop,
-                   double trial_time_limit = kTrialTimeLimit);
+                   Observer& observer, double trial_time_limit = kTrialTimeLimit);
 
 /** Breaks the held grasps of a finished session that are not judged yet.
 @param trial_time_limit  a grasp whose test has not ended by then stays unjudged.
@@ -87,7 +86,7 @@ RunRecord RunRound(const RoundKind& kind, const PreparedSession& prepared, int n
 @throws Error(kVersion) when a trial gives another result than its record; Error(kUsage) when hands,
 objects or physics have changed since. */
 bool JudgeSession(const std::filesystem::path& folder, int num_workers, Observer& observer,
-                  const std::atomic<bool>& stop, OnDamage on_damage = OnDamage::kRefuse,
+                  OnDamage on_damage = OnDamage::kRefuse,
                   double trial_time_limit = kTrialTimeLimit);
 
 }  // namespace graspbench

@@ -8,7 +8,6 @@
 #include "core/base/hash.h"
 #include "core/grasp/grasp_file.h"
 #include "datasets/plan/grasp_choice.h"
-#include "datasets/plan/input_copies.h"
 #include "datasets/plan/session_inputs.h"
 #include "datasets/plan/session_plan.h"
 #include "workbench/experiments/output_folder.h"
@@ -16,72 +15,14 @@
 namespace graspbench {
 namespace {
 
-class JournaledTrials {
- public:
-  JournaledTrials(const SceneConfig& config, const SceneInputs& inputs, EvaluationJournal& journal,
-                  TrialPool& pool, const ObserveLearning& observe)
-      : config_(config), inputs_(inputs), journal_(journal), pool_(pool), observe_(observe) {}
-
-  std::vector<std::vector<LearningTrial>> Run(const std::vector<LearningRequest>& requests) {
-    std::vector<EvaluationRecord> questions;
-    for (const LearningRequest& request : requests) questions.push_back(MakeQuestion(request));
-    const auto recall = [&](size_t i, const EvaluationRecord& stored) {
-      CheckSame(stored, questions[i]);
-      for (const LearningTrial& trial : stored.trials) observe_(requests[i], trial);
-    };
-    const auto simulate = [&](std::vector<EvaluationRecord>& records,
-                              const std::vector<size_t>& left) {
-      Simulate(requests, left, records);
-    };
-    return journal_.Answer(questions, recall, simulate);
-  }
-
- private:
-  EvaluationRecord MakeQuestion(const LearningRequest& request) const {
-    EvaluationRecord record;
-    record.stage = request.stage;
-    record.individual = request.individual;
-    for (const int draw : request.draws) {
-      record.trial_ids.push_back(CalcLearningTrialId(config_, inputs_, request, draw));
-    }
-    return record;
-  }
-
-  void CheckSame(const EvaluationRecord& stored, const EvaluationRecord& asked) const {
-    if (stored.stage == asked.stage && stored.trial_ids == asked.trial_ids) return;
-    throw Error(ErrorKind::kUsage,
-                "the journal of " + config_.hand + ", " + config_.object + ", " + config_.grasp +
-                    " was begun with another version of the hand, the object, the physics or the "
-                    "program; optimise into a new folder");
-  }
-
-  void Simulate(const std::vector<LearningRequest>& requests, const std::vector<size_t>& left,
-                std::vector<EvaluationRecord>& records) {
-    std::vector<TrialSetup> setups;
-    std::vector<std::pair<size_t, int>> asked;  // request and draw of each setup
-    for (const size_t i : left) {
-      for (const int draw : requests[i].draws) {
-        setups.push_back(MakeLearningSetup(config_, inputs_, requests[i], draw));
-        asked.push_back({i, draw});
-      }
-    }
-    const std::vector<TrialResult> results =
-        pool_.Run(setups, [&](size_t setup, const TrialResult& result) {
-          const auto [request, draw] = asked[setup];
-          observe_(requests[request], MakeLearningTrial(draw, result, false));
-        });
-    for (size_t k = 0; k < asked.size(); ++k) {
-      const auto [i, draw] = asked[k];
-      records[i].trials.push_back(MakeLearningTrial(draw, results[k], requests[i].keep_postures));
-    }
-  }
-
-  const SceneConfig& config_;
-  const SceneInputs& inputs_;
-  EvaluationJournal& journal_;
-  TrialPool& pool_;
-  ObserveLearning observe_;
-};
+void CheckSameQuestion(const SceneConfig& config, const EvaluationRecord& stored,
+                       const EvaluationRecord& asked) {
+  if (stored.stage == asked.stage && stored.trial_ids == asked.trial_ids) return;
+  throw Error(ErrorKind::kUsage,
+              "the journal of " + config.hand + ", " + config.object + ", " + config.grasp +
+                  " was begun with another version of the hand, the object, the physics or the "
+                  "program; optimise into a new folder");
+}
 
 /** A session of one trial of the scene. */
 SessionConfig MakeSessionConfig(const SceneConfig& config) {
@@ -99,8 +40,43 @@ SessionConfig MakeSessionConfig(const SceneConfig& config) {
 RunLearningTrials MakeJournaledTrials(const SceneConfig& config, const SceneInputs& inputs,
                                       EvaluationJournal& journal, TrialPool& pool,
                                       const ObserveLearning& observe) {
-  const auto trials = std::make_shared<JournaledTrials>(config, inputs, journal, pool, observe);
-  return [trials](const std::vector<LearningRequest>& requests) { return trials->Run(requests); };
+  return [&config, &inputs, &journal, &pool,
+          observe](const std::vector<LearningRequest>& requests) {
+    std::vector<EvaluationRecord> questions;
+    for (const LearningRequest& request : requests) {
+      EvaluationRecord& question = questions.emplace_back();
+      question.stage = request.stage;
+      question.individual = request.individual;
+      for (const int draw : request.draws) {
+        question.trial_ids.push_back(CalcLearningTrialId(config, inputs, request, draw));
+      }
+    }
+    const auto recall = [&](size_t i, const EvaluationRecord& stored) {
+      CheckSameQuestion(config, stored, questions[i]);
+      for (const LearningTrial& trial : stored.trials) observe(requests[i], trial);
+    };
+    const auto simulate = [&](std::vector<EvaluationRecord>& records,
+                              const std::vector<size_t>& left) {
+      std::vector<TrialSetup> setups;
+      std::vector<std::pair<size_t, int>> asked;  // request and draw of each setup
+      for (const size_t i : left) {
+        for (const int draw : requests[i].draws) {
+          setups.push_back(MakeLearningSetup(config, inputs, requests[i], draw));
+          asked.push_back({i, draw});
+        }
+      }
+      const std::vector<TrialResult> results =
+          pool.Run(setups, [&](size_t setup, const TrialResult& result) {
+            const auto [request, draw] = asked[setup];
+            observe(requests[request], MakeLearningTrial(draw, result, false));
+          });
+      for (size_t k = 0; k < asked.size(); ++k) {
+        const auto [i, draw] = asked[k];
+        records[i].trials.push_back(MakeLearningTrial(draw, results[k], requests[i].keep_postures));
+      }
+    };
+    return journal.Answer(questions, recall, simulate);
+  };
 }
 
 SceneInputs LoadSceneInputs(SceneConfig& config, const std::filesystem::path& folder) {
@@ -149,12 +125,12 @@ void PlanScene(const std::filesystem::path& folder, const SceneConfig& config) {
 
 OptimisedGrasp RunSceneStage(const std::filesystem::path& folder, const SceneConfig& config,
                              const SceneInputs& inputs, int num_workers, Observer& observer,
-                             const std::atomic<bool>& stop, double trial_time_limit) {
+                             double trial_time_limit) {
   if (!HasScene(folder)) PlanScene(folder, config);
   Stage stage = MakeStage(StageKind::kOptimisation, 1);
   stage.num_trials = CountLearningTrials(config.optimise);
   observer.BeginStage(stage);
-  TrialPool pool(num_workers, stop, trial_time_limit);
+  TrialPool pool(num_workers, observer.stop(), trial_time_limit);
   BatchStatus status;
   const auto observe = [&](const LearningRequest& request, const LearningTrial& trial) {
     ++status.num_done;

@@ -7,7 +7,7 @@ Optimises one scene in its folder: asks the journal first and the simulation for
 
 #include "datasets/campaign/campaign_store.h"
 #include "workbench/experiments/observer.h"
-#include "workbench/experiments/pool/trial_pool.h"
+#include "workbench/experiments/pool/batch_runner.h"
 
 namespace graspbench {
 
@@ -23,7 +23,7 @@ RunLearningTrials MakeJournaledTrials(const SceneConfig& config, const SceneInpu
                                       const ObserveLearning& observe);
 
 /** Loads the hand, the object and the grasp; "best" is replaced by the grasp it stands for.
-@param folder  of the scene whose copies are taken (input_copies.h); empty: the originals.
+@param folder  of the scene whose copies are taken (session_inputs.h); empty: the originals.
 @throws Error(kNotFound, kFormat, kUsage). */
 SceneInputs LoadSceneInputs(SceneConfig& config, const std::filesystem::path& folder = {});
 
@@ -39,7 +39,6 @@ void PlanScene(const std::filesystem::path& folder, const SceneConfig& config);
 @param trial_time_limit  see TrialPool. */
 OptimisedGrasp RunSceneStage(const std::filesystem::path& folder, const SceneConfig& config,
                              const SceneInputs& inputs, int num_workers, Observer& observer,
-                             const std::atomic<bool>& stop,
                              double trial_time_limit = kTrialTimeLimit);
 
 /** Starts or resumes one search of a comparison, from its scene's saved new pre-grasp. */

@@ -10,9 +10,9 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/grasp/grasp_file.h"
-#include "core/trial/contact_lags.h"
+#include "core/trial/digit_delays.h"
 #include "datasets/plan/grasp_choice.h"
-#include "datasets/plan/input_copies.h"
+#include "datasets/plan/session_inputs.h"
 #include "workbench/experiments/output_folder.h"
 
 namespace graspbench {
@@ -237,17 +237,6 @@ PreparedSession PrepareSchedules(const ExperimentRequest& request, const People&
   prepared.session = LoadSession(prepared.folder, request.on_damage, RecordParts::kBrief);
   CheckSameSession(prepared.session, prepared.config, MakePlan(prepared.config, prepared.inputs));
   return prepared;
-}
-
-bool RunSchedules(const PreparedSession& schedules, const ExperimentRequest& request,
-                  int num_workers, Observer& observer, const std::atomic<bool>& stop) {
-  ExperimentRequest rest = request;
-  rest.folder = schedules.folder;
-  rest.trials_per_cell = 0;
-  if (!RunExperiment(schedules, rest, num_workers, observer, stop)) return false;
-  rest.with_judge = false;
-  const PreparedSession grips = PrepareThresholds(rest, kThresholdScales[0]);
-  return RunExperiment(grips, rest, num_workers, observer, stop);
 }
 
 }  // namespace graspbench

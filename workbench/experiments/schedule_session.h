@@ -6,7 +6,7 @@ grasps are those of the first on each object, one for each schedule, as grasp fi
 their closing alone; and its grip thresholds below it. So it is run, stopped, continued, judged,
 verified and reported like any other.
 
-A closing is found by trials without variation (core/trial/contact_lags.h). Where its lags come out
+A closing is found by trials without variation (core/trial/digit_delays.h). Where its lags come out
 wrong by more than kMostLagError of the natural closing time there is no such schedule. */
 
 #include <string>
@@ -28,9 +28,5 @@ struct People {
 schedules itself, for one whose grasps have no second schedule, and for a study that has none of its
 objects or digits; as PrepareExperiment. */
 PreparedSession PrepareSchedules(const ExperimentRequest& request, const People& people);
-
-/** Runs what is left, thresholds of margins too. @returns whether nothing is left. */
-bool RunSchedules(const PreparedSession& schedules, const ExperimentRequest& request,
-                  int num_workers, Observer& observer, const std::atomic<bool>& stop);
 
 }  // namespace graspbench

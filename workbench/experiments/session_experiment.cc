@@ -1,25 +1,33 @@
 #include "workbench/experiments/session_experiment.h"
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "core/base/hash.h"
+#include "core/base/random.h"
 #include "datasets/analysis/conditions/threshold_summary.h"
 #include "datasets/journal/append_file.h"
-#include "datasets/session/session_experiments.h"
+#include "datasets/plan/map_design.h"
+#include "datasets/session/find_trial.h"
 #include "datasets/shards/worker_log.h"
 #include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/experiments/output_folder.h"
+#include "workbench/experiments/pool/batch_runner.h"
 
 namespace graspbench {
+
 namespace fs = std::filesystem;
 
 namespace {
 
 constexpr char kThresholdKind[] = "thresholds";
+constexpr double kJudgeTrials = 5.0;  // what the judge takes, in trials
 
 /** Thresholds are those of a sweep's conditions, too. */
 void CheckCanBeVaried(const Session& session, const std::string& kind) {
@@ -34,40 +42,29 @@ void CheckCanBeVaried(const Session& session, const std::string& kind) {
                                      "again; sweep more factors with graspbench sweep");
 }
 
-/** Lines of records and judgements as they stand in journals. */
-class Adoption {
- public:
-  explicit Adoption(const std::vector<PlannedTrial>& plan) {
-    for (const PlannedTrial& planned : plan) planned_.emplace(planned.id, planned);
-  }
-
-  void Take(const Session& from) {
+/** Lines of the plan's trials as they stand in the journals of other sessions, of each trial the
+first. */
+void AdoptRecords(const std::vector<Session>& sessions, const std::vector<PlannedTrial>& plan,
+                  const fs::path& folder) {
+  std::map<std::string, PlannedTrial> missing;
+  for (const PlannedTrial& planned : plan) missing.emplace(planned.id, planned);
+  std::string trials, judgements;
+  for (const Session& from : sessions) {
     for (size_t i = 0; i < from.records.size(); ++i) {
-      const PlannedTrial& planned = from.records[i].plan;
-      const auto wanted = planned_.find(planned.id);
-      if (wanted == planned_.end() || !(wanted->second == planned)) continue;
-      planned_.erase(wanted);
-      trials_ += ReadLine(from.lines, from.lines.trials[i]) + "\n";
+      const auto wanted = missing.find(from.records[i].plan.id);
+      if (wanted == missing.end() || !(wanted->second == from.records[i].plan)) continue;
+      missing.erase(wanted);
+      trials += ReadLine(from.lines, from.lines.trials[i]) + "\n";
       const LinePlace& judgement = from.lines.judgements[i];
-      if (judgement.file >= 0) judgements_ += ReadLine(from.lines, judgement) + "\n";
+      if (judgement.file >= 0) judgements += ReadLine(from.lines, judgement) + "\n";
     }
   }
-
-  void Write(const fs::path& folder) const {
-    Write(folder / "journal", trials_);
-    Write(folder / "judge", judgements_);
+  for (const auto& [name, lines] : {std::pair("journal", trials), std::pair("judge", judgements)}) {
+    if (lines.empty()) continue;
+    MakeFolder(folder / name);
+    AppendFile(FindJournal(folder / name, 0, kMergedLabel)).Append(lines);
   }
-
- private:
-  static void Write(const fs::path& folder, const std::string& lines) {
-    if (lines.empty()) return;
-    MakeFolder(folder);
-    AppendFile(FindJournal(folder, 0, kMergedLabel)).Append(lines);
-  }
-
-  std::map<std::string, PlannedTrial> planned_;  // that are not found yet, by id
-  std::string trials_, judgements_;
-};
+}
 
 void CreateExperiment(const Session& session, const std::string& kind, const PreparedSession& made,
                       const std::vector<PlannedTrial>& plan) {
@@ -75,12 +72,51 @@ void CreateExperiment(const Session& session, const std::string& kind, const Pre
   CreateSession(staged.path(), made.config, plan);
   // Trials of an experiment with delays say more than those of the session.
   if (!HasDelays(made.config)) {
-    Adoption adoption(plan);
-    adoption.Take(session);
-    for (const Session& other : LoadExperiments(session, kind)) adoption.Take(other);
-    adoption.Write(staged.path());
+    std::vector<Session> known = LoadExperiments(session, kind);
+    known.insert(known.begin(), session);
+    AdoptRecords(known, plan, staged.path());
   }
   staged.Commit();
+}
+
+/** Some of the objects, dealt by the seed, in their order; all where there are no more. */
+std::vector<std::string> DealObjects(const SessionInputs& inputs,
+                                     const std::vector<std::string>& names, int count, int seed) {
+  std::vector<std::string> objects = names;
+  if (names == SessionConfig().objects) {
+    objects.clear();
+    for (const auto& object : inputs.objects) objects.push_back(object->id);
+  }
+  RandomStream random(std::to_string(seed), "objects of a map");
+  while (static_cast<int>(objects.size()) > count) {
+    objects.erase(objects.begin() + random.NextIndex(static_cast<int>(objects.size())));
+  }
+  return objects;
+}
+
+/** Copies of one body would count as so many objects to draw from. @throws Error(kUsage). */
+void CheckObjectsDiffer(const SessionInputs& inputs) {
+  std::map<std::string, std::string> ids;
+  for (const auto& object : inputs.objects) {
+    const auto [first, is_new] = ids.emplace(object->content_hash, object->id);
+    if (is_new) continue;
+    throw Error(ErrorKind::kUsage,
+                "the objects \"" + first->second + "\" and \"" + object->id +
+                    "\" are the same body (mesh, mass and surface); a map draws objects, so copies "
+                    "would feign certainty: leave one of them out");
+  }
+}
+
+/** The session of a part of a map, made or found. */
+PreparedSession PreparePart(const MapRequest& request, const MapPart& part,
+                            const SessionConfig& base, const fs::path& out) {
+  SessionRequest session;
+  session.config = MakeMapSession(part, base);
+  session.name = "map";
+  session.out = out;
+  session.resume = HasSession(out);
+  session.on_damage = request.on_damage;
+  return PrepareSession(session);
 }
 
 }  // namespace
@@ -121,11 +157,11 @@ PreparedSession PrepareThresholds(const ExperimentRequest& request, const Thresh
 }
 
 bool RunExperiment(const PreparedSession& experiment, const ExperimentRequest& request,
-                   int num_workers, Observer& observer, const std::atomic<bool>& stop) {
+                   Observer& observer) {
   const RoundKind& round = FindTrialRound(experiment.config);
   std::optional<PreparedSession> next;  // a bisection asks for more
   for (const PreparedSession* now = &experiment; !round.find_left(now->session).empty();) {
-    if (RunRound(round, *now, num_workers, observer, stop, request.trial_time_limit).ending !=
+    if (RunRound(round, *now, request.num_workers, observer, request.trial_time_limit).ending !=
         RunEnding::kFinished) {
       return false;
     }
@@ -134,8 +170,64 @@ bool RunExperiment(const PreparedSession& experiment, const ExperimentRequest& r
     next->session = LoadSession(experiment.folder, request.on_damage, RecordParts::kBrief);
     now = &*next;
   }
-  return !request.with_judge || JudgeSession(experiment.folder, num_workers, observer, stop,
-                                             request.on_damage, request.trial_time_limit);
+  if (request.with_judge && !JudgeSession(experiment.folder, request.num_workers, observer,
+                                          request.on_damage, request.trial_time_limit)) {
+    return false;
+  }
+  if (!request.thresholds) return true;
+  ExperimentRequest grips = request;
+  grips.folder = experiment.folder;
+  grips.trials_per_cell = 0;
+  grips.with_judge = false;
+  grips.thresholds = nullptr;
+  return RunExperiment(PrepareThresholds(grips, *request.thresholds), grips, observer);
+}
+
+double EstimateSweepTime(const PreparedSession& sweep, bool with_judge, bool with_thresholds) {
+  std::map<std::string, double> times;
+  TrialBench bench;
+  double sum = 0.0;
+  for (const PlannedTrial& planned : FindUnfinished(sweep.session)) {
+    if (times.count(planned.hand) == 0) {
+      TrialSetup setup = MakeTrialSetup(sweep.config, sweep.inputs, planned);
+      TrialRunner& runner = bench.Prepare(setup);
+      const auto start = std::chrono::steady_clock::now();
+      runner.Run(setup);
+      times[planned.hand] =
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+    sum += times[planned.hand];
+  }
+  return sum *
+         (1.0 + (with_judge ? kJudgeTrials : 0.0) + (with_thresholds ? kMostThresholdTrials : 0.0));
+}
+
+PreparedSession PrepareMap(const MapRequest& request) {
+  CheckObjectsDiffer(LoadSessionInputs(request.base, FieldUse::kLater));
+  return PreparePart(request, ListMapParts(request.is_quick).front(), request.base, request.out);
+}
+
+bool RunMap(const PreparedSession& success, const MapRequest& request, Observer& observer) {
+  for (const MapPart& part : ListMapParts(request.is_quick)) {
+    ExperimentRequest rest;
+    rest.with_judge = part.with_judge;
+    if (part.with_thresholds) {
+      rest.thresholds = &RowFromName(kThresholdScales, "margin", "threshold");
+    }
+    rest.on_damage = request.on_damage;
+    rest.trial_time_limit = request.trial_time_limit;
+    rest.num_workers = request.num_workers;
+    std::optional<PreparedSession> below;
+    if (!part.varies_grip) {
+      SessionConfig base = request.base;
+      if (part.most_objects > 0) {
+        base.objects = DealObjects(success.inputs, base.objects, part.most_objects, base.seed);
+      }
+      below = PreparePart(request, part, base, success.folder / "map" / part.id);
+    }
+    if (!RunExperiment(below ? *below : success, rest, observer)) return false;
+  }
+  return true;
 }
 
 }  // namespace graspbench

@@ -3,13 +3,17 @@
 Where a person wants to look from, in words: "front", "free AZIMUTH ELEVATION [ZOOM]". */
 
 #include <Eigen/Core>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/base/pose.h"
 #include "core/base/units.h"
 #include "core/hand/hand.h"
+#include "core/render/contact_marks.h"
 #include "core/render/scene.h"
+#include "core/shape/grasp_object.h"
 
 namespace graspbench {
 
@@ -30,5 +34,34 @@ SceneView ParseSceneView(const std::vector<std::string>& words, const std::strin
 /** A camera that holds all of the scenes, seen by the view when the hand is as given. */
 Camera PlaceCamera(const SceneView& view, const std::vector<Scene>& scenes, const Hand& hand,
                    const Eigen::VectorXd& q, const Pose& X_WH, double aspect);
+
+/** A hand and an object as a moving picture, from one camera that sees all of it. */
+class SceneFilm {
+ public:
+  SceneFilm(std::shared_ptr<const Hand> hand, std::shared_ptr<const GraspObject> object)
+      : hand_(std::move(hand)), object_(std::move(object)) {}
+
+  /** @param time  of the picture, later than those before [s]. */
+  void Add(double time, const Eigen::VectorXd& q, const Pose& X_WH, const Pose& X_WO);
+  /** On the last picture. @param length_per_force  of arrows [m/N]. */
+  void Mark(const std::vector<ContactMark>& contacts, double length_per_force);
+
+  size_t size() const { return frames_.size(); }
+  /** An animated WebP file in real time. `tell` hears how many pictures are drawn and gives false
+  to stop. @returns empty when stopped. @throws Error(kEnvironment) when the machine cannot draw. */
+  std::string Encode(const SceneView& view, int width, int height,
+                     const std::function<bool(size_t num_drawn)>& tell) const;
+
+ private:
+  struct Frame {
+    Scene scene;
+    double time = 0.0;  // [s]
+  };
+  std::shared_ptr<const Hand> hand_;
+  std::shared_ptr<const GraspObject> object_;
+  std::vector<Frame> frames_;
+  Eigen::VectorXd q_;  // in the first one
+  Pose X_WH_ = Pose::Identity();
+};
 
 }  // namespace graspbench

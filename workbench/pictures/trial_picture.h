@@ -2,8 +2,10 @@
 /** @file
 Pictures of an instant of a trial, with its contacts and forces. */
 
+#include <memory>
 #include <string>
 
+#include "core/hand/hand.h"
 #include "core/render/scene.h"
 #include "core/trial/trial_trace.h"
 #include "workbench/pictures/scene_view.h"
@@ -33,5 +35,15 @@ Image DrawTrial(const TrialSetup& setup, const TracedTrial& traced, const TraceI
 @throws Error(kEnvironment); Error(kUnsupported) for a trial that could not begin. */
 std::string FilmTrial(const TrialSetup& setup, const TracedTrial& traced, const SceneView& view,
                       const PictureSize& size);
+
+/** A hand as it is seen and as it touches, beside each other.
+Three columns: the pictures of its links, pictures and contact shapes through each other, the
+contact shapes alone (core/render/contact_marks.h). Two rows: against the palm, and from the side.
+All joints at zero, or at the limit nearest to it. @throws Error(kEnvironment) when the machine
+cannot draw. */
+Image DrawHandShapes(const std::shared_ptr<const Hand>& hand);
+
+/** What its columns and colours are, a line. */
+std::string DescribeHandShapes();
 
 }  // namespace graspbench

@@ -2,19 +2,22 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "core/base/text/text.h"
+#include "core/trial/trial_trace.h"
+#include "datasets/records/trial_record.h"
+#include "reports/trial_page.h"
 #include "workbench/experiments/output_folder.h"
-#include "workbench/pictures/scene_film.h"
-#include "workbench/shell/grasp_cards.h"
+#include "workbench/pictures/scene_view.h"
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_cards.h"
 #include "workbench/shell/shell_commands.h"
 #include "workbench/shell/shell_picture.h"
+#include "workbench/terminal/command_line.h"
 #include "workbench/terminal/terminal.h"
-#include "workbench/text/typed_words.h"
 
 namespace graspbench {
 namespace {
@@ -35,21 +38,18 @@ void CheckPictureFile(const std::string& file, const char* ending) {
 
 constexpr const char* kViewHelp = "help view";
 
+/** The course of a trial that nobody changed on its way. */
+std::optional<TracedTrial> TraceAgain(const TrialSetup& setup, const TrialResult& result) {
+  constexpr double kInstants = 0.01;  // apart [s]
+  TrialRunner runner(setup.hand, setup.object);
+  TracedTrial traced = TraceTrial(runner, setup, kInstants);
+  if (FindFirstDifference(result, traced.result)) return std::nullopt;
+  return traced;
+}
+
 }  // namespace
 
 void ShowScene(Shell& shell, const ShellArguments&) { PrintResult(FormatScene(shell.scene())); }
-
-void ShowJoints(Shell& shell, const ShellArguments&) { PrintResult(FormatJoints(shell.scene())); }
-
-void ShowContacts(Shell& shell, const ShellArguments&) {
-  PrintResult(FormatContacts(shell.scene()));
-}
-
-void ShowTiming(Shell& shell, const ShellArguments&) { PrintResult(FormatTiming(shell.scene())); }
-
-void ShowWrenchSpace(Shell& shell, const ShellArguments&) {
-  PrintResult(FormatWrenchSpace(shell.scene()));
-}
 
 std::vector<std::string> ListPostures() { return {"now", "pre", "target"}; }
 
@@ -61,10 +61,6 @@ void ShowPads(Shell& shell, const ShellArguments& arguments) {
                 "\"" + posture + "\" is no posture" + SuggestNames(posture, known));
   }
   PrintResult(FormatPads(shell.scene(), posture));
-}
-
-void ShowStability(Shell& shell, const ShellArguments&) {
-  PrintResult(FormatStability(shell.scene()));
 }
 
 void ViewScene(Shell& shell, const ShellArguments& arguments) {
@@ -106,6 +102,36 @@ void FilmTrial(Shell& shell, const ShellArguments& arguments) {
   WriteFileAtomically(file, bytes);
   PrintResult(fmt::format("{}\n{}, the whole trial in real time\n", file,
                           FormatCount(static_cast<int64_t>(film.size()), "picture")));
+}
+
+void ReportTrial(Shell& shell, const ShellArguments& arguments) {
+  const std::string& file = arguments[0];
+  if (std::filesystem::path(file).extension() != ".html") {
+    throw Error(ErrorKind::kUsage, "\"" + file + "\" does not end in .html");
+  }
+  CheckOutputFile(file);
+  ShellScene& scene = shell.scene();
+  if (!scene.is_over()) throw Error(ErrorKind::kUsage, "the trial goes on; first: run");
+  const TrialSetup& setup = scene.setup();
+  TrialPageData data;
+  data.setup = setup;
+  data.record.plan.hand = setup.hand->id;
+  data.record.plan.object = setup.object->id;
+  data.record.plan.grasp = setup.grasp.id;
+  data.record.plan.trial = scene.choice().draw.value_or(0);
+  data.record.result = scene.course().End();
+  data.traced = TraceAgain(setup, data.record.result);
+  data.cards = {
+      {"Scene", FormatScene(scene)},
+      {"Changes", FormatChanges(scene)},
+      {"Why", shell.explanation.empty() ? "not asked for; see: why\n" : shell.explanation},
+      {"Contacts", FormatContacts(scene)},
+      {"Stability", FormatStability(scene)},
+      {"Joints", FormatJoints(scene)}};
+  if (!shell.comparison.empty()) data.cards.emplace_back("Draws", shell.comparison);
+  data.script = shell.script();
+  WriteFileAtomically(file, MakeTrialPage(data));
+  PrintResult(file + "\n");
 }
 
 }  // namespace graspbench

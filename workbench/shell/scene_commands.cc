@@ -11,7 +11,7 @@
 #include "core/grasp/grasp_file.h"
 #include "core/hand/load_hand.h"
 #include "datasets/plan/conditions.h"
-#include "datasets/plan/firm_grip.h"
+#include "datasets/plan/grip_check.h"
 #include "datasets/plan/scene_names.h"
 #include "datasets/plan/session_plan.h"
 #include "datasets/session/find_trial.h"
@@ -22,8 +22,8 @@
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_cards.h"
 #include "workbench/shell/shell_commands.h"
+#include "workbench/terminal/command_line.h"
 #include "workbench/terminal/terminal.h"
-#include "workbench/text/typed_words.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

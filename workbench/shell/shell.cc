@@ -9,11 +9,11 @@
 #include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/base/text/text.h"
-#include "workbench/experiments/interrupt.h"
 #include "workbench/shell/line_editor.h"
 #include "workbench/shell/shell_commands.h"
+#include "workbench/terminal/command_line.h"
 #include "workbench/terminal/terminal.h"
-#include "workbench/text/typed_words.h"
+#include "workbench/terminal/terminal_observer.h"
 
 namespace graspbench {
 namespace {

@@ -11,12 +11,11 @@
 #include "core/hand/load_hand.h"
 #include "datasets/plan/scene_names.h"
 #include "objects/catalogue.h"
-#include "workbench/shell/live_display.h"
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_cards.h"
 #include "workbench/shell/shell_picture.h"
+#include "workbench/terminal/command_line.h"
 #include "workbench/terminal/terminal.h"
-#include "workbench/text/typed_words.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -108,6 +107,12 @@ Names ListPostureNames(Shell&, size_t index) { return index == 0 ? ListPostures(
 Names ListNone(Shell&, size_t index) { return index == 0 ? Names{"none"} : Names(); }
 Names ListTopics(Shell&, size_t index) { return index == 0 ? ListCommandNames() : Names(); }
 
+/** A card of the scene is a command of its own. */
+template <std::string (*kFormat)(ShellScene&)>
+void ShowCard(Shell& shell, const ShellArguments&) {
+  PrintResult(kFormat(shell.scene()));
+}
+
 /** Files and folders that begin with `word`, folders with a slash. */
 Names ListFiles(const std::string& word) {
   const fs::path path = word;
@@ -179,15 +184,15 @@ const std::vector<ShellCommand>& ListShellCommands() {
       {"live", kTime, "CARD|view|off", "Show this in real time while a trial goes on.",
        "live contacts", 1, 1, -1, &ListCards, &ChooseLiveCard},
       {"joints", kLook, "", "Angles, limits and commands of all joints.", "joints", 0, 0, -1,
-       nullptr, &ShowJoints},
+       nullptr, &ShowCard<&FormatJoints>},
       {"contacts", kLook, "", "Forces on the object, with the share of their cones.", "contacts", 0,
-       0, -1, nullptr, &ShowContacts},
+       0, -1, nullptr, &ShowCard<&FormatContacts>},
       {"timing", kLook, "", "First touches, GCT, GFT and GOT.", "timing", 0, 0, -1, nullptr,
-       &ShowTiming},
+       &ShowCard<&FormatTiming>},
       {"stability", kLook, "", "Sigma, epsilon, and the pull that the grasp stands.", "stability",
-       0, 0, -1, nullptr, &ShowStability},
+       0, 0, -1, nullptr, &ShowCard<&FormatStability>},
       {"wrench", kLook, "", "What forces and moments the contacts can put on the object.", "wrench",
-       0, 0, -1, nullptr, &ShowWrenchSpace},
+       0, 0, -1, nullptr, &ShowCard<&FormatWrenchSpace>},
       {"pose", kLook, "[now|pre|target]", "Where the pads are, where they face, the opening.",
        "pose target", 0, 1, -1, &ListPostureNames, &ShowPads},
       {"view", kLook, "[grasp|front|back|left|right|top|free AZIMUTH ELEVATION [ZOOM]]",

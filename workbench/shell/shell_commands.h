@@ -11,6 +11,7 @@ namespace graspbench {
 class Shell;
 
 using ShellArguments = std::vector<std::string>;
+using ShellAction = void(Shell& shell, const ShellArguments& arguments);
 
 struct ShellCommand {
   const char* name;
@@ -22,7 +23,7 @@ struct ShellCommand {
   int file_argument;  ///< index of the one that may be a file; -1: none
   /** Known names of argument `index`; null: none. */
   std::vector<std::string> (*list_names)(Shell& shell, size_t index);
-  void (*run)(Shell& shell, const ShellArguments& arguments);
+  ShellAction* run;
 };
 
 /** In the order of the overview. */
@@ -36,61 +37,27 @@ void RunShellCommand(Shell& shell, const std::vector<std::string>& words);
 nothing. */
 std::vector<std::string> FindCompletions(Shell& shell, const std::string& line);
 
-/** Commands by file. */
+/** What the commands do, by file, and names that they know. */
 ///@{ scene_commands.cc
-void ChooseHand(Shell& shell, const ShellArguments& arguments);
-void ChooseObject(Shell& shell, const ShellArguments& arguments);
-void ChooseGrasp(Shell& shell, const ShellArguments& arguments);
-void ChooseDraw(Shell& shell, const ShellArguments& arguments);
-void MoveThing(Shell& shell, const ShellArguments& arguments);
-void TurnThing(Shell& shell, const ShellArguments& arguments);
-void SetJoint(Shell& shell, const ShellArguments& arguments);
-void SetDigit(Shell& shell, const ShellArguments& arguments);
-void DriveJoint(Shell& shell, const ShellArguments& arguments);
-void ChangeSetting(Shell& shell, const ShellArguments& arguments);
-void OpenTrial(Shell& shell, const ShellArguments& arguments);
-void UndoChange(Shell& shell, const ShellArguments& arguments);
-void RedoChange(Shell& shell, const ShellArguments& arguments);
-void ShowChanges(Shell& shell, const ShellArguments& arguments);
-void SaveGrasp(Shell& shell, const ShellArguments& arguments);
+ShellAction ChooseHand, ChooseObject, ChooseGrasp, ChooseDraw, MoveThing, TurnThing, SetJoint,
+    SetDigit, DriveJoint, ChangeSetting, OpenTrial, UndoChange, RedoChange, ShowChanges, SaveGrasp;
 ///@}
 ///@{ time_commands.cc
-void StepTrial(Shell& shell, const ShellArguments& arguments);
-void RunTrial(Shell& shell, const ShellArguments& arguments);
+ShellAction StepTrial, RunTrial, GoToTime, GoBack, ResetTrial, ChooseLiveCard;
+/** What `live` takes: "off", "contacts", "joints", "timing", "stability", "view". */
+std::vector<std::string> ListLiveCards();
 /** Phases and events that `run` knows. */
 std::vector<std::string> ListRunTargets();
-void GoToTime(Shell& shell, const ShellArguments& arguments);
-void GoBack(Shell& shell, const ShellArguments& arguments);
-void ResetTrial(Shell& shell, const ShellArguments& arguments);
-void ChooseLiveCard(Shell& shell, const ShellArguments& arguments);
 ///@}
 ///@{ look_commands.cc
-void ShowScene(Shell& shell, const ShellArguments& arguments);
-void ShowJoints(Shell& shell, const ShellArguments& arguments);
-void ShowContacts(Shell& shell, const ShellArguments& arguments);
-void ShowTiming(Shell& shell, const ShellArguments& arguments);
-void ShowStability(Shell& shell, const ShellArguments& arguments);
-void ShowWrenchSpace(Shell& shell, const ShellArguments& arguments);
-void ShowPads(Shell& shell, const ShellArguments& arguments);
+ShellAction ShowScene, ShowPads, ViewScene, ShootScene, FilmTrial, ReportTrial;
 std::vector<std::string> ListPostures();
-void ViewScene(Shell& shell, const ShellArguments& arguments);
-void ShootScene(Shell& shell, const ShellArguments& arguments);
-void FilmTrial(Shell& shell, const ShellArguments& arguments);
 ///@}
 ///@{ trial_commands.cc
-void RunTrials(Shell& shell, const ShellArguments& arguments);
-void JudgeTrial(Shell& shell, const ShellArguments& arguments);
-void ExplainTrial(Shell& shell, const ShellArguments& arguments);
-///@}
-///@{ optimise_commands.cc, report_command.cc
-void OptimiseTrial(Shell& shell, const ShellArguments& arguments);
-void ReportTrial(Shell& shell, const ShellArguments& arguments);
+ShellAction RunTrials, JudgeTrial, ExplainTrial, OptimiseTrial;
 ///@}
 ///@{ shell_commands.cc
-void ShowHelp(Shell& shell, const ShellArguments& arguments);
-void ShowHistory(Shell& shell, const ShellArguments& arguments);
-void TakeNote(Shell& shell, const ShellArguments& arguments);
-void Leave(Shell& shell, const ShellArguments& arguments);
+ShellAction ShowHelp, ShowHistory, TakeNote, Leave;
 ///@}
 
 }  // namespace graspbench

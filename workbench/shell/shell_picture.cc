@@ -9,9 +9,7 @@
 #include <memory>
 #include <sstream>
 
-#include "core/base/error.h"
 #include "core/base/text/text.h"
-#include "core/base/units.h"
 #include "core/render/hand_scene.h"
 #include "workbench/terminal/status_region.h"
 

@@ -7,11 +7,10 @@
 
 #include "core/base/config.h"
 #include "core/base/error.h"
-#include "core/base/units.h"
 #include "core/grasp/placement.h"
-#include "core/hand/coupling.h"
+#include "core/hand/hand.h"
 #include "core/physics/implicit_world.h"
-#include "core/trial/grasp_by_sight.h"
+#include "core/trial/trial_runner.h"
 #include "datasets/plan/session_plan.h"
 
 namespace graspbench {

@@ -1,27 +1,111 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/text/text.h"
-#include "core/base/units.h"
 #include "core/statistics/proportion.h"
 #include "objects/catalogue.h"
-#include "workbench/shell/live_display.h"
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_cards.h"
 #include "workbench/shell/shell_commands.h"
+#include "workbench/terminal/command_line.h"
 #include "workbench/terminal/terminal.h"
-#include "workbench/text/typed_words.h"
 
 namespace graspbench {
 namespace {
 
 constexpr double kLatestTime = 3600.0;  // [s]
 constexpr int kMaxSteps = 1000000;
+
+constexpr std::chrono::milliseconds kRefreshInterval(200);
+constexpr std::chrono::milliseconds kNap(5);  // Ctrl-C is heard between two
+constexpr int kLinesBeside = 3;               // of a picture: its words, the status, the cursor
+struct LiveCard {
+  const char* name;
+  std::string (*format)(ShellScene& scene);  ///< null: the picture
+};
+constexpr LiveCard kCards[] = {{"contacts", &FormatContacts},
+                               {"joints", &FormatJoints},
+                               {"timing", &FormatTiming},
+                               {"stability", &FormatStability},
+                               {"view", nullptr}};
+
+void AddLines(const std::string& text, std::vector<std::string>& lines) {
+  std::istringstream stream(EscapeForTerminal(text));
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+}
+
+/** What a person sees at a terminal while a trial goes on: a line, or the card that `live` chose,
+in real time and five times a second. Elsewhere nothing, and nothing waits. */
+class LiveDisplay {
+ public:
+  explicit LiveDisplay(Shell& shell) : shell_(shell), start_time_(shell.scene().time()) {}
+  /** What `live` chose stays as it was in the end. */
+  ~LiveDisplay() {
+    shell_.region.Clear();
+    if (shell_.live_card.empty()) return;
+    shell_.region.Show(DrawCard());
+    shell_.region.Leave();
+  }
+  LiveDisplay(const LiveDisplay&) = delete;
+  LiveDisplay& operator=(const LiveDisplay&) = delete;
+
+  /** To be called after every step. */
+  void Tick() {
+    if (!shell_.region.can_redraw()) return;
+    if (!shell_.live_card.empty()) WaitForTheClock();
+    const Clock::time_point now = Clock::now();
+    if (now < next_) return;
+    next_ = std::max(next_ + kRefreshInterval, now);
+    std::vector<std::string> lines = DrawCard();
+    AddLines(FormatStatus(shell_.scene()), lines);
+    shell_.region.Show(lines);
+  }
+  /** A line above it, of something that has happened. */
+  void Say(const std::string& line) {
+    shell_.region.Clear();
+    PrintResult(line);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::vector<std::string> DrawCard() {
+    ShellScene& scene = shell_.scene();
+    std::vector<std::string> lines;
+    for (const LiveCard& card : kCards) {
+      if (shell_.live_card != card.name) continue;
+      if (card.format) {
+        AddLines(card.format(scene), lines);
+      } else {
+        lines = shell_.painter.DrawLive(scene, SceneView(), kLinesBeside);
+        AddLines(DescribeView(scene, SceneView()), lines);
+      }
+    }
+    return lines;
+  }
+  /** A simulated second lasts a second at least. */
+  void WaitForTheClock() {
+    const std::chrono::duration<double> simulated(shell_.scene().time() - start_time_);
+    while (Clock::now() - start_ < simulated && !shell_.IsStopped()) {
+      std::this_thread::sleep_for(kNap);
+    }
+  }
+
+  Shell& shell_;
+  const double start_time_;  // of the trial [s]
+  const Clock::time_point start_ = Clock::now();
+  Clock::time_point next_ = start_ + kRefreshInterval;
+};
 
 /** Says what happens while a trial goes on: phases, first touches, the outcome. */
 class Narrator {
@@ -222,6 +306,12 @@ void GoBack(Shell& shell, const ShellArguments& arguments) {
   ShellScene& scene = shell.scene();
   scene.GoTo(std::max(0.0, scene.time() - duration), [&shell] { return shell.IsStopped(); });
   PrintResult(FormatStatus(scene));
+}
+
+std::vector<std::string> ListLiveCards() {
+  std::vector<std::string> names = {"off"};
+  for (const LiveCard& card : kCards) names.emplace_back(card.name);
+  return names;
 }
 
 void ChooseLiveCard(Shell& shell, const ShellArguments& arguments) {

@@ -8,6 +8,9 @@ in the file of their command. */
 
 #include "datasets/analysis/conditions/delay_summary.h"
 #include "datasets/analysis/conditions/numerics_summary.h"
+#include "datasets/analysis/conditions/sweep_summary.h"
+#include "datasets/analysis/map/map_result.h"
+#include "datasets/analysis/schedules/schedule_comparison.h"
 #include "datasets/analysis/session_comparison.h"
 #include "datasets/analysis/simultaneity_summary.h"
 
@@ -31,5 +34,26 @@ std::string FormatThresholdTables(const ThresholdSummary& summary);
 
 /** One row per scale and hand; empty without any. */
 std::string FormatThresholdChanges(const std::vector<ThresholdChange>& changes);
+
+/** What a sweep found, as text for the terminal. Conditions, effects, and the interactions whose
+interval excludes 0. */
+std::string FormatSweepTables(const SweepSummary& summary);
+
+/** A map of simultaneity for a terminal: what it finds of each hand, then its levels. Of the last
+digit; the first's and every two levels are in map.csv and the report. */
+std::string FormatMap(const MapResult& result);
+
+/** People beside the schedules of a robot's grasps, as text for the terminal. What PrepareSchedules
+made of a session. */
+struct SchedulePlan {
+  PeopleFile people;
+  const Session* session = nullptr;  ///< of the schedules
+};
+/** One row an object, hand and schedule: how many trials, or why there is no such schedule. */
+std::string FormatSchedulePlan(const SchedulePlan& plan);
+Json ToJson(const SchedulePlan& plan);
+
+/** One row an object, hand and schedule, then why something is not compared. */
+std::string FormatSchedules(const ScheduleComparison& comparison);
 
 }  // namespace graspbench

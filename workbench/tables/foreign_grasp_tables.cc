@@ -1,15 +1,60 @@
 #include "workbench/tables/foreign_grasp_tables.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "core/base/error.h"
+#include "core/base/text/csv.h"
 #include "core/base/text/text.h"
 #include "datasets/grasps/map_to_hand.h"
 #include "datasets/grasps/pose_numbers.h"
 #include "workbench/tables/text_table.h"
 
 namespace graspbench {
+
+namespace {
+
+std::vector<CsvColumn<ProfileSummary>> ListProfileColumns() {
+  using Row = ProfileSummary;
+  using C = CsvColumn<Row>;
+  const auto bound = [](double Interval::*end) {
+    return
+        [end](const Row& row) { return CalcWilsonInterval(row.num_passed, row.num_judged).*end; };
+  };
+  return {C("profile", "", "", &Row::profile).Shown("profile"),
+          C("judged", "", "", &Row::num_judged).Shown("grasps"),
+          C("passed", "", "", &Row::num_passed).Shown("passed"),
+          {"numerical_failures", "", "", &Row::num_numerical},
+          C("interval_low", "", "", bound(&Interval::low))
+              .Shown("95 % interval",
+                     [](const Row& row) {
+                       return FormatRateInterval(row.num_passed, row.num_judged) + " %";
+                     }),
+          {"interval_high", "", "", bound(&Interval::high)},
+          {"labelled", "", "", [](const Row& row) { return row.labels.num_pairs(); }},
+          C("kappa", "", "", [](const Row& row) { return CalcKappa(row.labels); })
+              .Shown("agreement with labels",
+                     [](const Row& row) {
+                       const double kappa = CalcKappa(row.labels);
+                       return std::isfinite(kappa) ? "kappa " + FormatFixed(kappa, 2) : "-";
+                     }),
+          {"jitter_share", "", "", &Row::jitter_share},
+          C::ForPeople("most failed at", "", [](const Row& row) {
+            return row.stages.empty() ? "-" : row.stages.front().first;
+          })};
+}
+
+}  // namespace
+
+std::string FormatJudged(const JudgedSummary& summary) {
+  return FormatTable(ShowTable(ListProfileColumns(), summary.profiles));
+}
+
+Json MakeJson(const JudgedSummary& summary) {
+  return MakeJsonRows(ListProfileColumns(), summary.profiles);
+}
+
 namespace {
 
 std::string DescribeStages(const ForeignGrasp& grasp) {

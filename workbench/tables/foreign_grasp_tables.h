@@ -8,6 +8,7 @@ What files of grasps that others made hold, for people and as JSON. */
 #include "core/base/text/json.h"
 #include "core/hand/hand.h"
 #include "datasets/grasps/grasp_files.h"
+#include "datasets/judged_grasps/grasp_store.h"
 
 namespace graspbench {
 
@@ -25,5 +26,9 @@ not be read. */
 std::string FormatGraspCollection(const GraspCollection& collection);
 /** All grasps, with their poses and joints. */
 Json MakeJson(const GraspCollection& collection);
+
+/** What judged grasps say, a line a profile, for people and as JSON. */
+std::string FormatJudged(const JudgedSummary& summary);
+Json MakeJson(const JudgedSummary& summary);
 
 }  // namespace graspbench

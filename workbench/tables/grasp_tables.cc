@@ -1,11 +1,11 @@
 #include "workbench/tables/grasp_tables.h"
 
-#include "core/base/roll_pitch_yaw.h"
+#include "core/base/pose.h"
 #include "core/base/text/csv.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
-#include "core/grasp/grasp_taxonomies.h"
 #include "core/grasp/placement.h"
+#include "core/grasp/standard_grasp.h"
 #include "workbench/tables/text_table.h"
 
 namespace graspbench {
@@ -107,16 +107,24 @@ std::string FormatGraspNumbers(const std::vector<Grasp>& grasps,
          FormatParts(grasps, numbers, "joint", {kPreGraspPart, kTargetPart});
 }
 
-std::string FormatGraspCsv(const std::vector<GraspNumber>& numbers) {
+namespace {
+
+std::vector<CsvColumn<GraspNumber>> ListNumberColumns() {
   using N = GraspNumber;
-  const std::vector<CsvColumn<N>> columns = {
-      {"grasp", "", "standard grasp", &N::grasp},
-      {"part", "", "placement, pre-grasp or target", &N::part},
-      {"name", "", "what of it, or the joint", &N::name},
-      {"unit", "", "of the value", &N::unit},
-      {"value", "", "the number", &N::value}};
-  return FormatCsv(columns, numbers);
+  return {{"grasp", "", "standard grasp", &N::grasp},
+          {"part", "", "placement, pre-grasp or target", &N::part},
+          {"name", "", "what of it, or the joint", &N::name},
+          {"unit", "", "of the value", &N::unit},
+          {"value", "", "the number", &N::value}};
 }
+
+}  // namespace
+
+std::string FormatGraspCsv(const std::vector<GraspNumber>& numbers) {
+  return FormatCsv(ListNumberColumns(), numbers);
+}
+
+Json MakeGraspNumberSchema() { return MakeTableSchema(ListNumberColumns(), ""); }
 
 std::string FormatGraspTypes() {
   std::vector<std::string> heads = {"taxonomy"};

@@ -35,8 +35,10 @@ std::string FormatGraspNumbers(const std::vector<Grasp>& grasps,
                                const std::vector<GraspNumber>& numbers);
 /** A line a number. */
 std::string FormatGraspCsv(const std::vector<GraspNumber>& numbers);
+/** Its data dictionary. */
+Json MakeGraspNumberSchema();
 
-/** The types t1 to t4 in seven taxonomies (core/grasp/grasp_taxonomies.h). */
+/** The types t1 to t4 in seven taxonomies (core/grasp/standard_grasp.h). */
 std::string FormatGraspTypes();
 Json MakeGraspTypesJson();
 

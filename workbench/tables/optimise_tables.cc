@@ -8,11 +8,126 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/hand/hand.h"
-#include "core/optimise/headroom.h"
+#include "core/optimise/learning_trial.h"
+#include "core/statistics/proportion.h"
+#include "datasets/analysis/campaign/campaign_summary.h"
+#include "datasets/analysis/campaign/headrooms.h"
 #include "workbench/tables/text_table.h"
-#include "workbench/text/plain_text.h"
+#include "workbench/terminal/terminal.h"
 
 namespace graspbench {
+
+namespace {
+
+std::string FormatPercentage(double ratio) {
+  return std::isfinite(ratio) ? FormatFixed(100.0 * ratio, 1) : "n/a";
+}
+
+template <class Row>
+CsvColumn<Row> MakeShareColumn(const char* name, const char* heading, double Row::*member) {
+  return CsvColumn<Row>(name, "", "", member).Shown(heading, [member](const Row& row) {
+    return FormatPercentage(row.*member);
+  });
+}
+
+std::vector<CsvColumn<VariantTotal>> ListVariantColumns() {
+  using Row = VariantTotal;
+  using C = CsvColumn<Row>;
+  return {
+      C("variant", "", "", [](const Row& row) { return NameOf(row.variant); }).Shown("variant"),
+      C("scenes", "", "", &Row::num_scenes).Shown("scenes"),
+      C("trials", "", "", &Row::trials).Shown("trials"),
+      C("successes", "", "", &Row::successes).Shown("successes"),
+      C::ForPeople("95 % interval [%]", "",
+                   [](const Row& row) { return FormatRateInterval(row.successes, row.trials); }),
+      C("median_sigma_n", "", "", &Row::median_sigma)
+          .Shown("median sigma", [](const Row& row) { return FormatFixed(row.median_sigma, 3); }),
+      MakeShareColumn("median_gft_ratio", "median GFT%", &Row::median_gft_ratio),
+      MakeShareColumn("median_gft_ratio_floor", "its floor", &Row::median_gft_floor),
+      MakeShareColumn("median_got_ratio", "median GOT%", &Row::median_got_ratio),
+      C("median_gct_s", "", "", &Row::median_gct).Shown("median GCT [s]", [](const Row& row) {
+        return FormatFixed(row.median_gct, 3);
+      })};
+}
+
+std::vector<CsvColumn<MethodTotal>> ListMethodColumns() {
+  using Row = MethodTotal;
+  using C = CsvColumn<Row>;
+  return {C("method", "", "", &Row::method).Shown("method"),
+          C("searches", "", "", &Row::num_searches).Shown("searches"),
+          C("median_best_fitness", "", "", &Row::median_best_fitness)
+              .Shown("median best fitness",
+                     [](const Row& row) { return FormatFixed(row.median_best_fitness, 3); }),
+          C("reached_90", "", "", &Row::num_reached_90).Shown("reached 90 %"),
+          C("median_evaluations_to_90", "", "", &Row::median_evaluations_to_90)
+              .Shown("median evaluations to 90 %", [](const Row& row) {
+                const double median = row.median_evaluations_to_90;
+                return std::isfinite(median) ? FormatFixed(median, 0) : "n/a";
+              })};
+}
+
+}  // namespace
+
+std::string FormatVariantsTable(const Campaign& campaign) {
+  return FormatTable(ShowTable(ListVariantColumns(), ListVariantTotals(campaign)));
+}
+
+std::string FormatComparisonTable(const Campaign& campaign) {
+  const std::vector<MethodTotal> totals = ListMethodTotals(campaign);
+  return totals.empty() ? "" : FormatTable(ShowTable(ListMethodColumns(), totals));
+}
+
+std::string FormatCampaign(const Campaign& campaign, const std::filesystem::path& folder,
+                           const std::filesystem::path& report) {
+  const std::string comparison = FormatComparisonTable(campaign);
+  std::string headroom;
+  for (const Headrooms& hand : ListHeadrooms(campaign)) {
+    headroom += "\nheadroom " + hand.hand + ": " + DescribeHeadrooms(hand);
+  }
+  return "\n" + FormatVariantsTable(campaign) + (comparison.empty() ? "" : "\n" + comparison) +
+         headroom + "\nreport   " + report.string() + "\ndata     " +
+         (folder / "summary.csv").string() + "\n";
+}
+
+Json MakeCampaignJson(const Campaign& campaign, const std::filesystem::path& folder,
+                      const std::filesystem::path& report) {
+  Json headrooms = Json::array();
+  for (const Headrooms& hand : ListHeadrooms(campaign)) {
+    headrooms.push_back({{"hand", hand.hand},
+                         {"scenes", hand.num_scenes},
+                         {"median_share_start", JsonNumber(hand.median_start)},
+                         {"median_share_kept", JsonNumber(hand.median_kept)},
+                         {"scenes_without", hand.num_without},
+                         {"why_without", hand.why_without}});
+  }
+  return {{"campaign", folder.string()},
+          {"report", report.string()},
+          {"scenes", campaign.scenes.size()},
+          {"variants", MakeJsonRows(ListVariantColumns(), ListVariantTotals(campaign))},
+          {"methods", MakeJsonRows(ListMethodColumns(), ListMethodTotals(campaign))},
+          {"headroom", headrooms}};
+}
+
+std::string DescribeNumericalFailures(const Campaign& campaign) {
+  std::string text;
+  const auto add = [&text](const std::string& where, const std::string& what) {
+    if (!what.empty()) text += (text.empty() ? "" : "\n") + where + ": " + what;
+  };
+  for (const SceneRecord& scene : campaign.scenes) {
+    add(scene.config.hand + ", " + scene.config.object,
+        DescribeNumericalFailures(scene.evaluations));
+  }
+  const auto& records = campaign.benchmark.records;
+  const auto count = std::count_if(records.begin(), records.end(), [](const TrialRecord& record) {
+    return record.result.outcome == Outcome::kNumericalFailure;
+  });
+  if (count > 0) {
+    add("benchmark", FormatCount(count, "trial") +
+                         " failed numerically; benchmark/export/trials.csv names them");
+  }
+  return text;
+}
+
 namespace {
 
 std::string FormatAngles(const Hand& hand, const Grasp& grasp, const Eigen::VectorXd& q) {

@@ -8,8 +8,9 @@ What an optimisation decided, for the terminal. */
 
 #include "core/base/text/json.h"
 #include "core/optimise/grasp_optimiser.h"
-#include "datasets/scene/evaluation_journal.h"
-#include "datasets/scene/learning_plan.h"
+#include "datasets/campaign/campaign_store.h"
+#include "datasets/scene/answer_journal.h"
+#include "datasets/scene/scene_store.h"
 #include "workbench/experiments/scene_runner.h"
 
 namespace graspbench {
@@ -30,5 +31,22 @@ std::string DescribeNumericalFailures(const std::vector<EvaluationRecord>& evalu
 
 /** Whether a search's individual gave its stored numbers again, with a line feed. */
 std::string FormatReplay(const ReplayedIndividual& replayed);
+
+/** A campaign's results as tables for the terminal. One row for each variant of the grasps, over
+all scenes. */
+std::string FormatVariantsTable(const Campaign& campaign);
+
+/** One row for each search method; empty when none were compared. */
+std::string FormatComparisonTable(const Campaign& campaign);
+
+/** Both tables, and where the rest is. */
+std::string FormatCampaign(const Campaign& campaign, const std::filesystem::path& folder,
+                           const std::filesystem::path& report);
+/** The same. */
+Json MakeCampaignJson(const Campaign& campaign, const std::filesystem::path& folder,
+                      const std::filesystem::path& report);
+
+/** What failed numerically, by scene; empty: nothing. */
+std::string DescribeNumericalFailures(const Campaign& campaign);
 
 }  // namespace graspbench

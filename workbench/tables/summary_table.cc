@@ -7,12 +7,11 @@
 #include "core/base/units.h"
 #include "core/statistics/proportion.h"
 #include "datasets/analysis/grip_summary.h"
-#include "datasets/analysis/seat_summary.h"
 #include "datasets/session/judgement_store.h"
 #include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/experiments/run_session.h"
 #include "workbench/tables/text_table.h"
-#include "workbench/text/plain_text.h"
+#include "workbench/terminal/terminal.h"
 
 namespace graspbench {
 namespace {
@@ -38,20 +37,14 @@ std::string FormatFailures(const SessionSummary& summary) {
 /** Of cells with two seats or a caged grasp, the others have one grip force; empty without. */
 std::string FormatSeats(const SessionSummary& summary) {
   const std::vector<SeatSummary> seats = ListSeats(summary);
-  TextTable table(
-      {"hand", "object", "grasp", "seat", "held", "caged", "grip [N]", "sigma [N]", "GFT [ms]"});
-  bool is_empty = true;
-  for (const SeatSummary& seat : seats) {
+  std::vector<SeatSummary> shown;
+  std::copy_if(seats.begin(), seats.end(), std::back_inserter(shown), [&](const SeatSummary& seat) {
     const auto is_of_cell = [&](const SeatSummary& other) { return other.cell == seat.cell; };
-    const bool is_double = std::count_if(seats.begin(), seats.end(), is_of_cell) > 1;
-    if (!is_double && seat.num_caged == 0) continue;
-    table.AddRow({seat.cell->hand, seat.cell->object, seat.cell->grasp, NameOf(seat.seat),
-                  std::to_string(seat.num_held), std::to_string(seat.num_caged),
-                  FormatFixed(seat.grip.median, 2), FormatFixed(seat.sigma.median, 2),
-                  FormatFixed(MsFromS(seat.gft.median), 0)});
-    is_empty = false;
-  }
-  return is_empty ? "" : "\n" + DescribeSeats(seats) + "; medians\n" + table.Format();
+    return seat.num_caged > 0 || std::count_if(seats.begin(), seats.end(), is_of_cell) > 1;
+  });
+  return shown.empty() ? ""
+                       : "\n" + DescribeSeats(seats) + "; medians, lowest to highest\n" +
+                             FormatTable(ShowSeats(shown));
 }
 
 }  // namespace

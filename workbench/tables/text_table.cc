@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/base/text/escape.h"
+#include "core/base/text/text.h"
 
 namespace graspbench {
 namespace {
@@ -52,6 +52,18 @@ std::string TextTable::Format() const {
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
   return text;
+}
+
+std::string FormatTable(const ShownTable& shown) {
+  std::vector<std::string> heading;
+  for (const ShownTable::Column& column : shown.columns) heading.push_back(column.heading);
+  TextTable table(heading);
+  for (size_t row = 0; row < shown.num_rows; ++row) {
+    std::vector<std::string> cells;
+    for (const ShownTable::Column& column : shown.columns) cells.push_back(column.cells[row]);
+    table.AddRow(cells);
+  }
+  return table.Format();
 }
 
 }  // namespace graspbench

@@ -7,6 +7,8 @@ break its line nor shift its column. */
 #include <string>
 #include <vector>
 
+#include "core/base/text/csv.h"
+
 namespace graspbench {
 
 class TextTable {
@@ -20,5 +22,8 @@ class TextTable {
  private:
   std::vector<std::vector<std::string>> rows_;  // the head first
 };
+
+/** The rows of an analysis. */
+std::string FormatTable(const ShownTable& shown);
 
 }  // namespace graspbench

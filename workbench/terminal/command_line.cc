@@ -1,13 +1,71 @@
 #include "workbench/terminal/command_line.h"
 
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/text/text.h"
 
 namespace graspbench {
+
+std::vector<std::string> SplitWords(const std::string& line) {
+  std::vector<std::string> words;
+  bool is_inside = false;
+  char quote = 0;
+  for (const char c : line) {
+    if (quote != 0) {
+      if (c == quote) {
+        quote = 0;
+      } else {
+        words.back() += c;
+      }
+    } else if (c == ' ' || c == '\t' || c == '\r') {
+      is_inside = false;
+    } else {
+      if (c == '#' && !is_inside) break;
+      const bool begins = !is_inside;
+      if (begins) words.emplace_back();
+      is_inside = true;
+      if (begins && (c == '"' || c == '\'')) {
+        quote = c;
+      } else {
+        words.back() += c;
+      }
+    }
+  }
+  if (quote != 0) {
+    throw Error(ErrorKind::kUsage,
+                fmt::format("a quote {} without end; close it, or leave it out", quote));
+  }
+  return words;
+}
+
+double ParseNumber(const std::string& word, const std::string& what, const std::string& unit,
+                   double low, double high) {
+  std::string digits = word;
+  if (!unit.empty() && digits.size() > unit.size() &&
+      digits.compare(digits.size() - unit.size(), unit.size(), unit) == 0) {
+    digits.resize(digits.size() - unit.size());
+  }
+  double value = 0.0;
+  if (ReadNumber(digits, value) && value >= low && value <= high) return value;
+  throw Error(ErrorKind::kUsage,
+              fmt::format("{} is \"{}\"; expected a number from {} to {}{}{}", what, word,
+                          FormatSignificant(low, 6), FormatSignificant(high, 6),
+                          unit.empty() ? "" : " ", unit));
+}
+
+int ParseCount(const std::string& word, const std::string& what, int low, int high) {
+  int value = 0;
+  if (ReadNumber(word, value) && value >= low && value <= high) return value;
+  throw Error(ErrorKind::kUsage, fmt::format("{} is \"{}\"; expected a whole number from {} to {}",
+                                             what, word, low, high));
+}
+
 namespace {
 
 /** The examples, kept in the footer, come first. */
@@ -79,11 +137,6 @@ std::string Explain(const CLI::ParseError& fault, const CLI::App& program) {
 }
 
 }  // namespace
-
-Option* Option::ValueName(const std::string& text) {
-  option_->option_text(text);
-  return this;
-}
 
 Option* Option::ShowDefault() {
   option_->capture_default_str();
@@ -201,7 +254,8 @@ Command::Command(std::shared_ptr<CLI::App> app) : app_(std::move(app)) {
 
 Command::~Command() = default;
 
-Option* Command::Keep(CLI::Option* option) {
+Option* Command::Keep(CLI::Option* option, const std::string& form) {
+  if (!form.empty()) option->option_text(form);
   return options_.emplace_back(std::make_unique<Option>(option)).get();
 }
 
@@ -219,20 +273,23 @@ void Command::AddVersionFlag(const std::string& names, const std::string& versio
   Keep(app_->set_version_flag(names, version, text));
 }
 
-void Command::SetAction(const std::function<void()>& action) { app_->callback(action); }
+void Command::SetCodedAction(const std::function<ExitCode()>& action) {
+  app_->callback([action, code = exit_code_] { *code = action(); });
+}
 
 void Command::RequireSubcommand() { app_->require_subcommand(1); }
 
 template <class T>
-Option* Command::AddOption(const std::string& name, T& value, const std::string& text) {
-  return Keep(app_->add_option(name, value, text));
+Option* Command::AddOption(const std::string& name, T& value, const std::string& text,
+                           const std::string& form) {
+  return Keep(app_->add_option(name, value, text), form);
 }
 
 template <class T>
 Option* Command::AddOptionFunction(const std::string& name,
                                    const std::function<void(const T&)>& set,
-                                   const std::string& text) {
-  return Keep(app_->add_option_function<T>(name, set, text));
+                                   const std::string& text, const std::string& form) {
+  return Keep(app_->add_option_function<T>(name, set, text), form);
 }
 
 Option* Command::AddFlag(const std::string& name, const std::string& text) {
@@ -253,12 +310,12 @@ Command::Parsed Command::Parse(std::vector<std::string> words) {
   try {
     app_->parse(std::move(words));
   } catch (const CLI::ParseError& fault) {
-    if (fault.get_exit_code() != 0) return {std::nullopt, Explain(fault, *app_)};
+    if (fault.get_exit_code() != 0) return {std::nullopt, Explain(fault, *app_), kExitUsage};
     std::ostringstream answer, none;
     app_->exit(fault, answer, none);
     return {answer.str(), ""};
   }
-  return {};
+  return {std::nullopt, "", *exit_code_};
 }
 
 bool Command::IsGiven(const std::string& option) const { return app_->count(option) > 0; }
@@ -284,8 +341,9 @@ Command& AddSubcommand(Command& parent, const std::string& name, const std::stri
   CLI::App* app = parent.app_->add_subcommand(name, description);
   app->footer(examples);
   app->group("Subcommands");  // not the heading that the parent stands under
-  return *parent.subcommands_.emplace_back(
-      new Command(std::shared_ptr<CLI::App>(parent.app_, app)));
+  auto* command = new Command(std::shared_ptr<CLI::App>(parent.app_, app));
+  command->exit_code_ = parent.exit_code_;
+  return *parent.subcommands_.emplace_back(command);
 }
 
 bool ReadNumber(const std::string& word, double& number) {
@@ -297,23 +355,23 @@ bool ReadNumber(const std::string& word, int& number) {
 }
 
 // The types that a value may have.
-template Option* Command::AddOption(const std::string&, int&, const std::string&);
-template Option* Command::AddOption(const std::string&, double&, const std::string&);
-template Option* Command::AddOption(const std::string&, std::string&, const std::string&);
-template Option* Command::AddOption(const std::string&, std::filesystem::path&, const std::string&);
-template Option* Command::AddOption(const std::string&, std::optional<int>&, const std::string&);
-template Option* Command::AddOption(const std::string&, std::optional<double>&, const std::string&);
-template Option* Command::AddOption(const std::string&, std::vector<int>&, const std::string&);
-template Option* Command::AddOption(const std::string&, std::vector<double>&, const std::string&);
-template Option* Command::AddOption(const std::string&, std::vector<std::string>&,
-                                    const std::string&);
-template Option* Command::AddOption(const std::string&, std::vector<std::filesystem::path>&,
-                                    const std::string&);
-template Option* Command::AddOptionFunction(const std::string&,
+using OptionText = const std::string&;
+template Option* Command::AddOption(OptionText, int&, OptionText, OptionText);
+template Option* Command::AddOption(OptionText, double&, OptionText, OptionText);
+template Option* Command::AddOption(OptionText, std::string&, OptionText, OptionText);
+template Option* Command::AddOption(OptionText, std::filesystem::path&, OptionText, OptionText);
+template Option* Command::AddOption(OptionText, std::optional<int>&, OptionText, OptionText);
+template Option* Command::AddOption(OptionText, std::optional<double>&, OptionText, OptionText);
+template Option* Command::AddOption(OptionText, std::vector<int>&, OptionText, OptionText);
+template Option* Command::AddOption(OptionText, std::vector<double>&, OptionText, OptionText);
+template Option* Command::AddOption(OptionText, std::vector<std::string>&, OptionText, OptionText);
+template Option* Command::AddOption(OptionText, std::vector<std::filesystem::path>&, OptionText,
+                                    OptionText);
+template Option* Command::AddOptionFunction(OptionText,
                                             const std::function<void(const std::string&)>&,
-                                            const std::string&);
+                                            OptionText, OptionText);
 template Option* Command::AddOptionFunction(
-    const std::string&, const std::function<void(const std::vector<std::string>&)>&,
-    const std::string&);
+    OptionText, const std::function<void(const std::vector<std::string>&)>&, OptionText,
+    OptionText);
 
 }  // namespace graspbench

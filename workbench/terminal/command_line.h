@@ -7,7 +7,10 @@ command_line.cc alone includes: it takes 4 s to compile. */
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
+
+#include "core/base/error.h"
 
 namespace CLI {
 class App;
@@ -22,8 +25,6 @@ class Option {
  public:
   explicit Option(CLI::Option* option) : option_(option) {}
 
-  /** What the help shows in the place of the value: "N", "DIR". */
-  Option* ValueName(const std::string& text);
   /** The help shows the value that the variable has now, or `text`, as the default. */
   Option* ShowDefault();
   Option* ShowDefault(const std::string& text);
@@ -79,6 +80,7 @@ class Command {
   struct Parsed {
     std::optional<std::string> answer;  ///< the text that --help or --version asks for
     std::string fault;                  ///< in the words that were typed; empty: none
+    ExitCode exit_code = kExitOk;       ///< of the actions
   };
 
   Command();
@@ -94,19 +96,36 @@ class Command {
   /** "--version,-V". */
   void AddVersionFlag(const std::string& names, const std::string& version,
                       const std::string& text);
-  /** What it does when it is typed. */
-  void SetAction(const std::function<void()>& action);
+  /** What it does when it is typed. @param action  returns the exit code, or nothing: kExitOk. */
+  template <class Action>
+  void SetAction(const Action& action) {
+    if constexpr (std::is_void_v<std::invoke_result_t<Action>>) {
+      SetCodedAction([action] {
+        action();
+        return kExitOk;
+      });
+    } else {
+      SetCodedAction(action);
+    }
+  }
   /** It does nothing alone. */
   void RequireSubcommand();
 
   ///@{
-  /** Options and arguments; `value` outlives the command. Which types a value may have stands at the
-  end of command_line.cc. */
+  /** Options and arguments; `value` outlives the command. Which types a value may have stands at
+  the end of command_line.cc. @param form  what the help shows in the place of the value: "N",
+  "DIR". */
   template <class T>
-  Option* AddOption(const std::string& name, T& value, const std::string& text);
+  Option* AddOption(const std::string& name, T& value, const std::string& text,
+                    const std::string& form = "");
+  template <class T>
+  Option* AddRequired(const std::string& name, T& value, const std::string& text,
+                      const std::string& form = "") {
+    return AddOption(name, value, text, form)->Require();
+  }
   template <class T>
   Option* AddOptionFunction(const std::string& name, const std::function<void(const T&)>& set,
-                            const std::string& text);
+                            const std::string& text, const std::string& form = "");
   Option* AddFlag(const std::string& name, const std::string& text);
   Option* AddFlag(const std::string& name, bool& value, const std::string& text);
   Option* AddFlag(const std::string& name, const std::function<void()>& set,
@@ -134,9 +153,11 @@ class Command {
   friend Command& AddSubcommand(Command& parent, const std::string& name,
                                 const std::string& description, const std::string& examples);
   explicit Command(std::shared_ptr<CLI::App> app);
-  Option* Keep(CLI::Option* option);
+  void SetCodedAction(const std::function<ExitCode()>& action);
+  Option* Keep(CLI::Option* option, const std::string& form = "");
 
   std::shared_ptr<CLI::App> app_;  ///< of the parser; a subcommand's belongs to that above
+  std::shared_ptr<ExitCode> exit_code_ = std::make_shared<ExitCode>(kExitOk);  ///< of all together
   std::vector<std::unique_ptr<Command>> subcommands_;
   std::vector<std::unique_ptr<Option>> options_;
 };
@@ -150,5 +171,16 @@ Command& AddSubcommand(Command& parent, const std::string& name, const std::stri
 bool ReadNumber(const std::string& word, double& number);
 bool ReadNumber(const std::string& word, int& number);
 ///@}
+
+/** The words of a line of the shell: they are parted by blanks; a quote of either kind at the start
+of a word keeps blanks up to its like; "#" at the start of a word begins a comment. @throws
+Error(kUsage) for a quote without end. */
+std::vector<std::string> SplitWords(const std::string& line);
+
+/** "1.25", or "1.25s" with the unit "s".
+@throws Error(kUsage) naming `what` and the range when it is no finite number within it. */
+double ParseNumber(const std::string& word, const std::string& what, const std::string& unit,
+                   double low, double high);
+int ParseCount(const std::string& word, const std::string& what, int low, int high);
 
 }  // namespace graspbench

@@ -1,12 +1,13 @@
 #pragma once
 /** @file
 The one way of the program to stdout and stderr: names and cells of foreign files pass through
-EscapeForTerminal on it (core/base/text/escape.h); tests/lint/check_output.cmake looks for others. */
+EscapeForTerminal on it (core/base/text/text.h); tests/lint/check_output.cmake looks for others. */
 
 #include <cstdio>
 #include <string>
 #include <string_view>
 
+#include "core/base/error.h"
 #include "core/base/text/json.h"
 
 namespace graspbench {
@@ -23,5 +24,18 @@ void FlushResults();
 
 /** Text with cursor movements of our own, for a progress block. @pre foreign parts are escaped. */
 void PrintControlled(std::FILE* stream, std::string_view text);
+
+/** Text of core/base/text/text.h for a terminal: no-break spaces become spaces. */
+std::string MakePlainText(std::string text);
+
+/** Problems of a checked file: [{severity, file, line, text}]; line is null when the file as a
+whole is meant. */
+Json MakeJson(const Diagnostics& problems);
+
+/** One line each on stdout: they are what a check is asked for. */
+void PrintFindings(const Diagnostics& problems);
+
+/** " (2 errors, 1 warning)"; empty without findings. */
+std::string FormatFindingCounts(const Diagnostics& problems);
 
 }  // namespace graspbench

@@ -1,36 +1,108 @@
 #pragma once
 /** @file
-Shows an experiment on the terminal: a line before each stage, then its progress. */
+Shows an experiment on the terminal: a line before each stage, then how far it is: on a terminal one
+block of lines redrawn in place, at most ten times a second; elsewhere (pipe, file, TERM=dumb) a
+plain line from time to time, without any escape byte. And the signals that ask it to stop.
+
+The rate is that of the last half minute, so that it follows what the machine does now. Where trials
+cost differently, the time that is left follows from the work of the whole run. */
 
 #include <atomic>
 #include <chrono>
+#include <cstdio>
+#include <deque>
 #include <functional>
+#include <limits>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
-#include "workbench/terminal/progress.h"
+#include "core/trial/outcome.h"
+#include "workbench/experiments/observer.h"
+#include "workbench/terminal/status_region.h"
+
+struct sigaction;
 
 namespace graspbench {
+
+/** Trials per second over a moving window. */
+class Pace {
+ public:
+  /** @param time  since the start, not falling [s]. */
+  void Add(double time, int num_done);
+  double rate() const;  ///< [1/s]; NaN before anything is done
+ private:
+  std::deque<std::pair<double, int>> points_;
+};
+
+/** The session as a whole: what earlier runs finished counts as done. */
+struct ProgressState {
+  std::string counted = "trials";
+  bool tells_success = true;  ///< else outcomes are left out
+  int num_planned = 0;
+  int num_done = 0;
+  std::map<Outcome, int> outcomes;
+  std::vector<std::string> workers;  ///< what each is doing; empty: idle
+  std::set<std::string> preparing;   ///< objects whose mesh workers make ready for contacts
+  double rate = 0.0;                 ///< [1/s]; NaN: not known yet
+  /** Of the whole; NaN: as the rate says [s]. */
+  double remaining = std::numeric_limits<double>::quiet_NaN();
+};
+
+/** Lines of the block, none longer than `width` characters. */
+std::vector<std::string> FormatBlock(const ProgressState& state, int width);
+
+/** The same in one line: "132 of 420 trials, ...". */
+std::string FormatLine(const ProgressState& state);
+
+/** "1 min 25 s", "2 h 5 min", "3 s". */
+std::string FormatDuration(double duration);
+
+/** Installs the action, unless the signal is ignored: `nohup` and shells without job control start
+programs with signals that must not end them. */
+void CatchUnlessIgnored(int signal, const struct sigaction& action);
+
+/** From now on the first SIGINT (Ctrl-C), SIGTERM or SIGHUP sets the flag; a second one ends the
+program at once with the exit code of an interrupted run, and so do eight seconds: a trial that does
+not end cannot hold the program up. What was kept before is safe either way. A signal that was
+ignored stays ignored. */
+const std::atomic<bool>& CatchInterrupts();
 
 /** "3 scenes to optimise". */
 std::string DescribeTasks(const Stage& stage);
 
+/** When it is asked to stop, it says once that the current trials are finished first. */
 class TerminalObserver : public Observer {
  public:
-  /** @param describe  the line before a stage; without it none is printed.
-  @param stop  when it is set, the user is told once that the current trials are finished first. */
-  TerminalObserver(std::function<std::string(const Stage&)> describe, const std::atomic<bool>& stop)
-      : describe_(std::move(describe)), stop_(stop) {}
+  /** Catches interrupts. @param describe  the line before a stage; without it none is printed. */
+  explicit TerminalObserver(std::function<std::string(const Stage&)> describe = nullptr)
+      : TerminalObserver(std::move(describe), CatchInterrupts(), stderr) {}
+  TerminalObserver(std::function<std::string(const Stage&)> describe, const std::atomic<bool>& stop,
+                   std::FILE* stream);
 
   void BeginStage(const Stage& stage) override;
   void ShowStatus(const BatchStatus& status, int num_trials) override;
+  /** The same at a time since the stage's start [s]. */
+  void ShowAt(double time, const BatchStatus& status, int num_trials);
+  /** Shows the last status once more and leaves the cursor below it. */
   void EndStage() override;
 
  private:
+  ProgressState MakeState() const;
+  void Draw();
+
   std::function<std::string(const Stage&)> describe_;
-  const std::atomic<bool>& stop_;
-  std::chrono::steady_clock::time_point start_;
-  std::optional<Progress> progress_;  // of the current stage
+  std::FILE* stream_;
+  StatusRegion region_;
+  std::chrono::steady_clock::time_point start_;  // of the current stage, as all below
+  Stage stage_;
+  BatchStatus status_;
+  Pace pace_;
+  double last_shown_ = 0.0;
+  double time_ = 0.0;  // of status_, since the start [s]
   bool has_told_ = false;
 };
 

@@ -6,7 +6,6 @@
 #include "core/hand/load_hand.h"
 #include "objects/catalogue.h"
 #include "workbench/terminal/command_line.h"
-#include "workbench/text/typed_words.h"
 
 namespace graspbench {
 namespace {

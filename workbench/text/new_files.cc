@@ -13,8 +13,8 @@
 #include "core/shape/primitives.h"
 #include "datasets/campaign/real_trials.h"
 #include "datasets/judged_grasps/profile_file.h"
+#include "datasets/plan/conditions.h"
 #include "datasets/plan/session_config.h"
-#include "datasets/plan/sweep_design.h"
 #include "human_study/study/design/study_config.h"
 #include "objects/catalogue.h"
 #include "objects/object_file.h"
@@ -107,105 +107,6 @@ std::string MakeObject() {
   return text;
 }
 
-std::string MakeFinger(const std::string& name, const std::string& place) {
-  return "\n  <link name=\"" + name + R"(">
-    <inertial>
-      <origin xyz="0 0 0.04"/>
-      <mass value="0.08"/>
-      <inertia ixx="4.5e-5" ixy="0" ixz="0" iyy="4.5e-5" iyz="0" izz="3e-6"/>
-    </inertial>
-    <visual>
-      <origin xyz="0 0 0.04"/>
-      <geometry><cylinder radius="0.008" length="0.08"/></geometry>
-      <material name="metal"/>
-    </visual>
-    <visual>
-      <origin xyz="0 0 0.08"/>
-      <geometry><sphere radius="0.008"/></geometry>
-      <material name="metal"/>
-    </visual>
-    <collision>
-      <origin xyz="0 0 0.04"/>
-      <geometry><cylinder radius="0.008" length="0.08"/></geometry>
-    </collision>
-  </link>
-  <joint name=")" +
-         name + R"(_joint" type="revolute">
-    <parent link="palm"/>
-    <child link=")" +
-         name + R"("/>
-    <origin )" +
-         place + R"(/>
-    <axis xyz="0 1 0"/>
-    <limit lower="-0.7" upper="1.0" effort="1" velocity="10"/>
-  </joint>
-)";
-}
-
-std::string MakeHandUrdf() {
-  return R"(<?xml version="1.0"?>
-<!-- Two fingers that close on each other: metres, kilograms, radians. z of the palm points out of
-it; z of a finger runs along it, and its pad looks along +x, so that a positive angle closes it. A
-description of your own: graspbench hand import FILE.urdf -->
-<robot name="gripper">
-  <material name="metal"><color rgba="0.66 0.68 0.71 1"/></material>
-  <material name="plate"><color rgba="0.3 0.33 0.38 1"/></material>
-  <link name="palm">
-    <inertial>
-      <origin xyz="0 0 -0.012"/>
-      <mass value="0.5"/>
-      <inertia ixx="1.3e-4" ixy="0" ixz="0" iyy="4.5e-4" iyz="0" izz="5.2e-4"/>
-    </inertial>
-    <visual>
-      <origin xyz="0 0 -0.012"/>
-      <geometry><box size="0.1 0.05 0.024"/></geometry>
-      <material name="plate"/>
-    </visual>
-    <collision>
-      <origin xyz="0 0 -0.012"/>
-      <geometry><box size="0.1 0.05 0.024"/></geometry>
-    </collision>
-  </link>
-)" + MakeFinger("thumb", R"(xyz="0.04 0 0" rpy="0 0 3.14159265359")") +
-         MakeFinger("index", R"(xyz="-0.04 0 0")") + "</robot>\n";
-}
-
-std::string MakeHandYaml() {
-  return R"(# What hand.urdf cannot say. Every key: graspbench help hand.yaml
-name: My gripper
-palm:
-  link: palm
-  centre_m: [0, 0, 0]         # middle of its surface, in its frame
-  normal: [0, 0, 1]           # out of it
-joint_accuracy_deg: 1         # half-width of every drive's error from trial to trial
-pad_torsion_radius_m: 0.004   # soft pads resist turning on the spot
-digits:                       # in the order of the joints
-  - id: TH
-    name: thumb
-    thumb: true
-    links: [thumb]            # from base to tip
-    tip_m: [0, 0, 0.088]      # in the last link
-    pad_m: [0.008, 0, 0.07]
-  - id: FF
-    name: index
-    links: [index]
-    tip_m: [0, 0, 0.088]
-    pad_m: [0.008, 0, 0.07]
-drives:
-  - joints: [thumb_joint, index_joint]
-    stiffness_nm_per_rad: 3
-    damping_nms_per_rad: 0.06
-    torque_limit_nm: 1
-# Degrees of every joint with a drive. With nothing between the fingers the target is reached.
-grasps:
-  g2:
-    digits: [TH, FF]
-    tilt_deg: 0
-    pre_deg: {TH: [-20], FF: [-20]}
-    target_deg: {TH: [35], FF: [35]}
-)";
-}
-
 constexpr int kPlannedTrials = 10;  ///< of each variant in a laboratory
 
 /** A laboratory's trials of one scene: to be filled in, or with numbers that nobody has measured. */
@@ -237,7 +138,9 @@ std::vector<NewFile> MakeNewFiles(const std::string& kind) {
   if (kind == "session") return {{"session.yaml", MakeSession()}};
   if (kind == "sweep") return {{"sweep.yaml", MakeSweepFile()}};
   if (kind == "profile") return {{"profile.yaml", MakeProfile()}};
-  if (kind == "hand") return {{"hand.urdf", MakeHandUrdf()}, {"hand.yaml", MakeHandYaml()}};
+  if (kind == "hand")
+    return {{"hand.urdf", std::string(assets::kHandUrdf)},
+            {"hand.yaml", std::string(assets::kHandYaml)}};
   if (kind == "study") {
     return {{"study.yaml", MakeStudy()},
             {"trials.csv", "participant,trial,file,size_m\nP01,1,P01_1.c3d,0.04\n"}};

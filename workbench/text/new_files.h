@@ -3,10 +3,15 @@
 What `graspbench new` writes: small examples that can be used as they are. */
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace graspbench {
+
+namespace assets {  // of new_hand/
+extern const std::string_view kHandUrdf, kHandYaml;
+}
 
 /** A file's name and content. */
 using NewFile = std::pair<std::string, std::string>;

@@ -8,7 +8,6 @@
 
 #include "core/base/text/text.h"
 #include "core/base/units.h"
-#include "human_study/study/run/removal_advice.h"
 #include "human_study/study/run/trial_removal.h"
 #include "workbench/experiments/machines/shell_quote.h"
 
@@ -45,6 +44,27 @@ std::string FormatAdvice(const StudyResult& result) {
          " looks for keys with which more trials count\n";
 }
 
+/** Whether the choices are the frozen ones, a line for each that is not; empty without a freeze. */
+std::string FormatFreeze(const Study& study) {
+  if (!study.freeze) return "";
+  std::string text = "frozen   " + DescribeFreeze(study) + "\n";
+  for (const std::string& deviation : ListDeviations(study)) text += "deviates " + deviation + "\n";
+  return text;
+}
+
+std::string FormatFindings(const StudyResult& result) {
+  const ZeroGft& zero = result.statistics.zero_gft;
+  std::string text;
+  if (zero.num_trials > 0) {
+    text += "zero     detection limit of the GFT " + FormatFixed(MsFromS(zero.limit), 0) +
+            " ms; touching at once would show a median of " + FormatFixed(MsFromS(zero.median), 0) +
+            " ms\n";
+  }
+  if (result.CountKept() == 0) return text;
+  return text + "opening  " + DescribeOpeningArgument(result) + "\ntogether " +
+         DescribeIndependence(result.statistics.independence) + "\n";
+}
+
 }  // namespace
 
 std::string FormatRemoved(const StudyResult& result) {
@@ -59,8 +79,7 @@ std::string FormatRemoved(const StudyResult& result) {
 std::string FormatStudy(const StudyResult& result, const std::filesystem::path& folder,
                         const std::filesystem::path& report) {
   return FormatFreeze(result.study) + FormatRemoved(result) + FormatWarnings(result) +
-         FormatZeroGft(result.statistics.zero_gft) + FormatOpeningArgument(result) +
-         FormatIndependence(result) + "kept     " + std::to_string(result.CountKept()) + " of " +
+         FormatFindings(result) + "kept     " + std::to_string(result.CountKept()) + " of " +
          FormatCount(static_cast<int>(result.trials.size()), "trial") + "\ntables   " +
          (folder / "measures.csv").string() + "\nR        " + (folder / "tidy").string() +
          "\nBIDS     " + (folder / "bids").string() + "\nreport   " + report.string() + "\n";
@@ -126,30 +145,6 @@ std::string FormatWarnings(const StudyResult& result) {
     if (count > kShown) text += fmt::format("warning  [{}] and {} more\n", code, count - kShown);
   }
   return text;
-}
-
-std::string FormatFreeze(const Study& study) {
-  if (!study.freeze) return "";
-  std::string text = "frozen   " + DescribeFreeze(study) + "\n";
-  for (const std::string& deviation : ListDeviations(study)) text += "deviates " + deviation + "\n";
-  return text;
-}
-
-std::string FormatZeroGft(const ZeroGft& zero) {
-  if (zero.num_trials == 0) return "";
-  return "zero     detection limit of the GFT " + FormatFixed(MsFromS(zero.limit), 0) +
-         " ms; touching at once would show a median of " + FormatFixed(MsFromS(zero.median), 0) +
-         " ms\n";
-}
-
-std::string FormatOpeningArgument(const StudyResult& result) {
-  if (result.CountKept() == 0) return "";
-  return "opening  " + DescribeOpeningArgument(result) + "\n";
-}
-
-std::string FormatIndependence(const StudyResult& result) {
-  if (result.CountKept() == 0) return "";
-  return "together " + DescribeIndependence(result.statistics.independence) + "\n";
 }
 
 std::string FormatTruth(const TruthComparison& comparison) {

@@ -12,9 +12,6 @@ What a human study found, for the terminal. */
 
 namespace graspbench {
 
-/** Whether the choices are the frozen ones, a line for each that is not; empty without a freeze. */
-std::string FormatFreeze(const Study& study);
-
 /** A line for each reason by which trials were removed, with the keys that would change it; first
 that none is left, if so. */
 std::string FormatRemoved(const StudyResult& result);
@@ -25,16 +22,8 @@ std::string FormatSuggestions(const StudySuggestions& suggestions);
 /** A line for each warning about the study as a whole. */
 std::string FormatWarnings(const StudyResult& result);
 
-/** Detection limit of the GFT; empty when no trial says. */
-std::string FormatZeroGft(const ZeroGft& zero);
-
-/** Whether the hand opening is more reliable than the aperture; empty when no trial counts. */
-std::string FormatOpeningArgument(const StudyResult& result);
-
-/** Whether people are more simultaneous than independent digits; empty when no trial counts. */
-std::string FormatIndependence(const StudyResult& result);
-
-/** All of the above that a run says, and where the rest is. */
+/** What a run says: whether the choices are the frozen ones, what was removed, warnings, and of what
+counts the detection limit of the GFT, how reliable the opening and how simultaneous people are. */
 std::string FormatStudy(const StudyResult& result, const std::filesystem::path& folder,
                         const std::filesystem::path& report);
 

@@ -1,13 +1,16 @@
 #pragma once
 /** @file
-One trial of a session, simulated again and compared with its record, for the terminal. */
+One trial of a session, simulated again and compared with its record, for the terminal and as JSON;
+and what a replay of many has found. */
 
 #include <optional>
 #include <string>
 
+#include "core/base/text/json.h"
 #include "core/trial/trial_trace.h"
-#include "datasets/records/compare_results.h"
+#include "datasets/records/trial_record.h"
 #include "datasets/session/find_trial.h"
+#include "workbench/experiments/replay_session.h"
 
 namespace graspbench {
 
@@ -25,6 +28,9 @@ struct ExaminedTrial {
 @throws Error when the session's hand or object cannot be loaded any more. */
 ExaminedTrial ExamineTrial(const Session& session, const PlannedTrial& planned, double interval);
 
+/** "outcome  pushed away: REASON", a line. */
+std::string FormatOutcome(const TrialResult& result);
+
 /** Where the object was drawn: "x 1.2 mm, y -3.4 mm, yaw 5.6 deg". */
 std::string FormatObjectDraw(const TrialDraw& draw);
 
@@ -35,5 +41,11 @@ std::string FormatComparison(const ExaminedTrial& trial);
 @param folder  of the session, for the line that opens the trial again. */
 std::string FormatTrial(const ExaminedTrial& trial, const std::string& folder);
 Json MakeTrialJson(const ExaminedTrial& trial, const std::string& folder);
+
+/** What replaying a session has found. @param with_all  a line for each trial; else for those that
+are not as recorded. At the end how many are, and whether physics, build or inputs are those of the
+session. */
+std::string FormatReplay(const SessionReplay& replay, bool with_all);
+Json MakeReplayJson(const SessionReplay& replay, const std::string& folder);
 
 }  // namespace graspbench

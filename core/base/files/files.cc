@@ -1,19 +1,106 @@
 #include "core/base/files/files.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <iterator>
+#include <utility>
 
 #include "core/base/error.h"
-#include "core/base/files/atomic_file.h"
-#include "core/base/files/file_pieces.h"
+#include "core/base/hash.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
+
+namespace {
+
+struct OpenedFile {
+  ~OpenedFile() {
+    if (id >= 0) ::close(id);
+  }
+  int id;
+};
+
+OpenedFile OpenFolder(const fs::path& folder) {
+  return {::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
+}
+
+int Create(const fs::path& path) {
+  return ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+}
+
+/** With the reason that errno has. */
+[[noreturn]] void Fail(const std::string& task, const fs::path& path) {
+  const std::string reason = std::strerror(errno);
+  throw Error(ErrorKind::kIo, "cannot " + task + " \"" + path.string() + "\": " + reason);
+}
+
+constexpr size_t kPieceSize = 1 << 18;  // of reading [bytes]
+constexpr size_t kGathered = 1 << 16;   // pieces up to here are written together [bytes]
+constexpr char kPartSuffix[] = ".part";
+
+/** Names those processes whose ids this process can judge: those of this host and its process
+namespace. Another host that shares the disk has the same ids for other processes. */
+const std::string& FindProcessRealm() {
+  static const std::string realm = [] {
+    char host[256] = "";
+    ::gethostname(host, sizeof host - 1);
+    struct stat processes {};
+    ::stat("/proc/self/ns/pid", &processes);
+    return CalcHashHex(host + std::to_string(processes.st_ino)).substr(0, 8);
+  }();
+  return realm;
+}
+
+/** Also one that has ended and that its parent has not asked about yet. */
+bool HasEnded(pid_t process) {
+  if (::kill(process, 0) != 0) return errno == ESRCH;
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+  const std::string stat((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const size_t name_end = stat.rfind(") ");  // the name may have any characters
+  return name_end != std::string::npos && stat.size() > name_end + 2 && stat[name_end + 2] == 'Z';
+}
+
+/** Processes that were killed while they wrote the file left their parts behind. */
+void RemoveLeftParts(const fs::path& path) {
+  const std::string suffix = "-" + FindProcessRealm();
+  const std::string prefix = path.filename().string() + kPartSuffix;
+  std::error_code status;
+  fs::directory_iterator entry(path.has_parent_path() ? path.parent_path() : fs::path("."), status);
+  for (; !status && entry != fs::directory_iterator(); entry.increment(status)) {
+    const std::string name = entry->path().filename().string();
+    if (name.size() <= prefix.size() + suffix.size()) continue;
+    if (name.compare(0, prefix.size(), prefix) != 0) continue;
+    if (name.compare(name.size() - suffix.size(), suffix.size(), suffix) != 0) continue;
+    pid_t writer = 0;
+    const char* end = name.data() + name.size();
+    const auto [rest, error] = std::from_chars(name.data() + prefix.size(), end, writer);
+    if (error != std::errc() || rest != name.data() + name.size() - suffix.size() || writer <= 0) {
+      continue;
+    }
+    if (HasEnded(writer)) ::unlink(entry->path().c_str());
+  }
+}
+
+/** False, and errno says why, when not all of it could be written. */
+[[nodiscard]] bool WriteAll(int file, std::string_view content) {
+  for (size_t written = 0; written < content.size();) {
+    const ssize_t count = ::write(file, content.data() + written, content.size() - written);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return false;
+    written += static_cast<size_t>(count);
+  }
+  return true;
+}
+
+}  // namespace
 
 fs::path FindDataRoot() {
   const char* home = std::getenv("GRASPBENCH_HOME");
@@ -56,26 +143,45 @@ std::string ReadFile(const fs::path& path) {
   return content;
 }
 
+void ReadPieces(const fs::path& path, const std::function<bool(std::string_view)>& take,
+                uintmax_t start) {
+  std::error_code status;
+  if (!fs::exists(path, status)) {
+    throw Error(ErrorKind::kNotFound, "no file \"" + path.string() + "\"");
+  }
+  if (fs::is_directory(path, status)) {
+    throw Error(ErrorKind::kIo, "\"" + path.string() + "\" is a folder; a file was expected");
+  }
+  // no wait for a FIFO
+  const OpenedFile file{::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)};
+  if (file.id < 0) Fail("read", path);
+  struct stat properties = {};
+  if (::fstat(file.id, &properties) != 0 || !S_ISREG(properties.st_mode)) {
+    throw Error(ErrorKind::kIo,
+                "\"" + path.string() + "\" is a device, a pipe or a socket; a file was expected");
+  }
+  if (start > 0 && ::lseek(file.id, static_cast<off_t>(start), SEEK_SET) < 0) Fail("read", path);
+  std::string piece(kPieceSize, '\0');
+  while (true) {
+    const ssize_t count = ::read(file.id, piece.data(), piece.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) Fail("read", path);
+    if (count == 0 || !take(std::string_view(piece).substr(0, static_cast<size_t>(count)))) return;
+  }
+}
+
 void MakeFolder(const fs::path& folder) {
   std::error_code status;
   fs::create_directories(folder, status);
-  if (status) {
-    throw Error(ErrorKind::kIo,
-                "cannot create folder \"" + folder.string() + "\": " + status.message());
-  }
+  errno = status.value();
+  if (status) Fail("create folder", folder);
 }
 
 void MakePrivateFolder(const fs::path& folder) {
   if (folder.has_parent_path()) MakeFolder(folder.parent_path());
-  const bool is_made = ::mkdir(folder.c_str(), 0700) == 0;
-  if (!is_made && errno != EEXIST) {
-    throw Error(ErrorKind::kIo,
-                "cannot create folder \"" + folder.string() + "\": " + std::strerror(errno));
-  }
-  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
-  const bool is_private = file >= 0 && ::fchmod(file, 0700) == 0;
-  if (file >= 0) ::close(file);
-  if (!is_private || !IsPrivateFolder(folder)) {
+  if (::mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST) Fail("create folder", folder);
+  const OpenedFile file{::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC)};
+  if (file.id < 0 || ::fchmod(file.id, 0700) != 0 || !IsPrivateFolder(folder)) {
     throw Error(ErrorKind::kIo, "\"" + folder.string() +
                                     "\" is not a folder of this user's own; remove it, or name "
                                     "another one");
@@ -89,41 +195,60 @@ bool IsPrivateFolder(const fs::path& folder) {
 }
 
 void SyncFolder(const fs::path& folder) {
-  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const OpenedFile file = OpenFolder(folder);
   // EINVAL: a file system that has nothing to sync here.
-  const bool synced = file >= 0 && (::fsync(file) == 0 || errno == EINVAL);
-  const std::string reason = std::strerror(errno);
-  if (file >= 0) ::close(file);
-  if (!synced) {
-    throw Error(ErrorKind::kIo, "cannot sync folder \"" + folder.string() + "\": " + reason);
-  }
-}
-
-void WriteFile(const fs::path& path, std::string_view content) {
-  const auto fail = [&](const char* what) {
-    throw Error(ErrorKind::kIo, std::string("cannot ") + what + " \"" + path.string() +
-                                    "\": " + std::strerror(errno));
-  };
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (file < 0) fail("create");
-  if (!WriteAll(file, content)) {
-    const int reason = errno;
-    ::close(file);
-    errno = reason;
-    fail("write");
-  }
-  // A disk over the network may say only now that it could not write.
-  if (::close(file) != 0) fail("close");
+  if (file.id < 0 || (::fsync(file.id) != 0 && errno != EINVAL)) Fail("sync folder", folder);
 }
 
 void SyncFileSystem(const fs::path& folder) {
-  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  const bool synced = file >= 0 && ::syncfs(file) == 0;
-  const std::string reason = std::strerror(errno);
-  if (file >= 0) ::close(file);
-  if (!synced) {
-    throw Error(ErrorKind::kIo, "cannot sync the disk of \"" + folder.string() + "\": " + reason);
+  const OpenedFile file = OpenFolder(folder);
+  if (file.id < 0 || ::syncfs(file.id) != 0) Fail("sync the disk of", folder);
+}
+
+void WriteFile(const fs::path& path, std::string_view content) {
+  OpenedFile file{Create(path)};
+  if (file.id < 0) Fail("create", path);
+  if (!WriteAll(file.id, content)) Fail("write", path);
+  // A disk over the network may say only now that it could not write.
+  if (::close(std::exchange(file.id, -1)) != 0) Fail("close", path);
+}
+
+AtomicFile::AtomicFile(fs::path path)
+    : path_(std::move(path)),
+      temporary_(path_.string() + kPartSuffix + std::to_string(::getpid()) + "-" +
+                 FindProcessRealm()) {
+  RemoveLeftParts(path_);
+  file_ = Create(temporary_);
+  if (file_ < 0) Fail("create", path_);
+}
+
+AtomicFile::~AtomicFile() {
+  if (file_ >= 0) ::close(file_);
+  if (!is_committed_) ::unlink(temporary_.c_str());
+}
+
+void AtomicFile::Write(std::string_view piece) {
+  if (gathered_.size() + piece.size() < kGathered) {
+    gathered_ += piece;
+    return;
   }
+  Flush();
+  if (!WriteAll(file_, piece)) Fail("write", path_);
+}
+
+void AtomicFile::Commit() {
+  Flush();
+  if (::fsync(file_) != 0) Fail("sync", path_);
+  // A disk over the network may say only now that it could not write.
+  if (::close(std::exchange(file_, -1)) != 0) Fail("close", path_);
+  if (::rename(temporary_.c_str(), path_.c_str()) != 0) Fail("rename to", path_);
+  is_committed_ = true;
+  SyncFolder(path_.has_parent_path() ? path_.parent_path() : fs::path("."));
+}
+
+void AtomicFile::Flush() {
+  if (!WriteAll(file_, gathered_)) Fail("write", path_);
+  gathered_.clear();
 }
 
 void WriteFileAtomically(const fs::path& path, std::string_view content) {

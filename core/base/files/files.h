@@ -1,8 +1,11 @@
 #pragma once
 /** @file
-Whole files, and where the project's own data lie. */
+Files: whole ones, those larger than what should be held of them, and where the project's own data
+lie. */
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -21,6 +24,12 @@ std::filesystem::path FindCacheRoot();
 @throws Error(kNotFound, kIo) naming the file and the system's reason. */
 std::string ReadFile(const std::filesystem::path& path);
 
+/** Hands a file over piece by piece until `take` gives false. Regular files only: a device or a
+pipe is refused, not waited for. @param start  the first byte that is read.
+@throws Error(kNotFound, kIo) naming the file and the system's reason; what `take` throws. */
+void ReadPieces(const std::filesystem::path& path,
+                const std::function<bool(std::string_view)>& take, uintmax_t start = 0);
+
 /** Creates a folder and those above it; one that is there is fine.
 @throws Error(kIo) with the system's reason. */
 void MakeFolder(const std::filesystem::path& folder);
@@ -37,8 +46,7 @@ bool IsPrivateFolder(const std::filesystem::path& folder);
 @throws Error(kIo) with the system's reason. */
 void SyncFolder(const std::filesystem::path& folder);
 
-/** Writes beside the target, syncs, renames: the file is the old or the new one, never half.
-Removes what killed processes of this host left beside it.
+/** The whole content by AtomicFile (below).
 @throws Error(kIo) with the system's reason (disk full, read-only, ...). */
 void WriteFileAtomically(const std::filesystem::path& path, std::string_view content);
 
@@ -50,5 +58,31 @@ void WriteFile(const std::filesystem::path& path, std::string_view content);
 /** Waits until everything written to the disk of this folder is there.
 @throws Error(kIo) with the system's reason. */
 void SyncFileSystem(const std::filesystem::path& folder);
+
+/** A file that is written piece by piece beside its target, synced and renamed by Commit: the target
+is the old or the new file, never half of one. Without Commit nothing is left. What killed processes
+of this host left beside the target is removed. */
+class AtomicFile {
+ public:
+  /** @throws Error(kIo) with the system's reason (read-only, no such folder, ...). */
+  explicit AtomicFile(std::filesystem::path path);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  /** Small pieces are gathered. @throws Error(kIo) with the system's reason (disk full, ...). */
+  void Write(std::string_view piece);
+  /** @throws Error(kIo). */
+  void Commit();
+
+ private:
+  void Flush();
+
+  std::filesystem::path path_;
+  std::string temporary_;
+  std::string gathered_;
+  int file_ = -1;
+  bool is_committed_ = false;
+};
 
 }  // namespace graspbench

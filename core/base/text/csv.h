@@ -1,8 +1,10 @@
 #pragma once
 /** @file
-Tables as files: one list of columns makes the CSV and its data dictionary, so that the two cannot
-drift apart. */
+A table is described once, by its columns: one list makes the CSV, its data dictionary, a JSON array
+and what people see in a terminal or on a page, so that these cannot drift apart. The analysis that
+makes the rows lists the columns. */
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <type_traits>
@@ -38,6 +40,8 @@ Json MakeCsvValue(const T& value) {
 
 template <class Row>
 struct CsvColumn {
+  using Show = std::function<std::string(const Row&)>;
+
   CsvColumn(std::string its_name, std::string its_type, std::string its_unit, std::string about,
             std::function<Json(const Row&)> take)
       : name(std::move(its_name)),
@@ -55,11 +59,25 @@ struct CsvColumn {
                     return internal::MakeCsvValue(std::invoke(take, row));
                   }) {}
 
-  std::string name;                       ///< with the unit as suffix: "gct_s"
+  /** The column in tables for people, too. @param shown_as  a cell's text; else that of the file. */
+  CsvColumn Shown(std::string its_heading, Show shown_as = {}) const {
+    CsvColumn shown = *this;
+    shown.heading = std::move(its_heading);
+    shown.show = std::move(shown_as);
+    return shown;
+  }
+  /** A column for people alone, which sums up several of the file. */
+  static CsvColumn ForPeople(std::string its_heading, std::string about, Show shown_as) {
+    return CsvColumn("", "", "", std::move(about), {}).Shown(its_heading, std::move(shown_as));
+  }
+
+  std::string name;                       ///< with the unit as suffix: "gct_s"; empty: in no file
   std::string type;                       ///< "string", "integer", "number" or "boolean"
   std::string unit;                       ///< "s", "m", ...; empty: none
   std::string meaning;                    ///< one sentence
   std::function<Json(const Row&)> value;  ///< null: missing; a boolean is 0 or 1
+  std::string heading;                    ///< for people; empty: in files alone
+  Show show;                              ///< empty: as FormatCsvCell
 };
 
 /** Empty for null; numbers shortest-exact; text guarded, and quoted after RFC 4180 where it must
@@ -79,13 +97,17 @@ std::string FormatCsvLine(const std::vector<Json>& cells);
 template <class Row>
 std::string FormatCsvHeading(const std::vector<CsvColumn<Row>>& columns) {
   std::vector<Json> cells;
-  for (const CsvColumn<Row>& column : columns) cells.push_back(column.name);
+  for (const CsvColumn<Row>& column : columns) {
+    if (!column.name.empty()) cells.push_back(column.name);
+  }
   return FormatCsvLine(cells);
 }
 template <class Row>
 std::vector<Json> MakeCsvCells(const std::vector<CsvColumn<Row>>& columns, const Row& row) {
   std::vector<Json> cells;
-  for (const CsvColumn<Row>& column : columns) cells.push_back(column.value(row));
+  for (const CsvColumn<Row>& column : columns) {
+    if (!column.name.empty()) cells.push_back(column.value(row));
+  }
   return cells;
 }
 template <class Row>
@@ -107,6 +129,7 @@ template <class Row>
 Json MakeTableSchema(const std::vector<CsvColumn<Row>>& columns, const std::string& primary_key) {
   Json fields = Json::array();
   for (const CsvColumn<Row>& column : columns) {
+    if (column.name.empty()) continue;
     Json field = {{"name", column.name}, {"type", column.type}, {"description", column.meaning}};
     if (!column.unit.empty()) field["unit"] = column.unit;
     if (column.type == "boolean") {
@@ -119,6 +142,53 @@ Json MakeTableSchema(const std::vector<CsvColumn<Row>>& columns, const std::stri
   if (!primary_key.empty()) schema["primaryKey"] = primary_key;
   schema["missingValues"] = {""};
   return schema;
+}
+
+/** One object a row. */
+template <class Row>
+Json MakeJsonRows(const std::vector<CsvColumn<Row>>& columns, const std::vector<Row>& rows) {
+  Json list = Json::array();
+  for (const Row& row : rows) {
+    Json object = Json::object();
+    for (const CsvColumn<Row>& column : columns) {
+      if (!column.name.empty()) object[column.name] = column.value(row);
+    }
+    list.push_back(object);
+  }
+  return list;
+}
+
+/** What people see of a table, in a terminal or on a page. */
+struct ShownTable {
+  struct Column {
+    std::string heading;
+    std::string hint;  ///< the column's meaning
+    std::vector<std::string> cells;
+  };
+  std::vector<Column> columns;
+  size_t num_rows = 0;
+};
+
+/** The columns that have a heading; one that no row fills is left out.
+@param headings  the columns to show, in the order of the list; empty: all. */
+template <class Row>
+ShownTable ShowTable(const std::vector<CsvColumn<Row>>& columns, const std::vector<Row>& rows,
+                     const std::vector<std::string>& headings = {}) {
+  ShownTable table;
+  table.num_rows = rows.size();
+  for (const CsvColumn<Row>& column : columns) {
+    const bool is_named =
+        std::find(headings.begin(), headings.end(), column.heading) != headings.end();
+    if (column.heading.empty() || (!headings.empty() && !is_named)) continue;
+    ShownTable::Column shown = {column.heading, column.meaning, {}};
+    for (const Row& row : rows) {
+      shown.cells.push_back(column.show ? column.show(row) : FormatCsvCell(column.value(row)));
+    }
+    const bool is_filled = std::any_of(shown.cells.begin(), shown.cells.end(),
+                                       [](const std::string& cell) { return !cell.empty(); });
+    if (is_filled || rows.empty()) table.columns.push_back(std::move(shown));
+  }
+  return table;
 }
 
 }  // namespace graspbench

@@ -1,12 +1,15 @@
 #pragma once
 /** @file
-Lines and cells of tab- or comma-separated text, with line numbers for messages. */
+Lines and cells of tab- or comma-separated text, with line numbers for messages; the small tables
+that a person writes. */
 
 #include <istream>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "core/base/error.h"
 
 namespace graspbench {
 
@@ -35,9 +38,6 @@ using Cells = std::vector<std::string_view>;
 /** Splits at `delimiter` and trims blanks and enclosing double quotes; a quoted cell may hold the
 delimiter, and quotes as two (RFC 4180), which stay two here. Empty line: one empty cell. */
 void SplitCells(std::string_view line, char delimiter, Cells& cells);
-/** The same as texts of their own: two quotes within a quoted cell are one. */
-std::vector<std::string> SplitTexts(std::string_view line, char delimiter);
-
 /** NaN for an empty cell, "nan" or "n/a"; anything else that is not a number fails with line and
 column. */
 double ParseNumber(const Cells& cells, size_t column, const LineReader& reader);
@@ -55,5 +55,37 @@ void DropEmptyEnd(Cells& cells);
 bool IsBlank(const Cells& cells);
 
 bool StartsWith(std::string_view text, std::string_view start);
+
+/** A table that a person writes: separated by commas, tabs or semicolons, a heading, one
+thing a row. Every fault goes into Diagnostics with file and line. */
+class DataTable {
+ public:
+  /** Rows with another number of cells than the heading, names given twice and a table without rows
+  are problems. `file` is its name in messages. */
+  DataTable(const std::string& text, const std::string& file, Diagnostics& problems);
+
+  size_t num_rows() const { return rows_.size(); }
+  int LineOfRow(size_t row) const { return rows_[row].line; }
+  const std::string& file() const { return file_; }
+  const std::vector<std::string>& columns() const { return columns_; }
+  bool Has(const std::string& column) const;
+
+  /** A problem at the heading when the table lacks the column. */
+  void Require(const std::string& column);
+  /** Empty when the table lacks the column or the cell is empty. */
+  const std::string& Text(size_t row, const std::string& column) const;
+  /** NaN for an empty cell; text that is no finite number is a problem. */
+  double Number(size_t row, const std::string& column);
+
+ private:
+  struct Row {
+    int line = 0;
+    std::vector<std::string> cells;
+  };
+  std::string file_;
+  Diagnostics* problems_;
+  std::vector<std::string> columns_;
+  std::vector<Row> rows_;
+};
 
 }  // namespace graspbench

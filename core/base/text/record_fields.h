@@ -18,7 +18,7 @@ columns of a table with their schema. A field is a double (null: not finite), in
 vector of angles, pose, another such struct, a vector of fields, or any type with ToJson(value) and
 ReadJson(json, value) in its namespace. A field of a member that is a struct is listed with both
 members, one that is no member with functions: Json(const Record&), void(const Json&, Record&) and,
-to be read by record_text.h, void(JsonCursor&, Record&). With FieldMayMiss a number that is not
+to be read straight from text, void(JsonCursor&, Record&). With FieldMayMiss a number that is not
 finite is left out instead of null; an optional member without a value is left out, too. */
 
 #include <Eigen/Core>
@@ -31,6 +31,7 @@ finite is left out instead of null; an optional member without a value is left o
 
 #include "core/base/text/csv.h"
 #include "core/base/text/json.h"
+#include "core/base/text/json_cursor.h"
 
 namespace graspbench {
 
@@ -135,32 +136,61 @@ struct FieldWriter {
   }
 };
 
-template <class Record>
+/** Where the fields of a record come from: an object's members by their keys. */
+class JsonFields {
+ public:
+  explicit JsonFields(const Json& json) : json_(json) {}
+
+  /** Whether there is such a key; the value is then read next. */
+  bool Find(const char* key) {
+    next_ = json_.find(key);
+    return next_ != nullptr;
+  }
+  void Demand(const char* key) { next_ = &json_.at(key); }
+  template <class T>
+  void Read(T& value) const {
+    ReadField(*next_, value);
+  }
+  template <class Record, class... Text>
+  void Call(Record& record, void (*read)(const Json&, Record&), const Text&...) const {
+    read(*next_, record);
+  }
+
+ private:
+  const Json& json_;
+  const Json* next_ = nullptr;
+};
+
+template <class Source, class Record>
 struct FieldReader {
-  const Json& json;
+  Source& source;
   Record& record;
 
   template <class T, class... About>
   void operator()(const char* key, T Record::*member, const About&...) const {
-    ReadField(json.at(key), record.*member);
+    source.Demand(key);
+    source.Read(record.*member);
   }
   template <class T, class U>
   void operator()(const char* key, T Record::*outer, U T::*inner) const {
-    ReadField(json.at(key), record.*outer.*inner);
+    source.Demand(key);
+    source.Read(record.*outer.*inner);
   }
   template <class... About>
   void operator()(const char* key, double Record::*member, FieldMayMiss, const About&...) const {
-    record.*member = json.contains(key) ? NumberFrom(json.at(key)) : std::nan("");
+    record.*member = std::nan("");
+    if (source.Find(key)) source.Read(record.*member);
   }
   template <class T>
   void operator()(const char* key, std::optional<T> Record::*member) const {
     (record.*member).reset();
-    if (json.contains(key)) ReadField(json.at(key), (record.*member).emplace());
+    if (source.Find(key)) source.Read((record.*member).emplace());
   }
   template <class... Text>
   void operator()(const char* key, Json (*)(const Record&), void (*read)(const Json&, Record&),
-                  const Text&...) const {
-    read(json.at(key), record);
+                  const Text&... read_text) const {
+    source.Demand(key);
+    source.Call(record, read, read_text...);
   }
 };
 
@@ -176,7 +206,8 @@ Json RecordToJson(const Record& record) {
 
 template <class Record>
 void ReadRecord(const Json& json, Record& record) {
-  Record::ListFields(internal::FieldReader<Record>{json, record});
+  internal::JsonFields fields(json);
+  Record::ListFields(internal::FieldReader<internal::JsonFields, Record>{fields, record});
 }
 
 /** A column of a table whose rows hold the record. @param take  const Record&(const Row&). */
@@ -213,6 +244,142 @@ struct FieldColumnCollector {
 template <class Record, class Row, class Take>
 void AddFieldColumns(Take take, std::vector<CsvColumn<Row>>& columns) {
   Record::ListFields(FieldColumnCollector<Row, Record, Take>{columns, take});
+}
+
+/** Records (record_fields.h) straight from the text that RecordToJson and FormatJson made of them,
+in the listing's order. Where the text is not just so, the cursor fails, and ReadRecord of the
+parsed text has the last word, about its faults too.
+
+The members of an object, without its braces. @pre `record` is new. */
+template <class Record>
+void ReadFieldsText(JsonCursor& text, Record& record, bool is_first = true);
+
+template <class Record>
+void ReadRecordText(JsonCursor& text, Record& record) {
+  text.Demand("{");
+  ReadFieldsText(text, record);
+  text.Demand("}");
+}
+
+/** One record after the other until the list's end. @param read  of the next one. */
+template <class Read>
+void ReadListText(JsonCursor& text, Read read) {
+  text.Demand("[");
+  if (text.Take("]")) return;
+  do {
+    read();
+  } while (text.Take(",") && !text.has_failed());
+  text.Demand("]");
+}
+
+namespace internal {
+
+inline void ReadNumbersText(JsonCursor& text, size_t count, double* values) {
+  for (size_t i = 0; i < count; ++i) {
+    text.Demand(i == 0 ? "[" : ",");
+    values[i] = text.ReadNumber();
+  }
+  text.Demand("]");
+}
+
+inline void ReadPoseText(JsonCursor& text, Pose& pose) {
+  Eigen::Vector3d p;
+  Eigen::Matrix3d R_transposed;
+  text.Demand("{\"p_m\":");
+  ReadNumbersText(text, 3, p.data());
+  for (int row = 0; row < 3; ++row) {
+    text.Demand(row == 0 ? ",\"R\":[" : ",");
+    ReadNumbersText(text, 3, R_transposed.col(row).data());
+  }
+  text.Demand("]}");
+  if (!text.has_failed()) pose = MakePose(R_transposed.transpose(), p);
+}
+
+/** By way of JSON: an enumeration's name, a text with other letters than ASCII, a rare type. */
+template <class Use>
+void UseJsonText(JsonCursor& text, Use use) {
+  const Json json = Json::try_parse(text.ReadValue());
+  if (text.has_failed() || json.is_discarded()) return text.Fail();
+  try {
+    use(json);
+  } catch (const std::exception&) {  // of the JSON library, or an Error of a value
+    text.Fail();
+  }
+}
+
+template <class T>
+void ReadFieldText(JsonCursor& text, T& value) {
+  if (text.has_failed()) return;
+  if constexpr (std::is_same_v<T, double>) {
+    value = text.Take("null") ? std::nan("") : text.ReadNumber();
+  } else if constexpr (std::is_same_v<T, int>) {
+    value = text.ReadInt();
+  } else if constexpr (std::is_same_v<T, bool>) {
+    value = text.Take("true");
+    if (!value) text.Demand("false");
+  } else if constexpr (std::is_same_v<T, Eigen::VectorXd>) {
+    std::vector<double> numbers;
+    ReadListText(text, [&] { numbers.push_back(text.ReadNumber()); });
+    value = Eigen::Map<const Eigen::VectorXd>(numbers.data(),
+                                              static_cast<Eigen::Index>(numbers.size()));
+  } else if constexpr (std::is_same_v<T, Pose>) {
+    ReadPoseText(text, value);
+  } else if constexpr (HasFields<T>::value) {
+    ReadRecordText(text, value);
+  } else if constexpr (IsVector<T>::value) {
+    ReadListText(text, [&] { ReadFieldText(text, value.emplace_back()); });
+  } else {
+    JsonCursor ahead = text;
+    const std::string_view plain = ahead.ReadPlainText();
+    if (ahead.has_failed()) {
+      UseJsonText(text, [&](const Json& json) { ReadField(json, value); });
+    } else if constexpr (std::is_same_v<T, std::string>) {
+      value = plain;
+      text = ahead;
+    } else {
+      try {
+        ReadField(Json(plain), value);
+        text = ahead;
+      } catch (const std::exception&) {  // of the JSON library, or an Error of a value
+        text.Fail();
+      }
+    }
+  }
+}
+
+class TextFields {
+ public:
+  TextFields(JsonCursor& text, bool is_first) : text_(text), is_first_(is_first) {}
+
+  bool Find(const char* key) {
+    const bool is_there = text_.TakeKey(key, is_first_);
+    is_first_ = is_first_ && !is_there;
+    return is_there;
+  }
+  void Demand(const char* key) {
+    if (!Find(key)) text_.Fail();
+  }
+  template <class T>
+  void Read(T& value) const {
+    ReadFieldText(text_, value);
+  }
+  template <class Record>
+  void Call(Record& record, void (*)(const Json&, Record&),
+            void (*read)(JsonCursor&, Record&)) const {
+    if (!text_.has_failed()) read(text_, record);
+  }
+
+ private:
+  JsonCursor& text_;
+  bool is_first_;
+};
+
+}  // namespace internal
+
+template <class Record>
+void ReadFieldsText(JsonCursor& text, Record& record, bool is_first) {
+  internal::TextFields fields(text, is_first);
+  Record::ListFields(internal::FieldReader<internal::TextFields, Record>{fields, record});
 }
 
 }  // namespace graspbench

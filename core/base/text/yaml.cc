@@ -3,11 +3,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <utility>
 
 #include "core/base/files/files.h"
+#include "core/base/text/json.h"
+#include "core/base/text/text.h"
 
 namespace graspbench {
 
@@ -136,10 +139,28 @@ void Convert(const YAML::Node& node, T& value) {
   value = node.as<T>();
 }
 
+/** What stands where a value of this type is read, for messages. */
+template <class T>
+constexpr const char* kExpected = nullptr;
+template <>
+constexpr const char* kExpected<std::string> = "a text";
+template <>
+constexpr const char* kExpected<double> = "a finite number";
+template <>
+constexpr const char* kExpected<int> = "a whole number";
+template <>
+constexpr const char* kExpected<bool> = "true or false";
+template <>
+constexpr const char* kExpected<Eigen::Vector3d> = "three finite numbers in brackets";
+template <>
+constexpr const char* kExpected<std::vector<double>> = "a list of finite numbers";
+template <>
+constexpr const char* kExpected<std::vector<std::string>> = "a list of texts";
+
 }  // namespace
 
 template <class T>
-void YamlMap::ReadAs(const std::string& key, T& value, const char* expected, Needed needed) {
+void YamlMap::Read(const std::string& key, T& value, Needed needed) {
   Note(key, FormatValue(value), needed);
   const YAML::Node child = Find(key, needed);
   if (!child.IsDefined() || child.IsNull()) {
@@ -158,31 +179,17 @@ void YamlMap::ReadAs(const std::string& key, T& value, const char* expected, Nee
       break;
     }
   } catch (const YAML::Exception&) {
-    Fail(key, std::string("expected ") + expected);
+    Fail(key, std::string("expected ") + kExpected<T>);
   }
 }
 
-void YamlMap::Read(const std::string& key, std::string& value, Needed needed) {
-  ReadAs(key, value, "a text", needed);
-}
-void YamlMap::Read(const std::string& key, double& value, Needed needed) {
-  ReadAs(key, value, "a finite number", needed);
-}
-void YamlMap::Read(const std::string& key, int& value, Needed needed) {
-  ReadAs(key, value, "a whole number", needed);
-}
-void YamlMap::Read(const std::string& key, bool& value, Needed needed) {
-  ReadAs(key, value, "true or false", needed);
-}
-void YamlMap::Read(const std::string& key, Eigen::Vector3d& value, Needed needed) {
-  ReadAs(key, value, "three finite numbers in brackets", needed);
-}
-void YamlMap::Read(const std::string& key, std::vector<double>& value, Needed needed) {
-  ReadAs(key, value, "a list of finite numbers", needed);
-}
-void YamlMap::Read(const std::string& key, std::vector<std::string>& value, Needed needed) {
-  ReadAs(key, value, "a list of texts", needed);
-}
+template void YamlMap::Read(const std::string&, std::string&, Needed);
+template void YamlMap::Read(const std::string&, double&, Needed);
+template void YamlMap::Read(const std::string&, int&, Needed);
+template void YamlMap::Read(const std::string&, bool&, Needed);
+template void YamlMap::Read(const std::string&, Eigen::Vector3d&, Needed);
+template void YamlMap::Read(const std::string&, std::vector<double>&, Needed);
+template void YamlMap::Read(const std::string&, std::vector<std::string>&, Needed);
 
 void YamlMap::FinishKnownKeys() {
   std::set<std::string> seen;
@@ -196,6 +203,21 @@ void YamlMap::FinishKnownKeys() {
                       where_ + ": unknown key \"" + key + "\"" + SuggestNames(key, known_));
     }
   }
+}
+
+std::string QuoteYaml(const std::string& text) { return FormatJson(Json(text)); }
+
+std::string FormatYamlWord(const std::string& text) {
+  constexpr std::array<std::string_view, 9> kTaken = {"null", "true", "false", "yes", "no",
+                                                      "on",   "off",  "y",     "n"};
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto is_plain = [&](char c) {
+    return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
+  };
+  const bool is_word = !text.empty() && is_letter(text[0]) &&
+                       std::all_of(text.begin(), text.end(), is_plain) &&
+                       std::count(kTaken.begin(), kTaken.end(), ToLower(text)) == 0;
+  return is_word ? text : QuoteYaml(text);
 }
 
 }  // namespace graspbench

@@ -17,7 +17,7 @@ YAML with positions: every wrong key or value is reported with file and line, al
 #include <string>
 #include <vector>
 
-#include "core/base/diagnostics.h"
+#include "core/base/error.h"
 #include "core/base/file_keys.h"
 
 namespace graspbench {
@@ -41,13 +41,9 @@ class YamlMap {
           const FileKeys* keys = nullptr, std::string prefix = "");
 
   bool Has(const std::string& key) const;
-  void Read(const std::string& key, std::string& value, Needed needed = Needed::kYes);
-  void Read(const std::string& key, double& value, Needed needed = Needed::kYes);
-  void Read(const std::string& key, int& value, Needed needed = Needed::kYes);
-  void Read(const std::string& key, bool& value, Needed needed = Needed::kYes);
-  void Read(const std::string& key, Eigen::Vector3d& value, Needed needed = Needed::kYes);
-  void Read(const std::string& key, std::vector<double>& value, Needed needed = Needed::kYes);
-  void Read(const std::string& key, std::vector<std::string>& value, Needed needed = Needed::kYes);
+  /** A text, number, whole number, truth value, vector of three, or list of numbers or texts. */
+  template <class T>
+  void Read(const std::string& key, T& value, Needed needed = Needed::kYes);
   /** A child node of any shape; marks the key as known. Null when absent. */
   YAML::Node Child(const std::string& key, Needed needed = Needed::kYes);
   /** Records a problem at the line of `key` (or of the map when absent). */
@@ -57,8 +53,6 @@ class YamlMap {
   void FinishKnownKeys();
 
  private:
-  template <class T>
-  void ReadAs(const std::string& key, T& value, const char* expected, Needed needed);
   YAML::Node Find(const std::string& key, Needed needed);
   void Note(const std::string& key, const std::string& fallback, Needed needed) const;
 
@@ -86,5 +80,12 @@ class KeyRecorder {
   FileKeys keys_;
   KeyRecorder* outer_;
 };
+
+/** In double quotes, as YAML and JSON have them. Bytes that are no UTF-8 become U+FFFD. */
+std::string QuoteYaml(const std::string& text);
+
+/** As it is where that can only be read as this text: letters, digits, _, - and points behind a
+letter, and no word that YAML takes for something else. Else in quotes. */
+std::string FormatYamlWord(const std::string& text);
 
 }  // namespace graspbench

@@ -11,8 +11,8 @@ proposals: centres of cells of nearly equal area. */
 
 namespace graspbench {
 
-/** Cuts a surface into `count` cells (Lloyd 1982, from the points farthest from each other) and puts
-an element into the middle of each. @pre there are as many points. */
+/** Cuts a surface into `count` cells (Lloyd 1982, from the points farthest from each other) and
+puts an element into the middle of each. @pre there are as many points. */
 std::vector<TactileElement> PlaceElements(const SensedPart& part,
                                           const std::vector<SurfacePoint>& points, int count);
 

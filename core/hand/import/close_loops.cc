@@ -7,7 +7,7 @@
 
 #include "core/base/text/text.h"
 #include "core/base/units.h"
-#include "core/hand/import/fix_joint.h"
+#include "core/hand/import/foreign_hand.h"
 
 namespace graspbench {
 namespace {

@@ -17,7 +17,7 @@ nothing between its pads. */
 #include <string>
 #include <vector>
 
-#include "core/base/diagnostics.h"
+#include "core/base/error.h"
 #include "core/hand/import/foreign_hand.h"
 
 namespace graspbench {

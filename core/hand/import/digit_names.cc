@@ -1,5 +1,3 @@
-#include "core/hand/import/digit_names.h"
-
 #include <algorithm>
 #include <cctype>
 #include <map>
@@ -8,6 +6,7 @@
 
 #include "core/base/text/text.h"
 #include "core/hand/closing.h"
+#include "core/hand/import/guess_hand.h"
 
 namespace graspbench {
 namespace {

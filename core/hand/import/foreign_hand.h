@@ -7,8 +7,10 @@ A hand as somebody else describes it: read (read_foreign_urdf.h), not yet judged
 #include <string>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/base/pose.h"
 #include "core/hand/read_urdf.h"
+#include "core/hand/xml_text.h"
 
 namespace graspbench {
 
@@ -31,7 +33,7 @@ struct ForeignLink {
   int line = 0;
   std::optional<ForeignInertia> inertia;
   std::vector<ForeignShape> visuals, collisions;
-  bool is_decoration = false;         ///< only looked at (decoration.h)
+  bool is_decoration = false;         ///< only looked at (FindDecoration)
   std::vector<ForeignShape> weights;  ///< make the inertia; shapes of the others among them
   Pose X_LF = Pose::Identity();  ///< the frame that bears the name, where its joint lies elsewhere
 };
@@ -41,7 +43,7 @@ struct ForeignMimic {
   double ratio = 1.0;
   double offset = 0.0;  ///< [rad], [m]
   /** One drive pulls on the sum of both, the joint before it and this one, the last of a finger: a
-  coupling rule (core/hand/coupling.h) says how they share it. */
+  coupling rule (core/hand/hand.h) says how they share it. */
   bool is_distal = false;
 };
 
@@ -78,5 +80,33 @@ struct ForeignHand {
   std::vector<std::string> included;  ///< paths of further files that it was read from
   int world = -1;  ///< link that stands for the world of a scene; -1: the format has none
 };
+
+/** A foreign joint held for good. Puts a joint at a position [rad], [m] for good; those that follow
+it, too. */
+void FixJoint(ForeignHand& hand, int index, double q);
+
+/** What the readers of foreign descriptions have in common. q = offset + ratio q_other, the other
+joint by its name. */
+struct NamedMimic {
+  int joint = -1;  ///< index into ForeignHand::joints
+  int line = 0;
+  std::string follows;
+  double ratio = 1.0;
+  double offset = 0.0;
+};
+
+/** Ties joints to joints that follow nobody. Of itself, in a ring, of nobody, of what does not
+move: the joint gets a drive of its own, with a warning. @param what  in messages, "<mimic>". */
+void ResolveMimics(const std::vector<NamedMimic>& mimics, const std::string& what,
+                   const std::string& file, Diagnostics& problems, ForeignHand& hand);
+
+/** Links that are only looked at: drawn axes, a mount, a cover.
+
+A link with a picture alone is decoration where a link that it is fixed to, directly or by others,
+has collision shapes: then the description says what of that body touches. A body without any
+collision shape touches with its pictures (load_shapes.h).
+
+Marks such links (ForeignLink::is_decoration) and reports each. */
+void FindDecoration(const std::string& file, Diagnostics& problems, ForeignHand& hand);
 
 }  // namespace graspbench

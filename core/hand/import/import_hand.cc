@@ -3,18 +3,14 @@
 #include <algorithm>
 
 #include "core/hand/import/checks/find_implausible.h"
-#include "core/hand/import/cover_links.h"
-#include "core/hand/import/decoration.h"
-#include "core/hand/import/free_joints.h"
+#include "core/hand/import/checks/joint_limits.h"
+#include "core/hand/import/foreign_hand.h"
 #include "core/hand/import/guess_hand.h"
-#include "core/hand/import/import_record.h"
-#include "core/hand/import/mjcf/read_foreign_mjcf.h"
+#include "core/hand/import/link_contact.h"
 #include "core/hand/import/read_foreign_urdf.h"
-#include "core/hand/import/shapes/length_unit_guess.h"
 #include "core/hand/import/write_hand.h"
 
 namespace graspbench {
-
 namespace {
 
 ImportedFiles ImportInOrder(const std::string& text, const HandSource& source,

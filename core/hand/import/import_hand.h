@@ -2,7 +2,7 @@
 /** @file
 A hand from a foreign description, in the project's own form: `hand.urdf` with balls, cylinders and
 boxes to touch with and OBJ pictures, `hand.yaml` whose guesses are marked, `README.md`, and
-`import.json` with all of it as data (import_record.h).
+`import.json` with all of it as data (write_hand.h).
 
 What can be repaired is repaired and reported as a warning; an error is what nobody can know: what
 touches where a mesh is missing, which link is the palm of an arm, how a ring of joints moves, which
@@ -14,7 +14,7 @@ colours within a mesh. */
 #include <map>
 #include <string>
 
-#include "core/base/diagnostics.h"
+#include "core/base/error.h"
 #include "core/hand/import/shapes/load_shapes.h"
 #include "core/hand/import/weld_links.h"
 

@@ -5,13 +5,14 @@
 
 #include "core/base/text/text.h"
 #include "core/hand/import/checks/joint_limits.h"
-#include "core/hand/import/foreign_xml.h"
+#include "core/hand/import/foreign_hand.h"
 #include "core/hand/read_urdf.h"
 
 namespace graspbench {
 namespace {
 
 /** What a URDF states, repaired. */
+
 class ForeignUrdfReader {
  public:
   ForeignUrdfReader(const Urdf& urdf, std::string file, std::optional<bool> in_degrees,
@@ -30,11 +31,109 @@ class ForeignUrdfReader {
   }
 
  private:
-  void AddLink(const UrdfLink& link);
-  void AddJoint(const UrdfJoint& urdf);
-  void AddLimits(const UrdfJoint& urdf, ForeignJoint& joint);
-  void JudgeAngles();
-  void TellEfforts();
+  void AddLink(const UrdfLink& link) {
+    ForeignLink& added = hand_.links.emplace_back();
+    added.name = link.name;
+    added.line = link.line;
+    if (link.inertia) added.inertia = ForeignInertia{*link.inertia};
+    for (const UrdfShape& shape : link.visuals) added.visuals.push_back({shape});
+    for (const UrdfShape& shape : link.collisions) added.collisions.push_back({shape});
+  }
+
+  void AddJoint(const UrdfJoint& urdf) {
+    ForeignJoint& joint = hand_.joints.emplace_back();
+    joint.name = urdf.name;
+    joint.line = urdf.line;
+    joint.parent = urdf.parent;
+    joint.child = urdf.child;
+    joint.X_PJ = urdf.X_PJ;
+    joint.axis = urdf.axis;
+    if (urdf.kind == UrdfJoint::Kind::kFixed) return;
+    joint.kind = urdf.kind == UrdfJoint::Kind::kPrismatic ? ForeignJoint::Kind::kPrismatic
+                                                          : ForeignJoint::Kind::kRevolute;
+    AddLimits(urdf, joint);
+    if (!urdf.mimic) return;
+    mimics_.push_back({static_cast<int>(hand_.joints.size()) - 1, urdf.mimic->line,
+                       urdf.mimic->joint, urdf.mimic->multiplier, urdf.mimic->offset});
+  }
+
+  void AddLimits(const UrdfJoint& urdf, ForeignJoint& joint) {
+    const bool is_continuous = urdf.kind == UrdfJoint::Kind::kContinuous;
+    const UrdfLimit limit = urdf.limit.value_or(UrdfLimit{0.0, 0.0, {}, urdf.line});
+    const auto warn = [&](int line, const std::string& text) {
+      problems_.Warn(file_, line, "joint \"" + joint.name + "\"" + text);
+    };
+    joint.drive.effort = std::max(0.0, limit.effort.value_or(0.0));
+    if (limit.effort && !urdf.mimic && *limit.effort <= 0.0) without_effort_.push_back(joint.name);
+    const double most_effort = joint.kind == ForeignJoint::Kind::kRevolute ? 200.0 : 5000.0;
+    if (joint.drive.effort > most_effort) with_great_effort_.push_back(joint.name);
+    StatedLimits stated{"", limit.lower, limit.upper};
+    if (!urdf.limit || is_continuous) stated.missing = "<limit>";
+    if (std::isnan(limit.lower)) stated.missing = "lower limit to be read";
+    if (std::isnan(limit.upper)) stated.missing = "upper limit to be read";
+    if (joint.kind == ForeignJoint::Kind::kRevolute) {
+      const double largest = std::max(std::abs(stated.lower), std::abs(stated.upper));
+      const bool in_degrees = in_degrees_.value_or(largest > kWholeTurn && largest <= 360.0);
+      if (in_degrees) {
+        stated.lower = RadFromDeg(stated.lower);
+        stated.upper = RadFromDeg(stated.upper);
+      }
+      if (in_degrees && !in_degrees_ && !is_continuous) {
+        warn(limit.line,
+             ": a limit of " + FormatSignificant(largest, 3) +
+                 " would be more than one turn; this joint's limits are taken as degrees "
+                 "(--angle says otherwise)");
+      }
+      const double range = stated.upper - stated.lower;
+      if (!in_degrees && !in_degrees_ && !is_continuous && range > kWholeTurn) {
+        warn(limit.line,
+             ": its limits are " + FormatSignificant(DegFromRad(range), 3) +
+                 " deg apart, more than one turn; if they are degrees, say --angle deg");
+      }
+    }
+    const std::string repaired = SetLimits(stated, joint);
+    if (is_continuous) {
+      joint.no_limits.clear();
+      warn(joint.line,
+           " is continuous, it turns without end; its limits are taken as half a turn each way");
+    } else if (!repaired.empty()) {
+      warn(limit.line, repaired);
+    }
+  }
+
+  /** Limits of many joints beyond a turn: the file is in degrees. */
+  void JudgeAngles() {
+    if (in_degrees_) return;
+    int num_beyond = 0, num_within = 0;
+    double largest = 0.0;
+    for (const UrdfJoint& joint : urdf_.joints) {
+      if (joint.kind != UrdfJoint::Kind::kRevolute || !joint.limit) continue;
+      const double most =
+          std::max({0.0, std::abs(joint.limit->lower), std::abs(joint.limit->upper)});
+      num_beyond += most > kWholeTurn;
+      num_within += most > 0.0 && most <= kWholeTurn;
+      largest = std::max(largest, most);
+    }
+    if (num_beyond < 2 || num_beyond <= num_within || largest > 360.0) return;
+    in_degrees_ = true;
+    problems_.Warn(file_, urdf_.line,
+                   "limits of " + std::to_string(num_beyond) + " of " +
+                       FormatCount(num_beyond + num_within, "joint") +
+                       " would be more than one turn, up to " + FormatSignificant(largest, 3) +
+                       "; all are taken as degrees, though URDF has radians (--angle says "
+                       "otherwise)");
+  }
+
+  void TellEfforts() {
+    const auto tell = [&](const std::vector<std::string>& joints, const std::string& what) {
+      if (joints.empty()) return;
+      problems_.Warn(file_, 0,
+                     "effort of " + FormatCount(static_cast<int64_t>(joints.size()), "joint") +
+                         " (" + JoinSome(joints) + ") " + what + "; their drives are guessed");
+    };
+    tell(without_effort_, "is 0 or less: a drive without torque moves nothing");
+    tell(with_great_effort_, "is above 200 N m or 5000 N, more than a finger bears");
+  }
 
   const Urdf& urdf_;
   std::string file_;
@@ -44,107 +143,6 @@ class ForeignUrdfReader {
   std::vector<NamedMimic> mimics_;
   std::vector<std::string> without_effort_, with_great_effort_;  // joints
 };
-
-void ForeignUrdfReader::AddLink(const UrdfLink& link) {
-  ForeignLink& added = hand_.links.emplace_back();
-  added.name = link.name;
-  added.line = link.line;
-  if (link.inertia) added.inertia = ForeignInertia{*link.inertia};
-  for (const UrdfShape& shape : link.visuals) added.visuals.push_back({shape});
-  for (const UrdfShape& shape : link.collisions) added.collisions.push_back({shape});
-}
-
-void ForeignUrdfReader::AddLimits(const UrdfJoint& urdf, ForeignJoint& joint) {
-  const bool is_continuous = urdf.kind == UrdfJoint::Kind::kContinuous;
-  const UrdfLimit limit = urdf.limit.value_or(UrdfLimit{0.0, 0.0, {}, urdf.line});
-  const auto warn = [&](int line, const std::string& text) {
-    problems_.Warn(file_, line, "joint \"" + joint.name + "\"" + text);
-  };
-  joint.drive.effort = std::max(0.0, limit.effort.value_or(0.0));
-  if (limit.effort && !urdf.mimic && *limit.effort <= 0.0) without_effort_.push_back(joint.name);
-  const double most_effort = joint.kind == ForeignJoint::Kind::kRevolute ? 200.0 : 5000.0;
-  if (joint.drive.effort > most_effort) with_great_effort_.push_back(joint.name);
-  StatedLimits stated{"", limit.lower, limit.upper};
-  if (!urdf.limit || is_continuous) stated.missing = "<limit>";
-  if (std::isnan(limit.lower)) stated.missing = "lower limit to be read";
-  if (std::isnan(limit.upper)) stated.missing = "upper limit to be read";
-  if (joint.kind == ForeignJoint::Kind::kRevolute) {
-    const double largest = std::max(std::abs(stated.lower), std::abs(stated.upper));
-    const bool in_degrees = in_degrees_.value_or(largest > kWholeTurn && largest <= 360.0);
-    if (in_degrees) {
-      stated.lower = RadFromDeg(stated.lower);
-      stated.upper = RadFromDeg(stated.upper);
-    }
-    if (in_degrees && !in_degrees_ && !is_continuous) {
-      warn(limit.line, ": a limit of " + FormatSignificant(largest, 3) +
-                           " would be more than one turn; this joint's limits are taken as degrees "
-                           "(--angle says otherwise)");
-    }
-    const double range = stated.upper - stated.lower;
-    if (!in_degrees && !in_degrees_ && !is_continuous && range > kWholeTurn) {
-      warn(limit.line, ": its limits are " + FormatSignificant(DegFromRad(range), 3) +
-                           " deg apart, more than one turn; if they are degrees, say --angle deg");
-    }
-  }
-  const std::string repaired = SetLimits(stated, joint);
-  if (is_continuous) {
-    joint.no_limits.clear();
-    warn(joint.line,
-         " is continuous, it turns without end; its limits are taken as half a turn each way");
-  } else if (!repaired.empty()) {
-    warn(limit.line, repaired);
-  }
-}
-
-/** Limits of many joints beyond a turn: the file is in degrees. */
-void ForeignUrdfReader::JudgeAngles() {
-  if (in_degrees_) return;
-  int num_beyond = 0, num_within = 0;
-  double largest = 0.0;
-  for (const UrdfJoint& joint : urdf_.joints) {
-    if (joint.kind != UrdfJoint::Kind::kRevolute || !joint.limit) continue;
-    const double most = std::max({0.0, std::abs(joint.limit->lower), std::abs(joint.limit->upper)});
-    num_beyond += most > kWholeTurn;
-    num_within += most > 0.0 && most <= kWholeTurn;
-    largest = std::max(largest, most);
-  }
-  if (num_beyond < 2 || num_beyond <= num_within || largest > 360.0) return;
-  in_degrees_ = true;
-  problems_.Warn(file_, urdf_.line,
-                 "limits of " + std::to_string(num_beyond) + " of " +
-                     FormatCount(num_beyond + num_within, "joint") +
-                     " would be more than one turn, up to " + FormatSignificant(largest, 3) +
-                     "; all are taken as degrees, though URDF has radians (--angle says "
-                     "otherwise)");
-}
-
-void ForeignUrdfReader::AddJoint(const UrdfJoint& urdf) {
-  ForeignJoint& joint = hand_.joints.emplace_back();
-  joint.name = urdf.name;
-  joint.line = urdf.line;
-  joint.parent = urdf.parent;
-  joint.child = urdf.child;
-  joint.X_PJ = urdf.X_PJ;
-  joint.axis = urdf.axis;
-  if (urdf.kind == UrdfJoint::Kind::kFixed) return;
-  joint.kind = urdf.kind == UrdfJoint::Kind::kPrismatic ? ForeignJoint::Kind::kPrismatic
-                                                        : ForeignJoint::Kind::kRevolute;
-  AddLimits(urdf, joint);
-  if (!urdf.mimic) return;
-  mimics_.push_back({static_cast<int>(hand_.joints.size()) - 1, urdf.mimic->line, urdf.mimic->joint,
-                     urdf.mimic->multiplier, urdf.mimic->offset});
-}
-
-void ForeignUrdfReader::TellEfforts() {
-  const auto tell = [&](const std::vector<std::string>& joints, const std::string& what) {
-    if (joints.empty()) return;
-    problems_.Warn(file_, 0,
-                   "effort of " + FormatCount(static_cast<int64_t>(joints.size()), "joint") + " (" +
-                       JoinSome(joints) + ") " + what + "; their drives are guessed");
-  };
-  tell(without_effort_, "is 0 or less: a drive without torque moves nothing");
-  tell(with_great_effort_, "is above 200 N m or 5000 N, more than a finger bears");
-}
 
 }  // namespace
 

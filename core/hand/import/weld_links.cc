@@ -7,7 +7,7 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/hand/import/checks/find_hand.h"
-#include "core/hand/import/fix_joint.h"
+#include "core/hand/import/foreign_hand.h"
 #include "core/hand/import/shapes/shape_distance.h"
 
 namespace graspbench {
@@ -29,239 +29,11 @@ constexpr double kFarthestFrame = 2.0;  // [m] along an axis, as hand.yaml has i
 
 bool Moves(const ForeignJoint& joint) { return joint.kind != ForeignJoint::Kind::kFixed; }
 
-class Welder {
- public:
-  Welder(ForeignHand& foreign, const std::vector<LoadedShapes>& shapes, const std::string& file,
-         Diagnostics& problems)
-      : foreign_(foreign),
-        shapes_(shapes),
-        file_(file),
-        problems_(problems),
-        tree_(MakeForeignTree(foreign)) {}
-
-  void FixEmptyEnds();
-  HandCandidate FindHandPlace(const std::string& palm) const {
-    return FindHand(foreign_, tree_, has_body_, palm, file_, problems_);
-  }
-  void LeaveOutOthers(const HandCandidate& place);
-  bool CheckMass();
-  ImportedHand Weld(int palm);
-
- private:
-  bool IsBelow(int link, int ancestor) const {
-    while (link != ancestor && tree_.joint_of[link] >= 0) {
-      link = foreign_.joints[tree_.joint_of[link]].parent;
-    }
-    return link == ancestor;
-  }
-  bool IsLeftOut(int link) const {
-    return (root_ >= 0 && !IsBelow(link, root_)) ||
-           std::any_of(left_out_.begin(), left_out_.end(),
-                       [&](int other) { return IsBelow(link, other); });
-  }
-  MassProperties CalcMass(int link, std::string& note);
-  std::string FindInertiaFault(int link) const;
-  Eigen::AlignedBox3d CalcOwnBounds(int link) const;
-  double CalcLeastDensity(int link) const;
-  static void MoveRootFrame(const Pose& X_NR, ImportedHand& imported);
-  std::string MeasureProtrusion(int member, ImportedHand& imported);
-  void TieFollowers(const std::vector<int>& joint_of, Hand& hand);
-  void FillWeightless(ImportedHand& imported);
-  void NarrowForFollowers(Hand& hand);
-  void WarnAt(int line, const std::string& text) { problems_.Warn(file_, line, text); }
-
-  ForeignHand& foreign_;
-  const std::vector<LoadedShapes>& shapes_;
-  std::string file_;
-  Diagnostics& problems_;
-  ForeignTree tree_;
-  std::vector<bool> has_body_;  // by link: it or what hangs on it has a shape
-  int root_ = -1;               // -1: the tree's
-  std::vector<int> left_out_;   // links: with all below them
-};
-
-/** Moving links at the end of a chain with neither shape nor mass: frames for programs. */
-void Welder::FixEmptyEnds() {
-  has_body_.assign(foreign_.links.size(), false);
-  const auto is_followed = [&](int joint) {
-    return std::any_of(foreign_.joints.begin(), foreign_.joints.end(),
-                       [&](const ForeignJoint& j) { return j.mimic && j.mimic->joint == joint; });
-  };
-  for (size_t i = tree_.order.size(); i-- > 0;) {
-    const int link = tree_.order[i];
-    if (!shapes_[link].collisions.empty()) has_body_[link] = true;
-    const int joint = tree_.joint_of[link];
-    if (joint < 0) continue;
-    if (has_body_[link]) {
-      has_body_[foreign_.joints[joint].parent] = true;
-    } else if (Moves(foreign_.joints[joint]) && !is_followed(joint)) {
-      WarnAt(foreign_.joints[joint].line,
-             "joint \"" + foreign_.joints[joint].name + "\" moves nothing that could touch; fixed");
-      FixJoint(foreign_, joint, 0.0);
-    }
-  }
-}
-
-/** False, with an error: no hand is as heavy as what is left. */
-bool Welder::CheckMass() {
-  double mass = 0.0, most = 0.0;
-  int heaviest = -1;
-  for (const int link : tree_.order) {
-    if (IsLeftOut(link)) continue;
-    const auto& inertia = foreign_.links[link].inertia;
-    if (!inertia) continue;
-    mass += std::max(0.0, inertia->mass);
-    if (inertia->mass <= most) continue;
-    most = inertia->mass;
-    heaviest = link;
-  }
-  if (mass <= kHeaviestHand) return true;
-  problems_.Fail(file_, foreign_.links[heaviest].inertia->line,
-                 "its links weigh " + FormatSignificant(mass, 3) + " kg in all, \"" +
-                     foreign_.links[heaviest].name + "\" alone " + FormatSignificant(most, 3) +
-                     " kg; a hand weighs 10 kg at most. Are these grams, or parts of a scene? "
-                     "Give kilograms, or name the palm with --palm");
-  return false;
-}
-
-void Welder::LeaveOutOthers(const HandCandidate& place) {
-  left_out_ = place.left_out;
-  if (place.carrier >= 0) {
-    root_ = place.root;
-    WarnAt(foreign_.links[place.carrier].line,
-           "\"" + foreign_.links[place.carrier].name + "\" carries the palm \"" +
-               foreign_.links[place.palm].name + "\"; left out with all above it");
-    return;
-  }
-  int num_joints = 0, below = place.palm;
-  for (int link = place.palm; link != place.top && tree_.joint_of[link] >= 0;) {
-    const ForeignJoint& joint = foreign_.joints[tree_.joint_of[link]];
-    num_joints += Moves(joint);
-    if (!Moves(joint) && num_joints == 0) below = joint.parent;
-    link = joint.parent;
-  }
-  if (num_joints <= kMostWristJoints) {
-    if (place.top != tree_.order.front()) root_ = place.top;
-    return;
-  }
-  root_ = below;
-  WarnAt(foreign_.links[below].line,
-         "the " + std::to_string(num_joints) + " joints above \"" + foreign_.links[below].name +
-             "\" are taken as an arm and left out: the arm of an experiment carries the palm");
-}
-
-/** Of all that is seen or touched. */
-Eigen::AlignedBox3d Welder::CalcOwnBounds(int link) const {
-  const LoadedShapes& loaded = shapes_[static_cast<size_t>(link)];
-  Eigen::AlignedBox3d bounds;
-  if (!loaded.collisions.empty()) bounds = CalcBounds(loaded.collisions);
-  for (const ImportedVisual& visual : loaded.visuals) {
-    if (visual.mesh.triangles.empty()) bounds.extend(CalcBounds({visual.solid}));
-    for (const Vector3d& p : visual.mesh.vertices) bounds.extend(p);
-  }
-  return bounds;
-}
-
-/** The published mass by the volume of the bounds; 0: there is nothing. */
-double Welder::CalcLeastDensity(int link) const {
-  const Eigen::AlignedBox3d bounds = CalcOwnBounds(link);
-  if (bounds.isEmpty()) return 0.0;
-  return foreign_.links[link].inertia->mass / std::max(bounds.volume(), 1e-9);
-}
-
 /** Of a ball of that mass and the greatest density: of all bodies the one whose moments have the
 smallest sum [kg m^2]. */
 double CalcLeastMoment(double mass) {
   const double radius = std::cbrt(0.75 * mass / (kPi * kHeaviest));
   return 0.4 * mass * radius * radius;
-}
-
-std::string Welder::FindInertiaFault(int link) const {
-  const auto& inertia = foreign_.links[link].inertia;
-  if (!inertia) return "no <inertial>";
-  if (inertia->mass < 0.0) {
-    return "a negative mass, " + FormatSignificant(inertia->mass, 3) + " kg";
-  }
-  if (inertia->mass == 0.0) return "no mass";
-  const double scale = inertia->I_I.cwiseAbs().maxCoeff();
-  if (scale == 0.0) return "no inertia";
-  const Vector3d moments =
-      Eigen::SelfAdjointEigenSolver<Matrix3d>(inertia->I_I / scale, Eigen::EigenvaluesOnly)
-          .eigenvalues();
-  if (moments[0] <= 0.0) return "a principal moment that is not positive";
-  if (moments[0] + moments[1] < 0.9999 * moments[2]) {
-    return "a principal moment larger than the sum of the others, which no body has";
-  }
-  const auto& shapes = shapes_[link].collisions;
-  const double density = CalcLeastDensity(link);
-  if (density > kHeaviest) {
-    return "a mass of " + FormatSignificant(inertia->mass, 3) + " kg in bounds of " +
-           FormatSignificant(1e6 * inertia->mass / density, 3) +
-           " cm^3, denser than any metal: its mass or the size of its shapes is wrong";
-  }
-  if (moments[2] * scale < CalcLeastMoment(inertia->mass)) {
-    return "an inertia of " + FormatSignificant(moments[2] * scale, 2) + " kg m^2 for " +
-           FormatSignificant(GFromKg(inertia->mass), 3) +
-           " g, less than a ball of the densest metal has";
-  }
-  if (shapes.empty()) {
-    if (inertia->mass > kHeaviestFrame) {
-      return "a mass of " + FormatSignificant(inertia->mass, 3) + " kg without extent";
-    }
-    return moments[2] * scale > inertia->mass ? "an inertia too large for its mass" : "";
-  }
-  if (inertia->mass < kFoam * CalcUnionMass(shapes, 1.0).mass) {
-    return "a mass of " + FormatSignificant(GFromKg(inertia->mass), 3) +
-           " g, lighter than any foam of its size; is it in another unit?";
-  }
-  const Eigen::AlignedBox3d bounds = CalcOwnBounds(link);
-  const Vector3d p_com = inertia->X_LI.translation();
-  if (bounds.exteriorDistance(p_com) > 0.005 + 0.2 * bounds.sizes().norm()) {
-    return "a centre of mass " + FormatFixed(MmFromM(bounds.exteriorDistance(p_com)), 0) +
-           " mm outside its shapes";
-  }
-  if (moments[2] * scale > 1.2 * inertia->mass * bounds.sizes().squaredNorm()) {
-    return "an inertia too large for its mass and size";
-  }
-  return "";
-}
-
-MassProperties Welder::CalcMass(int link, std::string& note) {
-  const std::string fault = FindInertiaFault(link);
-  const auto& published = foreign_.links[link].inertia;
-  if (fault.empty()) {
-    MassProperties mass;
-    const Matrix3d R = published->X_LI.linear();
-    mass.mass = published->mass;
-    mass.p_OOcm = published->X_LI.translation();
-    mass.I_OOcm = R * published->I_I * R.transpose();
-    note = published->is_of_geoms ? "mass and inertia of its geoms, as MuJoCo takes them"
-                                  : "mass and inertia as published";
-    return mass;
-  }
-  const auto& shapes = shapes_[link].collisions;
-  if (shapes.empty()) {
-    const bool is_decoration = foreign_.links[link].is_decoration;
-    if (published && published->mass > (is_decoration ? 0.0 : kHeaviestFrame)) {
-      WarnAt(published->line,
-             "link \"" + foreign_.links[link].name + "\": " + fault + "; left out");
-    }
-    return {};
-  }
-  MassProperties mass = CalcUnionMass(shapes, kDensity);
-  const double published_mass = published ? published->mass : 0.0;
-  const double density = published_mass / (mass.mass / kDensity);
-  const bool keeps_mass = density >= kLightest && density <= kHeaviest;
-  if (keeps_mass) {
-    mass.I_OOcm *= published_mass / mass.mass;
-    mass.mass = published_mass;
-  }
-  note = std::string(keeps_mass ? "published mass" : "mass of its volume at 1200 kg/m^3") +
-         ", inertia of its volume";
-  WarnAt(published ? published->line : foreign_.links[link].line,
-         "link \"" + foreign_.links[link].name + "\": " + fault + "; replaced: " + note + ", " +
-             FormatSignificant(GFromKg(mass.mass), 3) + " g");
-  return mass;
 }
 
 /** Adds the mass of a part: both about the common centre of mass. @param X_LM  the part's frame. */
@@ -276,209 +48,427 @@ void AddMass(const Pose& X_LM, const MassProperties& part, HandLink& link) {
   link.mass = total;
 }
 
-/** @param joint_of  of the foreign joints in the hand; -1: none. */
-void Welder::TieFollowers(const std::vector<int>& joint_of, Hand& hand) {
-  for (size_t j = 0; j < foreign_.joints.size(); ++j) {
-    const auto& mimic = foreign_.joints[j].mimic;
-    if (joint_of[j] < 0 || !mimic || joint_of[mimic->joint] < 0) continue;
-    HandJoint& follower = hand.joints[joint_of[j]];
-    follower.coupled_to = joint_of[mimic->joint];
-    follower.is_mimic = !mimic->is_distal;
-    follower.mimic_ratio = mimic->ratio;
-    follower.mimic_offset = mimic->offset;
-  }
-}
+class Welder {
+ public:
+  Welder(ForeignHand& foreign, const std::vector<LoadedShapes>& shapes, const std::string& file,
+         Diagnostics& problems)
+      : foreign_(foreign),
+        shapes_(shapes),
+        file_(file),
+        problems_(problems),
+        tree_(MakeForeignTree(foreign)) {}
 
-void Welder::FillWeightless(ImportedHand& imported) {
-  for (size_t i = 1; i < imported.hand.links.size(); ++i) {
-    HandLink& link = imported.hand.links[i];
-    if (link.mass > 0.0) continue;
-    link.mass = kBallMass;
-    link.p_LLcm.setZero();
-    link.I_LLcm = 0.4 * kBallMass * kBallRadius * kBallRadius * Matrix3d::Identity();
-    imported.notes[i] = link.name + ": a ball of 4 g and 5 mm, it has neither mass nor extent";
-    WarnAt(0, "link \"" + link.name +
-                  "\" has neither mass nor extent; between its joints' axes it gets a ball of 4 g");
+  /** Moving links at the end of a chain with neither shape nor mass: frames for programs. */
+  void FixEmptyEnds() {
+    has_body_.assign(foreign_.links.size(), false);
+    const auto is_followed = [&](int joint) {
+      return std::any_of(foreign_.joints.begin(), foreign_.joints.end(),
+                         [&](const ForeignJoint& j) { return j.mimic && j.mimic->joint == joint; });
+    };
+    for (size_t i = tree_.order.size(); i-- > 0;) {
+      const int link = tree_.order[i];
+      if (!shapes_[link].collisions.empty()) has_body_[link] = true;
+      const int joint = tree_.joint_of[link];
+      if (joint < 0) continue;
+      if (has_body_[link]) {
+        has_body_[foreign_.joints[joint].parent] = true;
+      } else if (Moves(foreign_.joints[joint]) && !is_followed(joint)) {
+        WarnAt(foreign_.joints[joint].line, "joint \"" + foreign_.joints[joint].name +
+                                                "\" moves nothing that could touch; fixed");
+        FixJoint(foreign_, joint, 0.0);
+      }
+    }
   }
-}
 
-/** Gives the root another frame. @param X_NR  the old one in it. */
-void Welder::MoveRootFrame(const Pose& X_NR, ImportedHand& imported) {
-  HandLink& root = imported.hand.links[0];
-  root.p_LLcm = X_NR * root.p_LLcm;
-  root.I_LLcm = X_NR.linear() * root.I_LLcm * X_NR.linear().transpose();
-  for (HandLink& link : imported.hand.links) {
-    if (link.parent == 0) link.X_PJ = X_NR * link.X_PJ;
+  HandCandidate FindHandPlace(const std::string& palm) const {
+    return FindHand(foreign_, tree_, has_body_, palm, file_, problems_);
   }
-  for (CollisionShape& shape : imported.shapes) {
-    if (shape.link == 0) shape.X_LS = X_NR * shape.X_LS;
-  }
-  for (TriMesh& solid : imported.solids[0]) {
-    for (Vector3d& p : solid.vertices) p = X_NR * p;
-  }
-  for (auto& [link, visual] : imported.visuals) {
-    if (link != 0) continue;
-    visual.solid.X_LS = X_NR * visual.solid.X_LS;
-    for (Vector3d& p : visual.mesh.vertices) p = X_NR * p;
-  }
-}
 
-/** Limits of a joint such that those that follow it keep theirs. */
-void Welder::NarrowForFollowers(Hand& hand) {
-  for (HandJoint& follower : hand.joints) {
-    if (!follower.is_mimic) continue;
-    HandJoint& driver = hand.joints[follower.coupled_to];
-    double lower = (follower.lower - follower.mimic_offset) / follower.mimic_ratio;
-    double upper = (follower.upper - follower.mimic_offset) / follower.mimic_ratio;
-    if (lower > upper) std::swap(lower, upper);
-    const double range = driver.upper - driver.lower;
-    lower = std::max(lower, driver.lower);
-    upper = std::min(upper, driver.upper);
-    if (upper - lower < 0.5 * range) {
-      const double a = follower.mimic_offset + follower.mimic_ratio * driver.lower;
-      const double b = follower.mimic_offset + follower.mimic_ratio * driver.upper;
-      const double most = follower.is_prismatic ? 0.999 : 6.28;  // [m], [rad]
-      if (std::max(std::abs(a), std::abs(b)) > most) {
-        WarnAt(0, "joint \"" + follower.name + "\" would follow \"" + driver.name +
-                      "\" farther than any joint goes; it gets a drive of its own");
-        follower.coupled_to = -1;
-        follower.is_mimic = false;
+  void LeaveOutOthers(const HandCandidate& place) {
+    left_out_ = place.left_out;
+    if (place.carrier >= 0) {
+      root_ = place.root;
+      WarnAt(foreign_.links[place.carrier].line,
+             "\"" + foreign_.links[place.carrier].name + "\" carries the palm \"" +
+                 foreign_.links[place.palm].name + "\"; left out with all above it");
+      return;
+    }
+    int num_joints = 0, below = place.palm;
+    for (int link = place.palm; link != place.top && tree_.joint_of[link] >= 0;) {
+      const ForeignJoint& joint = foreign_.joints[tree_.joint_of[link]];
+      num_joints += Moves(joint);
+      if (!Moves(joint) && num_joints == 0) below = joint.parent;
+      link = joint.parent;
+    }
+    if (num_joints <= kMostWristJoints) {
+      if (place.top != tree_.order.front()) root_ = place.top;
+      return;
+    }
+    root_ = below;
+    WarnAt(foreign_.links[below].line,
+           "the " + std::to_string(num_joints) + " joints above \"" + foreign_.links[below].name +
+               "\" are taken as an arm and left out: the arm of an experiment carries the palm");
+  }
+
+  /** False, with an error: no hand is as heavy as what is left. */
+  bool CheckMass() {
+    double mass = 0.0, most = 0.0;
+    int heaviest = -1;
+    for (const int link : tree_.order) {
+      if (IsLeftOut(link)) continue;
+      const auto& inertia = foreign_.links[link].inertia;
+      if (!inertia) continue;
+      mass += std::max(0.0, inertia->mass);
+      if (inertia->mass <= most) continue;
+      most = inertia->mass;
+      heaviest = link;
+    }
+    if (mass <= kHeaviestHand) return true;
+    problems_.Fail(file_, foreign_.links[heaviest].inertia->line,
+                   "its links weigh " + FormatSignificant(mass, 3) + " kg in all, \"" +
+                       foreign_.links[heaviest].name + "\" alone " + FormatSignificant(most, 3) +
+                       " kg; a hand weighs 10 kg at most. Are these grams, or parts of a scene? "
+                       "Give kilograms, or name the palm with --palm");
+    return false;
+  }
+
+  ImportedHand Weld(int palm) {
+    ImportedHand imported;
+    Hand& hand = imported.hand;
+    std::vector<int> link_of(foreign_.links.size(), -1);              // foreign -> welded
+    std::vector<Pose> X_LM(foreign_.links.size(), Pose::Identity());  // member in its welded link
+    std::vector<int> joint_of(foreign_.joints.size(), -1);
+    bool is_root_named = false;
+    Pose X_RootNamed = Pose::Identity();  // the frame of the part that names the root
+    for (const int member : tree_.order) {
+      if (IsLeftOut(member)) continue;
+      const int j = member == root_ ? -1 : tree_.joint_of[member];
+      if (j >= 0 && !Moves(foreign_.joints[j])) {
+        const int parent = foreign_.joints[j].parent;
+        link_of[member] = link_of[parent];
+        X_LM[member] = X_LM[parent] * foreign_.joints[j].X_PJ;
+      } else {
+        link_of[member] = static_cast<int>(hand.links.size());
+        HandLink& link = hand.links.emplace_back();
+        link.name = foreign_.links[member].name;
+        imported.notes.emplace_back();
+        imported.solids.emplace_back();
+        if (j >= 0) {
+          const ForeignJoint& joint = foreign_.joints[j];
+          link.parent = link_of[joint.parent];
+          link.X_PJ = X_LM[joint.parent] * joint.X_PJ;
+          link.axis = joint.axis;
+          link.joint = joint_of[j] = hand.num_joints();
+          HandJoint& moved = hand.joints.emplace_back();
+          moved.name = joint.name;
+          moved.link = link_of[member];
+          moved.is_prismatic = joint.kind == ForeignJoint::Kind::kPrismatic;
+          moved.lower = joint.lower;
+          moved.upper = joint.upper;
+          imported.drives.push_back(joint.drive);
+        }
+      }
+      const int index = link_of[member];
+      HandLink& link = hand.links[index];
+      const LoadedShapes& shapes = shapes_[member];
+      if (index == 0 && !is_root_named && !shapes.collisions.empty()) {
+        link.name = foreign_.links[member].name;  // not that of a mere frame, "world"
+        is_root_named = true;
+        X_RootNamed = X_LM[member];
+      }
+      for (CollisionShape shape : shapes.collisions) {
+        shape.link = index;
+        shape.X_LS = X_LM[member] * shape.X_LS;
+        imported.shapes.push_back(shape);
+      }
+      for (TriMesh solid : shapes.solids) {
+        for (Vector3d& p : solid.vertices) p = X_LM[member] * p;
+        imported.solids[index].push_back(std::move(solid));
+      }
+      for (ImportedVisual visual : shapes.visuals) {
+        visual.solid.X_LS = X_LM[member] * visual.solid.X_LS;
+        for (Vector3d& p : visual.mesh.vertices) p = X_LM[member] * p;
+        imported.visuals.push_back({index, visual});
+      }
+      std::string note;
+      const MassProperties mass = CalcMass(member, note);
+      for (const std::string& fitted : shapes.notes) {
+        note += (note.empty() ? "" : "; ") + fitted;
+      }
+      if (!shapes.collisions.empty()) note += "; " + MeasureProtrusion(member, imported);
+      if (!note.empty()) {
+        imported.notes[index] +=
+            (imported.notes[index].empty() ? "" : "\n") + foreign_.links[member].name + ": " + note;
+      }
+      AddMass(X_LM[member], mass, link);
+    }
+    TieFollowers(joint_of, hand);
+    FillWeightless(imported);
+    MoveRootFrame(X_RootNamed.inverse(), imported);
+    for (const int member : tree_.order) {
+      const int index = link_of[member];
+      if (index < 0) continue;
+      const Pose& X_MF = foreign_.links[member].X_LF;
+      const bool is_that_of_link = X_MF.matrix() == Pose::Identity().matrix();
+      if (foreign_.links[member].name == hand.links[index].name && is_that_of_link) continue;
+      const Pose X_LF = index == 0 ? Pose(X_RootNamed.inverse() * X_LM[member] * X_MF)
+                                   : Pose(X_LM[member] * X_MF);
+      if (X_LF.translation().cwiseAbs().maxCoeff() > kFarthestFrame) continue;  // of a scene
+      hand.frames.push_back({foreign_.links[member].name, index, X_LF});
+    }
+    NarrowForFollowers(hand);
+    hand.palm_link = link_of[palm];
+    return imported;
+  }
+
+ private:
+  bool IsBelow(int link, int ancestor) const {
+    while (link != ancestor && tree_.joint_of[link] >= 0) {
+      link = foreign_.joints[tree_.joint_of[link]].parent;
+    }
+    return link == ancestor;
+  }
+  bool IsLeftOut(int link) const {
+    return (root_ >= 0 && !IsBelow(link, root_)) ||
+           std::any_of(left_out_.begin(), left_out_.end(),
+                       [&](int other) { return IsBelow(link, other); });
+  }
+
+  MassProperties CalcMass(int link, std::string& note) {
+    const std::string fault = FindInertiaFault(link);
+    const auto& published = foreign_.links[link].inertia;
+    if (fault.empty()) {
+      MassProperties mass;
+      const Matrix3d R = published->X_LI.linear();
+      mass.mass = published->mass;
+      mass.p_OOcm = published->X_LI.translation();
+      mass.I_OOcm = R * published->I_I * R.transpose();
+      note = published->is_of_geoms ? "mass and inertia of its geoms, as MuJoCo takes them"
+                                    : "mass and inertia as published";
+      return mass;
+    }
+    const auto& shapes = shapes_[link].collisions;
+    if (shapes.empty()) {
+      const bool is_decoration = foreign_.links[link].is_decoration;
+      if (published && published->mass > (is_decoration ? 0.0 : kHeaviestFrame)) {
+        WarnAt(published->line,
+               "link \"" + foreign_.links[link].name + "\": " + fault + "; left out");
+      }
+      return {};
+    }
+    MassProperties mass = CalcUnionMass(shapes, kDensity);
+    const double published_mass = published ? published->mass : 0.0;
+    const double density = published_mass / (mass.mass / kDensity);
+    const bool keeps_mass = density >= kLightest && density <= kHeaviest;
+    if (keeps_mass) {
+      mass.I_OOcm *= published_mass / mass.mass;
+      mass.mass = published_mass;
+    }
+    note = std::string(keeps_mass ? "published mass" : "mass of its volume at 1200 kg/m^3") +
+           ", inertia of its volume";
+    WarnAt(published ? published->line : foreign_.links[link].line,
+           "link \"" + foreign_.links[link].name + "\": " + fault + "; replaced: " + note + ", " +
+               FormatSignificant(GFromKg(mass.mass), 3) + " g");
+    return mass;
+  }
+
+  std::string FindInertiaFault(int link) const {
+    const auto& inertia = foreign_.links[link].inertia;
+    if (!inertia) return "no <inertial>";
+    if (inertia->mass < 0.0) {
+      return "a negative mass, " + FormatSignificant(inertia->mass, 3) + " kg";
+    }
+    if (inertia->mass == 0.0) return "no mass";
+    const double scale = inertia->I_I.cwiseAbs().maxCoeff();
+    if (scale == 0.0) return "no inertia";
+    const Vector3d moments =
+        Eigen::SelfAdjointEigenSolver<Matrix3d>(inertia->I_I / scale, Eigen::EigenvaluesOnly)
+            .eigenvalues();
+    if (moments[0] <= 0.0) return "a principal moment that is not positive";
+    if (moments[0] + moments[1] < 0.9999 * moments[2]) {
+      return "a principal moment larger than the sum of the others, which no body has";
+    }
+    const auto& shapes = shapes_[link].collisions;
+    const double density = CalcLeastDensity(link);
+    if (density > kHeaviest) {
+      return "a mass of " + FormatSignificant(inertia->mass, 3) + " kg in bounds of " +
+             FormatSignificant(1e6 * inertia->mass / density, 3) +
+             " cm^3, denser than any metal: its mass or the size of its shapes is wrong";
+    }
+    if (moments[2] * scale < CalcLeastMoment(inertia->mass)) {
+      return "an inertia of " + FormatSignificant(moments[2] * scale, 2) + " kg m^2 for " +
+             FormatSignificant(GFromKg(inertia->mass), 3) +
+             " g, less than a ball of the densest metal has";
+    }
+    if (shapes.empty()) {
+      if (inertia->mass > kHeaviestFrame) {
+        return "a mass of " + FormatSignificant(inertia->mass, 3) + " kg without extent";
+      }
+      return moments[2] * scale > inertia->mass ? "an inertia too large for its mass" : "";
+    }
+    if (inertia->mass < kFoam * CalcUnionMass(shapes, 1.0).mass) {
+      return "a mass of " + FormatSignificant(GFromKg(inertia->mass), 3) +
+             " g, lighter than any foam of its size; is it in another unit?";
+    }
+    const Eigen::AlignedBox3d bounds = CalcOwnBounds(link);
+    const Vector3d p_com = inertia->X_LI.translation();
+    if (bounds.exteriorDistance(p_com) > 0.005 + 0.2 * bounds.sizes().norm()) {
+      return "a centre of mass " + FormatFixed(MmFromM(bounds.exteriorDistance(p_com)), 0) +
+             " mm outside its shapes";
+    }
+    if (moments[2] * scale > 1.2 * inertia->mass * bounds.sizes().squaredNorm()) {
+      return "an inertia too large for its mass and size";
+    }
+    return "";
+  }
+
+  /** Of all that is seen or touched. */
+  Eigen::AlignedBox3d CalcOwnBounds(int link) const {
+    const LoadedShapes& loaded = shapes_[static_cast<size_t>(link)];
+    Eigen::AlignedBox3d bounds;
+    if (!loaded.collisions.empty()) bounds = CalcBounds(loaded.collisions);
+    for (const ImportedVisual& visual : loaded.visuals) {
+      if (visual.mesh.triangles.empty()) bounds.extend(CalcBounds({visual.solid}));
+      bounds.extend(CalcBounds(visual.mesh));
+    }
+    return bounds;
+  }
+
+  /** The published mass by the volume of the bounds; 0: there is nothing. */
+  double CalcLeastDensity(int link) const {
+    const Eigen::AlignedBox3d bounds = CalcOwnBounds(link);
+    if (bounds.isEmpty()) return 0.0;
+    return foreign_.links[link].inertia->mass / std::max(bounds.volume(), 1e-9);
+  }
+
+  /** Gives the root another frame. @param X_NR  the old one in it. */
+  static void MoveRootFrame(const Pose& X_NR, ImportedHand& imported) {
+    HandLink& root = imported.hand.links[0];
+    root.p_LLcm = X_NR * root.p_LLcm;
+    root.I_LLcm = X_NR.linear() * root.I_LLcm * X_NR.linear().transpose();
+    for (HandLink& link : imported.hand.links) {
+      if (link.parent == 0) link.X_PJ = X_NR * link.X_PJ;
+    }
+    for (CollisionShape& shape : imported.shapes) {
+      if (shape.link == 0) shape.X_LS = X_NR * shape.X_LS;
+    }
+    for (TriMesh& solid : imported.solids[0]) {
+      for (Vector3d& p : solid.vertices) p = X_NR * p;
+    }
+    for (auto& [link, visual] : imported.visuals) {
+      if (link != 0) continue;
+      visual.solid.X_LS = X_NR * visual.solid.X_LS;
+      for (Vector3d& p : visual.mesh.vertices) p = X_NR * p;
+    }
+  }
+
+  /** Of a link of the description with contact; reported above 5 mm. */
+  std::string MeasureProtrusion(int member, ImportedHand& imported) {
+    const std::string& name = foreign_.links[member].name;
+    const double protrusion =
+        CalcContactProtrusion(shapes_[member].collisions, shapes_[member].solids);
+    imported.protrusions.push_back({name, protrusion});
+    const std::string told = FormatFixed(MmFromM(protrusion), 1) + " mm";
+    if (protrusion > kMostProtrusion) {
+      WarnAt(foreign_.links[member].line,
+             "link \"" + name + "\": its contact shapes stick out of its convex hull by up to " +
+                 told + "; there objects are touched where the link is not");
+    }
+    return "contact up to " + told + " outside its convex hull";
+  }
+
+  /** @param joint_of  of the foreign joints in the hand; -1: none. */
+  void TieFollowers(const std::vector<int>& joint_of, Hand& hand) {
+    for (size_t j = 0; j < foreign_.joints.size(); ++j) {
+      const auto& mimic = foreign_.joints[j].mimic;
+      if (joint_of[j] < 0 || !mimic || joint_of[mimic->joint] < 0) continue;
+      HandJoint& follower = hand.joints[joint_of[j]];
+      follower.coupled_to = joint_of[mimic->joint];
+      follower.is_mimic = !mimic->is_distal;
+      follower.mimic_ratio = mimic->ratio;
+      follower.mimic_offset = mimic->offset;
+    }
+  }
+
+  void FillWeightless(ImportedHand& imported) {
+    for (size_t i = 1; i < imported.hand.links.size(); ++i) {
+      HandLink& link = imported.hand.links[i];
+      if (link.mass > 0.0) continue;
+      link.mass = kBallMass;
+      link.p_LLcm.setZero();
+      link.I_LLcm = 0.4 * kBallMass * kBallRadius * kBallRadius * Matrix3d::Identity();
+      imported.notes[i] = link.name + ": a ball of 4 g and 5 mm, it has neither mass nor extent";
+      WarnAt(0,
+             "link \"" + link.name +
+                 "\" has neither mass nor extent; between its joints' axes it gets a ball of 4 g");
+    }
+  }
+
+  /** Limits of a joint such that those that follow it keep theirs. */
+  void NarrowForFollowers(Hand& hand) {
+    for (HandJoint& follower : hand.joints) {
+      if (!follower.is_mimic) continue;
+      HandJoint& driver = hand.joints[follower.coupled_to];
+      double lower = (follower.lower - follower.mimic_offset) / follower.mimic_ratio;
+      double upper = (follower.upper - follower.mimic_offset) / follower.mimic_ratio;
+      if (lower > upper) std::swap(lower, upper);
+      const double range = driver.upper - driver.lower;
+      lower = std::max(lower, driver.lower);
+      upper = std::min(upper, driver.upper);
+      if (upper - lower < 0.5 * range) {
+        const double a = follower.mimic_offset + follower.mimic_ratio * driver.lower;
+        const double b = follower.mimic_offset + follower.mimic_ratio * driver.upper;
+        const double most = follower.is_prismatic ? 0.999 : 6.28;  // [m], [rad]
+        if (std::max(std::abs(a), std::abs(b)) > most) {
+          WarnAt(0, "joint \"" + follower.name + "\" would follow \"" + driver.name +
+                        "\" farther than any joint goes; it gets a drive of its own");
+          follower.coupled_to = -1;
+          follower.is_mimic = false;
+          continue;
+        }
+        const double c = follower.mimic_offset - follower.mimic_ratio * driver.lower;
+        const double d = follower.mimic_offset - follower.mimic_ratio * driver.upper;
+        const double rounding = 0.02 * (follower.upper - follower.lower);
+        const bool fits_reversed = std::min(c, d) > follower.lower - rounding &&
+                                   std::max(c, d) < follower.upper + rounding;
+        WarnAt(0,
+               "joint \"" + follower.name + "\" follows \"" + driver.name +
+                   "\" far beyond its own limits; they are ignored" +
+                   (fits_reversed ? ". It would keep them with the opposite sign: is that of the "
+                                    "coupling wrong?"
+                                  : ""));
+        follower.lower = std::min({follower.lower, a, b});
+        follower.upper = std::max({follower.upper, a, b});
         continue;
       }
-      const double c = follower.mimic_offset - follower.mimic_ratio * driver.lower;
-      const double d = follower.mimic_offset - follower.mimic_ratio * driver.upper;
-      const double rounding = 0.02 * (follower.upper - follower.lower);
-      const bool fits_reversed =
-          std::min(c, d) > follower.lower - rounding && std::max(c, d) < follower.upper + rounding;
-      WarnAt(0, "joint \"" + follower.name + "\" follows \"" + driver.name +
-                    "\" far beyond its own limits; they are ignored" +
-                    (fits_reversed ? ". It would keep them with the opposite sign: is that of the "
-                                     "coupling wrong?"
-                                   : ""));
-      follower.lower = std::min({follower.lower, a, b});
-      follower.upper = std::max({follower.upper, a, b});
-      continue;
-    }
-    const double kept = upper - lower, narrowed = range - kept;
-    if (narrowed > 1e-3 * range) {
-      const auto format = [](const HandJoint& joint, double from, double to) {
-        return FormatFixed(ToDisplayUnits(joint, from), 1) + " to " +
-               FormatFixed(ToDisplayUnits(joint, to), 1) + " " + DisplayUnitOf(joint);
-      };
-      WarnAt(0, "joint \"" + driver.name + "\": its limits of " +
-                    format(driver, driver.lower, driver.upper) + " are narrowed to " +
-                    format(driver, lower, upper) + "; the limit of \"" + follower.name +
-                    "\", which follows it, holds: " +
-                    format(follower, follower.lower, follower.upper));
-    }
-    driver.lower = lower;
-    driver.upper = upper;
-  }
-}
-
-/** Of a link of the description with contact; reported above 5 mm. */
-std::string Welder::MeasureProtrusion(int member, ImportedHand& imported) {
-  const std::string& name = foreign_.links[member].name;
-  const double protrusion =
-      CalcContactProtrusion(shapes_[member].collisions, shapes_[member].solids);
-  imported.protrusions.push_back({name, protrusion});
-  const std::string told = FormatFixed(MmFromM(protrusion), 1) + " mm";
-  if (protrusion > kMostProtrusion) {
-    WarnAt(foreign_.links[member].line,
-           "link \"" + name + "\": its contact shapes stick out of its convex hull by up to " +
-               told + "; there objects are touched where the link is not");
-  }
-  return "contact up to " + told + " outside its convex hull";
-}
-
-ImportedHand Welder::Weld(int palm) {
-  ImportedHand imported;
-  Hand& hand = imported.hand;
-  std::vector<int> link_of(foreign_.links.size(), -1);              // foreign -> welded
-  std::vector<Pose> X_LM(foreign_.links.size(), Pose::Identity());  // member in its welded link
-  std::vector<int> joint_of(foreign_.joints.size(), -1);
-  bool is_root_named = false;
-  Pose X_RootNamed = Pose::Identity();  // the frame of the part that names the root
-  for (const int member : tree_.order) {
-    if (IsLeftOut(member)) continue;
-    const int j = member == root_ ? -1 : tree_.joint_of[member];
-    if (j >= 0 && !Moves(foreign_.joints[j])) {
-      const int parent = foreign_.joints[j].parent;
-      link_of[member] = link_of[parent];
-      X_LM[member] = X_LM[parent] * foreign_.joints[j].X_PJ;
-    } else {
-      link_of[member] = static_cast<int>(hand.links.size());
-      HandLink& link = hand.links.emplace_back();
-      link.name = foreign_.links[member].name;
-      imported.notes.emplace_back();
-      imported.solids.emplace_back();
-      if (j >= 0) {
-        const ForeignJoint& joint = foreign_.joints[j];
-        link.parent = link_of[joint.parent];
-        link.X_PJ = X_LM[joint.parent] * joint.X_PJ;
-        link.axis = joint.axis;
-        link.joint = joint_of[j] = hand.num_joints();
-        HandJoint& moved = hand.joints.emplace_back();
-        moved.name = joint.name;
-        moved.link = link_of[member];
-        moved.is_prismatic = joint.kind == ForeignJoint::Kind::kPrismatic;
-        moved.lower = joint.lower;
-        moved.upper = joint.upper;
-        imported.drives.push_back(joint.drive);
+      const double kept = upper - lower, narrowed = range - kept;
+      if (narrowed > 1e-3 * range) {
+        const auto format = [](const HandJoint& joint, double from, double to) {
+          return FormatFixed(ToDisplayUnits(joint, from), 1) + " to " +
+                 FormatFixed(ToDisplayUnits(joint, to), 1) + " " + DisplayUnitOf(joint);
+        };
+        WarnAt(0, "joint \"" + driver.name + "\": its limits of " +
+                      format(driver, driver.lower, driver.upper) + " are narrowed to " +
+                      format(driver, lower, upper) + "; the limit of \"" + follower.name +
+                      "\", which follows it, holds: " +
+                      format(follower, follower.lower, follower.upper));
       }
+      driver.lower = lower;
+      driver.upper = upper;
     }
-    const int index = link_of[member];
-    HandLink& link = hand.links[index];
-    const LoadedShapes& shapes = shapes_[member];
-    if (index == 0 && !is_root_named && !shapes.collisions.empty()) {
-      link.name = foreign_.links[member].name;  // not that of a mere frame, "world"
-      is_root_named = true;
-      X_RootNamed = X_LM[member];
-    }
-    for (CollisionShape shape : shapes.collisions) {
-      shape.link = index;
-      shape.X_LS = X_LM[member] * shape.X_LS;
-      imported.shapes.push_back(shape);
-    }
-    for (TriMesh solid : shapes.solids) {
-      for (Vector3d& p : solid.vertices) p = X_LM[member] * p;
-      imported.solids[index].push_back(std::move(solid));
-    }
-    for (ImportedVisual visual : shapes.visuals) {
-      visual.solid.X_LS = X_LM[member] * visual.solid.X_LS;
-      for (Vector3d& p : visual.mesh.vertices) p = X_LM[member] * p;
-      imported.visuals.push_back({index, visual});
-    }
-    std::string note;
-    const MassProperties mass = CalcMass(member, note);
-    for (const std::string& fitted : shapes.notes) {
-      note += (note.empty() ? "" : "; ") + fitted;
-    }
-    if (!shapes.collisions.empty()) note += "; " + MeasureProtrusion(member, imported);
-    if (!note.empty()) {
-      imported.notes[index] +=
-          (imported.notes[index].empty() ? "" : "\n") + foreign_.links[member].name + ": " + note;
-    }
-    AddMass(X_LM[member], mass, link);
   }
-  TieFollowers(joint_of, hand);
-  FillWeightless(imported);
-  MoveRootFrame(X_RootNamed.inverse(), imported);
-  for (const int member : tree_.order) {
-    const int index = link_of[member];
-    if (index < 0) continue;
-    const Pose& X_MF = foreign_.links[member].X_LF;
-    const bool is_that_of_link = X_MF.matrix() == Pose::Identity().matrix();
-    if (foreign_.links[member].name == hand.links[index].name && is_that_of_link) continue;
-    const Pose X_LF =
-        index == 0 ? Pose(X_RootNamed.inverse() * X_LM[member] * X_MF) : Pose(X_LM[member] * X_MF);
-    if (X_LF.translation().cwiseAbs().maxCoeff() > kFarthestFrame) continue;  // of a scene
-    hand.frames.push_back({foreign_.links[member].name, index, X_LF});
-  }
-  NarrowForFollowers(hand);
-  hand.palm_link = link_of[palm];
-  return imported;
-}
+
+  void WarnAt(int line, const std::string& text) { problems_.Warn(file_, line, text); }
+
+  ForeignHand& foreign_;
+  const std::vector<LoadedShapes>& shapes_;
+  std::string file_;
+  Diagnostics& problems_;
+  ForeignTree tree_;
+  std::vector<bool> has_body_;  // by link: it or what hangs on it has a shape
+  int root_ = -1;               // -1: the tree's
+  std::vector<int> left_out_;   // links: with all below them
+};
 
 }  // namespace
 

@@ -13,7 +13,7 @@ metal with hollows. Weightless links between two joint axes get a small ball. */
 #include <string>
 #include <vector>
 
-#include "core/hand/contact_protrusion.h"
+#include "core/hand/contact_shape.h"
 #include "core/hand/hand.h"
 #include "core/hand/import/shapes/load_shapes.h"
 

@@ -6,19 +6,129 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
+#include <utility>
+#include <vector>
 
-#include "core/base/roll_pitch_yaw.h"
+#include "core/base/files/files.h"
+#include "core/base/hash.h"
+#include "core/base/pose.h"
 #include "core/base/text/json.h"
 #include "core/base/text/text.h"
-#include "core/base/text/yaml_text.h"
+#include "core/base/text/yaml.h"
 #include "core/base/units.h"
+#include "core/base/version.h"
+#include "core/hand/import/checks/find_implausible.h"
 #include "core/shape/obj_file.h"
 
 namespace graspbench {
 namespace {
 
 using Eigen::Vector3d;
+
+Json DescribeGuesses(const Hand& hand) {
+  Json digits = Json::array();
+  for (const Digit& digit : hand.digits) {
+    Json links = Json::array();
+    for (const int link : digit.links) links.push_back(hand.links[link].name);
+    digits.push_back({{"id", digit.id},
+                      {"thumb", digit.is_thumb},
+                      {"links", links},
+                      {"tip_m", JsonVector(digit.p_LTip)},
+                      {"pad_m", JsonVector(digit.p_LPad)}});
+  }
+  Json apart = Json::array();
+  for (const auto& [a, b] : hand.apart) {
+    apart.push_back({hand.links[a].name, hand.links[b].name});
+  }
+  Json drives = Json::array();
+  for (const HandJoint& joint : hand.joints) {
+    if (joint.coupled_to >= 0) continue;
+    drives.push_back({{"joint", joint.name},
+                      {"stiffness", JsonNumber(joint.drive.stiffness)},
+                      {"damping", JsonNumber(joint.drive.damping)},
+                      {"limit", JsonNumber(joint.drive.torque_limit)}});
+  }
+  return {{"palm",
+           {{"link", hand.links[hand.palm_link].name},
+            {"centre_m", JsonVector(hand.p_HCentre)},
+            {"normal", JsonVector(hand.palm_normal)}}},
+          {"longest_digit_m", JsonNumber(CalcLongestDigit(hand))},
+          {"digits", digits},
+          {"apart", apart},
+          {"drives", drives}};
+}
+
+Json ListProtrusions(const std::vector<LinkProtrusion>& protrusions) {
+  Json list = Json::array();
+  for (const auto& [link, protrusion] : protrusions) {
+    list.push_back({{"link", link}, {"outside_hull_mm", std::round(protrusion * 1e5) / 1e2}});
+  }
+  return list;
+}
+
+/** As one would give them in the description's folder. */
+Json ListPackagePath(const HandSource& source) {
+  Json paths = Json::array();
+  const auto make_absolute = [](const std::filesystem::path& path) {
+    const std::filesystem::path absolute = std::filesystem::absolute(path).lexically_normal();
+    return absolute.has_filename() ? absolute : absolute.parent_path();  // "ros/" is "ros"
+  };
+  for (const std::filesystem::path& path : source.package_path) {
+    paths.push_back(
+        make_absolute(path).lexically_relative(make_absolute(source.folder)).generic_string());
+  }
+  return paths;
+}
+
+Json HashFiles(const std::set<std::filesystem::path>& paths) {
+  Json hashes = Json::object();
+  for (const std::filesystem::path& path : paths) {
+    const std::string name = path.filename().string();
+    std::string key = name;
+    for (int n = 2; hashes.contains(key); ++n) key = name + " (" + std::to_string(n) + ")";
+    hashes[key] = CalcSha256(ReadFile(path));
+  }
+  return hashes;
+}
+
+}  // namespace
+
+std::string FormatImportRecord(const std::string& text, const std::set<std::filesystem::path>& read,
+                               const HandSource& source, const std::string& palm,
+                               const ImportedHand& imported, const Diagnostics& problems,
+                               const std::map<std::string, std::string>& files) {
+  Json repairs = Json::array();
+  for (const Diagnostic& problem : problems.entries()) {
+    repairs.push_back({{"line", problem.line}, {"text", problem.text}});
+  }
+  Json hashes = Json::object();
+  for (const auto& [name, content] : files) hashes[name] = CalcSha256(content);
+  const Json record = {
+      {"format", 1},
+      {"tool", std::string("graspbench ") + program_version()},
+      {"source",
+       {{"file", std::filesystem::path(source.file).filename().string()},
+        {"sha256", CalcSha256(text)}}},
+      {"read", HashFiles(read)},
+      {"options",
+       {{"palm", palm},
+        {"palm_normal", source.palm_normal ? JsonVector(*source.palm_normal) : Json(nullptr)},
+        {"unit_m", source.unit},
+        {"mesh_unit_m", source.mesh_unit},
+        {"package_path", ListPackagePath(source)},
+        {"angle", !source.in_degrees   ? ""
+                  : *source.in_degrees ? "deg"
+                                       : "rad"}}},
+      {"repairs", repairs},
+      {"protrusion", ListProtrusions(imported.protrusions)},
+      {"guesses", DescribeGuesses(imported.hand)},
+      {"files", hashes}};
+  return FormatJson(record, 2) + "\n";
+}
+
+namespace {
 
 /** Nine digits, a negative zero without its sign. */
 std::string FormatNumber(double value) { return fmt::format("{:.9g}", value + 0.0); }
@@ -47,125 +157,105 @@ class UrdfWriter {
   std::string Write(const std::string& source, std::map<std::string, std::string>& files) {
     xml_.PushHeader(false, true);
     xml_.PushComment((" imported from " + source + "; see README.md ").c_str());
-    Open("robot");
-    Set("name", hand_.name);
-    for (size_t i = 0; i < hand_.links.size(); ++i) {
-      WriteLink(static_cast<int>(i), files);
-      if (hand_.links[i].parent >= 0) WriteJoint(hand_.links[i]);
-    }
-    xml_.CloseElement();
+    Add("robot", {{"name", hand_.name}}, [&] {
+      for (size_t i = 0; i < hand_.links.size(); ++i) {
+        AddLink(static_cast<int>(i), files);
+        if (hand_.links[i].parent >= 0) AddJoint(hand_.links[i]);
+      }
+    });
     return xml_.CStr();
   }
 
  private:
-  void Open(const char* name) { xml_.OpenElement(name); }
-  void Set(const char* name, const std::string& value) { xml_.PushAttribute(name, value.c_str()); }
-  void WriteOrigin(const Pose& X) {
-    Open("origin");
-    Set("xyz", FormatExactly(X.translation()));
-    Set("rpy", FormatExactly(CalcRollPitchYaw(X.linear())));
+  using Attributes = std::vector<std::pair<const char*, std::string>>;
+
+  /** An element with what `add_content` puts into it. */
+  void Add(
+      const char* name, const Attributes& attributes,
+      const std::function<void()>& add_content = [] {}) {
+    xml_.OpenElement(name);
+    for (const auto& [key, value] : attributes) xml_.PushAttribute(key, value.c_str());
+    add_content();
     xml_.CloseElement();
   }
-  void WriteSolid(const CollisionShape& shape) {
-    Open("geometry");
-    if (shape.kind == CollisionShape::Kind::kSphere) {
-      Open("sphere");
-      Set("radius", FormatNumber(0.5 * shape.size.x()));
-    } else if (shape.kind == CollisionShape::Kind::kCylinder) {
-      Open("cylinder");
-      Set("radius", FormatNumber(0.5 * shape.size.x()));
-      Set("length", FormatNumber(shape.size.z()));
-    } else {
-      Open("box");
-      Set("size", FormatVector(shape.size));
-    }
-    xml_.CloseElement();
-    xml_.CloseElement();
+  void AddOrigin(const Pose& X) {
+    Add("origin", {{"xyz", FormatExactly(X.translation())},
+                   {"rpy", FormatExactly(CalcRollPitchYaw(X.linear()))}});
   }
-  void WriteLink(int index, std::map<std::string, std::string>& files) {
-    const HandLink& link = hand_.links[index];
-    Open("link");
-    Set("name", link.name);
-    if (link.mass > 0.0) WriteInertial(link);
-    for (const ImportedHand::Visual& visual : imported_.visuals) {
-      if (visual.link == index) WriteVisual(visual.visual, link.name, files);
-    }
-    for (const CollisionShape& shape : imported_.shapes) {
-      if (shape.link != index) continue;
-      Open("collision");
-      if (shape.is_cover) Set("name", "cover");
-      WriteOrigin(shape.X_LS);
-      WriteSolid(shape);
-      xml_.CloseElement();
-    }
-    xml_.CloseElement();
-  }
-  void WriteInertial(const HandLink& link) {
-    Open("inertial");
-    Open("origin");
-    Set("xyz", FormatVector(link.p_LLcm));
-    xml_.CloseElement();
-    Open("mass");
-    Set("value", FormatNumber(link.mass));
-    xml_.CloseElement();
-    Open("inertia");
-    const char* const names[3][3] = {
-        {"ixx", "ixy", "ixz"}, {"ixy", "iyy", "iyz"}, {"ixz", "iyz", "izz"}};
-    for (int r = 0; r < 3; ++r) {
-      for (int c = r; c < 3; ++c) Set(names[r][c], FormatNumber(link.I_LLcm(r, c)));
-    }
-    xml_.CloseElement();
-    xml_.CloseElement();
-  }
-  void WriteVisual(const ImportedVisual& visual, const std::string& link,
-                   std::map<std::string, std::string>& files) {
-    Open("visual");
-    if (visual.mesh.triangles.empty()) {
-      WriteOrigin(visual.solid.X_LS);
-      WriteSolid(visual.solid);
-    } else {
-      const std::string key = MakePlainKey({link, visual.name});
-      std::string name = "meshes/" + key + ".obj";
-      for (int n = 2; files.count(name) != 0; ++n) {
-        name = "meshes/" + key + "-" + std::to_string(n) + ".obj";
+  void AddSolid(const CollisionShape& shape) {
+    const std::string radius = FormatNumber(0.5 * shape.size.x());
+    Add("geometry", {}, [&] {
+      if (shape.kind == CollisionShape::Kind::kSphere) {
+        Add("sphere", {{"radius", radius}});
+      } else if (shape.kind == CollisionShape::Kind::kCylinder) {
+        Add("cylinder", {{"radius", radius}, {"length", FormatNumber(shape.size.z())}});
+      } else {
+        Add("box", {{"size", FormatVector(shape.size)}});
       }
-      files[name] = FormatObj(visual.mesh);
-      Open("geometry");
-      Open("mesh");
-      Set("filename", name);
-      xml_.CloseElement();
-      xml_.CloseElement();
-    }
-    Open("material");
-    Set("name", fmt::format("colour_{}", num_colours_++));
-    Open("color");
-    Set("rgba", FormatVector(visual.colour) + " 1");
-    xml_.CloseElement();
-    xml_.CloseElement();
-    xml_.CloseElement();
+    });
   }
-  void WriteJoint(const HandLink& link) {
+  void AddLink(int index, std::map<std::string, std::string>& files) {
+    const HandLink& link = hand_.links[index];
+    Add("link", {{"name", link.name}}, [&] {
+      if (link.mass > 0.0) AddInertial(link);
+      for (const ImportedHand::Visual& visual : imported_.visuals) {
+        if (visual.link == index) AddVisual(visual.visual, link.name, files);
+      }
+      for (const CollisionShape& shape : imported_.shapes) {
+        if (shape.link != index) continue;
+        Add("collision", shape.is_cover ? Attributes{{"name", "cover"}} : Attributes(), [&] {
+          AddOrigin(shape.X_LS);
+          AddSolid(shape);
+        });
+      }
+    });
+  }
+  void AddInertial(const HandLink& link) {
+    Add("inertial", {}, [&] {
+      const Eigen::Matrix3d& I = link.I_LLcm;
+      Add("origin", {{"xyz", FormatVector(link.p_LLcm)}});
+      Add("mass", {{"value", FormatNumber(link.mass)}});
+      Add("inertia", {{"ixx", FormatNumber(I(0, 0))},
+                      {"ixy", FormatNumber(I(0, 1))},
+                      {"ixz", FormatNumber(I(0, 2))},
+                      {"iyy", FormatNumber(I(1, 1))},
+                      {"iyz", FormatNumber(I(1, 2))},
+                      {"izz", FormatNumber(I(2, 2))}});
+    });
+  }
+  void AddVisual(const ImportedVisual& visual, const std::string& link,
+                 std::map<std::string, std::string>& files) {
+    Add("visual", {}, [&] {
+      if (visual.mesh.triangles.empty()) {
+        AddOrigin(visual.solid.X_LS);
+        AddSolid(visual.solid);
+      } else {
+        const std::string key = MakePlainKey({link, visual.name});
+        std::string name = "meshes/" + key + ".obj";
+        for (int n = 2; files.count(name) != 0; ++n) {
+          name = "meshes/" + key + "-" + std::to_string(n) + ".obj";
+        }
+        files[name] = FormatObj(visual.mesh);
+        Add("geometry", {}, [&] { Add("mesh", {{"filename", name}}); });
+      }
+      Add("material", {{"name", fmt::format("colour_{}", num_colours_++)}}, [&] {
+        Add("color", {{"rgba", FormatVector(visual.colour) + " 1"}});
+      });
+    });
+  }
+  void AddJoint(const HandLink& link) {
     const HandJoint& joint = hand_.joints[link.joint];
-    Open("joint");
-    Set("name", joint.name);
-    Set("type", joint.is_prismatic ? "prismatic" : "revolute");
-    WriteOrigin(link.X_PJ);
-    Open("parent");
-    Set("link", hand_.links[link.parent].name);
-    xml_.CloseElement();
-    Open("child");
-    Set("link", link.name);
-    xml_.CloseElement();
-    Open("axis");
-    Set("xyz", FormatExactly(link.axis));
-    xml_.CloseElement();
-    Open("limit");
-    Set("lower", FormatNumber(joint.lower));
-    Set("upper", FormatNumber(joint.upper));
-    Set("effort", FormatNumber(joint.drive.torque_limit));
-    Set("velocity", "0");
-    xml_.CloseElement();
-    xml_.CloseElement();
+    Add("joint", {{"name", joint.name}, {"type", joint.is_prismatic ? "prismatic" : "revolute"}},
+        [&] {
+          AddOrigin(link.X_PJ);
+          Add("parent", {{"link", hand_.links[link.parent].name}});
+          Add("child", {{"link", link.name}});
+          Add("axis", {{"xyz", FormatExactly(link.axis)}});
+          Add("limit", {{"lower", FormatNumber(joint.lower)},
+                        {"upper", FormatNumber(joint.upper)},
+                        {"effort", FormatNumber(joint.drive.torque_limit)},
+                        {"velocity", "0"}});
+        });
   }
 
   const ImportedHand& imported_;

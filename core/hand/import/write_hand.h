@@ -2,10 +2,13 @@
 /** @file
 An imported hand as files of the project's own form. */
 
+#include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 
-#include "core/base/diagnostics.h"
+#include "core/base/error.h"
+#include "core/hand/import/shapes/load_shapes.h"
 #include "core/hand/import/weld_links.h"
 
 namespace graspbench {
@@ -16,5 +19,30 @@ README.md with what was repaired, meshes/. @param source  name of the descriptio
 std::map<std::string, std::string> FormatHandFiles(const ImportedHand& imported,
                                                    const std::string& source,
                                                    const Diagnostics& problems);
+
+/** `import.json`: where an imported hand comes from, as data, so that an import can be repeated and
+compared.
+
+    {"format": 1, "tool": "graspbench 1.0", "source": {"file": "hand.urdf", "sha256": ".."},
+     "read": {"palm.stl": "sha256..", ..},
+     "options": {"palm": "", "palm_normal": null, "unit_m": 0, "mesh_unit_m": 0, "package_path": [],
+                 "angle": ""},
+     "repairs": [{"line": 12, "text": ".."}],
+     "protrusion": [{"link": "palm", "outside_hull_mm": 1.23}, ..],
+     "guesses": {"palm": {..}, "digits": [..], ..},
+     "files": {"hand.urdf": "sha256..", ..}}
+
+`protrusion` is how far contact sticks out of the convex hull of a link of the description, rounded
+to 10 micrometres (core/hand/contact_shape.h). `read` is what the description refers to, meshes
+and included files. `unit_m` 0: inferred. Paths are names without their folder; of two files of one
+name the second is "palm.stl (2)". Folders of `package_path` are relative to that of the
+description.
+
+@param text  of the description. @param read  paths of what it refers to.
+@param palm  as asked for. @param files  of the hand, by name. */
+std::string FormatImportRecord(const std::string& text, const std::set<std::filesystem::path>& read,
+                               const HandSource& source, const std::string& palm,
+                               const ImportedHand& imported, const Diagnostics& problems,
+                               const std::map<std::string, std::string>& files);
 
 }  // namespace graspbench

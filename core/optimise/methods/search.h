@@ -8,9 +8,9 @@ generation can be evaluated at the same time and a stopped search goes on when t
 values are given to it again: same stream, same fitness, same points. The start is always evaluated
 first, so no search ends below it.
 
-    es      evolution strategy (evolution_strategy.h)
-    cmaes   covariance matrix adaptation (cma_es.h)
-    de      differential evolution (differential_evolution.h)
+    es      evolution strategy
+    cmaes   covariance matrix adaptation
+    de      differential evolution
     random  uniform in the box
     grid    equal distances in each coordinate; at most three coordinates
 
@@ -66,17 +66,17 @@ class SearchMethod {
   virtual void Learn(const std::vector<Individual>& generation) = 0;
 };
 
-/** A method by its name; given by `<Class>Row()` beside the class of each line of the list. */
-struct SearchMethodRow {
-  const char* name;
-  std::unique_ptr<SearchMethod> (*make)(const SearchSpace& space, int num_evaluations,
+/** The methods of files of their own. @param num_evaluations  how many there will be in all. */
+///@{
+std::unique_ptr<SearchMethod> MakeEvolutionStrategy(const SearchSpace& space, int num_evaluations,
+                                                    RandomStream stream);
+std::unique_ptr<SearchMethod> MakeCmaEs(const SearchSpace& space, int num_evaluations,
                                         RandomStream stream);
-};
-#define GRASPBENCH_SEARCH_METHOD(Class) SearchMethodRow Class##Row();
-#include "core/optimise/methods/search_method_list.inc"
-#undef GRASPBENCH_SEARCH_METHOD
+std::unique_ptr<SearchMethod> MakeDifferentialEvolution(const SearchSpace& space,
+                                                        int num_evaluations, RandomStream stream);
+///@}
 
-/** "es", "cmaes", ...: all of the list. */
+/** "es", "cmaes", ...: all. */
 const std::vector<std::string>& ListSearchMethods();
 
 /** @param num_evaluations  how many there will be in all.
@@ -99,10 +99,36 @@ SearchResult RunSearch(const std::string& method, const SearchSpace& space, int 
                        RandomStream stream, const EvaluateGeneration& evaluate);
 
 Eigen::VectorXd DrawUniformPoint(const SearchSpace& space, RandomStream& stream);
-/** Points at a time of a method that does not learn: as many as the evolution strategy's. */
-inline constexpr int kPlainGeneration = 20;
-
 /** Points outside are mirrored at the box's faces until they are inside. */
 Eigen::VectorXd ReflectInto(const SearchSpace& space, Eigen::VectorXd point);
+
+/** Races the individuals of a generation: those are simulated of which earlier evaluations promise
+most, the others are given up for what is promised of them. A promise is the mean of the five
+nearest simulated individuals, weighted by the inverse square of their distance in the box
+(Shepard 1968); choosing by it before a costly evaluation is pre-selection (Jin, Swarm and
+Evolutionary Computation 1:61, 2011). Costs no simulation. All of the first two generations are
+simulated, the start among them, then kRacedShare of each.
+
+One that was given up counts less than the worst that was simulated of its generation, so that it is
+no parent before those. Deterministic: the same fitness leads to the same questions, so a stopped
+race goes on as a search does. Blind to: good places far from all that was simulated, which only
+look as good as their surroundings. */
+class Race {
+ public:
+  static constexpr double kRacedShare = 0.28;
+
+  explicit Race(const SearchSpace& space) : space_(space) {}
+
+  /** @param simulate  is asked for a part of the generation, in its order.
+  @returns the fitness of each of the generation. */
+  std::vector<double> Evaluate(const std::vector<Individual>& generation,
+                               const EvaluateGeneration& simulate);
+
+ private:
+  double Promise(const Eigen::VectorXd& genome) const;
+
+  SearchSpace space_;
+  std::vector<Individual> known_;  // simulated
+};
 
 }  // namespace graspbench

@@ -14,18 +14,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-SimConfig MakeConfig(double step) {
-  SimConfig config;
+/** On a table without rolling resistance. */
+SimConfig MakeBodyConfig(double step) {
+  SimConfig config = MakeStepConfig(step);
   config.table_rolling_resistance = 0.0;
-  config.step = step;
   return config;
 }
-
-std::string FormatStep(double step) {
-  return "step " + std::to_string(std::lround(step * 1e6)) + " us";
-}
-
-constexpr double kSteps[] = {0.0005, 0.001, 0.002, 0.004};
 
 /** Speed of return over speed of approach of a mass on a spring with damping beside it that can only
 push, `damping_ratio` times critical, above 1 (Schwager and Poeschel 2007). */
@@ -37,7 +31,7 @@ double CalcRestitution(double damping_ratio) {
 
 /** Speed of return over `speed` of a body that meets the table without weight. */
 double MeasureRestitution(const GraspObject& object, double speed, double step) {
-  SmallWorld body(object, MakeConfig(step));
+  SmallWorld body(object, MakeBodyConfig(step));
   body.start().gravity_W.setZero();
   body.start().p_WOcm = Vector3d(0.0, 0.0, 0.5 * object.size.z() + 1.7 * speed * step);
   body.start().v_WOcm = Vector3d(0.0, 0.0, -speed);
@@ -50,8 +44,8 @@ double MeasureRestitution(const GraspObject& object, double speed, double step) 
 
 std::vector<KnownAnswer> CheckFreeFall() {
   std::vector<KnownAnswer> answers;
-  for (double step : kSteps) {
-    SmallWorld body(MakeBlock(0.5), MakeConfig(step));
+  for (double step : kAnswerSteps) {
+    SmallWorld body(MakeBlock(0.5), MakeBodyConfig(step));
     body.start().p_WOcm = Vector3d(0.0, 0.0, 2.0);
     body.start().v_WOcm = Vector3d(0.3, 0.0, 1.0);
     body.Reset();
@@ -67,7 +61,7 @@ std::vector<KnownAnswer> CheckFreeFall() {
 
 std::vector<KnownAnswer> CheckTorqueFreeSpin() {
   const Eigen::Matrix3d I = MakeBlock(0.5).mass_properties.I_OOcm;
-  SmallWorld body(MakeBlock(0.5), MakeConfig(0.001));
+  SmallWorld body(MakeBlock(0.5), MakeBodyConfig(0.001));
   body.start().gravity_W.setZero();
   body.start().p_WOcm = Vector3d(0.0, 0.0, 1.0);
   body.start().w_WO = Vector3d(0.01, 10.0, 0.02);
@@ -95,7 +89,7 @@ std::vector<KnownAnswer> CheckStaticDepth() {
   const double mass = 0.5;
   for (double stiffness : {5e3, 2e4, 2e5}) {
     for (double step : {0.0005, 0.004}) {
-      SimConfig config = MakeConfig(step);
+      SimConfig config = MakeBodyConfig(step);
       config.contact_stiffness = stiffness;
       SmallWorld body(MakeBlock(mass), config);
       body.start().p_WOcm = Vector3d(0.0, 0.0, 0.01);
@@ -113,7 +107,7 @@ std::vector<KnownAnswer> CheckStaticDepth() {
 std::vector<KnownAnswer> CheckForceDepthLaw() {
   std::vector<KnownAnswer> answers;
   for (double force : {0.5, 2.0, 8.0, 32.0}) {
-    SimConfig config = MakeConfig(0.002);
+    SimConfig config = MakeBodyConfig(0.002);
     SmallWorld world(MakeSqueezeHand(2, 0.02, force, 0.0),
                      MakeSolid(MakePrism(4, 0.02, 0.04), 0.1, 0.5, 0.5), config);
     world.start().X_WH = MakePose(Vector3d(0.0, 0.0, 1.0 + kSqueezeLever));
@@ -134,7 +128,7 @@ std::vector<KnownAnswer> CheckRestitution() {
   const GraspObject ball = MakeSolid(MakeSphere(0.02), 0.05, 0.5, 0.5), block = MakeBlock(0.5);
   for (double speed : {0.05, 0.2, 1.0}) {
     const std::string with_speed = ", " + std::to_string(speed).substr(0, 4) + " m/s, ";
-    for (double step : kSteps) {
+    for (double step : kAnswerSteps) {
       const std::string how = with_speed + FormatStep(step) + ": returns";
       answers.push_back(
           {"ball of 50 g" + how, "", 0.0, MeasureRestitution(ball, speed, step), 0.05});
@@ -162,7 +156,7 @@ std::vector<KnownAnswer> CheckRolling() {
   for (int segments : {32, 64, 128}) {
     const GraspObject ball = MakeSolid(MakeSphere(0.03, segments), 0.1, 0.5, 0.5);
     for (double step : {0.0005, 0.001, 0.002}) {
-      SmallWorld body(ball, MakeConfig(step));
+      SmallWorld body(ball, MakeBodyConfig(step));
       body.start().p_WOcm = Vector3d(0.0, 0.0, 0.03);
       body.start().v_WOcm = Vector3d(kSpeed * std::cos(0.3), kSpeed * std::sin(0.3), 0.0);
       body.Reset();
@@ -184,8 +178,8 @@ std::vector<KnownAnswer> CheckSpinningDisc() {
                 0.2, 0.5, 0.5);
   // Uniform pressure has the moment 2/3 mu m g a; m a^2 / 2 turns.
   const double expected = 0.75 * kRadius * kSpin / (kMu * kStandardGravity);
-  for (double step : kSteps) {
-    SimConfig config = MakeConfig(step);
+  for (double step : kAnswerSteps) {
+    SimConfig config = MakeBodyConfig(step);
     config.table_friction_static = config.table_friction_dynamic = kMu;
     SmallWorld body(disc, config);
     const double depth = 0.2 * kStandardGravity / (8.0 * config.contact_stiffness);
@@ -207,7 +201,7 @@ std::vector<KnownAnswer> CheckBounces() {
   std::vector<KnownAnswer> answers;
   const GraspObject ball = MakeSolid(MakeSphere(0.02), 0.05, 0.5, 0.5);
   for (double step : {0.0001, 0.0005, 0.001, 0.002, 0.004}) {
-    SimConfig config = MakeConfig(step);
+    SimConfig config = MakeBodyConfig(step);
     SmallWorld body(ball, config);
     body.start().p_WOcm = Vector3d(0.0, 0.0, 0.1);
     body.Reset();

@@ -7,7 +7,6 @@
 #include "core/base/units.h"
 #include "core/physics/known_answers/known_answer.h"
 #include "core/physics/known_answers/small_scenes.h"
-#include "core/physics/known_answers/squeeze_scene.h"
 #include "core/shape/primitives.h"
 
 namespace graspbench {
@@ -30,9 +29,8 @@ std::string FormatIncline(const Incline& incline) {
   return "mu " + FormatShort(incline.mu) + ", step " + FormatShort(MsFromS(incline.step)) + " ms";
 }
 
-SimConfig MakeConfig(const Incline& incline) {
-  SimConfig config;
-  config.step = incline.step;
+SimConfig MakeInclineConfig(const Incline& incline) {
+  SimConfig config = MakeStepConfig(incline.step);
   config.tangential_stiffness = kInclineStiffness;
   config.table_friction_static = config.table_friction_dynamic = incline.mu;
   return config;
@@ -56,7 +54,7 @@ std::vector<KnownAnswer> CheckInclineSticks() {
   std::vector<KnownAnswer> answers;
   const GraspObject block = MakeBlock(0.5);
   for (const Incline& incline : kInclines) {
-    SmallWorld body(block, MakeConfig(incline));
+    SmallWorld body(block, MakeInclineConfig(incline));
     TiltTable(std::atan(0.99 * incline.mu), incline, body);
     body.Run(0.2);
     const Vector3d early = body.state().p_WOcm;
@@ -73,7 +71,7 @@ std::vector<KnownAnswer> CheckInclineSlides() {
   for (const Incline& incline : kInclines) {
     for (double ratio : {1.01, 1.1}) {
       const double angle = std::atan(ratio * incline.mu);
-      SmallWorld body(block, MakeConfig(incline));
+      SmallWorld body(block, MakeInclineConfig(incline));
       TiltTable(angle, incline, body);
       body.Run(0.3);
       const double early = body.state().v_WOcm.x();

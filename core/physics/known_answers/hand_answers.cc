@@ -17,7 +17,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr int kNumStates = 50;
-
 MassProperties MakeBall() {
   MassProperties ball;
   ball.mass = 0.1;
@@ -67,9 +66,7 @@ struct Swing {
 /** Lets a loose hand swing for 5 s; energies over the largest kinetic energy. The object lies far
 away and weighs nothing. */
 Swing LetSwing(const Hand& hand, double step) {
-  SimConfig config;
-  config.step = step;
-  SmallWorld world(hand, MakeBlock(1e-9), config);
+  SmallWorld world(hand, MakeBlock(1e-9), MakeStepConfig(step));
   world.start().X_WH = MakePose(MakeRotationRpy(kPi / 2, 0.0, 0.0), Vector3d(0.0, 0.0, 1.0));
   for (int j = 0; j < hand.num_joints(); ++j) world.start().q[j] = j % 2 == 0 ? 0.3 : 0.5;
   ApplyCoupling(hand, world.start().q);
@@ -247,9 +244,8 @@ std::vector<KnownAnswer> CheckArm() {
   hand.links[0].I_LLcm = 1e-3 * Eigen::Matrix3d::Identity();
   hand.contact_spheres.push_back({0, Vector3d::Zero(), kRadius});
   std::vector<KnownAnswer> answers;
-  for (double step : {0.0005, 0.001, 0.002, 0.004}) {
-    SimConfig config;
-    config.step = step;
+  for (double step : kAnswerSteps) {
+    const SimConfig config = MakeStepConfig(step);
     SmallWorld world(hand, MakeBlock(0.1), config);
     world.start().p_WOcm = Vector3d(5.0, 0.0, 0.01);
     // The hand is moved by x(t) = a t^2 / 2 and stays at the end.
@@ -268,7 +264,7 @@ std::vector<KnownAnswer> CheckArm() {
       }
       return std::make_pair(report.arm_force, worst);
     };
-    const std::string how = "step " + std::to_string(std::lround(step * 1e6)) + " us: ";
+    const std::string how = FormatStep(step) + ": ";
     answers.push_back({how + "a free hand is off by", "m", 0.0, move(1.0, 1.2).second, 1e-9});
     const double in_a_row = 1.0 / (1.0 / config.arm_stiffness + 1.0 / config.contact_stiffness);
     answers.push_back({how + "commanded 1 mm in the table", "N", 0.001 * in_a_row,
@@ -287,10 +283,8 @@ std::vector<KnownAnswer> CheckDriveLag() {
   AddRodLink(hand, 0, Pose::Identity(), Vector3d::UnitX(), 0.05, 0.05);
   hand.joints[0].drive = {kStiffness, kDamping, 10.0};
   std::vector<KnownAnswer> answers;
-  for (double step : {0.0005, 0.001, 0.002, 0.004}) {
-    SimConfig config;
-    config.step = step;
-    SmallWorld world(hand, MakeBlock(0.1), config);
+  for (double step : kAnswerSteps) {
+    SmallWorld world(hand, MakeBlock(0.1), MakeStepConfig(step));
     world.start().gravity_W.setZero();
     world.start().X_WH = MakePose(Vector3d(0.0, 0.0, 1.0));
     world.Reset();
@@ -299,8 +293,8 @@ std::vector<KnownAnswer> CheckDriveLag() {
       command.q[0] = kSpeed * t;
       world.world().Step(command);
     }
-    answers.push_back({"step " + std::to_string(std::lround(step * 1e6)) + " us: lag", "rad",
-                       kDamping / kStiffness * kSpeed, command.q[0] - world.state().q[0], 1e-6});
+    answers.push_back({FormatStep(step) + ": lag", "rad", kDamping / kStiffness * kSpeed,
+                       command.q[0] - world.state().q[0], 1e-6});
   }
   return answers;
 }
@@ -308,7 +302,7 @@ std::vector<KnownAnswer> CheckDriveLag() {
 std::vector<KnownAnswer> CheckSwingEnergy() {
   std::vector<KnownAnswer> answers;
   const auto add = [&](const std::string& name, const Hand& hand, double step) {
-    answers.push_back({name + ", step " + std::to_string(std::lround(step * 1e6)) + " us", "", 0.0,
+    answers.push_back({name + ", " + FormatStep(step), "", 0.0,
                        LetSwing(MakeLoose(hand, 0.0), step).drift, 1e-3});
   };
   for (double step : {0.0005, 0.001, 0.002}) add("pendulum of three links", MakePendulum(), step);
@@ -322,11 +316,9 @@ std::vector<KnownAnswer> CheckSwingEnergy() {
 
 std::vector<KnownAnswer> CheckDampedSwing() {
   std::vector<KnownAnswer> answers;
-  for (double step : {0.0005, 0.001, 0.002, 0.004}) {
-    answers.push_back({"pendulum of three links, step " + std::to_string(std::lround(step * 1e6)) +
-                           " us: largest rise",
-                       "", 0.0, LetSwing(MakeLoose(MakePendulum(), 2e-4), step).largest_rise,
-                       1e-4});
+  for (double step : kAnswerSteps) {
+    answers.push_back({"pendulum of three links, " + FormatStep(step) + ": largest rise", "", 0.0,
+                       LetSwing(MakeLoose(MakePendulum(), 2e-4), step).largest_rise, 1e-4});
   }
   return answers;
 }
@@ -341,10 +333,8 @@ std::vector<KnownAnswer> CheckUndampedDrive() {
   const double rate = 2.0 * kPi * kFrequency;
   hand.joints[0].drive = {inertia * rate * rate, 0.0, 100.0};
   std::vector<KnownAnswer> answers;
-  for (double step : {0.0005, 0.001, 0.002, 0.004}) {
-    SimConfig config;
-    config.step = step;
-    SmallWorld world(hand, MakeBlock(0.1), config);
+  for (double step : kAnswerSteps) {
+    SmallWorld world(hand, MakeBlock(0.1), MakeStepConfig(step));
     world.start().gravity_W.setZero();
     world.start().q[0] = kAmplitude;
     world.Reset(VectorXd::Zero(1));
@@ -354,9 +344,8 @@ std::vector<KnownAnswer> CheckUndampedDrive() {
       world.Step();
       amplitude = std::max(amplitude, std::abs(world.state().q[0]));
     }
-    answers.push_back({"8.7 Hz, step " + std::to_string(std::lround(step * 1e6)) +
-                           " us: amplitude left after 17 swings",
-                       "", 1.0, amplitude / kAmplitude, 0.05});
+    answers.push_back({"8.7 Hz, " + FormatStep(step) + ": amplitude left after 17 swings", "", 1.0,
+                       amplitude / kAmplitude, 0.05});
   }
   return answers;
 }

@@ -6,7 +6,7 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/physics/known_answers/known_answer.h"
-#include "core/physics/known_answers/squeeze_scene.h"
+#include "core/physics/known_answers/small_scenes.h"
 #include "core/shape/primitives.h"
 
 namespace graspbench {

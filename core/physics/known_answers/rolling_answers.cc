@@ -21,8 +21,7 @@ constexpr double kDensity = 1000.0;                  // [kg/m^3]
 std::string NameStep(double step) { return FormatFixed(MsFromS(step), 1) + " ms"; }
 
 SimConfig MakeRollingConfig(double step, double resistance = 0.0) {
-  SimConfig config;
-  config.step = step;
+  SimConfig config = MakeStepConfig(step);
   config.table_rolling_resistance = resistance;
   return config;
 }
@@ -187,8 +186,7 @@ std::vector<KnownAnswer> CheckRestingDepth() {
   for (const Resting& thing : things) {
     for (const bool lies : {false, true}) {
       const GraspObject object = MakeSolid(thing.mesh, thing.mass, 0.5, 0.5);
-      SimConfig config;
-      SmallWorld body(object, config);
+      SmallWorld body(object, SimConfig());
       body.start().R_WO = lies ? MakeRotationRpy(0.5 * kPi, 0.0, 0.0) : Eigen::Matrix3d::Identity();
       body.start().p_WOcm = Vector3d(0.0, 0.0, 0.05);
       body.Reset();
@@ -200,7 +198,7 @@ std::vector<KnownAnswer> CheckRestingDepth() {
       for (const Vector3d& p : object.mesh.vertices) {
         depth = std::max(depth, -(body.world().CalcObjectPose() * p).z());
       }
-      const double most = 2.0 * thing.mass * kStandardGravity / config.contact_stiffness;
+      const double most = 2.0 * thing.mass * kStandardGravity / SimConfig().contact_stiffness;
       answers.push_back({thing.name + (lies ? ", lying" : "") + ": depth of its lowest vertex", "m",
                          0.5 * most, depth, 0.5 * most});
     }

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "core/physics/combine_surfaces.h"
+#include "core/physics/contact.h"
 #include "core/physics/simbody/simtk_conversions.h"
 
 namespace graspbench {
@@ -249,19 +249,8 @@ void Model::AddLinks(const Hand& hand, const SimConfig& sim, const SimTK::Contac
       links.push_back(SimTK::MobilizedBody::Translation(matter.updGround(), SimTK::Transform(R_WL),
                                                         body, SimTK::Transform()));
       SimTK::Motion::Custom(links.back(), new RootMotion(course, ~R_WL));
-    } else if (link.joint < 0) {
-      links.push_back(SimTK::MobilizedBody::Weld(links[link.parent], ToSimTK(link.X_PJ), body,
-                                                 SimTK::Transform()));
-    } else if (hand.joints[link.joint].is_prismatic) {
-      const SimTK::Transform X_LM(
-          SimTK::Rotation(SimTK::UnitVec3(ToSimTK(link.axis)), SimTK::XAxis));
-      links.push_back(
-          SimTK::MobilizedBody::Slider(links[link.parent], ToSimTK(link.X_PJ) * X_LM, body, X_LM));
     } else {
-      const SimTK::Transform X_LM(
-          SimTK::Rotation(SimTK::UnitVec3(ToSimTK(link.axis)), SimTK::ZAxis));
-      links.push_back(
-          SimTK::MobilizedBody::Pin(links[link.parent], ToSimTK(link.X_PJ) * X_LM, body, X_LM));
+      links.push_back(AddLink(hand, link, links[link.parent], body));
     }
   }
 }

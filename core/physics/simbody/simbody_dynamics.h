@@ -9,6 +9,7 @@ which takes them in every step. */
 
 #include "core/physics/hand_dynamics.h"
 #include "core/physics/simbody/simbody_model.h"
+#include "core/physics/world.h"
 
 namespace graspbench {
 
@@ -30,5 +31,16 @@ class SimbodyDynamics {
   Eigen::MatrixXd T_;  // Simbody's rates of joints and base = T_ u
   std::vector<Pose> X_WL_;
 };
+
+/** A larger difference means that one of both is wrong; rounding alone makes about 1e-11. */
+inline constexpr double kSimbodyTolerance = 1e-9;
+
+/** Compares the hand's equations of motion with Simbody's: every trial does so once, so that a wrong
+inertia never yields a result.
+@returns the largest difference of mass matrix and bias from Simbody's at the world's state, each
+relative to its largest entry; the degrees of freedom also apart from the base, which is so much
+heavier that both have a scale of their own.
+@param simbody  of the same hand and object, all joints free; its state is overwritten. */
+double CompareWithSimbody(World& world, SimbodyModel& simbody);
 
 }  // namespace graspbench

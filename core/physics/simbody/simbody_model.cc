@@ -3,15 +3,6 @@
 #include "core/physics/simbody/simtk_conversions.h"
 
 namespace graspbench {
-namespace {
-
-/** A rotation that takes `own` (of Simbody's joint: z of a pin, x of a slider) to `axis`. */
-SimTK::Rotation MakeAxisFrame(const Eigen::Vector3d& axis, SimTK::CoordinateAxis own) {
-  return SimTK::Rotation(SimTK::UnitVec3(ToSimTK(axis)), own);
-}
-
-}  // namespace
-
 struct SimbodyModel::Impl {
   SimTK::MultibodySystem system;
   SimTK::SimbodyMatterSubsystem matter{system};
@@ -23,6 +14,37 @@ struct SimbodyModel::Impl {
   Eigen::Vector3d p_HR_W = Eigen::Vector3d::Zero();  ///< its origin from H's, in W
   Eigen::Vector3d w_WH = Eigen::Vector3d::Zero();
   SimTK::State state;
+
+  /** Simbody's index of each of our speeds. */
+  std::vector<int> FindSpeedIndices() const {
+    std::vector<int> indices;
+    for (int link : link_of_joint) indices.push_back(links[link].getFirstUIndex(state));
+    for (int i = 0; i < 6; ++i) indices.push_back(root.getFirstUIndex(state) + i);
+    for (int i = 0; i < 6; ++i) indices.push_back(object.getFirstUIndex(state) + i);
+    return indices;
+  }
+  /** Simbody's speeds, in our order, of ours: its root's origin is not H's. */
+  Eigen::MatrixXd MakeSpeedMap() const {
+    const auto num_joints = static_cast<Eigen::Index>(link_of_joint.size());
+    Eigen::MatrixXd T = Eigen::MatrixXd::Identity(num_joints + 12, num_joints + 12);
+    for (int k = 0; k < 3; ++k) {
+      T.block<3, 1>(num_joints + 3, num_joints + k) =
+          Eigen::Vector3d(Eigen::Vector3d::Unit(k)).cross(p_HR_W);
+    }
+    return T;
+  }
+  /** Weight of every body. */
+  SimTK::Vector_<SimTK::SpatialVec> MakeWeights(const Eigen::Vector3d& gravity_W) const {
+    SimTK::Vector_<SimTK::SpatialVec> forces(matter.getNumBodies(),
+                                             SimTK::SpatialVec(SimTK::Vec3(0)));
+    for (SimTK::MobilizedBodyIndex b(1); b < matter.getNumBodies(); ++b) {
+      const SimTK::MobilizedBody& body = matter.getMobilizedBody(b);
+      const SimTK::MassProperties& mass = body.getBodyMassProperties(state);
+      body.applyForceToBodyPoint(state, mass.getMassCenter(),
+                                 ToSimTK(Eigen::Vector3d(mass.getMass() * gravity_W)), forces);
+    }
+    return forces;
+  }
 };
 
 SimbodyModel::SimbodyModel(const Hand& hand, const MassProperties& object,
@@ -36,17 +58,8 @@ SimbodyModel::SimbodyModel(const Hand& hand, const MassProperties& object,
       model.root = SimTK::MobilizedBody::Free(model.matter.updGround(), SimTK::Transform(), body,
                                               SimTK::Transform());
       model.links.push_back(model.root);
-    } else if (link.joint < 0) {
-      model.links.push_back(SimTK::MobilizedBody::Weld(model.links[link.parent], ToSimTK(link.X_PJ),
-                                                       body, SimTK::Transform()));
-    } else if (hand.joints[link.joint].is_prismatic) {
-      const SimTK::Transform X_LM(MakeAxisFrame(link.axis, SimTK::XAxis));
-      model.links.push_back(SimTK::MobilizedBody::Slider(model.links[link.parent],
-                                                         ToSimTK(link.X_PJ) * X_LM, body, X_LM));
     } else {
-      const SimTK::Transform X_LM(MakeAxisFrame(link.axis, SimTK::ZAxis));
-      model.links.push_back(SimTK::MobilizedBody::Pin(model.links[link.parent],
-                                                      ToSimTK(link.X_PJ) * X_LM, body, X_LM));
+      model.links.push_back(AddLink(hand, link, model.links[link.parent], body));
     }
   }
   for (const HandJoint& joint : hand.joints) model.link_of_joint.push_back(joint.link);
@@ -110,67 +123,24 @@ void SimbodyModel::CalcLinkPoses(std::vector<Pose>& X_WL) {
   }
 }
 
-namespace {
-
-/** Simbody's index of each of our speeds. */
-template <class Model>
-std::vector<int> FindSpeedIndices(const Model& model) {
-  std::vector<int> indices;
-  for (int link : model.link_of_joint) {
-    indices.push_back(model.links[link].getFirstUIndex(model.state));
-  }
-  for (int i = 0; i < 6; ++i) indices.push_back(model.root.getFirstUIndex(model.state) + i);
-  for (int i = 0; i < 6; ++i) indices.push_back(model.object.getFirstUIndex(model.state) + i);
-  return indices;
-}
-
-/** Simbody's speeds, in our order, of ours: its root's origin is not H's. */
-template <class Model>
-Eigen::MatrixXd MakeSpeedMap(const Model& model) {
-  const auto num_joints = static_cast<Eigen::Index>(model.link_of_joint.size());
-  Eigen::MatrixXd T = Eigen::MatrixXd::Identity(num_joints + 12, num_joints + 12);
-  for (int k = 0; k < 3; ++k) {
-    T.block<3, 1>(num_joints + 3, num_joints + k) =
-        Eigen::Vector3d(Eigen::Vector3d::Unit(k)).cross(model.p_HR_W);
-  }
-  return T;
-}
-
-/** Weight of every body. */
-template <class Model>
-SimTK::Vector_<SimTK::SpatialVec> MakeWeights(const Model& model,
-                                              const Eigen::Vector3d& gravity_W) {
-  SimTK::Vector_<SimTK::SpatialVec> forces(model.matter.getNumBodies(),
-                                           SimTK::SpatialVec(SimTK::Vec3(0)));
-  for (SimTK::MobilizedBodyIndex b(1); b < model.matter.getNumBodies(); ++b) {
-    const SimTK::MobilizedBody& body = model.matter.getMobilizedBody(b);
-    const SimTK::MassProperties& mass = body.getBodyMassProperties(model.state);
-    body.applyForceToBodyPoint(model.state, mass.getMassCenter(),
-                               ToSimTK(Eigen::Vector3d(mass.getMass() * gravity_W)), forces);
-  }
-  return forces;
-}
-
-}  // namespace
-
 Eigen::MatrixXd SimbodyModel::CalcMassMatrix() {
   Impl& model = *impl_;
   model.system.realize(model.state, SimTK::Stage::Position);
   SimTK::Matrix M;
   model.matter.calcM(model.state, M);
-  const std::vector<int> indices = FindSpeedIndices(model);
+  const std::vector<int> indices = model.FindSpeedIndices();
   Eigen::MatrixXd result(num_speeds(), num_speeds());
   for (int i = 0; i < num_speeds(); ++i) {
     for (int j = 0; j < num_speeds(); ++j) result(i, j) = M(indices[i], indices[j]);
   }
-  const Eigen::MatrixXd T = MakeSpeedMap(model);
+  const Eigen::MatrixXd T = model.MakeSpeedMap();
   return T.transpose() * result * T;
 }
 
 Eigen::VectorXd SimbodyModel::CalcBias(const Eigen::Vector3d& gravity_W) {
   Impl& model = *impl_;
   model.system.realize(model.state, SimTK::Stage::Velocity);
-  const SimTK::Vector_<SimTK::SpatialVec> forces = MakeWeights(model, gravity_W);
+  const SimTK::Vector_<SimTK::SpatialVec> forces = model.MakeWeights(gravity_W);
   const SimTK::Vector no_mobility_forces(model.state.getNU(), 0.0);
   SimTK::Vector accelerations(model.state.getNU(), 0.0);
   // With H at constant velocity the root's own origin goes in a circle.
@@ -180,24 +150,24 @@ Eigen::VectorXd SimbodyModel::CalcBias(const Eigen::Vector3d& gravity_W) {
   SimTK::Vector residual;
   model.matter.calcResidualForceIgnoringConstraints(model.state, no_mobility_forces, forces,
                                                     accelerations, residual);
-  const std::vector<int> indices = FindSpeedIndices(model);
+  const std::vector<int> indices = model.FindSpeedIndices();
   Eigen::VectorXd result(num_speeds());
   for (int i = 0; i < num_speeds(); ++i) result[i] = residual[indices[i]];
-  return MakeSpeedMap(model).transpose() * result;
+  return model.MakeSpeedMap().transpose() * result;
 }
 
 Eigen::VectorXd SimbodyModel::CalcJointAccelerations(const Eigen::VectorXd& torques,
                                                      const Eigen::Vector3d& gravity_W) {
   Impl& model = *impl_;
   model.system.realize(model.state, SimTK::Stage::Dynamics);
-  const std::vector<int> indices = FindSpeedIndices(model);
+  const std::vector<int> indices = model.FindSpeedIndices();
   SimTK::Vector mobility_forces(model.state.getNU(), 0.0);
   for (Eigen::Index j = 0; j < torques.size(); ++j) {
     mobility_forces[indices[static_cast<size_t>(j)]] = torques[j];
   }
   SimTK::Vector udot;
   SimTK::Vector_<SimTK::SpatialVec> body_accelerations;
-  model.matter.calcAcceleration(model.state, mobility_forces, MakeWeights(model, gravity_W), udot,
+  model.matter.calcAcceleration(model.state, mobility_forces, model.MakeWeights(gravity_W), udot,
                                 body_accelerations);
   Eigen::VectorXd result(torques.size());
   for (Eigen::Index j = 0; j < result.size(); ++j) {

@@ -18,7 +18,6 @@ be too (checked in the .cc). One model belongs to one thread. */
 #include <vector>
 
 #include "core/base/pose.h"
-#include "core/hand/coupling.h"
 #include "core/hand/hand.h"
 #include "core/shape/grasp_object.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-Poses, vectors and inertias between Eigen and Simbody. */
+Poses, vectors, inertias and links between this program and Simbody. */
 
 #ifdef NDEBUG
 #error "Debian's Simbody is built without NDEBUG; with it every program that uses it crashes."
@@ -9,6 +9,7 @@ Poses, vectors and inertias between Eigen and Simbody. */
 #include <Simbody.h>
 
 #include "core/base/pose.h"
+#include "core/hand/hand.h"
 
 namespace graspbench {
 
@@ -42,6 +43,23 @@ inline SimTK::MassProperties MakeMassProperties(double mass, const Eigen::Vector
   const SimTK::Inertia central(I_com(0, 0), I_com(1, 1), I_com(2, 2), I_com(0, 1), I_com(0, 2),
                                I_com(1, 2));
   return {mass, ToSimTK(p_com), central.shiftFromMassCenter(ToSimTK(p_com), mass)};
+}
+
+/** A link behind its joint, which turns about or slides along its axis, or welded.
+@pre it has a parent. */
+inline SimTK::MobilizedBody AddLink(const Hand& hand, const HandLink& link,
+                                    SimTK::MobilizedBody& parent, const SimTK::Body& body) {
+  const SimTK::Transform X_PJ = ToSimTK(link.X_PJ);
+  if (link.joint < 0) {
+    return SimTK::MobilizedBody::Weld(parent, X_PJ, body, SimTK::Transform());
+  }
+  // Takes Simbody's own axis of the joint, x of a slider and z of a pin, to the link's.
+  const bool slides = hand.joints[static_cast<size_t>(link.joint)].is_prismatic;
+  const SimTK::Transform X_LM(SimTK::Rotation(
+      SimTK::UnitVec3(ToSimTK(link.axis)),
+      slides ? SimTK::CoordinateAxis(SimTK::XAxis) : SimTK::CoordinateAxis(SimTK::ZAxis)));
+  if (slides) return SimTK::MobilizedBody::Slider(parent, X_PJ * X_LM, body, X_LM);
+  return SimTK::MobilizedBody::Pin(parent, X_PJ * X_LM, body, X_LM);
 }
 
 }  // namespace graspbench

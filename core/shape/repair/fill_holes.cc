@@ -1,5 +1,3 @@
-#include "core/shape/repair/fill_holes.h"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
@@ -8,9 +6,8 @@
 #include <vector>
 
 #include "core/shape/mass_properties.h"
-#include "core/shape/repair/mesh_edges.h"
-#include "core/shape/repair/mesh_shells.h"
-#include "core/shape/repair/weld_vertices.h"
+#include "core/shape/repair/mesh_repair.h"
+#include "core/shape/repair/mesh_topology.h"
 
 namespace graspbench {
 namespace {

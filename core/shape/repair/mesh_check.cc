@@ -13,9 +13,7 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/shape/mass_properties.h"
-#include "core/shape/repair/mesh_bodies.h"
-#include "core/shape/repair/mesh_edges.h"
-#include "core/shape/repair/mesh_shells.h"
+#include "core/shape/repair/mesh_topology.h"
 #include "core/shape/triangle_tree.h"
 
 namespace graspbench {
@@ -211,9 +209,7 @@ class Checker {
   }
 
   void CheckSize() {
-    Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& p : mesh_.vertices) box.extend(p);
-    report_.extent = box.sizes();
+    report_.extent = CalcBounds(mesh_).sizes();
     const double largest = report_.extent.maxCoeff();
     if (largest > kMaxMeshExtent) {
       Add(MeshFault::kSize,

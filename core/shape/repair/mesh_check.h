@@ -14,7 +14,7 @@ Positions in the messages are millimetres in the mesh's own frame. */
 #include <string>
 #include <vector>
 
-#include "core/shape/repair/overlap.h"
+#include "core/shape/mass_properties.h"
 #include "core/shape/tri_mesh.h"
 
 namespace graspbench {

@@ -7,19 +7,13 @@
 #include <utility>
 
 #include "core/shape/mass_properties.h"
-#include "core/shape/repair/fill_holes.h"
-#include "core/shape/repair/mesh_edges.h"
-#include "core/shape/repair/mesh_shells.h"
-#include "core/shape/repair/useless_faces.h"
-#include "core/shape/repair/weld_vertices.h"
+#include "core/shape/repair/mesh_topology.h"
 
 namespace graspbench {
 namespace {
 
 double CalcExtent(const TriMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : mesh.vertices) box.extend(p);
-  return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
+  return mesh.vertices.empty() ? 0.0 : CalcBounds(mesh).sizes().maxCoeff();
 }
 
 void Flip(Eigen::Vector3i& triangle) { std::swap(triangle[1], triangle[2]); }

@@ -1,5 +1,3 @@
-#include "core/shape/repair/useless_faces.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -9,8 +7,8 @@
 #include <vector>
 
 #include "core/shape/mass_properties.h"
-#include "core/shape/repair/mesh_edges.h"
-#include "core/shape/repair/mesh_shells.h"
+#include "core/shape/repair/mesh_repair.h"
+#include "core/shape/repair/mesh_topology.h"
 
 namespace graspbench {
 namespace {

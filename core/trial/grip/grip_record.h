@@ -25,18 +25,14 @@ enum class GripFault {
   kCoupling,  ///< a coupled joint of it is at its stop
   kBalance    ///< statics give the force to others, or others' to it
 };
-struct GripFaultRow {
-  GripFault value;
-  const char* name;
-};
-inline constexpr GripFaultRow kGripFaults[] = {{GripFault::kNone, ""},
-                                               {GripFault::kNoTouch, "no touch"},
-                                               {GripFault::kNotFelt, "not felt"},
-                                               {GripFault::kPosture, "posture ends"},
-                                               {GripFault::kLimit, "limit"},
-                                               {GripFault::kStop, "joint stop"},
-                                               {GripFault::kCoupling, "coupling"},
-                                               {GripFault::kBalance, "balance"}};
+inline constexpr NamedValue<GripFault> kGripFaults[] = {{GripFault::kNone, ""},
+                                                        {GripFault::kNoTouch, "no touch"},
+                                                        {GripFault::kNotFelt, "not felt"},
+                                                        {GripFault::kPosture, "posture ends"},
+                                                        {GripFault::kLimit, "limit"},
+                                                        {GripFault::kStop, "joint stop"},
+                                                        {GripFault::kCoupling, "coupling"},
+                                                        {GripFault::kBalance, "balance"}};
 inline const char* NameOf(GripFault fault) { return RowOf(kGripFaults, fault).name; }
 inline Json ToJson(GripFault fault) { return NameOf(fault); }
 /** @throws Json::exception or Error(kFormat). */

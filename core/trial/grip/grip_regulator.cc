@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/physics/drive_position.h"
-#include "core/quality/smallest_grip.h"
-#include "core/trial/measures/stability_meter.h"
+#include "core/quality/holding_force.h"
+#include "core/trial/measures/stability.h"
 
 namespace graspbench {
 namespace {
@@ -40,16 +39,13 @@ GripRegulator::GripRegulator(const TrialSetup& setup, const std::vector<int>& di
       step_(setup.sim.step),
       most_closing_(setup.grasp.type == GraspType::kPower ? 1.0 : kMostClosing),
       way_(setup.grasp.q_target - setup.grasp.q_pre),
-      parts_(setup.hand->links.size(), static_cast<int>(digits.size())),
+      parts_(MapLinksToParts(*setup.hand, digits)),
       told_weight_(setup.object->mass_properties.mass * setup.sim.gravity),
       told_friction_(setup.object->surface.friction_dynamic) {
   const Hand& hand = *setup.hand;
   const int opposing = FindOpposingDigit(hand, setup.grasp);
   for (const int index : digits) {
     const Digit& digit = hand.digits[static_cast<size_t>(index)];
-    for (const int link : digit.links) {
-      parts_[static_cast<size_t>(link)] = static_cast<int>(digits_.size());
-    }
     ClosingSchedule schedule;
     if (const auto own = setup.grasp.closing.find(digit.id); own != setup.grasp.closing.end()) {
       schedule = own->second;
@@ -113,9 +109,7 @@ void GripRegulator::FindSmallest(const World& world, const std::vector<HandConta
   for (const HandContact& contact : contacts) {
     const int part = parts_[static_cast<size_t>(contact.link)];
     const bool is_rest = part == static_cast<int>(digits_.size());
-    grasp.contacts.push_back({R_OW * (contact.p_WC - state.p_WOcm),
-                              (R_OW * contact.nhat_W).normalized(), contact.mu_dynamic,
-                              contact.mu_dynamic * contact.torsion_radius, std::nullopt});
+    grasp.contacts.push_back(MakeGraspContact(contact, state, contact.mu_dynamic));
     grasp.digits.push_back(part);
     is_free.push_back(is_rest || digits_[static_cast<size_t>(part)].opposes);
   }

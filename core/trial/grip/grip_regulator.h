@@ -9,7 +9,7 @@ or stands at its target, or the sum has its own, all digits are shifted together
 
     ds_d/dt = (a_d / G_d) (A - S) / (A kShiftTime),    A = sum a_d,  S = sum F_d
 
-with G_d = dF/ds the closing stiffness (grip_balance.h), so that the sides stay in balance: an
+with G_d = dF/ds the closing stiffness (grip_statics.h), so that the sides stay in balance: an
 integrator for each digit would let them drift against each other. With saturating drives digits
 close on, and the torques of those that touch are limited to c times what holds their shares, with
 the error of the sum as dc/dt = c (A - S) / (A kShiftTime). That goes on to the end of the
@@ -24,9 +24,9 @@ forces over their shares; four are not: equal shares of four on a rigid body are
 allow.
 
 Shares: each digit that does not oppose the others is asked for the force F; the opposing one, and
-the rest of the hand where it touches, for what balances them (grip_balance.h). F is grip_force;
+the rest of the hand where it touches, for what balances them (grip_statics.h). F is grip_force;
 under margin grip_margin times the smallest force with which the contacts bear the weight
-(smallest_grip.h), and at least grip_force; before that is known, the same of two opposed sides, m g
+(holding_force.h), and at least grip_force; before that is known, the same of two opposed sides, m g
 / (2 mu). The hand is told the object's weight and dynamic friction, and where its contacts are. */
 
 #include <memory>
@@ -35,8 +35,8 @@ under margin grip_margin times the smallest force with which the contacts bear t
 #include <vector>
 
 #include "core/grasp/closing_law.h"
-#include "core/trial/grip/grip_balance.h"
 #include "core/trial/grip/grip_record.h"
+#include "core/trial/grip/grip_statics.h"
 #include "core/trial/touch_sensors.h"
 #include "core/trial/trial_setup.h"
 

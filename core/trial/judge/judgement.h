@@ -22,13 +22,23 @@ struct BreakingLoad {
 
   bool is_force() const { return direction.substr(0, 5) == "force"; }
 };
-/** The key of the load says its unit. */
-Json ToJson(const BreakingLoad& load);
+inline const char* KeyOfLoad(const BreakingLoad& load) {
+  return load.is_force() ? "load_n" : "load_nm";
+}
+inline Json ToJson(const BreakingLoad& load) {
+  return {{"direction", load.direction},
+          {KeyOfLoad(load), JsonNumber(load.load)},
+          {"is_broken", load.is_broken}};
+}
 /** @throws Json::exception when a key is missing or of another type. */
-void ReadJson(const Json& json, BreakingLoad& load);
+inline void ReadJson(const Json& json, BreakingLoad& load) {
+  load.direction = json.at("direction").get<std::string>();
+  load.load = NumberFrom(json.at(KeyOfLoad(load)));
+  load.is_broken = json.at("is_broken").get<bool>();
+}
 
 struct Verdict {
-  InternedName rule;  ///< id, see verdicts.h
+  InternedName rule;  ///< id, see judge.h
   bool passed = false;
   double score = kUnset;  ///< in the rule's unit
 
@@ -42,7 +52,7 @@ struct Verdict {
 
 /** Epsilon of the contacts at the end of the hold, after one convention. */
 struct ConventionEpsilon {
-  InternedName convention;  ///< id, see quality_convention.h
+  InternedName convention;  ///< id, see grasp_quality.h
   double epsilon = kUnset;
 
   template <class V>

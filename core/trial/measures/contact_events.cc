@@ -9,7 +9,9 @@
 namespace graspbench {
 namespace {
 
-constexpr double kSettledTime = 0.01;  ///< [s]
+constexpr double kSettledTime = 0.01;  // [s]
+constexpr double kSteadySlip = 0.005;  // [m/s]
+constexpr double kLongestStep = 0.01;  // [s]
 
 /** What a link does in one step. */
 struct LinkNow {
@@ -81,6 +83,23 @@ std::vector<ContactEvent> ContactEventRecorder::MakeEvents() const {
   std::stable_sort(events.begin(), events.end(),
                    [](const ContactEvent& a, const ContactEvent& b) { return a.time < b.time; });
   return events;
+}
+
+void SteadyContacts::Observe(const std::vector<HandContact>& contacts, double table_force,
+                             double slip_speed, double duration) {
+  bool is_steady = !contacts.empty() && table_force == 0.0 && slip_speed <= kSteadySlip &&
+                   contacts.size() == links_.size();
+  for (size_t i = 0; i < contacts.size() && is_steady; ++i) {
+    is_steady = contacts[i].link == links_[i] && !IsSliding(contacts[i]);
+  }
+  steady_time_ = is_steady ? steady_time_ + duration : 0.0;
+  links_.clear();
+  for (const HandContact& contact : contacts) links_.push_back(contact.link);
+}
+
+int CalcSteadySteps(const SimConfig& config) {
+  const int longest = static_cast<int>(std::floor(kLongestStep / config.step + 1e-9));
+  return std::max(1, std::min(config.steady_step_factor, longest));
 }
 
 }  // namespace graspbench

@@ -18,10 +18,9 @@ interruptions are the chatter of points that roll over edges. */
 #include "core/base/text/record_fields.h"
 #include "core/base/units.h"
 #include "core/hand/hand.h"
+#include "core/physics/world.h"
 
 namespace graspbench {
-
-struct HandContact;
 
 enum class ContactEventKind { kTouch, kLost, kRegained, kSlip };
 struct ContactEventRow {
@@ -73,7 +72,7 @@ class ContactEventRecorder {
 
  private:
   struct LinkState {
-    bool is_touching = false, is_sliding = false;  // as told by the last event
+    bool is_touching = false, is_sliding = false;  // as of the last event
     double changed_since = kUnset;                 // the contact contradicts it; NaN: it does not
     double slides_since = kUnset;
     double impulse = 0.0;  // of the current touch [N s]
@@ -85,5 +84,31 @@ class ContactEventRecorder {
   std::vector<LinkState> links_;
   std::vector<ContactEvent> events_;
 };
+
+/** Follows the hand's contacts with the object, to tell when a trial may take longer steps: while
+the object hangs in the hand and nothing happens to its contacts, one step as long as several gives
+the same motion. The same links have touched at the same number of points for 50 ms, none has slid,
+and the object has moved no faster against the hand than 5 mm/s. At the first slip, new contact or
+loss steps have the settings' length again.
+
+Limits: what happens within a long step is felt at its end, at most 10 ms late. The engine's bars of
+accuracy are those of its short steps; that verdicts are those of short steps is measured
+(workbench/manual/validation/physics.yaml). All limits are proposed by graspbench. */
+class SteadyContacts {
+ public:
+  /** After every step. @param duration  of that step [s]   @param slip_speed  CalcSlipSpeed. */
+  void Observe(const std::vector<HandContact>& contacts, double table_force, double slip_speed,
+               double duration);
+  bool are_steady() const { return steady_time_ >= kSteadyTime - 1e-9; }
+
+ private:
+  static constexpr double kSteadyTime = 0.05;  // [s]
+
+  std::vector<int> links_;    // by contact, of the last step
+  double steady_time_ = 0.0;  // [s]
+};
+
+/** How many steps of the settings' length one may take together. */
+int CalcSteadySteps(const SimConfig& config);
 
 }  // namespace graspbench

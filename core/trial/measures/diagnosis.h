@@ -59,11 +59,7 @@ enum class FailureCause {
   kSqueezedOut,
   kNotIdentified,
 };
-struct FailureCauseRow {
-  FailureCause value;
-  const char* name;
-};
-inline constexpr FailureCauseRow kFailureCauses[] = {
+inline constexpr NamedValue<FailureCause> kFailureCauses[] = {
     {FailureCause::kPush, "push"},
     {FailureCause::kLateDigit, "late digit"},
     {FailureCause::kNoTouch, "no touch"},

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/physics/drive_position.h"
-
 namespace graspbench {
 namespace {
 
@@ -19,12 +17,10 @@ constexpr double kStopWidth = 1e-3;  // [rad], [m]
 LoadRecorder::LoadRecorder(const TrialSetup& setup, const std::vector<int>& digits)
     : hand_(setup.hand),
       way_(setup.grasp.q_target - setup.grasp.q_pre),
-      part_of_link_(setup.hand->links.size(), static_cast<int>(digits.size())) {
-  for (size_t part = 0; part < digits.size(); ++part) {
-    const std::vector<int>& links = hand_->digits[static_cast<size_t>(digits[part])].links;
+      part_of_link_(MapLinksToParts(*setup.hand, digits)) {
+  for (const int digit : digits) {
     joints_.emplace_back();
-    for (const int link : links) {
-      part_of_link_[static_cast<size_t>(link)] = static_cast<int>(part);
+    for (const int link : hand_->digits[static_cast<size_t>(digit)].links) {
       const int joint = hand_->links[static_cast<size_t>(link)].joint;
       if (joint >= 0 && way_[joint] != 0.0) joints_.back().push_back(joint);
     }

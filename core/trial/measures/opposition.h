@@ -23,11 +23,7 @@ count. */
 namespace graspbench {
 
 enum class Opposition { kPad, kPalm, kSide };
-struct OppositionRow {
-  Opposition value;
-  const char* name;
-};
-inline constexpr OppositionRow kOppositions[] = {
+inline constexpr NamedValue<Opposition> kOppositions[] = {
     {Opposition::kPad, "pad"}, {Opposition::kPalm, "palm"}, {Opposition::kSide, "side"}};
 
 inline Json ToJson(Opposition opposition) { return RowOf(kOppositions, opposition).name; }

@@ -13,7 +13,7 @@ The formula that was proposed first is kept beside it as `sigma_proposed`,
 
     mean of  min(10, Q F / (m g)) exp(-v / (10 mm/s)) o
 
-    Q   epsilon of the contacts in the convention "ferrari-canny" (quality_convention.h): eight
+    Q   epsilon of the contacts in the convention "ferrari-canny" (grasp_quality.h): eight
         edges, unit normal force, moments about the centre of mass divided by the object's radius;
         each cone with the friction of its contact's state, soft pads with torsion
     F   sum of the normal forces of the hand on the object [N];  m g the object's weight [N]
@@ -28,7 +28,10 @@ Both are proposals of graspbench (the thesis names a stability without a formula
 #include "core/base/text/json.h"
 #include "core/base/text/record_fields.h"
 #include "core/base/units.h"
+#include "core/grasp/strategy.h"
+#include "core/physics/world.h"
 #include "core/quality/holding_force.h"
+#include "core/trial/trial_setup.h"
 
 namespace graspbench {
 
@@ -82,5 +85,41 @@ struct Stability {
 
 /** Cost: some 0.3 ms for a sample of ten contacts. */
 StabilityPart CalcStabilityPart(const std::vector<GraspInstant>& samples);
+
+/** Largest distance of the object's surface from its centre of mass [m]. */
+double CalcObjectRadius(const GraspObject& object);
+
+/** Speed of the object against the hand, |v_WOcm - v_WH| + radius |w_WO| [m/s]: no point of it is
+faster. A ball that spins on the spot moves, too. */
+double CalcSlipSpeed(const WorldState& state, double object_radius);
+
+/** A contact of the physics as core/quality takes it: from the object's centre of mass, in the axes
+of O. @param mu  of its state, or the dynamic one. */
+GraspContact MakeGraspContact(const HandContact& contact, const WorldState& state, double mu);
+
+/** Q of contacts from the centre of mass; 0 of fewer than two. @param radius  of the object [m] */
+double CalcContactQuality(const std::vector<GraspContact>& contacts, double radius);
+
+/** Samples a trial's grasp: every 25 ms in stabilisation, every 0.1 s in lift-off and every 0.2 s in
+the hold, which costs a trial about a tenth of its time. */
+class StabilityMeter {
+ public:
+  explicit StabilityMeter(const TrialSetup& setup);
+
+  /** To be called after each step. @param num_steps  of the settings' length that it took */
+  void Observe(const World& world, Phase phase, double time_in_phase, int num_steps);
+
+  /** The grasp now. */
+  GraspInstant MakeInstant(const World& world) const;
+
+  /** The parts; what holds for the whole trial stays unset. */
+  Stability Calc() const;
+
+ private:
+  const Hand* hand_;
+  int opposing_digit_;
+  double step_, object_radius_;
+  std::vector<GraspInstant> stabilisation_, lift_, hold_;
+};
 
 }  // namespace graspbench

@@ -8,20 +8,208 @@
 #include <new>
 
 #include "core/base/error.h"
-#include "core/quality/epsilon_fast.h"
-#include "core/quality/wrench_space.h"
-#include "core/trial/chain_limit.h"
-#include "core/trial/measures/stability_meter.h"
-#include "core/trial/protocols/closing_stage.h"
-#include "core/trial/protocols/free_space_course.h"
+#include "core/physics/implicit_world.h"
+#include "core/trial/measures/stability.h"
 
 namespace graspbench {
 namespace {
 
 using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr char kPalm[] = "palm";
+constexpr size_t kTouchesThatRelease = 2;  // of digits and palm
+
+/** From a pose of the object to another. */
+struct ObjectMotion {
+  double shift = 0.0;  ///< [m]
+  double turn_deg = 0.0;
+};
+
+/** Hand and object on their way through the stages of a grasp, and what is done to the object then.
+A copy goes on from the same instant, so that every push begins at it. */
+class FreeSpaceCourse {
+ public:
+  /** Both must outlive it. @param trace_interval  of the instants that are kept [s]; 0: none. */
+  FreeSpaceCourse(const ProfiledScene& scene, const FreeSpaceProfile& profile,
+                  double trace_interval)
+      : scene_(scene),
+        profile_(profile),
+        is_lift_(RowFromName(kProfileTests, profile.test, "test").value == ProfileTest::kLift),
+        world_(ImplicitWorld(*scene.hand, *scene.object, profile.sim,
+                             is_lift_ ? TablePresence::kPresent : TablePresence::kNone)),
+        trace_interval_(trace_interval) {}
+
+  /** Hand at the first stage, object at rest. Before all else. */
+  void Begin() {
+    WorldState state;
+    state.gravity_W = MakeGravity(profile_.sim);
+    state.X_WH = scene_.X_WO * scene_.stages.front().X_OH;
+    state.q = scene_.stages.front().q;
+    state.u = VectorXd::Zero(world_->dynamics().num_dofs());
+    PutObject(state);
+    world_->Reset(state);
+    if (is_traced()) Trace();
+  }
+  /** A force at the object's centre of mass, its mass times this, from now on [m/s^2]. */
+  void Push(const Vector3d& acceleration_W) {
+    world_->SetExternalLoad(world_->mass_properties().mass * acceleration_W, Vector3d::Zero());
+  }
+  /** From one pose and posture that are asked for to another, as the profile updates commands. */
+  void Go(const Pose& X_WH0, const VectorXd& q0, const Pose& X_WH1, const VectorXd& q1,
+          double duration);
+  /** Closes with the object put back after each step until two of digits and palm touch it.
+  @returns false: that never came, or the state is no longer finite. */
+  bool CloseOnHeld(const Pose& X_WH, const VectorXd& q, double duration);
+  /** With the commands as they are. */
+  void Wait(double duration) {
+    const int num_steps = CountSteps(duration);
+    for (int step = 0; step < num_steps && report_.is_finite; ++step) Step();
+  }
+
+  /** What the drives are asked for at a stage: under middle-first one drive bends both joints. */
+  VectorXd MakeCommand(const ScriptedStage& stage) const;
+  /** From where it began, that raised by a height [m]. */
+  ObjectMotion CalcMoved(double height = 0.0) const;
+  /** Digits on the object after the last step, in the hand's order, then "palm". */
+  std::vector<std::string> ListTouching() const;
+
+  const World& world() const { return *world_; }
+  const StepReport& report() const { return report_; }
+  bool is_lift() const { return is_lift_; }
+  bool is_finite() const { return report_.is_finite; }
+  int num_steps() const { return num_steps_; }
+  int num_unconverged() const { return num_unconverged_; }
+
+  bool is_traced() const { return trace_interval_ > 0.0; }
+  /** Of the instants from now on. */
+  void SetPhase(Phase phase) {
+    if (is_traced()) {
+      Trace();
+      trace_.back().next_phase = phase;
+    }
+    phase_ = phase;
+  }
+  /** All instants since Begin, the last among them; leaves none. */
+  std::vector<TraceInstant> TakeTrace() {
+    if (is_traced() && !trace_.empty()) Trace();
+    return std::move(trace_);
+  }
+
+ private:
+  int CountSteps(double duration) const {
+    return std::max(1, static_cast<int>(std::lround(duration / profile_.sim.step)));
+  }
+  /** At rest where it began. */
+  void PutObject(WorldState& state) const {
+    state.R_WO = scene_.X_WO.linear();
+    state.p_WOcm = scene_.X_WO * scene_.object->mass_properties.p_OOcm;
+    state.w_WO = state.v_WOcm = Vector3d::Zero();
+  }
+  void Step();
+  /** Keeps this instant, unless it is the last that was kept. */
+  void Trace();
+
+  const ProfiledScene& scene_;
+  const FreeSpaceProfile& profile_;
+  bool is_lift_;
+  WorldCopy world_;
+  WorldCommand command_;
+  StepReport report_;
+  int num_steps_ = 0, num_unconverged_ = 0;
+  double trace_interval_;
+  Phase phase_ = Phase::kPlacing;
+  std::vector<TraceInstant> trace_;
+};
+
+void FreeSpaceCourse::Go(const Pose& X_WH0, const VectorXd& q0, const Pose& X_WH1,
+                         const VectorXd& q1, double duration) {
+  const int num_steps = CountSteps(duration);
+  const int updates = profile_.stage_updates > 0 ? profile_.stage_updates : num_steps;
+  const Eigen::AngleAxisd turn(Eigen::Matrix3d(X_WH0.linear().transpose() * X_WH1.linear()));
+  const Vector3d moved = X_WH1.translation() - X_WH0.translation();
+  for (int step = 0; step < num_steps && report_.is_finite; ++step) {
+    const double share = static_cast<double>(step * updates / num_steps + 1) / updates;
+    command_.q = q0 + share * (q1 - q0);
+    command_.X_WH = MakePose(
+        X_WH0.linear() * Eigen::AngleAxisd(share * turn.angle(), turn.axis()).toRotationMatrix(),
+        X_WH0.translation() + share * moved);
+    if (profile_.stage_updates == 0) {
+      command_.v_WH = moved / duration;
+      command_.w_WH = X_WH0.linear() * turn.axis() * (turn.angle() / duration);
+    }
+    Step();
+  }
+  command_.v_WH = command_.w_WH = Vector3d::Zero();
+}
+
+bool FreeSpaceCourse::CloseOnHeld(const Pose& X_WH, const VectorXd& q, double duration) {
+  const int num_steps = CountSteps(duration);
+  command_.X_WH = X_WH;
+  command_.q = q;
+  for (int step = 0; step < num_steps; ++step) {
+    Step();
+    if (!report_.is_finite) return false;
+    WorldState state = world_->state();
+    PutObject(state);
+    world_->Reset(state);
+    if (ListTouching().size() >= kTouchesThatRelease) return true;
+  }
+  return false;
+}
+
+VectorXd FreeSpaceCourse::MakeCommand(const ScriptedStage& stage) const {
+  VectorXd q = stage.q;
+  if (scene_.hand->coupling != CouplingRule::kMiddleFirst) return q;
+  for (size_t j = 0; j < scene_.hand->joints.size(); ++j) {
+    const HandJoint& joint = scene_.hand->joints[j];
+    if (joint.coupled_to < 0 || joint.is_mimic) continue;
+    q[joint.coupled_to] += stage.q[static_cast<Eigen::Index>(j)];
+  }
+  return q;
+}
+
+ObjectMotion FreeSpaceCourse::CalcMoved(double height) const {
+  const Pose X_WO = world_->CalcObjectPose();
+  const Eigen::AngleAxisd turn(Eigen::Matrix3d(scene_.X_WO.linear().transpose() * X_WO.linear()));
+  const Vector3d start = scene_.X_WO.translation() + Vector3d(0.0, 0.0, height);
+  return {(X_WO.translation() - start).norm(), DegFromRad(turn.angle())};
+}
+
+std::vector<std::string> FreeSpaceCourse::ListTouching() const {
+  const Hand& hand = *scene_.hand;
+  std::vector<bool> touches(hand.digits.size(), false);
+  bool palm_touches = false;
+  for (size_t link = 0; link < report_.link_touches_object.size(); ++link) {
+    if (!report_.link_touches_object[link]) continue;
+    const int digit = hand.FindDigitOfLink(static_cast<int>(link));
+    digit < 0 ? palm_touches = true : touches[static_cast<size_t>(digit)] = true;
+  }
+  std::vector<std::string> names;
+  for (size_t d = 0; d < touches.size(); ++d) {
+    if (touches[d]) names.push_back(hand.digits[d].id);
+  }
+  if (palm_touches) names.push_back(kPalm);
+  return names;
+}
+
+void FreeSpaceCourse::Step() {
+  report_ = world_->Step(command_);
+  ++num_steps_;
+  num_unconverged_ += !report_.converged;
+  if (!is_traced() || !report_.is_finite) return;
+  const double time = num_steps_ * profile_.sim.step;
+  if (time >= trace_.back().time + trace_interval_ - 1e-9) Trace();
+}
+
+void FreeSpaceCourse::Trace() {
+  const double time = num_steps_ * profile_.sim.step;
+  if (!trace_.empty() && trace_.back().time == time) return;
+  trace_.push_back(MakeTraceInstant(*world_, time, phase_, report_, command_));
+}
 
 /** Of the search for the breaking load: its bounds over the profile's push, and its precision. */
-constexpr double kLeastLoad = 1.0 / 64.0, kMostLoad = 16.0, kLoadPrecision = 1.05;
+constexpr double kLeastFactor = 1.0 / 64.0, kMostFactor = 16.0, kLoadPrecision = 1.05;
 
 struct Push {
   std::string stage;  ///< "push -x", "fall"
@@ -48,22 +236,6 @@ Overlaps FindOverlaps(const ProfiledScene& scene, const ScriptedStage& stage,
   return overlaps;
 }
 
-double CalcEpsilon(const World& world, double radius) {
-  const WorldState& state = world.state();
-  const Eigen::Matrix3d R_OW = state.R_WO.transpose();
-  std::vector<HandContact> touching;
-  world.FindHandContacts(touching);
-  std::vector<GraspContact> contacts;
-  for (const HandContact& contact : touching) {
-    contacts.push_back({R_OW * (contact.p_WC - state.p_WOcm), (R_OW * contact.nhat_W).normalized(),
-                        contact.mu, contact.mu * contact.torsion_radius, std::nullopt});
-  }
-  if (contacts.size() < 2) return 0.0;
-  WrenchSpace space;
-  space.torque_scale = radius;
-  return CalcEpsilonBounds(CalcConeWrenches(contacts, space).wrenches).lower;
-}
-
 double FindDepthInTable(const ProfiledScene& scene) {
   double lowest = 0.0;
   for (const Vector3d& p_OV : scene.object->mesh.vertices) {
@@ -75,8 +247,7 @@ double FindDepthInTable(const ProfiledScene& scene) {
 class FreeSpaceRun {
  public:
   /** @param trace_interval  0: no trace is kept [s] */
-  FreeSpaceRun(const ProfiledScene& scene, const FreeSpaceProfile& profile,
-               double trace_interval = 0.0)
+  FreeSpaceRun(const ProfiledScene& scene, const FreeSpaceProfile& profile, double trace_interval)
       : scene_(scene), profile_(profile), course_(scene, profile, trace_interval) {}
 
   /** Of the push that decides, or of that which moved the object most. */
@@ -147,8 +318,18 @@ class FreeSpaceRun {
     is_touched_ = !course_.ListTouching().empty();
     result_.touching = fmt::format("{}", fmt::join(course_.ListTouching(), " "));
     result_.grip_force = course_.report().grip_force;
-    result_.epsilon = CalcEpsilon(course_.world(), CalcObjectRadius(*scene_.object));
+    result_.epsilon = CalcEpsilon();
     return true;
+  }
+
+  double CalcEpsilon() const {
+    std::vector<HandContact> touching;
+    course_.world().FindHandContacts(touching);
+    std::vector<GraspContact> contacts;
+    for (const HandContact& contact : touching) {
+      contacts.push_back(MakeGraspContact(contact, course_.world().state(), contact.mu));
+    }
+    return CalcContactQuality(contacts, CalcObjectRadius(*scene_.object));
   }
 
   /** Past the last stage; a grasp of one stage is held at least as it stands. */
@@ -263,7 +444,7 @@ class FreeSpaceRun {
 
   void FindBreakingLoad() {
     const double mass = scene_.object->mass_properties.mass;
-    double most = kMostLoad * profile_.acceleration;
+    double most = kMostFactor * profile_.acceleration;
     std::string breaks_along;
     for (const Push& push : ListPushes()) {
       const auto stands = [&](double acceleration) {
@@ -275,7 +456,7 @@ class FreeSpaceRun {
       };
       if (most == 0.0 || stands(most)) continue;
       breaks_along = push.stage;
-      double least = kLeastLoad * profile_.acceleration;
+      double least = kLeastFactor * profile_.acceleration;
       if (least >= most || !stands(least)) {
         most = 0.0;
         continue;
@@ -310,14 +491,10 @@ class FreeSpaceRun {
   const FreeSpaceProfile& profile_;
   FreeSpaceCourse course_;
   std::vector<TraceInstant> shown_;
-  Eigen::VectorXd q_held_;   // what the drives are asked for once the hand has closed
+  VectorXd q_held_;          // what the drives are asked for once the hand has closed
   bool is_touched_ = false;  // after closing or at the end of a push or lift
   FreeSpaceResult result_;
 };
-
-}  // namespace
-
-namespace {
 
 TracedFreeSpace Run(const ProfiledScene& scene, const FreeSpaceProfile& profile,
                     double trace_interval) {

@@ -2,7 +2,7 @@
 /** @file
 A grasp in free space: hand and object begin where the first stage has them, the object at rest; the
 hand goes through its stages, and closes beyond the last where the profile says so
-(closing_stage.h); then, from that instant each time, the object is pushed along each of
+(CalcClosingCommand); then, from that instant each time, the object is pushed along each of
 the six half axes of W with its mass times the profile's acceleration; or once, out of the palm; or
 the hand lifts it from a table. The grasp passes when in every look the object has moved less than
 the profile's limits from where it was at the start (of a lift: raised with it), and, where the
@@ -25,7 +25,7 @@ the same instant. */
 
 #include "core/base/text/record_fields.h"
 #include "core/base/units.h"
-#include "core/trial/protocols/profiled_scene.h"
+#include "core/trial/protocols/free_space_profile.h"
 #include "core/trial/trial_trace.h"
 
 namespace graspbench {

@@ -8,52 +8,42 @@ through the stages of a grasp, what is done to the object then, and what it must
 profile does not say is as everywhere here: contact law, collision shapes, mass of the links. Not
 modelled: tendons that pull two joints at once. */
 
+#include <Eigen/Core>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "core/base/enum_table.h"
 #include "core/base/file_keys.h"
+#include "core/base/pose.h"
+#include "core/hand/hand.h"
 #include "core/physics/contact.h"
 #include "core/physics/sim_config.h"
+#include "core/shape/grasp_object.h"
 
 namespace graspbench {
 
 /** What a profile takes from the hand itself or states. */
 enum class OwnOrGiven { kOwn, kGiven };
-struct OwnOrGivenRow {
-  OwnOrGiven value;
-  const char* name;
-};
-inline constexpr OwnOrGivenRow kOwnOrGiven[] = {{OwnOrGiven::kOwn, "own"},
-                                                {OwnOrGiven::kGiven, "given"}};
+inline constexpr NamedValue<OwnOrGiven> kOwnOrGiven[] = {{OwnOrGiven::kOwn, "own"},
+                                                         {OwnOrGiven::kGiven, "given"}};
 
 /** What holds where a stage asks a joint for more than its limits. */
 enum class BeyondLimits { kRefuse, kClip, kIgnore };
-struct BeyondLimitsRow {
-  BeyondLimits value;
-  const char* name;
-};
-inline constexpr BeyondLimitsRow kBeyondLimits[] = {{BeyondLimits::kRefuse, "refuse"},
-                                                    {BeyondLimits::kClip, "clip"},
-                                                    {BeyondLimits::kIgnore, "ignore"}};
+inline constexpr NamedValue<BeyondLimits> kBeyondLimits[] = {{BeyondLimits::kRefuse, "refuse"},
+                                                             {BeyondLimits::kClip, "clip"},
+                                                             {BeyondLimits::kIgnore, "ignore"}};
 
 /** Which of a grasp's stages the hand goes through. */
 enum class StageChoice { kAll, kFirst, kGrasp };
-struct StageChoiceRow {
-  StageChoice value;
-  const char* name;
-};
-inline constexpr StageChoiceRow kStageChoices[] = {
+inline constexpr NamedValue<StageChoice> kStageChoices[] = {
     {StageChoice::kAll, "all"}, {StageChoice::kFirst, "first"}, {StageChoice::kGrasp, "grasp"}};
 
-/** What the joints are asked for after the last stage (closing_stage.h). */
+/** What the joints are asked for after the last stage (CalcClosingCommand). */
 enum class ClosingRule { kStated, kPress, kLimits };
-struct ClosingRuleRow {
-  ClosingRule value;
-  const char* name;
-};
-inline constexpr ClosingRuleRow kClosingRules[] = {{ClosingRule::kStated, "stated"},
-                                                   {ClosingRule::kPress, "press"},
-                                                   {ClosingRule::kLimits, "limits"}};
+inline constexpr NamedValue<ClosingRule> kClosingRules[] = {{ClosingRule::kStated, "stated"},
+                                                            {ClosingRule::kPress, "press"},
+                                                            {ClosingRule::kLimits, "limits"}};
 
 /** What is done to the object once the hand has gone through its stages. */
 enum class ProfileTest {
@@ -61,11 +51,7 @@ enum class ProfileTest {
   kFall,    ///< one, out of the palm along its normal
   kLift     ///< the hand rises, from a table
 };
-struct ProfileTestRow {
-  ProfileTest value;
-  const char* name;
-};
-inline constexpr ProfileTestRow kProfileTests[] = {
+inline constexpr NamedValue<ProfileTest> kProfileTests[] = {
     {ProfileTest::kPushes, "pushes"}, {ProfileTest::kFall, "fall"}, {ProfileTest::kLift, "lift"}};
 
 struct ProfileDrives {
@@ -202,5 +188,52 @@ struct FreeSpaceProfile {
     v("sim", sim);
   }
 };
+
+/** What the hand is asked for at one stage of a grasp. */
+struct ScriptedStage {
+  std::string name;  ///< "pregrasp", "grasp", "squeeze"
+  Pose X_OH = Pose::Identity();
+  Eigen::VectorXd q;  ///< (num_joints), followers too [rad], [m]
+};
+
+/** Hand and object as a profile has them, and the stages of a grasp that the hand goes through. */
+struct ProfiledScene {
+  std::shared_ptr<const Hand> hand;
+  std::shared_ptr<const GraspObject> object;
+  Pose X_WO = Pose::Identity();
+  std::vector<ScriptedStage> stages;
+  int num_beyond_limits = 0;  ///< joints that a stage asks for more than their limits
+  std::string refusal;        ///< why the profile takes no such grasp; empty: it does
+};
+
+/** The hand with the profile's drives and surfaces. @param is_asked  by joint: the stages say where
+it is; what they do not name is held as stiffly as the arm holds the hand. */
+std::shared_ptr<const Hand> MakeProfiledHand(const Hand& hand, const FreeSpaceProfile& profile,
+                                             const std::vector<bool>& is_asked);
+
+/** The object with the profile's mass and friction; its inertia is scaled with the mass. */
+std::shared_ptr<const GraspObject> MakeProfiledObject(const GraspObject& object,
+                                                      const FreeSpaceProfile& profile);
+
+/** @param hand, object  of MakeProfiledHand and MakeProfiledObject. @pre a stage at least. */
+ProfiledScene MakeProfiledScene(std::shared_ptr<const Hand> hand,
+                                std::shared_ptr<const GraspObject> object, const Pose& X_WO,
+                                std::vector<ScriptedStage> stages, const FreeSpaceProfile& profile);
+
+/** How a hand closes beyond the posture that a file states, as the sources of grasps of one stage
+do: their posture touches the object, and what presses is a command beyond it.
+
+What the joints are asked for after the last stage, by the profile's rule:
+
+  stated  what that stage states
+  press   q + c sum J^T (-n), over the links whose point nearest to the object lies less than the
+          reach from its surface: J its Jacobian (3, joints), n the outward normal there. The step
+          along the gradient of DexGraspNet (Wang et al. 2023, scripts/validate_grasps.py):
+          c = 2 x 0.001 m x 500 rad/m^2 = 1 rad/m
+  limits  every joint that bends a digit at the end at which it is closed (core/hand/closing.h),
+          others as stated. MultiGripperGrasp (Casas et al. 2024): its table of closing joints
+
+@returns (num_joints) [rad], [m]. */
+Eigen::VectorXd CalcClosingCommand(const ProfiledScene& scene, const FreeSpaceProfile& profile);
 
 }  // namespace graspbench

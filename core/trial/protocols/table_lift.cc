@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/text/json.h"
 #include "core/base/units.h"
-#include "core/hand/coupling.h"
+#include "core/hand/hand.h"
 #include "core/trial/judge/judge.h"
 #include "core/trial/rest_pose.h"
 #include "core/vision/wrist_camera.h"
@@ -24,29 +24,18 @@ constexpr double kSettlingShare = 0.5;
 /** Steps between two looks at the gap of a digit that has not touched. */
 constexpr int kGapInterval = 5;
 
-}  // namespace
-
-namespace {
-
-/** Indices into Hand::digits, in the grasp's order. */
-std::vector<int> FindGraspingDigits(const Hand& hand, const Grasp& grasp) {
-  std::vector<int> digits;
-  for (const std::string& id : grasp.digits) {
-    for (size_t d = 0; d < hand.digits.size(); ++d) {
-      if (hand.digits[d].id == id) digits.push_back(static_cast<int>(d));
-    }
-  }
-  return digits;
+/** Names the noise of camera and sensors. */
+std::string FormatDraw(const TrialSetup& setup) {
+  const TrialDraw& draw = setup.draw;
+  return FormatJson({setup.object->id, draw.offset_x, draw.offset_y, draw.offset_yaw});
 }
 
-void CheckSkin(const TrialSetup& setup) {
-  if (setup.touch == TouchSense::kExact || setup.hand->skin) return;
-  throw Error(ErrorKind::kUnsupported,
-              "the hand \"" + setup.hand->id + "\" has no tactile.yaml, so that it feels nothing");
-}
-
+/** @throws Error(kUnsupported) for sensed touch of a hand that feels nothing. */
 GripRegulator MakeRegulator(const TrialSetup& setup, const std::vector<int>& digits) {
-  CheckSkin(setup);
+  if (setup.touch == TouchSense::kSensed && !setup.hand->skin) {
+    throw Error(ErrorKind::kUnsupported, "the hand \"" + setup.hand->id +
+                                             "\" has no tactile.yaml, so that it feels nothing");
+  }
   return GripRegulator(setup, digits);
 }
 
@@ -58,7 +47,7 @@ TableLift::TableLift(std::unique_ptr<World> world, const TrialSetup& setup, Wris
       hand_(*setup.hand),
       object_radius_(CalcObjectRadius(*setup.object)),
       placement_(CalcPlacement(hand_, setup.grasp, *setup.object)),
-      digits_(FindGraspingDigits(hand_, setup.grasp)),
+      digits_(ListGraspingDigits(hand_, setup.grasp)),
       notes_{GraspStrategy(setup.strategy, setup.grasp.approach_distance), StabilityMeter(setup),
              ContactEventRecorder(hand_), LoadRecorder(setup_, digits_),
              MakeRegulator(setup_, digits_)} {
@@ -69,16 +58,10 @@ TableLift::TableLift(std::unique_ptr<World> world, const TrialSetup& setup, Wris
     notes_.result.touches.emplace_back();
   }
   notes_.strategy.SetClosureTime(notes_.grip.CalcClosureTime());
-  MakeSensors();
+  if (setup.touch == TouchSense::kSensed) {
+    notes_.sensors.emplace(hand_, setup.sensors, FormatDraw(setup));
+  }
   Position(camera);
-}
-
-void TableLift::MakeSensors() {
-  if (setup_.touch == TouchSense::kExact) return;
-  const TrialDraw& draw = setup_.draw;
-  notes_.sensors.emplace(
-      hand_, setup_.sensors,
-      FormatJson({setup_.object->id, draw.offset_x, draw.offset_y, draw.offset_yaw}));
 }
 
 Sighting TableLift::Look(WristCamera* camera) const {
@@ -87,10 +70,7 @@ Sighting TableLift::Look(WristCamera* camera) const {
     own = std::make_unique<WristCamera>(setup_.hand, setup_.object, setup_.camera);
     camera = own.get();
   }
-  const TrialDraw& draw = setup_.draw;
-  const std::string id =
-      FormatJson({setup_.object->id, draw.offset_x, draw.offset_y, draw.offset_yaw});
-  return camera->FindObject(CalcStartPose(), CalcStartPosture(), id);
+  return camera->FindObject(CalcStartPose(), CalcStartPosture(), FormatDraw(setup_));
 }
 
 void TableLift::Position(WristCamera* camera) {
@@ -224,8 +204,6 @@ double TableLift::CalcGap(const std::vector<int>* links) const {
   return gap;
 }
 
-Pose TableLift::CalcObjectInPalm() const { return FindPlace().X_PalmOcm; }
-
 SeatMeter::Place TableLift::FindPlace() const {
   const WorldState& state = world_->state();
   const Pose X_WPalm = CalcPalmPose(hand_, state);
@@ -268,7 +246,7 @@ void TableLift::Observe(const StepReport& report) {
                            notes_.command.num_steps);
   if (notes_.strategy.phase() == Phase::kHold && !notes_.settled_at &&
       notes_.strategy.time_in_phase() >= kSettlingShare * setup_.strategy.hold_time) {
-    notes_.settled_at = CalcObjectInPalm();
+    notes_.settled_at = FindPlace().X_PalmOcm;
   }
 }
 
@@ -300,24 +278,15 @@ void TableLift::ObserveTouches() {
 
 void TableLift::EnterPhase(Phase phase) {
   notes_.result.phases.push_back({NameOf(phase), notes_.time});
-  switch (phase) {
-    case Phase::kClosure:
-      notes_.closure_start = notes_.time;
-      notes_.result.snapshots.push_back(TakeSnapshot(Moment::kPreGrasp));
-      break;
-    case Phase::kLiftOff:
-      notes_.result.grip_force = notes_.report.grip_force;
-      notes_.seat.End(FindPlace(), notes_.result);
-      notes_.result.snapshots.push_back(TakeSnapshot(Moment::kClosed));
-      break;
-    case Phase::kHold:
-      notes_.held_at = world_->state().X_WH.inverse() * world_->state().p_WOcm;
-      break;
-    case Phase::kPreGrasp:
-    case Phase::kPlacing:
-    case Phase::kStabilisation:
-    case Phase::kDone:
-      break;
+  if (phase == Phase::kClosure) {
+    notes_.closure_start = notes_.time;
+    notes_.result.snapshots.push_back(TakeSnapshot(Moment::kPreGrasp));
+  } else if (phase == Phase::kLiftOff) {
+    notes_.result.grip_force = notes_.report.grip_force;
+    notes_.seat.End(FindPlace(), notes_.result);
+    notes_.result.snapshots.push_back(TakeSnapshot(Moment::kClosed));
+  } else if (phase == Phase::kHold) {
+    notes_.held_at = world_->state().X_WH.inverse() * world_->state().p_WOcm;
   }
 }
 
@@ -349,24 +318,20 @@ TrialFacts TableLift::MakeFacts() const {
   facts.not_seen = notes_.not_seen;
   facts.is_reachable = placement_.reaches_object;
   facts.start_gap = notes_.start_gap;
-  facts.is_finite = notes_.report.is_finite;
+  facts.report = notes_.report;
   facts.unconverged_time = notes_.unconverged_time;
-  facts.grip_force = notes_.report.grip_force;
   facts.closed_grip_force = notes_.result.grip_force;
-  facts.table_force = notes_.report.table_force;
   facts.last_touch = notes_.last_touch;
   facts.displacement = (world_->state().p_WOcm - notes_.rest_position).head<2>().norm();
   facts.rise = CalcRise();
   facts.relative_speed = CalcSlipSpeed(world_->state(), object_radius_);
-  facts.arm_force = notes_.report.arm_force;
-  facts.arm_moment = notes_.report.arm_moment;
   facts.arm_force_limit = setup_.sim.arm_force_limit;
   facts.arm_moment_limit = setup_.sim.arm_moment_limit;
   return facts;
 }
 
 double TableLift::CalcCreep() const {
-  const Pose moved = notes_.settled_at->inverse() * CalcObjectInPalm();
+  const Pose moved = notes_.settled_at->inverse() * FindPlace().X_PalmOcm;
   return moved.translation().norm() + object_radius_ * Eigen::AngleAxisd(moved.linear()).angle();
 }
 
@@ -376,8 +341,6 @@ TrialResult TableLift::End() {
   facts.extent = CalcExtent();
   facts.rest_extent = notes_.rest_extent;
   facts.contacts = notes_.result.contacts;
-  facts.penetration = notes_.report.worst_penetration;
-  facts.contact_force = notes_.report.worst_contact_force;
   facts.contact_force_limit = CalcContactForceLimit(hand_, setup_.sim.arm_force_limit);
   facts.energy_residual = world_->CalcEnergyResidual();
   TrialResult result = notes_.result;

@@ -21,11 +21,11 @@ see tests/bench/sim_bench.cc. */
 #include "core/grasp/strategy.h"
 #include "core/physics/world.h"
 #include "core/trial/grip/grip_regulator.h"
-#include "core/trial/judge/held_object.h"
+#include "core/trial/judge/judge.h"
+#include "core/trial/measures/contact_events.h"
 #include "core/trial/measures/load_recorder.h"
-#include "core/trial/measures/seat.h"
-#include "core/trial/measures/stability_meter.h"
-#include "core/trial/measures/steady_contacts.h"
+#include "core/trial/measures/object_in_hand.h"
+#include "core/trial/measures/stability.h"
 #include "core/trial/protocols/protocol.h"
 #include "core/trial/protocols/table_lift_outcome.h"
 #include "core/trial/trial_result.h"
@@ -113,7 +113,6 @@ class TableLift : public TrialCourse {
   WorldCommand MakeCommand(const StrategyCommand& command) const;
   /** How many steps of the settings' length the next one is. */
   int ChooseNumSteps() const;
-  void MakeSensors();
   StrategyObservation FindObservation() const;
   /** Of the strategy, and the digits' closing with it. */
   StrategyCommand NextCommand(const StrategyObservation& observation, int num_steps);
@@ -131,8 +130,7 @@ class TableLift : public TrialCourse {
   double CalcCreep() const;
   /** Between the object and the spheres of some links, of all where `links` is null [m]. */
   double CalcGap(const std::vector<int>* links) const;
-  Pose CalcObjectInPalm() const;  ///< the frame Ocm in the palm's
-  SeatMeter::Place FindPlace() const;
+  SeatMeter::Place FindPlace() const;  ///< of the object in the palm's frame
   bool IsTouching(int digit) const;
   double CalcTouchTime(int digit) const;
 

@@ -27,20 +27,21 @@ constexpr double kShortestLever = 0.01;       ///< of a contact about a joint [m
 constexpr double kLostTime = 0.15;
 
 bool IsArmOverloaded(const TrialFacts& facts) {
-  return facts.arm_force >= facts.arm_force_limit || facts.arm_moment >= facts.arm_moment_limit;
+  return facts.report.arm_force >= facts.arm_force_limit ||
+         facts.report.arm_moment >= facts.arm_moment_limit;
 }
 
 bool IsUnreachable(const TrialFacts& facts) { return !facts.is_reachable || facts.start_gap < 0.0; }
 
 /** Why a held object is not held as a real one would be; empty: it is. */
 std::string FindImplausibility(const TrialFacts& facts) {
-  if (facts.penetration > kDeepestContact) {
+  if (facts.report.worst_penetration > kDeepestContact) {
     return fmt::format("the hand is {:.2f} mm inside the object (limit {:.0f} mm)",
-                       MmFromM(facts.penetration), MmFromM(kDeepestContact));
+                       MmFromM(facts.report.worst_penetration), MmFromM(kDeepestContact));
   }
-  if (facts.contact_force > facts.contact_force_limit) {
+  if (facts.report.worst_contact_force > facts.contact_force_limit) {
     return fmt::format("one contact presses with {:.0f} N; drives and arm can give {:.0f} N",
-                       facts.contact_force, facts.contact_force_limit);
+                       facts.report.worst_contact_force, facts.contact_force_limit);
   }
   if (std::abs(facts.energy_residual) > kUnexplainedEnergy) {
     return fmt::format("{:.2f} mJ of energy have no cause (limit {:.0f} mJ)",
@@ -60,7 +61,7 @@ OutcomeReason FindBreakdown(const TrialFacts& facts) {
     return {Outcome::kUnreachable, fmt::format("the hand would start {:.1f} mm inside the object",
                                                MmFromM(-facts.start_gap))};
   }
-  if (!facts.is_finite) {
+  if (!facts.report.is_finite) {
     return {Outcome::kNumericalFailure,
             fmt::format("positions or speeds became infinite {:.3f} s into the trial", facts.time)};
   }
@@ -70,18 +71,19 @@ OutcomeReason FindBreakdown(const TrialFacts& facts) {
                         facts.unconverged_time, facts.time)};
   }
   if (IsArmOverloaded(facts)) {
-    return {Outcome::kArmOverloaded,
-            fmt::format(
-                "the arm bore {:.0f} N and {:.1f} N m in addition to the hand's weight (limits "
-                "{:.0f} N, {:.1f} N m)",
-                facts.arm_force, facts.arm_moment, facts.arm_force_limit, facts.arm_moment_limit)};
+    return {
+        Outcome::kArmOverloaded,
+        fmt::format("the arm bore {:.0f} N and {:.1f} N m in addition to the hand's weight (limits "
+                    "{:.0f} N, {:.1f} N m)",
+                    facts.report.arm_force, facts.report.arm_moment, facts.arm_force_limit,
+                    facts.arm_moment_limit)};
   }
   return {Outcome::kNotRun, ""};
 }
 
 /** Whether an object is up in the hand, whatever bears it; only on the table it "stayed behind". */
 bool IsUp(const TrialFacts& facts) {
-  return facts.grip_force > 0.0 && facts.rise > kLiftedShare * facts.lift_distance;
+  return facts.report.grip_force > 0.0 && facts.rise > kLiftedShare * facts.lift_distance;
 }
 
 std::string DescribeEnd(const TrialFacts& facts) {
@@ -122,10 +124,10 @@ double CalcContactForceLimit(const Hand& hand, double arm_force_limit) {
   return arm_force_limit + torque / kShortestLever;
 }
 
-bool IsHeld(const TrialFacts& facts) { return IsUp(facts) && facts.table_force == 0.0; }
+bool IsHeld(const TrialFacts& facts) { return IsUp(facts) && facts.report.table_force == 0.0; }
 
 bool IsDecided(const TrialFacts& facts) {
-  if (!facts.is_finite || facts.unconverged_time > kMaxUnconvergedTime) return true;
+  if (!facts.report.is_finite || facts.unconverged_time > kMaxUnconvergedTime) return true;
   if (!facts.not_seen.empty() || IsUnreachable(facts) || IsArmOverloaded(facts)) return true;
   const bool is_free = facts.time - facts.last_touch > kLostTime;
   switch (facts.phase) {
@@ -134,7 +136,8 @@ bool IsDecided(const TrialFacts& facts) {
     case Phase::kStabilisation:
       return is_free && facts.displacement > kPushedAway;
     case Phase::kLiftOff:
-      return is_free && facts.table_force > 0.0 && facts.time_in_phase > 0.5 * facts.lift_time;
+      return is_free && facts.report.table_force > 0.0 &&
+             facts.time_in_phase > 0.5 * facts.lift_time;
     case Phase::kHold:
       return is_free;
     case Phase::kPreGrasp:

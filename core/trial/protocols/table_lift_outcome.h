@@ -8,6 +8,7 @@ What a trial is called in the end, decided from a few observed facts. */
 #include "core/grasp/contact_timing.h"
 #include "core/grasp/strategy.h"
 #include "core/hand/hand.h"
+#include "core/physics/world.h"
 #include "core/trial/outcome.h"
 
 namespace graspbench {
@@ -20,28 +21,22 @@ struct TrialFacts {
   double lift_time = 0.0;      ///< planned length of the lift-off [s]
   double lift_distance = 0.0;  ///< by which the hand rises [m]
 
-  std::string not_seen = {};  ///< why the camera did not find the object; empty: nobody asks
-  bool is_reachable = true;   ///< the placement reaches the object
-  double start_gap = 0.0;     ///< of hand and object at the start; negative: inside it [m]
-  bool is_finite = true;
+  std::string not_seen = {};      ///< why the camera did not find the object; empty: nobody asks
+  bool is_reachable = true;       ///< the placement reaches the object
+  double start_gap = 0.0;         ///< of hand and object at the start; negative: inside it [m]
+  StepReport report = {};         ///< of the last step
   double unconverged_time = 0.0;  ///< since the solver last converged [s]
 
-  double grip_force = 0.0;         ///< of the hand on the object, now [N]
-  double closed_grip_force = 0.0;  ///< at the start of lift-off [N]
-  double table_force = 0.0;        ///< of the table on the object, now [N]
+  double closed_grip_force = 0.0;  ///< of the hand on the object at the start of lift-off [N]
   double last_touch = 0.0;         ///< time of the last touch by the hand [s]
   double displacement = 0.0;       ///< of the object along the table, from its start [m]
   double rise = 0.0;               ///< of the object's centre above its start [m]
   double relative_speed = 0.0;     ///< CalcSlipSpeed: of the object against the hand [m/s]
 
-  double arm_force = 0.0;         ///< of object and table on the hand, now [N]
-  double arm_moment = 0.0;        ///< the same about H's origin [N m]
   double arm_force_limit = 0.0;   ///< [N]
   double arm_moment_limit = 0.0;  ///< [N m]
 
   // For FindOutcome alone.
-  double penetration = 0.0;          ///< deepest point of the hand in the object, now [m]
-  double contact_force = 0.0;        ///< largest normal force of one contact, now [N]
   double contact_force_limit = 0.0;  ///< what drives and arm can give [N]
   double energy_residual = 0.0;      ///< energy of the trial without a cause [J]
   double extent = 0.0;       ///< height of the object, from its lowest to its highest point [m]

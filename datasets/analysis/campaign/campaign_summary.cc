@@ -7,13 +7,127 @@
 #include <numeric>
 
 #include "core/base/error.h"
+#include "core/base/text/csv.h"
 #include "core/base/text/text.h"
 #include "core/statistics/multiple_tests.h"
 #include "core/statistics/proportion.h"
 #include "core/statistics/summary.h"
-#include "datasets/analysis/campaign/campaign_export.h"
+#include "datasets/analysis/campaign/headrooms.h"
+#include "datasets/journal/sealed_store.h"
 
 namespace graspbench {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+VariantSummary Summarise(const std::vector<const TrialRecord*>& records) {
+  VariantSummary summary;
+  const PlannedTrial& plan = records.front()->plan;
+  summary.hand = plan.hand;
+  summary.object = plan.object;
+  summary.grasp = plan.grasp;
+  summary.variant = VariantOfGrasp(plan.grasp);
+  CellSummary cell;
+  cell.records = records;
+  for (const TrialRecord* record : records) {
+    ++summary.trials;
+    summary.successes += record->result.outcome == Outcome::kSuccess;
+  }
+  const auto calc = [&](const char* measure) {
+    return CalcCellValue(FindVariantMeasure(measure), cell);
+  };
+  summary.mean_sigma = calc("sigma");
+  summary.median_gft_ratio = calc("GFT%");
+  if (const Answer<double> floor = CalcGftFloorOf(records)) summary.gft_ratio_floor = *floor;
+  summary.median_got_ratio = calc("GOT%");
+  summary.median_gct = calc("GCT");
+  summary.mean_breaking_force = calc("breaking");
+  summary.median_grip = calc("grip");
+  summary.median_sigma_ratio = calc("sigma/grip");
+  summary.median_breaking_ratio = calc("breaking/grip");
+  return summary;
+}
+
+/** NaN: none. */
+double FindHeadroomShare(const Campaign& campaign, const VariantSummary& summary) {
+  if (summary.variant == kStandardGrasp) return kUnset;
+  for (const SceneRecord& scene : campaign.scenes) {
+    if (scene.config.hand != summary.hand || scene.config.object != summary.object) continue;
+    const Answer<SceneHeadroom> headroom = FindHeadroom(scene);
+    if (!headroom) return kUnset;
+    return summary.variant == kNewTarget ? headroom->kept_share : headroom->start_share;
+  }
+  return kUnset;
+}
+
+std::vector<CsvColumn<ComparisonRun>> ListComparisonColumns() {
+  using Run = ComparisonRun;
+  return {{"hand", "", "id of the hand", &Run::hand},
+          {"object", "", "id of the object", &Run::object},
+          {"method", "", "search of step 2", &Run::method},
+          {"seed", "", "of the search", &Run::seed},
+          {"evaluations", "", "grasps that it simulated",
+           [](const Run& run) { return run.fitness.size(); }},
+          {"start_fitness", "number", "", "fitness of the grasp that it begins at",
+           [](const Run& run) { return Json(run.fitness.front()); }},
+          {"best_fitness", "number", "", "largest fitness that it found",
+           [](const Run& run) {
+             return Json(*std::max_element(run.fitness.begin(), run.fitness.end()));
+           }},
+          {"evaluations_to_90", "integer", "",
+           "evaluations to 90 % of the largest gain of all searches of this hand and object; "
+           "empty: never reached",
+           [](const Run& run) {
+             return run.evaluations_to_90 > 0 ? Json(run.evaluations_to_90) : Json();
+           }}};
+}
+
+std::vector<CsvColumn<VariantSummary>> ListVariantColumns() {
+  std::vector<CsvColumn<VariantSummary>> columns;
+  AddFieldColumns<VariantSummary>(
+      [](const VariantSummary& summary) -> const VariantSummary& { return summary; }, columns);
+  return columns;
+}
+
+}  // namespace
+
+std::vector<VariantSummary> SummariseVariants(const Campaign& campaign) {
+  std::vector<VariantSummary> summaries;
+  std::vector<const TrialRecord*> cell;
+  const auto finish_cell = [&] {
+    if (cell.empty()) return;
+    summaries.push_back(Summarise(cell));
+    summaries.back().headroom_share = FindHeadroomShare(campaign, summaries.back());
+    cell.clear();
+  };
+  for (const TrialRecord& record : campaign.benchmark.records) {
+    if (!cell.empty()) {
+      const PlannedTrial& last = cell.back()->plan;
+      if (last.hand != record.plan.hand || last.object != record.plan.object ||
+          last.grasp != record.plan.grasp) {
+        finish_cell();
+      }
+    }
+    cell.push_back(&record);
+  }
+  finish_cell();
+  return summaries;
+}
+
+Json MakeVariantSchema() { return MakeTableSchema(ListVariantColumns(), ""); }
+
+Json MakeComparisonSchema() { return MakeTableSchema(ListComparisonColumns(), ""); }
+
+void ExportCampaign(const fs::path& folder, const Campaign& campaign) {
+  std::map<std::string, std::string> tables = {
+      {"summary.csv", FormatCsv(ListVariantColumns(), SummariseVariants(campaign))}};
+  if (!campaign.comparison.empty()) {
+    tables["comparison.csv"] = FormatCsv(ListComparisonColumns(), campaign.comparison);
+  }
+  WriteDerived(kCampaignStore, folder, tables);
+}
+
 namespace {
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();

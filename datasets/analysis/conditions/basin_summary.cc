@@ -54,16 +54,24 @@ std::string NameBasin(const SessionInputs& inputs, const PlannedTrial& planned) 
          planned.grasp;
 }
 
-std::string FormatBasinCsv(const std::vector<BasinSample>& samples) {
-  const std::vector<CsvColumn<BasinSample>> columns = {
-      {"offset_x_m", "m", "of the object", &BasinSample::offset_x},
-      {"offset_y_m", "m", "of the object", &BasinSample::offset_y},
-      {"yaw_rad", "rad", "of the object", &BasinSample::yaw},
-      {"distance", "", "1 at the edge of the range", CalcBasinDistance},
-      {"outcome", "", "how the trial ended",
-       [](const BasinSample& sample) { return NameOf(sample.outcome); }},
-      {"sigma", "N", "stability", &BasinSample::sigma}};
-  return FormatCsv(columns, samples);
+namespace {
+
+std::vector<CsvColumn<BasinSample>> ListBasinColumns() {
+  return {{"offset_x_m", "m", "of the object", &BasinSample::offset_x},
+          {"offset_y_m", "m", "of the object", &BasinSample::offset_y},
+          {"yaw_rad", "rad", "of the object", &BasinSample::yaw},
+          {"distance", "", "1 at the edge of the range", CalcBasinDistance},
+          {"outcome", "", "how the trial ended",
+           [](const BasinSample& sample) { return NameOf(sample.outcome); }},
+          {"sigma", "N", "stability", &BasinSample::sigma}};
 }
+
+}  // namespace
+
+std::string FormatBasinCsv(const std::vector<BasinSample>& samples) {
+  return FormatCsv(ListBasinColumns(), samples);
+}
+
+Json MakeBasinSchema() { return MakeTableSchema(ListBasinColumns(), ""); }
 
 }  // namespace graspbench

@@ -15,7 +15,7 @@ number of samples. */
 
 #include "core/base/units.h"
 #include "core/trial/outcome.h"
-#include "datasets/session/session.h"
+#include "datasets/session/session_store.h"
 
 namespace graspbench {
 
@@ -55,5 +55,7 @@ std::string NameBasin(const SessionInputs& inputs, const PlannedTrial& planned);
 
 /** One row per sample: offset_x_m, offset_y_m, yaw_rad, distance, outcome, sigma. */
 std::string FormatBasinCsv(const std::vector<BasinSample>& samples);
+/** Its data dictionary. */
+Json MakeBasinSchema();
 
 }  // namespace graspbench

@@ -9,9 +9,11 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/text/csv.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/statistics/summary.h"
-#include "core/trial/delayed_digit.h"
+#include "core/trial/digit_delays.h"
 
 namespace graspbench {
 namespace {
@@ -82,7 +84,7 @@ std::vector<DelayedTrial> ListDelayedTrials(const Session& experiment) {
       if (record.plan.condition != name) continue;
       for (const LateRow& late : kLateDigits) {
         undelayed.push_back(MakeDelayedTrial(state.name, late.name, 0.0, record, record));
-        if (FindLateDigit(record.result, late.value).empty()) continue;
+        if (!FindLateDigit(record.result, late.value)) continue;
         for (const double delay : ListDelays()) {
           const auto found =
               finished.find({DelayDigitIn(state, late.name, delay).name, NameDraw(record.plan)});
@@ -238,21 +240,66 @@ std::vector<DoseResponse> SummariseDelays(const std::vector<DelayedTrial>& trial
   return rows;
 }
 
-Json ToJson(const DoseResponse& row) {
-  Json json = {{"condition", row.condition},
-               {"late_digit", row.digit},
-               {"hand", row.hand},
-               {"response", row.response.id},
-               {"trials", row.num_trials},
-               {"left_out", row.num_left_out},
-               {"cells", row.num_cells},
-               {"delays_s", ListDelays()},
-               {"means", row.means},
-               {"change_for_100_ms", JsonNumber(row.change)},
-               {"low", row.interval ? JsonNumber(row.interval->low) : Json()},
-               {"high", row.interval ? JsonNumber(row.interval->high) : Json()}};
-  if (!row.interval) json["no_interval"] = row.interval.reason();
-  return json;
+namespace {
+
+std::vector<CsvColumn<DoseResponse>> ListDoseColumns() {
+  using Row = DoseResponse;
+  using C = CsvColumn<Row>;
+  std::string delays;
+  for (const double delay : ListDelays()) {
+    delays += (delays.empty() ? "" : ", ") + FormatFixed(MsFromS(delay), 0);
+  }
+  const auto means = [](const Row& row) {
+    std::string text;
+    for (const double mean : row.means) {
+      text += (text.empty() ? "" : " ") +
+              FormatFixed(row.response.scale * mean, std::min(row.response.decimals, 2));
+    }
+    return text;
+  };
+  const auto change = [](const Row& row) {
+    const Interval range = row.interval ? *row.interval : Interval{kUnset, kUnset};
+    const double scale = row.response.scale;
+    return FormatWithRange(scale * row.change, scale * range.low, scale * range.high,
+                           std::max(row.response.decimals, 1));
+  };
+  return {
+      C("condition", "", "", &Row::condition).Shown("object"),
+      C("late_digit", "", "", &Row::digit).Shown("late digit"),
+      C("hand", "", "", &Row::hand).Shown("hand"),
+      C("response", "", "",
+        [](const Row& row) {
+          return row.response.id;
+        }).Shown("of the trial", [](const Row& row) { return row.response.label; }),
+      C("trials", "", "", &Row::num_trials)
+          .Shown("trials",
+                 [](const Row& row) {
+                   return FormatCountOf(row.num_trials, row.num_trials + row.num_left_out);
+                 }),
+      {"left_out", "", "", &Row::num_left_out},
+      {"cells", "", "", &Row::num_cells},
+      {"delays_s", "string", "", "", [](const Row&) { return Json(ListDelays()); }},
+      C("means", "string", "", "",
+        [](const Row& row) {
+          return Json(row.means);
+        }).Shown("means at " + delays + " ms", means),
+      C("change_for_100_ms", "", "", &Row::change).Shown("change for 100 ms", change),
+      {"low", "", "", [](const Row& row) { return row.interval ? row.interval->low : kUnset; }},
+      {"high", "", "", [](const Row& row) { return row.interval ? row.interval->high : kUnset; }}};
+}
+
+}  // namespace
+
+ShownTable ShowDoses(const std::vector<DoseResponse>& rows) {
+  return ShowTable(ListDoseColumns(), rows);
+}
+
+Json MakeDosesJson(const std::vector<DoseResponse>& rows) {
+  Json list = MakeJsonRows(ListDoseColumns(), rows);
+  for (size_t i = 0; i < rows.size(); ++i) {
+    if (!rows[i].interval) list[i]["no_interval"] = rows[i].interval.reason();
+  }
+  return list;
 }
 
 }  // namespace graspbench

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
 What a lack of simultaneity does when nothing else differs: the same trials with one digit delayed
-(core/trial/delayed_digit.h), on the same draws, the object as it was, lighter, more slippery and
+(core/trial/digit_delays.h), on the same draws, the object as it was, lighter, more slippery and
 farther from where the hand expects it. Late is the digit that touched last without delay, which
 makes the contacts less simultaneous by the delay, or the one that touched first, which makes them
 more so until it is the last.
@@ -18,11 +18,11 @@ that survive it. */
 #include <string>
 #include <vector>
 
-#include "core/base/text/json.h"
+#include "core/base/text/csv.h"
 #include "core/statistics/bootstrap.h"
-#include "core/trial/judge/disturbance.h"
-#include "datasets/analysis/campaign/grasp_responses.h"
-#include "datasets/session/session.h"
+#include "core/trial/measures/object_in_hand.h"
+#include "datasets/analysis/simultaneity_summary.h"
+#include "datasets/session/session_store.h"
 
 namespace graspbench {
 
@@ -62,6 +62,7 @@ struct DoseResponse {
 in which conditions, digits and hands come. A response that no trial has is left out. */
 std::vector<DoseResponse> SummariseDelays(const std::vector<DelayedTrial>& trials);
 
-Json ToJson(const DoseResponse& row);
+ShownTable ShowDoses(const std::vector<DoseResponse>& rows);
+Json MakeDosesJson(const std::vector<DoseResponse>& rows);
 
 }  // namespace graspbench

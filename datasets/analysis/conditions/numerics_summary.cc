@@ -6,10 +6,12 @@
 #include <set>
 #include <utility>
 
+#include "core/base/file_keys.h"
 #include "core/base/text/csv.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/statistics/summary.h"
-#include "datasets/session/session_experiments.h"
+#include "datasets/session/find_trial.h"
 
 namespace graspbench {
 std::vector<Condition> ListNumericsVariants(const SessionConfig& config) {
@@ -137,6 +139,7 @@ std::vector<NumericsSummary> SummariseNumerics(const std::vector<NumericsCompari
     for (const Seat seat : kSeats) {
       if (held[i][seat].empty()) continue;
       SeatNumerics& one = summaries[i].seats.emplace_back();
+      one.variant = summaries[i].variant;
       one.seat = seat;
       one.num_held = static_cast<int>(held[i][seat].size());
       for (const NumericsMeasure& measure : ListNumericsMeasures()) {
@@ -177,85 +180,151 @@ std::vector<NumericsComparison> LoadNumericsComparisons(const Session& session) 
 
 namespace {
 
-Json MakeChangeJson(const ChangeSummary& change) {
-  return {{"median", JsonNumber(change.median)},
-          {"max", JsonNumber(change.max)},
-          {"compared", change.num}};
+/** "0.4 (12)": median and largest [%]. */
+std::string FormatChange(const ChangeSummary& change) {
+  if (change.num == 0) return "n/a";
+  return FormatSignificant(100.0 * change.median, 2) + " (" +
+         FormatSignificant(100.0 * change.max, 2) + ")";
 }
 
-Json MakeSeatsJson(const NumericsSummary& summary) {
-  Json seats = Json::array();
-  for (const SeatNumerics& seat : summary.seats) {
-    Json changes = Json::object();
-    for (size_t i = 0; i < seat.changes.size(); ++i) {
-      changes[ListNumericsMeasures()[i].name] = MakeChangeJson(seat.changes[i]);
-    }
-    seats.push_back({{"seat", seat.seat == Seat::kUnknown ? Json() : Json(NameOf(seat.seat))},
-                     {"held", seat.num_held},
-                     {"relative_changes", changes}});
+std::vector<CsvColumn<SeatNumerics>> ListSeatChangeColumns() {
+  using Row = SeatNumerics;
+  using C = CsvColumn<Row>;
+  const auto name = [](const Row& row) {
+    return row.seat == Seat::kUnknown ? Json() : Json(NameOf(row.seat));
+  };
+  std::vector<C> columns = {
+      C::ForPeople("change [%] in", "", [](const Row& row) { return row.variant; }),
+      C("seat", "string", "", "", name)
+          .Shown(
+              "seat",
+              [](const Row& row) { return row.seat == Seat::kUnknown ? "n/a" : NameOf(row.seat); }),
+      C("held", "", "", &Row::num_held).Shown("held"),
+      {"relative_changes", "string", "", "", [](const Row& row) {
+         Json changes = Json::object();
+         for (size_t i = 0; i < row.changes.size(); ++i) {
+           const ChangeSummary& change = row.changes[i];
+           changes[ListNumericsMeasures()[i].name] = {{"median", JsonNumber(change.median)},
+                                                      {"max", JsonNumber(change.max)},
+                                                      {"compared", change.num}};
+         }
+         return changes;
+       }}};
+  for (size_t i = 0; i < ListNumericsMeasures().size(); ++i) {
+    columns.push_back(C::ForPeople(ListNumericsMeasures()[i].title,
+                                   "median (largest) relative change",
+                                   [i](const Row& row) { return FormatChange(row.changes[i]); }));
   }
-  return seats;
+  return columns;
+}
+
+std::vector<CsvColumn<NumericsSummary>> ListNumericsVariantColumns() {
+  using Row = NumericsSummary;
+  using C = CsvColumn<Row>;
+  return {
+      C("variant", "", "", &Row::variant).Shown("variant"),
+      C("trials", "", "n of N: the others are not finished, or cannot be moved", &Row::num_trials)
+          .Shown("trials",
+                 [](const Row& row) {
+                   return FormatCountOf(row.num_trials, row.num_trials + row.num_left_out);
+                 }),
+      {"left_out", "", "", &Row::num_left_out},
+      C("successes_before", "", "", &Row::num_successes_before).Shown("held before"),
+      C("successes", "", "", &Row::num_successes).Shown("held now"),
+      C("flips", "", "a success becomes a failure, or the reverse", &Row::num_flips).Shown("flips"),
+      {"numerical_failures", "", "", &Row::num_numerical_failures},
+      {"held", "", "", &Row::num_held},
+      C("seat_flips", "", "of those held before and now", &Row::num_seat_flips).Shown("seat flips"),
+      C("flagged", "", "of those held: reseated or caged in this session", &Row::num_flagged)
+          .Shown("flagged"),
+      C("large_changes_unflagged", "",
+        "of the others held: grip, sigma or breaking force changes by more", &Row::num_large)
+          .Shown("others above 10 %"),
+      {"seats", "string", "", "",
+       [](const Row& row) { return MakeJsonRows(ListSeatChangeColumns(), row.seats); }}};
+}
+
+std::vector<CsvColumn<NumericsComparison>> ListNumericsComparisonColumns() {
+  using Row = NumericsComparison;
+  using C = CsvColumn<Row>;
+  const auto plan = [](auto PlannedTrial::*member) {
+    return [member](const Row& row) { return row.before.plan.*member; };
+  };
+  std::vector<C> columns = {
+      C("variant", "", "the other numerics", &Row::variant).Shown("flips in"),
+      {"trial_id", "", "of the session's trial", plan(&PlannedTrial::id)},
+      C("hand", "", "id of the hand", plan(&PlannedTrial::hand)).Shown("hand"),
+      C("object", "", "id of the object", plan(&PlannedTrial::object)).Shown("object"),
+      C("grasp", "", "id of the grasp", plan(&PlannedTrial::grasp)).Shown("grasp"),
+      C("trial", "", "number of the trial within its hand, object and grasp, from 0",
+        plan(&PlannedTrial::trial))
+          .Shown("trial"),
+      C("outcome_before", "", "how the session's trial ended",
+        [](const Row& row) {
+          return NameOf(row.before.result.outcome);
+        }).Shown("before"),
+      C("outcome", "", "how it ends with the other numerics",
+        [](const Row& row) {
+          return NameOf(row.after.result.outcome);
+        }).Shown("after"),
+      {"flipped", "", "1 when only one of the two is a success", &Row::is_flipped},
+      {"seat_before", "", "seat of the session's trial",
+       [](const Row& row) { return NameOf(FindSeat(row.before.result)); }},
+      {"seat", "", "with the other numerics",
+       [](const Row& row) { return NameOf(FindSeat(row.after.result)); }},
+      {"flagged", "", "1 when the check reports the trial", &Row::is_flagged}};
+  for (const NumericsMeasure& measure : ListNumericsMeasures()) {
+    columns.push_back({measure.name + std::string("_before"), FindUnit(measure.name),
+                       std::string(measure.title) + " of the session's trial",
+                       [&measure](const Row& row) { return measure.value(row.before); }});
+    columns.push_back({measure.name, FindUnit(measure.name),
+                       std::string(measure.title) + " with the other numerics",
+                       [&measure](const Row& row) { return measure.value(row.after); }});
+  }
+  columns.push_back({"hold_creep_m", "m", "motion of the held object in the hand",
+                     [](const Row& row) { return row.after.result.hold_creep; }});
+  columns.push_back({"steady_penetration_m", "m", "deepest overlap at the end of the hold",
+                     [](const Row& row) { return row.after.result.steady_penetration; }});
+  columns.push_back({"unconverged_steps", "", "steps whose solve missed its tolerance",
+                     [](const Row& row) { return row.after.result.num_unconverged; }});
+  return columns;
+}
+
+std::vector<NumericsComparison> ListFlips(const std::vector<NumericsComparison>& comparisons) {
+  std::vector<NumericsComparison> flips;
+  std::copy_if(comparisons.begin(), comparisons.end(), std::back_inserter(flips),
+               [](const NumericsComparison& comparison) { return comparison.is_flipped(); });
+  return flips;
 }
 
 }  // namespace
 
 std::string FormatNumericsCsv(const std::vector<NumericsComparison>& comparisons) {
-  std::vector<Json> heading = {"variant", "trial_id",    "hand",           "object",
-                               "grasp",   "trial",       "outcome_before", "outcome",
-                               "flipped", "seat_before", "seat",           "flagged"};
-  for (const NumericsMeasure& measure : ListNumericsMeasures()) {
-    heading.push_back(std::string(measure.name) + "_before");
-    heading.push_back(measure.name);
+  return FormatCsv(ListNumericsComparisonColumns(), comparisons);
+}
+
+Json MakeNumericsSchema() { return MakeTableSchema(ListNumericsComparisonColumns(), ""); }
+
+ShownTable ShowVariants(const std::vector<NumericsSummary>& summaries) {
+  return ShowTable(ListNumericsVariantColumns(), summaries);
+}
+
+ShownTable ShowSeatChanges(const std::vector<NumericsSummary>& summaries) {
+  std::vector<SeatNumerics> seats;
+  for (const NumericsSummary& summary : summaries) {
+    seats.insert(seats.end(), summary.seats.begin(), summary.seats.end());
   }
-  for (const char* name : {"hold_creep_m", "steady_penetration_m", "unconverged_steps"}) {
-    heading.push_back(name);
-  }
-  std::string csv = FormatCsvLine(heading);
-  for (const NumericsComparison& comparison : comparisons) {
-    const PlannedTrial& plan = comparison.before.plan;
-    std::vector<Json> cells = {comparison.variant,
-                               plan.id,
-                               plan.hand,
-                               plan.object,
-                               plan.grasp,
-                               plan.trial,
-                               NameOf(comparison.before.result.outcome),
-                               NameOf(comparison.after.result.outcome),
-                               comparison.is_flipped() ? 1 : 0,
-                               NameOf(FindSeat(comparison.before.result)),
-                               NameOf(FindSeat(comparison.after.result)),
-                               comparison.is_flagged() ? 1 : 0};
-    for (const NumericsMeasure& measure : ListNumericsMeasures()) {
-      cells.push_back(JsonNumber(measure.value(comparison.before)));
-      cells.push_back(JsonNumber(measure.value(comparison.after)));
-    }
-    cells.push_back(JsonNumber(comparison.after.result.hold_creep));
-    cells.push_back(JsonNumber(comparison.after.result.steady_penetration));
-    cells.push_back(comparison.after.result.num_unconverged);
-    csv += FormatCsvLine(cells);
-  }
-  return csv;
+  return ShowTable(ListSeatChangeColumns(), seats);
+}
+
+ShownTable ShowFlips(const std::vector<NumericsComparison>& comparisons) {
+  return ShowTable(ListNumericsComparisonColumns(), ListFlips(comparisons));
 }
 
 Json MakeNumericsJson(const std::vector<NumericsSummary>& summaries,
                       const std::vector<NumericsComparison>& comparisons) {
-  Json variants = Json::array(), flips = Json::array();
-  for (const NumericsSummary& summary : summaries) {
-    variants.push_back({{"variant", summary.variant},
-                        {"trials", summary.num_trials},
-                        {"left_out", summary.num_left_out},
-                        {"successes_before", summary.num_successes_before},
-                        {"successes", summary.num_successes},
-                        {"flips", summary.num_flips},
-                        {"numerical_failures", summary.num_numerical_failures},
-                        {"held", summary.num_held},
-                        {"seat_flips", summary.num_seat_flips},
-                        {"flagged", summary.num_flagged},
-                        {"large_changes_unflagged", summary.num_large},
-                        {"seats", MakeSeatsJson(summary)}});
-  }
-  for (const NumericsComparison& comparison : comparisons) {
-    if (!comparison.is_flipped()) continue;
+  Json flips = Json::array();
+  for (const NumericsComparison& comparison : ListFlips(comparisons)) {
     Json flip = ToJson(comparison.before.plan);
     flip["variant"] = comparison.variant;
     flip["outcome_before"] = NameOf(comparison.before.result.outcome);
@@ -264,7 +333,7 @@ Json MakeNumericsJson(const std::vector<NumericsSummary>& summaries,
     flip["reason"] = comparison.after.result.reason;
     flips.push_back(flip);
   }
-  return {{"variants", variants}, {"flips", flips}};
+  return {{"variants", MakeJsonRows(ListNumericsVariantColumns(), summaries)}, {"flips", flips}};
 }
 
 }  // namespace graspbench

@@ -4,17 +4,17 @@ How far a session's results depend on the numerics: its trials under other steps
 (graspbench check-numerics) beside its own, one by one and seat by seat.
 
 A verdict flips when a success becomes a failure or the other way round; one failure that becomes
-another is no flip. A seat flips when both trials are held, in different seats (seat.h). Changes of
-grip force, sigma, times and breaking force are relative to the session's value, of trials that are
-held in the same seat. A held trial is flagged when it is reseated or caged; of one that is not,
-grip, sigma and breaking force should change by no more than kLargeChange, also where its seat
-flips. */
+another is no flip. A seat flips when both trials are held, in different seats (object_in_hand.h).
+Changes of grip force, sigma, times and breaking force are relative to the session's value, of
+trials that are held in the same seat. A held trial is flagged when it is reseated or caged; of one
+that is not, grip, sigma and breaking force should change by no more than kLargeChange, also where
+its seat flips. */
 
 #include <string>
 #include <vector>
 
-#include "core/base/text/json.h"
-#include "core/trial/measures/seat.h"
+#include "core/base/text/csv.h"
+#include "core/trial/measures/object_in_hand.h"
 #include "datasets/session/session_store.h"
 
 namespace graspbench {
@@ -56,6 +56,7 @@ struct ChangeSummary {
 };
 
 struct SeatNumerics {
+  std::string variant;
   Seat seat = Seat::kUnknown;
   int num_held = 0;
   std::vector<ChangeSummary> changes;  ///< in the order of ListNumericsMeasures()
@@ -84,8 +85,15 @@ std::vector<NumericsComparison> ListNumericsComparisons(const Session& experimen
 /** Of all experiments in the session's folder numerics/. @throws as LoadSession. */
 std::vector<NumericsComparison> LoadNumericsComparisons(const Session& session);
 
+/** As people see them: the variants, the relative changes of held trials by seat, the flips. */
+ShownTable ShowVariants(const std::vector<NumericsSummary>& summaries);
+ShownTable ShowSeatChanges(const std::vector<NumericsSummary>& summaries);
+ShownTable ShowFlips(const std::vector<NumericsComparison>& comparisons);
+
 /** One row per comparison; missing = empty. */
 std::string FormatNumericsCsv(const std::vector<NumericsComparison>& comparisons);
+/** Its data dictionary. */
+Json MakeNumericsSchema();
 
 /** {variants: [..], flips: [..]}. */
 Json MakeNumericsJson(const std::vector<NumericsSummary>& summaries,

@@ -13,16 +13,17 @@
 
 #include "core/base/config.h"
 #include "core/base/error.h"
-#include "core/base/text/range_text.h"
+#include "core/base/text/csv.h"
 #include "core/base/text/text.h"
+#include "core/base/units.h"
 #include "core/statistics/bootstrap.h"
 #include "core/statistics/summary.h"
 #include "datasets/journal/read_journal.h"
 #include "datasets/plan/conditions.h"
-#include "datasets/plan/firm_grip.h"
+#include "datasets/plan/grip_check.h"
 #include "datasets/plan/session_plan.h"
+#include "datasets/session/find_trial.h"
 #include "datasets/session/judgement_store.h"
-#include "datasets/session/session_experiments.h"
 
 namespace graspbench {
 namespace {
@@ -398,6 +399,8 @@ std::string CountPairs(const SettingChange& change) {
   return FormatCountOf(num_pairs, num_pairs + change.num_left_out);
 }
 
+namespace {
+
 std::string FormatChange(const SettingChange& change, const char* measure, double scale,
                          int decimals) {
   const MeasureChange& part = change.Find(measure);
@@ -408,6 +411,44 @@ std::string FormatChange(const SettingChange& change, const char* measure, doubl
     text += ", " + std::to_string(part.num_pairs) + " of " + FormatCount(num_pairs, "pair");
   }
   return text;
+}
+
+std::vector<CsvColumn<SettingChange>> ListChangeColumns() {
+  using Row = SettingChange;
+  const auto show = [](const char* heading, const char* hint, CsvColumn<Row>::Show cell) {
+    return CsvColumn<Row>::ForPeople(heading, hint, std::move(cell));
+  };
+  const auto measure = [&](const char* heading, const char* id, double scale, int decimals) {
+    return show(heading, "change of the median",
+                [=](const Row& row) { return FormatChange(row, id, scale, decimals); });
+  };
+  return {
+      show("setting", "", [](const Row& row) { return FormatSetting(row.setting); }),
+      show("was", "the session's value", [](const Row& row) { return FormatSetting(row.value); }),
+      show("hand", "", [](const Row& row) { return row.hand; }),
+      show("pairs", "trials of the same draws", CountPairs),
+      show("won", "failures that succeed after the change",
+           [](const Row& row) { return std::to_string(row.successes.second_only); }),
+      show("lost", "successes that fail after the change",
+           [](const Row& row) { return std::to_string(row.successes.first_only); }),
+      show("success [%]", "change of the rate",
+           [](const Row& row) {
+             return FormatWithRange(100.0 * row.rate_change(), 100.0 * row.rate_change_low,
+                                    100.0 * row.rate_change_high, 1);
+           }),
+      measure("GCT [ms]", "gct_s", MsFromS(1.0), 0),
+      measure("GFT [ms]", "gft_s", MsFromS(1.0), 0),
+      measure("GFT% [%]", "gft_ratio", 100.0, 1),
+      measure("GOT% [%]", "got_ratio", 100.0, 1),
+      measure("sigma [N]", "sigma_n", 1.0, 2),
+      show("left out", "trials without a pair", [](const Row& row) { return row.why_left_out; })};
+}
+
+}  // namespace
+
+ShownTable ShowChanges(const std::vector<SettingChange>& changes,
+                       const std::vector<std::string>& headings) {
+  return ShowTable(ListChangeColumns(), changes, headings);
 }
 
 std::string DescribeChanges(const std::vector<SettingChange>& changes) {

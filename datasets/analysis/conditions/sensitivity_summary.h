@@ -153,10 +153,11 @@ std::string FormatSetting(const std::string& setting);
 /** "10", or "6 of 10" where pairs are left out. */
 std::string CountPairs(const SettingChange& change);
 
-/** A measure's change as tables show it: "-8 (-12 to -3)", and "-8 (-12 to -3), 5 of 10 pairs" where
-not all pairs have it. */
-std::string FormatChange(const SettingChange& change, const char* measure, double scale,
-                         int decimals);
+/** Changes as people see them, with the columns of these headings: setting, was, hand, pairs, left
+out, lost, won, success [%], GCT [ms], GFT [ms], GFT% [%], GOT% [%], sigma [N]. A cell is "-8 (-12 to
+-3)", and "-8 (-12 to -3), 5 of 10 pairs" where not all pairs have the measure. */
+ShownTable ShowChanges(const std::vector<SettingChange>& changes,
+                       const std::vector<std::string>& headings);
 
 /** What a table of changes says below it, with a line feed. */
 std::string DescribeChanges(const std::vector<SettingChange>& changes);

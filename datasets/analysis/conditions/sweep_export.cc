@@ -1,45 +1,68 @@
 #include <algorithm>
 
 #include "core/base/text/csv.h"
+#include "core/base/text/text.h"
 #include "datasets/analysis/conditions/sweep_summary.h"
 
 namespace graspbench {
 namespace {
 
+std::string NameBase(const std::string& condition) {
+  return condition.empty() ? "base" : condition;
+}
+
 std::vector<CsvColumn<ConditionRow>> ListConditionColumns(const SweepSummary& summary) {
   using Row = ConditionRow;
-  std::vector<CsvColumn<Row>> columns = {
-      {"condition", "", "name of the condition; empty: the base", &Row::name}};
+  using C = CsvColumn<Row>;
+  std::vector<C> columns = {
+      C("condition", "", "name of the condition; empty: the base", &Row::name)
+          .Shown("condition", [](const Row& row) { return NameBase(row.name); })};
   for (size_t i = 0; i < summary.factors.size(); ++i) {
     std::string name = summary.factors[i].key;
     std::replace(name.begin(), name.end(), '.', '_');
     columns.push_back({name, "", "level of the factor " + summary.factors[i].key,
                        [i](const Row& row) { return row.levels[i]; }});
   }
-  const auto add = [&](const char* name, const char* meaning, int Row::*member) {
-    columns.push_back({name, "", meaning, [member](const Row& row) { return row.*member; }});
-  };
-  columns.push_back({"hand", "", "id of the hand", &Row::hand});
-  add("planned", "trials of the plan", &Row::num_planned);
-  add("finished", "finished trials", &Row::num_finished);
-  add("successes", "of these", &Row::num_successes);
-  add("numerical_failures", "of the finished trials", &Row::num_numerical);
-  for (size_t i = 1; i < ListSweepMeasures().size(); ++i) {
-    const std::string id = ListSweepMeasures()[i].id;
-    columns.push_back({"median_" + id, "",
-                       ListSweepMeasures()[i].threshold
-                           ? "over the draws; empty: not looked for, or half never held"
-                           : "over the trials that have it",
-                       [i](const Row& row) { return row.medians[i]; }});
+  columns.push_back(C("hand", "", "id of the hand", &Row::hand).Shown("hand"));
+  columns.push_back({"planned", "", "trials of the plan", &Row::num_planned});
+  columns.push_back(
+      C("finished", "", "finished trials", &Row::num_finished).Shown("trials", [](const Row& row) {
+        return FormatCountOf(row.num_finished, row.num_planned);
+      }));
+  columns.push_back({"successes", "", "of these", &Row::num_successes});
+  columns.push_back({"numerical_failures", "", "of the finished trials", &Row::num_numerical});
+  for (size_t i = 0; i < ListSweepMeasures().size(); ++i) {
+    const SweepMeasure& measure = ListSweepMeasures()[i];
+    C column("median_" + std::string(measure.id), "",
+             measure.threshold ? "over the draws; empty: not looked for, or half never held"
+                               : "over the trials that have it",
+             [i](const Row& row) { return row.medians[i]; });
+    if (i == 0) column = C::ForPeople("", "rate", {});
+    if (summary.Shows(i)) {
+      column = column.Shown(measure.label, [i, &measure](const Row& row) {
+        return FormatValue(measure, row.medians[i]);
+      });
+    }
+    columns.push_back(column);
   }
-  columns.push_back({"undecided", "",
-                     "why these trials cannot decide success; empty: some succeed, some fail",
-                     &Row::undecided});
+  columns.push_back(C("undecided", "",
+                      "why these trials cannot decide success; empty: some succeed, some fail",
+                      &Row::undecided)
+                        .Shown("note"));
   return columns;
+}
+
+std::string FormatEffectInterval(const SweepEffect& effect) {
+  const SweepMeasure& measure = FindSweepMeasure(effect.measure);
+  if (!effect.interval) return effect.interval.reason();
+  return FormatChangeInterval(measure, *effect.interval) + (!effect.excludes_zero() ? ""
+                                                            : measure.threshold     ? ", excludes 1"
+                                                                                : ", excludes 0");
 }
 
 std::vector<CsvColumn<SweepEffect>> ListEffectColumns() {
   using Row = SweepEffect;
+  using C = CsvColumn<Row>;
   const auto take = [](std::vector<std::string> Row::*list, size_t place) {
     return [list, place](const Row& row) {
       return (row.*list).size() > place ? Json((row.*list)[place]) : Json();
@@ -50,29 +73,70 @@ std::vector<CsvColumn<SweepEffect>> ListEffectColumns() {
       {"level", "string", "", "its level, against that of the base", take(&Row::levels, 0)},
       {"with_factor", "string", "", "of an interaction the second factor", take(&Row::factors, 1)},
       {"with_level", "string", "", "and its level", take(&Row::levels, 1)},
-      {"hand", "", "id of the hand", &Row::hand},
-      {"measure", "",
-       "success (0 or 1), gft_ratio, sigma_n, breaking_force_n; threshold_margin and "
-       "threshold_force_n as binary logarithms: a change of 1 is twice the grip",
-       &Row::measure},
-      {"draws", "", "that have every value", &Row::num_draws},
-      {"objects", "", "of these draws", &Row::num_objects},
+      C::ForPeople("level", "", NameEffect),
+      C("hand", "", "id of the hand", &Row::hand).Shown("hand"),
+      C("measure", "",
+        "success (0 or 1), gft_ratio, sigma_n, breaking_force_n; threshold_margin and "
+        "threshold_force_n as binary logarithms: a change of 1 is twice the grip",
+        &Row::measure)
+          .Shown("measure", [](const Row& row) { return FindSweepMeasure(row.measure).label; }),
+      C("draws", "", "that have every value", &Row::num_draws)
+          .Shown("draws",
+                 [](const Row& row) {
+                   return FormatCountOf(row.num_draws, row.num_draws + row.num_left_out);
+                 }),
+      C("objects", "", "of these draws", &Row::num_objects).Shown("objects"),
       {"marginal", "",
        "1 when no two conditions differ in the factor alone, so that means over all conditions "
        "are compared",
        &Row::is_marginal},
-      {"change", "", "mean over draws, in the measure's unit", &Row::estimate},
-      {"low", "", "95 % interval from drawing objects",
-       [](const Row& row) { return row.interval ? row.interval->low : kUnset; }},
+      C("change", "", "mean over draws, in the measure's unit", &Row::estimate)
+          .Shown("change",
+                 [](const Row& row) {
+                   return FormatChange(FindSweepMeasure(row.measure), row.estimate);
+                 }),
+      C("low", "", "95 % interval from drawing objects",
+        [](const Row& row) {
+          return row.interval ? row.interval->low : kUnset;
+        }).Shown("95 % interval", FormatEffectInterval),
       {"high", "", "likewise",
        [](const Row& row) { return row.interval ? row.interval->high : kUnset; }},
       {"no_interval", "", "why there is none",
        [](const Row& row) { return row.interval ? "" : row.interval.reason(); }},
       {"left_out", "", "planned draws that the change leaves out", &Row::num_left_out},
-      {"why_left_out", "", "how many of them for which reason", &Row::why_left_out}};
+      C("why_left_out", "", "how many of them for which reason", &Row::why_left_out)
+          .Shown("left out")};
+}
+
+std::vector<CsvColumn<ConditionThresholds>> ListThresholdColumns() {
+  using Row = ConditionThresholds;
+  using C = CsvColumn<Row>;
+  return {
+      C("scale", "", "", [](const Row& row) { return row.scale->name; }).Shown("grip threshold"),
+      C("condition", "", "", &Row::name)
+          .Shown("condition", [](const Row& row) { return NameBase(row.name); }),
+      C("hand", "", "", &Row::hand).Shown("hand"),
+      C("draws", "", "", &Row::num_draws).Shown("draws"),
+      C("held_by_least", "", "the threshold is no larger than the scale's end", &Row::num_below)
+          .Shown("held by the least"),
+      C("never_held", "", "by no grip that was asked", &Row::num_never).Shown("never held"),
+      C("not_monotone", "", "draws that fail again with a larger grip", &Row::not_monotone)
+          .Shown("not monotone")};
 }
 
 }  // namespace
+
+ShownTable ShowConditions(const SweepSummary& summary) {
+  return ShowTable(ListConditionColumns(summary), summary.rows);
+}
+
+ShownTable ShowEffects(const std::vector<SweepEffect>& effects) {
+  return ShowTable(ListEffectColumns(), effects);
+}
+
+ShownTable ShowThresholds(const SweepSummary& summary) {
+  return ShowTable(ListThresholdColumns(), summary.thresholds);
+}
 
 std::vector<ExportTable> MakeSweepTables(const SweepSummary& summary) {
   const auto conditions = ListConditionColumns(summary);
@@ -84,34 +148,15 @@ std::vector<ExportTable> MakeSweepTables(const SweepSummary& summary) {
 }
 
 Json ToJson(const SweepSummary& summary) {
-  const auto list = [](const auto& columns, const auto& rows) {
-    Json json = Json::array();
-    for (const auto& row : rows) {
-      Json object = Json::object();
-      for (const auto& column : columns) object[column.name] = column.value(row);
-      json.push_back(object);
-    }
-    return json;
-  };
   Json factors = Json::array();
   for (const SweepFactor& factor : summary.factors) {
     factors.push_back({{"key", factor.key}, {"levels", factor.levels}});
   }
-  Json thresholds = Json::array();
-  for (const ConditionThresholds& row : summary.thresholds) {
-    thresholds.push_back({{"scale", row.scale->name},
-                          {"condition", row.name},
-                          {"hand", row.hand},
-                          {"draws", row.num_draws},
-                          {"held_by_least", row.num_below},
-                          {"never_held", row.num_never},
-                          {"not_monotone", row.not_monotone}});
-  }
   return {{"factors", factors},
-          {"thresholds", thresholds},
-          {"conditions", list(ListConditionColumns(summary), summary.rows)},
-          {"effects", list(ListEffectColumns(), summary.effects)},
-          {"interactions", list(ListEffectColumns(), summary.interactions)}};
+          {"thresholds", MakeJsonRows(ListThresholdColumns(), summary.thresholds)},
+          {"conditions", MakeJsonRows(ListConditionColumns(summary), summary.rows)},
+          {"effects", MakeJsonRows(ListEffectColumns(), summary.effects)},
+          {"interactions", MakeJsonRows(ListEffectColumns(), summary.interactions)}};
 }
 
 }  // namespace graspbench

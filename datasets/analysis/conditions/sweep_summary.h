@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-What the factors of a sweep (datasets/plan/sweep_design.h) change, on the same draws.
+What the factors of a sweep (datasets/plan/conditions.h) change, on the same draws.
 
 A draw is one hand, object and number (and grasp, where that is no factor); y(c) is a measure of its
 trial under the condition c. The effect of a level l of the factor A, of a draw: the mean of
@@ -16,17 +16,55 @@ Estimates are means over draws, of those that have every value; each says how ma
 leaves out, and why. Success is undecided where all compared trials succeed, or none. 95 % intervals
 come from drawing objects with replacement (core/statistics/bootstrap.h), because draws of one object
 are alike. Many intervals are shown: one in twenty misses 0 by chance. Of a grip threshold y is its
-binary logarithm (sweep_measures.h). */
+binary logarithm. */
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "core/statistics/bootstrap.h"
-#include "datasets/analysis/conditions/sweep_measures.h"
+#include "core/statistics/proportion.h"
+#include "datasets/analysis/conditions/threshold_summary.h"
 #include "datasets/plan/conditions.h"
 #include "datasets/session/session_store.h"
 
 namespace graspbench {
+
+/* What a sweep compares (sweep_summary.h) of its trials.
+
+A grip threshold (threshold_summary.h) enters effects as its binary logarithm, because its scale has
+equal ratios: a change of 1 is twice the grip, and is shown as a ratio. A draw that no grip held
+counts as one step above the largest, one that the least held as the least, so that effects err
+towards none there. */
+/** A finished trial of a sweep and the grip thresholds of its draw under its condition. */
+struct SweepTrial {
+  const TrialRecord* record = nullptr;
+  /** On each of kThresholdScales; infinite: no grip held; NaN: it was not looked for. */
+  std::array<double, std::size(kThresholdScales)> thresholds = {kUnset, kUnset};
+};
+
+struct SweepMeasure {
+  const char* id;     ///< "success"
+  const char* label;  ///< "success [%]", which is
+  double scale;       ///< times the value, with
+  int decimals;
+  double (*value)(const SweepTrial& trial);   ///< NaN: it has none
+  const ThresholdScale* threshold = nullptr;  ///< of grip thresholds: their scale
+
+  /** What effects are sums of. */
+  double CalcEffectValue(const SweepTrial& trial) const;
+};
+/** Success, GFT%, sigma, breaking force (judged trials; an empty hand's is none), grip thresholds.
+*/
+const std::vector<SweepMeasure>& ListSweepMeasures();
+/** @pre there is one with this id */
+const SweepMeasure& FindSweepMeasure(const std::string& id);
+
+/** A value: "12.5", "n/a", "none held". */
+std::string FormatValue(const SweepMeasure& measure, double value);
+/** What a level changes: "-0.50", of a threshold "x 1.41". */
+std::string FormatChange(const SweepMeasure& measure, double change);
+std::string FormatChangeInterval(const SweepMeasure& measure, const Interval& interval);
 
 /** One condition and one hand. */
 struct ConditionRow {
@@ -69,6 +107,8 @@ struct SweepSummary {
   std::vector<SweepEffect> effects, interactions;
   std::vector<ConditionThresholds> thresholds;  ///< scales, then conditions, then hands
 
+  /** Interactions whose interval excludes 0. */
+  std::vector<SweepEffect> FindInteractions() const;
   /** Whether a column is worth showing: thresholds are where they were looked for. */
   bool Shows(size_t measure) const;
 };
@@ -79,8 +119,10 @@ SweepSummary SummariseSweep(const Session& session,
 /** "model.mass_scale=0.5 and grasp=g2". */
 std::string NameEffect(const SweepEffect& effect);
 
-/** "18", or "16 of 18" where draws are left out. */
-std::string CountDraws(const SweepEffect& effect);
+/** As people see them. */
+ShownTable ShowConditions(const SweepSummary& summary);
+ShownTable ShowEffects(const std::vector<SweepEffect>& effects);
+ShownTable ShowThresholds(const SweepSummary& summary);
 
 /** conditions.csv and effects.csv with their dictionaries. */
 std::vector<ExportTable> MakeSweepTables(const SweepSummary& summary);

@@ -10,7 +10,7 @@
 #include "core/base/text/text.h"
 #include "core/statistics/summary.h"
 #include "datasets/plan/grip_check.h"
-#include "datasets/session/session_experiments.h"
+#include "datasets/session/find_trial.h"
 
 namespace graspbench {
 double CalcGripAt(const ThresholdScale& scale, int place) {
@@ -412,24 +412,55 @@ std::vector<ExportTable> MakeThresholdTables(const std::vector<ThresholdSummary>
   return {{"thresholds", FormatCsv(columns, rows), MakeTableSchema(columns, "")}};
 }
 
+namespace {
+
+std::vector<CsvColumn<CellThreshold>> ListCellColumns(const ThresholdSummary& summary) {
+  using Row = CellThreshold;
+  using C = CsvColumn<Row>;
+  const ThresholdScale& scale = *summary.scale;
+  const bool is_sweep = std::any_of(summary.cells.begin(), summary.cells.end(),
+                                    [](const Row& row) { return !row.condition.empty(); });
+  const auto interval = [&scale](const Row& row) {
+    return std::isnan(row.low)
+               ? "n/a"
+               : FormatThreshold(scale, row.low) + " to " + FormatThreshold(scale, row.high);
+  };
+  const auto threshold = [](double Row::*member) {
+    return [member](const Row& row) { return JsonThreshold(row.*member); };
+  };
+  return {C("condition", "", "", &Row::condition)
+              .Shown(is_sweep ? "condition" : "",
+                     [](const Row& row) { return row.condition.empty() ? "base" : row.condition; }),
+          C("hand", "", "", &Row::hand).Shown("hand"),
+          C("object", "", "", &Row::object).Shown("object"),
+          C("grasp", "", "", &Row::grasp).Shown("grasp"),
+          C("draws", "", "", &Row::num_draws).Shown("draws"),
+          C::ForPeople("grip threshold", "smallest grip with which the draw in the middle succeeds",
+                       [&scale](const Row& row) { return FormatMedian(scale, row); }),
+          C::ForPeople("95 % interval", "of order statistics", interval),
+          C("never_held", "", "by no grip that was asked", &Row::num_never).Shown("never held"),
+          C("held_by_least", "", "the threshold is no larger than the scale's end", &Row::num_below)
+              .Shown("held by the least"),
+          C("not_monotone", "string", "",
+            "trials that fail again with a larger grip, as far as was asked",
+            [](const Row& row) {
+              return Json(row.not_monotone);
+            }).Shown("not monotone", NameNotMonotone),
+          {"median", "number", "", "", threshold(&Row::median)},
+          {"low", "number", "", "", threshold(&Row::low)},
+          {"high", "number", "", "", threshold(&Row::high)}};
+}
+
+}  // namespace
+
+ShownTable ShowCells(const ThresholdSummary& summary) {
+  return ShowTable(ListCellColumns(summary), summary.cells);
+}
+
 Json ToJson(const ThresholdSummary& summary) {
-  Json cells = Json::array();
-  for (const CellThreshold& cell : summary.cells) {
-    cells.push_back({{"condition", cell.condition},
-                     {"hand", cell.hand},
-                     {"object", cell.object},
-                     {"grasp", cell.grasp},
-                     {"draws", cell.num_draws},
-                     {"never_held", cell.num_never},
-                     {"held_by_least", cell.num_below},
-                     {"not_monotone", cell.not_monotone},
-                     {"median", JsonThreshold(cell.median)},
-                     {"low", JsonThreshold(cell.low)},
-                     {"high", JsonThreshold(cell.high)}});
-  }
   return {{"scale", summary.scale->name},
           {"unit", summary.scale->unit},
-          {"cells", cells},
+          {"cells", MakeJsonRows(ListCellColumns(summary), summary.cells)},
           {"draws", summary.draws.size()},
           {"trials", summary.num_trials},
           {"not_monotone", summary.num_not_monotone()}};

@@ -30,6 +30,7 @@ below 6 draws there is none (Conover 1999, Practical Nonparametric Statistics, 3
 #include <string>
 #include <vector>
 
+#include "core/base/text/csv.h"
 #include "core/grasp/strategy.h"
 #include "core/statistics/proportion.h"
 #include "datasets/plan/conditions.h"
@@ -128,6 +129,9 @@ std::string FormatThreshold(const ThresholdScale& scale, double value);
 
 /** export/thresholds.csv with a row for each draw; none without thresholds. */
 std::vector<ExportTable> MakeThresholdTables(const std::vector<ThresholdSummary>& thresholds);
+
+/** The cells as people see them. */
+ShownTable ShowCells(const ThresholdSummary& summary);
 
 /** {scale, unit, cells: [..], draws, trials, not_monotone}; infinite and NaN are null. */
 Json ToJson(const ThresholdSummary& summary);

@@ -11,7 +11,7 @@ constexpr double kMapDose = 0.1;  // effects are for so much delay [s]
 
 double CalcSign(double change) { return change > 0.0 ? 1.0 : change < 0.0 ? -1.0 : 0.0; }
 
-using PairKey = std::tuple<std::string, int, std::vector<size_t>>;
+using MapPairKey = std::tuple<std::string, int, std::vector<size_t>>;
 
 }  // namespace
 
@@ -32,11 +32,11 @@ double CalcPairEffect(MapMeasure measure, double undelayed,
 std::vector<MapPair> ListMapPairs(const MapData& data, const std::string& hand, LateDigit late,
                                   MapMeasure measure) {
   const auto place = static_cast<size_t>(measure);
-  std::map<PairKey, double> undelayed;
-  std::map<PairKey, std::vector<const MapTrial*>> delayed;
+  std::map<MapPairKey, double> undelayed;
+  std::map<MapPairKey, std::vector<const MapTrial*>> delayed;
   for (const MapTrial& trial : data.trials) {
     if (trial.hand != hand) continue;
-    const PairKey key(trial.object, trial.draw, trial.levels);
+    const MapPairKey key(trial.object, trial.draw, trial.levels);
     if (trial.late == LateDigit::kNone) undelayed[key] = trial.values[place];
     if (trial.late == late) delayed[key].push_back(&trial);
   }

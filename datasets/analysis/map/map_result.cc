@@ -1,55 +1,160 @@
 #include "datasets/analysis/map/map_result.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
-#include "core/base/text/csv.h"
-#include "datasets/analysis/map/map_precision.h"
-#include "datasets/analysis/map/map_trials.h"
+#include "core/base/text/text.h"
+#include "datasets/analysis/conditions/sweep_summary.h"
+#include "datasets/analysis/map/simultaneity_map.h"
+#include "datasets/plan/conditions.h"
 #include "datasets/plan/map_design.h"
+#include "datasets/session/find_trial.h"
 
 namespace graspbench {
+
 namespace {
 
-struct TableRow {
-  const MapPartResult* part;
-  const MapCell* cell;
-
-  const MapMeasureRow& measure() const { return RowOf(kMapMeasures, cell->measure); }
+/** What a condition says of its trials. */
+struct Region {
+  std::vector<size_t> levels;
+  SessionConfig config;
+  LateDigit late = LateDigit::kNone;
+  double delay = 0.0;
 };
 
+/** By the condition's name; empty: the base. */
+std::map<std::string, Region> ListRegions(const SessionConfig& config) {
+  std::map<std::string, Region> regions;
+  std::vector<Condition> conditions = config.conditions;
+  conditions.push_back({});
+  const auto levels = ListMapLevels(conditions, config);
+  for (size_t i = 0; i < conditions.size(); ++i) {
+    const ConditionInputs made = ApplyCondition(conditions[i], config);
+    regions[conditions[i].name] = {levels[i], made.config, made.late, made.delay};
+  }
+  return regions;
+}
+
+/** GFT; infinite where a digit never touched, NaN where contacts came before closure. */
+double FindFirstToLast(const TrialResult& result) {
+  double first = INFINITY, last = -INFINITY;
+  for (const DigitContact& contact : result.contacts) {
+    if (std::isnan(contact.time)) return INFINITY;
+    first = std::min(first, contact.time);
+    last = std::max(last, contact.time);
+  }
+  return result.contacts.empty() || result.timing.contact_before_start ? kUnset : last - first;
+}
+
+double FindPush(const TrialResult& result) {
+  if (std::isinf(FindFirstToLast(result))) return INFINITY;
+  return result.closing ? result.closing->shift : kUnset;
+}
+
+}  // namespace
+
+MapData ListMapTrials(const Session& session, const std::vector<ThresholdSummary>& thresholds) {
+  MapData data;
+  for (const MapFactorRow& row : ListMapFactors()) {
+    MapFactor factor = {row.name, {}, row.scales_draws};
+    for (const MapLevelRow& level : row.levels) factor.levels.push_back(level.name);
+    data.factors.push_back(factor);
+  }
+  std::vector<double> margins(session.records.size(), kUnset);
+  for (const ThresholdSummary& summary : thresholds) {
+    if (summary.scale == &kThresholdScales[0]) margins = ListThresholdsOf(session, summary);
+  }
+  const SweepMeasure& threshold = FindSweepMeasure("threshold_margin");
+  const bool is_judged = std::any_of(session.records.begin(), session.records.end(),
+                                     [](const TrialRecord& record) { return record.judgement; });
+  const std::map<std::string, Region> regions = ListRegions(session.config);
+  for (size_t i = 0; i < session.records.size(); ++i) {
+    const TrialRecord& record = session.records[i];
+    if (IsNumericalFailure(record.result.outcome)) continue;
+    const Region& region = regions.at(record.plan.condition.value_or(""));
+    const TrialDraw draw = MakeObjectDraw(region.config, record.plan.object, record.plan.trial);
+    MapTrial trial;
+    trial.hand = record.plan.hand;
+    trial.object = record.plan.object;
+    trial.draw = record.plan.trial;
+    trial.levels = region.levels;
+    trial.late = region.late;
+    trial.delay = region.delay;
+    SweepTrial measured;
+    measured.record = &record;
+    measured.thresholds[0] = margins[i];
+    const double strength = record.judgement ? record.judgement->breaking_force : kUnset;
+    const bool is_success = IsSuccess(record.result.outcome);
+    trial.values = {is_success ? 1.0 : 0.0, threshold.CalcEffectValue(measured),
+                    FindPush(record.result), is_judged && !is_success ? 0.0 : strength};
+    trial.first_to_last = FindFirstToLast(record.result);
+    trial.offset = std::hypot(draw.offset_x, draw.offset_y);
+    trial.turn = std::abs(draw.offset_yaw);
+    trial.name = NameTrial(record.plan);
+    data.trials.push_back(std::move(trial));
+  }
+  return data;
+}
+
+namespace {
+
 /** The level of a factor of the cell's, or its name; null: it has no such. */
-Json FindPlace(const TableRow& row, size_t place, bool is_name) {
+Json FindPlace(const MapRow& row, size_t place, bool is_name) {
   if (row.cell->where.size() <= place) return {};
   const MapLevel& level = row.cell->where[place];
   const MapFactor& factor = row.part->map.factors[level.factor];
   return is_name ? factor.name : factor.levels[level.level];
 }
 
-std::vector<CsvColumn<TableRow>> ListMapColumns() {
-  using Row = TableRow;
+/** With what would decide it. */
+std::string NameVerdict(const MapRow& row) {
+  const std::string name = RowOf(kMapVerdicts, row.cell->verdict).name;
+  const int num_objects = row.cell->num_objects_to_decide;
+  return num_objects == 0
+             ? name
+             : name + ": some " + FormatCount(num_objects, "object") + " in all would decide";
+}
+
+std::vector<CsvColumn<MapRow>> ListMapColumns() {
+  using Row = MapRow;
+  using C = CsvColumn<Row>;
   return {
       {"part", "", "session of the map", [](const Row& row) { return row.part->id; }},
-      {"measure", "",
-       "success (0 or 1), threshold (binary logarithm of the margin), push (net share of pairs), "
-       "breaking_force [N]",
-       [](const Row& row) { return row.measure().name; }},
-      {"hand", "", "id of the hand", [](const Row& row) { return row.cell->hand; }},
-      {"late_digit", "", "last or first to touch without delay",
-       [](const Row& row) { return NameLateDigit(row.cell->late); }},
-      {"factor", "string", "", "of the region; empty: everywhere",
-       [](const Row& row) { return FindPlace(row, 0, true); }},
+      C("measure", "",
+        "success (0 or 1), threshold (binary logarithm of the margin), push (net share of pairs), "
+        "breaking_force [N]",
+        [](const Row& row) {
+          return row.measure().name;
+        }).Shown("measure", [](const Row& row) { return row.measure().label; }),
+      C("hand", "", "id of the hand", [](const Row& row) { return row.cell->hand; }).Shown("hand"),
+      C("late_digit", "", "last or first to touch without delay",
+        [](const Row& row) {
+          return NameLateDigit(row.cell->late);
+        }).Shown("late digit"),
+      C("factor", "string", "", "of the region; empty: everywhere",
+        [](const Row& row) {
+          return FindPlace(row, 0, true);
+        }).Shown("where", [](const Row& row) { return NameWhere(row.part->map, *row.cell); }),
       {"level", "string", "", "its level", [](const Row& row) { return FindPlace(row, 0, false); }},
       {"with_factor", "string", "", "a second factor of the region",
        [](const Row& row) { return FindPlace(row, 1, true); }},
       {"with_level", "string", "", "and its level",
        [](const Row& row) { return FindPlace(row, 1, false); }},
-      {"pairs", "", "of a trial without delay and its late ones",
-       [](const Row& row) { return row.cell->num_pairs; }},
-      {"objects", "", "in these pairs", [](const Row& row) { return row.cell->num_objects; }},
+      C("pairs", "", "of a trial without delay and its late ones",
+        [](const Row& row) {
+          return row.cell->num_pairs;
+        }).Shown("pairs"),
+      C("objects", "", "in these pairs",
+        [](const Row& row) {
+          return row.cell->num_objects;
+        }).Shown("objects"),
       {"undelayed", "", "mean of the measure without delay",
        [](const Row& row) { return row.cell->undelayed; }},
-      {"effect", "", "mean over pairs, for 100 ms of delay; of push not by time",
-       [](const Row& row) { return row.cell->estimate; }},
+      C("effect", "", "mean over pairs, for 100 ms of delay; of push not by time",
+        [](const Row& row) {
+          return row.cell->estimate;
+        }).Shown("effect", [](const Row& row) { return FormatEffect(*row.cell); }),
       {"low", "", "lower end of the 95 % interval from drawing objects",
        [](const Row& row) { return row.cell->interval ? row.cell->interval->low : kUnset; }},
       {"high", "", "upper end of the 95 % interval",
@@ -58,11 +163,19 @@ std::vector<CsvColumn<TableRow>> ListMapColumns() {
        [](const Row& row) { return row.cell->interval ? "" : row.cell->interval.reason(); }},
       {"p", "", "of no effect, by the signs of objects",
        [](const Row& row) { return row.cell->p; }},
-      {"adjusted_p", "",
-       "for the false discovery rate: everywhere over hands and late digits, a region over all",
-       [](const Row& row) { return row.cell->adjusted_p; }},
-      {"verdict", "", "costs, gains, none, ceiling, floor, undecided",
-       [](const Row& row) { return RowOf(kMapVerdicts, row.cell->verdict).name; }}};
+      C("adjusted_p", "",
+        "for the false discovery rate: everywhere over hands and late digits, a region over all",
+        [](const Row& row) {
+          return row.cell->adjusted_p;
+        }).Shown("p adjusted", [](const Row& row) { return FormatFixed(row.cell->adjusted_p, 4); }),
+      C("verdict", "", "costs, gains, none, ceiling, floor, undecided",
+        [](const Row& row) {
+          return RowOf(kMapVerdicts, row.cell->verdict).name;
+        }).Shown("verdict", NameVerdict),
+      C::ForPeople("a trial that changed", "of the first such: graspbench trial DIR NAME",
+                   [](const Row& row) {
+                     return row.cell->changed.empty() ? "" : row.cell->changed.front();
+                   })};
 }
 
 MapMeasure FindMeasure(const MapPart& part) {
@@ -146,16 +259,24 @@ std::vector<CsvColumn<ObjectEffect>> ListObjectColumns() {
 
 }  // namespace
 
-std::vector<ExportTable> MakeMapTables(const MapResult& result) {
-  std::vector<TableRow> rows;
+std::vector<MapRow> ListMapRows(const MapResult& result) {
+  std::vector<MapRow> rows;
   for (const MapPartResult& part : result.parts) {
     for (const MapCell& cell : part.map.cells) {
       if (cell.num_pairs > 0) rows.push_back({&part, &cell});
     }
   }
+  return rows;
+}
+
+ShownTable ShowRegions(const std::vector<MapRow>& rows) {
+  return ShowTable(ListMapColumns(), rows);
+}
+
+std::vector<ExportTable> MakeMapTables(const MapResult& result) {
   const auto columns = ListMapColumns();
   const auto object_columns = ListObjectColumns();
-  return {{"map", FormatCsv(columns, rows), MakeTableSchema(columns, "")},
+  return {{"map", FormatCsv(columns, ListMapRows(result)), MakeTableSchema(columns, "")},
           {"map_objects", FormatCsv(object_columns, result.objects),
            MakeTableSchema(object_columns, "")}};
 }

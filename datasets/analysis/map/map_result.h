@@ -7,8 +7,11 @@ A map of simultaneity as it is stored: the success session with the other parts 
 #include <string>
 #include <vector>
 
+#include "core/base/enum_table.h"
+#include "core/base/text/csv.h"
+#include "datasets/analysis/conditions/threshold_summary.h"
 #include "datasets/analysis/map/common_cause.h"
-#include "datasets/analysis/map/object_effects.h"
+#include "datasets/analysis/map/simultaneity_map.h"
 #include "datasets/session/session_store.h"
 
 namespace graspbench {
@@ -32,11 +35,28 @@ struct MapResult {
 /** @param session  the first part, IsMap. @throws as LoadSession. */
 MapResult LoadMap(const Session& session);
 
+/** A cell of the map with the part that it is of. */
+struct MapRow {
+  const MapPartResult* part;
+  const MapCell* cell;
+
+  const MapMeasureRow& measure() const { return RowOf(kMapMeasures, cell->measure); }
+};
+/** Those that have pairs. They point into `result`. */
+std::vector<MapRow> ListMapRows(const MapResult& result);
+/** As people see them. */
+ShownTable ShowRegions(const std::vector<MapRow>& rows);
+
 /** map.csv: a row for each cell of every part; map_objects.csv: a row for each object. */
 std::vector<ExportTable> MakeMapTables(const MapResult& result);
 
 /** {findings: [..], parts: [{id, trials, planned, factors, cells}], objects: [..],
 precision: {HAND: ..}, natural: {HAND: ..}}. */
 Json ToJson(const MapResult& result);
+
+/** The trials of one session of a map (datasets/plan/map_design.h) as its analysis takes them.
+Trials that ended as numerical failures are left out: they say nothing of a grasp.
+@param thresholds  LoadThresholds(session). */
+MapData ListMapTrials(const Session& session, const std::vector<ThresholdSummary>& thresholds);
 
 }  // namespace graspbench

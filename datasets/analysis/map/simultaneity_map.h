@@ -155,4 +155,59 @@ std::string DescribeMap(const SimultaneityMap& map, const std::string& hand, Map
 
 Json ToJson(const SimultaneityMap& map);
 
+/* How finely a map of simultaneity resolves success. Of the regions (cells of one or two levels,
+first and last digit) of a hand that have at least 150 pairs of 20 objects, with [l, h] the cell's
+95 % interval for 100 ms,
+
+    half-width = (h - l) / 2, narrow: at most 0.05 (5 points of success)
+
+The bar is graspbench's own: a late digit that costs 5 points for 100 ms is seen in a region, unless
+the region is wide. */
+inline constexpr int kPairsOfLargeRegion = 150, kObjectsOfLargeRegion = 20;
+inline constexpr double kNarrowHalfWidth = 0.05;  ///< of a rate, for 100 ms
+
+struct MapPrecision {
+  int num_regions = 0;               ///< with pairs
+  int num_large = 0;                 ///< of them with 150 pairs of 20 objects
+  std::vector<const MapCell*> wide;  ///< of the large ones, the widest first
+  int num_narrow() const { return num_large - static_cast<int>(wide.size()); }
+};
+
+/** Half of the interval's width; NaN without an interval. */
+double CalcHalfWidth(const MapCell& cell);
+
+/** The result points into `map`. A large region without an interval is wide. */
+MapPrecision FindPrecision(const SimultaneityMap& map, const std::string& hand);
+
+/** "Of 158 regions with at least 150 pairs of 20 objects, 150 have a 95 % interval with a
+half-width of at most 5 points of success for 100 ms."; or that no region is so large. */
+std::string DescribePrecision(const MapPrecision& precision);
+
+/* What a late digit does to each object, all regions of a map together: how often it was held
+without delay and with each, and the effect as above. The 95 % interval comes from drawing the
+object's pairs with replacement: it is of this object under the map's regions and draws, and says
+nothing of other objects. It is not adjusted: of twenty objects one excludes zero by chance. */
+struct RateWithDelay {
+  double delay = 0.0;  ///< [s]
+  double rate = kUnset;
+};
+
+struct ObjectEffect {
+  std::string hand, object;
+  LateDigit late = LateDigit::kNone;
+  int num_pairs = 0;
+  std::vector<RateWithDelay> rates;  ///< of success; without delay first
+  double estimate = kUnset;          ///< of success, for 100 ms
+  Answer<Interval> interval = NoAnswer{"no pair"};
+  /** Late trials that ended otherwise than without delay, the first ones. */
+  std::vector<std::string> changed;
+};
+
+/** "By object: with the last digit 0.3 s late success falls most for ..": of a hand; empty: it has
+no such pairs. */
+std::string DescribeObjects(const std::vector<ObjectEffect>& effects, const std::string& hand);
+
+/** By hand and late digit, the largest loss first. */
+std::vector<ObjectEffect> ListObjectEffects(const MapData& data);
+
 }  // namespace graspbench

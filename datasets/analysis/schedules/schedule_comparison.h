@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-People and robots side by side: when digits touch (touch_lags.h) under each schedule with which a
+People and robots side by side: when digits touch under each schedule with which a
 grasp may close on the same draws of the same object, and what each schedule costs.
 
     natural       as the grasp closes by itself
@@ -16,8 +16,8 @@ inputs/grasps/people.json.
 The cost in threshold is the ratio of the draw's grip threshold to that of the natural schedule, the
 median over draws with the interval of order statistics (threshold_summary.h). Where under both the
 least grip of the scale holds, or none does, it is not known: such draws are counted and left out,
-and where they are half of the draws or more there is no ratio. Where no grip held under one schedule
-the ratio is infinite, or 0.
+and where they are half of the draws or more there is no ratio. Where no grip held under one
+schedule the ratio is infinite, or 0.
 
 What a schedule costs says something of simultaneity only where it changes it: DescribeUnknown names
 a simultaneous schedule under which GFT is not smaller over the draws. */
@@ -28,11 +28,61 @@ a simultaneous schedule under which GFT is not smaller over the draws. */
 #include <string>
 #include <vector>
 
+#include "core/base/text/json.h"
+#include "core/grasp/contact_timing.h"
+#include "core/statistics/answer.h"
 #include "datasets/analysis/conditions/threshold_summary.h"
-#include "datasets/analysis/schedules/touch_lags.h"
 #include "datasets/analysis/session_summary.h"
 
 namespace graspbench {
+
+/* When each digit touches, in shares of the closing time, for people and robots alike: the one
+measure that a robot which closes at a set speed shares with a person. Of a trial with first
+contacts t_d of the digits that are compared and the start t0 of closure
+(core/grasp/contact_timing.h),
+
+    share_d = (t_d - min t) / (max t - t0),
+
+min and max over the digits that touched; a digit that never touched has an infinite share, later
+than every other. Median and quartiles are those of the trials, infinite shares in their place
+(type 7; between a finite and an infinite value: infinite).
+
+A trial is left out, and counted, where a digit's contact cannot be told, t0 is not known, or a
+contact came before t0. */
+
+/** What one trial says of its contacts. */
+struct TrialTouches {
+  std::string object;
+  double start = kUnset;               ///< of closure, on the clock of the contacts [s]
+  std::vector<DigitContact> contacts;  ///< NaN: never touched; a digit without an entry: not known
+};
+
+struct DigitShare {
+  std::string digit;
+  double low = kUnset, median = kUnset, high = kUnset;  ///< quartiles; infinite: never touched
+  int num_never = 0;
+};
+
+struct TouchLags {
+  int num_trials = 0;              ///< that take part
+  int num_left_out = 0;            ///< as above
+  double closing_time = kUnset;    ///< median of max t - t0 where a digit touched [s]
+  double gft = kUnset;             ///< median; infinite: a digit never touched in half of them [s]
+  std::vector<DigitShare> shares;  ///< in the order of the digits asked for
+
+  const DigitShare& Of(const std::string& digit) const;
+};
+
+/** @param digits  that are compared.
+@returns no answer, with the reason, without a trial that takes part or a touch in them, of digits
+that no trial knows, and for closing times that cannot be seconds. */
+Answer<TouchLags> SummariseTouches(const std::vector<TrialTouches>& trials,
+                                   const std::vector<std::string>& digits);
+
+/** Infinite is null. */
+Json ToJson(const TouchLags& lags);
+/** @throws Json::exception. */
+TouchLags TouchLagsFromJson(const Json& json);
 
 inline constexpr char kNatural[] = "natural";
 inline constexpr char kSimultaneous[] = "simultaneous";

@@ -1,4 +1,4 @@
-#include "human_study/events/detectors/detector_list.h"
+#include "human_study/events/contact_detector.h"
 
 namespace graspbench {
 namespace {

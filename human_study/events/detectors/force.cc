@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "human_study/events/detectors/detector_list.h"
+#include "human_study/events/contact_detector.h"
 #include "human_study/recording/cleaning/butterworth.h"
-#include "human_study/recording/cleaning/resample.h"
+#include "human_study/recording/cleaning/trajectory.h"
 
 namespace graspbench {
 namespace {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "human_study/events/detectors/detector_list.h"
+#include "human_study/events/contact_detector.h"
 
 namespace graspbench {
 namespace {
@@ -38,8 +38,7 @@ EventTime FindByProduct(const ContactEvidence& evidence, const DigitEvidence& di
     if (evidence.object_displacement.size() > 0) {
       is_unmoved = CalcCriterion(evidence.object_displacement.values[column], 0.0, kMovedFar);
     }
-    product.values[static_cast<Column>(i - closing.first)] =
-        is_slow * is_near * is_early * is_unmoved;
+    product.At(i - closing.first) = is_slow * is_near * is_early * is_unmoved;
   }
   return FindProductPeak(product);
 }

@@ -1,4 +1,4 @@
-#include "human_study/events/detectors/detector_list.h"
+#include "human_study/events/contact_detector.h"
 
 namespace graspbench {
 namespace {
@@ -11,8 +11,7 @@ EventTime FindBySpeed(const ContactEvidence& evidence, const DigitEvidence& digi
   auto hold = static_cast<size_t>(FindHoldSample(digit.speed, evidence.hold));
   // Noise may lift one sample of a resting tip over the threshold.
   const auto is_resting = [&](size_t i) {
-    return digit.speed.IsValid(i) &&
-           digit.speed.values[static_cast<Eigen::Index>(i)] < options.speed_threshold;
+    return digit.speed.IsValid(i) && digit.speed.At(i) < options.speed_threshold;
   };
   while (hold > first && !is_resting(hold)) --hold;
   return TraceBack(digit.speed, hold, first, options.speed_threshold, Side::kBelow, kMinApproach);

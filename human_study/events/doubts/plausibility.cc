@@ -88,8 +88,7 @@ double FindFastest(const std::vector<DigitTrack>& digits) {
     speeds.clear();
     for (const DigitTrack& digit : digits) {
       if (!digit.tip.IsValid(i) || !digit.tip.IsValid(j)) continue;
-      const Vector3d way =
-          digit.tip.p.col(static_cast<Column>(j)) - digit.tip.p.col(static_cast<Column>(i));
+      const Vector3d way = digit.tip.At(j) - digit.tip.At(i);
       speeds.push_back(way.norm() / (times[j] - times[i]));
     }
     if (speeds.size() < 2) continue;
@@ -257,8 +256,8 @@ std::vector<Doubt> FindNoMovement(const std::vector<DigitTrack>& digits) {
     Vector3d low = Vector3d::Constant(INFINITY), high = -low;
     for (size_t i = 0; i < digit.tip.size(); ++i) {
       if (!digit.tip.IsValid(i)) continue;
-      low = low.cwiseMin(digit.tip.p.col(static_cast<Column>(i)));
-      high = high.cwiseMax(digit.tip.p.col(static_cast<Column>(i)));
+      low = low.cwiseMin(digit.tip.At(i));
+      high = high.cwiseMax(digit.tip.At(i));
       begin = std::min(begin, digit.tip.times[i]);
       end = std::max(end, digit.tip.times[i]);
     }
@@ -281,7 +280,7 @@ std::vector<Doubt> FindHandCentred(const std::vector<DigitTrack>& digits) {
     bool shows_all = true;
     for (const DigitTrack& digit : digits) {
       shows_all = shows_all && digit.tip.IsValid(i);
-      middle += digit.tip.p.col(static_cast<Column>(i)) / static_cast<double>(digits.size());
+      middle += digit.tip.At(i) / static_cast<double>(digits.size());
     }
     if (!shows_all) continue;
     ++num_shown;
@@ -342,9 +341,7 @@ double CalcJointTravel(const std::vector<SmoothPath>& tips, const Hold& hold) {
     if (tip.path.IsValid(at)) seen.push_back(&tip);
   }
   if (seen.size() < 2) return 0.0;
-  const auto place = [](const SmoothPath& tip, size_t i) -> Vector3d {
-    return tip.path.p.col(static_cast<Column>(i));
-  };
+  const auto place = [](const SmoothPath& tip, size_t i) -> Vector3d { return tip.path.At(i); };
   const auto is_rigid = [&](size_t i) {
     for (size_t a = 0; a < seen.size(); ++a) {
       for (size_t b = a + 1; b < seen.size(); ++b) {

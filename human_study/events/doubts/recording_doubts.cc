@@ -1,5 +1,3 @@
-#include "human_study/events/doubts/recording_doubts.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "core/base/units.h"
 #include "core/statistics/summary.h"
+#include "human_study/events/doubts/plausibility.h"
 
 namespace graspbench {
 namespace {
@@ -31,13 +30,7 @@ bool AreAllSeen(const std::vector<SmoothPath>& tips, size_t sample) {
                      [&](const SmoothPath& tip) { return tip.path.IsValid(sample); });
 }
 
-Vector3d FindTipPlace(const SmoothPath& tip, size_t sample) {
-  return tip.path.p.col(static_cast<Column>(sample));
-}
-
-}  // namespace
-
-namespace {
+Vector3d FindTipPlace(const SmoothPath& tip, size_t sample) { return tip.path.At(sample); }
 
 /** The thumb's distances, or the first digit's, to all but one of the others are those of `held`. */
 bool IsGripOf(const std::vector<SmoothPath>& tips, size_t sample, size_t held) {
@@ -64,10 +57,6 @@ Vector3d FindMiddle(const std::vector<SmoothPath>& tips, size_t sample) {
   for (const SmoothPath& tip : tips) sum += FindTipPlace(tip, sample);
   return sum / static_cast<double>(tips.size());
 }
-
-}  // namespace
-
-namespace {
 
 /** How one marker goes from each frame to the next. */
 struct FrameSteps {
@@ -107,17 +96,6 @@ bool IsKept(const Trajectory& track, const FrameSteps& steps, Column i) {
          (track.p.col(i - 1) - track.p.col(i - 2) - steps.own.col(i)).norm() <= most;
 }
 
-Trajectory FindObjectPath(const ReachTrial& trial) {
-  Trajectory path;
-  path.times = trial.times;
-  path.states = trial.object.states;
-  path.p.resize(3, static_cast<Column>(trial.times.size()));
-  for (size_t i = 0; i < trial.times.size(); ++i) {
-    path.p.col(static_cast<Column>(i)) = trial.object.X_LO[i] * trial.object.p_OC;
-  }
-  return path;
-}
-
 }  // namespace
 
 std::vector<Doubt> FindFrameJump(const ReachTrial& trial) {
@@ -127,7 +105,7 @@ std::vector<Doubt> FindFrameJump(const ReachTrial& trial) {
   for (const DigitTrack& digit : trial.digits) tracks.push_back(digit.tip);
   if (trial.wrist.size() > 0) tracks.push_back(trial.wrist);
   const size_t num_of_hand = tracks.size();
-  if (trial.object.IsRecorded()) tracks.push_back(FindObjectPath(trial));
+  if (trial.object.IsRecorded()) tracks.push_back(TakeObjectPath(trial));
   const double interval =
       (trial.times.back() - trial.times.front()) / static_cast<double>(trial.times.size() - 1);
   std::vector<FrameSteps> steps;
@@ -188,7 +166,7 @@ std::vector<Doubt> FindLeftBehind(const std::vector<SmoothPath>& tips, const Obj
   const SampleRun grip = FindGrip(tips, static_cast<size_t>(held));
   double lowest = INFINITY, risen = 0.0;
   for (size_t i = grip.first; i < grip.last; ++i) {
-    if (travel.displacement.values[static_cast<Column>(i)] > kObjectStays) return {};
+    if (travel.displacement.At(i) > kObjectStays) return {};
     if (!AreAllSeen(tips, i)) continue;
     const double height = up.dot(FindMiddle(tips, i));
     lowest = std::min(lowest, height);
@@ -240,7 +218,7 @@ bool MayBeExchanged(const std::vector<DigitTrack>& digits, const std::vector<Smo
   const SampleRun reach = FindSamples(times, begin, hold.time);
   for (size_t i = reach.first; i < reach.last; ++i) {
     if (!wrist.IsValid(i) || !tips[0].path.IsValid(i) || !tips[kIndex].path.IsValid(i)) continue;
-    const Vector3d from = wrist.p.col(static_cast<Column>(i));
+    const Vector3d from = wrist.At(i);
     beyond.push_back((FindTipPlace(tips[0], i) - from).norm() -
                      (FindTipPlace(tips[kIndex], i) - from).norm());
   }

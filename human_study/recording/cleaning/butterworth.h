@@ -10,6 +10,7 @@ The filter decides how sharp an event can be: its rise time from 10 to 90 % is 0
 at 10 Hz. Cut-offs are in hertz, always. */
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "human_study/recording/cleaning/trajectory.h"
 
@@ -32,5 +33,43 @@ Eigen::Matrix3Xd FilterZeroPhase(const Biquad& pass, const Eigen::Matrix3Xd& sig
 /** Filters each run of valid samples on its own; states stay. Samples must be evenly spaced.
 @throws Error(kRange) as MakeLowPass, or when the sampling is not even (resample first). */
 void FilterLowPass(Trajectory& trajectory, double cutoff);
+
+/** The cut-off of a low-pass filter from the data (residual analysis; Winter, "Biomechanics and
+Motor Control of Human Movement", 4th ed. 2009, section 3.4.4.3).
+
+The residual R(f) is the root mean square of what a filter at f takes away. Where only noise is
+taken away, R falls along a straight line; its value at 0 Hz estimates the noise. The cut-off is
+where R equals that value: as much signal is lost there as noise is let through. */
+struct ResidualAnalysis {
+  std::vector<double> cutoffs;    ///< [Hz]
+  std::vector<double> residuals;  ///< R [m], over the three axes
+  double noise = 0.0;   ///< value of the line at 0 Hz [m]: noise of the three axes together
+  double cutoff = 0.0;  ///< [Hz]; NaN when the curve never meets the noise
+};
+
+/** Tries cut-offs from 1 Hz to a quarter of the sampling rate in steps of 0.5 Hz and fits the line
+to the upper half of them, on the longest run of valid samples.
+@throws Error(kRange) when that run is shorter than one second, the sampling is not even or the rate
+is below 20 Hz. */
+ResidualAnalysis FindCutoff(const Trajectory& trajectory);
+
+/* Was a recording low-passed before it was exported?
+
+A camera's noise is white: as much of it per hertz at 20 Hz as just below half the rate. A filter
+takes it away above its cut-off and nothing puts it back. In stretches of half a second in which a
+marker hardly moves, recordings as they were taken have about as much power between 15 and 25 Hz as
+near half their rate; filtered ones have hundreds of times more.
+
+A filter that runs with the recording (causal) makes every instant later, a Butterworth of second
+order by 0.225 / cut-off; one that runs forwards and backwards makes none later but blurs contacts,
+and the spectrum does not tell which. Both take away the noise from which uncertainties are taken.
+
+Known limits: seen below about a sixth of the rate only. Noise of less than 2 um tells nothing, as
+of made-up recordings. Coordinates rounded coarser than the noise that is left hide the filter. */
+
+/** Cut-off (-3 dB) of the low-pass that explains the spectrum best, to about a third [Hz]; NaN when
+nothing was filtered or it cannot be told.
+@param tracks  of one recording with one clock, unfiltered as far as is known, not filled. */
+double FindLowPassTrace(const std::vector<const Trajectory*>& tracks);
 
 }  // namespace graspbench

@@ -7,10 +7,8 @@ C3D, all processors, integer and floating point. The format's rules: c3d.org use
 #include <cmath>
 #include <set>
 
-#include "human_study/recording/importers/c3d_layout.h"
 #include "human_study/recording/importers/c3d_parameters.h"
-#include "human_study/recording/importers/import_errors.h"
-#include "human_study/recording/importers/importer_list.h"
+#include "human_study/recording/importers/importer.h"
 
 namespace graspbench {
 namespace {

@@ -1,11 +1,10 @@
-#include "human_study/recording/importers/c3d_layout.h"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "core/base/text/text.h"
-#include "human_study/recording/importers/import_errors.h"
+#include "human_study/recording/importers/c3d_parameters.h"
+#include "human_study/recording/importers/importer.h"
 
 namespace graspbench {
 namespace {

@@ -6,17 +6,76 @@ Each record holds the distance to the next one. Distances are read as unsigned, 
 go forward and always ends. Groups may come after their parameters. */
 
 #include <cstdint>
+#include <cstring>
 #include <istream>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "human_study/recording/importers/c3d_format.h"
 #include "human_study/recording/importers/importer.h"
 #include "human_study/recording/recording.h"
 
 namespace graspbench {
+
+/** Numbers and fixed places of the C3D format (c3d.org, "The C3D File Format" user guide).
+
+A file is a sequence of 512-byte blocks: a header, a chain of named parameters and the data. The
+processor type in the parameter section decides the byte order of everything. DEC's floats are VAX
+F: the two 16-bit halves are swapped and the exponent is biased two higher than IEEE's. */
+enum class C3dProcessor : uint8_t { kIntel = 84, kDec = 85, kMips = 86 };
+
+inline constexpr size_t kC3dBlock = 512;
+inline constexpr uint8_t kC3dMark = 0x50;  ///< second byte of every C3D file
+inline constexpr int kC3dKey = 12345;      ///< header words 148 and 150: a feature is present
+inline constexpr int kC3dMaxHeaderEvents = 18;
+inline constexpr int kC3dMaxCount = 65535;  ///< the header's counts saturate here
+
+/** Byte offsets of header words; word n stands at byte 2 (n - 1). */
+namespace c3d_header {
+inline constexpr size_t kPoints = 2, kAnalogPerFrame = 4, kFirstFrame = 6, kLastFrame = 8,
+                        kScale = 12, kDataStart = 16, kAnalogSamples = 18, kRate = 20,
+                        kLabelRangeKey = 294, kLabelRangeBlock = 296, kEventKey = 298,
+                        kEventCount = 300, kEventTimes = 304, kEventLabels = 396;
+}  // namespace c3d_header
+
+template <C3dProcessor processor>
+uint16_t DecodeC3dWord(const uint8_t* p) {
+  return processor == C3dProcessor::kMips ? static_cast<uint16_t>(p[0] << 8 | p[1])
+                                          : static_cast<uint16_t>(p[1] << 8 | p[0]);
+}
+
+template <C3dProcessor processor>
+float DecodeC3dFloat(const uint8_t* p) {
+  uint32_t bits;
+  float value;
+  if constexpr (processor == C3dProcessor::kIntel) {
+    bits = p[0] | p[1] << 8 | p[2] << 16 | static_cast<uint32_t>(p[3]) << 24;
+  } else if constexpr (processor == C3dProcessor::kMips) {
+    bits = p[3] | p[2] << 8 | p[1] << 16 | static_cast<uint32_t>(p[0]) << 24;
+  } else {
+    bits = p[2] | p[3] << 8 | p[0] << 16 | static_cast<uint32_t>(p[1]) << 24;
+    const uint32_t exponent = bits >> 23 & 0xff;
+    if (exponent == 0) return 0.0f;
+    if (exponent > 2) {
+      bits -= 2u << 23;
+    } else {  // below IEEE's normal numbers
+      std::memcpy(&value, &bits, sizeof value);
+      return value / 4.0f;
+    }
+  }
+  std::memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
+uint16_t DecodeC3dWord(C3dProcessor processor, const uint8_t* p);
+float DecodeC3dFloat(C3dProcessor processor, const uint8_t* p);
+/** Appends two bytes. */
+void AppendC3dWord(std::string& bytes, C3dProcessor processor, uint16_t value);
+/** Appends four bytes. @pre `value` is finite; DEC saturates at 1.7e38. */
+void AppendC3dFloat(std::string& bytes, C3dProcessor processor, float value);
+
+const char* NameOf(C3dProcessor processor);
 
 /** A number of the file as a count or an index, rounded to the next whole one; none when it is not a
 number, negative or above `max`. Every foreign number becomes a size through here. */
@@ -92,5 +151,32 @@ std::vector<const C3dParameter*> FindPersonalParameters(const C3dParameters& par
 
 /** Blanks those texts, and the names found there wherever they prefix a label ("Anna:LTHUMB"). */
 std::vector<PersonalField> RedactC3d(std::string& bytes, const std::string& file);
+
+/** Where a C3D file's data lie and how many there are, from places that contradict each other.
+
+The same counts stand in the header, in the parameters and in the file's size. The rules of choice
+are in the source; each contradiction becomes a finding. */
+struct C3dLayout {
+  size_t num_points = 0;
+  size_t num_channels = 0;
+  size_t samples_per_frame = 0;  ///< of each analog channel
+  bool is_float = false;
+  double scale = 1.0;  ///< units of length per integer step; of the residual in every file
+  uint64_t data_position = 0;
+  size_t num_frames = 0;
+  int first_frame = 1;
+  double rate = 0.0;  ///< [Hz]; NaN when not stated
+
+  size_t num_analog() const { return num_channels * samples_per_frame; }
+  size_t value_size() const { return is_float ? 4 : 2; }
+  size_t frame_size() const { return (4 * num_points + num_analog()) * value_size(); }
+};
+
+/** Notes go to `recording.findings`. The layout never reaches past the end of the file.
+@throws Error(kFormat) with the byte where the data should go on, when the file holds fewer frames
+than every count says and options.accept_truncated is not set. */
+C3dLayout FindC3dLayout(const C3dHead& head, const C3dParameters& parameters,
+                        const ImportOptions& options, const std::string& file,
+                        Recording& recording);
 
 }  // namespace graspbench

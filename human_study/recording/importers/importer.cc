@@ -9,8 +9,6 @@
 #include "core/base/files/files.h"
 #include "core/base/text/delimited_text.h"
 #include "core/base/text/text.h"
-#include "core/base/text/utf16.h"
-#include "human_study/recording/importers/importer_list.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

@@ -6,6 +6,7 @@ An importer is one `.cc` file and one line in importer_list.inc. It reads from a
 trusts a count before comparing it with what the file can hold, notes every deviation it accepts in
 Recording::findings, and throws Error(kFormat) with the byte or line of a fault it cannot accept. */
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <istream>
@@ -14,6 +15,7 @@ Recording::findings, and throws Error(kFormat) with the byte or line of a fault 
 #include <string_view>
 #include <vector>
 
+#include "core/base/error.h"
 #include "human_study/recording/recording.h"
 
 namespace graspbench {
@@ -77,5 +79,20 @@ Recording LoadRecording(const std::filesystem::path& path, const ImportOptions& 
 @throws Error(kNotFound, kIo, kFormat, kUnsupported). */
 std::vector<PersonalField> RedactRecording(const std::filesystem::path& in,
                                            const std::filesystem::path& out);
+
+// How importers place a fault: by byte in binary files, by line in texts.
+[[noreturn]] inline void FailAtByte(const std::string& file, uint64_t byte,
+                                    const std::string& text) {
+  throw Error(ErrorKind::kFormat, file + ": byte " + std::to_string(byte) + ": " + text);
+}
+
+[[noreturn]] inline void FailAtLine(const std::string& file, int line, const std::string& text) {
+  throw Error(ErrorKind::kFormat, file + ":" + std::to_string(line) + ": " + text);
+}
+
+// Declares Make<Name>Importer() for every line of importer_list.inc.
+#define GRASPBENCH_IMPORTER(name) Importer Make##name##Importer();
+#include "human_study/recording/importers/importer_list.inc"
+#undef GRASPBENCH_IMPORTER
 
 }  // namespace graspbench

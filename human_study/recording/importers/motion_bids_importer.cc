@@ -9,8 +9,7 @@ POS become points, LATENCY the time stamps, the rest analog channels at the same
 #include <sstream>
 
 #include "core/base/text/json.h"
-#include "human_study/recording/importers/import_errors.h"
-#include "human_study/recording/importers/importer_list.h"
+#include "human_study/recording/importers/importer.h"
 #include "human_study/recording/importers/text_rows.h"
 
 namespace graspbench {

@@ -12,7 +12,7 @@ no unit is stated, metres, Motive's own unit, are taken. */
 #include <cmath>
 
 #include "core/base/text/text.h"
-#include "human_study/recording/importers/importer_list.h"
+#include "human_study/recording/importers/importer.h"
 #include "human_study/recording/importers/text_rows.h"
 
 namespace graspbench {
@@ -23,32 +23,12 @@ struct PointColumn {
   size_t column;  ///< of X; Y and Z follow
 };
 
-void ReadRows(LineReader& reader, const std::vector<PointColumn>& columns,
+void ReadRows(LineReader& reader, const std::vector<PointColumn>& points,
               const ImportOptions& options, Recording& recording) {
-  std::string_view line;
-  Cells cells;
-  std::vector<double> times;
-  size_t width = 2;
-  OddSamples odd;
-  int first_line = 0;
-  for (const PointColumn& c : columns) width = std::max(width, c.column + 3);
-  while (reader.Next(line)) {
-    SplitCells(line, ',', cells);
-    if (IsBlank(cells)) continue;
-    if (!HasAllColumns(cells, width, reader, options, recording)) break;
-    if (recording.num_frames == 0) {
-      first_line = reader.line();
-      recording.first_frame = static_cast<int>(
-          ParseHeaderNumber(cells[0], "the first frame's number", -1e9, 1e9, reader));
-    }
-    times.push_back(ParseNumber(cells, 1, reader));
-    for (size_t i = 0; i < columns.size(); ++i) {
-      AppendTriple(cells, columns[i].column, reader, recording.points[i], odd);
-    }
-    ++recording.num_frames;
-  }
-  NoteOdd(odd, recording);
-  SettleTimes(std::move(times), first_line, reader.file(), recording);
+  std::vector<size_t> columns;
+  for (const PointColumn& point : points) columns.push_back(point.column);
+  FrameRows rows = ReadFrameRows(reader, ',', columns, options, recording);
+  SettleTimes(std::move(rows.times), rows.first_line, reader.file(), recording);
 }
 
 void MakePoints(const std::vector<PointColumn>& columns, const std::string& unit,

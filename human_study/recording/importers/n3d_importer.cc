@@ -7,9 +7,8 @@ Lengths are millimetres by NDI's convention; the file has neither unit nor label
 #include <cctype>
 #include <cmath>
 
-#include "human_study/recording/importers/c3d_format.h"
-#include "human_study/recording/importers/import_errors.h"
-#include "human_study/recording/importers/importer_list.h"
+#include "human_study/recording/importers/c3d_parameters.h"
+#include "human_study/recording/importers/importer.h"
 
 namespace graspbench {
 namespace {

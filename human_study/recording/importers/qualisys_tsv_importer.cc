@@ -8,7 +8,7 @@ empty, "nan" or 0 0 0. */
 #include <map>
 
 #include "core/base/text/text.h"
-#include "human_study/recording/importers/importer_list.h"
+#include "human_study/recording/importers/importer.h"
 #include "human_study/recording/importers/text_rows.h"
 
 namespace graspbench {

@@ -10,9 +10,7 @@ its heading, or by their numbers. Tabs, semicolons, commas or blanks between the
 
 #include "core/base/text/text.h"
 #include "core/base/text/yaml.h"
-#include "human_study/recording/importers/import_errors.h"
-#include "human_study/recording/importers/importer_list.h"
-#include "human_study/recording/importers/table_layouts.h"
+#include "human_study/recording/importers/importer.h"
 #include "human_study/recording/importers/table_mapping.h"
 #include "human_study/recording/importers/text_rows.h"
 

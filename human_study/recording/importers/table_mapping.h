@@ -13,18 +13,71 @@ Names the columns of a plain table, in YAML:
     occluded: fingersOccluded   # optional; a value other than 0 makes all points invalid
     channels: {touch: ft1}      # optional; forces or touch switches, at the rate of the rows
     heading: false              # optional; the table starts with numbers: columns are 1, 2, ..
-    layout: freemocap           # optional; columns as a tool writes them, see table_layouts.h
+    layout: freemocap           # optional; columns as a tool writes them, see TableLayout
     scale: 25                   # optional; a coordinate is so many of the unit
-    glove: {hand: shadow, ..}   # optional; joint angles instead of points, see glove.h */
+    glove: {hand: shadow, ..}   # optional; joint angles instead of points, see GloveMapping */
 
+#include <Eigen/Geometry>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "human_study/recording/importers/glove.h"
+#include "core/base/text/delimited_text.h"
 
 namespace graspbench {
+
+/** Joint angles of a data glove as fingertips, through the kinematics of a hand model (core/hand):
+the model's bones stand for the person's, so that places are as good as the two hands are alike.
+
+A glove does not know where the hand is. A reach needs the pose of its root in the laboratory, too,
+from a tracker on the back of the hand:
+
+    glove:
+      hand: shadow                     # a model's id, or a folder with hand.urdf and hand.yaml
+      angle_unit: deg                  # deg (default) or rad
+      joints: {FFJ3: index_mcp, ..}    # of the model, each with its column; others are straight
+      base: [x, y, z]                  # columns: the model's root in the laboratory, in `unit`
+      base_quaternion: [qx, qy, qz, qw]  # columns: laboratory from root
+
+Points are `<digit>_tip`, the middle of the digit's pad, and wrist, the root. */
+struct Hand;
+
+struct GloveMapping {
+  std::string hand;
+  bool is_in_degrees = true;
+  std::vector<std::pair<std::string, std::string>> joints;  ///< of the model, column
+  std::vector<std::string> base;                            ///< columns x, y, z
+  std::vector<std::string> quaternion;                      ///< columns x, y, z, w
+
+  bool IsNamed() const { return !hand.empty(); }
+  /** All of them: the joints', then base, then quaternion. */
+  std::vector<std::string> ListColumns() const;
+};
+
+class GloveModel {
+ public:
+  /** @throws Error as LoadHand; Error(kFormat) for a joint that the model lacks or that another one
+  moves, with those it has. */
+  explicit GloveModel(const GloveMapping& mapping);
+
+  /** In the order of CalcPoints. */
+  const std::vector<std::string>& labels() const { return labels_; }
+  /** "12 of 24 joints are named, the others straight or coupled" and whose bones they are. */
+  std::string Describe() const;
+  /** @param cells  numbers of GloveMapping::ListColumns().
+  @returns points in the laboratory [unit of the base]; empty when a number is missing or the
+  quaternion is none. @param metres_per_unit  of the base. */
+  std::vector<Eigen::Vector3d> CalcPoints(const std::vector<double>& cells,
+                                          double metres_per_unit) const;
+
+ private:
+  std::shared_ptr<const Hand> hand_;
+  std::vector<int> joints_;
+  double factor_ = 1.0;  // [rad] of an angle
+  std::vector<std::string> labels_;
+};
 
 struct TableMapping {
   struct Point {
@@ -51,5 +104,34 @@ TableMapping LoadTableMapping(const std::filesystem::path& path);
 /** The trials a table holds, in their order. @throws as LoadRecording. */
 std::vector<std::string> FindTableTrials(const std::filesystem::path& table,
                                          const TableMapping& mapping);
+
+/** Tables whose columns need no mapping one by one, because a tool always writes them alike
+(`layout`). Every point becomes three columns `<point>_x`, _y, _z.
+
+  deeplabcut: three heading rows (scorer, bodyparts, coords), four with several individuals
+    (scorer, individuals, bodyparts, coords: points are individual:bodypart); a column with the
+    frame's number, then x, y, z of each body part. Lengths are counted in squares of the
+    checkerboard that the cameras were calibrated with, so the mapping must say `scale`.
+  freemocap: one heading row right_hand_wrist_x, right_hand_wrist_y, right_hand_wrist_z, ..; without
+    times. Millimetres when the board's size was given in them.
+
+Sources: DeepLabCut, docs/Overviewof3D.md and pose_estimation_3d; FreeMoCap's output_data folder. */
+struct TableLayout {
+  const char* id;
+  const char* text;  ///< for messages
+  bool needs_scale;  ///< its lengths are counted in something that only the person knows
+  /** Reads the heading rows and names every column; "" for those that are no coordinate.
+  @throws Error(kFormat) at the line of what is not of this layout. */
+  std::vector<std::string> (*read_names)(LineReader& reader, char delimiter);
+};
+
+const std::vector<TableLayout>& TableLayoutList();
+/** Null for a name that is none. */
+const TableLayout* FindTableLayout(const std::string& id);
+
+/** The points whose three columns are all there, in their order. @throws Error(kFormat) at the
+reader's line when there are none, or when one has x and y alone. */
+std::vector<std::string> FindLayoutPoints(const std::vector<std::string>& names,
+                                          const LineReader& reader);
 
 }  // namespace graspbench

@@ -6,7 +6,7 @@
 
 #include "core/base/text/text.h"
 #include "core/statistics/summary.h"
-#include "human_study/recording/importers/import_errors.h"
+#include "human_study/recording/importers/importer.h"
 
 namespace graspbench {
 namespace {
@@ -126,6 +126,33 @@ void SettleTimes(std::vector<double> times, int first_line, const std::string& f
 std::string FindLine(const std::string& bytes, int line) {
   const auto [start, end] = FindLineBounds(bytes, line);
   return bytes.substr(start, end - start);
+}
+
+FrameRows ReadFrameRows(LineReader& reader, char delimiter, const std::vector<size_t>& columns,
+                        const ImportOptions& options, Recording& recording) {
+  FrameRows rows;
+  size_t width = 2;
+  for (const size_t column : columns) width = std::max(width, column + 3);
+  std::string_view line;
+  Cells cells;
+  OddSamples odd;
+  while (reader.Next(line)) {
+    SplitCells(line, delimiter, cells);
+    if (IsBlank(cells)) continue;
+    if (!HasAllColumns(cells, width, reader, options, recording)) break;
+    if (recording.num_frames == 0) {
+      rows.first_line = reader.line();
+      recording.first_frame = static_cast<int>(
+          ParseHeaderNumber(cells[0], "the first frame's number", -1e9, 1e9, reader));
+    }
+    rows.times.push_back(ParseNumber(cells, 1, reader));
+    for (size_t i = 0; i < columns.size(); ++i) {
+      AppendTriple(cells, columns[i], reader, recording.points[i], odd);
+    }
+    ++recording.num_frames;
+  }
+  NoteOdd(odd, recording);
+  return rows;
 }
 
 void ReplaceLine(std::string& bytes, int line, const std::string& text) {

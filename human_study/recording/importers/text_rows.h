@@ -42,6 +42,17 @@ median ("rate_from_times"). No stamps at all: the first frame's number sets the 
 void SettleTimes(std::vector<double> times, int first_line, const std::string& file,
                  Recording& recording);
 
+/** Frames behind the headings of a file, before their clock is settled. */
+struct FrameRows {
+  std::vector<double> times;  ///< [s]
+  int first_line = 0;
+};
+
+/** Appends the rows of a table with the frame's number, the time and, from each of `columns` on, a
+point of the recording. Notes what is odd about them. */
+FrameRows ReadFrameRows(LineReader& reader, char delimiter, const std::vector<size_t>& columns,
+                        const ImportOptions& options, Recording& recording);
+
 /** Replaces line `line` (one-based) of a text; keeps its line ending. */
 void ReplaceLine(std::string& bytes, int line, const std::string& text);
 /** Line `line` (one-based) without its ending; empty when there is none. */

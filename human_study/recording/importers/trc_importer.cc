@@ -6,7 +6,7 @@ header, a row of labels over three columns each, a row X1 Y1 Z1 .., and one row 
 #include <cmath>
 
 #include "core/base/text/text.h"
-#include "human_study/recording/importers/importer_list.h"
+#include "human_study/recording/importers/importer.h"
 #include "human_study/recording/importers/text_rows.h"
 
 namespace graspbench {
@@ -42,7 +42,6 @@ void ReadLabels(LineReader& reader, char delimiter, size_t num_points, const std
 Recording ImportTrc(const ImportSource& source, const ImportOptions& options) {
   Recording recording;
   LineReader reader(source.stream, source.name);
-  Cells cells;
   const std::string first(reader.Require("its header"));
   const char delimiter = first.find('\t') != std::string::npos ? '\t' : ',';
   const std::string name_line(reader.Require("the names of its header"));
@@ -64,28 +63,11 @@ Recording ImportTrc(const ImportSource& source, const ImportOptions& options) {
   ReadLabels(reader, delimiter, num_points, unit, recording);
   reader.Require("the row X1 Y1 Z1");
 
-  std::string_view line;
-  std::vector<double> times;
-  OddSamples odd;
-  int first_line = 0;
-  while (reader.Next(line)) {
-    SplitCells(line, delimiter, cells);
-    if (IsBlank(cells)) continue;
-    if (!HasAllColumns(cells, 2 + 3 * num_points, reader, options, recording)) break;
-    if (recording.num_frames == 0) {
-      first_line = reader.line();
-      recording.first_frame = static_cast<int>(
-          ParseHeaderNumber(cells[0], "the first frame's number", -1e9, 1e9, reader));
-    }
-    times.push_back(ParseNumber(cells, 1, reader));
-    for (size_t i = 0; i < num_points; ++i) {
-      AppendTriple(cells, 2 + 3 * i, reader, recording.points[i], odd);
-    }
-    ++recording.num_frames;
-  }
-  NoteOdd(odd, recording);
+  std::vector<size_t> columns;
+  for (size_t i = 0; i < num_points; ++i) columns.push_back(2 + 3 * i);
+  FrameRows rows = ReadFrameRows(reader, delimiter, columns, options, recording);
   NoteFrameCount(num_frames, "NumFrames", recording);
-  SettleTimes(std::move(times), first_line, source.name, recording);
+  SettleTimes(std::move(rows.times), rows.first_line, source.name, recording);
   return recording;
 }
 

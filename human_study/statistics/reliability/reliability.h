@@ -14,11 +14,65 @@ single trials that differ by less may be equal (J. P. Weir, J. Strength Cond. Re
 Practice and fatigue over trials count as variation within the person. */
 
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "human_study/statistics/reliability/icc.h"
+#include "core/statistics/proportion.h"
+#include "human_study/statistics/location_tests.h"
+#include "human_study/statistics/measure_table.h"
 
 namespace graspbench {
+
+/* Intraclass correlations of repeated trials: the share of the variance that is due to persons.
+
+Forms and names after Shrout and Fleiss (Psychol. Bull. 86 (1979)), with MS_P between persons, MS_W
+within persons, MS_T between trials, MS_E the rest, n persons, k trials each:
+
+    trials are exchangeable        ICC(1,1) = (MS_P - MS_W) / (MS_P + (k - 1) MS_W)
+    agreement: practice counts     ICC(2,1) = (MS_P - MS_E)
+                                              / (MS_P + (k - 1) MS_E + k (MS_T - MS_E) / n)
+    consistency: it does not       ICC(3,1) = (MS_P - MS_E) / (MS_P + (k - 1) MS_E)
+
+and ICC(.,k) for the mean of k trials. Intervals of the second form after McGraw and Wong (Psychol.
+Methods 1 (1996)), the others exact for normal values. An estimate may be negative: persons differ
+less than their trials let expect.
+
+Persons may have different numbers of trials in the first form alone: k becomes
+k0 = (N - sum n_i^2 / N) / (n - 1), and the interval is that of Thomas and Hultquist (Ann. Stat. 6
+(1978)), from the variance of the persons' means and the harmonic mean of n_i. */
+
+/** One person's trials in one condition, in order. NaN is missing. */
+struct PersonTrials {
+  std::string person;
+  std::vector<double> values;
+};
+
+/** The trials of one cell of the design, persons and trials in order of appearance. Persons without
+a row there are not listed. No answer for the faults of CalcCellMeans.
+@pre cell < ListCells(table.factors).size(). */
+Answer<std::vector<PersonTrials>> ListTrials(const MeasureTable& table, size_t cell);
+
+enum class IccForm { kOneWay, kAgreement, kConsistency };
+
+struct Icc {
+  IccForm form = IccForm::kOneWay;
+  double num_trials = 1.0;  ///< averaged: 1, or the trials a person has (k0 when they differ)
+  double value = 0.0;
+  Interval interval;  ///< 95 %
+};
+
+/** "ICC(2,1)", "ICC(2,k)". */
+std::string NameOf(const Icc& icc);
+
+struct IccPair {
+  Icc single;   ///< of one trial
+  Icc average;  ///< of the mean of all trials
+};
+
+/** No answer below two persons with a value, without any person with two, when the trials of no
+person differ; for the two-way forms also when persons have different numbers of trials, a trial is
+missing, or the rest has no spread. */
+Answer<IccPair> CalcIcc(const std::vector<PersonTrials>& persons, IccForm form);
 
 struct TrialsNeeded {
   double wanted_icc = 0.9;
@@ -50,5 +104,27 @@ Answer<Reliability> CalcReliability(const std::vector<PersonTrials>& persons,
 
 /** No answer unless the ICC is positive. @pre single.num_trials == 1, 0 < wanted_icc < 1. */
 Answer<TrialsNeeded> CalcTrialsNeeded(const Icc& single, double wanted_icc);
+
+/** Test and retest: does a person show the same in another session?
+
+One value a person and session: the mean over the conditions of the means of their trials. Of these
+the reliability of single sessions: ICC(2,1) when a shift from session to session
+counts as error, ICC(3,1) when it does not, SEM, minimal detectable change; and the shift itself. */
+struct SessionShift {
+  size_t a = 0, b = 0;  ///< sessions, b the next of a
+  Answer<TTest> test;   ///< of b - a
+};
+
+struct Retest {
+  std::vector<std::string> sessions;  ///< in the table's order
+  std::vector<PersonTrials> persons;  ///< with a value in every condition of every session
+  std::vector<LeftOut> left_out;
+  Answer<Reliability> reliability;  ///< of one session
+  std::vector<SessionShift> shifts;
+};
+
+/** No answer without two sessions, with a trial of none of them, or when nobody has a value in every
+condition of every session. */
+Answer<Retest> CalcRetest(const MeasureTable& table);
 
 }  // namespace graspbench

@@ -41,12 +41,13 @@ times in seconds, frequencies in hertz. */
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
-#include "core/base/diagnostics.h"
+#include "core/base/error.h"
 #include "core/base/file_keys.h"
-#include "human_study/events/object_surface.h"
+#include "human_study/events/reach_trial.h"
 #include "human_study/events/trial_analysis.h"
 #include "human_study/statistics/measure_table.h"
 #include "human_study/study/design/study_freeze.h"
@@ -193,6 +194,11 @@ struct MultiverseConfig {
   }
 };
 
+/** contact.detector: chosen by what is known of the objects. */
+inline constexpr const char* kAutomaticDetector = "auto";
+/** In labels of markers. */
+inline constexpr const char* kHandInLabels = "{hand}";
+
 struct StudyConfig {
   std::string name = "Reach to grasp";
   std::string task = "reachtograsp";  ///< BIDS label: letters and digits
@@ -260,21 +266,20 @@ struct StudyObject {
   Eigen::Vector3d p_MO_L = Eigen::Vector3d::Zero();  ///< markers' middle to O at rest
 };
 
-/** A row of hypotheses.csv. */
-struct Hypothesis {
-  std::string measure;
-  double slope = 0.0;         ///< [measure's unit per the factor's]
-  double equal_within = NAN;  ///< [measure's unit]; NaN: equivalence is not tested
+/** What a trial is called and where it belongs. */
+struct TrialNames {
+  std::string participant, trial, file;
+  std::string object;               ///< empty: none named
+  std::vector<std::string> levels;  ///< one per factor
+  std::vector<std::string> groups;  ///< one per group factor
+  std::string session;              ///< empty: none named
 };
 
 /** A row of trials.csv. */
-struct PlannedReach {
+struct PlannedReach : TrialNames {
   int line = 0;
-  std::string participant, trial, file, table_trial;
-  std::string object;                                       ///< empty: none named
-  std::vector<std::string> levels;                          ///< one per factor
-  std::vector<std::string> groups;                          ///< one per group factor
-  std::string session, hand;                                ///< empty: none named
+  std::string table_trial;
+  std::string hand;                                         ///< empty: none named
   double start = -std::numeric_limits<double>::infinity();  ///< [s], as end
   double end = std::numeric_limits<double>::infinity();
   std::string remove;  ///< why a person left it out; empty: kept
@@ -318,5 +323,22 @@ MarkerConfig MarkersOfHand(const MarkerConfig& markers, const std::string& hand)
 ranges and unknown names, go into `problems`. */
 StudyConfig ParseStudyConfig(const std::string& text, const std::string& file,
                              Diagnostics& problems, const std::vector<std::string>& settings = {});
+
+// Cut-offs of a study against the rates of its recordings. A filter needs its cut-off below 0.4 of
+// the rate (butterworth.h). A cut-off that nobody stated is lowered for a slow recording, to
+// kMaxCutoffShare of its rate: from 58.9 samples a second on all stay at their defaults. One that
+// study.yaml or --set states is used as it is, or the recording is refused.
+inline constexpr const char* kMultiverseCutoff = "multiverse.cutoff_hz";
+
+/** The settings for recordings of `rate` [Hz]; NaN: as they are. */
+StudyConfig FitCutoffs(StudyConfig config, double rate);
+
+/** What is wrong with the stated cut-offs for a recording of `rate` [Hz], with every key; empty: all
+fit. */
+std::string FindCutoffFault(const StudyConfig& config, double rate);
+
+/** The stated cut-offs that do not fit that rate, lowered: "contact.cutoff_hz=10.2", as --set takes
+them. */
+std::vector<std::string> LowerStatedCutoffs(const StudyConfig& config, double rate);
 
 }  // namespace graspbench

@@ -6,8 +6,8 @@
 
 #include "core/base/config.h"
 #include "core/base/files/files.h"
-#include "core/base/sha256.h"
-#include "core/base/text/data_table.h"
+#include "core/base/hash.h"
+#include "core/base/text/delimited_text.h"
 #include "core/base/text/text.h"
 #include "core/base/version.h"
 #include "human_study/study/design/study_config.h"

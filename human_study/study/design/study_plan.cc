@@ -7,7 +7,6 @@
 
 #include "core/base/files/files.h"
 #include "core/base/random.h"
-#include "core/base/text/data_table.h"
 #include "core/base/text/delimited_text.h"
 #include "core/base/text/text.h"
 #include "core/statistics/distributions.h"
@@ -19,11 +18,6 @@ namespace {
 
 constexpr int kNumSimulations = 4000;
 constexpr int kNumDraws = 1000;
-
-struct PilotTrial {
-  std::string person, level, cell;
-  double value = 0.0;
-};
 
 [[noreturn]] void FailPilot(const std::string& text) { throw Error(ErrorKind::kFormat, text); }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "core/base/diagnostics.h"
-#include "core/base/text/data_table.h"
+#include "core/base/error.h"
+#include "core/base/text/delimited_text.h"
 #include "core/base/text/text.h"
 #include "human_study/study/design/study_config.h"
 

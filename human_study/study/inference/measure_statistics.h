@@ -7,12 +7,14 @@ over factors whose levels are quantities. */
 #include <vector>
 
 #include "core/statistics/bootstrap.h"
+#include "core/statistics/proportion.h"
 #include "core/statistics/summary.h"
+#include "human_study/events/trial_analysis.h"
 #include "human_study/statistics/condition_means.h"
 #include "human_study/statistics/effects_model.h"
 #include "human_study/statistics/line_fit.h"
-#include "human_study/statistics/rank_tests.h"
-#include "human_study/statistics/reliability/retest.h"
+#include "human_study/statistics/location_tests.h"
+#include "human_study/statistics/reliability/reliability.h"
 #include "human_study/statistics/within_anova.h"
 #include "human_study/study/design/study_config.h"
 
@@ -67,5 +69,50 @@ std::vector<std::vector<std::string>> ListLevels(const std::vector<Factor>& fact
 Answer<Summary> SummariseRows(const MeasureTable& table);
 /** No answer for a study without factors and groups. */
 Answer<WithinAnova> CalcAnova(const Answer<CellMeans>& cells);
+
+/** The mean of each condition of a measure with all kinds of error bars, as figures and tables show
+them. */
+struct ConditionEstimates {
+  std::vector<std::string> cells;  ///< as ListCells() orders them
+  std::vector<double> means;       ///< over people of their means, else over trials; NaN: no trial
+  std::vector<int> num_trials;     ///< with a value
+  std::vector<Answer<Eigen::VectorXd>> half_widths;  ///< of each of ListBarKinds()
+  /** Of the figure: Loftus and Masson's, whose lengths let conditions be compared by eye; where
+  these cannot be, the ones between persons. */
+  Answer<Eigen::VectorXd> drawn;
+  std::string drawn_kind;  ///< for the caption: which, or why there are none
+
+  /** Mean -+ half the drawn length. @pre `drawn` has a value. */
+  Interval drawn_interval(size_t cell) const {
+    const double half = (*drawn)[static_cast<Eigen::Index>(cell)];
+    return {means[cell] - half, means[cell] + half};
+  }
+};
+ConditionEstimates CalcConditionEstimates(const MeasureStatistics& statistics);
+
+/** What others have measured, to stand beside a study's own numbers: an expectation for healthy
+adults who reach for things on a table, never a criterion. */
+struct StudyResult;
+
+struct PublishedValue {
+  const char* measure;   ///< id of TrialMeasureList()
+  bool is_slope;         ///< over a factor with numbers, not the measure itself
+  const char* unit_end;  ///< of a slope: how the factor's name ends ("_m" of a size, "_kg")
+  const char* text;      ///< what was found
+  const char* source;
+};
+
+const std::vector<PublishedValue>& PublishedValueList();
+
+/** A study's own number for a published one. */
+struct ComparedValue {
+  const PublishedValue* published = nullptr;
+  const TrialMeasure* measure = nullptr;
+  Answer<Summary> summary;  ///< of the measure over the trials that count
+  std::string factor;       ///< of a slope; else empty
+  PersonSlopes slopes;      ///< over it, tested against 0
+};
+/** Those that the study can say something about, in the order of the list. */
+std::vector<ComparedValue> ComparePublished(const StudyResult& result);
 
 }  // namespace graspbench

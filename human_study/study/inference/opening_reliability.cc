@@ -6,11 +6,10 @@
 #include <map>
 #include <numeric>
 
-#include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
 #include "core/statistics/multiple_tests.h"
 #include "human_study/statistics/line_fit.h"
-#include "human_study/statistics/one_way_anova.h"
+#include "human_study/statistics/within_anova.h"
 #include "human_study/study/run/run_study.h"
 
 namespace graspbench {

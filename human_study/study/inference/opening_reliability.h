@@ -16,7 +16,7 @@ d' of the open and the closed hand together):
 differently, that is no unreliability.
 
 A measure is compared with the aperture by the logarithm of the ratio of their criteria, persons
-left out in turn (core/statistics/jackknife.h), p values of the whole family adjusted after Holm.
+left out in turn (core/statistics/bootstrap.h), p values of the whole family adjusted after Holm.
 The interval is of that one comparison. `slope` counts only when the aperture itself grows with the
 factor: else nothing says which sign is better. Below kMinPersons nothing is tested. */
 
@@ -24,7 +24,7 @@ factor: else nothing says which sign is better. Below kMinPersons nothing is tes
 #include <string>
 #include <vector>
 
-#include "core/statistics/jackknife.h"
+#include "core/statistics/bootstrap.h"
 #include "core/statistics/summary.h"
 #include "human_study/events/hand_opening.h"
 #include "human_study/statistics/reliability/reliability.h"

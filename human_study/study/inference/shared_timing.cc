@@ -1,11 +1,10 @@
-#include "human_study/study/inference/shared_timing.h"
-
 #include <Eigen/Dense>
 #include <algorithm>
 
 #include "core/base/text/text.h"
 #include "core/statistics/distributions.h"
 #include "core/statistics/summary.h"
+#include "human_study/study/inference/independence_null.h"
 
 namespace graspbench {
 namespace {

@@ -1,23 +1,40 @@
 #pragma once
 /** @file
 What the trials of a study say together: each measure by condition, the main test under every
-choice, the reliability of every measure of hand opening, and what the study's own choices do to a
-known asynchrony. */
+choice, the reliability of every measure of hand opening, in which order the digits touch, and what
+the study's own choices do to a known asynchrony. */
 
 #include <cmath>
+#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "core/statistics/proportion.h"
 #include "human_study/study/inference/independence_null.h"
 #include "human_study/study/inference/measure_statistics.h"
 #include "human_study/study/inference/opening_reliability.h"
-#include "human_study/study/inference/published_values.h"
-#include "human_study/study/inference/zero_gft.h"
 #include "human_study/study/synthetic/bias_card.h"
 
 namespace graspbench {
 
+struct StudyTrial;
 struct StudyResult;
+
+/** What GFT a study would report if all digits had touched at once.
+
+GFT = T_all - T_first is a range: errors of the single contacts cannot make it negative, so they
+lift a true zero. Every kept trial is drawn repeatedly with its own digits and the
+uncertainties of its own contacts (markers' places, gaps, noise, frame rate, filter, push and speed
+of that very trial stand behind them), without what all digits of a trial share. */
+struct ZeroGft {
+  int num_trials = 0;                                        ///< with two contacts or more
+  double median = std::numeric_limits<double>::quiet_NaN();  ///< over trials and draws [s]
+  /** 95 % of single trials with a true zero lie below [s]. */
+  double limit = std::numeric_limits<double>::quiet_NaN();
+};
+
+ZeroGft CalcZeroGft(const std::vector<StudyTrial>& trials);
 
 /** One combination of choices. */
 struct Universe {
@@ -74,5 +91,35 @@ MeasureTable MakeMeasureTable(const StudyResult& result, const TrialMeasure& mea
 
 /** Fills `statistics` and the results of the universes from the trials. */
 void CalcStudyStatistics(StudyResult& result);
+
+/** Who touched first. */
+struct FirstDigits {
+  std::string participant;
+  std::vector<int> counts;  ///< of each digit that touched first alone; last: tied trials
+};
+
+/** Of the trials in which both digits touched. */
+struct Precedence {
+  int num_before = 0, num_both = 0;
+  double share() const { return CalcShare(num_before, num_both); }
+};
+
+struct OrderCount {
+  std::string order;  ///< "TH=FF<MF", tied digits in the order of the hand
+  int count = 0;
+  double share = 0.0;
+};
+
+/** In which order the digits touched, over the trials that count. Ties are what the recording cannot
+decide (core/grasp/contact_timing.h). */
+struct OrderSummary {
+  std::vector<FirstDigits> first;
+  std::vector<std::vector<Precedence>> precedence;  ///< [a][b]: digit a before digit b
+  std::vector<OrderCount> orders;                   ///< most frequent first
+  int num_ties = 0, num_neighbours = 0;             ///< pairs of digits next to each other in time
+};
+
+/** Digits are in the order of `result.digits`. */
+OrderSummary SummariseOrders(const StudyResult& result);
 
 }  // namespace graspbench

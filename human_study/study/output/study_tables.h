@@ -11,6 +11,7 @@ Each has a data dictionary beside it, `<name>.schema.json` (Frictionless Table S
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/text/csv.h"
@@ -37,5 +38,25 @@ std::string FormatOpeningTable(const StudyResult& result);
 
 /** Writes the tables and their dictionaries. Same result, same bytes. @throws Error(kIo). */
 void WriteStudyTables(const StudyResult& result, const std::filesystem::path& folder);
+
+/** File and data dictionary of each of these tables and of the openings, with a column for each
+factor, group and digit of the result. */
+std::vector<std::pair<std::string, Json>> MakeStudySchemas(const StudyResult& result);
+
+/** The names of columns of wide.csv, in order: `text` with everything but ASCII letters and digits
+as underscores, cut, and numbered where two would be alike. */
+std::vector<std::string> MakeColumnNames(const std::vector<std::string>& texts);
+
+/** A study's persons as rows, for jamovi, JASP and SPSS, whose repeated-measures analyses want a
+column a condition: wide.csv with its dictionary wide.schema.json.
+
+A cell is the mean of the person's trials that count, in SI units; empty without any. Columns are
+`<measure>_<levels>` for the measures that the study tests, and num_trials_<levels>. Names are what
+SPSS takes: letters, digits and underscores, at most 64, unlike in any case; the dictionary says
+which condition each is.
+@throws Error(kIo). */
+void WriteWideTable(const StudyResult& result, const std::filesystem::path& folder);
+/** The data dictionary of wide.csv. */
+Json MakeWideSchema(const StudyResult& result);
 
 }  // namespace graspbench

@@ -6,10 +6,9 @@
 #include <cmath>
 
 #include "human_study/events/scalar_curve.h"
+#include "human_study/recording/cleaning/butterworth.h"
 #include "human_study/recording/cleaning/gaps.h"
-#include "human_study/recording/cleaning/low_pass_trace.h"
-#include "human_study/recording/cleaning/resample.h"
-#include "human_study/recording/cleaning/spikes.h"
+#include "human_study/recording/cleaning/trajectory.h"
 #include "human_study/recording/importers/importer.h"
 
 namespace graspbench {

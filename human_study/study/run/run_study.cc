@@ -5,17 +5,22 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <vector>
 
 #include "core/base/files/files.h"
-#include "core/base/sha256.h"
-#include "core/base/text/escape.h"
+#include "core/base/hash.h"
+#include "core/base/text/text.h"
 #include "core/statistics/summary.h"
-#include "human_study/recording/cleaning/residual_analysis.h"
-#include "human_study/study/design/study_cutoffs.h"
+#include "human_study/recording/cleaning/butterworth.h"
+#include "human_study/statistics/tidy_export.h"
+#include "human_study/study/design/study_config.h"
+#include "human_study/study/output/motion_bids.h"
+#include "human_study/study/output/study_tables.h"
 #include "human_study/study/run/prepare_recording.h"
 #include "human_study/study/run/trial_removal.h"
 
 namespace graspbench {
+
 namespace {
 
 /** Largest value between two instants; NaN without any. */
@@ -23,7 +28,7 @@ double FindLargest(const ScalarCurve& curve, double begin, double end) {
   double largest = std::nan("");
   const SampleRun run = FindSamples(curve.times, begin, end);
   for (size_t i = run.first; i < run.last; ++i) {
-    const double value = curve.values[static_cast<Eigen::Index>(i)];
+    const double value = curve.At(i);
     if (curve.IsValid(i) && !(value <= largest)) largest = value;
   }
   return largest;
@@ -123,13 +128,7 @@ class Runner {
 
   void Run(const PlannedReach& planned) {
     StudyTrial trial;
-    trial.participant = planned.participant;
-    trial.trial = planned.trial;
-    trial.file = planned.file;
-    trial.object = planned.object;
-    trial.levels = planned.levels;
-    trial.groups = planned.groups;
-    trial.session = planned.session;
+    static_cast<TrialNames&>(trial) = planned;
     if (!planned.remove.empty()) {
       Remove({"left_out", planned.remove}, trial);
       return Add(trial);
@@ -432,12 +431,30 @@ StudyResult RunTrials(const Study& study, const StudyWatch& watch) {
 
 StudyResult RunStudy(const Study& study, const StudyWatch& watch) {
   StudyResult result = RunTrials(study, watch);
-  for (const auto& warnings :
-       {FindNeverTouching(result), FindManyFrozen(result), FindSpikes(result),
-        FindFilteredExports(result), FindTwoRates(result), FindExchangedThumbs(result)}) {
-    result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
-  }
+  const std::vector<StudyWarning> warnings = FindWarnings(result);
+  result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
   CalcStudyStatistics(result);
+  return result;
+}
+
+StudyResult AnalyseStudy(const Study& study, const std::filesystem::path& folder,
+                         const std::function<void(size_t, size_t)>& on_row) {
+  MotionBidsWriter bids(folder / "bids", study);
+  StudyWatch watch;
+  watch.on_row = on_row;
+  watch.on_trial = [&](const StudyTrial& trial, const ReachTrial& reach) {
+    bids.WriteTrial(trial, reach);
+  };
+  StudyResult result = RunStudy(study, watch);
+  bids.Finish();
+  WriteStudyTables(result, folder);
+  WriteWideTable(result, folder);
+  std::vector<MeasureTable> tables;
+  for (const TrialMeasure& measure : TrialMeasureList()) {
+    tables.push_back(MakeMeasureTable(result, measure));
+  }
+  SaveTidyExport(tables, folder / "tidy", study.hypotheses);
+  WriteFileAtomically(folder / "tidy" / "openings.csv", FormatOpeningTable(result));
   return result;
 }
 

@@ -14,6 +14,7 @@ for (const StudyTrial& trial : result.trials) {
 }
 @endcode */
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -22,9 +23,23 @@ for (const StudyTrial& trial : result.trials) {
 #include "human_study/recording/recording.h"
 #include "human_study/study/design/study_config.h"
 #include "human_study/study/inference/study_statistics.h"
-#include "human_study/study/run/study_warnings.h"
 
 namespace graspbench {
+
+/** What a person should know of a whole study before its numbers: none of it removes a trial.
+
+  digit_never_touches: a digit has no contact in at least 80 % of the trials that count, of the
+    study or of one object (at least 5 trials).
+  frozen_samples: a fifth of all samples, and 100, repeated the one before and count as missing.
+  spikes: a thousandth of all samples, and 20, were where no marker gets to and back.
+  filtered_export: recordings were low-passed before they were exported (FindLowPassTrace).
+  two_rates: recordings differ in their sampling rate by more than 2 %.
+  thumb_exchanged: "thumb or index" in three trials or more, and a fifth of all.
+  review_lapsed: a person confirmed another time of contact than the one found now. */
+struct StudyWarning {
+  std::string code;
+  std::string text;
+};
 
 /** One measure of hand opening in one trial [m]; NaN: missing. */
 struct OpeningValues {
@@ -40,12 +55,8 @@ inline constexpr size_t kNumOpeningSteps = 51;
 pictures need no more, and ten thousand trials fit into memory. */
 inline constexpr size_t kNumDrawn = 120;
 
-struct StudyTrial {
-  std::string id;  ///< "<participant>-<trial>"
-  std::string participant, trial, file, object;
-  std::vector<std::string> levels;        ///< one per factor
-  std::vector<std::string> groups;        ///< one per group factor
-  std::string session;                    ///< empty: none named
+struct StudyTrial : TrialNames {
+  std::string id;                         ///< "<participant>-<trial>"
   std::string removed;                    ///< why it does not count; empty: it counts
   std::string removed_code;               ///< the same for programs (trial_removal.h)
   double begin = NAN, end = NAN;          ///< part of the recording [s]; NaN when it was not read
@@ -98,6 +109,10 @@ struct StudyWatch {
   std::function<void(const StudyTrial&, const ReachTrial&)> on_analysed;
 };
 
+/** All but review_lapsed, which RunTrials finds. @pre trials and samples of the result are counted.
+*/
+std::vector<StudyWarning> FindWarnings(const StudyResult& result);
+
 /** The study without what only its report needs: no bias card, no other choices. */
 Study LeaveOutReport(Study study);
 
@@ -107,5 +122,11 @@ StudyResult RunTrials(const Study& study, const StudyWatch& watch = {});
 /** @throws Error(kFormat) when no recording has a marker that study.yaml names, with file and line;
 Error(kNotFound) when no recording could be read. */
 StudyResult RunStudy(const Study& study, const StudyWatch& watch = {});
+
+/** Runs the study and writes its tables, the tidy data with their R script (tidy/) and the BIDS
+derivative (bids/). @param on_row  as StudyWatch::on_row.
+@throws as RunStudy; Error(kIo). */
+StudyResult AnalyseStudy(const Study& study, const std::filesystem::path& folder,
+                         const std::function<void(size_t, size_t)>& on_row);
 
 }  // namespace graspbench

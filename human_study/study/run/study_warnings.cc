@@ -1,5 +1,3 @@
-#include "human_study/study/run/study_warnings.h"
-
 #include <fmt/core.h>
 
 #include <cmath>
@@ -70,8 +68,6 @@ StudyWarning MakeNeverTouching(const StudyResult& result, const std::string& dig
                               "(without centre_x_m .. it is the middle of its markers), or "
                             : "")};
 }
-
-}  // namespace
 
 std::vector<StudyWarning> FindNeverTouching(const StudyResult& result) {
   std::vector<StudyWarning> warnings;
@@ -154,6 +150,18 @@ std::vector<StudyWarning> FindManyFrozen(const StudyResult& result) {
                        "missing, as of a tracker that holds the last place of a hidden marker; if "
                        "these markers were at rest, say cleaning: {{drop_frozen: false}}",
                        100.0 * share)}};
+}
+
+}  // namespace
+
+std::vector<StudyWarning> FindWarnings(const StudyResult& result) {
+  std::vector<StudyWarning> warnings;
+  for (const auto find : {FindNeverTouching, FindManyFrozen, FindSpikes, FindFilteredExports,
+                          FindTwoRates, FindExchangedThumbs}) {
+    const std::vector<StudyWarning> found = find(result);
+    warnings.insert(warnings.end(), found.begin(), found.end());
+  }
+  return warnings;
 }
 
 }  // namespace graspbench

@@ -1,14 +1,19 @@
 #include "human_study/study/run/trial_removal.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
 
 #include "core/base/text/delimited_text.h"
+#include "core/statistics/proportion.h"
+#include "core/statistics/summary.h"
 #include "human_study/study/run/run_study.h"
 
 namespace graspbench {
+
 namespace {
 
 /** A number of a sentence, or what stands between two. */
@@ -167,6 +172,203 @@ std::vector<FindingGroup> GroupFindings(const StudyResult& result) {
   }
   for (size_t i = 0; i < groups.size(); ++i) groups[i].text = MergeNumbers(texts[i]);
   return groups;
+}
+
+namespace {
+
+constexpr double kRoughTouch = 0.02;  // [s]
+
+}  // namespace
+
+const std::vector<TrialFlag>& TrialFlagList() {
+  using A = TrialAnalysis;
+  static const std::vector<TrialFlag> flags = {
+      {"filled", "an event was decided on filled samples",
+       [](const A& a) { return a.used_filled; }},
+      {"gap", "an event fell into a gap; its time is the gap's middle",
+       [](const A& a) { return a.used_gap; }},
+      {"early touch", "a digit touched before the widest opening",
+       [](const A& a) { return a.timing.contact_before_start; }},
+      {"two maxima", "the largest and the last maximum of the opening differ",
+       [](const A& a) { return a.peak_opening.is_ambiguous; }},
+      {"touch not verified",
+       "neither the object's shape nor a force shows that every digit touched, rather than stopped "
+       "off the surface",
+       [](const A& a) { return a.num_unverified > 0; }},
+      {"digit without touch", "a recorded digit never touched",
+       [](const A& a) {
+         return a.num_touching + a.num_unresolved < static_cast<int>(a.contacts.size());
+       }},
+      {"regrasp",
+       "a digit touched, left its place and returned: GFT, GOT and GCT are those of its last touch",
+       [](const A& a) {
+         return std::any_of(a.contacts.begin(), a.contacts.end(),
+                            [](const auto& digit) { return digit.regrasp.IsFound(); });
+       }},
+      {"may hover",
+       "a digit stands more than 2 mm farther off the surface than the others in the hold, less "
+       "than contact.max_pad_difference_m: it may not touch",
+       [](const A& a) {
+         return std::any_of(a.contacts.begin(), a.contacts.end(), [](const auto& digit) {
+           return digit.contact.IsFound() && !digit.has_pad_offset && digit.stands_off > 0.002;
+         });
+       }},
+      {"uncertain touch", "the instant of a touch is known to no better than 20 ms (95 %)",
+       [](const A& a) {
+         return std::any_of(a.contacts.begin(), a.contacts.end(), [](const auto& digit) {
+           return digit.contact.IsFound() && digit.contact.CalcHalfWidth() > kRoughTouch;
+         });
+       }},
+      {"filtered export",
+       "the recording was low-passed before it was exported: its instants may be late, its "
+       "uncertainties are too small",
+       [](const A& a) { return !std::isnan(a.low_pass); }},
+      {"thumb or index",
+       "the thumb's marker is farther from the wrist than the index's, which opposes the others: "
+       "their labels may be exchanged",
+       [](const A& a) { return a.may_be_exchanged; }},
+      {"up or aside",
+       "the object goes another way before it rises along the stated direction (lift_off.up_x ..): "
+       "if that is not up in the recording, the lift-off is late",
+       [](const A& a) { return a.goes_elsewhere_first; }},
+      {"touch not told",
+       "a digit touched at an instant that cannot be told: no GFT, GOT, GCT, no final opening",
+       [](const A& a) { return a.num_unresolved > 0; }},
+  };
+  return flags;
+}
+
+std::string FormatFlags(const TrialAnalysis& analysis) {
+  std::string text;
+  for (const TrialFlag& flag : TrialFlagList()) {
+    if (flag.is_set(analysis)) text += (text.empty() ? "" : ", ") + std::string(flag.name);
+  }
+  return text;
+}
+
+std::vector<FlagCount> CountFlags(const StudyResult& result) {
+  std::vector<FlagCount> counts;
+  for (const TrialFlag& flag : TrialFlagList()) {
+    int count = 0;
+    for (const StudyTrial& trial : result.trials) {
+      count += trial.IsKept() && flag.is_set(*trial.analysis);
+    }
+    counts.push_back({&flag, count, CalcShare(count, result.CountKept())});
+  }
+  return counts;
+}
+
+const StudyTrial* FindGoodTrial(const StudyResult& result) {
+  std::vector<double> gfts;
+  for (const StudyTrial& trial : result.trials) {
+    if (trial.IsKept()) gfts.push_back(trial.analysis->timing.gft);
+  }
+  const double median = CalcMedianOfFinite(gfts);
+  const StudyTrial* good = nullptr;
+  std::pair<bool, double> best;  // has a flag, distance from the median
+  for (const StudyTrial& trial : result.trials) {
+    if (!trial.IsKept()) continue;
+    const double distance = std::abs(trial.analysis->timing.gft - median);
+    const std::pair<bool, double> rank = {!FormatFlags(*trial.analysis).empty(),
+                                          std::isnan(distance) ? INFINITY : distance};
+    if (good != nullptr && !(rank < best)) continue;
+    good = &trial;
+    best = rank;
+  }
+  return good;
+}
+
+UnverifiedTouches CountUnverified(const StudyResult& result) {
+  UnverifiedTouches touches;
+  for (const StudyTrial& trial : result.trials) {
+    if (!trial.IsKept() || trial.analysis->num_unverified == 0) continue;
+    touches.num_contacts += trial.analysis->num_unverified;
+    ++touches.num_trials;
+  }
+  return touches;
+}
+
+const RemovalAdvice& FindRemovalAdvice(const std::string& code) {
+  using Curve = RemovalCurve;
+  static const RemovalAdvice kAdvice[] = {
+      {"left_out", Curve::kNone, "remove in trials.csv: a person left it out"},
+      {"unreadable", Curve::kNone,
+       "the recording itself, start_s and end_s of trials.csv, or recording.format, unit, mapping"},
+      {"cutoff_too_high", Curve::kNone,
+       "the cut-offs that the reason names: lower, or left out; they then follow the rate"},
+      {"missing_marker", Curve::kNone, "markers: a label that this recording has"},
+      {"same_recording", Curve::kNone,
+       "file in trials.csv: the recording of this trial; or leave the row out"},
+      {"no_reach", Curve::kNone,
+       "cut.near_m and cut.far_m: distances between the middle of the fingertips and of the "
+       "object's markers; recording.unit, if it is in another unit"},
+      {"no_onset", Curve::kSpeed,
+       "movement.rule: regression, which needs no rest before the movement; or "
+       "movement.speed_threshold_m_per_s; or start_s, for a rest before it"},
+      {"no_hold", Curve::kOpening,
+       "hold.speed_threshold_m_per_s, below which tips hold; or end_s, for a recording that ends "
+       "after the grasp"},
+      {"no_opening", Curve::kOpening,
+       "markers.companions and cleaning.max_gap_s: a digit is hidden during the movement"},
+      {"no_contact", Curve::kOpening,
+       "the marker of that digit under markers; markers.companions, if it is hidden; "
+       "contact.max_pad_offset_m and max_looseness, if it does touch"},
+      {"not_usable", Curve::kOpening,
+       "markers.companions, if a digit is hidden; contact.max_uncertainty_s, above which a contact "
+       "is not usable (0: all are)"},
+      {"filled_event", Curve::kOpening, "removal.filled_event: false keeps it"},
+      {"gap_event", Curve::kOpening,
+       "markers.companions and cleaning.max_gap_s; removal.gap_event: false keeps it"},
+      {"disagreement", Curve::kOpening, "removal.max_disagreement_s; 0 keeps it"},
+      {"carried_unseen", Curve::kOpening,
+       "markers.object, if the object has a marker; end_s before the lift"},
+      {"other_lift_axis", Curve::kNone, "lift_off.up_x, up_y, up_z: up in the recording"},
+      {"wrong_unit", Curve::kNone,
+       "recording.unit, or unit of the mapping; for one digit alone its label under markers"},
+      {"label_jump", Curve::kOpening,
+       "the recording: markers exchanged their labels; removal.implausible: false keeps it"},
+      {"frame_jump", Curve::kSpeed,
+       "the recording: export it again with all frames; start_s and end_s of trials.csv, if the "
+       "jump is outside the reach; removal.implausible: false keeps it"},
+      {"no_movement", Curve::kSpeed, "start_s and end_s of trials.csv; markers"},
+      {"far_digit", Curve::kOpening, "the marker of that digit under markers"},
+      {"hand_centred", Curve::kNone, "the recording: places in a frame that stands still"},
+      {"wrong_shape", Curve::kNone,
+       "sizes and centre in objects.csv, pad_offsets_m; plausibility.max_hold_distance_m"},
+      {"contact_after_end", Curve::kSpeed,
+       "plausibility.max_contact_after_end_s; markers.wrist, if the wrong marker stops early"},
+      {"closure_too_long", Curve::kOpening, "plausibility.max_closure_time_s"},
+      {"detectors_disagree", Curve::kOpening,
+       "contact.detector; plausibility.max_disagreement_s, above which their contacts are doubted"},
+      {"moved_before_touch", Curve::kOpening,
+       "objects.csv, if the shape is too small; plausibility.max_moved_before_s"},
+      {"object_left_behind", Curve::kNone, "markers.object: the marker of what is carried"},
+      {"thumb_not_opposed", Curve::kNone, "markers: the labels of thumb and fingers"},
+  };
+  static const RemovalAdvice kDoubted = {
+      "", Curve::kOpening, "removal.implausible: false keeps trials that are doubted"};
+  const auto* found =
+      std::find_if(std::begin(kAdvice), std::end(kAdvice),
+                   [&](const RemovalAdvice& advice) { return advice.code == code; });
+  return found == std::end(kAdvice) ? kDoubted : *found;
+}
+
+std::string FindAdviceBeyondSettings(const std::string& code) {
+  const std::string advice = FindRemovalAdvice(code).keys, separator = "; ";
+  std::string kept;
+  for (size_t at = 0; at < advice.size();) {
+    const size_t end = std::min(advice.find(separator, at), advice.size());
+    std::string part = advice.substr(at, end - at);
+    if (part.rfind("or ", 0) == 0) part.erase(0, 3);
+    const auto is_named = [&](const char* group) { return part.find(group) != std::string::npos; };
+    const char* const settings[] = {"movement.", "hold.",         "cleaning.", "contact.",
+                                    "removal.",  "plausibility.", "lift_off.", "cut."};
+    if (std::none_of(std::begin(settings), std::end(settings), is_named)) {
+      kept += (kept.empty() ? "" : separator) + part;
+    }
+    at = end + separator.size();
+  }
+  return kept;
 }
 
 }  // namespace graspbench

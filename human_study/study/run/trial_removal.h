@@ -1,11 +1,12 @@
 #pragma once
 /** @file
-Why a trial does not count. */
+Why a trial does not count, what may be doubtful about one that does, and what a person can do. */
 
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "human_study/events/trial_analysis.h"
 #include "human_study/study/design/study_config.h"
 
 namespace graspbench {
@@ -48,5 +49,57 @@ std::vector<FindingGroup> GroupFindings(const StudyResult& result);
 /** One text for several that differ in their numbers alone, which become "3..45"; parts of names
 (trial-3) become an ellipsis. @pre not empty. */
 std::string MergeNumbers(const std::vector<std::string>& texts);
+
+/** What may be doubtful about a trial that counts all the same. */
+struct TrialFlag {
+  const char* name;  ///< "filled", beside a trial
+  const char* text;  ///< a sentence for tables
+  bool (*is_set)(const TrialAnalysis& analysis);
+};
+
+const std::vector<TrialFlag>& TrialFlagList();
+
+/** Names of those set, with commas; empty: none. */
+std::string FormatFlags(const TrialAnalysis& analysis);
+
+struct FlagCount {
+  const TrialFlag* flag = nullptr;
+  int count = 0;       ///< trials that count in spite of it
+  double share = 0.0;  ///< of those that count; NaN without any
+};
+/** In the order of TrialFlagList(). */
+std::vector<FlagCount> CountFlags(const StudyResult& result);
+
+/** The trial to begin with: one that counts, without a flag if there is one, whose GFT is nearest
+to the median; null when none counts. */
+const StudyTrial* FindGoodTrial(const StudyResult& result);
+
+/** Contacts that only the digit's own stop shows, in trials that count. */
+struct UnverifiedTouches {
+  int num_contacts = 0, num_trials = 0;
+};
+UnverifiedTouches CountUnverified(const StudyResult& result);
+
+/** What a person can do about a removed trial: the curve that shows why it does not count, and the
+keys of study.yaml that would change it. Nothing is changed by itself. */
+enum class RemovalCurve {
+  kNone,     ///< no curve shows it: files, markers, tables
+  kSpeed,    ///< speed of the wrist with the threshold of the onset
+  kOpening,  ///< opening of the hand with the contacts
+};
+
+struct RemovalAdvice {
+  const char* code;  ///< of Removal
+  RemovalCurve curve;
+  const char* keys;  ///< what would change it, and what that means; for a person
+};
+
+/** Advice for a code of trial_removal.h or plausibility.h; for one without any of its own, how
+doubted trials are kept. */
+const RemovalAdvice& FindRemovalAdvice(const std::string& code);
+
+/** The parts of that advice that name no limit and no rule of the analysis: what a person can look
+at or measure where no setting helps. Empty when all of them do. */
+std::string FindAdviceBeyondSettings(const std::string& code);
 
 }  // namespace graspbench

@@ -1,15 +1,15 @@
-#include "human_study/study/suggest/marker_evidence.h"
-
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "core/statistics/summary.h"
+#include "human_study/study/suggest/suggest_settings.h"
 
 namespace graspbench {
 namespace {
 
 constexpr double kMaxSpread = 0.008, kMaxDistance = 0.08;  // [m]
+constexpr double kMiddle = 3.29;  // SD of a normal that hold its middle 90 %
 
 /** The value below which that share of them lies. @pre not empty. */
 double FindQuantile(std::vector<double> values, double share) {
@@ -19,8 +19,6 @@ double FindQuantile(std::vector<double> values, double share) {
 }
 
 /** Distances where both are seen [m]. */
-constexpr double kMiddle = 3.29;  // SD of a normal that hold its middle 90 %
-
 std::vector<double> ListDistances(const Trajectory& a, const Trajectory& b) {
   std::vector<double> distances;
   for (size_t i = 0; i < std::min(a.size(), b.size()); ++i) {

@@ -10,9 +10,8 @@
 
 #include "core/base/config.h"
 #include "core/base/units.h"
-#include "human_study/study/design/study_cutoffs.h"
+#include "human_study/study/design/study_config.h"
 #include "human_study/study/run/run_study.h"
-#include "human_study/study/suggest/marker_evidence.h"
 
 namespace graspbench {
 namespace {

@@ -393,7 +393,9 @@ std::string SyntheticFileName(const SyntheticTrial& trial, SyntheticFormat forma
          (format == SyntheticFormat::kC3d ? ".c3d" : ".tsv");
 }
 
-std::string FormatTruthCsv(const std::vector<SyntheticTrial>& trials, SyntheticFormat format) {
+namespace {
+
+std::vector<CsvColumn<SyntheticTrial>> ListTruthColumns(size_t num_digits, SyntheticFormat format) {
   using Column = CsvColumn<SyntheticTrial>;
   const auto time = [](std::string name, std::string meaning, double SyntheticTruth::*field) {
     return Column{std::move(name), "number", "s", std::move(meaning),
@@ -414,12 +416,22 @@ std::string FormatTruthCsv(const std::vector<SyntheticTrial>& trials, SyntheticF
       time("lift_off_s", "the object leaves the table", &SyntheticTruth::lift_off),
       time("release_s", "the digits let go of an object that is not lifted",
            &SyntheticTruth::release)};
-  const size_t num_digits = trials.empty() ? 0 : trials[0].truth.contacts.size();
   for (size_t d = 0; d < num_digits; ++d) {
     columns.push_back({"contact_" + SyntheticDigits()[d] + "_s", "number", "s", "first contact",
                        [d](const SyntheticTrial& t) { return Json(t.truth.contacts[d]); }});
   }
-  return FormatCsv(columns, trials);
+  return columns;
+}
+
+}  // namespace
+
+std::string FormatTruthCsv(const std::vector<SyntheticTrial>& trials, SyntheticFormat format) {
+  const size_t num_digits = trials.empty() ? 0 : trials[0].truth.contacts.size();
+  return FormatCsv(ListTruthColumns(num_digits, format), trials);
+}
+
+Json MakeTruthSchema() {
+  return MakeTableSchema(ListTruthColumns(SyntheticDigits().size(), SyntheticFormat::kC3d), "");
 }
 
 void SaveSyntheticStudy(const std::vector<SyntheticTrial>& trials, SyntheticFormat format,

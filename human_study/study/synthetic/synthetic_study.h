@@ -23,6 +23,7 @@ is good here may be worse on people; one that is bad here is bad. */
 #include <string>
 #include <vector>
 
+#include "core/base/text/json.h"
 #include "human_study/events/reach_trial.h"
 #include "human_study/recording/recording.h"
 
@@ -107,5 +108,7 @@ void SaveSyntheticStudy(const std::vector<SyntheticTrial>& trials, SyntheticForm
 
 /** The table of truth.csv: file, person, trial, diameter_m, onset_s, .. contact_TH_s, .. */
 std::string FormatTruthCsv(const std::vector<SyntheticTrial>& trials, SyntheticFormat format);
+/** Its data dictionary. */
+Json MakeTruthSchema();
 
 }  // namespace graspbench

@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
 #include "datasets/analysis/campaign/thesis_claims.h"
 #include "reports/campaign/campaign_section.h"
@@ -30,19 +29,12 @@ Html DrawEvidence(const std::vector<ThesisClaim>& claims, const SessionModels& m
   plot.axis = "difference from the null value";
   int series = 0;
   for (const ThesisClaim& claim : claims) {
-    IntervalPlot::Row heading;
-    heading.label = claim.topic;
-    heading.is_heading = true;
-    plot.rows.push_back(heading);
+    plot.AddHeading(claim.topic);
     for (const ClaimEvidence& evidence : claim.evidence) {
-      IntervalPlot::Row row;
-      row.label = NameEvidence(evidence, models);
-      row.series = series;
-      row.value = evidence.value - claim.neutral;
-      row.low = evidence.interval.low - claim.neutral;
-      row.high = evidence.interval.high - claim.neutral;
-      row.text = FormatEvidence(evidence);
-      plot.rows.push_back(row);
+      plot.rows.push_back({NameEvidence(evidence, models), evidence.value - claim.neutral,
+                           evidence.interval.low - claim.neutral,
+                           evidence.interval.high - claim.neutral, FormatEvidence(evidence), "",
+                           series});
     }
     ++series;
   }
@@ -65,19 +57,16 @@ Html DrawClaims(const CampaignData& data) {
   }
   const std::vector<ThesisClaim> claims = JudgeThesis(data.campaign, data.scenes);
   Table table("The thesis's claims and what these trials say of them.",
-              {{"Claim", Align::kProse},
-               {"Verdict", Align::kProse},
-               {"Design", Align::kProse},
-               {"Evidence, with 95 % intervals", Align::kProse}});
+              {"Claim", "Verdict", "Design", "Evidence, with 95 % intervals"});
   for (const ThesisClaim& claim : claims) {
     std::string text;
     for (const ClaimEvidence& evidence : claim.evidence) {
       text += (text.empty() ? "" : "; ") + NameEvidence(evidence, data.models) + " " +
               FormatEvidence(evidence);
     }
-    table.AddRow({Text(claim.sentence), Text(NameVerdict(claim)), Text(claim.design),
-                  Text(text.empty() ? "too little" : text)},
-                 std::string("claim-") + claim.id);
+    table.AddRow(
+        {claim.sentence, NameVerdict(claim), claim.design, text.empty() ? "too little" : text},
+        std::string("claim-") + claim.id);
   }
   return table.ToHtml() + DrawEvidence(claims, data.models) +
          MakeParagraph(

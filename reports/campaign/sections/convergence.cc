@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
 #include "reports/campaign/campaign_section.h"
 #include "reports/plots/line_plot.h"
@@ -30,15 +29,14 @@ Html DrawConvergence(const CampaignData& data) {
     return MakeParagraph(
         "No comparison of search methods is stored; graspbench campaign --compare makes one.");
   }
-  const Align number = Align::kNumber;
   Table table("Search methods at the same number of evaluations from the same start.",
-              {{"Scene"},
-               {"Method"},
-               {"Seeds", number},
-               {"Evaluations", number},
-               {"Best fitness", number, "median over seeds"},
-               {"Quartiles", number},
-               {"To 90 %", number,
+              {"Scene",
+               "Method",
+               "Seeds",
+               "Evaluations",
+               {"Best fitness", "median over seeds"},
+               "Quartiles",
+               {"To 90 %",
                 "median number of evaluations until 90 % of the way from the start to the best "
                 "fitness that any run of the scene found"}});
   Html figures;
@@ -53,13 +51,12 @@ Html DrawConvergence(const CampaignData& data) {
                              data.models.NameOfObject(curves[first].object);
     for (const MethodCurve* curve : scene) {
       if (curve->evaluations.empty()) continue;
-      table.AddRow({Text(name), Text(curve->method), Text(std::to_string(curve->num_seeds)),
-                    Text(FormatFixed(curve->evaluations.back(), 0)),
-                    Text(FormatFixed(curve->final_median, 3)),
-                    Text(FormatRange(curve->low.back(), curve->high.back(), 3)),
-                    Text(std::isfinite(curve->median_evaluations_to_90)
-                             ? FormatFixed(curve->median_evaluations_to_90, 0)
-                             : std::string("never"))});
+      table.AddRow({name, curve->method, curve->num_seeds,
+                    FormatFixed(curve->evaluations.back(), 0), FormatFixed(curve->final_median, 3),
+                    FormatRange(curve->low.back(), curve->high.back(), 3),
+                    std::isfinite(curve->median_evaluations_to_90)
+                        ? FormatFixed(curve->median_evaluations_to_90, 0)
+                        : std::string("never")});
     }
     figures += DrawScene(scene, name);
   }

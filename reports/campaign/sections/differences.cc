@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
 #include "reports/campaign/campaign_section.h"
 #include "reports/plots/line_plot.h"
@@ -18,10 +17,7 @@ Html DrawDifferences(const CampaignData& data, const VariantMeasure& measure, Va
   plot.axis = "difference of " + std::string(measure.name);
   const double unit = measure.unit;
   for (const std::string& hand : data.benchmark.hands) {
-    IntervalPlot::Row heading;
-    heading.label = data.models.NameOfHand(hand);
-    heading.is_heading = true;
-    plot.rows.push_back(heading);
+    plot.AddHeading(data.models.NameOfHand(hand));
     for (const SceneVariants& scene : data.scenes) {
       if (scene.hand != hand) continue;
       IntervalPlot::Row row;

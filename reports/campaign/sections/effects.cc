@@ -1,8 +1,6 @@
 #include <cmath>
 
-#include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
-#include "datasets/analysis/campaign/gft_floors.h"
 #include "datasets/analysis/campaign/headrooms.h"
 #include "reports/campaign/campaign_section.h"
 
@@ -28,26 +26,24 @@ std::string FormatRatio(const StepEffect& effect) {
 }
 
 Html DrawEffects(const CampaignData& data, const std::string& hand, const std::string& name) {
-  const Align number = Align::kNumber;
   Table table(
       name + ": medians over the scenes, before and after.",
-      {{"Step"},
-       {"Measure"},
-       {"Scenes", number, "in which both variants have a value"},
-       {"Before", number},
-       {"After", number},
-       {"After / before", number,
+      {"Step",
+       "Measure",
+       {"Scenes", "in which both variants have a value"},
+       "Before",
+       "After",
+       {"After / before",
         "ratio of the medians, 95 % bootstrap interval over scenes; none where it never changes"},
-       {"Worse", number, "scenes whose value is worse after the step"}});
+       {"Worse", "scenes whose value is worse after the step"}});
   for (const Step& step : kSteps) {
     for (const VariantMeasure& measure : ListVariantMeasures()) {
       const StepEffect effect = CalcStepEffect(measure, data.scenes, step.before, step.after, hand);
       if (effect.num_scenes == 0) continue;
-      table.AddRow({Text(step.name), Text(measure.name), Text(std::to_string(effect.num_scenes)),
-                    Text(FormatMeasure(measure, effect.median_before)),
-                    Text(FormatMeasure(measure, effect.median_after)), Text(FormatRatio(effect)),
-                    Text(std::to_string(effect.worse.size()) + " (" +
-                         FormatPercent(effect.share_worse()) + ")")});
+      table.AddRow(
+          {step.name, measure.name, effect.num_scenes, FormatMeasure(measure, effect.median_before),
+           FormatMeasure(measure, effect.median_after), FormatRatio(effect),
+           std::to_string(effect.worse.size()) + " (" + FormatPercent(effect.share_worse()) + ")"});
     }
   }
   return table.ToHtml();
@@ -83,25 +79,24 @@ constexpr Variant kFloorVariants[] = {kStandardGrasp, kNewPreGrasp};
 
 /** GFT% and floor of the two variants of step 1, scene by scene. */
 Html DrawFloorTable(const CampaignData& data) {
-  const Align number = Align::kNumber;
-  std::vector<Column> columns = {{"Scene"}};
+  std::vector<Column> columns = {"Scene"};
   for (const Variant variant : kFloorVariants) {
     const std::string name = Capitalise(WordsOf(variant));
-    columns.push_back({name + ": GFT% [%]", number, "median of the benchmark's trials"});
-    columns.push_back({"Floor [%]", number});
-    columns.push_back({"GFT% / floor", number});
+    columns.push_back({name + ": GFT% [%]", "median of the benchmark's trials"});
+    columns.push_back("Floor [%]");
+    columns.push_back("GFT% / floor");
   }
   Table table("GFT% of step 1 and its floor, scene by scene.", columns);
   const VariantMeasure& gft = FindVariantMeasure("GFT%");
   for (const SceneVariants& scene : data.scenes) {
     if (!scene.IsComplete()) continue;
-    std::vector<Html> row = {Text(data.NameOfScene(scene))};
+    std::vector<Cell> row = {data.NameOfScene(scene)};
     for (const Variant variant : kFloorVariants) {
       const double ratio = CalcCellValue(gft, scene.cell(variant));
       const Answer<double> floor = CalcGftFloorOf(scene.cell(variant).records);
-      row.push_back(Text(FormatMeasure(gft, ratio)));
-      row.push_back(Text(floor ? FormatMeasure(gft, *floor) : "no floor: " + floor.reason()));
-      row.push_back(Text(floor && *floor > 0.0 ? FormatFixed(ratio / *floor, 2) : "-"));
+      row.push_back(FormatMeasure(gft, ratio));
+      row.push_back(floor ? FormatMeasure(gft, *floor) : "no floor: " + floor.reason());
+      row.push_back(floor && *floor > 0.0 ? FormatFixed(ratio / *floor, 2) : "-");
     }
     table.AddRow(row);
   }
@@ -127,24 +122,23 @@ Html DrawFloors(const CampaignData& data) {
 
 /** What step 2 started from and what it kept, scene by scene. */
 Html DrawHeadroomTable(const CampaignData& data) {
-  const Align number = Align::kNumber;
   Table table("Share of what friction and grip allow by an object's sides, scene by scene.",
-              {{"Scene"},
-               {"Start: share", number, "of mu N - m g, in the trials of step 2's check"},
-               {"Allowed [N]", number, "mu N - m g"},
-               {"Kept: share", number, "the start's where the new target was not taken"},
-               {"Allowed [N]", number, "mu N - m g"}});
+              {"Scene",
+               {"Start: share", "of mu N - m g, in the trials of step 2's check"},
+               {"Allowed [N]", "mu N - m g"},
+               {"Kept: share", "the start's where the new target was not taken"},
+               {"Allowed [N]", "mu N - m g"}});
   for (const SceneVariants& scene : data.scenes) {
     const Answer<SceneHeadroom> headroom = FindHeadroom(*scene.scene);
-    std::vector<Html> row = {Text(data.NameOfScene(scene))};
+    std::vector<Cell> row = {data.NameOfScene(scene)};
     if (headroom) {
       for (const double value : {headroom->start_share, headroom->start_bound, headroom->kept_share,
                                  headroom->kept_bound}) {
-        row.push_back(Text(FormatFixed(value, 2)));
+        row.push_back(FormatFixed(value, 2));
       }
     } else {
-      row.push_back(Text("no figure: " + headroom.reason()));
-      for (int i = 0; i < 3; ++i) row.push_back(Text("-"));
+      row.push_back("no figure: " + headroom.reason());
+      for (int i = 0; i < 3; ++i) row.push_back("-");
     }
     table.AddRow(row);
   }

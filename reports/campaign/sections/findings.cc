@@ -1,4 +1,4 @@
-#include "reports/campaign/findings.h"
+#include "reports/campaign/campaign_section.h"
 
 namespace graspbench {
 namespace {

@@ -17,15 +17,14 @@ Html DrawHands(const CampaignData& data) {
   const std::string& hand_b = data.benchmark.hands[1];
   const std::string name_a = data.models.NameOfHand(hand_a);
   const std::string name_b = data.models.NameOfHand(hand_b);
-  const Align number = Align::kNumber;
   Table table("Medians over the objects that both hands grasped, each with its best-suited grasp.",
-              {{"Measure"},
-               {"Variant"},
-               {"Objects", number},
-               {name_a, number},
-               {name_b, number},
-               {name_a + " better", number, "objects on which its value is better"},
-               {name_b + " better", number, "objects on which its value is better"}});
+              {"Measure",
+               "Variant",
+               "Objects",
+               name_a,
+               name_b,
+               {name_a + " better", "objects on which its value is better"},
+               {name_b + " better", "objects on which its value is better"}});
   for (const VariantMeasure& measure : ListVariantMeasures()) {
     for (int v = 0; v < kNumVariants; ++v) {
       const auto variant = static_cast<Variant>(v);
@@ -34,10 +33,8 @@ Html DrawHands(const CampaignData& data) {
       const auto format = [&](double value) {
         return Text(FormatFixed(measure.unit * value, measure.decimals));
       };
-      table.AddRow({Text(measure.name), Text(WordsOf(variant)),
-                    Text(std::to_string(found.num_objects)), format(found.median_a),
-                    format(found.median_b), Text(std::to_string(found.num_a_better)),
-                    Text(std::to_string(found.num_b_better))});
+      table.AddRow({measure.name, WordsOf(variant), found.num_objects, format(found.median_a),
+                    format(found.median_b), found.num_a_better, found.num_b_better});
     }
   }
   return table.ToHtml();

@@ -1,6 +1,6 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
-#include "datasets/analysis/grasp_course.h"
+#include "datasets/analysis/campaign/thesis_claims.h"
 #include "reports/campaign/campaign_section.h"
 #include "reports/people_and_robots.h"
 
@@ -18,12 +18,10 @@ std::string FormatFirstTouches(const CellSummary& cell, const SessionModels& mod
 }
 
 void AddRow(Table& table, const std::string& what, const std::string& found, bool holds) {
-  table.AddRow({Text(what), Text(found), Text(holds ? "holds" : "does not hold")});
+  table.AddRow({what, found, holds ? "holds" : "does not hold"});
 }
 
-std::vector<Column> MakeColumns() {
-  return {{"Known from the thesis", Align::kProse}, {"Found here", Align::kProse}, {"Verdict"}};
-}
+std::vector<Column> MakeColumns() { return {"Known from the thesis", "Found here", "Verdict"}; }
 
 Html DrawTape(const SceneVariants& scene, const SessionModels& models) {
   const TapeCourse course = FindTapeCourse(scene);

@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
 #include "datasets/analysis/campaign/real_comparison.h"
 #include "reports/campaign/campaign_section.h"
@@ -17,13 +16,10 @@ Html DrawTotals(const RealComparison& found) {
   Table table(
       "Success over the scenes in which all three variants were really tried, 95 % intervals in "
       "per cent.",
-      {{"Variant"},
-       {"Scenes", Align::kNumber},
-       {"Really", Align::kNumber},
-       {"In the simulation", Align::kNumber}});
+      {"Variant", "Scenes", "Really", "In the simulation"});
   for (const RealTotal& total : found.totals) {
-    table.AddRow({Text(WordsOf(total.variant)), Text(std::to_string(total.num_scenes)),
-                  Text(FormatCounts(total.real)), Text(FormatCounts(total.simulated))});
+    table.AddRow({WordsOf(total.variant), total.num_scenes, FormatCounts(total.real),
+                  FormatCounts(total.simulated)});
   }
   return table.ToHtml();
 }
@@ -31,18 +27,12 @@ Html DrawTotals(const RealComparison& found) {
 Html DrawAgreements(const RealComparison& found) {
   Table table(
       "Does a step change reality as it changes the simulation? Scenes in which both change.",
-      {{"Step"},
-       {"Measure"},
-       {"Scenes", Align::kNumber},
-       {"Alike", Align::kNumber},
-       {"95 % interval [%]", Align::kNumber}});
+      {"Step", "Measure", "Scenes", "Alike", "95 % interval [%]"});
   for (const RealAgreement& agreement : found.agreements) {
-    table.AddRow(
-        {Text(agreement.step), Text(agreement.measure), Text(std::to_string(agreement.num_scenes)),
-         Text(std::to_string(agreement.num_alike)),
-         Text(agreement.num_scenes == 0
-                  ? "n/a"
-                  : FormatRange(100.0 * agreement.share.low, 100.0 * agreement.share.high, 1))});
+    table.AddRow({agreement.step, agreement.measure, agreement.num_scenes, agreement.num_alike,
+                  agreement.num_scenes == 0
+                      ? "n/a"
+                      : FormatRange(100.0 * agreement.share.low, 100.0 * agreement.share.high, 1)});
   }
   return table.ToHtml();
 }
@@ -50,42 +40,39 @@ Html DrawAgreements(const RealComparison& found) {
 Html DrawCells(const RealComparison& found, const CampaignData& data) {
   const VariantMeasure& gft = FindVariantMeasure("GFT%");
   Table table("Every scene of which there are real trials.",
-              {{"Scene"},
-               {"Variant"},
-               {"Success, really [95 %]", Align::kNumber},
-               {"In the simulation", Align::kNumber},
-               {"p", Align::kNumber,
+              {"Scene",
+               "Variant",
+               "Success, really [95 %]",
+               "In the simulation",
+               {"p",
                 "that both succeed as often: Fisher's exact test, two-sided, "
                 "not corrected for the number of rows"},
-               {"Median GFT%, really [%]", Align::kNumber,
+               {"Median GFT%, really [%]",
                 "of the trials in which all digits of "
                 "the grasp touched"},
-               {"Trials with it", Align::kNumber},
-               {"In the simulation [%]", Align::kNumber}});
+               "Trials with it",
+               "In the simulation [%]"});
   for (const RealCell& cell : found.cells) {
     const CellSummary& simulated = cell.scene->cell(cell.variant);
-    table.AddRow({LinkTo(cell.scene->key, data.NameOfScene(*cell.scene)),
-                  Text(WordsOf(cell.variant)), Text(FormatCounts(cell.real)),
-                  Text(FormatCounts(simulated.tally)),
-                  Text(cell.success_p < 0.001 ? "< 0.001" : FormatFixed(cell.success_p, 3)),
-                  Text(FormatFixed(gft.unit * cell.median_gft_ratio(), 1)),
-                  Text(std::to_string(cell.gft_ratios.size())),
-                  Text(FormatFixed(gft.unit * CalcCellValue(gft, simulated), 1))});
+    table.AddRow({LinkTo(cell.scene->key, data.NameOfScene(*cell.scene)), WordsOf(cell.variant),
+                  FormatCounts(cell.real), FormatCounts(simulated.tally),
+                  cell.success_p < 0.001 ? "< 0.001" : FormatFixed(cell.success_p, 3),
+                  FormatFixed(gft.unit * cell.median_gft_ratio(), 1), cell.gft_ratios.size(),
+                  FormatFixed(gft.unit * CalcCellValue(gft, simulated), 1)});
   }
   return table.ToHtml();
 }
 
 Html DrawFigures(const CampaignData& data) {
-  Table table("Published figures of real hands and of people.",
-              {{"Of"}, {"What"}, {"Value", Align::kNumber}, {"Source"}});
+  Table table("Published figures of real hands and of people.", {"Of", "What", "Value", "Source"});
   for (const PublishedFigure& figure : LoadPublishedFigures()) {
     const bool is_here =
         figure.hand == "people" ||
         std::any_of(data.scenes.begin(), data.scenes.end(),
                     [&](const SceneVariants& scene) { return scene.hand == figure.hand; });
     if (!is_here) continue;
-    table.AddRow({Text(figure.hand), Text(figure.what),
-                  Text(FormatJson(figure.value) + " " + figure.unit), Text(figure.source)});
+    table.AddRow(
+        {figure.hand, figure.what, FormatJson(figure.value) + " " + figure.unit, figure.source});
   }
   return table.ToHtml();
 }

@@ -1,10 +1,9 @@
 #include <cmath>
 
-#include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "reports/campaign/campaign_section.h"
-#include "reports/plots/contact_strip.h"
+#include "reports/plots/trial_plots.h"
 #include "reports/scenes/cell_pictures.h"
 
 namespace graspbench {
@@ -32,36 +31,25 @@ Html DrawPictures(const SceneVariants& scene, const CampaignData& data) {
 }
 
 Html DrawThumb(const Json& step, const SceneVariants& scene, const CampaignData& data) {
-  const Align number = Align::kNumber;
   Table table("Target angles of the thumb, " + data.NameOfScene(scene) + ".",
-              {{"Joint"},
-               {"Before [deg]", number},
-               {"Evolved [deg]", number},
-               {"Change [deg]", number},
-               {"Bounds [deg]", number}});
+              {"Joint", "Before [deg]", "Evolved [deg]", "Change [deg]", "Bounds [deg]"});
   const auto angle = [&](const char* key, size_t i) {
     return DegFromRad(step.at(key).at(i).get<double>());
   };
   for (size_t i = 0; i < step.at("joints").size(); ++i) {
     const double before = angle("start_rad", i), after = angle("found_rad", i);
-    table.AddRow({Text(step.at("joints").at(i).get<std::string>()), Text(FormatFixed(before, 1)),
-                  Text(FormatFixed(after, 1)), Text(FormatFixed(after - before, 1)),
-                  Text(FormatRange(angle("lower_rad", i), angle("upper_rad", i), 1))});
+    table.AddRow({step.at("joints").at(i).get<std::string>(), FormatFixed(before, 1),
+                  FormatFixed(after, 1), FormatFixed(after - before, 1),
+                  FormatRange(angle("lower_rad", i), angle("upper_rad", i), 1)});
   }
   return table.ToHtml();
 }
 
 /** Of another search space than the thumb: each coordinate in degrees or millimetres. */
 Html DrawCoordinates(const Json& step, const SceneVariants& scene, const CampaignData& data) {
-  const Align number = Align::kNumber;
   Table table("What step 2 searched (" + step.at("search").get<std::string>() + "), " +
                   data.NameOfScene(scene) + ".",
-              {{"Coordinate"},
-               {"Unit"},
-               {"Before", number},
-               {"Found", number},
-               {"Change", number},
-               {"Bounds", number}});
+              {"Coordinate", "Unit", "Before", "Found", "Change", "Bounds"});
   for (const Json& coordinate : step.at("coordinates")) {
     const bool is_length = coordinate.at("unit") == "m";
     const auto value = [&](const char* key) {
@@ -69,10 +57,9 @@ Html DrawCoordinates(const Json& step, const SceneVariants& scene, const Campaig
       return is_length ? MmFromM(si) : DegFromRad(si);
     };
     const double before = value("start"), after = value("found");
-    table.AddRow({Text(coordinate.at("name").get<std::string>()), Text(is_length ? "mm" : "deg"),
-                  Text(FormatFixed(before, 1)), Text(FormatFixed(after, 1)),
-                  Text(FormatFixed(after - before, 1)),
-                  Text(FormatRange(value("lower"), value("upper"), 1))});
+    table.AddRow({coordinate.at("name").get<std::string>(), is_length ? "mm" : "deg",
+                  FormatFixed(before, 1), FormatFixed(after, 1), FormatFixed(after - before, 1),
+                  FormatRange(value("lower"), value("upper"), 1)});
   }
   return table.ToHtml();
 }

@@ -1,10 +1,8 @@
 #include <cmath>
 
-#include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
-#include "datasets/analysis/campaign/gft_floors.h"
+#include "datasets/analysis/campaign/headrooms.h"
 #include "reports/campaign/campaign_section.h"
-#include "reports/campaign/findings.h"
 #include "reports/plots/line_plot.h"
 
 namespace graspbench {
@@ -65,10 +63,7 @@ Html DrawChanges(const CampaignData& data) {
   plot.axis = "change of the median over the scenes [%]";
   int series = 0;
   for (const Step& step : kSteps) {
-    IntervalPlot::Row heading;
-    heading.label = step.name;
-    heading.is_heading = true;
-    plot.rows.push_back(heading);
+    plot.AddHeading(step.name);
     for (const VariantMeasure& measure : ListVariantMeasures()) {
       const StepEffect effect = CalcStepEffect(measure, data.scenes, step.before, step.after);
       if (effect.num_scenes == 0 || !std::isfinite(effect.plain_ratio())) continue;

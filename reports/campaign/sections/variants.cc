@@ -8,9 +8,9 @@ namespace {
 
 Html DrawVariants(const CampaignData& data) {
   if (data.scenes.empty()) return MakeParagraph("There is nothing to show.");
-  std::vector<Column> columns = {{"Scene"}, {"Grasp"}, {"Variant"}};
+  std::vector<Column> columns = {"Scene", "Grasp", "Variant"};
   for (const VariantMeasure& measure : ListVariantMeasures()) {
-    columns.push_back({measure.name, Align::kNumber, measure.meaning});
+    columns.push_back({measure.name, measure.meaning});
   }
   Table table(
       "Every scene under its three variants. Success, sigma and breaking force are means over the "
@@ -19,13 +19,12 @@ Html DrawVariants(const CampaignData& data) {
       columns);
   for (const SceneVariants& scene : data.scenes) {
     for (int v = 0; v < kNumVariants; ++v) {
-      std::vector<Html> row = {LinkTo(scene.key, data.NameOfScene(scene)),
-                               Text(NameOfGrasp(scene.grasp)),
-                               Text(WordsOf(static_cast<Variant>(v)))};
+      std::vector<Cell> row = {LinkTo(scene.key, data.NameOfScene(scene)), NameOfGrasp(scene.grasp),
+                               WordsOf(static_cast<Variant>(v))};
       for (const VariantMeasure& measure : ListVariantMeasures()) {
         const double value =
             scene.cells[v] ? CalcCellValue(measure, *scene.cells[v]) : std::nan("");
-        row.push_back(Text(FormatFixed(measure.unit * value, measure.decimals)));
+        row.push_back(FormatFixed(measure.unit * value, measure.decimals));
       }
       table.AddRow(row);
     }

@@ -4,7 +4,6 @@
 #include "core/base/units.h"
 #include "reports/plots/line_plot.h"
 #include "reports/study/study_format.h"
-#include "reports/study/study_section.h"
 
 namespace graspbench {
 namespace {
@@ -18,10 +17,7 @@ Html DrawFigure(const std::vector<BiasRow>& rows) {
   int series = -1;
   for (const BiasRow& bias : rows) {
     if (bias.text != text) {
-      IntervalPlot::Row heading;
-      heading.label = bias.text;
-      heading.is_heading = true;
-      plot.rows.push_back(heading);
+      plot.AddHeading(bias.text);
       text = bias.text;
       ++series;
     }
@@ -44,25 +40,23 @@ Html DrawFigure(const std::vector<BiasRow>& rows) {
 }
 
 Html DrawTable(const std::vector<BiasRow>& rows) {
-  const Align number = Align::kNumber;
   Table table(
       "What these choices make of a known asynchrony.",
-      {{"Choice"},
-       {"True GFT [ms]", number},
-       {"n", number},
-       {"Missing", number, "trials without a GFT"},
-       {"Found GFT [ms]", number, "mean"},
-       {"SD [ms]", number},
-       {"Contact bias [ms]", number, "found - true contact time, all digits"},
-       {"Contact SD [ms]", number},
-       {"Coverage [%]", number,
+      {"Choice",
+       "True GFT [ms]",
+       "n",
+       {"Missing", "trials without a GFT"},
+       {"Found GFT [ms]", "mean"},
+       "SD [ms]",
+       {"Contact bias [ms]", "found - true contact time, all digits"},
+       "Contact SD [ms]",
+       {"Coverage [%]",
         "contacts whose error lies within their stated 95 % interval; 95 would be honest"}});
   for (const BiasRow& row : rows) {
-    table.AddRow({Text(row.text), Text(FormatValue(row.true_gft, "s")),
-                  Text(std::to_string(row.num_trials)), Text(std::to_string(row.num_missing)),
-                  Text(FormatValue(row.mean_gft, "s")), Text(FormatValue(row.sd_gft, "s")),
-                  Text(FormatValue(row.contact_bias, "s")), Text(FormatValue(row.contact_sd, "s")),
-                  Text(FormatFixed(100.0 * row.coverage, 1))});
+    table.AddRow({row.text, FormatValue(row.true_gft, "s"), row.num_trials, row.num_missing,
+                  FormatValue(row.mean_gft, "s"), FormatValue(row.sd_gft, "s"),
+                  FormatValue(row.contact_bias, "s"), FormatValue(row.contact_sd, "s"),
+                  FormatFixed(100.0 * row.coverage, 1)});
   }
   return MakeDetails("All numbers", table.ToHtml());
 }

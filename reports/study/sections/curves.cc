@@ -1,7 +1,6 @@
 #include "core/base/text/text.h"
 #include "reports/plots/line_plot.h"
 #include "reports/study/study_format.h"
-#include "reports/study/study_section.h"
 
 namespace graspbench {
 namespace {

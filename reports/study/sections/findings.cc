@@ -1,7 +1,6 @@
 #include "core/base/text/text.h"
-#include "human_study/study/run/trial_flags.h"
 #include "human_study/study/run/trial_removal.h"
-#include "reports/study/study_section.h"
+#include "reports/study/study_format.h"
 
 namespace graspbench {
 namespace {

@@ -2,10 +2,9 @@
 #include <cmath>
 
 #include "core/base/text/text.h"
-#include "human_study/study/inference/condition_estimates.h"
+#include "human_study/study/inference/measure_statistics.h"
 #include "reports/plots/line_plot.h"
 #include "reports/study/study_format.h"
-#include "reports/study/study_section.h"
 
 namespace graspbench {
 namespace {
@@ -60,12 +59,12 @@ Html DrawBarTable(const MeasureStatistics& statistics, const ConditionEstimates&
   const bool has_bars = std::any_of(widths.begin(), widths.end(),
                                     [](const auto& answer) { return answer.has_value(); });
   if (!has_bars) return {};  // the figure says why
-  std::vector<Column> columns = {{"Condition"}, {"Mean", Align::kNumber}};
+  std::vector<Column> columns = {"Condition", "Mean"};
   std::vector<std::string> without;
   for (size_t i = 0; i < widths.size(); ++i) {
     const std::string name(NameOf(ListBarKinds()[i]));
     if (widths[i]) {
-      columns.push_back({name, Align::kNumber, "half the length of the bar"});
+      columns.push_back({name, "half the length of the bar"});
     } else {
       without.push_back(name + ": none, " + widths[i].reason());
     }
@@ -74,11 +73,11 @@ Html DrawBarTable(const MeasureStatistics& statistics, const ConditionEstimates&
               columns);
   const std::string unit = statistics.measure.unit;
   for (size_t cell = 0; cell < estimates.cells.size(); ++cell) {
-    std::vector<Html> row = {Text(NameOfCell(estimates.cells[cell], statistics.table.factors)),
-                             Text(FormatValue(estimates.means[cell], unit))};
+    std::vector<Cell> row = {NameOfCell(estimates.cells[cell], statistics.table.factors),
+                             FormatValue(estimates.means[cell], unit)};
     for (const Answer<Eigen::VectorXd>& answer : widths) {
       if (!answer) continue;
-      row.push_back(Text(FormatValue((*answer)[static_cast<Eigen::Index>(cell)], unit)));
+      row.push_back(FormatValue((*answer)[static_cast<Eigen::Index>(cell)], unit));
     }
     table.AddRow(row);
   }

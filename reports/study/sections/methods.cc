@@ -5,7 +5,6 @@
 #include "core/base/units.h"
 #include "core/base/version.h"
 #include "reports/study/study_format.h"
-#include "reports/study/study_section.h"
 
 namespace graspbench {
 namespace {

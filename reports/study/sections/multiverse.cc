@@ -4,7 +4,6 @@
 #include "core/base/text/text.h"
 #include "reports/plots/svg_plot.h"
 #include "reports/study/study_format.h"
-#include "reports/study/study_section.h"
 
 namespace graspbench {
 namespace {

@@ -1,9 +1,7 @@
 #include <algorithm>
 
-#include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
 #include "reports/study/study_format.h"
-#include "reports/study/study_section.h"
 
 namespace graspbench {
 namespace {
@@ -20,38 +18,36 @@ std::string FormatNeeded(const OpeningReliability& row) {
 }
 
 Html DrawReliability(const OpeningFamily& family) {
-  const Align number = Align::kNumber;
   // One person has no ICC: a sentence says so, not a column of n/a.
   const bool has_icc = family.num_persons > 1;
   std::vector<Column> columns = {
-      {"Opening"},
-      {"Mean [mm]", number},
-      {"SEM [mm]", number, "standard deviation within persons and conditions: error of one trial"},
-      {"MDC [mm]", number, "minimal detectable change: two single trials differ by less"}};
+      "Opening",
+      "Mean [mm]",
+      {"SEM [mm]", "standard deviation within persons and conditions: error of one trial"},
+      {"MDC [mm]", "minimal detectable change: two single trials differ by less"}};
   if (has_icc) {
-    columns.push_back({"ICC(1,1)", number, "share of the variance that is due to persons, 95 %"});
-    columns.push_back({"Trials for 0.9", number, "whose mean reaches an ICC of 0.9"});
+    columns.push_back({"ICC(1,1)", "share of the variance that is due to persons, 95 %"});
+    columns.push_back({"Trials for 0.9", "whose mean reaches an ICC of 0.9"});
   }
-  columns.push_back({"d'", number, "open and closed hand"});
+  columns.push_back({"d'", "open and closed hand"});
   if (!family.slope_factor.empty()) {
     columns.push_back(
-        {"Slope / SEM", number, "mean slope over " + family.slope_factor + ", its unit inverted"});
+        {"Slope / SEM", "mean slope over " + family.slope_factor + ", its unit inverted"});
   }
-  columns.push_back({"d' left", number, "without the digit whose loss costs most"});
+  columns.push_back({"d' left", "without the digit whose loss costs most"});
   Table table("Largest opening of each trial, the means of conditions taken out.", columns);
   for (const OpeningReliability& row : family.rows) {
     if (!row.open) continue;
-    std::vector<Html> cells = {Element("code", {}, row.opening->id),
-                               Text(FormatValue(row.open->mean, "m")),
-                               Text(FormatValue(row.within_person_sd, "m")),
-                               Text(FormatValue(row.minimal_detectable_change, "m"))};
+    std::vector<Cell> cells = {
+        Element("code", {}, row.opening->id), FormatValue(row.open->mean, "m"),
+        FormatValue(row.within_person_sd, "m"), FormatValue(row.minimal_detectable_change, "m")};
     if (has_icc) {
-      cells.push_back(Text(FormatIcc(row)));
-      cells.push_back(Text(FormatNeeded(row)));
+      cells.push_back(FormatIcc(row));
+      cells.push_back(FormatNeeded(row));
     }
     for (size_t i = 1; i < kNumOpeningCriteria; ++i) {
       if (i == 2 && family.slope_factor.empty()) continue;
-      cells.push_back(Text(row.criteria[i] ? FormatSignificant(*row.criteria[i], 3) : "n/a"));
+      cells.push_back(row.criteria[i] ? FormatSignificant(*row.criteria[i], 3) : "n/a");
     }
     table.AddRow(cells);
   }
@@ -83,9 +79,9 @@ Html DrawUntested(const OpeningFamily& family) {
 
 Html DrawComparisons(const OpeningFamily& family) {
   if (family.num_tests == 0) return {};
-  std::vector<Column> columns = {{"Opening"}};
+  std::vector<Column> columns = {"Opening"};
   for (const OpeningCriterion& criterion : ListOpeningCriteria()) {
-    columns.push_back({criterion.text, Align::kNumber});
+    columns.push_back(criterion.text);
   }
   Table table(
       "Each criterion as a multiple of the aperture's, above 1 is more reliable, with the 95 % "
@@ -93,9 +89,9 @@ Html DrawComparisons(const OpeningFamily& family) {
           std::to_string(family.num_tests) + " comparisons where it is below 0.05.",
       columns);
   for (size_t i = 1; i < family.rows.size(); ++i) {
-    std::vector<Html> cells = {Element("code", {}, family.rows[i].opening->id)};
+    std::vector<Cell> cells = {Element("code", {}, family.rows[i].opening->id)};
     for (const OpeningComparison& comparison : family.rows[i].against_aperture) {
-      cells.push_back(Text(FormatRatio(comparison)));
+      cells.push_back(FormatRatio(comparison));
     }
     table.AddRow(cells);
   }
@@ -104,10 +100,9 @@ Html DrawComparisons(const OpeningFamily& family) {
 
 Html DrawLosses(const StudyResult& result) {
   if (result.digits.size() < 3) return {};
-  std::vector<Column> columns = {{"Opening"}};
+  std::vector<Column> columns = {"Opening"};
   for (size_t i = 1; i < result.digits.size(); ++i) {
-    columns.push_back(
-        {"without " + NameOfDigit(result.digits[i]), Align::kNumber, "d' without / d' with it"});
+    columns.push_back({"without " + NameOfDigit(result.digits[i]), "d' without / d' with it"});
   }
   Table table(
       "What is left of d' when one digit's marker is missing: below 1 the measure tells the open "
@@ -115,10 +110,10 @@ Html DrawLosses(const StudyResult& result) {
       columns);
   for (const OpeningReliability& row : result.statistics.openings.rows) {
     if (!row.open) continue;
-    std::vector<Html> cells = {Element("code", {}, row.opening->id)};
+    std::vector<Cell> cells = {Element("code", {}, row.opening->id)};
     for (size_t i = 1; i < result.digits.size(); ++i) {
       const Answer<double>& kept = row.kept_without[i];
-      cells.push_back(Text(kept ? FormatFixed(*kept, 2) : "n/a"));
+      cells.push_back(kept ? FormatFixed(*kept, 2) : "n/a");
     }
     table.AddRow(cells);
   }

@@ -1,7 +1,7 @@
 #include "core/base/text/text.h"
-#include "human_study/study/inference/order_summary.h"
+#include "human_study/study/inference/study_statistics.h"
 #include "reports/plots/svg_plot.h"
-#include "reports/study/study_section.h"
+#include "reports/study/study_format.h"
 
 namespace graspbench {
 namespace {
@@ -55,11 +55,11 @@ Html DrawPrecedence(const OrderSummary& summary, const std::vector<std::string>&
 
 Html DrawOrders(const OrderSummary& summary) {
   Table table("Orders of contact, most frequent first; = joins digits that are tied.",
-              {{"Order"}, {"Trials", Align::kNumber}, {"Share [%]", Align::kNumber}});
+              {"Order", "Trials", "Share [%]"});
   const std::vector<OrderCount>& orders = summary.orders;
   for (size_t i = 0; i < orders.size() && i < kMaxOrders; ++i) {
-    table.AddRow({Element("code", {}, orders[i].order), Text(std::to_string(orders[i].count)),
-                  Text(FormatFixed(100.0 * orders[i].share, 1))});
+    table.AddRow({Element("code", {}, orders[i].order), orders[i].count,
+                  FormatFixed(100.0 * orders[i].share, 1)});
   }
   std::string text = std::to_string(summary.num_ties) + " of " +
                      FormatCount(summary.num_neighbours, "pair") + " of neighbours are tied.";

@@ -1,6 +1,5 @@
 #include "core/base/text/text.h"
 #include "reports/study/study_format.h"
-#include "reports/study/study_section.h"
 
 namespace graspbench {
 namespace {
@@ -34,14 +33,12 @@ std::string DescribeOwn(const ComparedValue& value) {
 Html DrawPublished(const StudyPageData& data) {
   const std::vector<ComparedValue>& published = data.result.statistics.published;
   if (published.empty()) return MakeParagraph("No measure of this study has a published value.");
-  Table table("This study beside what others measured.", {{"Measure", Align::kProse},
-                                                          {"Here", Align::kProse},
-                                                          {"Published", Align::kProse},
-                                                          {"Source", Align::kProse}});
+  Table table("This study beside what others measured.",
+              {"Measure", "Here", "Published", "Source"});
   for (const ComparedValue& value : published) {
     const std::string over = value.factor.empty() ? "" : " over " + NameOfFactor(value.factor);
-    table.AddRow({Text(value.measure->name + over), Text(DescribeOwn(value)),
-                  Text(value.published->text), Text(value.published->source)});
+    table.AddRow({value.measure->name + over, DescribeOwn(value), value.published->text,
+                  value.published->source});
   }
   return MakeParagraph(
              "Expectations for healthy adults who reach for things on a table. Another task, other "

@@ -2,10 +2,8 @@
 #include <cmath>
 
 #include "core/base/text/text.h"
-#include "human_study/study/run/removal_advice.h"
-#include "human_study/study/run/trial_flags.h"
 #include "human_study/study/run/trial_removal.h"
-#include "reports/study/study_section.h"
+#include "reports/study/study_format.h"
 #include "reports/study/trial_figures.h"
 
 namespace graspbench {
@@ -46,15 +44,14 @@ Html DrawRemoved(const StudyResult& result) {
   const std::vector<RemovalGroup> groups = GroupRemoved(result.trials);
   if (groups.empty()) return MakeParagraph("No trial was removed.");
   Table table("Trials that do not count, by reason; trials.csv has every one.",
-              {{"Code"},
-               {"Reason", Align::kProse},
-               {"What would change it", Align::kProse, "keys of study.yaml, columns of its tables"},
-               {"Trials", Align::kNumber},
-               {"Which", Align::kProse}});
+              {"Code",
+               "Reason",
+               {"What would change it", "keys of study.yaml, columns of its tables"},
+               "Trials",
+               "Which"});
   for (const RemovalGroup& group : groups) {
-    table.AddRow({Element("code", {}, group.code), Text(group.text),
-                  Text(FindRemovalAdvice(group.code).keys),
-                  Text(std::to_string(group.trials.size())), Text(ListNames(group.trials))});
+    table.AddRow({Element("code", {}, group.code), group.text, FindRemovalAdvice(group.code).keys,
+                  group.trials.size(), ListNames(group.trials)});
   }
   return MakeParagraph(
              "graspbench study suggest STUDY.YAML proposes settings with which more "
@@ -64,12 +61,9 @@ Html DrawRemoved(const StudyResult& result) {
 
 Html DrawFlags(const StudyResult& result) {
   Table table("Trials included with warnings; study.yaml can remove them (removal).",
-              {{"Flag", Align::kProse},
-               {"Trials", Align::kNumber},
-               {"Of those that count", Align::kNumber}});
+              {"Flag", "Trials", "Of those that count"});
   for (const FlagCount& counted : CountFlags(result)) {
-    table.AddRow({Text(counted.flag->text), Text(std::to_string(counted.count)),
-                  Text(FormatPercent(counted.share))});
+    table.AddRow({counted.flag->text, counted.count, FormatPercent(counted.share)});
   }
   return table.ToHtml();
 }
@@ -85,13 +79,10 @@ Html DrawImport(const StudyResult& result) {
   Table table(
       "What had to be assumed to read the files; assumptions that differ only in their numbers "
       "share a row.",
-      {{"Code"},
-       {"Assumption", Align::kProse},
-       {"Times", Align::kNumber},
-       {"Files", Align::kProse}});
+      {"Code", "Assumption", "Times", "Files"});
   for (const FindingGroup& group : groups) {
-    table.AddRow({Element("code", {}, group.code), Text(group.text),
-                  Text(std::to_string(group.count)), Text(ListNames(group.files))});
+    table.AddRow(
+        {Element("code", {}, group.code), group.text, group.count, ListNames(group.files)});
   }
   return html + table.ToHtml();
 }

@@ -2,13 +2,12 @@
 #include <cmath>
 
 #include "core/base/text/text.h"
-#include "datasets/analysis/timing_groups.h"
+#include "datasets/analysis/session_summary.h"
 #include "human_study/events/contact_detector.h"
 #include "reports/page/models.h"
 #include "reports/people_and_robots.h"
 #include "reports/plots/line_plot.h"
 #include "reports/study/study_format.h"
-#include "reports/study/study_section.h"
 
 namespace graspbench {
 namespace {
@@ -37,10 +36,7 @@ std::vector<Group> ListGroups(const StudyPageData& data) {
 
 void AddRows(const std::vector<Group>& groups, Answer<Summary> TimingRatios::*ratio,
              const char* name, IntervalPlot& plot) {
-  IntervalPlot::Row heading;
-  heading.label = name;
-  heading.is_heading = true;
-  plot.rows.push_back(heading);
+  plot.AddHeading(name);
   for (const Group& group : groups) {
     IntervalPlot::Row row;
     row.label = group.name;
@@ -71,15 +67,14 @@ Html DrawFigure(const std::vector<Group>& groups) {
 }
 
 Html DrawTable(const std::vector<Group>& groups) {
-  const Align number = Align::kNumber;
   Table table("The same function computes both; trials without a value are counted apart.",
-              {{"Group"},
-               {"n", number},
-               {"GFT% median [%]", number},
-               {"GFT% quartiles [%]", number},
-               {"GOT% median [%]", number},
-               {"GOT% quartiles [%]", number},
-               {"Without GFT%", number, "a digit never touched, or the closure took no time"}});
+              {"Group",
+               "n",
+               "GFT% median [%]",
+               "GFT% quartiles [%]",
+               "GOT% median [%]",
+               "GOT% quartiles [%]",
+               {"Without GFT%", "a digit never touched, or the closure took no time"}});
   for (const Group& group : groups) {
     const Answer<Summary>&gft = group.ratios.gft, &got = group.ratios.got;
     const auto median = [](const Answer<Summary>& s) {
@@ -90,9 +85,8 @@ Html DrawTable(const std::vector<Group>& groups) {
                           FormatFixed(100.0 * s->upper_quartile, 1)
                     : "n/a");
     };
-    table.AddRow({Text(group.name), Text(std::to_string(gft ? gft->count : 0)), median(gft),
-                  quartiles(gft), median(got), quartiles(got),
-                  Text(std::to_string(group.ratios.num_without_gft))});
+    table.AddRow({group.name, gft ? gft->count : 0, median(gft), quartiles(gft), median(got),
+                  quartiles(got), group.ratios.num_without_gft});
   }
   return table.ToHtml();
 }

@@ -1,10 +1,8 @@
 #include <cmath>
 
-#include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "reports/study/study_format.h"
-#include "reports/study/study_section.h"
 
 namespace graspbench {
 namespace {
@@ -25,29 +23,28 @@ void AddTests(const char* name, const std::array<IndependenceTest, kNumClocks>& 
               double factor, bool has_persons, Table& table) {
   for (size_t clock = 0; clock < kNumClocks; ++clock) {
     const IndependenceTest& test = tests[clock];
-    std::vector<Html> cells = {
-        Text(name),
-        Text(TextOfClock(clock)),
-        Text(FormatFixed(factor * test.observed, 1)),
-        Text(FormatWithRange(factor * test.expected, factor * test.low, factor * test.high, 1)),
-        Text(FormatP(test.p)),
-        Text(FormatFixed(100.0 * test.detectable, 0))};
-    if (has_persons) cells.push_back(Text(FormatOverPersons(test)));
+    std::vector<Cell> cells = {
+        name,
+        TextOfClock(clock),
+        FormatFixed(factor * test.observed, 1),
+        FormatWithRange(factor * test.expected, factor * test.low, factor * test.high, 1),
+        FormatP(test.p),
+        FormatFixed(100.0 * test.detectable, 0)};
+    if (has_persons) cells.push_back(FormatOverPersons(test));
     table.AddRow(cells);
   }
 }
 
 Html DrawTests(const IndependenceNull& null) {
-  const Align number = Align::kNumber;
   const bool has_persons = static_cast<bool>(null.gft[0].over_persons);
   std::vector<Column> columns = {
-      {"Measure"},
-      {"Times counted"},
-      {"People", number, "mean over the trials"},
-      {"Independent digits", number, "mean, and 95 % of the dealings"},
-      {"p", number, "two-sided"},
-      {"Found [%]", number, "smaller by so much is found in 8 of 10 such studies"}};
-  if (has_persons) columns.push_back({"Ratio over persons", number, "95 % interval"});
+      "Measure",
+      "Times counted",
+      {"People", "mean over the trials"},
+      {"Independent digits", "mean, and 95 % of the dealings"},
+      {"p", "two-sided"},
+      {"Found [%]", "smaller by so much is found in 8 of 10 such studies"}};
+  if (has_persons) columns.push_back({"Ratio over persons", "95 % interval"});
   Table table(
       "People against digits that move independently: contact times of each digit permuted "
       "among the trials of one person and condition, 999 times.",

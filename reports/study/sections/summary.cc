@@ -1,11 +1,8 @@
 #include <cmath>
 
-#include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
-#include "human_study/study/run/trial_flags.h"
 #include "human_study/study/run/trial_removal.h"
 #include "reports/study/study_format.h"
-#include "reports/study/study_section.h"
 #include "reports/study/trial_figures.h"
 
 namespace graspbench {
@@ -175,33 +172,30 @@ std::string FormatChoices(const MeasureStatistics& measure) {
 
 Html DrawMeasureTable(const StudyResult& result) {
   if (result.CountKept() == 0) return {};
-  const Align number = Align::kNumber;
-  Table table("Every measure over the trials that count.",
-              {{"Measure"},
-               {"n", number, "trials with a value"},
-               {"Missing", number, "trials without"},
-               {"Median", number},
-               {"Median over all choices", number,
-                "smallest and largest over the combinations of the multiverse"},
-               {"Quartiles", number},
-               {"Mean", number},
-               {"SD", number, "over trials, people and conditions together"}});
+  Table table(
+      "Every measure over the trials that count.",
+      {"Measure",
+       {"n", "trials with a value"},
+       {"Missing", "trials without"},
+       "Median",
+       {"Median over all choices", "smallest and largest over the combinations of the multiverse"},
+       "Quartiles",
+       "Mean",
+       {"SD", "over trials, people and conditions together"}});
   for (const MeasureStatistics& row : result.statistics.measures) {
     const char* unit = row.measure.unit;
     if (!row.summary) {
-      table.AddRow({Text(FormatHead(row.measure)), Text("0"),
-                    Text(std::to_string(row.table.rows.size())), Text("n/a"),
-                    Text(FormatChoices(row)), Text("n/a"), Text("n/a"), Text("n/a")});
+      table.AddRow({FormatHead(row.measure), "0", row.table.rows.size(), "n/a", FormatChoices(row),
+                    "n/a", "n/a", "n/a"});
       continue;
     }
     const Summary& s = *row.summary;
     table.AddRow(
-        {Text(FormatHead(row.measure)), Text(std::to_string(s.count)),
-         Text(std::to_string(s.num_missing)), Text(FormatValue(s.median, unit)),
-         Text(FormatChoices(row)),
-         Text(FormatValue(s.lower_quartile, unit) + " to " + FormatValue(s.upper_quartile, unit)),
-         Text(FormatValue(s.mean, unit)),
-         Text(FormatValue(s.standard_deviation.value_or(std::nan("")), unit))});
+        {FormatHead(row.measure), s.count, s.num_missing, FormatValue(s.median, unit),
+         FormatChoices(row),
+         FormatValue(s.lower_quartile, unit) + " to " + FormatValue(s.upper_quartile, unit),
+         FormatValue(s.mean, unit),
+         FormatValue(s.standard_deviation.value_or(std::nan("")), unit)});
   }
   return table.ToHtml();
 }

@@ -5,7 +5,6 @@
 #include "core/base/text/text.h"
 #include "human_study/study/output/statistics_table.h"
 #include "reports/study/study_format.h"
-#include "reports/study/study_section.h"
 
 namespace graspbench {
 namespace {
@@ -77,55 +76,40 @@ bool HasAnswer(const std::vector<StatisticRow>& rows) {
 /** Estimates with what they rest on, or tests; a column that no row fills is left out. */
 Html DrawRows(const std::string& caption, const std::vector<StatisticRow>& rows,
               const std::vector<Factor>& factors) {
-  struct Part {
-    Column column;
-    std::function<std::string(const StatisticRow& row)> format;
-  };
+  using Row = StatisticRow;
   if (!HasAnswer(rows)) return MakeParagraph(caption) + MakeList(ListNotes(rows, factors));
-  const Align number = Align::kNumber;
-  const std::vector<Part> parts = {
-      {{"Effect"}, [&](const StatisticRow& row) { return NameOfEffect(row.effect, factors); }},
-      {{"Analysis"}, [&](const StatisticRow& row) { return NameOfEffect(row.analysis, factors); }},
-      {{"Estimate", number},
-       [](const StatisticRow& row) {
-         return OrNothing(row.estimate, FormatEstimate(row.estimate, row));
-       }},
-      {{"SE", number, "standard error of the estimate"},
-       [](const StatisticRow& row) {
-         return OrNothing(row.standard_error, FormatEstimate(row.standard_error, row));
-       }},
-      {{"95 % interval", number}, FormatInterval},
-      {{"Unit"},
-       [](const StatisticRow& row) {
-         return IsSlope(row) ? FormatSlopeUnit(row.unit)
-                             : std::string(FindDisplayUnit(row.unit).name);
-       }},
-      {{"Test", number},
-       [](const StatisticRow& row) {
-         return OrNothing(row.value, row.statistic + " = " + FormatFixed(row.value, 2));
-       }},
-      {{"df", number, "degrees of freedom; of effect and error for F"}, FormatDf},
-      {{"p", number}, [](const StatisticRow& row) { return OrNothing(row.p, FormatP(row.p)); }},
-      {{"p (Holm)", number, "adjusted over all pairs of conditions"},
-       [](const StatisticRow& row) { return OrNothing(row.p_holm, FormatP(row.p_holm)); }},
-      {{"Effect size"},
-       [](const StatisticRow& row) {
-         return OrNothing(row.effect_size,
-                          row.effect_size_name + " " + FormatFixed(row.effect_size, 3));
-       }},
+  const auto show = [](const char* heading, const char* hint, CsvColumn<Row>::Show cell) {
+    return CsvColumn<Row>::ForPeople(heading, hint, std::move(cell));
   };
-  std::vector<Column> columns;
-  std::vector<std::vector<Html>> cells(rows.size());
-  for (const Part& part : parts) {
-    const bool is_filled = std::any_of(rows.begin(), rows.end(),
-                                       [&](const auto& row) { return !part.format(row).empty(); });
-    if (!is_filled) continue;
-    columns.push_back(part.column);
-    for (size_t i = 0; i < rows.size(); ++i) cells[i].push_back(Text(part.format(rows[i])));
-  }
-  Table table(caption, columns);
-  for (const std::vector<Html>& row : cells) table.AddRow(row);
-  return table.ToHtml() + MakeList(ListNotes(rows, factors));
+  const auto estimate = [](double Row::*number) {
+    return [number](const Row& row) {
+      return OrNothing(row.*number, FormatEstimate(row.*number, row));
+    };
+  };
+  const std::vector<CsvColumn<Row>> columns = {
+      show("Effect", "", [&](const Row& row) { return NameOfEffect(row.effect, factors); }),
+      show("Analysis", "", [&](const Row& row) { return NameOfEffect(row.analysis, factors); }),
+      show("Estimate", "", estimate(&Row::estimate)),
+      show("SE", "standard error of the estimate", estimate(&Row::standard_error)),
+      show("95 % interval", "", FormatInterval),
+      show("Unit", "",
+           [](const Row& row) {
+             return IsSlope(row) ? FormatSlopeUnit(row.unit)
+                                 : std::string(FindDisplayUnit(row.unit).name);
+           }),
+      show("Test", "",
+           [](const Row& row) {
+             return OrNothing(row.value, row.statistic + " = " + FormatFixed(row.value, 2));
+           }),
+      show("df", "degrees of freedom; of effect and error for F", FormatDf),
+      show("p", "", [](const Row& row) { return OrNothing(row.p, FormatP(row.p)); }),
+      show("p (Holm)", "adjusted over all pairs of conditions",
+           [](const Row& row) { return OrNothing(row.p_holm, FormatP(row.p_holm)); }),
+      show("Effect size", "", [](const Row& row) {
+        return OrNothing(row.effect_size,
+                         row.effect_size_name + " " + FormatFixed(row.effect_size, 3));
+      })};
+  return MakeTable(caption, ShowTable(columns, rows)) + MakeList(ListNotes(rows, factors));
 }
 
 Html DrawConditions(const MeasureStatistics& statistics) {
@@ -162,23 +146,21 @@ Html DrawRetest(const MeasureStatistics& statistics) {
 }
 
 Html DrawLines(const TrendStatistics& trend, const std::string& unit) {
-  const Align number = Align::kNumber;
-  const std::vector<Column> columns = {{"Person"},          {"Slope", number},
-                                       {"SE", number},      {"Intercept", number},
-                                       {"R\u00B2", number}, {"n", number, "trials"}};
+  const std::vector<Column> columns = {"Person",    "Slope",   "SE",
+                                       "Intercept", "R\u00B2", {"n", "trials"}};
   Table table("Each person's line over " + NameOfFactor(trend.factor) + ", in SI units (" +
                   FormatSlopeUnit(unit + " per " + trend.factor) + ").",
               columns);
   for (const PersonLine& person : trend.slopes.persons) {
-    std::vector<Html> cells;
+    std::vector<Cell> cells;
     if (person.line) {
       const LineFit& line = *person.line;
-      cells = {Text(person.person),
-               Text(FormatSignificant(line.slope, 3)),
-               Text(FormatSignificant(line.slope_error.value_or(std::nan("")), 3)),
-               Text(FormatSignificant(line.intercept, 3)),
-               Text(FormatFixed(line.r_squared.value_or(std::nan("")), 3)),
-               Text(std::to_string(line.count))};
+      cells = {person.person,
+               FormatSignificant(line.slope, 3),
+               FormatSignificant(line.slope_error.value_or(std::nan("")), 3),
+               FormatSignificant(line.intercept, 3),
+               FormatFixed(line.r_squared.value_or(std::nan("")), 3),
+               line.count};
     } else {
       cells.assign(columns.size(), Text("n/a"));
       cells.front() = Text(person.person + " (" + person.line.reason() + ")");

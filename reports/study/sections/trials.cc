@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "core/base/text/text.h"
-#include "human_study/study/run/trial_flags.h"
-#include "reports/study/study_section.h"
+#include "human_study/study/run/trial_removal.h"
+#include "reports/study/study_format.h"
 #include "reports/study/trial_figures.h"
 
 namespace graspbench {

@@ -51,16 +51,6 @@ TEST(Config, IsWrittenWithEveryDefaultInTheOrderOfTheFields) {
             (std::vector<std::string>{"name", "parts", "count", "inner.size_m", "inner.is_round"}));
 }
 
-TEST(Config, ReadsEveryTypeFromYaml) {
-  Diagnostics problems;
-  Outer config;
-  ReadConfig(YAML::Load("{name: x, parts: c, count: -1, inner: {size_m: 1e-3, is_round: yes}}"),
-             "f", "thing", config, problems);
-  EXPECT_EQ(problems.Format(), "");
-  EXPECT_EQ(ConfigToJson(config).dump(),
-            R"({"name":"x","parts":["c"],"count":-1,"inner":{"size_m":0.001,"is_round":true}})");
-}
-
 TEST(Config, JsonIsReadBackAsItWasWritten) {
   Outer config;
   config.name = "\"\n\u00e9";
@@ -108,16 +98,6 @@ TEST(Config, DifferencesNameTheKeyAndBothValues) {
   EXPECT_EQ(FindConfigDifferences(a, b), (std::vector<std::string>{R"(parts: ["a","b"] and ["a"])",
                                                                    "inner.size_m: 0.5 and 0.25"}));
   EXPECT_TRUE(FindConfigDifferences(a, a).empty());
-}
-
-TEST(Config, EqualityLooksAtEveryValue) {
-  EXPECT_TRUE(HaveEqualValues(Outer(), Outer()));
-  for (const char* setting :
-       {"name=other", "parts=[a]", "count=4", "inner.size_m=0.6", "inner.is_round=true"}) {
-    Outer other;
-    SetConfigValue(setting, other);
-    EXPECT_FALSE(HaveEqualValues(Outer(), other)) << setting;
-  }
 }
 
 TEST(Config, FindsTheLineOfAKey) {

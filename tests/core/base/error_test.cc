@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/diagnostics.h"
-
 namespace graspbench {
 namespace {
 

@@ -94,40 +94,5 @@ TEST(FileKeysTest, ConfigurationsBringTheirDefaults) {
   EXPECT_EQ(found[2].second, "6 is out of range; expected 0 to 5");
 }
 
-struct Pot {
-  bool has_lid = false;
-  std::string label;
-  Pair handles;
-
-  template <class V>
-  void Visit(V&& v) {
-    v("lid", has_lid, "true of one with a lid");
-    v("label", label, {"what stands on it", "none"});
-    v("handles", handles, {"of a handle", "those of the mould", 1, 2});
-  }
-};
-
-TEST(FileKeysTest, ARowHasItsTypeAndWhatItsGroupSays) {
-  const FileKeys rows = DescribeConfig(Pot());
-  ASSERT_EQ(rows.size(), 5u);
-  EXPECT_EQ(rows[0].type, KeyType::kBoolean);
-  EXPECT_EQ(rows[0].fallback, "false");
-  EXPECT_EQ(rows[1].type, KeyType::kAny);
-  EXPECT_EQ(rows[1].fallback, "none");
-  EXPECT_EQ(rows[2].key, "handles.known");
-  EXPECT_EQ(rows[2].type, KeyType::kNumber);
-  EXPECT_EQ(rows[2].meaning, "k");
-  EXPECT_EQ(rows[2].fallback, "those of the mould");
-  EXPECT_EQ(FormatRange(rows[2]), "0 to 5");
-}
-
-TEST(FileKeysTest, HelpHasUnitRangeAndDefault) {
-  EXPECT_EQ(
-      FormatFileKeys({{"a_m", "1", "what", 0, 5}, {"b", kRequired, "that"}, {"c", "", "this"}}),
-      "  a_m                                    0 to 5 m; default 1\n      what\n"
-      "  b                                      required\n      that\n"
-      "  c                                      may be left out\n      this\n");
-}
-
 }  // namespace
 }  // namespace graspbench

@@ -26,12 +26,5 @@ TEST(InternedNameTest, EqualTextsAreOneInEveryThread) {
   EXPECT_TRUE(InternedName().empty());
 }
 
-TEST(InternedNameTest, ComesBackFromJson) {
-  InternedName name;
-  ReadJson(ToJson(InternedName("ferrari-canny")), name);
-  EXPECT_EQ(name.str(), "ferrari-canny");
-  EXPECT_THROW(ReadJson(Json(3), name), Json::exception);
-}
-
 }  // namespace
 }  // namespace graspbench

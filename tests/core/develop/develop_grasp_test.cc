@@ -18,7 +18,7 @@ class HiddenTarget {
   HiddenTarget(const Hand& hand, const std::vector<ProposedGrasp>& proposals)
       : hidden_(proposals.at(3).grasp.q_target) {
     for (int j = 0; j < hand.num_joints(); ++j) {
-      if (hand.joints[static_cast<size_t>(j)].coupled_to < 0) hidden_[j] += RadFromDeg(4.0);
+      if (hand.joints[j].coupled_to < 0) hidden_[j] += RadFromDeg(4.0);
     }
   }
   double Score(const Grasp& grasp) const {
@@ -96,17 +96,6 @@ TEST_F(DevelopGraspTest, KeepsTheBudgetAndRepeatsItself) {
   }
 }
 
-// Nothing to learn from: the proposal stays as it is.
-TEST_F(DevelopGraspTest, WithoutABetterOneTheProposalIsKept) {
-  const auto run = [](const std::vector<DevelopRequest>& requests) {
-    std::vector<std::vector<DevelopTrial>> answers;
-    for (const DevelopRequest& request : requests) answers.emplace_back(request.trials.size());
-    return answers;
-  };
-  const DevelopedGrasp developed = DevelopGrasp(hand_, proposals_, 400, 1, run);
-  EXPECT_EQ(developed.grasp.q_target, proposals_.front().grasp.q_target);
-}
-
 // A world in which the start is the luckiest in the first finals and the unluckiest after them, and
 // the other way round: whatever is chosen scores no lower on the same trials.
 TEST_F(DevelopGraspTest, NothingIsChosenThatScoresLowerThanTheStart) {
@@ -141,6 +130,57 @@ TEST_F(DevelopGraspTest, CountsTrialsThatFailNumerically) {
   const DevelopedGrasp developed = DevelopGrasp(hand_, proposals_, 400, 1, run);
   EXPECT_EQ(developed.num_numerical_failures, num_requests);
   EXPECT_GT(num_requests, 10);
+}
+
+class DevelopTrialTest : public testing::Test {
+ protected:
+  DevelopTrialTest() {
+    object_.mass_properties.mass = 0.1;
+    result_.contacts = {{"TH", true, 0.4}, {"FF", false, std::nan("")}};
+  }
+  double Score(Outcome outcome) {
+    result_.outcome = outcome;
+    return MakeDevelopTrial(grasp_, object_, result_).score;
+  }
+  void Lift(double height) { result_.lift_height = height; }
+
+  Grasp grasp_;
+  GraspObject object_;
+  TrialResult result_;
+};
+
+TEST_F(DevelopTrialTest, FailuresLeadTowardsSuccess) {
+  EXPECT_EQ(Score(Outcome::kNumericalFailure), 0.0);
+  const double one_touched = Score(Outcome::kNoContact);
+  EXPECT_NEAR(one_touched, 0.15, 1e-12);
+  result_.contacts[1].time = 0.5;
+  const double all_touched = Score(Outcome::kSlippedInLiftOff);
+  EXPECT_GT(all_touched, one_touched);
+  Lift(0.05);
+  const double half_lifted = Score(Outcome::kDroppedWhileHolding);
+  EXPECT_NEAR(half_lifted, all_touched + 0.1, 1e-12);
+  Lift(5.0);
+  EXPECT_LT(Score(Outcome::kDroppedWhileHolding), 1.0);
+}
+
+TEST_F(DevelopTrialTest, APalmThatStillTouchesCountsWhereItMay) {
+  result_.stability.sigma = 0.0;
+  result_.contact_events = {{0.1, ContactEventKind::kTouch, "palm", "palm", kUnset}};
+  EXPECT_NEAR(Score(Outcome::kSuccess), 1.1, 1e-12);
+  grasp_.palm_may_touch = true;
+  EXPECT_NEAR(Score(Outcome::kSuccess), 1.7, 1e-12);
+  result_.contact_events.push_back({0.2, ContactEventKind::kLost, "palm", "palm", 0.1});
+  EXPECT_NEAR(Score(Outcome::kSuccess), 1.1, 1e-12);
+}
+
+TEST_F(DevelopTrialTest, SidesCountInAPinchAlone) {
+  result_.stability.sigma = 0.0;
+  result_.opposition = Opposition::kSide;
+  EXPECT_NEAR(Score(Outcome::kSuccess), 1.1, 1e-12);
+  grasp_.type = GraspType::kTwoFingerPinch;
+  EXPECT_NEAR(Score(Outcome::kSuccess), 1.25, 1e-12);
+  result_.opposition = Opposition::kPad;
+  EXPECT_NEAR(Score(Outcome::kSuccess), 1.1, 1e-12);
 }
 
 }  // namespace

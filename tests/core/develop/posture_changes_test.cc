@@ -48,36 +48,11 @@ TEST_F(PostureChangesTest, FingersOfOneBuildChangeTogether) {
   EXPECT_EQ(num_single, 3);
 }
 
-TEST_F(PostureChangesTest, LimitsHold) {
-  const PostureChanges changes(hand_, grasp_);
-  const SearchSpace space = changes.MakeSpace();
-  for (const Eigen::VectorXd& x : {space.lower, space.upper}) {
-    const Grasp changed = changes.Apply(x);
-    for (int j = 0; j < hand_.num_joints(); ++j) {
-      const HandJoint& joint = hand_.joints[static_cast<size_t>(j)];
-      EXPECT_GE(changed.q_pre[j], joint.lower) << joint.name;
-      EXPECT_LE(changed.q_target[j], joint.upper) << joint.name;
-    }
-  }
-}
-
-TEST_F(PostureChangesTest, APowerGraspsPalmComesNearer) {
-  const Grasp power = LoadStandardGrasps(hand_).at(2);
-  const PostureChanges changes(hand_, power);
-  Eigen::VectorXd x = changes.MakeSpace().start;
-  ASSERT_EQ(x.size(), 14);
-  EXPECT_EQ(changes.Apply(x).palm_gap, kPalmGap);
-  x[13] = -0.05;  // 2 mm
-  EXPECT_NEAR(changes.Apply(x).palm_gap, 0.001, 1e-12);
-  x[13] = -0.5;
-  EXPECT_EQ(changes.Apply(x).palm_gap, 0.0);
-}
-
 TEST_F(PostureChangesTest, MirroredJointsChangeAgainstEachOther) {
-  hand_.joints[static_cast<size_t>(hand_.FindJoint("FFq2"))].lower = -1.0;
-  hand_.joints[static_cast<size_t>(hand_.FindJoint("FFq2"))].upper = 0.2;
-  hand_.joints[static_cast<size_t>(hand_.FindJoint("MFq2"))].lower = -0.2;
-  hand_.joints[static_cast<size_t>(hand_.FindJoint("MFq2"))].upper = 1.0;
+  hand_.joints[hand_.FindJoint("FFq2")].lower = -1.0;
+  hand_.joints[hand_.FindJoint("FFq2")].upper = 0.2;
+  hand_.joints[hand_.FindJoint("MFq2")].lower = -0.2;
+  hand_.joints[hand_.FindJoint("MFq2")].upper = 1.0;
   grasp_.q_target.setZero();
   const PostureChanges changes(hand_, grasp_);
   bool is_found = false;

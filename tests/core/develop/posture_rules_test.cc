@@ -62,20 +62,6 @@ TEST_F(PostureRulesTest, EachRuleIsMissedByItself) {
   EXPECT_GT(calc_with([](PostureAim& aim) { aim.lift = RadFromDeg(40.0); }), kept + 2.0);
 }
 
-// The pads of straight TUM fingers meet over the palm's middle. With that 30 mm aside, of 10 mm that
-// matter, the rule misses by 3 and nothing else changes.
-TEST_F(PostureRulesTest, WhatIsHeldInThePalmMeetsUnderItsMiddle) {
-  aim_.is_over_palm = true;
-  const double kept = CalcResiduals(pair_).norm();
-  EXPECT_LT(kept, 0.7);
-  hand_.p_HCentre.y() += 0.03;
-  aim_.is_over_palm = false;
-  const double without = CalcResiduals(pair_).norm();
-  aim_.is_over_palm = true;
-  const double with = CalcResiduals(pair_).norm();
-  EXPECT_NEAR(std::sqrt(with * with - without * without), 3.0, 0.7);
-}
-
 // Index and middle with their sides: straight they stand level and face each other along y.
 TEST_F(PostureRulesTest, SidesOfNeighboursFaceEachOther) {
   aim_.digits = {"FF", "MF"};
@@ -101,18 +87,6 @@ TEST_F(PostureRulesTest, SidesOfNeighboursFaceEachOther) {
   EXPECT_GT(by_pads, by_sides + 1.0);
 }
 
-TEST_F(PostureRulesTest, AThumbThatPointsAsideMissesThem) {
-  const double kept = CalcResiduals(pair_).norm();
-  for (const char* name : {"THq1", "THq2", "THq3"}) {
-    PosturePair bent = pair_;
-    bent.q_met[hand_.FindJoint(name)] = RadFromDeg(12.0);
-    EXPECT_GT(CalcResiduals(bent).norm(), kept + 0.5) << name;
-  }
-  PosturePair tilted = pair_;
-  tilted.tilt = RadFromDeg(20.0);
-  EXPECT_GT(CalcResiduals(tilted).norm(), kept + 0.3);
-}
-
 TEST_F(PostureRulesTest, CoordinatesAreSharesOfTheRanges) {
   const PostureRules rules(hand_, aim_, VectorXd::Zero(hand_.num_joints()));
   PosturePair pair = pair_;
@@ -130,7 +104,7 @@ TEST_F(PostureRulesTest, CoordinatesAreSharesOfTheRanges) {
   outside[0] = 2.0;
   const PosturePair limited = rules.MakePair(outside);
   for (int j = 0; j < hand_.num_joints(); ++j) {
-    EXPECT_LE(limited.q_open[j], hand_.joints[static_cast<size_t>(j)].upper + 1e-12);
+    EXPECT_LE(limited.q_open[j], hand_.joints[j].upper + 1e-12);
   }
 }
 

@@ -94,29 +94,5 @@ TEST(TrainingShapesTest, AllStandOverWhatTheyRestOn) {
   }
 }
 
-// Of balls a flat spot is cut off, so that they are a little less tall than wide.
-TEST(TrainingShapesTest, PowerGraspsMeetTallThingsAndBallsFromTheSide) {
-  int num_from_side = 0;
-  for (const auto& shape : MakeShapes(FindGraspTaxon("g3"), ShapeUse::kTraining, 1, 24, 1.0, {})) {
-    if (shape->approach != Approach::kSide) continue;
-    ++num_from_side;
-    EXPECT_GT(shape->size.z(), 0.98 * shape->size.y()) << shape->name;
-  }
-  EXPECT_EQ(num_from_side, 6);
-}
-
-TEST(TrainingShapesTest, FitTheHandAndDifferByUseAndSeed) {
-  const GraspTaxon& taxon = FindGraspTaxon("g1");
-  for (const auto& shape : MakeShapes(taxon, ShapeUse::kTraining, 1, 12, 0.03, {})) {
-    EXPECT_LE(shape->size.y(), 0.0301) << shape->name;
-  }
-  const auto make = [&](ShapeUse use, int seed) {
-    return MakeShapes(taxon, use, seed, 3, 1.0, {});
-  };
-  EXPECT_EQ(make(ShapeUse::kTraining, 1)[2]->size, make(ShapeUse::kTraining, 1)[2]->size);
-  EXPECT_NE(make(ShapeUse::kTraining, 1)[2]->size, make(ShapeUse::kTraining, 2)[2]->size);
-  EXPECT_NE(make(ShapeUse::kTraining, 1)[2]->size, make(ShapeUse::kValidation, 1)[2]->size);
-}
-
 }  // namespace
 }  // namespace graspbench

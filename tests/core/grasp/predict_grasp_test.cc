@@ -30,7 +30,7 @@ GraspObject MakeObject(TriMesh mesh) {
   return object;
 }
 
-GraspObject MakeCylinder(double radius, double height) {
+GraspObject MakeStandingCylinder(double radius, double height) {
   const double z = 0.5 * height;
   return MakeObject(MakeRevolution({{0.0, -z}, {radius, -z}, {radius, z}, {0.0, z}}, 96));
 }
@@ -55,7 +55,7 @@ class PredictGraspTest : public testing::Test {
 // by the closed form of a cylinder's distance, and some come nearly as near.
 TEST_F(PredictGraspTest, TheRoomIsTheLeastOfManyDrawnPlaces) {
   constexpr double kRadius = 0.036, kHeight = 0.06;
-  const GraspObject cylinder = MakeCylinder(kRadius, kHeight);
+  const GraspObject cylinder = MakeStandingCylinder(kRadius, kHeight);
   const Grasp grasp = Get("g1");
   const double room = PredictGrasp(hand_, grasp, cylinder).room;
   const Placement placement = CalcPlacement(hand_, grasp, cylinder);
@@ -86,20 +86,21 @@ TEST_F(PredictGraspTest, TheRoomIsTheLeastOfManyDrawnPlaces) {
 
 // A finger's accuracy times its length from base to tip: 2 degrees.
 TEST_F(PredictGraspTest, JointErrorsNeedRoom) {
-  const GraspPrediction prediction = PredictGrasp(hand_, Get("g1"), MakeCylinder(0.02, 0.06));
+  const GraspPrediction prediction =
+      PredictGrasp(hand_, Get("g1"), MakeStandingCylinder(0.02, 0.06));
   EXPECT_NEAR(prediction.needed_room, RadFromDeg(2.0) * 0.1, RadFromDeg(2.0) * 0.03);
   EXPECT_TRUE(prediction.is_clear());
 }
 
 TEST_F(PredictGraspTest, DigitsMeetWhatTheyCloseOn) {
-  const GraspPrediction can = PredictGrasp(hand_, Get("g1"), MakeCylinder(0.02, 0.06));
+  const GraspPrediction can = PredictGrasp(hand_, Get("g1"), MakeStandingCylinder(0.02, 0.06));
   EXPECT_TRUE(can.reaches());
   EXPECT_EQ(can.num_touching, 3);
   EXPECT_TRUE(can.holds());
   // Nothing closes down to a needle's width with a target whose pads stay apart.
   Grasp open = Get("g1");
   open.q_target = open.q_pre;
-  const GraspPrediction none = PredictGrasp(hand_, open, MakeCylinder(0.005, 0.06));
+  const GraspPrediction none = PredictGrasp(hand_, open, MakeStandingCylinder(0.005, 0.06));
   EXPECT_EQ(none.num_touching, 0);
   EXPECT_FALSE(none.holds());
 }
@@ -107,7 +108,7 @@ TEST_F(PredictGraspTest, DigitsMeetWhatTheyCloseOn) {
 // The pads of a grasp from above meet an upright cylinder at the grasp height (placement.h), some
 // millimetres of a fingertip's radius aside; the centre of mass does not move them.
 TEST_F(PredictGraspTest, HeightOfContactsIsAboveTheCentreOfMass) {
-  GraspObject cylinder = MakeCylinder(0.02, 0.06);
+  GraspObject cylinder = MakeStandingCylinder(0.02, 0.06);
   const double middle = PredictGrasp(hand_, Get("g1"), cylinder).contact_height;
   EXPECT_NEAR(middle, 0.0, 0.008);
   cylinder.mass_properties.p_OOcm.z() = -0.02;
@@ -117,7 +118,7 @@ TEST_F(PredictGraspTest, HeightOfContactsIsAboveTheCentreOfMass) {
 // What is half closed is opened again, on its own line and no farther than needed; what is clear
 // stays as it is.
 TEST_F(PredictGraspTest, ThePreGraspOpensUntilItIsClear) {
-  const GraspObject cylinder = MakeCylinder(0.02, 0.06);
+  const GraspObject cylinder = MakeStandingCylinder(0.02, 0.06);
   const Grasp standard = Get("g1");
   EXPECT_EQ(FitGrasp(hand_, standard, cylinder).q_pre, standard.q_pre);
   Grasp closed = standard;
@@ -160,7 +161,7 @@ TEST_F(PredictGraspTest, TheSideIsTriedWhereNobodySaysFromWhere) {
 // Fingers of 101 mm that reach down beside a drum of 85 mm keep the palm off its top; from the side
 // the palm comes to it, and the fingers close behind its middle.
 TEST_F(PredictGraspTest, APowerGraspComesFromWhereThePalmBears) {
-  const GraspObject drum = MakeCylinder(0.029, 0.085);
+  const GraspObject drum = MakeStandingCylinder(0.029, 0.085);
   const Grasp power = Get("g3");
   EXPECT_FALSE(PredictGrasp(hand_, power, drum).palm_is_near);
   const Grasp fitted = FitGrasp(hand_, power, drum);

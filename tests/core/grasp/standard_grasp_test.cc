@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <string>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "core/base/units.h"
+#include "core/grasp/grasp_file.h"
 #include "core/hand/load_hand.h"
 
 namespace graspbench {
@@ -108,6 +110,33 @@ TEST_F(BrokenGraspsTest, AWrongApproachAndGapAreTold) {
 }
 
 TEST_F(BrokenGraspsTest, AHandWithoutGraspsHasNone) { EXPECT_EQ(ReadWith("name: x\n"), ""); }
+
+// Iberall's oppositions are what a finished grasp is looked at for; one taxonomy knows no pinch.
+TEST(GraspTaxonomies, AreSevenOfFourTypesByYear) {
+  const std::vector<GraspTaxonomy>& all = ListGraspTaxonomies();
+  ASSERT_EQ(all.size(), 7u);
+  int num_missing = 0;
+  for (size_t k = 0; k < all.size(); ++k) {
+    EXPECT_LE(all[k == 0 ? 0 : k - 1].year, all[k].year);
+    for (const char* name : all[k].names) {
+      ASSERT_NE(name, nullptr);
+      num_missing += name == std::string("-");
+    }
+  }
+  EXPECT_EQ(num_missing, 1);
+  EXPECT_STREQ(all[1].names[3], "-");
+  EXPECT_STREQ(all.back().names[2], "palm opposition");
+  EXPECT_STREQ(all.back().names[3], "side opposition");
+}
+
+// A standard grasp has its type's name, but for the fifth, made for one object.
+TEST(GraspTaxonomies, TypesAreNamedAsTheStandardGrasps) {
+  for (const GraspTaxon& taxon : ListGraspTaxa()) {
+    if (taxon.id == "g5") continue;
+    EXPECT_EQ(taxon.name, NameOf(taxon.type));
+    EXPECT_EQ(taxon.id.substr(1), std::string(CodeOf(taxon.type)).substr(1));
+  }
+}
 
 }  // namespace
 }  // namespace graspbench

@@ -8,7 +8,8 @@
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "core/base/units.h"
-#include "core/hand/coupling.h"
+#include "core/hand/hand.h"
+#include "tests/core/hand/text_cases.h"
 
 namespace graspbench {
 namespace {
@@ -314,249 +315,24 @@ TEST(LoadHandTest, SaysWhatToGiveInsteadOfAWrongName) {
                 "/hand.yaml: error: missing; a hand is a folder with hand.urdf and hand.yaml");
 }
 
-/** A change of the good hand and what is said about it. */
-struct BadHand {
-  const char* file;  // "urdf" or "yaml"
-  const char* from;
-  const char* to;
-  const char* expected;
-};
-
-std::string ProblemsOf(const BadHand& bad) {
-  std::string urdf = ReadFile(kGood / "hand.urdf"), yaml = ReadFile(kGood / "hand.yaml");
-  std::string& text = std::string(bad.file) == "urdf" ? urdf : yaml;
-  const size_t at = text.find(bad.from);
-  if (at == std::string::npos) {
-    ADD_FAILURE() << "not in the good hand: " << bad.from;
-    return "";
+// A change of the good hand each, and all that is said about it.
+TEST(LoadHandTest, TellsEveryProblemWithItsLine) {
+  for (const TextCase& bad : ReadTextCases(TEST_DATA_DIR "/bad_hands.yaml")) {
+    std::string urdf = ReadFile(kGood / "hand.urdf"), yaml = ReadFile(kGood / "hand.yaml");
+    std::string& text = bad.file == "urdf" ? urdf : yaml;
+    text = bad.Change(text);
+    Diagnostics problems;
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    ParseHand(urdf, yaml, kGood, problems);
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    std::string told = problems.Format();
+    const std::string folder = kGood.string() + "/";
+    for (size_t p; (p = told.find(folder)) != std::string::npos;) told.erase(p, folder.size());
+    EXPECT_EQ(told, bad.expected) << bad.from << " -> " << bad.to;
   }
-  text.replace(at, std::string(bad.from).size(), bad.to);
-  Diagnostics problems;
-  ParseHand(urdf, yaml, kGood, problems);
-  std::string told = problems.Format();
-  const std::string folder = kGood.string() + "/";
-  for (size_t p; (p = told.find(folder)) != std::string::npos;) told.erase(p, folder.size());
-  return told;
 }
-
-class BadHandTest : public testing::TestWithParam<BadHand> {};
-
-TEST_P(BadHandTest, TellsEveryProblemWithItsLine) {
-  testing::internal::CaptureStdout();
-  testing::internal::CaptureStderr();
-  const std::string told = ProblemsOf(GetParam());
-  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-  EXPECT_EQ(told, GetParam().expected) << GetParam().from << " -> " << GetParam().to;
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Urdf, BadHandTest,
-    testing::Values(
-        BadHand{"urdf", "</robot>", "",
-                "hand.urdf:2: error: not valid XML: a tag or a value from here on is not closed or "
-                "not well-formed (XML_ERROR_PARSING)"},
-        BadHand{"urdf", "<robot name", "<sdf name",
-                "hand.urdf:2: error: not valid XML: this element is not closed by its own name"},
-        BadHand{"urdf", "<child link=\"distal\"/>", "<child link=\"dstal\"/>",
-                "hand.urdf:34: error: joint \"J1\": child link \"dstal\" does not exist; did you "
-                "mean \"distal\"? Known: palm, proximal, distal, tip\n"
-                "hand.urdf:39: error: several roots: \"palm\", \"distal\"; join all links into one "
-                "tree below the link that the arm carries"},
-        BadHand{"urdf", "<parent link=\"proximal\"/>", "",
-                "hand.urdf:32: error: joint \"J1\": <parent> is missing\n"
-                "hand.urdf:39: error: several roots: \"palm\", \"distal\"; join all links into one "
-                "tree below the link that the arm carries"},
-        BadHand{"urdf", "ixx=\"4e-6\" ixy=\"0\" ixz=\"0\" iyy=\"4e-6\" iyz=\"0\" izz=\"1e-6\"",
-                "ixx=\"0\" ixy=\"0\" ixz=\"0\" iyy=\"0\" iyz=\"0\" izz=\"0\"",
-                "hand.urdf:25: error: link \"proximal\", inertial: the inertia is zero; a moving "
-                "body needs one"},
-        BadHand{"urdf", "izz=\"1e-6\"", "izz=\"9e-6\"",
-                "hand.urdf:25: error: link \"proximal\", inertial: no body has this inertia: the "
-                "largest principal moment exceeds the sum of the other two"},
-        BadHand{"urdf", "izz=\"1e-6\"", "izz=\"-1e-6\"",
-                "hand.urdf:25: error: link \"proximal\", inertial: the inertia has a principal "
-                "moment that is not positive"},
-        BadHand{
-            "urdf", "ixx=\"4e-6\" ixy=\"0\" ixz=\"0\" iyy=\"4e-6\" iyz=\"0\" izz=\"1e-6\"",
-            "ixx=\"0.5\" ixy=\"0\" ixz=\"0\" iyy=\"0.5\" iyz=\"0\" izz=\"0.3\"",
-            "hand.urdf:25: error: link \"proximal\", inertial: far too large for the mass, that "
-            "of a body of more than 2 m across (URDF is in kg m^2)"},
-        BadHand{"urdf", "xyz=\"0.03 0 0.01\"", "xyz=\"30 0 10\"",
-                "hand.urdf:16: error: joint \"J2\": farther than 2 m away (URDF is in metres)"},
-        BadHand{"urdf", "0.1 0.2 0.3", "100 200 300",
-                "palm.obj: error: the mesh reaches farther than 2 m; URDF is in metres, so one in "
-                "millimetres needs scale=\"0.001 0.001 0.001\""},
-        BadHand{"urdf", "<mass value=\"0.03\"/>", "<mass value=\"0\"/>",
-                "hand.urdf:24: error: link \"proximal\", inertial: the mass must be positive"},
-        BadHand{"urdf",
-                "<inertial>\n      <mass value=\"0.02\"/>\n      <inertia ixx=\"2e-6\" ixy=\"0\" "
-                "ixz=\"0\" iyy=\"2e-6\" iyz=\"0\" izz=\"1e-6\"/>\n    </inertial>",
-                "",
-                "hand.urdf:39: error: link \"distal\": <inertial> is missing; joint \"J1\" moves "
-                "it, so it needs mass and inertia"},
-        BadHand{"urdf", "lower=\"-0.2\" upper=\"1.5\"", "lower=\"1.5\" upper=\"-0.2\"",
-                "hand.urdf:18: error: joint \"J2\": the lower limit 1.5 is not below the upper "
-                "limit -0.2"},
-        BadHand{"urdf", "upper=\"1.5\"", "upper=\"85\"",
-                "hand.urdf:18: error: joint \"J2\": a limit exceeds one turn; URDF angles are in "
-                "radians"},
-        BadHand{"urdf", "upper=\"1.5\"", "upper=\"inf\"",
-                "hand.urdf:18: error: joint \"J2\", <limit> upper: expected 1 finite number, found "
-                "\"inf\""},
-        BadHand{"urdf", "effort=\"1\" ", "",
-                "hand.urdf:18: error: joint \"J2\": <limit> has no attribute effort"},
-        BadHand{"urdf", "xyz=\"0 2 0\"", "xyz=\"0 0 0\"",
-                "hand.urdf:17: error: joint \"J2\": the axis has no direction"},
-        BadHand{"urdf", "xyz=\"0 0 0.02\"", "xyz=\"0 0,02\"",
-                "hand.urdf:23: error: link \"proximal\", inertial, <origin> xyz: expected 3 finite "
-                "numbers, found \"0 0,02\"; without it nobody knows where the inertial is"},
-        BadHand{"urdf", "xyz=\"0 0 0.02\"", "quat_xyzw=\"0 0 0 1\" xyz=\"0 0 0.02\"",
-                "hand.urdf:23: error: link \"proximal\", inertial: its <origin> has the attribute "
-                "\"quat_xyzw\"; expected the attributes \"xyz\" (a place in metres) and \"rpy\" "
-                "(roll, pitch, yaw in radians) alone; give the place and the rotation by these"},
-        BadHand{"urdf", "name=\"J1\" type=\"revolute\"", "name=\"J1\" type=\"floating\"",
-                "hand.urdf:32: error: joint \"J1\": type \"floating\" is not supported; a hand's "
-                "joints are revolute or prismatic (with limits), or fixed\n"
-                "hand.yaml:17: error: coupling of J1: hand.urdf has no moving joint \"J1\"; did "
-                "you mean \"J2\"? Known: J2"},
-        BadHand{"urdf", "name=\"J1\"", "name=\"J2\"",
-                "hand.urdf:32: error: joint \"J2\": the name is taken by line 13\n"
-                "hand.yaml:17: error: coupling of J1: hand.urdf has no moving joint \"J1\"; did "
-                "you mean \"J2\"? Known: J2"},
-        BadHand{"urdf", "<link name=\"tip\"/>", "<link name=\"palm\"/>",
-                "hand.urdf:54: error: link \"palm\": the name is taken by line 4\n"
-                "hand.urdf:51: error: joint \"tip_joint\": child link \"tip\" does not exist. "
-                "Known: palm, proximal, distal"},
-        BadHand{"urdf", "<link name=\"tip\"/>", "<link name=\"tip\"/><link name=\"loose\"/>",
-                "hand.urdf:54: error: several roots: \"palm\", \"loose\"; join all links into one "
-                "tree below the link that the arm carries"},
-        BadHand{"urdf", "<parent link=\"palm\"/>", "<parent link=\"tip\"/>",
-                "hand.urdf:13: error: the joints \"J2\", \"tip_joint\", \"J1\" form a cycle; a "
-                "hand is a tree"},
-        BadHand{"urdf", "<child link=\"tip\"/>", "<child link=\"proximal\"/>",
-                "hand.urdf:49: error: joint \"tip_joint\": link \"proximal\" already hangs on "
-                "joint \"J2\" (line 13); a hand is a tree, so cut the loop and give one side a "
-                "mimic\n"
-                "hand.urdf:54: error: several roots: \"palm\", \"tip\"; join all links into one "
-                "tree below the link that the arm carries"},
-        BadHand{"urdf", "palm.obj", "plam.obj",
-                "hand.urdf:6: error: link \"palm\", visual: mesh not found: \"plam.obj\", relative "
-                "to the hand's folder"},
-        BadHand{"urdf", "palm.obj", "package://maker/palm.obj",
-                "hand.urdf:6: error: link \"palm\", visual: mesh \"package://maker/palm.obj\" is "
-                "an address; give a path relative to the hand's folder"},
-        BadHand{"urdf", "palm.obj", "palm.dae",
-                "hand.urdf:6: error: link \"palm\", visual: mesh \"palm.dae\": only OBJ files are "
-                "read; convert it"},
-        BadHand{"urdf", "<material name=\"grey\"/>", "<material name=\"gray\"/>",
-                "hand.urdf:7: error: link \"palm\", visual: material \"gray\" is not defined; did "
-                "you mean \"grey\"? Known: grey"},
-        BadHand{"urdf", "radius=\"0.007\" length=\"0.05\"", "radius=\"7\" length=\"50\"",
-                "hand.urdf:29: error: link \"proximal\", collision: a size must be positive and at "
-                "most 2 m (URDF is in metres)"},
-        BadHand{"urdf", "radius=\"0.007\" length=\"0.05\"", "radius=\"0.0007\" length=\"0.05\"",
-                "hand.urdf:29: error: link \"proximal\", collision: more than 30 times as long as "
-                "thick; split it or make it thicker"},
-        BadHand{"urdf", "<sphere radius=\"0.008\"/>", "<mesh filename=\"palm.obj\"/>",
-                "hand.urdf:46: error: link \"distal\", collision: a mesh cannot touch; describe it "
-                "by spheres, cylinders and boxes"},
-        BadHand{"urdf", "<sphere radius=\"0.008\"/>", "<ball radius=\"0.008\"/>",
-                "hand.urdf:46: error: link \"distal\", collision: unknown shape <ball>. Known: "
-                "sphere, cylinder, box, mesh"},
-        BadHand{"urdf",
-                "<collision>\n      <origin xyz=\"0 0 0.01\"/>\n      <geometry><sphere "
-                "radius=\"0.008\"/></geometry>\n    </collision>",
-                "",
-                "hand.urdf: error: link \"distal\" carries the pad of digit TH but has no "
-                "<collision>, so it could never touch"},
-        BadHand{"urdf", "<dynamics damping=\"0.1\"/>", "<limits/><mimic joint=\"J1\"/>",
-                "hand.urdf:19: warning: joint \"J2\": <mimic> is not used; name the joint under "
-                "mimic in hand.yaml\n"
-                "hand.urdf:19: warning: joint \"J2\": <limits> is not used; did you mean "
-                "\"limit\"? Known: parent, child, origin, axis, limit"},
-        BadHand{"urdf", "0.5 0.5 0.5 1", "128 128 128 1",
-                "hand.urdf:3: error: material: a colour's numbers lie between 0 and 1"},
-        BadHand{"urdf", "</material>",
-                "</material><material name=\"grey\"><color rgba=\"0 0 0 1\"/></material>",
-                "hand.urdf:3: error: material: the name \"grey\" is taken"},
-        BadHand{"urdf", "<color rgba=\"0.5 0.5 0.5 1\"/>", "",
-                "hand.urdf:3: error: material: <color> is missing"},
-        BadHand{"urdf", "<robot ", "<robot version=\"2.0\" ",
-                "hand.urdf:2: error: robot: URDF of version \"2.0\"; expected 1.0"},
-        BadHand{"urdf", "xyz=\"0 2 0\"", "xyz=\"0,2,0\"",
-                "hand.urdf:17: error: joint \"J2\", <axis> xyz: expected 3 finite numbers, found "
-                "\"0,2,0\""},
-        BadHand{"urdf", "xyz=\"0 2 0\"", "xyz=\"${a}\"",
-                "hand.urdf:17: error: joint \"J2\", <axis> xyz: expected 3 finite numbers, found "
-                "\"${a}\", a macro: expand the file first (xacro FILE.xacro > FILE.urdf)"},
-        BadHand{"urdf", "0.1 0.2 0.3", "0.1 0 0.3",
-                "hand.urdf:6: error: link \"palm\", visual: a mesh with a scale of 0"}));
-
-INSTANTIATE_TEST_SUITE_P(
-    Yaml, BadHandTest,
-    testing::Values(
-        BadHand{"yaml", "digits:", "digits: [",
-                "hand.yaml:8: error: not valid YAML: illegal block entry"},
-        BadHand{"yaml", "name: Two", "nmae: Two",
-                "hand.yaml:1: error: hand: the key \"name\" is missing\n"
-                "hand.yaml:1: error: hand: unknown key \"nmae\"; did you mean \"name\"?"},
-        BadHand{
-            "yaml", "joint_accuracy_deg: 1", "joint_accuracy_deg: -1\nspeed: 3",
-            "hand.yaml:6: error: hand, joint_accuracy_deg: -1 is out of range; expected 0 to 45\n"
-            "hand.yaml:7: error: hand: unknown key \"speed\". Known: name, palm, "
-            "joint_accuracy_deg, slide_accuracy_mm, pad_torsion_radius_m, digits, surfaces, "
-            "pads, coupling, mimic, drives, apart, frames, camera, grasps"},
-        BadHand{"yaml", "link: palm", "link: plam",
-                "hand.yaml:3: error: palm: hand.urdf has no link \"plam\"; did you mean \"palm\"? "
-                "Known: palm, proximal, "
-                "distal, tip"},
-        BadHand{"yaml", "[0, 0, 2]", "[0, 0, 0]",
-                "hand.yaml:5: error: palm, normal: has no direction"},
-        BadHand{"yaml", "links: [proximal, distal]", "links: []",
-                "hand.yaml:11: error: digit 1, links: a digit needs at least one link"},
-        BadHand{"yaml", "links: [proximal, distal]", "links: [proximal, dstal]",
-                "hand.yaml:11: error: digit TH: hand.urdf has no link \"dstal\"; did you mean "
-                "\"distal\"? Known: palm, proximal, distal, tip"},
-        BadHand{"yaml", "links: [proximal, distal]", "links: [distal, proximal]",
-                "hand.yaml:11: error: digit TH: link \"proximal\" does not hang on the link before "
-                "it, \"distal\"; name them from base to tip"},
-        BadHand{"yaml", "thumb: true", "thumb: false",
-                "hand.yaml:8: error: digits: one digit must have \"thumb: true\", found 0"},
-        BadHand{"yaml", "tip_m: [0, 0, 0.018]", "tip_m: [0, 0, 18]",
-                "hand.yaml:12: error: digit 1, tip_m: 18 is out of range; expected -1 to 1"},
-        BadHand{"yaml", "rule: fixed", "rule: evn",
-                "hand.yaml:15: error: coupling, rule: unknown rule \"evn\"; did you mean \"even\"? "
-                "Known: middle-first, even, fixed"},
-        BadHand{"yaml", "{J1: J2}", "{J1: J3}",
-                "hand.yaml:17: error: coupling of J1: hand.urdf has no moving joint \"J3\"; did "
-                "you mean \"J2\"? Known: J2, J1\n"
-                "hand.yaml:19: error: drives: joint \"J1\" has neither drive nor coupling"},
-        BadHand{"yaml", "{J1: J2}", "{J2: J1}",
-                "hand.yaml:17: error: coupling of J2: joint \"J1\" is not the joint before it in "
-                "the finger\n"
-                "hand.yaml:19: error: drives, entry 1, joints: \"J2\" is coupled and has no drive "
-                "of its own\n"
-                "hand.yaml:19: error: drives: joint \"J1\" has neither drive nor coupling"},
-        BadHand{"yaml", "{J1: J2}", "{}",
-                "hand.yaml:19: error: drives: joint \"J1\" has neither drive nor coupling"},
-        BadHand{"yaml", "joints: [J2]", "joints: [J2, J1]",
-                "hand.yaml:19: error: drives, entry 1, joints: \"J1\" is coupled and has no drive "
-                "of its own"},
-        BadHand{"yaml", "joints: [J2]", "joints: [J2, J2, J4]",
-                "hand.yaml:19: error: drives, entry 1, joints: \"J2\" already has a drive\n"
-                "hand.yaml:19: error: drives, entry 1: hand.urdf has no moving joint \"J4\"; did "
-                "you mean \"J2\"? Known: J2, J1"},
-        BadHand{
-            "yaml", "stiffness_nm_per_rad: 2", "stiffness: 2",
-            "hand.yaml:19: error: drives, entry 1: the key \"stiffness_nm_per_rad\" is missing\n"
-            "hand.yaml:20: error: drives, entry 1: unknown key \"stiffness\". Known: joints, "
-            "stiffness_nm_per_rad, damping_nms_per_rad, torque_limit_nm"},
-        BadHand{"yaml", "torque_limit_nm: 1", "torque_limit_nm: .nan",
-                "hand.yaml:22: error: drives, entry 1, torque_limit_nm: expected a finite number"},
-        BadHand{"yaml", "damping_nms_per_rad: 0.1", "damping_nms_per_rad: -1",
-                "hand.yaml:21: error: drives, entry 1, damping_nms_per_rad: -1 is out of range; "
-                "expected at least 0"}));
 
 }  // namespace
 }  // namespace graspbench

@@ -94,28 +94,5 @@ TEST(GraspCheck, SaysWhenThePairsWereTooFew) {
             "start kept: not decided after 40 pairs of trials");
 }
 
-TEST(GraspCheck, WithoutANewGraspTheOldOneIsTriedAlone) {
-  MadeTrials trials;
-  Grasp old;
-  const GraspCheck check = CheckOldGrasp(old, {1000, kPairsPerLook, {}, false}, trials.MakeRun());
-  EXPECT_EQ(check.before.size(), 20u);
-  EXPECT_TRUE(check.after.empty());
-  EXPECT_FALSE(check.is_taken());
-}
-
-TEST(GraspCheck, AsksForStrengthWhereTheGoalNeedsIt) {
-  for (const bool finds_strength : {false, true}) {
-    MadeTrials trials;
-    const CheckPlan plan = {5000, 20, [](const LearningTrial& trial) { return trial.sigma; },
-                            finds_strength};
-    CheckGrasp({}, {}, plan, trials.MakeRun());
-    CheckOldGrasp({}, plan, trials.MakeRun());
-    ASSERT_GE(trials.asked.size(), 3u);
-    for (const LearningRequest& request : trials.asked) {
-      EXPECT_EQ(request.finds_strength, finds_strength);
-    }
-  }
-}
-
 }  // namespace
 }  // namespace graspbench

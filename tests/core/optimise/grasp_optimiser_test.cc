@@ -10,7 +10,7 @@
 #include "core/base/units.h"
 #include "core/grasp/placement.h"
 #include "core/hand/load_hand.h"
-#include "core/optimise/digit_course.h"
+#include "core/optimise/pregrasp_learning.h"
 #include "core/shape/primitives.h"
 
 namespace graspbench {
@@ -145,15 +145,15 @@ TEST(OptimiseGrasp, TakesBothStepsOnALinearHand) {
   EXPECT_EQ(step.search.individuals.size(), 400u);
   for (const char* joint : {"THq1", "THq2", "THq3"}) {
     const int j = fake.hand().FindJoint(joint);
-    const double limit = std::min(fake.hand().joints[static_cast<size_t>(j)].upper,
-                                  standard.q_target[j] + RadFromDeg(25.0));
+    const double limit =
+        std::min(fake.hand().joints[j].upper, standard.q_target[j] + RadFromDeg(25.0));
     EXPECT_NEAR(result.new_target.q_target[j],
                 std::clamp(RadFromDeg(20.0), standard.q_target[j] - RadFromDeg(25.0), limit), 0.02)
         << joint;
   }
   // Only the thumb's target moves; the hand stays where the standard grasp puts it.
   for (int j = 0; j < fake.hand().num_joints(); ++j) {
-    if (fake.hand().joints[static_cast<size_t>(j)].name.substr(0, 2) == "TH") continue;
+    if (fake.hand().joints[j].name.substr(0, 2) == "TH") continue;
     EXPECT_EQ(result.new_target.q_target[j], result.new_pregrasp.q_target[j]);
   }
   const Placement placement =
@@ -224,7 +224,7 @@ TEST(OptimiseGrasp, PrefersATargetThatHoldsToOneWithAHigherSigma) {
   const OptimisedGrasp result =
       OptimiseGrasp(fake.hand(), fake.object(), fake.grasp(), MakeConfig(), fake.MakeRun());
   const TargetStep& step = result.target_step;
-  EXPECT_EQ(step.search.individuals[static_cast<size_t>(step.search.best)].fitness, 2.0);
+  EXPECT_EQ(step.search.individuals[step.search.best].fitness, 2.0);
   EXPECT_TRUE(step.check.is_taken()) << step.verdict;
   EXPECT_EQ(CountSuccesses(step.check.after), static_cast<int>(step.check.after.size()));
 }
@@ -300,19 +300,6 @@ TEST(OptimiseGrasp, ChecksOnTrialsThatTheSearchHasNotSeen) {
   for (const int draw : searched) EXPECT_EQ(checked.count(draw), 0u);
   EXPECT_EQ(searched.size(), 2u);
   EXPECT_NEAR(num_trials, CountLearningTrials(MakeConfig()), 0.2 * num_trials);
-}
-
-TEST(OptimiseGrasp, AsksTheSameQuestionsForTheSameAnswers) {
-  FakeTrials a, b;
-  const OptimisedGrasp x =
-      OptimiseGrasp(a.hand(), a.object(), a.grasp(), MakeConfig(), a.MakeRun());
-  const OptimisedGrasp y =
-      OptimiseGrasp(b.hand(), b.object(), b.grasp(), MakeConfig(), b.MakeRun());
-  ASSERT_EQ(a.asked.size(), b.asked.size());
-  for (size_t i = 0; i < a.asked.size(); ++i) {
-    EXPECT_EQ(a.asked[i].grasp.q_target, b.asked[i].grasp.q_target);
-  }
-  EXPECT_EQ(x.new_target.q_target, y.new_target.q_target);
 }
 
 TEST(Scores, AMissingContactCountsAsNeverTogether) {

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/trial/judge/judge.h"
+#include "tests/core/trial/test_pinch.h"
 
 namespace graspbench {
 namespace {
@@ -69,12 +71,6 @@ TEST(Fitness, OfStrengthIsWhatThePullsFoundAndLeadsLostObjectsBack) {
   EXPECT_TRUE(std::isnan(CalcMeanStrength({MakeLearningTrial(0, MakeResult(0.5, 3.0), false)})));
 }
 
-TEST(LearningTrial, KeepsItsStrength) {
-  const LearningTrial trial = MakeStrong(1.0 / 3.0, 2.0);
-  EXPECT_EQ(LearningTrialFromJson(ToJson(trial)).strength, trial.strength);
-  EXPECT_FALSE(ToJson(MakeLearningTrial(0, MakeResult(0.5, 3.0), false)).contains("strength_n"));
-}
-
 TEST(LearningTrial, IsReadAsItWasWritten) {
   for (const double time : {0.1 + 0.2, kNever}) {
     TrialResult result = MakeResult(time, 1.0 / 3.0);
@@ -93,22 +89,59 @@ TEST(LearningTrial, IsReadAsItWasWritten) {
   }
 }
 
-// Else a pre-grasp whose simulation gave up would be the one with the most simultaneous contacts.
-TEST(LearningTrial, OneThatGaveUpHasNoTiming) {
-  TrialResult result;
-  result.outcome = Outcome::kNumericalFailure;
-  const LearningTrial trial = MakeLearningTrial(0, result, false);
-  const LearningTrial read = LearningTrialFromJson(Json::parse(FormatJson(ToJson(trial))));
-  for (const LearningTrial* one : {&trial, &read}) {
-    EXPECT_TRUE(std::isnan(one->timing.gct));
-    EXPECT_TRUE(std::isnan(one->timing.gft_ratio));
-  }
-}
-
 TEST(LearningTrial, TwoThumbsAreRefused) {
   Json json = ToJson(MakeLearningTrial(0, MakeResult(0.5, 1.0), false));
   json["digits"][1]["is_thumb"] = true;
   EXPECT_THROW(LearningTrialFromJson(json), Error);
+}
+
+constexpr double kMass = 0.05, kMu = 0.4;
+
+LearningTrial MakeTrial(double strength, double grip) {
+  LearningTrial trial;
+  trial.strength = strength;
+  trial.stability.normal_force = grip;
+  return trial;
+}
+
+// Two pads on a block bear mu F each, of which the weight has its part: by pulling in physics the
+// whole of the bound, straight down.
+TEST(Headroom, APinchUsesAllThatFrictionAllows) {
+  for (const double force : {1.5, 3.0, 6.0}) {
+    const TestPinch pinch(force, kMass, kMu, {0.0, 0.0, -kStandardGravity});
+    const double strength = FindWeakestForce(pinch.MakeHeldObject());
+    EXPECT_NEAR(strength, 2.0 * kMu * force - kMass * kStandardGravity, 0.03 * 2.0 * kMu * force);
+    const Headroom headroom =
+        CalcHeadroom({MakeTrial(strength, 2.0 * force)}, *pinch.setup().object, kStandardGravity);
+    EXPECT_NEAR(headroom.bound, 2.0 * kMu * force - kMass * kStandardGravity, 1e-9);
+    EXPECT_NEAR(headroom.share, 1.0, 0.05);
+  }
+}
+
+TEST(Headroom, GripThatDoesNotBearTheWeightAllowsNothing) {
+  EXPECT_EQ(CalcFrictionBound(2.0, 0.5, 3.0), 0.0);
+  EXPECT_DOUBLE_EQ(CalcFrictionBound(2.0, 0.5, 0.25), 0.75);
+}
+
+GraspObject MakeHeadroomCube() {
+  GraspObject cube = *TestPinch(3.0, kMass, kMu, Eigen::Vector3d::Zero()).setup().object;
+  cube.surface.friction_dynamic = 0.5 * kMu;  // what is held does not slide
+  return cube;
+}
+
+// Bounds of 1.5 and 3.5 N, of which 1 and 2 are borne; what was lost has no grip to speak of.
+TEST(Headroom, IsThatOfTheTrialsThatHeld) {
+  const Headroom headroom =
+      CalcHeadroom({MakeTrial(1.0, 5.0), MakeTrial(2.0, 10.0), MakeTrial(-0.3, 0.0)},
+                   MakeHeadroomCube(), 0.5 / kMass);
+  EXPECT_NEAR(headroom.bound, 2.5, 1e-12);
+  EXPECT_NEAR(headroom.share, 0.6, 1e-12);
+  EXPECT_TRUE(std::isnan(CalcHeadroom({MakeTrial(-0.3, 0.0)}, MakeHeadroomCube(), 9.8).share));
+}
+
+TEST(Headroom, AGraspAboveItsBoundLeavesNothingToGain) {
+  EXPECT_EQ(CalcMostGain(0.8), 1.25);
+  EXPECT_EQ(CalcMostGain(1.4), 1.0);
 }
 
 }  // namespace

@@ -91,17 +91,6 @@ TEST_F(TargetSearchTest, TheStartSaysHowHardMayBeGripped) {
   EXPECT_EQ(free.Evaluate({MakeIndividual(free, 1)}, MakeRun()), std::vector<double>{1.0});
 }
 
-TEST_F(TargetSearchTest, AsksForStrengthWhereThatIsTheFitness) {
-  for (const char* fitness : {"sigma", "strength"}) {
-    config_.fitness = fitness;
-    TargetSearch search(hand_, ball_, start_, config_);
-    search.Evaluate({MakeIndividual(search, 0)}, [&](const auto& requests) {
-      EXPECT_EQ(requests.at(0).finds_strength, fitness == std::string("strength"));
-      return MakeRun()(requests);
-    });
-  }
-}
-
 TEST_F(TargetSearchTest, RanksByWhatHoldsMostOften) {
   TargetSearch search(hand_, ball_, start_, config_);
   search.Evaluate({MakeIndividual(search, 0)}, MakeRun());

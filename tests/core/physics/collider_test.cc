@@ -6,7 +6,7 @@
 
 #include "core/base/random.h"
 #include "core/base/units.h"
-#include "core/hand/self_contact.h"
+#include "core/hand/contact_shape.h"
 #include "core/physics/known_answers/small_scenes.h"
 #include "core/shape/primitives.h"
 
@@ -50,22 +50,10 @@ struct Scene {
   }
 };
 
-// Distance of two segments by trying many pairs of points.
-double FindDistanceByForce(const Vector3d& a0, const Vector3d& a1, const Vector3d& b0,
-                           const Vector3d& b1) {
-  double least = 1e9;
-  for (int i = 0; i <= 400; ++i) {
-    for (int j = 0; j <= 400; ++j) {
-      least = std::min(least, (a0 + (a1 - a0) * (i / 400.0) - b0 - (b1 - b0) * (j / 400.0)).norm());
-    }
-  }
-  return least;
-}
-
 TEST(Collider, BallOnBallHasTheDepthOfItsGeometry) {
   Scene scene;
   // Fingers hang down; the object's ball meets the first finger's ball from below, 0.1 mm deep.
-  const Pose X_WH = MakePose(MakeRotationRpy(3.14159265358979, 0.0, 0.0), Vector3d(0.0, 0.0, 1.0));
+  const Pose X_WH = MakePose(MakeRotationRpy(kPi, 0.0, 0.0), Vector3d(0.0, 0.0, 1.0));
   const Vector3d p_WTip = X_WH * Vector3d(-0.02, 0.0, 0.09);
   const Vector3d direction = Vector3d(-0.3, 0.1, -1.0).normalized();
   scene.Find(VectorXd::Zero(4), X_WH, p_WTip + (0.038 - 1e-4) * direction);
@@ -126,6 +114,18 @@ TEST(Collider, JacobiansAreTheDerivativesOfTheContactsPoints) {
   }
   EXPECT_EQ(seen, (std::vector<bool>{true, true, false, false, true, true, true, true, true, true,
                                      true, true, true, true, true, true}));
+}
+
+// Distance of two segments by trying many pairs of points.
+double FindDistanceByForce(const Vector3d& a0, const Vector3d& a1, const Vector3d& b0,
+                           const Vector3d& b1) {
+  double least = 1e9;
+  for (int i = 0; i <= 400; ++i) {
+    for (int j = 0; j <= 400; ++j) {
+      least = std::min(least, (a0 + (a1 - a0) * (i / 400.0) - b0 - (b1 - b0) * (j / 400.0)).norm());
+    }
+  }
+  return least;
 }
 
 // Links against each other, over random postures: contacts are exactly the pairs nearer than the
@@ -212,7 +212,7 @@ TEST(Collider, FindsOnAWayWhatItFindsAtOnce) {
 
 TEST(Collider, GapsAndLowestPointAreThoseOfTheScene) {
   Scene scene;
-  const Pose X_WH = MakePose(MakeRotationRpy(3.14159265358979, 0.0, 0.0), Vector3d(0.0, 0.0, 0.2));
+  const Pose X_WH = MakePose(MakeRotationRpy(kPi, 0.0, 0.0), Vector3d(0.0, 0.0, 0.2));
   scene.dynamics.UpdatePositions(X_WH, VectorXd::Zero(4));
   // Tips at z = 0.11; the ball below the first one, then far away.
   const Vector3d p_WTip = X_WH * Vector3d(-0.02, 0.0, 0.09);

@@ -123,17 +123,6 @@ TEST(CalcContactForces, IsMonotone) {
   }
 }
 
-// Friction never exceeds its limit, and a sliding contact has all of it, against the motion.
-TEST(CalcContactForces, SlidingFrictionIsTheLimitAgainstTheMotion) {
-  ContactMemory memory;
-  ContactPoint contact = MakeContact(1e-4, 0.0, memory);
-  contact.friction_limit = 2.5;
-  const ContactForces forces = CalcContactForces(contact, {0.0, 0.3, -0.4, 0.0}, kStep);
-  EXPECT_TRUE(forces.is_at_limit);
-  EXPECT_NEAR(forces.force[kTangentRow1], -2.5 * 0.6, 1e-12);
-  EXPECT_NEAR(forces.force[kTangentRow2], 2.5 * 0.8, 1e-12);
-}
-
 // Howe and Cutkosky's ellipsoid: at a tangential share s of its limit a turning pad gives
 // sqrt(1 - s^2) of its largest moment.
 TEST(CalcContactForces, TorsionAndTangentialForceShareOneLimit) {
@@ -177,6 +166,163 @@ TEST(PrepareContact, TurnsTheBristleWithTheTangentPlane) {
   PrepareContact(kStep, 9, contact);
   EXPECT_EQ(contact.stretch[0], 0.0);
   EXPECT_EQ(contact.friction_limit, 0.0);
+}
+
+constexpr double kModulus = 1.5e6;
+constexpr double kRadius = 0.007;
+
+ContactPoint MakePad(double depth, ContactMemory& memory) {
+  ContactPoint contact;
+  contact.material = {1e5, 1e5, 0.6, 0.5, 1.0, {kModulus, 0.003, 1.0}};
+  contact.depth = depth;
+  contact.memory = &memory;
+  SetRadius(kRadius, contact);
+  return contact;
+}
+
+// Pad and spring bear the same force, and their compressions add up to the depth.
+TEST(CalcPadCompression, PadAndSpringShareTheDepth) {
+  for (const double stiffness : {2e3, 1e5, 1e7}) {
+    const double hertz = CalcHertzFactor(kModulus, kRadius);
+    for (double x = 1e-9; x < 0.01; x *= 1.7) {
+      const PadCompression state = CalcPadCompression(hertz, stiffness, 1.0, x);
+      EXPECT_NEAR(state.compression + state.force / stiffness, x, 1e-12 * x);
+      EXPECT_NEAR(state.force, hertz * std::pow(state.compression, 1.5), 1e-9 * state.force);
+      const double more = CalcPadCompression(hertz, stiffness, 1.0, x * (1.0 + 1e-6)).force;
+      EXPECT_NEAR(state.slope, (more - state.force) / (1e-6 * x), 1e-5 * state.slope);
+    }
+  }
+}
+
+TEST(CalcPadCompression, CompressedByAllOfItsDepthItIsBare) {
+  const double hertz = CalcHertzFactor(kModulus, kRadius), k = 1e5, pad_depth = 0.003;
+  for (const double x : {0.0, -0.001, std::nan("")}) {
+    EXPECT_EQ(CalcPadCompression(hertz, k, pad_depth, x).force, 0.0) << "it does not touch";
+  }
+  const double full = pad_depth + hertz * std::pow(pad_depth, 1.5) / k;
+  const PadCompression below = CalcPadCompression(hertz, k, pad_depth, full - 1e-9);
+  const PadCompression beyond = CalcPadCompression(hertz, k, pad_depth, full + 1e-4);
+  EXPECT_NEAR(below.compression, pad_depth, 1e-8);
+  EXPECT_EQ(beyond.compression, pad_depth);
+  EXPECT_NEAR(beyond.force - below.force, k * 1e-4, 1e-3);
+  EXPECT_EQ(beyond.slope, k);
+}
+
+TEST(PrepareContact, GivesAPadThePatchOfItsDepth) {
+  ContactMemory memory;
+  ContactPoint contact = MakePad(5e-4, memory);
+  PrepareContact(kStep, 0, contact);
+  const PadCompression state = CalcPadCompression(contact.hertz, 1e5, 0.003, 5e-4);
+  const double a = std::sqrt(kRadius * state.compression);
+  EXPECT_NEAR(contact.material.torsion_radius, kHertzTorsionShare * a, 1e-9);
+  EXPECT_NEAR(1.0 / contact.material.tangential_stiffness, 1.0 / (4.0 / 3.0 * kModulus * a) + 1e-5,
+              1e-9);
+  EXPECT_NEAR(CalcPatchRadius(kModulus, kRadius, state.force), a, 1e-9);
+  ContactPoint limited = MakePad(5e-4, memory);
+  limited.material.torsion_radius = 1e-4;  // the other side's
+  PrepareContact(kStep, 0, limited);
+  EXPECT_EQ(limited.material.torsion_radius, 1e-4);
+}
+
+double CalcBristleEnergy(const ContactPoint& contact) {
+  const double kt = contact.material.tangential_stiffness, r = contact.material.torsion_radius;
+  return 0.5 * kt *
+         (contact.stretch[0] * contact.stretch[0] + contact.stretch[1] * contact.stretch[1] +
+          r * r * contact.twist * contact.twist);
+}
+
+// Pressed and released with a stretched bristle, a pad gives back no more than was put in.
+TEST(PrepareContact, AChangingPatchKeepsTheBristlesEnergy) {
+  ContactMemory memory;
+  ContactPoint contact = MakePad(2e-4, memory);
+  PrepareContact(kStep, 0, contact);
+  contact.friction_limit = 100.0;
+  const ContactRates rates = {0.0, 0.02, -0.01, 3.0};
+  FinishContact(contact, rates, CalcContactForces(contact, rates, kStep), kStep, 0);
+  ContactPoint before = MakePad(2e-4, memory);
+  PrepareContact(kStep, 1, before);
+  const double energy = CalcBristleEnergy(before);
+  EXPECT_GT(energy, 1e-9);
+  for (const double depth : {1e-6, 5e-5, 4e-4, 2e-3}) {
+    ContactPoint changed = MakePad(depth, memory);
+    PrepareContact(kStep, 1, changed);
+    EXPECT_NEAR(CalcBristleEnergy(changed), energy, 1e-9 * energy) << depth;
+  }
+}
+
+TEST(CombineSurfaces, WhatNeitherSideGivesIsTheSessions) {
+  const SimConfig config;
+  const ContactMaterial pair = CombineSurfaces({}, {}, config);
+  EXPECT_EQ(pair.stiffness, config.contact_stiffness);
+  EXPECT_EQ(pair.tangential_stiffness, config.tangential_stiffness);
+  EXPECT_EQ(pair.friction_static, 0.0);
+  EXPECT_EQ(pair.torsion_radius, 0.0);
+}
+
+TEST(CombineSurfaces, WhatOneSideGivesHolds) {
+  const SurfaceMaterial rubber{0.9, 0.8, 2e4, 0.003};
+  for (const ContactMaterial& pair :
+       {CombineSurfaces({}, rubber, SimConfig()), CombineSurfaces(rubber, {}, SimConfig())}) {
+    EXPECT_EQ(pair.stiffness, 2e4);
+    EXPECT_EQ(pair.friction_static, 0.9);
+    EXPECT_EQ(pair.friction_dynamic, 0.8);
+    EXPECT_EQ(pair.torsion_radius, 0.003);
+    EXPECT_DOUBLE_EQ(pair.tangential_stiffness, 2e4);  // the session has kt = k
+  }
+}
+
+// Two springs in series: the pair yields by f / k, of which each side takes f / kA and f / kB.
+TEST(CombineSurfaces, TwoSidesAreSpringsInSeries) {
+  const SurfaceMaterial a{0.8, 0.6, 2e4, 0.004}, b{0.4, 0.3, 6e4, 0.002};
+  const ContactMaterial pair = CombineSurfaces(a, b, SimConfig());
+  EXPECT_DOUBLE_EQ(1.0 / pair.stiffness, 1.0 / 2e4 + 1.0 / 6e4);
+  EXPECT_DOUBLE_EQ(pair.friction_static, 2.0 * 0.8 * 0.4 / 1.2);
+  EXPECT_DOUBLE_EQ(pair.friction_dynamic, 0.4);
+  EXPECT_EQ(pair.torsion_radius, 0.002);
+  const ContactMaterial mirrored = CombineSurfaces(b, a, SimConfig());
+  EXPECT_DOUBLE_EQ(mirrored.stiffness, pair.stiffness);
+}
+
+TEST(CombineSurfaces, TheLongerRelaxationTimeHolds) {
+  SurfaceMaterial slow, quick;
+  slow.relaxation_time = 0.024;
+  quick.relaxation_time = 0.005;
+  const auto combine = [](const SurfaceMaterial& a, const SurfaceMaterial& b) {
+    return CombineSurfaces(a, b, SimConfig()).relaxation_time;
+  };
+  EXPECT_EQ(combine({}, {}), kContactRelaxationTime);
+  EXPECT_EQ(combine(quick, {}), 0.005);
+  EXPECT_EQ(combine({}, slow), 0.024);
+  EXPECT_EQ(combine(quick, slow), 0.024);
+  EXPECT_EQ(combine(MakeSelfSurface(slow, SimConfig()), {}), 0.024);
+}
+
+TEST(CombineSurfaces, TheHandHasFrictionAgainstItself) {
+  const SimConfig config;
+  SurfaceMaterial rubber;
+  rubber.friction_static = rubber.friction_dynamic = 1.0;
+  const SurfaceMaterial plain = MakeSelfSurface({}, config);
+  EXPECT_EQ(CombineSurfaces(plain, plain, config).friction_static, config.hand_friction_static);
+  EXPECT_EQ(CombineSurfaces(plain, plain, config).torsion_radius, 0.0);
+  EXPECT_DOUBLE_EQ(CombineSurfaces(MakeSelfSurface(rubber, config), plain, config).friction_static,
+                   2.0 / 3.0);
+}
+
+TEST(CombineSurfaces, APadYieldsBesideTheSpringsAndTwistsByItsPatch) {
+  SurfaceMaterial flesh;
+  flesh.pad = {1.2e6, 0.003};
+  const ContactMaterial pair = CombineSurfaces(flesh, {}, SimConfig());
+  EXPECT_DOUBLE_EQ(pair.pad.modulus, 1.6e6);  // E / (1 - 1/4)
+  EXPECT_EQ(pair.pad.depth, 0.003);
+  EXPECT_EQ(pair.stiffness, SimConfig().contact_stiffness);
+  EXPECT_TRUE(std::isinf(pair.torsion_radius));
+  SurfaceMaterial limited;
+  limited.torsion_radius = 0.002;
+  EXPECT_EQ(CombineSurfaces(limited, flesh, SimConfig()).torsion_radius, 0.002);
+  const ContactMaterial both = CombineSurfaces(flesh, flesh, SimConfig());
+  EXPECT_DOUBLE_EQ(both.pad.modulus, 0.8e6);
+  EXPECT_EQ(both.pad.depth, 0.006);
+  EXPECT_FALSE(CombineSurfaces({}, limited, SimConfig()).pad.is_soft());
 }
 
 }  // namespace

@@ -17,9 +17,7 @@ using Eigen::Vector3d;
 
 // A load of known size moves a free body as Newton says, and its work is accounted for.
 TEST(ImplicitWorld, AnExternalLoadDoesItsWork) {
-  SimConfig config;
-  config.step = 0.002;
-  SmallWorld body(MakeBlock(0.5), config);
+  SmallWorld body(MakeBlock(0.5), SimConfig());
   body.start().gravity_W.setZero();
   body.start().p_WOcm = Vector3d(0.0, 0.0, 1.0);
   body.Reset();
@@ -41,7 +39,7 @@ class SwingingRod : public SmallWorld {
  public:
   static constexpr double kStiffness = 2.0;
   explicit SwingingRod(double armature)
-      : SmallWorld(MakeRod(armature), MakeBlock(1e-9), MakeConfig()) {
+      : SmallWorld(MakeRod(armature), MakeBlock(1e-9), MakeStepConfig(1e-4)) {
     start().gravity_W.setZero();
     start().p_WOcm = Vector3d(5.0, 0.0, 0.01);
     start().X_WH = MakePose(Vector3d(0.0, 0.0, 1.0));
@@ -56,11 +54,6 @@ class SwingingRod : public SmallWorld {
     hand.joints[0].drive = {kStiffness, 0.0, 10.0};
     hand.joints[0].drive.armature = armature;
     return hand;
-  }
-  static SimConfig MakeConfig() {
-    SimConfig config;
-    config.step = 1e-4;
-    return config;
   }
 };
 
@@ -139,17 +132,6 @@ TEST(ImplicitWorld, ACloneGoesOnToTheSameBits) {
   EXPECT_EQ(clone->CalcEnergyResidual(), residual);
 }
 
-TEST(ImplicitWorld, ResetLeavesNoContact) {
-  SlippingScene scene;
-  for (int i = 0; i < 20; ++i) scene.Step();
-  std::vector<HandContact> contacts;
-  scene.world().FindHandContacts(contacts);
-  ASSERT_FALSE(contacts.empty());
-  scene.Reset();
-  scene.world().FindHandContacts(contacts);
-  EXPECT_TRUE(contacts.empty());
-}
-
 // Turned scene, turned motion: the direction of gravity is the only one that counts in free fall.
 TEST(ImplicitWorld, FreeFallTurnsWithGravity) {
   SmallWorld body(MakeBlock(0.5), SimConfig());
@@ -161,6 +143,24 @@ TEST(ImplicitWorld, FreeFallTurnsWithGravity) {
     body.Run(t);
     EXPECT_LT((body.state().v_WOcm - t * gravity_W).norm(), 1e-12);
     EXPECT_LT((body.state().p_WOcm - Vector3d(0, 0, 5) - 0.5 * t * t * gravity_W).norm(), 1e-12);
+  }
+}
+
+// Where there is neither a table nor gravity, things stay; with gravity alone they fall for ever.
+TEST(ImplicitWorld, MayHaveNoTableAndNoGravity) {
+  const Hand hand = MakeBareHand();
+  const GraspObject block = MakeBlock(0.1);
+  for (const double gravity : {0.0, 9.0}) {
+    ImplicitWorld world(hand, block, SimConfig(), TablePresence::kNone);
+    WorldState state;
+    state.X_WH = MakePose(Vector3d(0.0, 0.0, 5.0));
+    state.p_WOcm = Vector3d(0.0, 0.0, 0.03);
+    state.gravity_W = Vector3d(0.0, 0.0, -gravity);
+    world.Reset(state);
+    WorldCommand command;
+    command.X_WH = state.X_WH;
+    for (int step = 0; step < 250; ++step) EXPECT_EQ(world.Step(command).table_force, 0.0);
+    EXPECT_NEAR(world.state().p_WOcm.z(), 0.03 - 0.5 * gravity * 0.5 * 0.5, 1e-9);
   }
 }
 

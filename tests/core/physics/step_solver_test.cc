@@ -2,12 +2,22 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
+#include <array>
 #include <cmath>
+#include <string>
+
+#include "core/base/random.h"
 
 namespace graspbench {
+
 namespace {
 
-const auto kKeepBias = [](const Eigen::VectorXd&) { return false; };
+Eigen::VectorXd Solve(StepProblem& problem) {
+  Eigen::VectorXd v = problem.u;
+  EXPECT_TRUE(StepSolver().Solve(problem, v, [](const Eigen::VectorXd&) { return false; }));
+  return v;
+}
 
 StepProblem MakePointMass(double h, double mass, const Eigen::Vector3d& u) {
   StepProblem problem;
@@ -38,9 +48,7 @@ void AddPlane(double depth, double mu_s, double mu_d, ContactMemory& memory, Ste
 
 TEST(StepSolver, FreeFallGainsGravityTimesStep) {
   StepProblem problem = MakePointMass(0.002, 0.5, {1.0, 2.0, 3.0});
-  Eigen::VectorXd v = problem.u;
-  StepSolver solver;
-  ASSERT_TRUE(solver.Solve(problem, v, kKeepBias));
+  const Eigen::VectorXd v = Solve(problem);
   EXPECT_LT((v - Eigen::Vector3d(1.0, 2.0, 3.0 - 10.0 * 0.002)).norm(), 1e-9);
 }
 
@@ -50,9 +58,7 @@ TEST(StepSolver, NormalForceIsTakenAtTheEndOfTheStep) {
   StepProblem problem = MakePointMass(h, m, {0.0, 0.0, 0.0});
   ContactMemory memory;
   AddPlane(x0, 0.0, 0.0, memory, problem);
-  Eigen::VectorXd v = problem.u;
-  StepSolver solver;
-  ASSERT_TRUE(solver.Solve(problem, v, kKeepBias));
+  const Eigen::VectorXd v = Solve(problem);
   EXPECT_NEAR(v[2], h * (k * x0 - m * 10.0) / (m + h * (h + kContactRelaxationTime) * k), 1e-9);
 }
 
@@ -61,9 +67,7 @@ TEST(StepSolver, DrivesAreClamped) {
   StepProblem problem = MakePointMass(0.01, 2.0, {0.0, 0.0, 0.0});
   problem.bias.setZero();
   problem.scalars.push_back({0, 1000.0, 50.0, -3.0, 3.0});
-  Eigen::VectorXd v = problem.u;
-  StepSolver solver;
-  ASSERT_TRUE(solver.Solve(problem, v, kKeepBias));
+  const Eigen::VectorXd v = Solve(problem);
   EXPECT_NEAR(v[0], 0.01 * 3.0 / 2.0, 1e-9);
 }
 
@@ -75,9 +79,7 @@ TEST(StepSolver, SlidingFrictionOpposesMotionWithTheDynamicCoefficient) {
   memory.last_step = -1;
   memory.normal_force = fn;
   AddPlane(fn / 1e4, 0.6, 0.5, memory, problem);
-  Eigen::VectorXd v = problem.u;
-  StepSolver solver;
-  ASSERT_TRUE(solver.Solve(problem, v, kKeepBias));
+  const Eigen::VectorXd v = Solve(problem);
   const double loss = 0.5 * fn * h / m;
   EXPECT_NEAR(v.head<2>().norm(), 0.5 - loss, 1e-6);
   EXPECT_NEAR(v[0] / v[1], 0.75, 1e-9);
@@ -126,9 +128,7 @@ TEST(StepSolver, LimitsOfWedgedContactsSettle) {
   AddPlane(x0, mu, mu, right, problem, {-cos_a, 0.0, sin_a});
   // Soft bristles would carry it before they slide.
   for (ContactPoint& contact : problem.contacts) contact.material.tangential_stiffness = 1e6;
-  Eigen::VectorXd v = problem.u;
-  StepSolver solver;
-  ASSERT_TRUE(solver.Solve(problem, v, kKeepBias));
+  const Eigen::VectorXd v = Solve(problem);
   const double lift = 2.0 * h * (sin_a + mu * cos_a) * k;
   const double expected =
       (m * (u - 10.0 * h) + lift * x0) / (m + lift * (h + kContactRelaxationTime) * sin_a);
@@ -139,5 +139,56 @@ TEST(StepSolver, LimitsOfWedgedContactsSettle) {
   }
 }
 
+using Eigen::MatrixXd;
+
+MatrixXd MakePositiveDefinite(int n) {
+  RandomStream random("cholesky", std::to_string(n));
+  MatrixXd A(n, n);
+  for (int i = 0; i < A.size(); ++i) A.data()[i] = random.NextUniform(-1.0, 1.0);
+  return A * A.transpose() + 0.1 * MatrixXd::Identity(n, n);
+}
+
+/** Fingers that meet in the palm only: blocks along the diagonal, and rows that are full below. */
+MatrixXd MakeHandLike(int num_fingers, int num_joints, int num_others) {
+  MatrixXd H = MakePositiveDefinite(num_fingers * num_joints + num_others);
+  for (int a = 0; a < num_fingers * num_joints; ++a) {
+    for (int b = 0; b < num_fingers * num_joints; ++b) {
+      if (a / num_joints != b / num_joints) H(a, b) = 0.0;
+    }
+  }
+  return H + 4.0 * static_cast<double>(H.rows()) * MatrixXd::Identity(H.rows(), H.rows());
+}
+
+void ExpectFactor(const MatrixXd& H, bool is_eigens) {
+  MatrixXd factored = H;
+  factored.triangularView<Eigen::StrictlyUpper>().setConstant(1e300);  // is not read
+  ASSERT_TRUE(FactorCholesky(factored)) << H.rows();
+  const MatrixXd L = factored.triangularView<Eigen::Lower>();
+  EXPECT_LT((L * L.transpose() - H).cwiseAbs().maxCoeff(), 1e-13 * H.rows() * H.norm()) << H.rows();
+  if (!is_eigens) return;
+  const MatrixXd expected = H.llt().matrixL();
+  EXPECT_EQ((L - expected).cwiseAbs().maxCoeff(), 0.0) << H.rows();
+}
+
+// Eigen's to the last bit where its sizes allow: 21 unknowns has the TUM Hand with an object, 32 the
+// Shadow Hand. Zeros between fingers are skipped without a change of a bit.
+TEST(FactorCholesky, GivesTheMatrixBackAtEverySize) {
+  for (int n = 1; n <= 70; ++n) {
+    ExpectFactor(MakePositiveDefinite(n), n == 9 || n == 21 || n == 31 || n == 32 || n == 40);
+  }
+  for (const auto& [fingers, joints, others] : {std::array{3, 3, 12}, {5, 4, 12}, {4, 7, 12}}) {
+    ExpectFactor(MakeHandLike(fingers, joints, others), true);
+  }
+}
+
+TEST(FactorCholesky, RefusesWhatIsNotPositiveDefinite) {
+  for (const int n : {1, 7, 32, 40}) {
+    MatrixXd H = MakePositiveDefinite(n);
+    H(n - 1, n - 1) = -1.0;
+    EXPECT_FALSE(FactorCholesky(H)) << n;
+  }
+}
+
 }  // namespace
+
 }  // namespace graspbench

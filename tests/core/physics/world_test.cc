@@ -18,13 +18,23 @@ TEST(World, AContactSlidesOnlyWhereItsSurfacesMove) {
   EXPECT_FALSE(IsSliding(contact));
 }
 
-TEST(World, TheConeShareIsThatOfTheTangentialForce) {
-  HandContact contact;
-  contact.normal_force = 2.0;
-  contact.friction_W = Eigen::Vector3d(0.3, 0.4, 0.0);
-  EXPECT_TRUE(std::isnan(CalcConeShare(contact)));
-  contact.mu = 0.5;
-  EXPECT_DOUBLE_EQ(CalcConeShare(contact), 0.5);
+// Joint 1 follows joint 0: where the middle joint moves first, the drive acts on the sum of both,
+// less what the coupling yields; under other rules and of linkages on the joint alone.
+TEST(World, ADrivesPositionFollowsTheCoupling) {
+  Hand hand;
+  hand.joints.resize(2);
+  hand.joints[1].coupled_to = 0;
+  hand.coupling = CouplingRule::kMiddleFirst;
+  WorldState state;
+  state.q = Eigen::Vector2d(0.5, 0.2);
+  EXPECT_DOUBLE_EQ(CalcDrivePosition(hand, state, 0), 0.7);
+  state.deviation = Eigen::Vector2d(0.0, 0.05);
+  EXPECT_DOUBLE_EQ(CalcDrivePosition(hand, state, 0), 0.65);
+  hand.joints[1].is_mimic = true;
+  EXPECT_EQ(CalcDrivePosition(hand, state, 0), 0.5);
+  hand.joints[1].is_mimic = false;
+  hand.coupling = CouplingRule::kEven;
+  EXPECT_EQ(CalcDrivePosition(hand, state, 0), 0.5);
 }
 
 }  // namespace

@@ -2,10 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 
-#include "core/quality/force_closure.h"
+#include "core/quality/grasp_quality.h"
 #include "core/quality/wrench_hull.h"
 #include "tests/core/quality/grasp_samples.h"
 
@@ -73,8 +72,6 @@ TEST(EpsilonFast, NoPointsNoBall) {
   EXPECT_EQ(CalcEpsilonBounds(Eigen::MatrixXd::Zero(6, 20)).upper, 0.0);
 }
 
-// --- Metamorphic relations ---------------------------------------------------------------------
-
 TEST(EpsilonRelations, InvariantUnderMotionOrderAndDuplicates) {
   RandomStream stream("epsilon fast", "motion");
   for (int i = 0; i < 30; ++i) {
@@ -82,9 +79,7 @@ TEST(EpsilonRelations, InvariantUnderMotionOrderAndDuplicates) {
     for (GraspContact& contact : contacts) contact.first_edge_O = MakeRandomDirection(stream);
     const double epsilon = CalcEpsilonOf(contacts);
 
-    const Eigen::Matrix3d R =
-        Eigen::AngleAxisd(stream.NextUniform(0.0, 6.0), MakeRandomDirection(stream))
-            .toRotationMatrix();
+    const Eigen::Matrix3d R = MakeRandomRotation(stream);
     WrenchSpace moved;
     moved.p_OR = 5.0 * MakeRandomDirection(stream);
     EXPECT_NEAR(CalcEpsilonOf(Move(contacts, R, moved.p_OR), moved), epsilon, 1e-9);
@@ -134,48 +129,17 @@ TEST(EpsilonRelations, NeverLessForMoreFrictionContactsOrEdges) {
   EXPECT_GT(num_grown, 15);
 }
 
-TEST(EpsilonRelations, GrowsWithFrictionAndTorsion) {
-  double last = 0.0;
-  for (const double mu : {0.1, 0.3, 0.5, 0.8}) {
-    const double epsilon = CalcEpsilonOf(MakePinch(1.0, mu, 0.1 * mu));
-    EXPECT_GT(epsilon, last);
-    last = epsilon;
-  }
-}
-
 // A joggled or rounded hull would show a tiny positive number here.
 TEST(EpsilonRelations, HardPinchIsExactlyZeroInEveryPose) {
   RandomStream stream("epsilon fast", "pinch");
   for (int i = 0; i < 100; ++i) {
-    const Eigen::Matrix3d R =
-        Eigen::AngleAxisd(stream.NextUniform(0.0, 6.0), MakeRandomDirection(stream))
-            .toRotationMatrix();
+    const Eigen::Matrix3d R = MakeRandomRotation(stream);
     const std::vector<GraspContact> pinch = Move(MakePinch(stream.NextUniform(0.01, 1.0), 0.9, 0.0),
                                                  R, 0.2 * MakeRandomDirection(stream));
     WrenchSpace space;
     space.torque_scale = 0.05;
     EXPECT_EQ(CalcEpsilonOf(pinch, space), 0.0);
     EXPECT_EQ(CalcEpsilon(CalcWrenchHull(CalcConeWrenches(pinch, space).wrenches)), 0.0);
-  }
-}
-
-TEST(EpsilonRelations, AWrongNormalDestroysClosure) {
-  std::vector<GraspContact> pinch = MakePinch(1.0, 0.5, 0.05);
-  EXPECT_GT(CalcEpsilonOf(pinch), 0.01);
-  pinch[1].nhat_O *= -1.0;
-  EXPECT_EQ(CalcEpsilonOf(pinch), 0.0);
-}
-
-// The shadow of a set around the origin is a set around the origin, and its ball is not smaller.
-TEST(EpsilonRelations, ProjectionsOfAClosedGraspAreClosed) {
-  RandomStream stream("epsilon fast", "projection");
-  for (int i = 0; i < 30; ++i) {
-    const Eigen::MatrixXd wrenches = CalcConeWrenches(MakeRandomGrasp(stream, 6), {}).wrenches;
-    const double epsilon = CalcEpsilonBounds(wrenches).upper;
-    if (epsilon == 0.0) continue;
-    EXPECT_GE(CalcEpsilonBounds(wrenches.topRows(3)).lower, epsilon - 1e-9);
-    EXPECT_GE(CalcEpsilonBounds(wrenches.bottomRows(3)).lower, epsilon - 1e-9);
-    EXPECT_TRUE(IsForceClosure(wrenches.middleRows(2, 3)));
   }
 }
 

@@ -2,8 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
 #include "core/base/error.h"
 #include "core/quality/epsilon_fast.h"
+#include "core/quality/linear_program.h"
+#include "core/quality/wrench_hull.h"
 #include "tests/core/quality/grasp_samples.h"
 
 namespace graspbench {
@@ -51,16 +57,12 @@ TEST(GraspQuality, WithoutClosureEachConventionSaysSoInItsWay) {
   EXPECT_EQ(CalcEpsilonBy("dexgraspbench", pinch, 0.03), 2.0);
   EXPECT_EQ(CalcEpsilonBy("dex-net", pinch, 0.03), 0.0);
   EXPECT_EQ(CalcEpsilonBy("frogger", pinch, 0.03), -1.0);
-}
-
-// Measured from the hull's own centre, a grasp that cannot close at all still gets a positive
-// number.
-TEST(GraspQuality, SimoxMeasuresFromTheHullsCentre) {
-  std::vector<GraspContact> pinch = MakePinch(1.0, 0.5, 0.2);
-  pinch[1].nhat_O *= -1.0;
-  const GraspQuality quality = CalcGraspQuality(MakeRequest(pinch, "simox", 1.0));
-  EXPECT_FALSE(quality.force_closure);
-  EXPECT_GT(quality.epsilon, 0.0);
+  // Measured from the hull's own centre, a grasp that cannot close still gets a positive number.
+  std::vector<GraspContact> one_sided = MakePinch(1.0, 0.5, 0.2);
+  one_sided[1].nhat_O *= -1.0;
+  const GraspQuality simox = CalcGraspQuality(MakeRequest(one_sided, "simox", 1.0));
+  EXPECT_FALSE(simox.force_closure);
+  EXPECT_GT(simox.epsilon, 0.0);
 }
 
 // Three hard contacts that pull one way cannot close; with the origin their wrenches still span a
@@ -106,14 +108,6 @@ TEST(GraspQuality, AllMeasuresOfACube) {
       "distance of the surface from the centre of mass)");
 }
 
-// Normals written with seven digits are unit within 1e-6 only; the measures are those of true
-// units.
-TEST(GraspQuality, NormalsAreMadeUnit) {
-  std::vector<GraspContact> cube = MakeCubeGrasp(0.02, 0.5);
-  for (GraspContact& contact : cube) contact.nhat_O *= 1.0 + 9e-7;
-  EXPECT_NEAR(CalcEpsilonBy("ferrari-canny", cube, 0.02), 0.5 * std::sqrt(2.0 / 3.0), 1e-12);
-}
-
 TEST(GraspQuality, TellsEveryProblem) {
   QualityRequest request = MakeRequest(MakePinch(0.03, 0.5, 0.0), "ferrari-canny", 0.05);
   EXPECT_TRUE(ListProblems(request).empty());
@@ -145,16 +139,131 @@ TEST(GraspQuality, TellsEveryProblem) {
   EXPECT_EQ(ListProblems(request).front(), "contacts: found 1, expected 2 to 64");
 }
 
-TEST(QualityConvention, UnknownNamesAreSuggested) {
-  try {
-    FindQualityConvention("grasp-it");
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::kNotFound);
-    EXPECT_STREQ(error.what(),
-                 "no quality convention \"grasp-it\"; did you mean \"graspit\"? Known: "
-                 "ferrari-canny, graspit, simox, dexgraspbench, dex-net, frogger");
+using Wrench = Eigen::Matrix<double, 6, 1>;
+
+// A set has the origin inside if weights balance it (W lambda = 0) that are all at least some t >
+// 0, and it fills all dimensions. As a program: lambda = mu + t, maximise t with sum mu + N t <= 1.
+bool HasOriginInside(const WrenchMatrix& wrenches) {
+  const Eigen::Index n = wrenches.cols();
+  Eigen::MatrixXd A(13, n + 1);
+  A.topRows(6) << wrenches, wrenches.rowwise().sum();
+  A.middleRows(6, 6) = -A.topRows(6);
+  A.row(12) << Eigen::RowVectorXd::Ones(n), n;
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(13);
+  b[12] = 1.0;
+  const LinearProgramResult result = SolveLinearProgram(A, b, Eigen::VectorXd::Unit(n + 1, n));
+  return result.value > 1e-9 && Eigen::FullPivLU<WrenchMatrix>(wrenches).rank() == 6;
+}
+
+TEST(ForceClosure, AgreesWithALinearProgram) {
+  RandomStream stream("force closure", "program");
+  int num_closed = 0;
+  for (int i = 0; i < 100; ++i) {
+    const WrenchMatrix wrenches =
+        CalcConeWrenches(MakeRandomGrasp(stream, 2 + stream.NextIndex(4)), {}).wrenches;
+    const bool is_closed = CalcEpsilonBounds(wrenches).lower > 0.0;
+    ASSERT_EQ(is_closed, HasOriginInside(wrenches)) << "grasp " << i;
+    num_closed += is_closed;
   }
+  EXPECT_GT(num_closed, 20);
+  EXPECT_LT(num_closed, 80);
+}
+
+// Two opposite hard contacts at +-a on x: forces give 2, 2, 2 (squared), moments about y and z
+// 2 (a / rho)^2, about x nothing; a pad adds two unit moments about x. Singular values are the
+// roots.
+TEST(MinSingularValue, PinchByHand) {
+  WrenchSpace space;
+  space.torque_scale = 0.1;
+  std::vector<GraspContact> contacts{{{0.03, 0, 0}, {-1, 0, 0}, 0.5, 0.0, std::nullopt},
+                                     {{-0.03, 0, 0}, {1, 0, 0}, 0.5, 0.0, std::nullopt}};
+  EXPECT_EQ(CalcMinSingularValue(CalcGraspMatrix(contacts, space)), 0.0);
+  for (GraspContact& contact : contacts) contact.torsion = 0.002;
+  EXPECT_NEAR(CalcMinSingularValue(CalcGraspMatrix(contacts, space)), std::sqrt(2.0) * 0.3, 1e-12);
+  EXPECT_EQ(CalcMinSingularValue(CalcGraspMatrix({contacts[0]}, space)), 0.0);
+}
+
+// Squeezing along x, friction carries a load along y: mu N with N the sum of both normal forces.
+// Along the squeeze only one finger pushes. A moment about the line between the pads is held by
+// torsion.
+TEST(TaskForce, PinchByHand) {
+  constexpr double kMu = 0.4, kTorsion = 0.003;
+  WrenchSpace space;
+  space.torque_scale = 0.05;
+  std::vector<GraspContact> contacts{
+      {{0.03, 0, 0}, {-1, 0, 0}, kMu, kTorsion, Eigen::Vector3d::UnitY()},
+      {{-0.03, 0, 0}, {1, 0, 0}, kMu, kTorsion, Eigen::Vector3d::UnitY()}};
+  const ConeWrenches cones = CalcConeWrenches(contacts, space);
+  EXPECT_NEAR(CalcTaskForce(cones, Wrench::Unit(1), ForceLimit::kSum), kMu, 1e-12);
+  EXPECT_NEAR(CalcTaskForce(cones, Wrench::Unit(1), ForceLimit::kEach), 2.0 * kMu, 1e-12);
+  EXPECT_NEAR(CalcTaskForce(cones, -Wrench::Unit(2), ForceLimit::kEach), 2.0 * kMu, 1e-12);
+  EXPECT_NEAR(CalcTaskForce(cones, Wrench::Unit(0), ForceLimit::kSum), 1.0, 1e-12);
+  EXPECT_NEAR(CalcTaskForce(cones, Wrench::Unit(0), ForceLimit::kEach), 1.0, 1e-12);
+  EXPECT_NEAR(CalcTaskForce(cones, Wrench::Unit(3), ForceLimit::kSum), kTorsion / 0.05, 1e-12);
+  EXPECT_NEAR(CalcTaskForce(cones, Wrench::Unit(3), ForceLimit::kEach), 2 * kTorsion / 0.05, 1e-12);
+  // A couple about z: both fingers rub in opposite directions at the lever 0.03 m.
+  EXPECT_NEAR(CalcTaskForce(cones, Wrench::Unit(5), ForceLimit::kSum), kMu * 0.03 / 0.05, 1e-12);
+}
+
+// Two spheres of one pad touch at nearly one point; all contacts lie in a plane. Rounding then looks
+// like a way to infinity. Whatever touches besides can only help, and what touches where something
+// does already helps no more than by the distance; a program whose
+// bounds were widened by 1e-8 is off by that times its prices.
+TEST(TaskForce, ContactsThatNearlyCoincide) {
+  RandomStream stream("task force", "coincide");
+  for (int i = 0; i < 4000; ++i) {
+    std::vector<GraspContact> contacts = MakeRandomGrasp(stream, 3 + stream.NextIndex(4));
+    for (GraspContact& contact : contacts) contact.p_OC.z() = 0.0;
+    const ConeWrenches before = CalcConeWrenches(contacts, {});
+    const size_t num_contacts = contacts.size();
+    const double distance = std::pow(10.0, stream.NextUniform(-9.0, -6.0));
+    for (int copy = 0; copy < 4; ++copy) {
+      GraspContact contact = contacts[stream.NextIndex(num_contacts)];
+      contact.p_OC += distance * MakeRandomDirection(stream);
+      contacts.push_back(contact);
+    }
+    const ConeWrenches after = CalcConeWrenches(contacts, {});
+    for (int axis = 0; axis < 6; ++axis) {
+      const double old_force = CalcTaskForce(before, Wrench::Unit(axis), ForceLimit::kSum);
+      const double new_force = CalcTaskForce(after, Wrench::Unit(axis), ForceLimit::kSum);
+      ASSERT_GE(new_force, old_force - 1e-5) << "grasp " << i << ", axis " << axis;
+      ASSERT_LE(new_force, old_force + 100.0 * distance + 1e-5)
+          << "grasp " << i << ", axis " << axis;
+    }
+  }
+}
+
+// With the sum limited it is the distance to the hull along the direction, by Qhull's facets; never
+// below epsilon; with each contact limited never below that, never above that times the contacts.
+TEST(TaskForce, IsTheDistanceToTheHull) {
+  RandomStream stream("task force", "hull");
+  int num_closed = 0;
+  for (int i = 0; i < 40; ++i) {
+    const int num_contacts = 3 + stream.NextIndex(4);
+    const ConeWrenches cones = CalcConeWrenches(MakeRandomGrasp(stream, num_contacts), {});
+    const WrenchHull hull = CalcWrenchHull(cones.wrenches);
+    const double epsilon = CalcEpsilon(hull);
+    if (epsilon == 0.0) continue;
+    ++num_closed;
+    for (int k = 0; k < 6; ++k) {
+      Wrench direction;
+      for (double& value : direction) value = stream.NextNormal();
+      direction.normalize();
+      if (k < 2) direction = Wrench::Unit(stream.NextIndex(6));
+      double distance = 1e300;
+      for (int facet = 0; facet < hull.offsets.size(); ++facet) {
+        const double slope = hull.normals.col(facet).dot(direction);
+        if (slope > 1e-12) distance = std::min(distance, hull.offsets[facet] / slope);
+      }
+      const double sum_limited = CalcTaskForce(cones, direction, ForceLimit::kSum);
+      const double each_limited = CalcTaskForce(cones, direction, ForceLimit::kEach);
+      ASSERT_NEAR(sum_limited, distance, 1e-8 * (1.0 + distance));
+      ASSERT_GE(sum_limited, epsilon - 1e-9);
+      ASSERT_GE(each_limited, sum_limited - 1e-9);
+      ASSERT_LE(each_limited, num_contacts * sum_limited + 1e-9);
+    }
+  }
+  EXPECT_GT(num_closed, 10);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 /** @file
 Grasps with known answers and random ones, for the tests of wrench space and quality. */
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -65,11 +66,16 @@ inline std::vector<GraspContact> MakeRandomGrasp(RandomStream& stream, int num_c
       for (int k = 0; k < 3; ++k) p[k] = stream.NextUniform(-half[k], half[k]);
       p[axis] = -n[axis] * half[axis];
     }
-    const ContactState state =
-        stream.NextIndex(4) == 0 ? ContactState::kSliding : ContactState::kSticking;
-    contacts.push_back(MakePadContact(p, n, state, 0.7, 0.4, is_soft ? 0.1 : 0.0));
+    const double mu = stream.NextIndex(4) == 0 ? 0.4 : 0.7;
+    contacts.push_back({p, n, mu, is_soft ? 0.1 * mu : 0.0, std::nullopt});
   }
   return contacts;
+}
+
+/** Turned about a random axis. */
+inline Eigen::Matrix3d MakeRandomRotation(RandomStream& stream) {
+  const double angle = stream.NextUniform(0.0, 6.0);
+  return Eigen::AngleAxisd(angle, MakeRandomDirection(stream)).toRotationMatrix();
 }
 
 /** The contacts moved by a rotation and a translation, cone edges with them. */

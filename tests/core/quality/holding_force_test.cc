@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 constexpr double kArm = 0.02, kMu = 0.5, kForce = 3.0;
 
 /** Two digits press with kForce each at +-kArm on the x axis. */
-LoadedGrasp MakePinch() {
+LoadedGrasp MakeLoadedPinch() {
   LoadedGrasp grasp;
   grasp.radius = kArm;
   for (const double side : {-1.0, 1.0}) {
@@ -34,7 +34,7 @@ double CalcHoldingForce(const LoadedGrasp& grasp, const Vector3d& direction) {
 
 // Across the line of the contacts both give mu F; along it one digit presses alone.
 TEST(HoldingForce, APinchByHand) {
-  const LoadedGrasp grasp = MakePinch();
+  const LoadedGrasp grasp = MakeLoadedPinch();
   EXPECT_NEAR(CalcHoldingForce(grasp, Vector3d::UnitY()), 2.0 * kMu * kForce, 1e-9);
   EXPECT_NEAR(CalcHoldingForce(grasp, -Vector3d::UnitZ()), 2.0 * kMu * kForce, 1e-9);
   EXPECT_NEAR(CalcHoldingForce(grasp, Vector3d::UnitX()), kForce, 1e-9);
@@ -44,7 +44,7 @@ TEST(HoldingForce, APinchByHand) {
 }
 
 TEST(HoldingForce, TheWeightIsPartOfTheLoad) {
-  LoadedGrasp grasp = MakePinch();
+  LoadedGrasp grasp = MakeLoadedPinch();
   grasp.weight = Vector3d(0.0, -1.2, 0.0);
   EXPECT_NEAR(CalcHoldingForce(grasp, -Vector3d::UnitY()), 2.0 * kMu * kForce - 1.2, 1e-9);
   EXPECT_NEAR(CalcHoldingForce(grasp, Vector3d::UnitY()), 2.0 * kMu * kForce + 1.2, 1e-9);
@@ -58,7 +58,7 @@ TEST(HoldingForce, TheWeightIsPartOfTheLoad) {
 // the moment of that, weight * arm, must stay below the tolerance 0.03 * 2 F * radius, or the digit
 // behind takes its share.
 TEST(HoldingForce, MomentsAreBalancedButForTheTolerance) {
-  LoadedGrasp grasp = MakePinch();
+  LoadedGrasp grasp = MakeLoadedPinch();
   const double tolerated = 0.03 * 2.0 * kForce;
   grasp.weight = Vector3d(0.0, -tolerated, 0.0);
   EXPECT_NEAR(CalcHoldingForce(grasp, Vector3d::UnitX()), kForce, 1e-9);
@@ -69,7 +69,7 @@ TEST(HoldingForce, MomentsAreBalancedButForTheTolerance) {
 }
 
 TEST(HoldingForce, ADigitSharesItsForceAmongItsContacts) {
-  LoadedGrasp grasp = MakePinch();
+  LoadedGrasp grasp = MakeLoadedPinch();
   grasp.contacts.push_back(grasp.contacts[1]);
   grasp.contacts[1].p_OC.y() = 0.01;
   grasp.contacts[2].p_OC.y() = -0.01;
@@ -113,8 +113,74 @@ TEST(HoldingForce, GrowsWithForceAndFrictionAndWithNothingElse) {
   }
 }
 
-TEST(HoldingForce, NothingHoldsNothing) {
-  EXPECT_EQ(CalcHoldingForce(LoadedGrasp(), Vector3d::UnitX()), 0.0);
+constexpr double kWeight = 1.2;  // of the smallest grip [N]
+
+/** Digit 0 at -kArm on the x axis is free; the others press from +kArm at these y. */
+LoadedGrasp MakeGrasp(const std::vector<double>& others) {
+  LoadedGrasp grasp;
+  grasp.radius = kArm;
+  grasp.weight = Vector3d(0.0, 0.0, -kWeight);
+  const auto add = [&](double x, double y, int digit) {
+    grasp.contacts.push_back(
+        {Vector3d(x, y, 0), Vector3d(x > 0.0 ? -1.0 : 1.0, 0, 0), kMu, 0.0, Vector3d::UnitZ()});
+    grasp.normal_forces.push_back(0.0);
+    grasp.digits.push_back(digit);
+  };
+  add(-kArm, 0.0, 0);
+  for (const double y : others) add(kArm, y, static_cast<int>(grasp.digits.size()));
+  return grasp;
+}
+std::vector<bool> FreeFirst(const LoadedGrasp& grasp) {
+  std::vector<bool> is_free(grasp.contacts.size(), false);
+  is_free.front() = true;
+  return is_free;
+}
+double Calc(const LoadedGrasp& grasp) {
+  return CalcSmallestGrip(grasp, FreeFirst(grasp)).value_or(kUnset);
+}
+
+// weight = 2 mu F, shared by as many as press on one side.
+TEST(SmallestGrip, OpposedDigitsInClosedForm) {
+  EXPECT_NEAR(Calc(MakeGrasp({0.0})), kWeight / (2.0 * kMu), 1e-9);
+  EXPECT_NEAR(Calc(MakeGrasp({0.01, -0.01})), kWeight / (2.0 * kMu) / 2.0, 1e-9);
+  EXPECT_NEAR(Calc(MakeGrasp({0.01, 0.0, -0.01})), kWeight / (2.0 * kMu) / 3.0, 1e-9);
+}
+
+TEST(SmallestGrip, IsProportionalToTheWeightAndKnowsNoFrame) {
+  LoadedGrasp grasp = MakeGrasp({0.01, -0.01});
+  const double before = Calc(grasp);
+  grasp.weight *= 7.0;
+  EXPECT_NEAR(Calc(grasp), 7.0 * before, 1e-8);
+  const Eigen::Matrix3d R =
+      Eigen::AngleAxisd(1.1, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  for (GraspContact& contact : grasp.contacts) {
+    contact.p_OC = R * contact.p_OC;
+    contact.nhat_O = R * contact.nhat_O;
+    contact.first_edge_O = R * *contact.first_edge_O;
+  }
+  grasp.weight = R * grasp.weight;
+  EXPECT_NEAR(Calc(grasp), 7.0 * before, 2e-3 * 7.0 * before);  // the tolerance is by axes
+}
+
+// From below the normals carry it and friction is not needed: one on each slope of a roof.
+TEST(SmallestGrip, WhatLiesOnTheDigitsNeedsNoSqueeze) {
+  LoadedGrasp grasp = MakeGrasp({0.0});
+  for (GraspContact& contact : grasp.contacts) {
+    contact.mu = 1e-6;
+    contact.nhat_O = (contact.nhat_O + Vector3d::UnitZ()).normalized();
+  }
+  EXPECT_NEAR(Calc(grasp), kWeight / std::sqrt(2.0), 1e-4);
+}
+
+TEST(SmallestGrip, ContactsThatCannotBearItAreNamed) {
+  LoadedGrasp one_sided = MakeGrasp({0.01, -0.01});
+  one_sided.contacts.erase(one_sided.contacts.begin());
+  one_sided.digits.erase(one_sided.digits.begin());
+  EXPECT_FALSE(CalcSmallestGrip(one_sided, {false, false}));
+  LoadedGrasp slippery = MakeGrasp({0.0});
+  for (GraspContact& contact : slippery.contacts) contact.mu = 0.0;
+  EXPECT_FALSE(CalcSmallestGrip(slippery, FreeFirst(slippery)));
+  EXPECT_FALSE(CalcSmallestGrip(LoadedGrasp{{}, {}, {}, Vector3d(0, 0, -1), 0.02}, {}));
 }
 
 }  // namespace

@@ -34,14 +34,6 @@ TEST(LinearProgram, BealesExampleDoesNotCycle) {
   EXPECT_NEAR(result.value, 0.05, 1e-12);
 }
 
-TEST(LinearProgram, NothingToGainIsZero) {
-  const LinearProgramResult result = SolveLinearProgram(
-      Eigen::MatrixXd::Identity(2, 2), Eigen::Vector2d(1, 1), Eigen::Vector2d(-1, 0));
-  EXPECT_EQ(result.end, LinearProgramEnd::kOptimum);
-  EXPECT_EQ(result.value, 0.0);
-  EXPECT_EQ(result.x, Eigen::Vector2d(0, 0));
-}
-
 TEST(LinearProgram, TellsWhenThereIsNoLimit) {
   const Eigen::MatrixXd A = (Eigen::MatrixXd(1, 2) << 1, -1).finished();
   EXPECT_EQ(SolveLinearProgram(A, Eigen::VectorXd::Ones(1), Eigen::Vector2d(1, 0)).end,

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <functional>
 #include <limits>
+#include <string>
 
 #include "tests/core/quality/grasp_samples.h"
 
@@ -58,21 +60,6 @@ TEST(WrenchSpace, ConesOpenByTheirFriction) {
   }
 }
 
-TEST(WrenchSpace, FrictionFollowsTheStateOfTheContact) {
-  const Eigen::Vector3d p(0.0, 0.0, 1.0), n(0.0, 0.0, -1.0);
-  const GraspContact sticking = MakePadContact(p, n, ContactState::kSticking, 0.8, 0.6, 0.004);
-  const GraspContact sliding = MakePadContact(p, n, ContactState::kSliding, 0.8, 0.6, 0.004);
-  EXPECT_EQ(sticking.mu, 0.8);
-  EXPECT_EQ(sticking.torsion, 0.8 * 0.004);
-  EXPECT_EQ(sliding.mu, 0.6);
-  EXPECT_EQ(sliding.torsion, 0.6 * 0.004);
-
-  const ConeWrenches cones =
-      CalcConeWrenches({sticking, {p, n, 0.0, 0.0, std::nullopt}, sliding}, {});
-  EXPECT_EQ(cones.contact_indices,
-            (std::vector<int>{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2}));
-}
-
 TEST(WrenchSpace, GraspMatrixMapsContactForcesToTheWrench) {
   const GraspContact contact{
       {0.2, 0.0, 0.0}, {-1.0, 0.0, 0.0}, 0.5, 0.02, Eigen::Vector3d(0.0, 1.0, 0.0)};
@@ -93,31 +80,24 @@ TEST(WrenchSpace, TellsWhatIsWrongWithAContact) {
   const GraspContact good{
       {0.1, 0.0, 0.0}, {-0.6, 0.8, 0.0}, 0.5, 0.0, Eigen::Vector3d(0.0, 0.0, 2.0)};
   EXPECT_EQ(FindProblem(good), "");
-  GraspContact bad = good;
-  bad.p_OC.y() = kNaN;
-  EXPECT_EQ(FindProblem(bad), "the position is (0.1, nan, 0); expected three numbers within 100 m");
-  bad = good;
-  bad.nhat_O *= 0.9;
-  EXPECT_EQ(FindProblem(bad),
-            "the normal's length is 0.9; expected 1 within 1e-6 (a unit vector into the object)");
-  bad.nhat_O.setConstant(kNaN);
-  EXPECT_NE(FindProblem(bad), "");
-  bad = good;
-  bad.mu = -0.1;
-  EXPECT_EQ(FindProblem(bad), "the friction coefficient is -0.1; expected 0 to 100");
-  bad.mu = kNaN;
-  EXPECT_NE(FindProblem(bad), "");
-  bad = good;
-  bad.torsion = -1.0;
-  EXPECT_EQ(FindProblem(bad), "the torsion is -1 m; expected 0 to 100 m");
-  for (const Eigen::Vector3d& edge :
-       {Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(-1.2, 1.6, 0.0),
-        Eigen::Vector3d(kNaN, 0.0, 0.0)}) {
-    bad = good;
-    bad.first_edge_O = edge;
-    EXPECT_EQ(
-        FindProblem(bad),
-        "the direction of the first cone edge is zero or along the normal; expected a tangent");
+  const std::string edge =
+      "the direction of the first cone edge is zero or along the normal; expected a tangent";
+  const std::pair<std::function<void(GraspContact&)>, std::string> cases[] = {
+      {[](auto& c) { c.p_OC.y() = kNaN; },
+       "the position is (0.1, nan, 0); expected three numbers within 100 m"},
+      {[](auto& c) { c.nhat_O *= 0.9; },
+       "the normal's length is 0.9; expected 1 within 1e-6 (a unit vector into the object)"},
+      {[](auto& c) { c.nhat_O.setConstant(kNaN); },
+       "the normal's length is nan; expected 1 within 1e-6 (a unit vector into the object)"},
+      {[](auto& c) { c.mu = -0.1; }, "the friction coefficient is -0.1; expected 0 to 100"},
+      {[](auto& c) { c.mu = kNaN; }, "the friction coefficient is nan; expected 0 to 100"},
+      {[](auto& c) { c.torsion = -1.0; }, "the torsion is -1 m; expected 0 to 100 m"},
+      {[](auto& c) { c.first_edge_O = Eigen::Vector3d::Zero(); }, edge},
+      {[](auto& c) { c.first_edge_O = 2.0 * c.nhat_O; }, edge}};
+  for (const auto& [spoil, problem] : cases) {
+    GraspContact bad = good;
+    spoil(bad);
+    EXPECT_EQ(FindProblem(bad), problem);
   }
 }
 

@@ -38,30 +38,6 @@ TEST(DisplayMeshTest, SphereHasRadialNormals) {
   }
 }
 
-// Files often repeat vertices where texture patches meet; no seam may show.
-TEST(DisplayMeshTest, RepeatedVerticesCountAsOne) {
-  const TriMesh sphere = MakeSphere(0.03, 32);
-  TriMesh soup;
-  for (const Eigen::Vector3i& triangle : sphere.triangles) {
-    const int n = soup.num_vertices();
-    for (int i = 0; i < 3; ++i) soup.vertices.push_back(sphere.vertices[triangle[i]]);
-    soup.triangles.push_back(Eigen::Vector3i(n, n + 1, n + 2));
-  }
-  const DisplayMesh display = MakeDisplayMesh(soup, 0.7);
-  EXPECT_EQ(static_cast<int>(display.vertices.size()), sphere.num_vertices());
-}
-
-TEST(DisplayMeshTest, TrianglesWithoutAreaAreLeftOut) {
-  TriMesh mesh;
-  mesh.vertices = {Vector3d::Zero(), Vector3d::UnitX(), Vector3d::UnitY(), 2.0 * Vector3d::UnitX()};
-  mesh.triangles = {Eigen::Vector3i(0, 1, 2), Eigen::Vector3i(0, 1, 3), Eigen::Vector3i(0, 0, 2)};
-  const DisplayMesh display = MakeDisplayMesh(mesh, 0.7);
-  ASSERT_EQ(display.indices.size(), 3u);
-  for (const uint32_t index : display.indices) {
-    EXPECT_TRUE(display.vertices[index].normal.isApprox(Vector3f::UnitZ()));
-  }
-}
-
 TEST(DisplayMeshTest, ClosedMeansFacingOutwardsAllAround) {
   const TriMesh cube = MakeRoundedBox(Vector3d::Constant(2.0), 0.0);
   EXPECT_TRUE(MakeDisplayMesh(cube, 0.7).is_closed);

@@ -30,12 +30,6 @@ TEST(GlContextTest, NamesThePackageOfAMissingLibrary) {
             "install the Debian package libosmesa6");
 }
 
-TEST(GlContextTest, RefusesALibraryThatIsNotOsMesa) {
-  EXPECT_EQ(FindMessage("libpng16.so.16"),
-            "\"libpng16.so.16\" has no function OSMesaCreateContextAttribs; expected OSMesa 22 of "
-            "the Debian package libosmesa6");
-}
-
 // In a process of its own: Mesa looks for its folder once.
 TEST(GlContextTest, CompiledShadersAreKeptInAPrivateFolder) {
   namespace fs = std::filesystem;
@@ -65,19 +59,6 @@ TEST(GlContextTest, CompiledShadersAreKeptInAPrivateFolder) {
   EXPECT_EQ(index.st_size, 8 + 65536 * 20) << "another Mesa?";
   EXPECT_GE(index.st_blocks * 512, index.st_size);
   fs::remove_all(cache);
-}
-
-TEST(GlContextTest, TwoContextsLiveSideBySide) {
-  GlContext first;
-  GlContext second;
-  GLuint buffer = 0;
-  first.MakeCurrent();
-  first.functions().GenBuffers(1, &buffer);
-  EXPECT_EQ(buffer, 1u);
-  second.MakeCurrent();
-  second.functions().GenBuffers(1, &buffer);
-  EXPECT_EQ(buffer, 1u);  // its own names
-  EXPECT_EQ(second.functions().GetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 }  // namespace

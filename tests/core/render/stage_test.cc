@@ -55,17 +55,5 @@ TEST(StageTest, ALightMapHoldsItsCorners) {
   }
 }
 
-TEST(StageTest, AShadowLiesWhereTheKeyLightThrowsIt) {
-  const Vector3d corner(0.1, -0.2, 0.3);
-  const Vector4d area = FindShadowArea({corner});
-  const Vector3d shadow = corner - corner.z() / kToKey.z() * kToKey;
-  for (const Vector3d& p : {corner, shadow}) {
-    for (int axis = 0; axis < 2; ++axis) {
-      EXPECT_GT(p[axis], area[axis]);
-      EXPECT_LT(p[axis], area[axis] + area[axis + 2]);
-    }
-  }
-}
-
 }  // namespace
 }  // namespace graspbench

@@ -4,7 +4,7 @@
 
 #include "core/base/random.h"
 #include "core/shape/primitives.h"
-#include "core/shape/repair/mesh_shells.h"
+#include "core/shape/repair/mesh_topology.h"
 
 namespace graspbench {
 namespace {

@@ -1,7 +1,13 @@
 #include "core/shape/obj_file.h"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "core/base/random.h"
+#include "core/base/units.h"
 #include "core/shape/primitives.h"
 
 namespace graspbench {
@@ -53,6 +59,94 @@ TEST(ObjFileTest, TellsWhatIsWrongWithItsLine) {
   }
   EXPECT_EQ(problems_of(v), "a.obj: error: the mesh has no triangle");
   EXPECT_EQ(problems_of(""), "a.obj: error: the mesh has no triangle");
+}
+
+const Eigen::Vector3d kNormal =
+    Eigen::Vector3d(1.0, 2.0, -0.5).cross(Eigen::Vector3d(0.3, 0.1, 0.9)).normalized();
+
+/** A polygon in a tilted plane, as a file has it. */
+TriMesh ParsePolygon(const std::vector<Eigen::Vector2d>& points, Diagnostics& problems) {
+  const Eigen::Vector3d u = Eigen::Vector3d(1.0, 2.0, -0.5).normalized(), v = kNormal.cross(u);
+  std::string text, face = "f";
+  for (size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3d p = points[i].x() * u + points[i].y() * v;
+    text += fmt::format("v {:.17g} {:.17g} {:.17g}\n", p.x(), p.y(), p.z());
+    face += " " + std::to_string(i + 1);
+  }
+  return ParseObj(text + face + "\n", "p.obj", problems);
+}
+
+double CalcPolygonArea(const std::vector<Eigen::Vector2d>& points) {  // the shoelace formula
+  double twice = 0.0;
+  for (size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector2d &a = points[i], &b = points[(i + 1) % points.size()];
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  return 0.5 * twice;
+}
+
+// Every triangle turns like the polygon and together they have its area: they cover it once.
+void ExpectCovered(const std::vector<Eigen::Vector2d>& points) {
+  Diagnostics problems;
+  const TriMesh mesh = ParsePolygon(points, problems);
+  ASSERT_EQ(mesh.triangles.size(), points.size() - 2) << problems.Format();
+  double area = 0.0;
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    const auto& v = mesh.vertices;
+    const double part = 0.5 * (v[t[1]] - v[t[0]]).cross(v[t[2]] - v[t[0]]).dot(kNormal);
+    EXPECT_GE(part, -1e-12);
+    area += part;
+  }
+  EXPECT_NEAR(area, CalcPolygonArea(points), 1e-9 * std::abs(area));
+}
+
+TEST(PolygonTest, TrianglesCoverItOnce) {
+  ExpectCovered({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  // An arrow whose fan about the first corner would leave it.
+  ExpectCovered({{0, 0}, {2, 1}, {0, 2}, {1, 1}});
+  ExpectCovered({{2, 1}, {0, 2}, {1, 1}, {0, 0}});
+  // An L, a comb, a corner in the middle of an edge, a square with a hole joined by a bridge.
+  ExpectCovered({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}});
+  ExpectCovered({{0, 0}, {5, 0}, {5, 3}, {4, 1}, {3, 3}, {2, 1}, {1, 3}, {0, 1}});
+  ExpectCovered({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {1, 1}, {0, 2}});
+  ExpectCovered({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}});
+}
+
+TEST(PolygonTest, RandomStarsAreCovered) {
+  RandomStream random("polygon", "stars");
+  for (int trial = 0; trial < 200; ++trial) {
+    const int count = 4 + random.NextIndex(60);
+    std::vector<Eigen::Vector2d> points;
+    for (int i = 0; i < count; ++i) {
+      const double angle = 2.0 * kPi * i / count, radius = random.NextUniform(0.2, 1.0);
+      points.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+    }
+    ExpectCovered(points);
+  }
+}
+
+TEST(PolygonTest, CrossedAndFlatOnesCloseWhatTheyClose) {
+  RandomStream random("polygon", "crossed");
+  for (int trial = 0; trial < 100; ++trial) {
+    std::vector<Eigen::Vector2d> points;
+    for (int i = 0; i < 12; ++i)
+      points.emplace_back(random.NextUnit(), trial % 5 ? random.NextUnit() : 0.0);
+    Diagnostics problems;
+    const TriMesh mesh = ParsePolygon(points, problems);
+    // As a chain of directed edges the triangles leave exactly the polygon's rim.
+    std::vector<std::vector<int>> net(12, std::vector<int>(12, 0));
+    for (const Eigen::Vector3i& t : mesh.triangles) {
+      for (int k = 0; k < 3; ++k) {
+        ++net[t[k]][t[(k + 1) % 3]];
+        --net[t[(k + 1) % 3]][t[k]];
+      }
+    }
+    for (int i = 0; i < 12; ++i) {
+      for (int j = 0; j < 12; ++j) {
+        EXPECT_EQ(net[i][j], (j == (i + 1) % 12) - (i == (j + 1) % 12));
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include "core/base/units.h"
 #include "core/shape/mass_properties.h"
-#include "core/shape/repair/weld_vertices.h"
+#include "core/shape/repair/mesh_topology.h"
 
 namespace graspbench {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "core/base/random.h"
 #include "core/statistics/distributions.h"
+#include "core/statistics/summary.h"
 
 namespace graspbench {
 namespace {
@@ -74,18 +75,6 @@ TEST(Bootstrap, AgreesWithAllResamplesOfFive) {
   }
 }
 
-TEST(Bootstrap, SameIdSameIntervalAndMovesWithTheData) {
-  std::vector<double> values = {3, 1, 4, 1, 5, 9, 2, 6};
-  const auto first = CalcBootstrap(8, MakeMean(values), "a", 999);
-  const auto again = CalcBootstrap(8, MakeMean(values), "a", 999);
-  const auto other = CalcBootstrap(8, MakeMean(values), "b", 999);
-  EXPECT_EQ(first->interval.low, again->interval.low);
-  EXPECT_NE(first->interval.low, other->interval.low);
-  for (double& value : values) value = 2.0 * value + 16.0;
-  const auto moved = CalcBootstrap(8, MakeMean(values), "a", 999);
-  EXPECT_DOUBLE_EQ(moved->interval.high, 2.0 * first->interval.high + 16.0);
-}
-
 TEST(Bootstrap, CoversTheMeanAboutAsOftenAsItSays) {
   RandomStream random("coverage", "test");
   int num_covered = 0;
@@ -118,6 +107,29 @@ TEST(Bootstrap, GivesReasons) {
   };
   EXPECT_EQ(CalcBootstrap(6, needs_all, "x").reason(),
             "the statistic has no value for some resamples");
+}
+
+// Student's sleep data, difference of the two drugs; R 4.2: t.test(...): t = 4.0621, df = 9,
+// p-value = 0.002833, 0.7001142 to 2.4598858.
+TEST(Jackknife, OfTheMeanIsStudentsT) {
+  const std::vector<double> extra = {1.2, 2.4, 1.3, 1.3, 0.0, 1.0, 1.8, 0.8, 4.6, 1.4};
+  const Answer<JackknifeInterval> result = CalcJackknife(extra.size(), MakeMean(extra));
+  ASSERT_TRUE(result) << result.reason();
+  EXPECT_NEAR(result->estimate, 1.58, 1e-12);
+  EXPECT_NEAR(result->estimate / result->standard_error, 4.0621, 5e-5);
+  EXPECT_NEAR(result->interval.low, 0.7001142, 5e-8);
+  EXPECT_NEAR(result->interval.high, 2.4598858, 5e-8);
+  EXPECT_NEAR(result->p, 0.002833, 5e-7);
+}
+
+TEST(Jackknife, GivesReasons) {
+  const auto constant = [](const std::vector<size_t>&) { return 1.0; };
+  EXPECT_EQ(CalcJackknife(2, constant).reason(), "2 to leave out; expected 3 or more");
+  EXPECT_EQ(CalcJackknife(3, constant).reason(), "the statistic does not depend on who is drawn");
+  const auto missing = [](const std::vector<size_t>& members) {
+    return members.front() == 0 ? static_cast<double>(members.size()) : std::nan("");
+  };
+  EXPECT_EQ(CalcJackknife(3, missing).reason(), "the statistic has no value without member 1");
 }
 
 }  // namespace

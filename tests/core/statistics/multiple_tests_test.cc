@@ -8,16 +8,6 @@
 namespace graspbench {
 namespace {
 
-TEST(MultipleTests, KnownAnswers) {
-  const std::vector<double> p = {0.001, 0.012, 0.03, 0.04};
-  const std::vector<double> holm = {0.004, 0.036, 0.06, 0.06};
-  for (size_t i = 0; i < p.size(); ++i) EXPECT_NEAR(AdjustHolm(p)[i], holm[i], 1e-15);
-  const std::vector<double> discovery = {0.004, 0.024, 0.04, 0.04};
-  for (size_t i = 0; i < p.size(); ++i) {
-    EXPECT_NEAR(AdjustBenjaminiHochberg(p)[i], discovery[i], 1e-15);
-  }
-}
-
 TEST(MultipleTests, TheExampleOfBenjaminiAndHochberg) {
   // Their Table 1: four of fifteen are found at 0.05, by Holm three.
   const std::vector<double> p = {0.0001, 0.0004, 0.0019, 0.0095, 0.0201, 0.0278, 0.0298, 0.0344,

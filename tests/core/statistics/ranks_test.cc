@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <random>
 
 #include "core/base/random.h"
 
@@ -19,16 +21,6 @@ TEST(Spearman, AgreesWithTheFormulaWithoutTies) {
   const auto rho = CalcSpearman({1, 2, 3, 4, 5}, {20, 10, 40, 30, 50});
   ASSERT_TRUE(rho) << rho.reason();
   EXPECT_NEAR(*rho, 1.0 - 6.0 * 4.0 / 120.0, 1e-15);
-}
-
-TEST(Spearman, SeesOrderOnly) {
-  const std::vector<double> a = {0.3, 2.0, 1.1, 7.0, 5.5}, b = {1.0, 3.0, 3.0, 4.0, 2.0};
-  std::vector<double> bent, turned;
-  for (double value : a) bent.push_back(std::exp(value));
-  for (double value : b) turned.push_back(-value);
-  EXPECT_EQ(*CalcSpearman(a, b), *CalcSpearman(bent, b));
-  EXPECT_EQ(*CalcSpearman(a, b), -*CalcSpearman(a, turned));
-  EXPECT_EQ(*CalcSpearman(a, bent), 1.0);
 }
 
 TEST(Spearman, GivesReasons) {
@@ -58,6 +50,95 @@ TEST(RocArea, AgreesWithCountingThePairs) {
   EXPECT_NEAR(*area, won / pairs, 1e-14);
   EXPECT_EQ(*CalcRocArea({1, 2, 3}, {false, true, true}), 1.0);
   EXPECT_EQ(CalcRocArea({1, 2}, {true, true}).reason(), "there is no failure");
+}
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/** Cells of ten trials whose means differ far more than their trials do; b = slope a + noise. The
+generator is the standard library's, not ours. */
+std::vector<PairedGroup> MakeCells(unsigned seed, int num_cells, double slope) {
+  std::mt19937 generator(seed);
+  std::normal_distribution<double> normal;
+  std::vector<PairedGroup> cells;
+  for (int c = 0; c < num_cells; ++c) {
+    const double mean = 20.0 * normal(generator);
+    PairedGroup cell;
+    for (int i = 0; i < 10; ++i) {
+      const double a = normal(generator);
+      cell.a.push_back(mean + a);
+      cell.b.push_back(-3.0 * mean + slope * a + normal(generator));
+    }
+    cells.push_back(cell);
+  }
+  return cells;
+}
+
+TEST(WithinGroups, OneGroupIsSpearman) {
+  const PairedGroup group = {{3.0, 1.0, 4.0, 1.0, 5.0, 9.0}, {2.0, 7.0, 1.0, 8.0, 2.0, 8.0}};
+  const auto within = CalcWithinCorrelation({group}, "one");
+  ASSERT_TRUE(within);
+  EXPECT_NEAR(within->correlation, *CalcSpearman(group.a, group.b), 1e-12);
+  EXPECT_FALSE(within->interval);
+}
+
+// All six orders of three pairs: two of them, the ends, give a correlation as large as 1.
+TEST(WithinGroups, TheShufflesOfThreePairsAreCounted) {
+  const auto within = CalcWithinCorrelation({{{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}}}, "three", 20000);
+  ASSERT_TRUE(within);
+  EXPECT_NEAR(within->p, 1.0 / 3.0, 0.015);
+}
+
+TEST(WithinGroups, WhatLiesBetweenGroupsIsNoEffect) {
+  const auto cells = MakeCells(1, 200, 0.0);
+  std::vector<double> a, b;
+  for (const PairedGroup& cell : cells) {
+    a.insert(a.end(), cell.a.begin(), cell.a.end());
+    b.insert(b.end(), cell.b.begin(), cell.b.end());
+  }
+  EXPECT_LT(*CalcSpearman(a, b), -0.9);
+  const auto within = CalcWithinCorrelation(cells, "between");
+  ASSERT_TRUE(within);
+  EXPECT_NEAR(within->correlation, 0.0, 0.08);  // 3.4 standard deviations of 2,000 pairs
+}
+
+TEST(WithinGroups, APlantedEffectIsFound) {
+  const auto within = CalcWithinCorrelation(MakeCells(2, 20, 0.5), "planted");
+  ASSERT_TRUE(within && within->interval);
+  // Pearson's would be 0.5 / sqrt(1.25) = 0.45; ranks of few lose a little.
+  EXPECT_NEAR(within->correlation, 0.42, 0.12);
+  EXPECT_GT(within->interval->low, 0.1);
+  EXPECT_LT(within->p, 0.01);
+}
+
+TEST(WithinGroups, PlantedIndependenceIsRarelyCalledAnEffect) {
+  int num_found = 0, num_excluded = 0;
+  const int num_runs = 300;
+  for (int run = 0; run < num_runs; ++run) {
+    const auto within = CalcWithinCorrelation(MakeCells(100 + static_cast<unsigned>(run), 8, 0.0),
+                                              "run " + std::to_string(run), 199);
+    ASSERT_TRUE(within && within->interval);
+    num_found += within->p <= 0.05 ? 1 : 0;
+    num_excluded += within->interval->low > 0.0 || within->interval->high < 0.0 ? 1 : 0;
+  }
+  // 5 % are 15; 26 or more come once in 200 such series.
+  EXPECT_LE(num_found, 25);
+  EXPECT_GE(num_found, 5);
+  // Intervals from eight groups are somewhat too narrow.
+  EXPECT_LE(num_excluded, 40);
+}
+
+TEST(WithinGroups, MissingPairsAndGroupsWithoutSpreadAreLeftOut) {
+  const PairedGroup group = {{1.0, 2.0, kNan, 3.0}, {1.0, kNan, 5.0, 2.0}};
+  EXPECT_FALSE(CalcWithinCorrelation({group}, "two pairs"));
+  EXPECT_FALSE(CalcWithinCorrelation({}, "none"));
+  const PairedGroup tied = {{1.0, 2.0, 3.0}, {1.0, 1.0, 1.0}};
+  EXPECT_FALSE(CalcWithinCorrelation({tied}, "tied"));
+  const auto within =
+      CalcWithinCorrelation({tied, {{1.0, 2.0, 3.0, kNan}, {3.0, 2.0, 1.0, 0.0}}}, "one");
+  ASSERT_TRUE(within);
+  EXPECT_EQ(within->num_groups, 1);
+  EXPECT_EQ(within->num_pairs, 3);
+  EXPECT_NEAR(within->correlation, -1.0, 1e-12);
 }
 
 }  // namespace

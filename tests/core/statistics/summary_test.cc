@@ -91,10 +91,5 @@ TEST(Moments, ConstantMeansEqualUpToRounding) {
   EXPECT_FALSE(CalcMoments(MakeNumAcc(1e12 + 0.2, 1e12 + 0.1, 1e12 + 0.3)).is_constant);
 }
 
-TEST(CalcMean, IsTheSumOverTheNumber) {
-  EXPECT_DOUBLE_EQ(CalcMean({1.0, 2.0, 6.0}), 3.0);
-  EXPECT_TRUE(std::isnan(CalcMean({})));
-}
-
 }  // namespace
 }  // namespace graspbench

@@ -72,21 +72,6 @@ TEST_P(DeterminismTest, ATrajectoryRepeatsInAFreshAndInAUsedWorld) {
   EXPECT_EQ(HashTrajectory(setup_, fresh), first);
 }
 
-TEST_P(DeterminismTest, ATrajectoryRepeatsOnEveryThread) {
-  ImplicitWorld world = MakeWorld();
-  const uint64_t alone = HashTrajectory(setup_, world);
-  std::vector<uint64_t> hashes(8);
-  std::vector<std::thread> threads;
-  for (uint64_t& hash : hashes) {
-    threads.emplace_back([this, &hash] {
-      ImplicitWorld own = MakeWorld();
-      hash = HashTrajectory(setup_, own);
-    });
-  }
-  for (std::thread& thread : threads) thread.join();
-  EXPECT_EQ(std::count(hashes.begin(), hashes.end(), alone), 8);
-}
-
 // The record holds the sums of all work, so that every step leaves its mark in it.
 TEST_P(DeterminismTest, RecordsDoNotDependOnOrderThreadOrRunner) {
   const TrialSetup* setups[] = {&setup_, &other_};

@@ -194,6 +194,76 @@ TEST_P(RobustnessTest, UglyMeshes) {
   PrintAndCheck(std::string("ugly meshes, ") + GetParam(), tally);
 }
 
+/** A trial that holds must hold as a real hand would, judged from what it reports and not by its own
+gate. */
+void CheckHeld(const Hand& hand, const GraspObject& object, const TrialResult& result) {
+  EXPECT_LT(result.worst_penetration, 0.001);
+  EXPECT_LT(std::abs(result.energy_residual), 0.001);
+  EXPECT_LT(result.hold_creep, 0.001);
+  // Coulomb: contacts carry at most their normal force times sqrt(1 + mu^2).
+  const double weight = object.mass_properties.mass * kStandardGravity;
+  const double normal_force = result.stability.hold.normal_force;
+  EXPECT_GT(normal_force * std::hypot(1.0, object.surface.friction_static), weight);
+  // All drives at their limits with levers of 10 mm, and as much again for what reacts.
+  double torque = 0.0;
+  for (const HandJoint& joint : hand.joints) torque += joint.drive.torque_limit;
+  EXPECT_LT(normal_force, std::min(150.0, 2.0 * torque / 0.01));
+}
+
+/** How many of all standard grasps of both hands hold. */
+int TryAllGrasps(const TriMesh& mesh, double mass) {
+  const auto object = std::make_shared<const GraspObject>(MakeSolid(mesh, mass, 0.5, 0.45));
+  int num_held = 0;
+  for (const char* id : {"tum", "shadow"}) {
+    const auto hand = std::make_shared<const Hand>(LoadHand(id));
+    TrialRunner runner(hand, object);
+    for (const Grasp& grasp : LoadStandardGrasps(*hand)) {
+      SCOPED_TRACE(std::string(id) + " " + grasp.id);
+      const TrialResult result = runner.Run(MakeSetup(hand, grasp.id, object));
+      EXPECT_NE(result.outcome, Outcome::kNumericalFailure) << result.reason;
+      if (result.outcome != Outcome::kSuccess) continue;
+      ++num_held;
+      CheckHeld(*hand, *object, result);
+    }
+  }
+  return num_held;
+}
+
+TriMesh MakeCylinder(double height) {
+  const double r = 0.025, z = 0.5 * height;
+  return MakeRevolution({{0.0, -z}, {r, -z}, {r, z}, {0.0, z}}, 48);
+}
+
+// Too tall, too heavy, too light, too small, too flat: few are held.
+TEST(StrangeObjects, AreHeldAsARealHandWouldOrNotAtAll) {
+  const auto cube = [](double side) { return MakeRoundedBox(Vector3d::Constant(side), 0.0); };
+  int num_tall = 0;
+  for (const double height : {0.12, 0.14, 0.16, 0.18, 0.2, 0.225, 0.25}) {
+    SCOPED_TRACE(height);
+    num_tall += TryAllGrasps(MakeCylinder(height), 0.3);
+  }
+  EXPECT_GT(num_tall, 7);  // a can of 120 mm is no hard object
+  struct Strange {
+    const char* name;
+    TriMesh mesh;
+    double mass;
+    bool may_be_held;
+  };
+  const Strange things[] = {
+      {"5 kg", MakeCylinder(0.12), 5.0, false},
+      {"a gram", MakeCylinder(0.12), 0.001, true},
+      {"plate on the table", MakeRoundedBox({0.3, 0.3, 0.002}, 0.0), 0.2, false},
+      {"cube of 3 mm", cube(0.003), 1e-4, true},
+      {"cube of 8 mm", cube(0.008), 1e-3, true},
+      {"cube of 300 mm", cube(0.3), 1.0, false}};
+  for (const Strange& thing : things) {
+    SCOPED_TRACE(thing.name);
+    const int num_held = TryAllGrasps(thing.mesh, thing.mass);
+    std::cout << thing.name << ": " << num_held << " of 10 grasps hold\n";
+    EXPECT_TRUE(num_held == 0 || thing.may_be_held);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Hands, RobustnessTest, testing::Values("tum", "shadow"),
                          [](const auto& instance) { return std::string(instance.param); });
 

@@ -7,7 +7,7 @@ Two long fingers that pinch a cube at its middle with a known force. */
 #include "core/physics/implicit_world.h"
 #include "core/physics/known_answers/small_scenes.h"
 #include "core/shape/primitives.h"
-#include "core/trial/judge/held_object.h"
+#include "core/trial/judge/judge.h"
 
 namespace graspbench {
 

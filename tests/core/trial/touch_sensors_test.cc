@@ -6,9 +6,8 @@
 #include <numeric>
 
 #include "core/base/random.h"
-#include "core/hand/load_hand.h"
-#include "core/trial/trial_runner.h"
 #include "objects/catalogue.h"
+#include "tests/core/trial/trial_setups.h"
 
 namespace graspbench {
 namespace {
@@ -98,28 +97,16 @@ TEST(TouchSensorsTest, ElementsAnswerAsTheEquationsSay) {
   }
 }
 
-class SensedTouchTest : public testing::Test {
- protected:
-  static TrialSetup MakeTrial(const char* hand) {
-    TrialSetup setup;
-    setup.hand = std::make_shared<const Hand>(LoadHand(hand));
-    setup.object = LoadObject("tea_light");
-    for (const Grasp& grasp : LoadStandardGrasps(*setup.hand)) {
-      if (grasp.id == "g1") setup.grasp = grasp;
-    }
-    setup.draw.joint_error = Eigen::VectorXd::Zero(setup.hand->num_joints());
-    setup.touch = TouchSense::kSensed;
-    return setup;
-  }
-  static TrialResult Run(const TrialSetup& setup) {
-    return TrialRunner(setup.hand, setup.object).Run(setup);
-  }
-};
+TrialSetup MakeSensed(const char* hand) {
+  TrialSetup setup = MakeSetup(hand, "g1", LoadObject("tea_light"));
+  setup.touch = TouchSense::kSensed;
+  return setup;
+}
 
-TEST_F(SensedTouchTest, AGraspIsFeltAndRecorded) {
+TEST(SensedTouchTest, AGraspIsFeltAndRecorded) {
   for (const char* hand : {"shadow", "tum"}) {
-    const TrialSetup setup = MakeTrial(hand);
-    const TrialResult result = Run(setup);
+    const TrialSetup setup = MakeSensed(hand);
+    const TrialResult result = RunSetup(setup);
     EXPECT_EQ(result.outcome, Outcome::kSuccess) << result.reason;
     ASSERT_TRUE(result.touch) << hand;
     EXPECT_GE(result.touch->num_touches, 2);
@@ -128,20 +115,20 @@ TEST_F(SensedTouchTest, AGraspIsFeltAndRecorded) {
               result.touch->num_touches);
     EXPECT_EQ(result.touch->peak.size(), setup.hand->skin->elements.size());
     EXPECT_GT(*std::max_element(result.touch->peak.begin(), result.touch->peak.end()), 0.1);
-    EXPECT_EQ(ToJson(TrialResultFromJson(ToJson(result))), ToJson(result));
-    EXPECT_EQ(ToJson(Run(setup)), ToJson(result));
+    ExpectSurvivesItsRecord(result);
+    EXPECT_EQ(ToJson(RunSetup(setup)), ToJson(result));
   }
 }
 
 // Elements that feel everything at once and without fault give what the contacts themselves give.
-TEST_F(SensedTouchTest, PerfectElementsEndTheClosureWhenTheContactsDo) {
-  TrialSetup setup = MakeTrial("tum");
+TEST(SensedTouchTest, PerfectElementsEndTheClosureWhenTheContactsDo) {
+  TrialSetup setup = MakeSensed("tum");
   setup.sensors.noise = setup.sensors.threshold = setup.sensors.hysteresis = 0.0;
   setup.sensors.rate = 1.0 / setup.sim.step;
   setup.sensors.saturation = 1000.0;
-  const TrialResult sensed = Run(setup);
+  const TrialResult sensed = RunSetup(setup);
   setup.touch = TouchSense::kExact;
-  const TrialResult exact = Run(setup);
+  const TrialResult exact = RunSetup(setup);
   EXPECT_FALSE(exact.touch);
   EXPECT_FALSE(ToJson(exact).contains("touch"));
   ASSERT_EQ(sensed.phases.size(), exact.phases.size());
@@ -151,10 +138,10 @@ TEST_F(SensedTouchTest, PerfectElementsEndTheClosureWhenTheContactsDo) {
 }
 
 // Elements that feel nothing: closure and stabilisation end by their time-outs.
-TEST_F(SensedTouchTest, WhoFeelsNothingWaitsForTheTimeOuts) {
-  TrialSetup setup = MakeTrial("tum");
+TEST(SensedTouchTest, WhoFeelsNothingWaitsForTheTimeOuts) {
+  TrialSetup setup = MakeSensed("tum");
   setup.sensors.threshold = 1.0;
-  const TrialResult result = Run(setup);
+  const TrialResult result = RunSetup(setup);
   ASSERT_TRUE(result.touch);
   EXPECT_EQ(result.touch->num_felt_in_time, 0);
   ASSERT_GT(result.phases.size(), 2u);
@@ -163,8 +150,8 @@ TEST_F(SensedTouchTest, WhoFeelsNothingWaitsForTheTimeOuts) {
               2.0 * setup.sim.step);
 }
 
-TEST_F(SensedTouchTest, AHandThatFeelsNothingIsRefused) {
-  const TrialResult result = Run(MakeTrial("tum-original"));
+TEST(SensedTouchTest, AHandThatFeelsNothingIsRefused) {
+  const TrialResult result = RunSetup(MakeSensed("tum-original"));
   EXPECT_EQ(result.outcome, Outcome::kNumericalFailure);
   EXPECT_NE(result.reason.find("has no tactile.yaml"), std::string::npos) << result.reason;
 }

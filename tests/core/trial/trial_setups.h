@@ -2,6 +2,8 @@
 /** @file
 Trials for the tests of the engine. */
 
+#include <gtest/gtest.h>
+
 #include <memory>
 
 #include "core/grasp/standard_grasp.h"
@@ -36,6 +38,14 @@ inline TrialSetup MakeSetup(std::shared_ptr<const Hand> hand, const std::string&
 inline TrialSetup MakeSetup(const char* hand, const char* grasp,
                             std::shared_ptr<const GraspObject> object) {
   return MakeSetup(std::make_shared<const Hand>(LoadHand(hand)), grasp, std::move(object));
+}
+
+inline TrialResult RunSetup(const TrialSetup& setup) {
+  return TrialRunner(setup.hand, setup.object).Run(setup);
+}
+
+inline void ExpectSurvivesItsRecord(const TrialResult& result) {
+  EXPECT_EQ(ToJson(TrialResultFromJson(ToJson(result))), ToJson(result));
 }
 
 }  // namespace graspbench

@@ -17,8 +17,7 @@ TracedTrial Trace(const TrialSetup& setup, double interval) {
 TEST(TrialTrace, WatchingChangesNoByteOfTheResult) {
   for (const double mu : {0.5, 0.02}) {  // held, lost
     const TrialSetup setup = MakeSetup("tum", "g2", MakeCube(0.0122, mu));
-    TrialRunner runner(setup.hand, setup.object);
-    EXPECT_EQ(ToJson(Trace(setup, 0.0).result), ToJson(runner.Run(setup))) << mu;
+    EXPECT_EQ(ToJson(Trace(setup, 0.0).result), ToJson(RunSetup(setup))) << mu;
   }
 }
 

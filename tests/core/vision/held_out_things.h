@@ -3,7 +3,7 @@
 Things that are not in the catalogue, with the type of grasp that suits each by the words of the
 method alone: "large, roundish or heavy = power; thin or small = two finger precision; in between =
 all finger precision". Sizes are standards or what shops sell. Types and reasons were written before
-the rule of suggest_grasp.h was tried on any of them, and are not to be changed by what it says. */
+the rule of SuggestGraspType was tried on any of them, and are not to be changed by what it says. */
 
 namespace graspbench {
 

@@ -1,4 +1,4 @@
-// The rule of suggest_grasp.h on things that it was not chosen on, as the camera sees them.
+// The rule of SuggestGraspType on things that it was not chosen on, as the camera sees them.
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "core/base/units.h"
 #include "core/hand/load_hand.h"
 #include "core/shape/primitives.h"
-#include "core/vision/suggest_grasp.h"
+#include "core/vision/locate_object.h"
 #include "core/vision/wrist_camera.h"
 #include "objects/catalogue.h"
 #include "tests/core/vision/held_out_things.h"

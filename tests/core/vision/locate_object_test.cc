@@ -5,7 +5,10 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "core/hand/load_hand.h"
 #include "core/shape/primitives.h"
+#include "core/vision/wrist_camera.h"
+#include "objects/catalogue.h"
 
 namespace graspbench {
 namespace {
@@ -77,48 +80,71 @@ TEST(LocateObjectTest, ATallBoxBesideTheMiddleIsFound) {
   }
 }
 
-TEST(LocateObjectTest, AnEmptyTableIsNoObject) {
-  const Sighting found = Locate({}, Box());
-  EXPECT_FALSE(found.is_found);
-  EXPECT_EQ(found.reason, "nothing is seen that differs from the empty table");
-}
-
-TEST(LocateObjectTest, WhatTheEdgeCutsIsRefused) {
-  const Sighting found = Locate({MakeThing(Box(), {0.2, 0.0, 0.0}, kWhite)}, Box());
-  EXPECT_FALSE(found.is_found);
-  EXPECT_EQ(found.reason, "what is seen reaches over the picture's edge");
-}
-
-TEST(LocateObjectTest, TwoThingsAreRefused) {
-  const Sighting found = Locate({MakeThing(Box(), {0.05, 0.05, 0.0}, kWhite),
-                                 MakeThing(MakeSphere(0.015), {-0.05, -0.05, 0.0}, kWhite)},
-                                Box());
-  EXPECT_FALSE(found.is_found);
-  EXPECT_EQ(found.reason, "more than one thing is seen on the table");
-}
-
-TEST(LocateObjectTest, AnotherThingIsNotTakenForTheObject) {
-  const Sighting found = Locate({MakeThing(MakeSphere(0.03), {0.02, 0.0, 0.0}, kWhite)}, Box());
-  EXPECT_FALSE(found.is_found);
-  EXPECT_NE(found.reason.find("has not the outline of the object"), std::string::npos)
-      << found.reason;
-}
-
-// Half of it is under something of the table's colour.
-TEST(LocateObjectTest, AHalfHiddenObjectIsRefused) {
+TEST(LocateObjectTest, NothingIsGuessed) {
   const Vector3f cloth(0.448f, 0.073f, 0.319f);  // kTable, decoded
   const TriMesh cover = MakeRoundedBox(Vector3d(0.08, 0.08, 0.17), 0.0);
-  const Sighting found =
-      Locate({MakeThing(Box(), {}, kWhite), MakeThing(cover, {0.06, 0.0, 0.0}, cloth)}, Box());
-  EXPECT_FALSE(found.is_found);
-  EXPECT_NE(found.reason, "");
+  const struct {
+    std::vector<Drawable> things;
+    std::string reason;  // a part of it
+  } cases[] = {
+      {{}, "nothing is seen that differs from the empty table"},
+      {{MakeThing(Box(), {0.2, 0.0, 0.0}, kWhite)}, "what is seen reaches over the picture's edge"},
+      {{MakeThing(Box(), {0.05, 0.05, 0.0}, kWhite),
+        MakeThing(MakeSphere(0.015), {-0.05, -0.05, 0.0}, kWhite)},
+       "more than one thing is seen on the table"},
+      {{MakeThing(MakeSphere(0.03), {0.02, 0.0, 0.0}, kWhite)},
+       "has not the outline of the object"},
+      // Half of it is under something of the table's colour; it has that colour itself.
+      {{MakeThing(Box(), {}, kWhite), MakeThing(cover, {0.06, 0.0, 0.0}, cloth)}, " "},
+      {{MakeThing(Box(), {0.02, 0.0, 0.3}, cloth)}, " "},
+  };
+  for (const auto& refused : cases) {
+    const Sighting found = Locate(refused.things, Box());
+    EXPECT_FALSE(found.is_found) << refused.reason;
+    EXPECT_NE(found.reason.find(refused.reason), std::string::npos) << found.reason;
+  }
 }
 
-TEST(LocateObjectTest, AnObjectLikeTheTableIsRefused) {
-  const Vector3f cloth(0.448f, 0.073f, 0.319f);
-  const Sighting found = Locate({MakeThing(Box(), {0.02, 0.0, 0.3}, cloth)}, Box());
-  EXPECT_FALSE(found.is_found);
-  EXPECT_NE(found.reason, "");
+Sighting MakeSighting(double length, double width, double fill) {
+  Sighting seen;
+  seen.is_found = true;
+  seen.length = length;
+  seen.width = width;
+  seen.fill = fill;
+  return seen;
+}
+
+TEST(SuggestGraspTest, LargeAndRoundSmallOrThinAndTheRest) {
+  EXPECT_EQ(SuggestGraspType(MakeSighting(0.07, 0.07, 1.0)), GraspType::kPower);
+  EXPECT_EQ(SuggestGraspType(MakeSighting(0.07, 0.07, 0.5)), GraspType::kAllFingerPrecision);
+  EXPECT_EQ(SuggestGraspType(MakeSighting(0.16, 0.07, 1.0)), GraspType::kAllFingerPrecision);
+  EXPECT_EQ(SuggestGraspType(MakeSighting(0.12, 0.01, 1.0)), GraspType::kTwoFingerPrecision);
+  EXPECT_EQ(SuggestGraspType(MakeSighting(0.25, 0.01, 1.0)), GraspType::kAllFingerPrecision);
+  EXPECT_EQ(SuggestGraspType(MakeSighting(0.03, 0.03, 1.0)), GraspType::kTwoFingerPrecision);
+}
+
+// What the table of objects chooses (grasp_order), seen in three places by the camera with its
+// noise.
+TEST(SuggestGraspTest, AgreesWithTheTableButForTheMatchbox) {
+  const auto hand = std::make_shared<const Hand>(LoadHand("tum"));
+  const Eigen::VectorXd q = LoadStandardGrasps(*hand)[0].q_pre;
+  const PlanarPose poses[] = {{0.0, 0.0, 0.0}, {0.03, -0.02, 0.7}, {-0.035, 0.03, -1.2}};
+  for (const std::string& id : ListObjects()) {
+    const auto object = LoadObject(id);
+    WristCamera camera(hand, object, CameraConfig());
+    GraspType wanted = FindGraspTaxon(object->grasp_order.front()).type;
+    if (id == "matchbox") wanted = GraspType::kAllFingerPrecision;  // as large as a bunch of keys
+    for (const PlanarPose& pose : poses) {
+      const Pose X_WO =
+          MakePose(MakeRotationRpy(0.0, 0.0, pose.yaw),
+                   Eigen::Vector3d(pose.x, pose.y, OutlineModel(object->mesh).middle()));
+      const Sighting seen = camera.FindObject(X_WO, q, "type");
+      ASSERT_TRUE(seen.is_found) << id << ": " << seen.reason;
+      EXPECT_EQ(static_cast<int>(SuggestGraspType(seen)), static_cast<int>(wanted))
+          << id << ": " << MmFromM(seen.length) << " x " << MmFromM(seen.width) << " mm, fill "
+          << seen.fill;
+    }
+  }
 }
 
 }  // namespace

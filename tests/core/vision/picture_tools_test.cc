@@ -29,12 +29,6 @@ int LevelAt(const Image& image, int x, int y) {
   return image.rgb[3 * (static_cast<size_t>(y) * image.width + x)];
 }
 
-TEST(PictureToolsTest, NoFaultsChangeNothing) {
-  Image image = MakeGrey(40, 30, 100);
-  Paint(image, 5, 6, 20, 21, 200);
-  EXPECT_EQ(LoadPictureTools().apply_faults(image, PictureFaults()).rgb, image.rgb);
-}
-
 TEST(PictureToolsTest, NoiseHasTheSpreadAskedForAndItsSeed) {
   const Image image = MakeGrey(200, 200, 100);
   PictureFaults faults;
@@ -65,16 +59,6 @@ TEST(PictureToolsTest, BlurSpreadsAnEdgeAsAGaussianDoes) {
     const double share = 0.5 * (1.0 + std::erf((x + 0.5 - 30.0) / (2.0 * std::sqrt(2.0))));
     EXPECT_NEAR(LevelAt(blurred, x, 5), 50.0 + 100.0 * share, 1.5) << x;
   }
-}
-
-// sRGB of half the light: 188 becomes 137, 255 becomes 188 (IEC 61966-2-1).
-TEST(PictureToolsTest, ExposureScalesTheLight) {
-  PictureFaults faults;
-  faults.exposure = 0.5;
-  EXPECT_NEAR(LevelAt(LoadPictureTools().apply_faults(MakeGrey(4, 4, 255), faults), 1, 1), 188, 1);
-  EXPECT_NEAR(LevelAt(LoadPictureTools().apply_faults(MakeGrey(4, 4, 188), faults), 1, 1), 137, 1);
-  faults.exposure = 4.0;
-  EXPECT_EQ(LevelAt(LoadPictureTools().apply_faults(MakeGrey(4, 4, 188), faults), 1, 1), 255);
 }
 
 TEST(PictureToolsTest, PixelsComeFromWhereTheLensShowsThem) {
@@ -131,21 +115,6 @@ TEST(PictureToolsTest, AShadowIsNoDifference) {
     EXPECT_EQ(!LoadPictureTools().find_regions(picture, empty, DifferenceRule()).empty(), is_seen)
         << share;
   }
-}
-
-TEST(PictureToolsTest, TheSmallestRectangleOfATurnedOne) {
-  const double turn = 0.4;
-  const Vector2d along(std::cos(turn), std::sin(turn)), across(-along.y(), along.x());
-  std::vector<Vector2d> points;
-  for (const double a : {-0.1, -0.02, 0.05, 0.1}) {
-    for (const double b : {-0.03, 0.03})
-      points.push_back(Vector2d(0.2, 0.1) + a * along + b * across);
-  }
-  const Rectangle found = LoadPictureTools().find_smallest_rectangle(points);
-  EXPECT_LT((found.centre - Vector2d(0.2, 0.1)).norm(), 1e-6);
-  EXPECT_NEAR(found.length, 0.2, 1e-6);
-  EXPECT_NEAR(found.width, 0.06, 1e-6);
-  EXPECT_NEAR(std::remainder(found.direction - turn, M_PI), 0.0, 1e-5);
 }
 
 // This program needs OpenCV, and has it only since it asked.

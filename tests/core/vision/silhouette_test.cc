@@ -14,19 +14,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// A square's reach, by hand.
-TEST(SilhouetteTest, ReachesAsFarAsItsCorners) {
-  const Silhouette square =
-      MakeSilhouette({Vector2d(1, 1), Vector2d(-1, 1), Vector2d(-1, -1), Vector2d(1, -1)});
-  EXPECT_NEAR(square.reach[0], 1.0, 1e-12);
-  EXPECT_NEAR(square.reach[kNumDirections / 4], 1.0, 1e-12);
-  for (int i = 0; i < kNumDirections; ++i) {
-    const Vector2d u = SilhouetteDirection(i);
-    EXPECT_NEAR(square.reach[i], std::abs(u.x()) + std::abs(u.y()), 1e-12);
-    EXPECT_NEAR(square.extreme[i].dot(u), square.reach[i], 1e-12);
-  }
-}
-
 // Of any points the farthest in each direction, by trying all; also of one alone and of a row.
 TEST(SilhouetteTest, NoPointReachesFarther) {
   RandomStream random("silhouette", "points");

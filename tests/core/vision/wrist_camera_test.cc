@@ -56,12 +56,6 @@ TEST(WristCameraTest, FindsTallFlatAndLongThings) {
   }
 }
 
-TEST(WristCameraTest, ShadowsDoNotMoveWhatIsFound) {
-  CameraConfig config;
-  config.has_shadows = true;
-  EXPECT_LT(FindWorstErrors(LoadShared("shadow"), "cup", config).first, 0.001);
-}
-
 // A lens that bends straight lines by some twenty pixels, known to whoever calibrated it.
 TEST(WristCameraTest, ABentLensIsUndone) {
   auto hand = std::make_shared<Hand>(LoadHand("tum"));
@@ -109,19 +103,6 @@ TEST(WristCameraTest, TheRegionFoundIsTheObject) {
   EXPECT_NEAR(regions[0].area, area, 1.0 * regions[0].contour.size());  // a pixel along the outline
 }
 
-TEST(WristCameraTest, ThePictureDependsOnItsNameAlone) {
-  const auto hand = LoadShared("tum");
-  const auto object = LoadObject("matchbox");
-  const Eigen::VectorXd q = LoadStandardGrasps(*hand)[0].q_pre;
-  WristCamera camera(hand, object, CameraConfig());
-  const Pose X_WO = MakeRest(*object, kPoses[0]);
-  const Sighting a = camera.FindObject(X_WO, q, "a"), b = camera.FindObject(X_WO, q, "b");
-  const Sighting again = WristCamera(hand, object, CameraConfig()).FindObject(X_WO, q, "a");
-  EXPECT_EQ(a.pose.x, again.pose.x);
-  EXPECT_EQ(a.pose.yaw, again.pose.yaw);
-  EXPECT_NE(a.pose.x, b.pose.x);
-}
-
 // One picture of the empty table serves for all: what is found is, to the last bit, what both looks
 // find with pictures of the whole scene, hand and all, each with its own empty table.
 TEST(WristCameraTest, ThePictureOfTheEmptyTableServesEverywhere) {
@@ -150,6 +131,19 @@ TEST(WristCameraTest, ThePictureOfTheEmptyTableServesEverywhere) {
       EXPECT_EQ(found.pose.yaw, supposed.yaw) << id;
     }
   }
+}
+
+TEST(WristCameraTest, ThePictureDependsOnItsNameAlone) {
+  const auto hand = LoadShared("tum");
+  const auto object = LoadObject("matchbox");
+  const Eigen::VectorXd q = LoadStandardGrasps(*hand)[0].q_pre;
+  WristCamera camera(hand, object, CameraConfig());
+  const Pose X_WO = MakeRest(*object, kPoses[0]);
+  const Sighting a = camera.FindObject(X_WO, q, "a"), b = camera.FindObject(X_WO, q, "b");
+  const Sighting again = WristCamera(hand, object, CameraConfig()).FindObject(X_WO, q, "a");
+  EXPECT_EQ(a.pose.x, again.pose.x);
+  EXPECT_EQ(a.pose.yaw, again.pose.yaw);
+  EXPECT_NE(a.pose.x, b.pose.x);
 }
 
 TEST(WristCameraTest, WhatTowersUpToTheCameraIsRefused) {

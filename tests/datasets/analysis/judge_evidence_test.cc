@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/trial/judge/verdicts.h"
+#include "core/trial/judge/judge.h"
 #include "tests/datasets/analysis/made_results.h"
 
 namespace graspbench {

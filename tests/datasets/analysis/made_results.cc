@@ -1,6 +1,6 @@
 #include "tests/datasets/analysis/made_results.h"
 
-#include "core/trial/judge/verdicts.h"
+#include "core/trial/judge/judge.h"
 
 namespace graspbench {
 

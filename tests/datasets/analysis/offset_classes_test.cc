@@ -33,8 +33,8 @@ TEST(OffsetClasses, TrialsStandInTheClassOfTheirOffset) {
   EXPECT_NEAR(classes.back().high, std::sqrt(2.0) * session.config.variation.offset, 1e-15);
 }
 
-// Where the session has its worst luck far out, the camera has success everywhere; of a setting that
-// is no positioning nothing is told.
+// Where the session has its worst luck far out, the camera has success everywhere; of a setting
+// that is no positioning nothing is told.
 TEST(OffsetClasses, EachPositioningHasItsOwnOutcomes) {
   Session session = MakeSession({"tum", "shadow"}, {"can"}, "g1", 40);
   const double limit = std::sqrt(2.0) * session.config.variation.offset / 2.0;

@@ -4,10 +4,13 @@
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
+#include "datasets/shards/worker_log.h"
 #include "tests/datasets/campaign/fake_scene.h"
+#include "tests/datasets/find_error.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {
+
 namespace {
 namespace fs = std::filesystem;
 
@@ -46,13 +49,8 @@ TEST(CampaignStore, IsContinuedOnlyWithItsOwnSettings) {
   CreateCampaign(folder.path(), config);
   EXPECT_EQ(LoadCampaign(folder.path()).config.comparison.scenes, config.comparison.scenes);
   config.optimise.evaluations = 77;
-  try {
-    CreateCampaign(folder.path(), config);
-    FAIL();
-  } catch (const Error& e) {
-    EXPECT_EQ(e.kind(), ErrorKind::kUsage);
-    EXPECT_NE(std::string(e.what()).find("optimise.evaluations"), std::string::npos) << e.what();
-  }
+  EXPECT_TRUE(Throws([&] { CreateCampaign(folder.path(), config); }, ErrorKind::kUsage,
+                     "optimise.evaluations"));
 }
 
 TEST(CampaignStore, PlansOneSceneForEachHandAndObject) {
@@ -76,13 +74,8 @@ TEST(CampaignStore, ScenesOfOneFolderAreRefused) {
     hand->id = hand_ids[i];
     inputs.hands[i].hand = hand;
   }
-  try {
-    PlanScenes(MakeConfig(), inputs, "c");
-    FAIL();
-  } catch (const Error& e) {
-    EXPECT_NE(std::string(e.what()).find("come to the same folder a-b-mug"), std::string::npos)
-        << e.what();
-  }
+  EXPECT_TRUE(Has(FindError([&] { PlanScenes(MakeConfig(), inputs, "c"); }),
+                  "come to the same folder a-b-mug"));
 }
 
 // Machines that load other hands or objects than the one that planned are told.
@@ -117,5 +110,111 @@ TEST(CampaignStore, CountsTheEvaluationsToNinetyPercentOfTheBestOfTheScene) {
   EXPECT_EQ(campaign.comparison[2].evaluations_to_90, 2);
 }
 
+class MergeCampaignsTest : public testing::Test {
+ protected:
+  fs::path MakeScene(const std::string& name, const std::vector<double>& fitness,
+                     bool is_finished = false) {
+    WriteScene(top_.path() / name, "can", fitness, is_finished);
+    return top_.path() / name;
+  }
+  /** Two scenes, of which `finished` is; "can" and "mug". */
+  fs::path MakeCampaign(const std::string& name, const std::string& finished) {
+    const fs::path folder = top_.path() / name;
+    CreateCampaign(folder, CampaignConfig());
+    for (const char* object : {"can", "mug"}) {
+      WriteScene(folder / "scenes" / ("tum-" + std::string(object)), object, {1.0, 2.0},
+                 object == finished);
+    }
+    SealStore(kCampaignStore, folder);
+    return folder;
+  }
+  TemporaryFolder top_;
+};
+
+TEST_F(MergeCampaignsTest, TheLongerJournalAndTheResultAreTaken) {
+  const fs::path a = MakeScene("a", {1.0, 2.0}), b = MakeScene("b", {1.0, 2.0, 3.0}, true);
+  EXPECT_EQ(MergeScenes(b, {a}), 0);
+  EXPECT_EQ(MergeScenes(a, {b}), 1);
+  EXPECT_TRUE(HasSceneResult(a));
+  for (const char* file : {"journal.jsonl", "result.json", "manifest.json"}) {
+    EXPECT_EQ(ReadFile(a / file), ReadFile(b / file)) << file;
+  }
+  EXPECT_EQ(MergeScenes(a, {b}), 0);
+  EXPECT_TRUE(CheckStore(a).damages.empty());
+}
+
+TEST_F(MergeCampaignsTest, OtherAnswersAndOtherSettingsAreRefused) {
+  const fs::path a = MakeScene("a", {1.0, 2.0}), b = MakeScene("b", {1.0, 2.5, 3.0});
+  const std::string before = ReadFile(a / "journal.jsonl");
+  EXPECT_THROW(MergeScenes(a, {b}), Error);
+  WriteScene(top_.path() / "c", "mug", {1.0, 2.0, 3.0}, false);
+  EXPECT_THROW(MergeScenes(a, {top_.path() / "c"}), Error);
+  EXPECT_THROW(MergeScenes(a, {top_.path() / "none"}), Error);
+  EXPECT_EQ(ReadFile(a / "journal.jsonl"), before);
+}
+
+TEST_F(MergeCampaignsTest, ATornEndIsNoAnswer) {
+  const fs::path a = MakeScene("a", {1.0, 2.0}), b = MakeScene("b", {1.0, 2.0, 3.0});
+  const std::string text = ReadFile(b / "journal.jsonl");
+  WriteFile(b / "journal.jsonl", text.substr(0, text.size() - 5));
+  EXPECT_EQ(MergeScenes(a, {b}), 0);
+  EXPECT_EQ(MergeScenes(b, {a}), 0);
+}
+
+TEST_F(MergeCampaignsTest, ScenesSearchesAndWorkersComeTogether) {
+  const fs::path a = MakeCampaign("a", "can"), b = MakeCampaign("b", "mug");
+  WriteSearch(b / "comparison" / "tum-can" / "es-1.jsonl", {1.0, 2.0, 3.0});
+  WorkerLog(b, "2of2").Append(WorkerStart{"2of2", "2026-01-31T12:00:00Z", {}, {}});
+  EXPECT_EQ(MergeCampaigns(a, {b}), 3);
+  EXPECT_EQ(MergeCampaigns(a, {b}), 0);
+  for (const fs::path& scene : ListScenes(a)) EXPECT_TRUE(HasSceneResult(scene)) << scene;
+  Diagnostics findings;
+  EXPECT_EQ(LoadWorkers(a, findings).starts.size(), 1u);
+  EXPECT_TRUE(CheckStore(a).damages.empty());
+  CampaignConfig other;
+  other.session.seed = 2;
+  CreateCampaign(top_.path() / "c", other);
+  EXPECT_THROW(MergeCampaigns(a, {top_.path() / "c"}), Error);
+}
+
+TEST(CampaignProgress, TellsTheScenesOfEachShard) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(ReadCampaignProgress(folder.path(), 60.0), Error);
+  CreateCampaign(folder.path(), CampaignConfig());
+  const fs::path scenes = folder.path() / "scenes";
+  WriteScene(scenes / "tum-can", "can", {1.0}, true);
+  WriteScene(scenes / "tum-cup", "cup", {}, false);
+  WriteScene(scenes / "tum-mug", "mug", {1.0}, false);
+  EXPECT_TRUE(ReadCampaignProgress(folder.path(), 60.0).shards.empty());
+  WorkerLog(folder.path(), "1of2").Append(WorkerStart{"1of2", "2026-01-31T12:00:00Z", {}, {}});
+  WorkerLog(folder.path(), "2of2").Append(WorkerEnd{"2of2", "2026-01-31T12:00:00Z", 1});
+  const CampaignProgress progress = ReadCampaignProgress(folder.path(), 60.0);
+  EXPECT_EQ(progress.num_scenes, 3);
+  EXPECT_EQ(progress.num_finished, 1);
+  EXPECT_FALSE(progress.benchmark);
+  ASSERT_EQ(progress.shards.size(), 2u);
+  EXPECT_EQ(progress.shards[0].num_trials, 2);  // can and mug
+  EXPECT_EQ(progress.shards[0].num_finished, 1);
+  EXPECT_EQ(progress.shards[0].state, ShardState::kRunning);
+  EXPECT_EQ(progress.shards[1].num_trials, 1);
+  EXPECT_EQ(progress.shards[1].state, ShardState::kStopped);
+}
+
+TEST(SearchProgress, TellsAnswersAndState) {
+  const TemporaryFolder folder;
+  WriteScene(folder.path() / "a", "can", {}, false);
+  WriteScene(folder.path() / "b", "can", {1.0, 2.0}, false);
+  WriteScene(folder.path() / "c", "can", {1.0, 2.0}, true);
+  const SearchProgress a = ReadSearchProgress(folder.path() / "a"),
+                       b = ReadSearchProgress(folder.path() / "b"),
+                       c = ReadSearchProgress(folder.path() / "c");
+  EXPECT_EQ(a.num_answers, 0);
+  EXPECT_FALSE(a.age || a.is_finished);
+  EXPECT_EQ(b.num_answers, 2);
+  EXPECT_TRUE(b.age && !b.is_finished);
+  EXPECT_TRUE(c.is_finished);
+}
+
 }  // namespace
+
 }  // namespace graspbench

@@ -4,6 +4,7 @@
 
 #include "core/base/files/files.h"
 #include "datasets/campaign/campaign_store.h"
+#include "tests/datasets/find_error.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {
@@ -61,9 +62,8 @@ TEST(CheckRecordsTest, NamesAnExperimentOnAnotherSession) {
   fs::remove_all(below);
   config.seed = 7;
   CreateSession(below, config, plan);
-  EXPECT_NE(Check(session).find("\n  sensitivity/1: \"sensitivity/1\" is an experiment on another"),
-            std::string::npos)
-      << Check(session);
+  EXPECT_TRUE(
+      Has(Check(session), "\n  sensitivity/1: \"sensitivity/1\" is an experiment on another"));
 }
 
 // It has no seal: nothing rests on it.
@@ -88,8 +88,7 @@ TEST(CheckRecordsTest, LooksIntoTheBenchmarkOfACampaign) {
   const auto plan = MakeSession(campaign / "benchmark");
   EXPECT_EQ(Check(campaign), "");
   AppendForeign(campaign / "benchmark", plan[1]);
-  EXPECT_NE(Check(campaign).find("\n  benchmark/journal/7.jsonl:1: trial " + plan[1].id),
-            std::string::npos);
+  EXPECT_TRUE(Has(Check(campaign), "\n  benchmark/journal/7.jsonl:1: trial " + plan[1].id));
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <memory>
 
+#include "tests/datasets/find_error.h"
+
 namespace graspbench {
 namespace {
 
@@ -34,21 +36,18 @@ TEST(ReadRealTrials, ReadsWhatWasDoneAndLeavesOutWhatWasNot) {
 }
 
 TEST(ReadRealTrials, EveryFaultIsToldWithItsLine) {
-  EXPECT_NE(FindProblems("tum,can,best,0,1,,,\n").find("real.csv:2: error: no variant \"best\""),
-            std::string::npos);
-  EXPECT_NE(FindProblems("tum,can,standard,0,maybe,,,\n").find("success is \"maybe\""),
-            std::string::npos);
-  EXPECT_NE(FindProblems("tum,can,standard,0,1,412,530,\n").find("are these milliseconds?"),
-            std::string::npos);
-  EXPECT_NE(FindProblems("tum,can,standard,0.5,1,,,\n").find("expected 0, 1, 2"),
-            std::string::npos);
-  EXPECT_NE(FindProblems("tum,can,standard,-1,1,,,\n").find("expected 0, 1, 2"), std::string::npos);
-  EXPECT_NE(FindProblems("tum,can,standard,0,1,,,\ntum,can,standard,0,0,,,\n").find("real.csv:3"),
-            std::string::npos);
-  EXPECT_NE(FindProblems("tum,can,standard,0,1\n", "hand,object,variant,trial,succes\n")
-                .find("unknown column \"succes\""),
-            std::string::npos);
-  EXPECT_NE(FindProblems("", "").find("holds no rows"), std::string::npos);
+  for (const auto& [rows, fault] :
+       {std::pair("tum,can,best,0,1,,,\n", "real.csv:2: error: no variant \"best\""),
+        {"tum,can,standard,0,maybe,,,\n", "success is \"maybe\""},
+        {"tum,can,standard,0,1,412,530,\n", "are these milliseconds?"},
+        {"tum,can,standard,0.5,1,,,\n", "expected 0, 1, 2"},
+        {"tum,can,standard,-1,1,,,\n", "expected 0, 1, 2"},
+        {"tum,can,standard,0,1,,,\ntum,can,standard,0,0,,,\n", "real.csv:3"}}) {
+    EXPECT_TRUE(Has(FindProblems(rows), fault));
+  }
+  EXPECT_TRUE(Has(FindProblems("tum,can,standard,0,1\n", "hand,object,variant,trial,succes\n"),
+                  "unknown column \"succes\""));
+  EXPECT_TRUE(Has(FindProblems("", ""), "holds no rows"));
 }
 
 // Ten of ten with each of three grasps of the adhesive tape.

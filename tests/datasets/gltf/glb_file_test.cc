@@ -1,8 +1,12 @@
 #include "datasets/gltf/glb_file.h"
 
+#include <cmath>
+
+#include "core/shape/primitives.h"
 #include "tests/datasets/gltf/read_glb.h"
 
 namespace graspbench {
+
 namespace {
 
 TEST(GlbFile, GivesBackWhatWasAdded) {
@@ -31,22 +35,54 @@ TEST(GlbFile, GivesBackWhatWasAdded) {
   }
 }
 
-TEST(GlbFile, SaysTheRangeThatAReaderFinds) {
+const Eigen::Vector3f kGrey(0.5f, 0.5f, 0.5f);
+
+TEST(GltfMesh, VerticesOfASphereStayOnIt) {
+  const double radius = 0.03;
+  TriMesh sphere = MakeSphere(radius, 32);
+  const Eigen::Vector3d centre(0.2, -0.1, 0.05);
+  for (Eigen::Vector3d& vertex : sphere.vertices) vertex += centre;
   GlbFile file;
-  file.AddAccessor({GltfComponent::kFloat, "SCALAR", false, true}, {0.3, 0.1, 0.7});
+  const Json node = AddGltfMesh(sphere, kGrey, 1.0, file);
   const ReadGlb glb(file.Finish());
-  EXPECT_EQ(glb.json["accessors"][0]["min"][0], static_cast<double>(0.1f));
-  EXPECT_EQ(glb.json["accessors"][0]["max"][0], static_cast<double>(0.7f));
+  EXPECT_EQ(glb.CountTriangles(), static_cast<size_t>(sphere.num_triangles()));
+  const std::vector<double> positions = glb.Numbers(0), normals = glb.Numbers(1),
+                            indices = glb.Numbers(2);
+  ASSERT_EQ(positions.size(), normals.size());
+  const Eigen::Vector3d offset = VectorFrom(node["translation"]);
+  const double unit = node["scale"][0].get<double>();
+  EXPECT_LE(unit, 2.0 * radius / 65533.0);
+  for (size_t i = 0; i < positions.size(); i += 3) {
+    const Eigen::Vector3d p =
+        offset + unit * Eigen::Vector3d(positions[i], positions[i + 1], positions[i + 2]);
+    const Eigen::Vector3d normal =
+        Eigen::Vector3d(normals[i], normals[i + 1], normals[i + 2]) / 127.0;
+    EXPECT_NEAR((p - centre).norm(), radius, unit);
+    EXPECT_NEAR(normal.norm(), 1.0, 0.01);
+    EXPECT_GT(normal.dot((p - centre).normalized()), 0.99);
+  }
+  double volume = 0.0;  // of the triangles as they are wound
+  for (size_t t = 0; t < indices.size(); t += 3) {
+    Eigen::Matrix3d corners;
+    for (int i = 0; i < 3; ++i) {
+      const auto at = static_cast<size_t>(3.0 * indices[t + static_cast<size_t>(i)]);
+      corners.col(i) = unit * Eigen::Vector3d(positions[at], positions[at + 1], positions[at + 2]);
+    }
+    volume += corners.determinant() / 6.0;
+  }
+  EXPECT_NEAR(volume / (4.0 / 3.0 * 3.14159265 * std::pow(radius, 3)), 1.0, 0.05);
 }
 
-TEST(GlbFile, KeepsWhatWasPutIntoItAndNeedsNoBuffer) {
+TEST(GltfMesh, OfNothingIsNothing) {
   GlbFile file;
-  file.root["extras"] = {{"text", "\"}]\xff</script>"}};
-  const ReadGlb glb(file.Finish());
-  EXPECT_EQ(glb.json["asset"]["version"], "2.0");
-  EXPECT_EQ(glb.json["extras"]["text"], "\"}]\xef\xbf\xbd</script>");
-  EXPECT_FALSE(glb.json.contains("buffers"));
+  EXPECT_TRUE(AddGltfMesh({}, kGrey, 1.0, file).is_null());
+  TriMesh sliver;
+  sliver.vertices = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.5, 1e-12, 0.0}};
+  sliver.triangles = {{0, 1, 2}};
+  EXPECT_TRUE(AddGltfMesh(sliver, kGrey, 1.0, file).is_null());
+  EXPECT_FALSE(file.root.contains("meshes"));
 }
 
 }  // namespace
+
 }  // namespace graspbench

@@ -7,9 +7,9 @@ The files that the readers of foreign grasps are tried on; tests/fuzz replays th
 #include <filesystem>
 #include <string>
 
-#include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "datasets/grasps/grasp_files.h"
+#include "tests/datasets/find_error.h"
 
 namespace graspbench {
 
@@ -20,17 +20,6 @@ inline std::string FindGraspCase(const std::string& format, const std::string& n
 inline std::vector<ForeignGrasp> ReadGraspCase(const std::string& format, const std::string& name,
                                                const GraspReadOptions& options = {}) {
   return ReadGrasps(FindGraspCase(format, name), "auto", options);
-}
-
-/** What the error says that an action throws; empty: it throws none. */
-template <class Action>
-std::string FindGraspError(const Action& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
 }
 
 }  // namespace graspbench

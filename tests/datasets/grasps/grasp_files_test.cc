@@ -42,37 +42,32 @@ TEST_F(GraspFiles, NothingOfAFolderIsSkippedSilently) {
   ASSERT_EQ(collection.unread.size(), 4u);
   EXPECT_EQ(collection.unread[0].name, "a/1.npy");
   EXPECT_EQ(collection.unread[1].name, "empty.npy");
-  EXPECT_NE(collection.unread[1].reason.find("is empty; known: dexgraspbench"), std::string::npos);
+  EXPECT_TRUE(Has(collection.unread[1].reason, "is empty; known: dexgraspbench"));
   EXPECT_EQ(collection.unread[2].name, "notes.txt");
-  EXPECT_NE(collection.unread[2].reason.find("of no known format"), std::string::npos);
+  EXPECT_TRUE(Has(collection.unread[2].reason, "of no known format"));
   EXPECT_EQ(collection.unread[3].name, "z.npy");
 }
 
 TEST_F(GraspFiles, OptionsAndPathsThatAreWrongStopAtOnce) {
   Copy("good_bodex.npy", "b/0.npy");
   const auto error_of = [&](const std::string& path, const std::string& format) {
-    return FindGraspError([&] { ReadGraspCollection({path}, format); });
+    return FindError([&] { ReadGraspCollection({path}, format); });
   };
-  EXPECT_NE(error_of(folder_.string(), "dexgraspnt").find("did you mean \"dexgraspnet\""),
-            std::string::npos);
-  EXPECT_NE(error_of((folder_ / "c").string(), "auto").find("no such file or folder"),
-            std::string::npos);
-  EXPECT_NE(error_of((folder_ / "a").string(), "auto").find("a folder without files"),
-            std::string::npos);
+  EXPECT_TRUE(Has(error_of(folder_.string(), "dexgraspnt"), "did you mean \"dexgraspnet\""));
+  EXPECT_TRUE(Has(error_of((folder_ / "c").string(), "auto"), "no such file or folder"));
+  EXPECT_TRUE(Has(error_of((folder_ / "a").string(), "auto"), "a folder without files"));
 }
 
 TEST_F(GraspFiles, AFileThatNeedsAnOptionDoesNotHideTheOthers) {
   fs::copy(FindGraspCase("isaac", "good_sim.yaml"), folder_ / "a" / "0.yaml");
   // Alone it is the user's fault, among others the file's.
-  EXPECT_NE(FindGraspError([&] {
-              ReadGraspCollection({(folder_ / "a").string()}, "auto");
-            }).find("--hand-frame"),
-            std::string::npos);
+  EXPECT_TRUE(Has(FindError([&] { ReadGraspCollection({(folder_ / "a").string()}, "auto"); }),
+                  "--hand-frame"));
   Copy("good_bodex.npy", "b/0.npy");
   const GraspCollection collection = ReadGraspCollection({folder_.string()}, "auto");
   EXPECT_EQ(collection.grasps.size(), 1u);
   ASSERT_EQ(collection.unread.size(), 1u);
-  EXPECT_NE(collection.unread[0].reason.find("--hand-frame"), std::string::npos);
+  EXPECT_TRUE(Has(collection.unread[0].reason, "--hand-frame"));
 }
 
 TEST_F(GraspFiles, ALinkToItselfIsAFileThatCannotBeRead) {

@@ -27,7 +27,7 @@ void ExpectRefusals(const std::string& format, const Refusals& refusals) {
   for (const auto& entry : fs::directory_iterator(FindGraspCase(format, ""))) {
     const std::string name = entry.path().filename().string();
     const std::string error =
-        FindGraspError([&] { ReadGrasps(entry.path().string(), format, MakeOptions()); });
+        FindError([&] { ReadGrasps(entry.path().string(), format, MakeOptions()); });
     if (name.rfind("bad_", 0) != 0) {
       EXPECT_EQ(error, "") << name;
       continue;
@@ -35,8 +35,8 @@ void ExpectRefusals(const std::string& format, const Refusals& refusals) {
     ++num_bad;
     const auto found = refusals.find(name);
     ASSERT_NE(found, refusals.end()) << name << ": " << error;
-    EXPECT_NE(error.find(found->second), std::string::npos) << name << ": " << error;
-    EXPECT_NE(error.find(name), std::string::npos) << error;
+    EXPECT_TRUE(Has(error, found->second)) << name << ": " << error;
+    EXPECT_TRUE(Has(error, name));
   }
   EXPECT_EQ(num_bad, refusals.size());
 }
@@ -128,19 +128,15 @@ TEST(GraspRefusals, Graspgen) {
 TEST(GraspRefusals, WhatAFileDoesNotSayMustBeGiven) {
   const auto error_of = [](const std::string& format, const std::string& name,
                            const GraspReadOptions& options) {
-    return FindGraspError([&] { ReadGraspCase(format, name, options); });
+    return FindError([&] { ReadGraspCase(format, name, options); });
   };
   GraspReadOptions options;
-  EXPECT_NE(error_of("isaac", "good_sim.yaml", options).find("--hand-frame"), std::string::npos);
-  EXPECT_NE(error_of("graspgen", "good_poses.json", options).find("--hand-frame"),
-            std::string::npos);
-  EXPECT_NE(error_of("multigripper", "good_dofs.json", options).find("--hand-frame"),
-            std::string::npos);
+  EXPECT_TRUE(Has(error_of("isaac", "good_sim.yaml", options), "--hand-frame"));
+  EXPECT_TRUE(Has(error_of("graspgen", "good_poses.json", options), "--hand-frame"));
+  EXPECT_TRUE(Has(error_of("multigripper", "good_dofs.json", options), "--hand-frame"));
   options.hand_frame = "hand";
-  EXPECT_NE(error_of("isaac", "good_ros.yaml", options).find("--object-frame mesh"),
-            std::string::npos);
-  EXPECT_NE(error_of("multigripper", "good_dofs.json", options).find("--joint-names"),
-            std::string::npos);
+  EXPECT_TRUE(Has(error_of("isaac", "good_ros.yaml", options), "--object-frame mesh"));
+  EXPECT_TRUE(Has(error_of("multigripper", "good_dofs.json", options), "--joint-names"));
 }
 
 }  // namespace

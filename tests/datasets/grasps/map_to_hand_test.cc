@@ -1,5 +1,3 @@
-// Fingertips of the Shadow Hand as the model of MuJoCo Menagerie has them, calculated apart from
-// this program from the numbers of its MJCF (4 x 4 matrices, quaternions as they stand there).
 #include "datasets/grasps/map_to_hand.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +5,11 @@
 #include "core/hand/load_hand.h"
 #include "tests/datasets/grasps/grasp_cases.h"
 
+// Fingertips of the Shadow Hand as the model of MuJoCo Menagerie has them, calculated apart from
+// this program from the numbers of its MJCF (4 x 4 matrices, quaternions as they stand there).
+
 namespace graspbench {
+
 namespace {
 
 constexpr double kTolerance = 7e-6;  // [m]: 0.00858 and the maker's rounding
@@ -45,18 +47,14 @@ TEST(MapToHand, FingertipsAreWhereTheFilesHandHasThem) {
 
 TEST(MapToHand, RefusesAHandWithOtherJoints) {
   const ForeignGrasp grasp = ReadGraspCase("dexgraspbench", "good_bodex.npy")[0];
-  EXPECT_NE(
-      FindGraspError([&] { MapToHand(grasp, LoadHand("tum")); }).find("has no joint \"FFJ4\""),
-      std::string::npos);
+  EXPECT_TRUE(Has(FindError([&] { MapToHand(grasp, LoadHand("tum")); }), "has no joint \"FFJ4\""));
 }
 
 TEST(MapToHand, RefusesDegrees) {
   ForeignGrasp grasp = ReadGraspCase("dexgraspbench", "good_bodex.npy")[0];
   grasp.stages[1].joints[2] = 42.0;
-  EXPECT_NE(FindGraspError([&] {
-              MapToHand(grasp, LoadHand("shadow"));
-            }).find("FFJ2 at 42 rad, more than a full turn"),
-            std::string::npos);
+  EXPECT_TRUE(Has(FindError([&] { MapToHand(grasp, LoadHand("shadow")); }),
+                  "FFJ2 at 42 rad, more than a full turn"));
 }
 
 TEST(MapToHand, RefusesAHandOfOtherSize) {
@@ -64,21 +62,18 @@ TEST(MapToHand, RefusesAHandOfOtherSize) {
   const ForeignGrasp grasp = ReadGraspCase("dexgraspbench", "good_bodex.npy")[0];
   HandLink& middle = hand.links[static_cast<size_t>(hand.FindLink("mfmiddle"))];
   middle.X_PJ.translation().z() += 0.0009;
-  EXPECT_EQ(FindGraspError([&] { MapToHand(grasp, hand); }), "");
+  EXPECT_EQ(FindError([&] { MapToHand(grasp, hand); }), "");
   middle.X_PJ.translation().z() += 0.0002;
-  EXPECT_NE(FindGraspError([&] { MapToHand(grasp, hand); }).find("lies 1.1 mm from"),
-            std::string::npos);
+  EXPECT_TRUE(Has(FindError([&] { MapToHand(grasp, hand); }), "lies 1.1 mm from"));
 }
 
 TEST(MapToHand, RefusesAFrameThatTheHandDoesNotHave) {
   const Hand hand = LoadHand("shadow");
   ForeignGrasp grasp = ReadGraspCase("dexgraspbench", "good_bodex.npy")[0];
   grasp.root_link = "pallm";
-  EXPECT_NE(FindGraspError([&] { MapToHand(grasp, hand); }).find("did you mean \"palm\""),
-            std::string::npos);
+  EXPECT_TRUE(Has(FindError([&] { MapToHand(grasp, hand); }), "did you mean \"palm\""));
   grasp.root_link = "ffmiddle";
-  EXPECT_NE(FindGraspError([&] { MapToHand(grasp, hand); }).find("moves with a digit"),
-            std::string::npos);
+  EXPECT_TRUE(Has(FindError([&] { MapToHand(grasp, hand); }), "moves with a digit"));
   grasp.root_link = "palm";
   EXPECT_TRUE(MapToHand(grasp, hand).stages[0].X_OH.isApprox(grasp.stages[0].X_OR, 1e-15));
 }
@@ -88,8 +83,7 @@ TEST(MapToHand, RefusesWhatTheFileDoesNotState) {
   ForeignGrasp grasp = ReadGraspCase("dexgraspbench", "good_bodex.npy")[0];
   grasp.joint_names.erase(grasp.joint_names.begin());
   for (GraspStage& stage : grasp.stages) stage.joints.erase(stage.joints.begin());
-  EXPECT_NE(FindGraspError([&] { MapToHand(grasp, hand); }).find("states no position of FFJ4"),
-            std::string::npos);
+  EXPECT_TRUE(Has(FindError([&] { MapToHand(grasp, hand); }), "states no position of FFJ4"));
 }
 
 TEST(MapToHand, CoupledJointsThatAreNotStatedFollow) {
@@ -115,5 +109,26 @@ TEST(MapToHand, FindsNamesBehindAPrefix) {
   EXPECT_EQ(MapToHand(grasp, hand).stages[1].q, MapToHand(grasp, plain).stages[1].q);
 }
 
+std::vector<int> FindJoints(const Hand& hand) {
+  std::vector<int> joints;
+  for (const std::string& name : ListDexgraspbenchJoints()) joints.push_back(hand.FindJoint(name));
+  return joints;
+}
+
+TEST(ShadowLayout, OurShadowHandIsThatOfMenagerie) {
+  const Hand hand = LoadHand("shadow");
+  EXPECT_LT(CalcShadowDifference(hand, FindJoints(hand)), 7e-6);
+}
+
+TEST(ShadowLayout, SeesALinkThatIsLongerAndAnAxisThatIsReversed) {
+  Hand hand = LoadHand("shadow");
+  hand.links[static_cast<size_t>(hand.FindLink("ffdistal"))].X_PJ.translation().z() += 0.003;
+  EXPECT_NEAR(CalcShadowDifference(hand, FindJoints(hand)), 0.003, 1e-5);
+  hand = LoadHand("shadow");
+  hand.links[static_cast<size_t>(hand.FindLink("ffknuckle"))].axis *= -1.0;
+  EXPECT_GT(CalcShadowDifference(hand, FindJoints(hand)), 0.02);
+}
+
 }  // namespace
+
 }  // namespace graspbench

@@ -8,7 +8,7 @@ namespace graspbench {
 namespace {
 
 std::string ErrorOf(const std::string& bytes) {
-  return FindGraspError([&] { ReadPickle(bytes, "p"); });
+  return FindError([&] { ReadPickle(bytes, "p"); });
 }
 
 bool Has(const std::string& text, const std::string& part) {

@@ -5,9 +5,16 @@
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
+#include "core/base/hash.h"
 #include "datasets/journal/checked_line.h"
+#include "datasets/journal/sealed_store.h"
+#include "datasets/session/ro_crate.h"
+#include "datasets/session/session_store.h"
+#include "tests/datasets/find_error.h"
+#include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -49,20 +56,6 @@ TEST_F(ManifestFolder, VouchesForWhatItHasSeen) {
   EXPECT_EQ(manifest.kind, "session");
   EXPECT_EQ(manifest.versions.at("schema"), 4);
   EXPECT_EQ(manifest.files[0].lines, 3);
-}
-
-TEST_F(ManifestFolder, TellsWhatSomethingWasMadeFrom) {
-  Manifest manifest = LoadManifest(folder_);
-  EXPECT_FALSE(manifest.origin);
-  manifest.origin = {"graspbench export .", {{"commit", "abc"}}, {{"../plan.jsonl", "123"}}};
-  WriteManifest(folder_, manifest);
-  const Manifest again = LoadManifest(folder_);
-  ASSERT_TRUE(again.origin);
-  EXPECT_EQ(again.origin->command, "graspbench export .");
-  EXPECT_EQ(again.origin->versions["commit"], "abc");
-  ASSERT_EQ(again.origin->inputs.size(), 1u);
-  EXPECT_EQ(again.origin->inputs[0].path, "../plan.jsonl");
-  EXPECT_EQ(again.origin->inputs[0].sha256, "123");
 }
 
 TEST_F(ManifestFolder, EveryBitOfEveryFileCounts) {
@@ -133,13 +126,100 @@ TEST_F(ManifestFolder, AJournalWithoutAWholeLineIsEmpty) {
   EXPECT_EQ(sealed.bytes, 0u);
 }
 
-TEST(DescribeDamage, NamesAtMostTen) {
-  EXPECT_EQ(DescribeDamage({}), "");
-  EXPECT_EQ(DescribeDamage({{"a", 3, "is torn"}, {"b", 0, "is missing"}}),
-            ". READ IN SPITE OF DAMAGE: a:3: is torn; b: is missing");
-  const std::vector<Damage> many(12, {"a", 0, "is missing"});
-  EXPECT_NE(FormatDamage(many).find("\n  and 2 more"), std::string::npos);
+class StoreSources : public testing::Test {
+ protected:
+  StoreSources() : plan_(CreateFakeSession(folder_, 2)) {}
+
+  void Append(int worker, const std::vector<size_t>& trials) {
+    JournalWriter writer(folder_, worker);
+    for (const size_t trial : trials) writer.Append(MakeFakeRecord(plan_[trial]));
+  }
+  std::string Hash() const { return CalcJournalSha256(folder_, "journal/*.jsonl"); }
+  std::vector<std::string> ListStale() const {
+    std::vector<std::string> stale;
+    for (const StaleResult& one : CheckStore(folder_).stale) {
+      stale.push_back(one.path + " " + one.input);
+    }
+    return stale;
+  }
+
+  TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path() / "s";
+  std::vector<PlannedTrial> plan_;
+};
+
+TEST_F(StoreSources, AJournalCountsByItsLinesWhoeverWroteThem) {
+  Append(0, {0, 1, 2});
+  const std::string one = Hash();
+  fs::remove(folder_ / "journal" / "0.jsonl");
+  Append(0, {2, 0});
+  EXPECT_NE(Hash(), one);
+  Append(1, {1, 0});  // the same trial twice is the same
+  EXPECT_EQ(Hash(), one);
+  std::string torn = ReadFile(folder_ / "journal" / "1.jsonl");
+  WriteFile(folder_ / "journal" / "1.jsonl", torn + torn.substr(0, 20));
+  EXPECT_EQ(Hash(), one);
+}
+
+// sort and sha256sum say the same: the definition has no secrets.
+TEST_F(StoreSources, TheHashIsThatOfTheSortedHashesOfTheLines) {
+  Append(0, {0, 1});
+  std::string lines = ReadFile(folder_ / "journal" / "0.jsonl");
+  std::string first = CalcSha256(lines.substr(0, lines.find('\n'))),
+              second = CalcSha256(
+                  lines.substr(lines.find('\n') + 1, lines.size() - lines.find('\n') - 2));
+  if (second < first) std::swap(first, second);
+  EXPECT_EQ(Hash(), CalcSha256(first + "\n" + second + "\n"));
+}
+
+TEST_F(StoreSources, AnExportIsStaleWhenAnyOfItsSourcesChanges) {
+  Append(0, {0, 1});
+  SealStore(kSessionStore, folder_);
+  ExportSession(folder_, LoadSession(folder_));
+  EXPECT_TRUE(ListStale().empty());
+  Append(1, {2});
+  SealStore(kSessionStore, folder_);
+  EXPECT_EQ(ListStale(), std::vector<std::string>{"export ../journal/*.jsonl"});
+  ExportSession(folder_, LoadSession(folder_));
+  EXPECT_TRUE(ListStale().empty());
+  WriteFile(folder_ / "plan.jsonl", ReadFile(folder_ / "plan.jsonl") + " ");
+  EXPECT_EQ(ListStale(), std::vector<std::string>{"export ../plan.jsonl"});
+}
+
+// An experiment that came after a page was written makes it stale as one that has gone on does.
+TEST_F(StoreSources, AStoreThatIsNewIsAChangeOfItsPattern) {
+  const fs::path output = folder_ / "report";
+  MakeFolder(output);
+  WriteFile(output / "index.html", "page");
+  const std::vector<std::string> shown = {"journal/*.jsonl", "sensitivity/*"};
+  const auto seal = [&] {
+    SealOutput(output, {"index.html"}, MakeOutputOrigin(folder_, "graspbench report .", shown));
+  };
+  seal();
+  EXPECT_TRUE(ListStale().empty());
+  CreateFakeSession(folder_ / "sensitivity" / "0a", 1);
+  EXPECT_EQ(ListStale(), std::vector<std::string>{"report ../sensitivity/*"});
+  seal();
+  EXPECT_TRUE(ListStale().empty());
+  CreateFakeSession(folder_ / "numerics" / "0b", 1);  // is not shown
+  EXPECT_TRUE(ListStale().empty());
+  JournalWriter(folder_ / "sensitivity" / "0a", 0).Append(MakeFakeRecord(plan_[0]));
+  EXPECT_EQ(ListStale(), std::vector<std::string>{"report ../sensitivity/0a"});
+}
+
+TEST_F(StoreSources, WhatWasMovedAwaySaysNothing) {
+  Append(0, {0});
+  const fs::path result = temporary_.path() / "result";
+  MakeFolder(result);
+  ManifestOrigin origin = MakeOrigin("graspbench replay");
+  origin.inputs = {{"../s", CalcSourceSha256(folder_)}, {"elsewhere.c3d", "abc"}};
+  EXPECT_TRUE(FindChangedSources(result, origin).empty());
+  Append(1, {1});
+  EXPECT_EQ(FindChangedSources(result, origin), std::vector<std::string>{"../s"});
+  fs::rename(folder_, temporary_.path() / "moved");
+  EXPECT_TRUE(FindChangedSources(result, origin).empty());
 }
 
 }  // namespace
+
 }  // namespace graspbench

@@ -3,14 +3,18 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "datasets/campaign/campaign_store.h"
 #include "datasets/session/session_store.h"
+#include "tests/datasets/find_error.h"
 #include "tests/datasets/journal/store_mutations.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {
+
 namespace {
 namespace fs = std::filesystem;
 
@@ -40,6 +44,22 @@ TEST_F(SealedStore, IsWholeAsItWasWritten) {
     EXPECT_TRUE(RepairStore(stores_[i]).actions.empty());
   }
   EXPECT_THROW(CheckStore(folder_.path()), Error);
+}
+
+TEST_F(SealedStore, AFolderOrAPipeInPlaceOfAFileIsDamage) {
+  for (const char* name : {"journal/0.jsonl", "journal/9.jsonl", "plan.jsonl", "session.json"}) {
+    const fs::path path = session_ / name, aside = session_ / ".aside";
+    const bool is_there = fs::exists(path);
+    if (is_there) fs::rename(path, aside);
+    fs::create_directory(path);
+    EXPECT_TRUE(Has(Look(session_), name)) << name << Look(session_);
+    fs::remove(path);
+    ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+    EXPECT_TRUE(Has(Look(session_), name)) << name << Look(session_);
+    fs::remove(path);
+    if (is_there) fs::rename(aside, path);
+  }
+  EXPECT_EQ(Look(session_), "");
 }
 
 // The cases that were believed before there was a manifest.
@@ -76,20 +96,12 @@ TEST_F(SealedStore, APlanCutAtALineEndAndAnEmptiedJournalAreFound) {
   }
 }
 
-TEST_F(SealedStore, AFolderOrAPipeInPlaceOfAFileIsDamage) {
-  for (const char* name : {"journal/0.jsonl", "journal/9.jsonl", "plan.jsonl", "session.json"}) {
-    const fs::path path = session_ / name, aside = session_ / ".aside";
-    const bool is_there = fs::exists(path);
-    if (is_there) fs::rename(path, aside);
-    fs::create_directory(path);
-    EXPECT_NE(Look(session_).find(name), std::string::npos) << name << Look(session_);
-    fs::remove(path);
-    ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
-    EXPECT_NE(Look(session_).find(name), std::string::npos) << name << Look(session_);
-    fs::remove(path);
-    if (is_there) fs::rename(aside, path);
-  }
-  EXPECT_EQ(Look(session_), "");
+TEST_F(SealedStore, ScenesThatChangedPlacesAreFound) {
+  const fs::path scenes = stores_[3] / "scenes";
+  fs::rename(scenes / "tum-mug", scenes / "aside");
+  fs::rename(scenes / "tum-pencil", scenes / "tum-mug");
+  fs::rename(scenes / "aside", scenes / "tum-pencil");
+  EXPECT_NE(Look(stores_[3]), "");
 }
 
 TEST_F(SealedStore, RepairSetsTheDamagedLineAsideAndKeepsTheOthers) {
@@ -115,7 +127,7 @@ TEST_F(SealedStore, RepairDoesNotBlessAChangedConfiguration) {
     FAIL();
   } catch (const Error& error) {
     const std::string text = error.what();
-    EXPECT_NE(text.find("no repair brings back session.json: "), text.npos) << text;
+    EXPECT_TRUE(Has(text, "no repair brings back session.json: "));
     EXPECT_EQ(text.find("verify --repair"), text.npos) << text;
   }
   SealStore(kSessionStore, session_);  // nor does a run that accepts it
@@ -149,18 +161,9 @@ TEST_F(SealedStore, DerivedFilesAreMadeAnew) {
 TEST_F(SealedStore, DamageInsideACampaignIsNamedFromItsFolder) {
   const fs::path campaign = stores_[3];
   Edit(campaign / "scenes/tum-mug/journal.jsonl", "search", "zearch");
-  EXPECT_NE(Look(campaign).find("\n  scenes/tum-mug/journal.jsonl:1: "), std::string::npos)
-      << Look(campaign);
+  EXPECT_TRUE(Has(Look(campaign), "\n  scenes/tum-mug/journal.jsonl:1: "));
   fs::remove_all(campaign / "benchmark");
-  EXPECT_NE(Look(campaign).find("benchmark/session.json: is missing"), std::string::npos);
-}
-
-TEST_F(SealedStore, ScenesThatChangedPlacesAreFound) {
-  const fs::path scenes = stores_[3] / "scenes";
-  fs::rename(scenes / "tum-mug", scenes / "aside");
-  fs::rename(scenes / "tum-pencil", scenes / "tum-mug");
-  fs::rename(scenes / "aside", scenes / "tum-pencil");
-  EXPECT_NE(Look(stores_[3]), "");
+  EXPECT_TRUE(Has(Look(campaign), "benchmark/session.json: is missing"));
 }
 
 // Nothing is read from them again, so they stop nobody, but they are not believed either.
@@ -234,5 +237,41 @@ TEST(StoreMutations, AreFoundAndLoseNoWholeLine) {
   EXPECT_EQ(count.mutations, 300);
 }
 
+using Names = std::vector<std::string>;
+
+TEST(UnverifiedFiles, AreMadeFilesWithoutAHash) {
+  const TemporaryFolder folder;
+  MakeStores(folder.path());
+  const auto find = [&](const char* store) { return FindUnverified(folder.path() / store); };
+  for (const char* store : {"session", "scene", "campaign", "study", "nowhere"}) {
+    EXPECT_EQ(find(store), Names()) << store;
+  }
+  const std::filesystem::path campaign = folder.path() / "campaign";
+  WriteFile(campaign / "comparison.csv", "hand,object\n");
+  WriteFile(campaign / "scenes" / "tum-mug" / "new-other.yaml", "x: 1\n");
+  WriteFile(campaign / "notes.txt", "a person's own\n");
+  EXPECT_EQ(find("campaign"), (Names{"comparison.csv", "scenes/tum-mug/new-other.yaml"}));
+  EXPECT_TRUE(CheckStore(campaign).damages.empty());
+  SealStore(kCampaignStore, campaign);
+  EXPECT_EQ(find("campaign"), Names{"scenes/tum-mug/new-other.yaml"});
+  EXPECT_EQ(DescribeUnverified("comparison.csv"),
+            "comparison.csv: cannot be verified, no hash of it is kept");
+}
+
+TEST(UnverifiedFiles, AreTablesWhoseManifestIsGone) {
+  const TemporaryFolder folder;
+  MakeStores(folder.path());
+  const std::filesystem::path session = folder.path() / "session";
+  std::filesystem::create_directories(session / "export");
+  UnsealOutput(session / "export");
+  WriteFile(session / "export" / "trials.csv", "trial_id\n");
+  SealOutput(session / "export", {"trials.csv"}, {});
+  EXPECT_EQ(FindUnverified(session), Names());
+  std::filesystem::remove(session / "export" / "manifest.json");
+  const Names found = FindUnverified(session);
+  EXPECT_NE(std::find(found.begin(), found.end(), "export/trials.csv"), found.end());
+}
+
 }  // namespace
+
 }  // namespace graspbench

@@ -8,16 +8,6 @@
 namespace graspbench {
 namespace {
 
-TEST(StoreKind, IsNamedByTheFrozenConfiguration) {
-  const TemporaryFolder folder;
-  EXPECT_EQ(FindStoreKind(folder.path()), nullptr);
-  for (const StoreKind* kind : {&kSceneStore, &kSessionStore, &kCampaignStore}) {
-    WriteFile(folder.path() / kind->file, "{}");
-    EXPECT_EQ(FindStoreKind(folder.path()), kind);
-    EXPECT_TRUE(IsMatch(kind->file, kind->files));
-  }
-}
-
 TEST(ListMatches, FindsNamesByPatternsOfOneStarAPart) {
   const TemporaryFolder folder;
   for (const char* name : {"a/1.jsonl", "a/2.jsonl", "a/2.jsonl.damaged", "b/1.jsonl", "1.jsonl",
@@ -25,13 +15,13 @@ TEST(ListMatches, FindsNamesByPatternsOfOneStarAPart) {
     MakeFolder((folder.path() / name).parent_path());
     WriteFile(folder.path() / name, "");
   }
-  using Names = std::vector<std::string>;
-  const auto list = [&](const Names& patterns) { return ListMatches(folder.path(), patterns); };
-  EXPECT_EQ(list({"a/*.jsonl"}), (Names{"a/1.jsonl", "a/2.jsonl"}));
-  EXPECT_EQ(list({"*/1.jsonl", "1.jsonl"}), (Names{"1.jsonl", "a/1.jsonl", "b/1.jsonl"}));
-  EXPECT_EQ(list({"*/*.jsonl", "a/1.jsonl"}), (Names{"a/1.jsonl", "a/2.jsonl", "b/1.jsonl"}));
-  EXPECT_EQ(list({"*"}), (Names{"1.jsonl", "a", "b"}));
-  EXPECT_EQ(list({"none/*", "c"}), Names());
+  using NameList = std::vector<std::string>;
+  const auto list = [&](const NameList& patterns) { return ListMatches(folder.path(), patterns); };
+  EXPECT_EQ(list({"a/*.jsonl"}), (NameList{"a/1.jsonl", "a/2.jsonl"}));
+  EXPECT_EQ(list({"*/1.jsonl", "1.jsonl"}), (NameList{"1.jsonl", "a/1.jsonl", "b/1.jsonl"}));
+  EXPECT_EQ(list({"*/*.jsonl", "a/1.jsonl"}), (NameList{"a/1.jsonl", "a/2.jsonl", "b/1.jsonl"}));
+  EXPECT_EQ(list({"*"}), (NameList{"1.jsonl", "a", "b"}));
+  EXPECT_EQ(list({"none/*", "c"}), NameList());
   for (const std::string& name : list({"*/*.jsonl"})) EXPECT_TRUE(IsMatch(name, {"*/*.jsonl"}));
   EXPECT_FALSE(IsMatch("a/deep/4.jsonl", {"*/*.jsonl", "*"}));
 }

@@ -4,10 +4,9 @@
 
 #include <random>
 
-#include "core/hand/import/mjcf/read_foreign_mjcf.h"
+#include "core/hand/import/read_foreign_urdf.h"
 #include "core/hand/import/weld_links.h"
-#include "datasets/mjcf/commanded_motion.h"
-#include "datasets/mjcf/mjcf_scene.h"
+#include "datasets/mjcf/mjcf_export.h"
 #include "tests/datasets/mjcf/best_grasp_setup.h"
 
 namespace graspbench {

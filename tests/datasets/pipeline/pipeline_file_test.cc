@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/datasets/find_error.h"
 #include "tests/datasets/pipeline/made_commands.h"
 
 namespace graspbench {
@@ -92,7 +93,7 @@ TEST(PipelineFile, FaultsHaveLines) {
        "p.yaml:3: error: these stages wait for each other, or for such that do: a, c"},
   };
   for (const auto& [text, fault] : cases) {
-    EXPECT_NE(FindFault(text).find(fault), std::string::npos) << text << FindFault(text);
+    EXPECT_TRUE(Has(FindFault(text), fault)) << text << FindFault(text);
   }
 }
 

@@ -109,14 +109,6 @@ TEST_F(PipelineState, ALinkIsNoResult) {
   EXPECT_EQ(Tell(kText), (Told{"a: its result was replaced by a link;"}));
 }
 
-TEST_F(PipelineState, AFailureIsToldUntilItRunsAgain) {
-  MakeFolder(results_ / kStageLogs);
-  KeepFailure(results_, "b", 3);
-  EXPECT_EQ(Tell(kText), (Told{"b: it failed with exit code 3; it said why in logs/b.txt;"}));
-  ForgetFailure(results_, "b");
-  EXPECT_EQ(Tell(kText), Told{});
-}
-
 TEST_F(PipelineState, OtherBytesOfTheSameKeyMakeThoseBehindStale) {
   WriteFile(results_ / "a" / "out.csv", "from another processor");
   PipelineLock lock = LoadPipelineLock(results_);

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
+#include "tests/datasets/find_error.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {
@@ -65,25 +66,18 @@ TEST_F(FrozenFolderTest, SaysWhatIsMissingDamagedOrOfAnotherVersion) {
   WriteFrozen(kKind, folder_.path(), {{"a", 1}});
   std::filesystem::remove(file());
   EXPECT_EQ(FindFault().first, ErrorKind::kFormat);
-  EXPECT_NE(FindFault().second.find("experiment.json\" is missing, which the manifest"),
-            std::string::npos);
+  EXPECT_TRUE(Has(FindFault().second, "experiment.json\" is missing, which the manifest"));
   WriteFile(file(), R"({"schema":5,"program_version":"9.9.9","config":{}})");
   EXPECT_EQ(FindFault().first, ErrorKind::kVersion);
-  EXPECT_NE(FindFault().second.find("has schema 5"), std::string::npos);
-  EXPECT_NE(FindFault().second.find("reads schema 4; use graspbench 9.9.9 for it, or try anew "
-                                    "into another folder"),
-            std::string::npos);
+  EXPECT_TRUE(Has(FindFault().second, "has schema 5"));
+  EXPECT_TRUE(Has(FindFault().second,
+                  "reads schema 4; use graspbench 9.9.9 for it, or try anew "
+                  "into another folder"));
   for (const char* text : {"{\"schema\":4,", "{\"config\":{}}", "[]"}) {
     WriteFile(file(), text);
     EXPECT_EQ(FindFault().first, ErrorKind::kFormat) << text;
-    EXPECT_NE(FindFault().second.find("experiment.json\" is damaged: "), std::string::npos);
+    EXPECT_TRUE(Has(FindFault().second, "experiment.json\" is damaged: "));
   }
-}
-
-TEST(ListDifferences, PutsEachOnALineOfItsOwn) {
-  EXPECT_EQ(ListDifferences({}), "");
-  EXPECT_EQ(ListDifferences({"seed: 1 and 2", "trials: 3 and 4"}),
-            "\n  seed: 1 and 2\n  trials: 3 and 4");
 }
 
 }  // namespace

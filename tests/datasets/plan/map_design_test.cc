@@ -40,31 +40,6 @@ TEST(MapDesign, TwoLevelsOfTwoFactorsMeetEquallyOften) {
   }
 }
 
-TEST(MapDesign, EveryRegionIsTriedWithEachDelayOfEachDigit) {
-  const MapPart part = ListMapParts(false).front();
-  const SessionConfig config = MakeMapSession(part, SessionConfig());
-  EXPECT_EQ(config.conditions.size(), 28u * 5u - 1u);
-  std::map<std::vector<size_t>, std::set<std::pair<LateDigit, double>>> doses;
-  const auto levels = ListMapLevels(config.conditions, config);
-  for (size_t i = 0; i < levels.size(); ++i) {
-    const ConditionInputs made = ApplyCondition(config.conditions[i], config);
-    doses[levels[i]].insert({made.late, made.delay});
-  }
-  for (const auto& [region, found] : doses) {
-    EXPECT_EQ(found.count({LateDigit::kLast, 0.3}) + found.count({LateDigit::kFirst, 0.1}), 2u);
-  }
-}
-
-TEST(MapDesign, TheBaseIsTheFirstLevelOfEachFactor) {
-  const SessionConfig config = MakeMapSession(ListMapParts(true).front(), SessionConfig());
-  EXPECT_EQ(config.strategy.grip, "margin");
-  EXPECT_EQ(config.strategy.grip_margin, 1.5);
-  EXPECT_EQ(config.strategy.grip_force, 0.0);
-  EXPECT_EQ(config.strategy.touch_speed, 1.0);
-  EXPECT_EQ(config.variation.offset, 0.002);
-  EXPECT_EQ(ListMapLevels({{}}, config).at(0), std::vector<size_t>(6, 0));
-}
-
 // Some sixty trials of a region: 21 objects three draws each, 29 two, 79 one, one object no more
 // than three.
 TEST(MapDesign, MoreObjectsHaveFewerDraws) {

@@ -27,17 +27,6 @@ TEST(SceneNamesTest, WhatIsNoNameStaysAsItIs) {
   }
 }
 
-TEST(SceneNamesTest, NamesInASessionAreReplaced) {
-  SessionConfig config;
-  config.hands = {"TUM Hand"};
-  config.objects = {"golf ball", "cup"};
-  config.grasps = {"power", "my.yaml"};
-  ReplaceNames(config);
-  EXPECT_EQ(config.hands, std::vector<std::string>{"tum"});
-  EXPECT_EQ(config.objects, (std::vector<std::string>{"golf_ball", "cup"}));
-  EXPECT_EQ(config.grasps, (std::vector<std::string>{"g3", "my.yaml"}));
-}
-
 class ObjectFoldersTest : public testing::Test {
  protected:
   void SetUp() override {

@@ -3,28 +3,17 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/base/files/files.h"
+#include "core/hand/load_hand.h"
+#include "core/shape/obj_file.h"
+#include "core/shape/primitives.h"
 #include "datasets/plan/session_plan.h"
+#include "tests/datasets/find_error.h"
+#include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {
-namespace {
 
-TEST(SessionInputs, LoadsWhatTheConfigurationNamesInItsOrder) {
-  SessionConfig config;
-  config.hands = {"tum-original", "shadow"};
-  config.objects = {"tennis_ball", "adhesive_tape"};
-  const SessionInputs inputs = LoadSessionInputs(config);
-  ASSERT_EQ(inputs.hands.size(), 2u);
-  EXPECT_EQ(inputs.hands[0].hand->id, "tum-original");
-  EXPECT_EQ(inputs.hands[1].hand->id, "shadow");
-  ASSERT_EQ(inputs.objects.size(), 2u);
-  EXPECT_EQ(inputs.objects[0]->id, "tennis_ball");
-  EXPECT_EQ(inputs.objects[1]->id, "adhesive_tape");
-  // The hand in its first form can do one grasp only, whatever the object would like best.
-  const auto plan = MakePlan(config, inputs);
-  ASSERT_EQ(plan.size(), 40u);
-  EXPECT_EQ(plan[0].grasp, "g1");
-  EXPECT_EQ(plan[20].grasp, "g3");
-}
+namespace {
 
 TEST(SessionInputs, TheSessionsApproachComesBeforeAllOthers) {
   SessionConfig config;
@@ -40,18 +29,99 @@ TEST(SessionInputs, TheSessionsApproachComesBeforeAllOthers) {
   }
 }
 
-TEST(SessionInputs, SuggestsNames) {
-  SessionConfig config;
-  config.hands = {"shadwo"};
-  try {
-    LoadSessionInputs(config);
-    FAIL();
-  } catch (const Error& e) {
-    EXPECT_EQ(e.kind(), ErrorKind::kNotFound);
-    EXPECT_NE(std::string(e.what()).find("did you mean \"shadow\"?"), std::string::npos)
-        << e.what();
+namespace fs = std::filesystem;
+
+constexpr char kYaml[] =
+    "name: block\nmesh: block.obj\nmesh_unit: mm\nmass_kg: 0.06\n"
+    "friction_static: 0.5\nfriction_dynamic: 0.4\n";
+
+class InputCopies : public testing::Test {
+ protected:
+  InputCopies() {
+    fs::create_directories(block_);
+    WriteFile(block_ / "object.yaml", kYaml);
+    WriteFile(block_ / "block.obj", FormatObj(MakeRoundedBox({0.04, 0.03, 0.02}, 0.0), 1e3));
+    WriteFile(block_ / "photo.raw", "not asked for");
+    config_.hands = {"tum"};
+    config_.objects = {"golf_ball", block_.string()};
   }
+
+  TemporaryFolder top_;
+  const fs::path block_ = top_.path() / "mine" / "block", session_ = top_.path() / "session";
+  SessionConfig config_;
+};
+
+// tum-original draws two parts of tum's.
+TEST_F(InputCopies, AGatheredHandHasAllItsMeshesAndMovesAsBefore) {
+  const Hand original = LoadHand("tum-original");
+  GatherHand(original.folder, session_ / "gathered");
+  const Hand gathered = LoadHand((session_ / "gathered").string());
+  EXPECT_EQ(ReadFile(session_ / "gathered" / "hand.urdf").find("../"), std::string::npos);
+  ASSERT_EQ(gathered.visuals.size(), original.visuals.size());
+  for (size_t i = 0; i < original.visuals.size(); ++i) {
+    EXPECT_EQ(gathered.visuals[i].mesh.vertices, original.visuals[i].mesh.vertices);
+  }
+  EXPECT_EQ(gathered.num_joints(), original.num_joints());
+}
+
+TEST_F(InputCopies, HoldWhatTheOriginalsAreMadeOfAndNoMore) {
+  const std::string hash = LoadSessionInputs(config_).objects[1]->content_hash;
+  CopyInputs(config_, session_);
+  const fs::path copy = session_ / "inputs" / "objects" / "block";
+  EXPECT_TRUE(fs::exists(copy / "object.yaml") && fs::exists(copy / "block.obj"));
+  EXPECT_FALSE(fs::exists(copy / "photo.raw"));
+  EXPECT_FALSE(fs::exists(session_ / "inputs" / "hands"));
+  fs::remove_all(block_);
+  const SessionInputs inputs = LoadSessionInputs(config_, FieldUse::kLater, session_);
+  ASSERT_EQ(inputs.objects.size(), 2u);
+  EXPECT_EQ(inputs.objects[0]->id, "golf_ball");
+  EXPECT_EQ(inputs.objects[1]->id, "block");
+  EXPECT_EQ(inputs.objects[1]->content_hash, hash);
+  EXPECT_THROW(LoadSessionInputs(config_, FieldUse::kLater), Error);
+}
+
+TEST_F(InputCopies, TheSameFolderByOtherNamesHasTheSameCopy) {
+  config_.objects[1] += "/";
+  CopyInputs(config_, session_);
+  for (const std::string& name :
+       {block_.string(), (block_ / "object.yaml").string(), (block_ / "." / "").string()}) {
+    EXPECT_EQ(FindObjectInput(name, session_), (session_ / "inputs/objects/block").string());
+  }
+  EXPECT_EQ(FindObjectInput("can", session_), "can");
+  EXPECT_EQ(FindObjectInput(block_.string(), {}), block_.string());
+}
+
+TEST_F(InputCopies, BuffersOfAGltfComeAlongAndNothingFromOutside) {
+  std::string yaml = kYaml;
+  WriteFile(block_ / "object.yaml", yaml.replace(yaml.find("block.obj"), 9, "a.gltf"));
+  const auto write_buffer_name = [&](const std::string& name) {
+    WriteFile(block_ / "a.gltf", "{\"buffers\":[{\"uri\":\"" + name +
+                                     "\"},{\"uri\":\"data:application/octet-stream;base64,\"}]}");
+  };
+  WriteFile(block_ / "a.bin", "bytes");
+  write_buffer_name("a.bin");
+  CopyInputs(config_, session_);
+  EXPECT_EQ(ReadFile(session_ / "inputs/objects/block/a.bin"), "bytes");
+  write_buffer_name("../secret");
+  WriteFile(block_.parent_path() / "secret", "x");
+  EXPECT_TRUE(Throws([&] { CopyInputs(config_, top_.path() / "other"); }, ErrorKind::kUsage,
+                     "lies outside that folder"));
+}
+
+TEST_F(InputCopies, AHandBringsTheMeshesOfItsUrdf) {
+  const fs::path hand = top_.path() / "mine" / "hand";
+  fs::copy(FindDataRoot() / "core" / "hand" / "models" / "tum", hand, fs::copy_options::recursive);
+  config_.hands = {hand.string()};
+  const SessionHand original = LoadSessionInputs(config_).hands[0];
+  CopyInputs(config_, session_);
+  fs::remove_all(hand);
+  const SessionHand copy = LoadSessionInputs(config_, FieldUse::kLater, session_).hands[0];
+  EXPECT_EQ(copy.hand->id, "hand");
+  EXPECT_EQ(copy.hand->content_hash, original.hand->content_hash);
+  EXPECT_EQ(copy.hand->visuals.size(), original.hand->visuals.size());
+  EXPECT_EQ(copy.grasps.size(), original.grasps.size());
 }
 
 }  // namespace
+
 }  // namespace graspbench

@@ -2,13 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/files/files.h"
 #include "core/base/hash.h"
+#include "tests/datasets/find_error.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {
+
 namespace {
 
 const PlannedTrial kPlanned = {"0123456789abcdef", "tum", "mug", "g2", 3};
@@ -59,20 +64,6 @@ TEST(TrialRecord, ResultsAreReadStraightFromTheirText) {
   }
 }
 
-TEST(TrialRecord, IsAnOrdinaryJsonLine) {
-  const Json json = Json::parse(FormatJournalLine(MakeFakeRecord(kPlanned)));
-  EXPECT_EQ(json.at("trial_id"), kPlanned.id);
-  EXPECT_EQ(json.at("xxh64").get<std::string>().size(), 16u);
-}
-
-TEST(TrialRecord, MissingNumbersAreNull) {
-  TrialRecord record = MakeFakeRecord(kPlanned);
-  record.result.hold_slip = std::nan("");
-  const std::string line = FormatJournalLine(record);
-  EXPECT_TRUE(Json::parse(line).at("result").at("hold_slip_m").is_null());
-  EXPECT_TRUE(std::isnan(ParseJournalLine(line).result.hold_slip));
-}
-
 TEST(TrialRecord, EveryFlippedBitIsFound) {
   const std::string line = FormatJournalLine(MakeFakeRecord(kPlanned));
   for (size_t bit = 0; bit < 8 * line.size(); ++bit) {
@@ -97,9 +88,7 @@ TEST(TrialRecord, SaysWhatIsWrong) {
   line[20] ^= 1;
   EXPECT_EQ(FindProblem(line), "its bytes do not match their checksum");
   // Valid checksums around content of another version: said, not crashed.
-  const auto has = [](const std::string& text, const char* part) {
-    EXPECT_NE(text.find(part), std::string::npos) << text;
-  };
+  const auto has = [](const std::string& text, const char* part) { EXPECT_TRUE(Has(text, part)); };
   has(FindProblem(Seal("{")), "it is no record of this version");
   has(FindProblem(Seal("{\"trial_id\":\"a\"")), "key 'hand' not found");
   const auto change = [](const std::string& path, const Json& value) {
@@ -121,5 +110,63 @@ TEST(TrialRecord, SaysWhatIsWrong) {
   has(change("result/snapshots/0/X_WO/R", Json::array()), "out of range");
 }
 
+TEST(RecordLines, GiveTheLineAtItsPlaceAndNameIt) {
+  const TemporaryFolder folder;
+  WriteFile(folder.path() / "a.jsonl", "one\n\nthree\n");
+  WriteFile(folder.path() / "b.jsonl", "uno\n");
+  const RecordLines lines = {folder.path(), {"a.jsonl", "b.jsonl"}, {}, {}};
+  EXPECT_EQ(ReadLine(lines, {0, 3, 5, 5}), "three");
+  EXPECT_EQ(ReadLine(lines, {1, 1, 0, 3}), "uno");
+  EXPECT_EQ(NameOfLine(lines, {0, 3, 5, 5}), "a.jsonl:3");
+}
+
+TEST(RecordLines, AShorterOrMissingFileIsAnError) {
+  const TemporaryFolder folder;
+  WriteFile(folder.path() / "a.jsonl", "one\n");
+  const RecordLines lines = {folder.path(), {"a.jsonl", "none.jsonl"}, {}, {}};
+  for (const LinePlace& place : {LinePlace{0, 2, 2, 9}, LinePlace{1, 1, 0, 3}}) {
+    EXPECT_TRUE(Throws([&] { ReadLine(lines, place); }, ErrorKind::kIo, " again: "));
+  }
+}
+
+TrialResult MakeResult() { return MakeFakeRecord({"id", "tum", "mug", "g2", 1}).result; }
+
+TEST(CompareResults, EqualResultsDoNotDiffer) {
+  TrialResult result = MakeResult();
+  result.hold_slip = kUnset;  // missing equals missing
+  EXPECT_FALSE(FindFirstDifference(result, result));
+}
+
+TEST(CompareResults, TheLastBitOfAFieldCounts) {
+  const TrialResult recorded = MakeResult();
+  TrialResult now = recorded;
+  now.grip_force = std::nextafter(now.grip_force, 100.0);
+  const auto difference = FindFirstDifference(recorded, now);
+  ASSERT_TRUE(difference);
+  EXPECT_EQ(difference->field, "grip_force_n");
+  EXPECT_EQ(std::stod(difference->recorded), recorded.grip_force);
+  EXPECT_EQ(std::stod(difference->now), now.grip_force);
+}
+
+TEST(CompareResults, NamesTheFirstPlaceWithinLists) {
+  const TrialResult recorded = MakeResult();
+  TrialResult now = recorded;
+  now.contacts[2].time = 17.0;
+  now.grip_force = 17.0;
+  EXPECT_EQ(FindFirstDifference(recorded, now)->field, "contacts/2/time_s");
+  now = recorded;
+  now.phases.pop_back();
+  const auto difference = FindFirstDifference(recorded, now);
+  EXPECT_EQ(difference->field, "phases/1");
+  EXPECT_EQ(difference->now, "missing");
+  now = recorded;
+  now.phases.insert(now.phases.end(), 2, now.phases.back());
+  const std::string first = "phases/" + std::to_string(recorded.phases.size());
+  EXPECT_EQ(FindFirstDifference(recorded, now)->field, first);
+  EXPECT_EQ(FindFirstDifference(recorded, now)->recorded, "missing");
+  EXPECT_EQ(FindFirstDifference(now, recorded)->field, first);
+}
+
 }  // namespace
+
 }  // namespace graspbench

@@ -5,9 +5,11 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "tests/datasets/find_error.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {
+
 namespace {
 
 Session MakeSession(int trials) {
@@ -54,8 +56,7 @@ TEST(FindTrial, UnderAConditionTheNameHasIt) {
   }
   EXPECT_EQ(FindPlannedTrial(session, "tum-mug-g2:1@heavy").condition, "Heavy");
   EXPECT_FALSE(FindPlannedTrial(session, "tum-mug-g2:1").condition);
-  EXPECT_NE(FindMessage(session, "tum-mug-g2:2").find("has tum-mug-g2:0 to tum-mug-g2:1"),
-            std::string::npos);
+  EXPECT_TRUE(Has(FindMessage(session, "tum-mug-g2:2"), "has tum-mug-g2:0 to tum-mug-g2:1"));
   EXPECT_NE(FindMessage(session, "tum-mug-g2:1@light"), "");
 }
 
@@ -71,24 +72,19 @@ TEST(FindTrial, NamesThatDifferInCapitalsAreKeptApart) {
   for (const char* condition : {"grasp=Pinch", "grasp=pinch"}) {
     EXPECT_EQ(FindPlannedTrial(session, name + "@" + condition).condition, condition);
   }
-  EXPECT_NE(FindMessage(session, name + "@grasp=PINCH").find("differ in capital letters"),
-            std::string::npos);
+  EXPECT_TRUE(Has(FindMessage(session, name + "@grasp=PINCH"), "differ in capital letters"));
 }
 
 TEST(FindTrial, WhatIsNoneIsRefusedWithWhatThereIs) {
   Session session = MakeSession(3);
-  EXPECT_NE(FindMessage(session, "tum-mug-g2:3").find("has tum-mug-g2:0 to tum-mug-g2:2"),
-            std::string::npos);
-  EXPECT_NE(FindMessage(session, "tum-mug-g2:-1").find("has tum-mug-g2:0 to"), std::string::npos);
-  EXPECT_NE(FindMessage(session, "tum-mugg-g2:1").find("did you mean \"tum-mug-g2\""),
-            std::string::npos);
-  EXPECT_NE(FindMessage(session, session.plan[0].id.substr(0, 3)).find("no trial"),
-            std::string::npos)
+  EXPECT_TRUE(Has(FindMessage(session, "tum-mug-g2:3"), "has tum-mug-g2:0 to tum-mug-g2:2"));
+  EXPECT_TRUE(Has(FindMessage(session, "tum-mug-g2:-1"), "has tum-mug-g2:0 to"));
+  EXPECT_TRUE(Has(FindMessage(session, "tum-mugg-g2:1"), "did you mean \"tum-mug-g2\""));
+  EXPECT_TRUE(Has(FindMessage(session, session.plan[0].id.substr(0, 3)), "no trial"))
       << "three letters are too few";
-  EXPECT_NE(FindMessage(session, "").find("no trial"), std::string::npos);
+  EXPECT_TRUE(Has(FindMessage(session, ""), "no trial"));
   session.plan[1].id = session.plan[0].id.substr(0, 8) + "00000000";
-  EXPECT_NE(FindMessage(session, session.plan[0].id.substr(0, 6)).find("several trials"),
-            std::string::npos);
+  EXPECT_TRUE(Has(FindMessage(session, session.plan[0].id.substr(0, 6)), "several trials"));
 }
 
 // By trying all of them.
@@ -121,5 +117,41 @@ TEST(FindTrial, TheNearestSuccessIsNearerThanAnyOther) {
   EXPECT_EQ(FindRecord(session, session.plan[0]), nullptr);
 }
 
+class SessionExperiments : public testing::Test {
+ protected:
+  SessionExperiments() {
+    CreateFakeSession(folder_.path(), 2);
+    session_ = LoadSession(folder_.path());
+  }
+
+  /** Below the session, with the configuration given. */
+  void Create(const std::string& name, const SessionConfig& config,
+              const std::vector<PlannedTrial>& plan) {
+    CreateSession(folder_.path() / name, config, plan);
+  }
+  std::string FindComplaint() {
+    try {
+      LoadExperiments(session_, "sensitivity");
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::kFormat);
+      return error.what();
+    }
+    return "";
+  }
+
+  TemporaryFolder folder_;
+  Session session_;
+};
+
+TEST_F(SessionExperiments, OfAnotherSeedAreRefused) {
+  SessionConfig config = session_.config;
+  config.seed = 7;
+  Create("sensitivity/2", config, {session_.plan.front()});
+  const std::string complaint = FindComplaint();
+  EXPECT_TRUE(Has(complaint, "\"sensitivity/2\" is an experiment on another session"));
+  EXPECT_TRUE(Has(complaint, "seed: 1 and 7"));
+}
+
 }  // namespace
+
 }  // namespace graspbench

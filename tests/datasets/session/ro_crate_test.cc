@@ -6,10 +6,13 @@
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
-#include "core/base/sha256.h"
+#include "core/base/hash.h"
+#include "core/base/version.h"
+#include "tests/datasets/find_error.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {
+
 namespace {
 
 class RoCrate : public testing::Test {
@@ -64,16 +67,6 @@ TEST_F(RoCrate, ItsFilesAreWhatTheySay) {
   EXPECT_EQ(num_actions, 2) << "one run, one export";
 }
 
-TEST_F(RoCrate, ASweepIsNamed) {
-  EXPECT_NE(FormatRoCrate(folder_).find("\"graspbench run\""), std::string::npos);
-  Json session = Json::parse(ReadFile(folder_ / "session.json"));
-  session["config"]["conditions"] = {{{"name", "heavy"}, {"settings", {"model.mass_scale=2.0"}}}};
-  WriteFile(folder_ / "session.json", session.dump());
-  const std::string text = FormatRoCrate(folder_);
-  EXPECT_NE(text.find("\"graspbench sweep\""), std::string::npos);
-  EXPECT_EQ(text.find("\"graspbench run\""), std::string::npos);
-}
-
 TEST_F(RoCrate, ADamagedRunRecordIsNamed) {
   WriteFile(folder_ / "run.json", "{\"runs\":[{}]}");
   EXPECT_THROW(FormatRoCrate(folder_), Error);
@@ -81,5 +74,18 @@ TEST_F(RoCrate, ADamagedRunRecordIsNamed) {
   EXPECT_THROW(FormatRoCrate(folder_), Error);
 }
 
+TEST(Provenance, NamesTheSourcesOfAnOutput) {
+  const TemporaryFolder folder;
+  CreateFakeSession(folder.path(), 1);
+  const ManifestOrigin origin =
+      MakeOutputOrigin(folder.path(), "graspbench export .", {"plan.jsonl", "journal/*.jsonl"});
+  ASSERT_EQ(origin.inputs.size(), 2u);
+  EXPECT_EQ(origin.inputs[0].path, "../plan.jsonl");
+  EXPECT_EQ(origin.inputs[0].sha256, CalcSha256(ReadFile(folder.path() / "plan.jsonl")));
+  EXPECT_EQ(origin.inputs[1].path, "../journal/*.jsonl");
+  EXPECT_TRUE(MakeOutputOrigin(folder.path() / "nowhere", "x").inputs.empty());
+}
+
 }  // namespace
+
 }  // namespace graspbench

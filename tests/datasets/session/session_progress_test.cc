@@ -62,25 +62,6 @@ TEST_F(ReadProgressTest, CountsTrialsNotLines) {
   for (const ShardProgress& one : progress.shards) EXPECT_EQ(one.state, ShardState::kFinished);
 }
 
-// A worker that ended with trials left, one that has begun since, and one that was killed.
-TEST_F(ReadProgressTest, TellsWhoHasStopped) {
-  for (const int number : {1, 2, 3}) Finish({number, 4}, 1);
-  const std::string before = "2026-01-31T12:00:00Z", after = "2026-01-31T12:00:09Z";
-  WorkerLog first(folder_.path(), "1of4"), second(folder_.path(), "2of4");
-  first.Append(WorkerStart{"1of4", before, {}, {}});
-  first.Append(WorkerEnd{"1of4", after, 1});
-  second.Append(WorkerEnd{"2of4", before, 1});
-  second.Append(WorkerStart{"2of4", after, {}, {}});
-  const SessionProgress progress = ReadProgress(folder_.path(), 60.0);
-  ASSERT_EQ(progress.shards.size(), 4u);
-  EXPECT_EQ(progress.shards[0].state, ShardState::kStopped);
-  EXPECT_EQ(progress.shards[1].state, ShardState::kRunning);
-  EXPECT_EQ(progress.shards[2].state, ShardState::kRunning);
-  EXPECT_EQ(progress.shards[3].state, ShardState::kWaiting);
-  const std::set<std::string> all = {"1of4", "2of4", "3of4"};
-  EXPECT_EQ(progress.unchecked, all);
-}
-
 TEST_F(ReadProgressTest, LeavesOutDamagedAndTornLines) {
   Finish({1, 1}, 3);
   fs::remove_all(folder_.path() / "progress");
@@ -105,6 +86,25 @@ TEST_F(ReadProgressTest, BelievesNoIndexThatIsOlderThanItsJournal) {
   const SessionProgress progress = ReadProgress(folder_.path(), 60.0);
   EXPECT_EQ(progress.num_finished, 2);
   EXPECT_EQ(progress.num_bad_lines, 1);
+}
+
+// A worker that ended with trials left, one that has begun since, and one that was killed.
+TEST_F(ReadProgressTest, TellsWhoHasStopped) {
+  for (const int number : {1, 2, 3}) Finish({number, 4}, 1);
+  const std::string before = "2026-01-31T12:00:00Z", after = "2026-01-31T12:00:09Z";
+  WorkerLog first(folder_.path(), "1of4"), second(folder_.path(), "2of4");
+  first.Append(WorkerStart{"1of4", before, {}, {}});
+  first.Append(WorkerEnd{"1of4", after, 1});
+  second.Append(WorkerEnd{"2of4", before, 1});
+  second.Append(WorkerStart{"2of4", after, {}, {}});
+  const SessionProgress progress = ReadProgress(folder_.path(), 60.0);
+  ASSERT_EQ(progress.shards.size(), 4u);
+  EXPECT_EQ(progress.shards[0].state, ShardState::kStopped);
+  EXPECT_EQ(progress.shards[1].state, ShardState::kRunning);
+  EXPECT_EQ(progress.shards[2].state, ShardState::kRunning);
+  EXPECT_EQ(progress.shards[3].state, ShardState::kWaiting);
+  const std::set<std::string> all = {"1of4", "2of4", "3of4"};
+  EXPECT_EQ(progress.unchecked, all);
 }
 
 // By their lengths: a file that is gone, and one that has lost committed bytes.

@@ -33,15 +33,6 @@ TEST(ParseShard, TakesPairsFromOneToCountOnly) {
   }
 }
 
-TEST(FindShardOfFile, ReadsWhatLabelsSay) {
-  EXPECT_EQ(FormatLabel({3, 7}), "3of7");
-  EXPECT_EQ(FindShardOfFile("3of7-0.jsonl").number, 3);
-  EXPECT_EQ(FindShardOfFile("3of7-0-2.jsonl").count, 7);
-  for (const char* name : {"0.jsonl", "merged-0.jsonl", "8of7-0.jsonl", "3of7.jsonl", "3of-0"}) {
-    EXPECT_EQ(FindShardOfFile(name).count, 0) << name;
-  }
-}
-
 TEST(PartitionPlan, GivesEveryTrialToOneShardInThePlansOrder) {
   for (const int count : {1, 2, 3, 7, 40, 41, 50, 420}) {
     const std::vector<PlannedTrial> plan = MakeTrials(21, 10);
@@ -116,17 +107,6 @@ TEST(PartitionDraws, KeepsTheTrialsOfADrawTogether) {
   }
   EXPECT_EQ(num_trials, plan.size());
   EXPECT_THROW(PartitionDraws(plan, {1, 25}), Error);
-}
-
-TEST(DealGroups, CopesWithGroupsOfAnySize) {
-  const std::vector<int> groups = {1, 100, 3, 1, 57};
-  for (const int count : {1, 2, 5, 81, 162}) {
-    const std::vector<int> shards = DealGroups(groups, count);
-    ASSERT_EQ(shards.size(), 162u);
-    std::vector<int> sizes(static_cast<size_t>(count), 0);
-    for (const int shard : shards) ++sizes.at(static_cast<size_t>(shard - 1));
-    EXPECT_EQ(std::accumulate(sizes.begin(), sizes.end(), 0), 162);
-  }
 }
 
 TEST(ListSentinels, AreThreeOfAllHands) {

@@ -137,7 +137,5 @@ TEST(McapFile, ItsSummaryFindsEverything) {
   EXPECT_EQ(num_indexes, 3);
 }
 
-TEST(McapFile, TheSameContentIsTheSameBytes) { EXPECT_EQ(MakeFile(5, 9), MakeFile(5, 9)); }
-
 }  // namespace
 }  // namespace graspbench

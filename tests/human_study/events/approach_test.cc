@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/base/random.h"
-#include "human_study/events/object_surface.h"
+#include "human_study/events/reach_trial.h"
 #include "tests/human_study/events/trajectories.h"
 
 namespace graspbench {
@@ -60,7 +60,7 @@ TEST(TakeApproach, FilledSamplesTakeNoPart) {
   const SampleRun hidden = FindSamples(path.times, kTouch - 0.035, kTouch + 0.055);
   for (size_t i = hidden.first; i < hidden.last; ++i) {
     path.states[i] = SampleState::kFilled;
-    path.p.col(static_cast<Eigen::Index>(i)).y() = 0.044;
+    path.At(i).y() = 0.044;
   }
   const TouchSamples samples = TakeApproachToPlace(path, FindHoldPlace(path, kHold), kHold, 2e-4);
   for (const double time : samples.times) {

@@ -3,10 +3,11 @@
 #include "core/base/random.h"
 #include "core/base/units.h"
 #include "core/shape/primitives.h"
-#include "human_study/events/lift_off.h"
+#include "human_study/events/hand_opening.h"
+#include "human_study/events/hold.h"
 #include "human_study/events/movement.h"
-#include "human_study/events/peak_opening.h"
 #include "tests/human_study/events/trajectories.h"
+#include "tests/human_study/faults.h"
 
 namespace graspbench {
 namespace {
@@ -70,7 +71,7 @@ TEST(TraceBack, AGapGivesItsMiddleAndItsLengthAsUncertainty) {
       SampleCurve(MakeTimes(0, 1, 100), [](double t) { return t < 0.5 ? 0.0 : 1.0; });
   for (size_t i = 46; i < 54; ++i) {
     step.states[i] = SampleState::kInvalid;
-    step.values[static_cast<Eigen::Index>(i)] = std::nan("");
+    step.At(i) = std::nan("");
   }
   const EventTime event = TraceBack(step, 100, 0, 0.5, Side::kAbove);
   EXPECT_TRUE(event.is_in_gap);
@@ -188,15 +189,10 @@ TEST(Thin, KeepsEveryNthSampleAndNeverFewerThanAskedFor) {
     EXPECT_EQ(thin.values.size(), static_cast<Eigen::Index>(thin.size()));
     EXPECT_EQ(thin.states.size(), thin.size());
     for (size_t i = 0; i < thin.size(); ++i) {
-      EXPECT_EQ(thin.values[static_cast<Eigen::Index>(i)], 2.0 * thin.times[i]);
+      EXPECT_EQ(thin.At(i), 2.0 * thin.times[i]);
     }
   }
   EXPECT_DOUBLE_EQ(Thin(make(9.99), 120).times[1], 0.08);
-}
-
-TEST(Movement, AnUnknownRuleNamesTheKnownOnes) {
-  const std::string fault = FaultOf([] { FindMovementRule("treshold"); });
-  EXPECT_NE(fault.find("did you mean \"threshold\"?"), std::string::npos) << fault;
 }
 
 ObjectTravel MakeLift(double speed) {
@@ -221,22 +217,6 @@ TEST(LiftOff, AnObjectThatStaysIsNotLifted) {
   travel.height.values *= 0.05;
   EXPECT_EQ(FindObjectEvents(travel, LiftOffOptions()).lift_off.missing,
             "the object does not rise far enough");
-}
-
-TEST(LiftOff, TheLiftMayGoInAnyDirection) {
-  ReachTrial trial;
-  trial.times = MakeTimes(0, 3, 100);
-  for (const double t : trial.times) {
-    trial.object.X_LO.push_back(
-        MakePose(Vector3d(0.2, 0.3 + std::clamp(0.1 * (t - 1.0), 0.0, 0.1), 0.4)));
-    trial.object.states.push_back(SampleState::kMeasured);
-  }
-  LiftOffOptions options;
-  options.up_z = 0.0;
-  options.up_y = 2.0;  // any length
-  const ObjectTravel travel = CalcObjectTravel(trial, options);
-  EXPECT_NEAR(travel.height.values[300], 0.1, 1e-4);
-  EXPECT_NEAR(FindObjectEvents(travel, options).lift_off.time, 1.0, 0.06);
 }
 
 // Two bumps: 100 mm at 0.4 s, `second` at 0.8 s.

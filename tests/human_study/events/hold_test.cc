@@ -12,12 +12,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** 0 to 1 between two instants, smoothly. */
-double Ease(double t, double begin, double end) {
-  const double s = std::clamp((t - begin) / (end - begin), 0.0, 1.0);
-  return s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
-}
-
 /** A hand that goes out 0.4 m (0.2 to 1 s), waits there open (to 2 s), closes (to 2.4 s), holds (to
 3 s), opens (to 3.4 s) and goes back (to 4.2 s); then it waits (to 6 s). */
 struct Pantomime {
@@ -121,11 +115,6 @@ TEST(Hold, AHandThatNeverRestsHasNone) {
     }
   }
   EXPECT_EQ(pantomime.Find().missing, "near the object the tips never rest together");
-}
-
-TEST(Hold, AnUnknownRuleIsToldWithTheKnownOnes) {
-  const std::string fault = FaultOf([] { FindHoldRule("multiplid"); });
-  EXPECT_EQ(fault.substr(0, 29), "no hold rule \"multiplid\"; did") << fault;
 }
 
 TEST(Hold, LiesBetweenTheLastContactAndTheReleaseOfMadeUpReaches) {

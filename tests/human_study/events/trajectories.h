@@ -7,11 +7,17 @@ Paths with known events, sampled evenly. */
 #include <functional>
 #include <string>
 
-#include "core/base/error.h"
 #include "human_study/events/reach_trial.h"
 #include "human_study/events/scalar_curve.h"
+#include "tests/human_study/faults.h"
 
 namespace graspbench {
+
+/** From 0 to 1 between two instants, at rest before and after: a minimum-jerk movement. */
+inline double Ease(double t, double begin, double end) {
+  const double u = std::clamp((t - begin) / (end - begin), 0.0, 1.0);
+  return u * u * u * (10.0 + u * (-15.0 + 6.0 * u));
+}
 
 inline Trajectory SamplePath(const std::vector<double>& times,
                              const std::function<Eigen::Vector3d(double)>& path) {
@@ -20,7 +26,7 @@ inline Trajectory SamplePath(const std::vector<double>& times,
   trajectory.states.assign(times.size(), SampleState::kMeasured);
   trajectory.p.resize(3, static_cast<Eigen::Index>(times.size()));
   for (size_t i = 0; i < times.size(); ++i) {
-    trajectory.p.col(static_cast<Eigen::Index>(i)) = path(times[i]);
+    trajectory.At(i) = path(times[i]);
   }
   return trajectory;
 }
@@ -38,7 +44,7 @@ inline ScalarCurve SampleCurve(const std::vector<double>& times,
   curve.states.assign(times.size(), SampleState::kMeasured);
   curve.values.resize(static_cast<Eigen::Index>(times.size()));
   for (size_t i = 0; i < times.size(); ++i) {
-    curve.values[static_cast<Eigen::Index>(i)] = value(times[i]);
+    curve.At(i) = value(times[i]);
   }
   return curve;
 }
@@ -47,18 +53,8 @@ inline void HideSamples(Trajectory& trajectory, double begin, double end) {
   const SampleRun run = FindSamples(trajectory.times, begin, end);
   for (size_t i = run.first; i < run.last; ++i) {
     trajectory.states[i] = SampleState::kInvalid;
-    trajectory.p.col(static_cast<Eigen::Index>(i)).setConstant(std::nan(""));
+    trajectory.At(i).setConstant(std::nan(""));
   }
-}
-
-/** Message of the Error that a call throws; empty when it throws none. */
-inline std::string FaultOf(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
 }
 
 }  // namespace graspbench

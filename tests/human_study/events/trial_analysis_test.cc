@@ -2,25 +2,33 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "core/base/random.h"
 #include "core/base/units.h"
 #include "human_study/recording/cleaning/gaps.h"
 #include "human_study/study/synthetic/synthetic_study.h"
 #include "tests/human_study/events/trajectories.h"
+#include "tests/human_study/faults.h"
 
 namespace graspbench {
 namespace {
 
 using Eigen::Vector3d;
 
-SyntheticTrial MakeOne(int num_digits = 5) {
-  SyntheticOptions options;
-  options.seed = "analysis";
-  options.num_people = 1;
-  options.trials_per_size = 1;
-  options.num_digits = num_digits;
-  options.has_force = true;
-  return MakeSyntheticStudy(options)[1];
+/** Of one made-up study, kept for all tests. */
+const SyntheticTrial& MakeOne(int num_digits = 5) {
+  static std::map<int, SyntheticTrial> made;
+  if (made.count(num_digits) == 0) {
+    SyntheticOptions options;
+    options.seed = "analysis";
+    options.num_people = 1;
+    options.trials_per_size = 1;
+    options.num_digits = num_digits;
+    options.has_force = true;
+    made[num_digits] = MakeSyntheticStudy(options)[1];
+  }
+  return made.at(num_digits);
 }
 
 void ExpectSame(const TrialAnalysis& a, const TrialAnalysis& b, double tolerance) {
@@ -30,7 +38,7 @@ void ExpectSame(const TrialAnalysis& a, const TrialAnalysis& b, double tolerance
 }
 
 TEST(AnalyseTrial, FindsWhatTheTruthSays) {
-  const SyntheticTrial trial = MakeOne();
+  const SyntheticTrial& trial = MakeOne();
   const TrialAnalysis analysis = AnalyseTrial(MakeReachTrial(trial), AnalysisOptions());
   const SyntheticTruth& truth = trial.truth;
   EXPECT_NEAR(analysis.object.lift_off.time, truth.lift_off, 0.05);
@@ -65,7 +73,7 @@ ReachTrial MakeSwitched(const SyntheticTrial& trial, double closing, double open
 
 // A switch has no filter: the instant lies between two of its samples.
 TEST(AnalyseTrial, ATouchSwitchTellsTheInstantItStaysClosed) {
-  const SyntheticTrial trial = MakeOne();
+  const SyntheticTrial& trial = MakeOne();
   const double closing = trial.truth.contacts[0];
   const size_t detector = FindContactDetector("force");
   for (const auto& [open, closed] : {std::pair(0.0, 1.0), {5.0, 0.02}, {-3.0, -2.0}}) {
@@ -198,7 +206,7 @@ TEST(AnalyseTrial, ADigitThatHoversIsMissingNotLate) {
   for (size_t i = 0; i < trial.times.size(); ++i) {
     // 30 mm farther out, moving with the object.
     const Vector3d out = trial.object.X_LO[i].linear() * Vector3d(0.03, 0, 0);
-    little.tip.p.col(static_cast<Eigen::Index>(i)) += out;
+    little.tip.At(i) += out;
   }
   const TrialAnalysis analysis = AnalyseTrial(trial, AnalysisOptions());
   EXPECT_EQ(analysis.contacts[4].contact.missing.substr(0, 26), "in the hold its marker is ");
@@ -222,7 +230,7 @@ TEST(AnalyseTrial, AHiddenThumbMakesOppositionMissing) {
 }
 
 TEST(AnalyseTrial, AContactInAGapSaysSoFilledOrNot) {
-  const SyntheticTrial synthetic = MakeOne();
+  const SyntheticTrial& synthetic = MakeOne();
   ReachTrial trial = MakeReachTrial(synthetic);
   const double contact = synthetic.truth.contacts[1];
   HideSamples(trial.digits[1].tip, contact - 0.03, contact + 0.03);
@@ -245,7 +253,7 @@ TEST(AnalyseTrial, AContactInAGapSaysSoFilledOrNot) {
 // What the object or the tip did meanwhile nobody saw, so no time is told, however well a curve runs
 // across.
 TEST(AnalyseTrial, AContactInALongGapIsNotTold) {
-  const SyntheticTrial trial = MakeOne();
+  const SyntheticTrial& trial = MakeOne();
   const double contact = trial.truth.contacts[0];
   for (const bool hides_object : {false, true}) {
     ReachTrial reach = MakeReachTrial(trial);
@@ -277,7 +285,7 @@ TEST(AnalyseTrial, TwoDigitsOppositionIsForming) {
 }
 
 TEST(AnalyseTrial, WithoutObjectAndWristTheHandAloneIsAnalysed) {
-  const SyntheticTrial synthetic = MakeOne(2);
+  const SyntheticTrial& synthetic = MakeOne(2);
   ReachTrial trial = MakeReachTrial(synthetic);
   trial.object = ObjectTrack();
   trial.wrist = Trajectory();
@@ -399,29 +407,26 @@ TEST(AnalyseTrial, ACutoffThatTheRateDoesNotAllowNamesItsKey) {
 }
 
 TEST(CheckOptions, NamesTheKeyAndTheChoices) {
-  const auto fault_of = [](const std::function<void(AnalysisOptions&)>& spoil) {
+  const auto fault_of = [](void (*spoil)(AnalysisOptions&)) {
     AnalysisOptions options;
     spoil(options);
     return FaultOf([&] { CheckOptions(options); });
   };
   EXPECT_EQ(fault_of([](AnalysisOptions&) {}), "");
-  EXPECT_NE(fault_of([](AnalysisOptions& o) {
-              o.contact.detector = "sped";
-            }).find("no contact detector \"sped\"; did you mean \"speed\"?"),
-            std::string::npos);
-  EXPECT_NE(fault_of([](AnalysisOptions& o) {
-              o.opening.maximum = "first";
-            }).find("opening.maximum is \"first\""),
-            std::string::npos);
-  EXPECT_NE(fault_of([](AnalysisOptions& o) { o.lift_off.rule = "rises"; }).find("did you mean"),
-            std::string::npos);
-  EXPECT_NE(
-      fault_of([](AnalysisOptions& o) { o.contact.cutoff = -1.0; }).find("contact.cutoff_hz is -1"),
-      std::string::npos);
-  EXPECT_NE(fault_of([](AnalysisOptions& o) {
-              o.lift_off.up_z = 0.0;
-            }).find("lift_off.up_z is 0, up_x 0 and up_y 0, which is no direction"),
-            std::string::npos);
+  const std::pair<void (*)(AnalysisOptions&), const char*> wrong[] = {
+      {[](AnalysisOptions& o) { o.contact.detector = "sped"; },
+       "no contact detector \"sped\"; did you mean \"speed\"?"},
+      {[](AnalysisOptions& o) { o.hold.rule = "multiplid"; },
+       "no hold rule \"multiplid\"; did you mean \"multiplied\"?"},
+      {[](AnalysisOptions& o) { o.movement.rule = "treshold"; }, "did you mean \"threshold\"?"},
+      {[](AnalysisOptions& o) { o.lift_off.rule = "rises"; }, "did you mean \"rise\"?"},
+      {[](AnalysisOptions& o) { o.opening.maximum = "first"; }, "opening.maximum is \"first\""},
+      {[](AnalysisOptions& o) { o.contact.cutoff = -1.0; },
+       "contact.cutoff_hz is -1; expected above 0"},
+      {[](AnalysisOptions& o) { o.hold.cutoff = NAN; }, "hold.cutoff_hz is nan; expected above 0"},
+      {[](AnalysisOptions& o) { o.lift_off.up_z = 0.0; },
+       "lift_off.up_z is 0, up_x 0 and up_y 0, which is no direction"}};
+  for (const auto& [spoil, says] : wrong) ExpectHolds(fault_of(spoil), says);
 }
 
 }  // namespace

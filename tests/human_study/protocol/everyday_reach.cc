@@ -1,13 +1,12 @@
-#include "tests/human_study/protocol/everyday_reach.h"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/base/random.h"
+#include "tests/human_study/protocol/reaches.h"
 
-namespace graspbench::everyday {
+namespace graspbench::protocol {
 namespace {
 
 using Eigen::Vector3d;
@@ -20,11 +19,6 @@ constexpr double kYield = 0.25e-3;      // of the skin [m]
 constexpr double kPushDuration = 0.12;  // [s]
 constexpr double kAwayDuration = 0.09;  // of leaving, and of returning [s]
 constexpr double kStayDuration = 0.05;  // of the first touch, and of the stay away [s]
-
-double MinimumJerk(double u) {
-  u = std::clamp(u, 0.0, 1.0);
-  return u * u * u * (10.0 - 15.0 * u + 6.0 * u * u);
-}
 
 // Where a table of positions rises most.
 double FindPeak(const SpeedProfile& profile) {
@@ -184,7 +178,7 @@ double SpeedProfile::RawPositionAt(double u) const {
   return 1.0 - 2.0 * rest * MinimumJerk(0.5 * (1.0 - u) / rest);
 }
 
-Reach MakeReach(const Conditions& conditions, const std::string& id, int trial) {
+Reach MakeEverydayReach(const Conditions& conditions, const std::string& id, int trial) {
   RandomStream random(id + "/" + std::to_string(trial), "everyday reach");
   Reach reach;
   reach.onset = random.NextUniform(0.5, 0.8);
@@ -318,4 +312,4 @@ Reach MakeReach(const Conditions& conditions, const std::string& id, int trial) 
   return reach;
 }
 
-}  // namespace graspbench::everyday
+}  // namespace graspbench::protocol

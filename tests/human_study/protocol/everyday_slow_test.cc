@@ -3,22 +3,13 @@ Figures over 100 studies a case, each of files, as ../../../human_study/ACCURACY
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cctype>
 #include <cstdio>
 
-#include "tests/human_study/protocol/everyday_study.h"
-#include "tests/human_study/protocol/pushed_reach.h"
-#include "tests/human_study/protocol/stranger_reach.h"
+#include "tests/human_study/protocol/protocol_study.h"
 
-namespace graspbench::everyday {
+namespace graspbench::protocol {
 namespace {
-
-std::filesystem::path SlowScratch() {
-  std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
-  std::replace(name.begin(), name.end(), '/', '_');
-  return std::filesystem::path(::testing::TempDir()) / ("everyday_slow_" + name);
-}
 
 /** 10 persons of 20 trials: 1,000 contacts a case. */
 struct Behaviour {
@@ -45,7 +36,7 @@ void CheckContacts(const Behaviour& behaviour, bool has_shape, const std::string
   plan.trials_per_person = 20;
   plan.has_shape = has_shape;
   behaviour.change(plan.conditions);
-  const Accuracy a = CompareWithTruth(RunPlan(plan, SlowScratch()));
+  const Accuracy a = CompareWithTruth(RunPlan(plan));
   std::printf(
       "%-20s %s kept %3d of %3d, contacts %4d, bias %5.1f ms, SD %4.1f ms, coverage %.3f, "
       "silent %d\n",
@@ -60,7 +51,7 @@ void CheckContacts(const Behaviour& behaviour, bool has_shape, const std::string
 TEST(EverydaySlow, ContactsAreCoveredOrNotUsableHoweverPeopleMove) {
   for (const bool has_shape : {true, false}) {
     for (const Behaviour& behaviour : kBehaviours) {
-      CheckContacts(behaviour, has_shape, "report", MakeReach);
+      CheckContacts(behaviour, has_shape, "report", MakeEverydayReach);
     }
   }
 }
@@ -83,7 +74,7 @@ TEST(EverydaySlow, ContactsWithObjectsThatArePushedAreCovered) {
         plan.has_shape = has_shape;
         plan.conditions.push = push;
         plan.conditions.pad_depth = pad_depth;
-        const Accuracy a = CompareWithTruth(RunPlan(plan, SlowScratch()));
+        const Accuracy a = CompareWithTruth(RunPlan(plan));
         std::printf(
             "push %2.0f mm, pad %.1f mm %s kept %d of %d, contacts %d, bias %.1f ms, SD %.1f ms, "
             "coverage %.3f, silent %d\n",
@@ -140,14 +131,14 @@ class IndependentPeople : public ::testing::TestWithParam<NamedPlan> {};
 class CoordinatedPeople : public ::testing::TestWithParam<NamedPlan> {};
 
 TEST_P(IndependentPeople, AreCalledMoreSimultaneousInTenPerCentAtMost) {
-  const Verdicts verdicts = CountVerdicts(GetParam().plan, kNumStudies, SlowScratch());
+  const Verdicts verdicts = CountVerdicts(GetParam().plan, kNumStudies);
   Print(GetParam(), verdicts);
   EXPECT_LE(verdicts.num_more, kNumStudies / 10);
   EXPECT_EQ(verdicts.num_none, 0);
 }
 
 TEST_P(CoordinatedPeople, AreFoundInNinetyPerCent) {
-  const Verdicts verdicts = CountVerdicts(GetParam().plan, kNumStudies, SlowScratch());
+  const Verdicts verdicts = CountVerdicts(GetParam().plan, kNumStudies);
   Print(GetParam(), verdicts);
   EXPECT_GE(verdicts.num_more, kNumStudies * 9 / 10);
 }
@@ -170,4 +161,4 @@ INSTANTIATE_TEST_SUITE_P(Stranger, CoordinatedPeople,
                          ::testing::ValuesIn(MadeByStranger(ListCoordinatedPeople())), NameOfCase);
 
 }  // namespace
-}  // namespace graspbench::everyday
+}  // namespace graspbench::protocol

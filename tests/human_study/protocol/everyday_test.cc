@@ -1,42 +1,17 @@
 /** @file
-People who move otherwise than assumed (everyday_reach.h): few studies a case; everyday_slow_test.cc
+People who move otherwise than assumed (MakeEverydayReach): few studies a case; everyday_slow_test.cc
 has the figures. */
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <map>
 
-#include "human_study/study/run/trial_flags.h"
-#include "tests/human_study/protocol/everyday_study.h"
-#include "tests/human_study/protocol/pushed_reach.h"
+#include "human_study/study/run/trial_removal.h"
+#include "tests/human_study/protocol/protocol_study.h"
 
-namespace graspbench::everyday {
+namespace graspbench::protocol {
 namespace {
-
-std::filesystem::path EverydayScratch() {
-  return std::filesystem::path(::testing::TempDir()) /
-         (std::string("everyday_") +
-          ::testing::UnitTest::GetInstance()->current_test_info()->name());
-}
-
-TEST(Everyday, ProfilesArePeakedWhereStated) {
-  for (const auto family : {SpeedProfile::Family::kWarped, SpeedProfile::Family::kBeta,
-                            SpeedProfile::Family::kHalves}) {
-    for (const double peak : {0.42, 0.5, 0.58}) {
-      const SpeedProfile profile(family, peak);
-      double best = 0.0, fastest = 0.0;
-      for (double u = 0.0; u < 1.0; u += 0.005) {
-        const double speed = profile.PositionAt(u + 0.005) - profile.PositionAt(u);
-        EXPECT_GE(speed, 0.0);
-        if (speed > fastest) fastest = speed, best = u + 0.0025;
-      }
-      EXPECT_NEAR(best, peak, 0.011);
-      EXPECT_NEAR(profile.PositionAt(1.0 - 1e-9), 1.0, 1e-6);
-    }
-  }
-}
 
 StudyPlan MakeEverydayPlan(const std::string& seed) {
   StudyPlan plan;
@@ -44,13 +19,6 @@ StudyPlan MakeEverydayPlan(const std::string& seed) {
   plan.num_people = 2;
   plan.trials_per_person = 9;
   return plan;
-}
-
-/** Trials by the code of their removal; "" for those that count. */
-std::map<std::string, int> CountRemovals(const StudyResult& result) {
-  std::map<std::string, int> codes;
-  for (const StudyTrial& trial : result.trials) ++codes[trial.removed_code];
-  return codes;
 }
 
 int CountFlagged(const StudyResult& result, const std::string& flag) {
@@ -66,22 +34,9 @@ bool HasWarning(const StudyResult& result, const std::string& code) {
                      [&](const StudyWarning& warning) { return warning.code == code; });
 }
 
-void Report(const char* name, const Judged& judged) {
-  const Accuracy a = CompareWithTruth(judged);
-  std::printf(
-      "%-24s kept %d of %d, contacts %d of %d, bias %.1f ms, SD %.1f ms, coverage %.2f, "
-      "silent %d;",
-      name, a.num_kept, a.num_trials, a.num_contacts, a.num_true_contacts, 1e3 * a.bias, 1e3 * a.sd,
-      a.coverage, a.num_silent);
-  for (const auto& [code, count] : CountRemovals(judged.result)) {
-    if (!code.empty()) std::printf(" %s %d", code.c_str(), count);
-  }
-  std::printf("\n");
-}
-
 TEST(Everyday, OrdinaryReachesAreKeptWithoutNewFlags) {
-  const Judged judged = RunPlan(MakeEverydayPlan("ordinary"), EverydayScratch());
-  Report("ordinary", judged);
+  const Judged judged = RunPlan(MakeEverydayPlan("ordinary"));
+  Print("ordinary", judged);
   const Accuracy accuracy = CompareWithTruth(judged);
   EXPECT_GE(accuracy.num_kept, 17);
   EXPECT_LT(accuracy.sd, 0.006);
@@ -95,8 +50,8 @@ TEST(Everyday, ADigitThatLeavesAndReturnsIsFlagged) {
     StudyPlan plan = MakeEverydayPlan("regrasp");
     plan.has_shape = has_shape;
     plan.conditions.regrasping_digit = 2;
-    const Judged judged = RunPlan(plan, EverydayScratch());
-    Report("regrasp", judged);
+    const Judged judged = RunPlan(plan);
+    Print("regrasp", judged);
     const int num_kept = judged.result.CountKept();
     EXPECT_GE(20 * CountFlagged(judged.result, "regrasp"), 19 * num_kept);
     for (size_t i = 0; i < judged.truth.size(); ++i) {
@@ -114,29 +69,29 @@ TEST(Everyday, ADigitThatLeavesAndReturnsIsFlagged) {
 TEST(Everyday, AMarkerThatStaysOnTheTableRemovesTheTrialByName) {
   StudyPlan plan = MakeEverydayPlan("left behind");
   plan.conditions.is_object_left_behind = true;
-  const Judged judged = RunPlan(plan, EverydayScratch());
-  Report("left behind", judged);
+  const Judged judged = RunPlan(plan);
+  Print("left behind", judged);
   EXPECT_EQ(judged.result.CountKept(), 0);
   EXPECT_GE(CountRemovals(judged.result)["object_left_behind"], 17);
   plan.make_reach = MakePushedReach;
-  const Judged pushed = RunPlan(plan, EverydayScratch());
-  Report("left behind, pushed", pushed);
+  const Judged pushed = RunPlan(plan);
+  Print("left behind, pushed", pushed);
   EXPECT_GE(CountRemovals(pushed.result)["object_left_behind"], 17);
 }
 
 TEST(Everyday, ThumbAndIndexExchangedAreReported) {
   StudyPlan plan = MakeEverydayPlan("exchanged");
   plan.conditions.is_swapped = true;
-  const Judged judged = RunPlan(plan, EverydayScratch());
-  Report("exchanged", judged);
+  const Judged judged = RunPlan(plan);
+  Print("exchanged", judged);
   EXPECT_GE(CountRemovals(judged.result)["thumb_not_opposed"], 17);
 }
 
 TEST(Everyday, SpikesAreBridged) {
   StudyPlan plan = MakeEverydayPlan("spikes");
   plan.conditions.spike_share = 0.01;
-  const Judged judged = RunPlan(plan, EverydayScratch());
-  Report("spikes", judged);
+  const Judged judged = RunPlan(plan);
+  Print("spikes", judged);
   const Accuracy accuracy = CompareWithTruth(judged);
   EXPECT_GE(accuracy.num_kept, 15);
   EXPECT_TRUE(HasWarning(judged.result, "spikes"));
@@ -148,8 +103,8 @@ TEST(Everyday, AHoverBelowTheLimitCarriesItsFlag) {
   StudyPlan plan = MakeEverydayPlan("hover");
   plan.conditions.hovering_digit = 3;
   plan.conditions.hover_gap = 3.5e-3;
-  const Judged judged = RunPlan(plan, EverydayScratch());
-  Report("hover", judged);
+  const Judged judged = RunPlan(plan);
+  Print("hover", judged);
   int num_stated = 0;
   for (const StudyTrial& trial : judged.result.trials) {
     if (!trial.IsKept()) continue;
@@ -163,8 +118,8 @@ TEST(Everyday, WhatMovesBeforeTheOthersArrive) {
   const auto report = [&](const char* name, const auto& change) {
     StudyPlan plan = MakeEverydayPlan(name);
     change(plan.conditions);
-    const Judged judged = RunPlan(plan, EverydayScratch());
-    Report(name, judged);
+    const Judged judged = RunPlan(plan);
+    Print(name, judged);
     const Accuracy accuracy = CompareWithTruth(judged);
     EXPECT_GE(accuracy.coverage, 0.87) << name;  // 0.9 less three times its error by chance
     EXPECT_LE(accuracy.num_silent, accuracy.num_contacts / 20) << name;
@@ -184,8 +139,8 @@ TEST(Everyday, ATouchIsNotTheGripThatFollowsIt) {
     plan.has_shape = has_shape;
     plan.conditions.push = 5e-3;
     plan.conditions.pad_depth = 0.5e-3;
-    const Judged judged = RunPlan(plan, EverydayScratch());
-    Report("pads", judged);
+    const Judged judged = RunPlan(plan);
+    Print("pads", judged);
     const Accuracy accuracy = CompareWithTruth(judged);
     EXPECT_GE(accuracy.num_kept, 15);
     EXPECT_GE(accuracy.coverage, 0.82);  // 0.9 less 2.5 times its error by chance
@@ -197,8 +152,8 @@ TEST(Everyday, AFilteredExportIsReported) {
   for (const double cutoff : {6.0, 10.0}) {
     StudyPlan plan = MakeEverydayPlan("filtered");
     plan.conditions.low_pass_hz = cutoff;
-    const Judged judged = RunPlan(plan, EverydayScratch());
-    Report("filtered", judged);
+    const Judged judged = RunPlan(plan);
+    Print("filtered", judged);
     EXPECT_TRUE(HasWarning(judged.result, "filtered_export")) << cutoff;
     EXPECT_EQ(CountFlagged(judged.result, "filtered export"), judged.result.CountKept());
     for (const StudyTrial& trial : judged.result.trials) {
@@ -211,7 +166,7 @@ TEST(Everyday, AFilteredExportIsReported) {
 TEST(Everyday, TwoRatesInOneStudyAreReported) {
   StudyPlan plan = MakeEverydayPlan("two rates");
   plan.other_rate = 100.0;
-  EXPECT_TRUE(HasWarning(RunPlan(plan, EverydayScratch()).result, "two_rates"));
+  EXPECT_TRUE(HasWarning(RunPlan(plan).result, "two_rates"));
 }
 
 // The threshold finds the hand when it has moved for some 60 ms; the start is where it left rest.
@@ -219,7 +174,7 @@ TEST(Everyday, TheStartOfTheMovementHasLittleBias) {
   StudyPlan plan = MakeEverydayPlan("start");
   plan.conditions.min_peak = 0.4;
   plan.conditions.max_peak = 0.6;
-  const Judged judged = RunPlan(plan, EverydayScratch());
+  const Judged judged = RunPlan(plan);
   double start = 0.0, onset = 0.0;
   for (size_t i = 0; i < judged.truth.size(); ++i) {
     const Movement& movement = judged.result.trials[i].analysis->movement;
@@ -233,13 +188,13 @@ TEST(Everyday, TheStartOfTheMovementHasLittleBias) {
 
 TEST(Everyday, AVaryingProfileMakesNobodySimultaneous) {
   const NamedPlan named = ListIndependentPeople()[1];
-  EXPECT_LE(CountVerdicts(named.plan, 3, EverydayScratch()).num_more, 1);
+  EXPECT_LE(CountVerdicts(named.plan, 3).num_more, 1);
 }
 
 TEST(Everyday, ASharedDelayIsFound) {
   const NamedPlan named = ListCoordinatedPeople()[0];
-  EXPECT_GE(CountVerdicts(named.plan, 3, EverydayScratch()).num_more, 2);
+  EXPECT_GE(CountVerdicts(named.plan, 3).num_more, 2);
 }
 
 }  // namespace
-}  // namespace graspbench::everyday
+}  // namespace graspbench::protocol

@@ -1,17 +1,15 @@
 /** @file
 Files that lost frames and were stamped anew, and healthy ones: reaches of generators that know
-nothing of the rule (recording_doubts.h). */
+nothing of the rule (FindFrameJump). */
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "tests/human_study/protocol/everyday_study.h"
-#include "tests/human_study/protocol/pushed_reach.h"
-#include "tests/human_study/protocol/stranger_reach.h"
+#include "tests/human_study/protocol/protocol_study.h"
 
-namespace graspbench::everyday {
+namespace graspbench::protocol {
 namespace {
 
 constexpr double kLost = 0.05;  // [s]
@@ -37,19 +35,8 @@ Reach MakeBroken(const Conditions& conditions, const std::string& id, int trial)
   return LoseFrames(make_reach(conditions, id, trial), percent / 100.0);
 }
 
-std::filesystem::path Scratch() {
-  return std::filesystem::path(::testing::TempDir()) /
-         (std::string("frame_jump_") +
-          ::testing::UnitTest::GetInstance()->current_test_info()->name());
-}
-
 /** How many of the plan's trials are removed as frame jumps. */
-int CountJumps(const StudyPlan& plan) {
-  const Judged judged = RunPlan(plan, Scratch());
-  return static_cast<int>(
-      std::count_if(judged.result.trials.begin(), judged.result.trials.end(),
-                    [](const StudyTrial& trial) { return trial.removed_code == "frame_jump"; }));
-}
+int CountJumps(const StudyPlan& plan) { return CountRemovals(RunPlan(plan).result)["frame_jump"]; }
 
 StudyPlan MakePlan(ReachMaker make_reach) {
   StudyPlan plan;
@@ -62,10 +49,10 @@ StudyPlan MakePlan(ReachMaker make_reach) {
 
 TEST(FrameJump, ALossInMidReachRemovesTheTrial) {
   for (const double rate : {100.0, 200.0}) {
-    for (const ReachMaker maker :
-         {ReachMaker(MakeBroken<MakeReach, 40>), ReachMaker(MakeBroken<MakeStrangerReach, 40>),
-          ReachMaker(MakeBroken<MakePushedReach, 40>),
-          ReachMaker(MakeBroken<MakeStrangerReach, 70>)}) {
+    for (const ReachMaker maker : {ReachMaker(MakeBroken<MakeEverydayReach, 40>),
+                                   ReachMaker(MakeBroken<MakeStrangerReach, 40>),
+                                   ReachMaker(MakeBroken<MakePushedReach, 40>),
+                                   ReachMaker(MakeBroken<MakeStrangerReach, 70>)}) {
       StudyPlan plan = MakePlan(maker);
       plan.conditions.rate = rate;
       EXPECT_EQ(CountJumps(plan), 10) << rate << " Hz";
@@ -75,8 +62,8 @@ TEST(FrameJump, ALossInMidReachRemovesTheTrial) {
 
 TEST(FrameJump, HealthyReachesStay) {
   for (const double rate : {30.0, 60.0, 100.0, 200.0}) {
-    for (const ReachMaker maker :
-         {ReachMaker(MakeReach), ReachMaker(MakeStrangerReach), ReachMaker(MakePushedReach)}) {
+    for (const ReachMaker maker : {ReachMaker(MakeEverydayReach), ReachMaker(MakeStrangerReach),
+                                   ReachMaker(MakePushedReach)}) {
       StudyPlan plan = MakePlan(maker);
       plan.conditions.rate = rate;
       EXPECT_EQ(CountJumps(plan), 0) << rate << " Hz";
@@ -87,7 +74,7 @@ TEST(FrameJump, HealthyReachesStay) {
 // Large distances are reached fast; spikes, pushes, turns and exchanged labels are no lost frames.
 TEST(FrameJump, HealthyThingsThatGoFastOrWrongStay) {
   const auto expect_none = [](const char* what, auto&& change) {
-    StudyPlan plan = MakePlan(MakeReach);
+    StudyPlan plan = MakePlan(MakeEverydayReach);
     change(plan.conditions);
     EXPECT_EQ(CountJumps(plan), 0) << what;
   };
@@ -124,7 +111,7 @@ TEST(SlowCamera, ThirtyHertzAreAnalysedWithoutAnySetting) {
   plan.conditions.rate = 30.0;
   plan.num_people = 4;
   plan.trials_per_person = 10;
-  const Judged judged = RunPlan(plan, Scratch());
+  const Judged judged = RunPlan(plan);
   const Accuracy accuracy = CompareWithTruth(judged);
   EXPECT_GE(accuracy.num_kept, 32);
   EXPECT_LT(std::abs(accuracy.bias), 0.005);
@@ -137,4 +124,4 @@ TEST(SlowCamera, ThirtyHertzAreAnalysedWithoutAnySetting) {
 }
 
 }  // namespace
-}  // namespace graspbench::everyday
+}  // namespace graspbench::protocol

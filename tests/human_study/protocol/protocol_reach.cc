@@ -1,10 +1,9 @@
-#include "tests/human_study/protocol/protocol_reach.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/base/random.h"
+#include "tests/human_study/protocol/reaches.h"
 
 namespace graspbench::protocol {
 namespace {
@@ -12,13 +11,15 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kClockStep = 1e-4;    // of the search for the touch [s]
-constexpr double kPushTime = 0.15;     // of a push along the table [s]
-constexpr double kRollTime = 0.15;     // of a phalanx that turns on its pad [s]
-constexpr double kSearchSpeed = 0.02;  // of a digit that did not find the object [m/s]
-constexpr double kLiftHeight = 0.15;   // [m]
-constexpr double kLiftTime = 0.7;      // [s]
-constexpr double kHoldTime = 0.3;      // after the lift [s]
+constexpr double kCylinderRadius = 35e-3;  // [m]
+constexpr double kCylinderHeight = 0.12;   // [m]
+constexpr double kClockStep = 1e-4;        // of the search for the touch [s]
+constexpr double kPushTime = 0.15;         // of a push along the table [s]
+constexpr double kRollTime = 0.15;         // of a phalanx that turns on its pad [s]
+constexpr double kSearchSpeed = 0.02;      // of a digit that did not find the object [m/s]
+constexpr double kLiftHeight = 0.15;       // [m]
+constexpr double kLiftTime = 0.7;          // [s]
+constexpr double kHoldTime = 0.3;          // after the lift [s]
 
 // Minimum jerk from 0 at u = 0 to 1 at u = 1, at rest outside.
 double Quintic(double u) {
@@ -115,7 +116,7 @@ double FindCrossing(double gap, double time, double speed) {
   return 0.5 * (low + high);
 }
 
-std::array<double, kNumDigits> DrawAsynchronies(const ReachConditions& conditions,
+std::array<double, kNumDigits> DrawAsynchronies(const Conditions& conditions,
                                                 RandomStream& random) {
   const double gft = random.NextUniform(conditions.min_gft, conditions.max_gft);
   std::array<double, kNumDigits> delays{};
@@ -130,7 +131,7 @@ std::array<double, kNumDigits> DrawAsynchronies(const ReachConditions& condition
   return delays;
 }
 
-Digit PlanDigit(const ReachConditions& conditions, int d, double touch_time, double open_time,
+Digit PlanDigit(const Conditions& conditions, int d, double touch_time, double open_time,
                 RandomStream& random) {
   // Thumb against four fingers, one above the other.
   constexpr std::array<double, kNumDigits> kAzimuth_deg = {-90.0, 75.0, 85.0, 95.0, 105.0};
@@ -138,7 +139,7 @@ Digit PlanDigit(const ReachConditions& conditions, int d, double touch_time, dou
   Digit digit;
   const double azimuth = (kAzimuth_deg[d] + 3.0 * random.NextNormal()) * kPi / 180.0;
   digit.normal = {std::cos(azimuth), std::sin(azimuth), 0.0};
-  digit.contact = kObjectRadius * digit.normal;
+  digit.contact = kCylinderRadius * digit.normal;
   digit.contact.z() = kHeight[d] + 2e-3 * random.NextNormal();
   const Vector3d start(-0.35, 0.0, -0.03);
   digit.home = start - start.dot(digit.normal) * digit.normal;
@@ -160,7 +161,7 @@ Digit PlanDigit(const ReachConditions& conditions, int d, double touch_time, dou
 }
 
 // Where the markers sit is a matter of the person, not of the trial.
-Vector3d PlaceMarker(const ReachConditions& conditions, const std::string& id, int d,
+Vector3d PlaceMarker(const Conditions& conditions, const std::string& id, int d,
                      const Vector3d& normal) {
   RandomStream person(id, "marker of digit " + std::to_string(d));
   const double off = (conditions.nail_markers ? 13e-3 : 8e-3) + 0.7e-3 * person.NextNormal();
@@ -168,21 +169,21 @@ Vector3d PlaceMarker(const ReachConditions& conditions, const std::string& id, i
   return off * normal + (4e-3 + 1e-3 * person.NextNormal()) * back;
 }
 
-std::vector<Vector3d> PlaceObjectMarkers(const ReachConditions& conditions) {
+std::vector<Vector3d> PlaceObjectMarkers(const Conditions& conditions) {
   std::vector<Vector3d> p_OM;
-  if (conditions.num_object_markers == 1) p_OM.emplace_back(0.0, 0.0, kObjectHeight);
+  if (conditions.num_object_markers == 1) p_OM.emplace_back(0.0, 0.0, kCylinderHeight);
   if (conditions.num_object_markers == 3) {
     const double radius = conditions.triangle_edge / std::sqrt(3.0);
     for (int i = 0; i < 3; ++i) {
       const double angle = (20.0 + 120.0 * i) * kPi / 180.0;
-      p_OM.emplace_back(radius * std::cos(angle), radius * std::sin(angle), kObjectHeight);
+      p_OM.emplace_back(radius * std::cos(angle), radius * std::sin(angle), kCylinderHeight);
     }
   }
   return p_OM;
 }
 
 // Runs the digits against the object on the fine clock until all that will touch have touched.
-void FindTouches(const ReachConditions& conditions, double onset, double end,
+void FindTouches(const Conditions& conditions, double onset, double end,
                  std::array<Digit, kNumDigits>& digits, Object& object) {
   for (double t = onset + 0.2; t < end; t += kClockStep) {
     for (int d = 0; d < kNumDigits; ++d) {
@@ -203,8 +204,7 @@ void FindTouches(const ReachConditions& conditions, double onset, double end,
 }
 
 // Skin to marker and sinking after touch, in the object's frame.
-Vector3d TouchingMarker_O(const ReachConditions& conditions, const Digit& digit, double roll,
-                          double t) {
+Vector3d TouchingMarker_O(const Conditions& conditions, const Digit& digit, double roll, double t) {
   const double since = t - digit.touch;
   const double depth =
       conditions.yield * (1.0 - std::exp(-digit.touch_speed * since / conditions.yield));
@@ -222,7 +222,7 @@ void AddNoise(double sd, RandomStream& random, std::vector<Vector3d>& path) {
   }
 }
 
-void HideAroundTouch(const ReachConditions& conditions, const std::vector<double>& times,
+void HideAroundTouch(const Conditions& conditions, const std::vector<double>& times,
                      const Digit& digit, RandomStream& random, std::vector<Vector3d>& path) {
   const bool hidden = random.NextUnit() < conditions.hidden_share;
   const double from = digit.touch - random.NextUniform(0.02, 0.08);
@@ -237,14 +237,16 @@ void HideAroundTouch(const ReachConditions& conditions, const std::vector<double
 
 }  // namespace
 
-Reach MakeReach(const ReachConditions& conditions, const std::string& id, int trial) {
-  RandomStream random(id + "/" + std::to_string(trial), "reach of the protocol");
+Reach MakeProtocolReach(const Conditions& conditions, const std::string& id, int trial) {
+  RandomStream random(id + "/" + std::to_string(trial + 1), "reach of the protocol");
   Reach reach;
+  reach.object_radius = kCylinderRadius;
+  reach.object_height = kCylinderHeight;
   reach.onset = 0.5 + random.NextUniform(0.0, 0.2);
   const double transport = random.NextUniform(0.7, 0.9);
-  reach.transport_end = reach.onset + transport;
+  const double transport_end = reach.onset + transport;
   const double open_time = reach.onset + 0.6 * transport;
-  const double first_touch = reach.transport_end - random.NextUniform(0.0, 0.05);
+  const double first_touch = transport_end - random.NextUniform(0.0, 0.05);
   const std::array<double, kNumDigits> delays = DrawAsynchronies(conditions, random);
   std::array<Digit, kNumDigits> digits;
   for (int d = 0; d < kNumDigits; ++d) {

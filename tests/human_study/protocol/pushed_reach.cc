@@ -1,12 +1,11 @@
-#include "tests/human_study/protocol/pushed_reach.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/base/random.h"
+#include "tests/human_study/protocol/reaches.h"
 
-namespace graspbench::everyday {
+namespace graspbench::protocol {
 namespace {
 
 using Eigen::Vector2d;
@@ -28,10 +27,6 @@ constexpr double kFeltWay = 3e-3;   // that a digit goes on once it feels the ob
 constexpr double kSearch = 60e-3;   // speed of a digit that did not meet what it aimed at [m/s]
 constexpr double kGripRamp = 0.15;  // [s]
 
-double MinimumJerk(double u) {
-  u = std::clamp(u, 0.0, 1.0);
-  return u * u * u * (10.0 - 15.0 * u + 6.0 * u * u);
-}
 double MinimumJerkRate(double u) {
   return u <= 0.0 || u >= 1.0 ? 0.0 : 30.0 * u * u * (1.0 - u) * (1.0 - u);
 }
@@ -238,4 +233,4 @@ Reach MakePushedReach(const Conditions& conditions, const std::string& id, int t
   return reach;
 }
 
-}  // namespace graspbench::everyday
+}  // namespace graspbench::protocol

@@ -1,13 +1,12 @@
-#include "tests/human_study/protocol/stranger_reach.h"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/base/random.h"
+#include "tests/human_study/protocol/reaches.h"
 
-namespace graspbench::everyday {
+namespace graspbench::protocol {
 namespace {
 
 using Eigen::Vector3d;
@@ -184,4 +183,4 @@ Reach MakeStrangerReach(const Conditions& conditions, const std::string& id, int
   return reach;
 }
 
-}  // namespace graspbench::everyday
+}  // namespace graspbench::protocol

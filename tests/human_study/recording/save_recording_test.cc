@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/files/files.h"
+#include "tests/human_study/faults.h"
 #include "tests/human_study/recording/synthetic_recording.h"
 
 namespace graspbench {
@@ -76,19 +77,14 @@ TEST(SaveRecording, WhatIsNoPositionIsLeftOutAndCounted) {
 
 TEST(SaveRecording, RefusalsSayWhatToDo) {
   Recording recording = MakeSyntheticRecording(4, 1);
-  const auto fault = [&](const char* name) -> std::string {
-    try {
-      SaveRecording(Folder() / name, recording);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "";
+  const auto fault = [&](const char* name) {
+    return FaultOf([&] { SaveRecording(Folder() / name, recording); });
   };
-  EXPECT_NE(fault("x.txt").find("recordings are written as .c3d, .tsv or .csv"), std::string::npos);
+  ExpectHolds(fault("x.txt"), "recordings are written as .c3d, .tsv or .csv");
   recording.times = {0, 0.1, 0.3, 0.4};
-  EXPECT_NE(fault("x.tsv").find("write .csv or resample it first"), std::string::npos);
+  ExpectHolds(fault("x.tsv"), "write .csv or resample it first");
   SetLengthUnit(recording, "", "test");
-  EXPECT_NE(fault("x.csv").find("the length unit is not stated"), std::string::npos);
+  ExpectHolds(fault("x.csv"), "the length unit is not stated");
 }
 
 }  // namespace

@@ -6,9 +6,9 @@ Recordings with known content, for round trips. */
 #include <sstream>
 #include <string>
 
-#include "core/base/error.h"
-#include "human_study/recording/c3d_writer.h"
 #include "human_study/recording/importers/importer.h"
+#include "human_study/recording/save_recording.h"
+#include "tests/human_study/faults.h"
 
 namespace graspbench {
 
@@ -67,12 +67,7 @@ inline Recording ImportBytes(const std::string& bytes, const std::string& id,
 /** Message of the Error that importing throws; empty when it throws none. */
 inline std::string ImportFault(const std::string& bytes, const std::string& id,
                                const ImportOptions& options = {}) {
-  try {
-    ImportBytes(bytes, id, options);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return FaultOf([&] { ImportBytes(bytes, id, options); });
 }
 
 inline size_t CountFindings(const Recording& recording, const std::string& code) {

@@ -8,9 +8,8 @@
 #include "human_study/statistics/condition_means.h"
 #include "human_study/statistics/effects_model.h"
 #include "human_study/statistics/line_fit.h"
-#include "human_study/statistics/rank_tests.h"
+#include "human_study/statistics/location_tests.h"
 #include "human_study/statistics/reliability/reliability.h"
-#include "human_study/statistics/reliability/retest.h"
 #include "human_study/statistics/within_anova.h"
 
 namespace graspbench {

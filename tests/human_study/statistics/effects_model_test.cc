@@ -8,29 +8,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <sstream>
 
-#include "core/base/files/files.h"
 #include "human_study/statistics/within_anova.h"
-#include "tests/human_study/statistics/sleep_study.h"
+#include "tests/human_study/statistics/known_studies.h"
 
 namespace graspbench {
 namespace {
 
 constexpr int kNumDesigns = 32;
-
-std::vector<std::vector<std::string>> ReadRows(const std::string& name) {
-  std::istringstream text(ReadFile(std::string(GRASPBENCH_R_DESIGNS) + "/" + name));
-  std::vector<std::vector<std::string>> rows;
-  std::string line, cell;
-  std::getline(text, line);  // the heading
-  while (std::getline(text, line)) {
-    std::istringstream cells(line);
-    rows.emplace_back();
-    while (std::getline(cells, cell, ',')) rows.back().push_back(cell);
-  }
-  return rows;
-}
 
 void AddLevel(const std::string& level, Factor& factor) {
   auto& levels = factor.levels;
@@ -41,7 +26,7 @@ void AddLevel(const std::string& level, Factor& factor) {
 /** Columns: design, person, a, b, g, h, session, value; empty where the design has no such. */
 std::map<int, MeasureTable> ReadDesigns() {
   std::map<int, MeasureTable> tables;
-  for (const std::vector<std::string>& cells : ReadRows("trials.csv")) {
+  for (const std::vector<std::string>& cells : ReadKnownRows("trials.csv")) {
     MeasureTable& table = tables[std::stoi(cells[0])];
     if (table.rows.empty()) {
       if (!cells[2].empty()) table.factors.push_back({"a", {}, {}, ""});
@@ -65,7 +50,7 @@ using Expected = std::map<std::string, double>;
 
 std::map<int, Expected> ReadExpected() {
   std::map<int, Expected> designs;
-  for (const std::vector<std::string>& cells : ReadRows("expected.csv")) {
+  for (const std::vector<std::string>& cells : ReadKnownRows("expected.csv")) {
     designs[std::stoi(cells[0])][cells[1] + "|" + cells[2] + "|" + cells[3]] = std::stod(cells[4]);
   }
   return designs;

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/human_study/statistics/saddle_study.h"
+#include "tests/human_study/statistics/known_studies.h"
 
 namespace graspbench {
 namespace {
@@ -49,17 +49,16 @@ TEST(Reml, IsTheAnovaEstimateOfABalancedLayout) {
 // start ends on the saddle without a level of persons, where the criterion is -124.1789.
 TEST(Reml, LeavesASaddle) {
   std::vector<RemlGroup> groups(6);
-  for (const SaddleCell& cell : kSaddleStudy) {
-    RemlGroup& group = groups[static_cast<size_t>(cell.person)];
-    for (const double value : cell.values) {
-      const Eigen::Index n = group.y.size();
-      group.x.conservativeResize(n + 1, 4);
-      group.z.conservativeResize(n + 1, 3);
-      group.y.conservativeResize(n + 1);
-      group.x.row(n) << 1.0, cell.size, cell.pace, cell.size * cell.pace;
-      group.z.row(n) << 1.0, cell.size, cell.pace;
-      group.y(n) = value;
-    }
+  for (const std::vector<std::string>& row : ReadKnownRows("saddle_study.csv")) {
+    RemlGroup& group = groups[std::stoul(row[0])];
+    const double size = std::stod(row[1]), pace = std::stod(row[2]);
+    const Eigen::Index n = group.y.size();
+    group.x.conservativeResize(n + 1, 4);
+    group.z.conservativeResize(n + 1, 3);
+    group.y.conservativeResize(n + 1);
+    group.x.row(n) << 1.0, size, pace, size * pace;
+    group.z.row(n) << 1.0, size, pace;
+    group.y(n) = std::stod(row[3]);
   }
   RemlStructure structure;
   structure.blocks = {1, 1, 1};

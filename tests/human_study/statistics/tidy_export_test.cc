@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text/json.h"
+#include "tests/human_study/faults.h"
 
 namespace graspbench {
 namespace {
@@ -42,9 +43,8 @@ TEST(TidyExport, OneRowATrialAndMeasure) {
   EXPECT_FALSE(dictionary["fields"][4].contains("constraints"));
   EXPECT_EQ(dictionary["measures"][0]["unit"], "s");
   EXPECT_EQ(dictionary["measures"][1]["name"], "grasp_forming_ratio");
-  EXPECT_NE(files.r_script.find("factors <- c(\"object\", \"width\")\n"), std::string::npos);
-  EXPECT_NE(files.r_script.find("\"object\" = c(\"cup, \\\"blue\\\"\", \"box\")"),
-            std::string::npos);
+  ExpectHolds(files.r_script, "factors <- c(\"object\", \"width\")\n");
+  ExpectHolds(files.r_script, "\"object\" = c(\"cup, \\\"blue\\\"\", \"box\")");
 }
 
 void ExpectError(const std::vector<MeasureTable>& measures, const std::string& message) {

@@ -7,9 +7,11 @@
 #include "core/statistics/distributions.h"
 #include "core/statistics/multiple_tests.h"
 #include "human_study/statistics/condition_means.h"
-#include "tests/human_study/statistics/reach_study.h"
+#include "human_study/statistics/location_tests.h"
+#include "tests/human_study/statistics/known_studies.h"
 
 namespace graspbench {
+
 namespace {
 
 CellMeans MakeCells(std::vector<Factor> factors, const Eigen::MatrixXd& means) {
@@ -282,5 +284,80 @@ TEST(Pairs, SpreadOfAllDifferencesIsTheAnovaError) {
   for (size_t i = 0; i < pairs.size(); ++i) EXPECT_EQ(pairs[i].p_holm, holm[i]);
 }
 
+// Data and certified values: NIST StRD, analysis of variance.
+
+void ExpectCertified(const Answer<OneWayAnova>& anova, double ss_between, double ss_within,
+                     double f, double relative_error) {
+  ASSERT_TRUE(anova) << anova.reason();
+  EXPECT_NEAR(anova->ss_between / ss_between, 1.0, relative_error);
+  EXPECT_NEAR(anova->ss_within / ss_within, 1.0, relative_error);
+  EXPECT_NEAR(anova->f / f, 1.0, relative_error);
+}
+
+/** Groups of a table of NIST's. */
+std::vector<std::vector<double>> ReadGroups(const std::string& name) {
+  std::vector<std::vector<double>> groups;
+  for (const std::vector<std::string>& row : ReadKnownRows(name)) {
+    groups.resize(std::stoul(row[0]) + 1);
+    groups.back().push_back(std::stod(row[1]));
+  }
+  return groups;
+}
+
+TEST(OneWayAnova, AgreesWithNistSiRstvAndAtmWtAg) {
+  const auto anova = CalcOneWayAnova(ReadGroups("nist_sirstv.csv"));
+  ExpectCertified(anova, 5.11462616000000e-02, 2.16636560000000e-01, 1.18046237440255, 1e-12);
+  EXPECT_EQ(anova->df_between, 4.0);
+  EXPECT_EQ(anova->df_within, 20.0);
+  ExpectCertified(CalcOneWayAnova(ReadGroups("nist_atmwtag.csv")), 3.63834187500000e-09,
+                  1.04951729166667e-08, 1.59467335677930e+01, 1e-9);
+}
+
+/** SmLs01 to SmLs09: nine treatments about 1.4, 1.3, 1.5, 1.3, .. above `offset`, each once at its
+middle and then 0.1 below and above in turn. */
+std::vector<std::vector<double>> MakeSmLs(double offset, int num_replicates) {
+  std::vector<std::vector<double>> groups;
+  for (int treatment = 0; treatment < 9; ++treatment) {
+    const int tenths = treatment == 0 ? 4 : treatment % 2 == 1 ? 3 : 5;
+    // As a reader of the file would get them: the double nearest to the decimal.
+    const auto make = [&](int own) { return (offset * 10.0 + own) / 10.0; };
+    std::vector<double> group = {make(tenths)};
+    while (static_cast<int>(group.size()) < num_replicates) {
+      group.insert(group.end(), {make(tenths - 1), make(tenths + 1)});
+    }
+    groups.push_back(group);
+  }
+  return groups;
+}
+
+TEST(OneWayAnova, AgreesWithNistSmLsAsFarAsTheValuesAreRepresentable) {
+  const struct {
+    int num_replicates;
+    double ss_between, ss_within, f;
+  } certified[] = {
+      {21, 1.68, 1.80, 21.0}, {201, 16.08, 18.0, 201.0}, {2001, 160.08, 180.0, 2001.0}};
+  // 1.4; 1,000,000.4 is off by up to 6e-11; 1,000,000,000,000.4 by up to 6e-5.
+  const std::pair<double, double> offsets[] = {{1.0, 1e-13}, {1e6, 1e-8}, {1e12, 5e-3}};
+  for (const auto& [offset, relative_error] : offsets) {
+    for (const auto& known : certified) {
+      SCOPED_TRACE(std::to_string(offset) + ", " + std::to_string(known.num_replicates));
+      ExpectCertified(CalcOneWayAnova(MakeSmLs(offset, known.num_replicates)), known.ss_between,
+                      known.ss_within, known.f, relative_error);
+    }
+  }
+}
+
+TEST(OneWayAnova, GivesReasons) {
+  EXPECT_EQ(CalcOneWayAnova({}).reason(), "0 groups; expected 2 or more");
+  EXPECT_EQ(CalcOneWayAnova({{1, 2}, {}}).reason(), "1 group; expected 2 or more");
+  EXPECT_EQ(CalcOneWayAnova({{1}, {2}}).reason(),
+            "every group has a single value: no spread within");
+  EXPECT_EQ(CalcOneWayAnova({{0.1, 0.1}, {0.2, 0.2}}).reason(),
+            "the values of every group are equal: no spread within");
+  EXPECT_EQ(CalcOneWayAnova({{1, NAN}, {2, 3}}).reason(), "a value is not finite");
+  EXPECT_TRUE(CalcOneWayAnova({{1, 2}, {}, {3}}));
+}
+
 }  // namespace
+
 }  // namespace graspbench

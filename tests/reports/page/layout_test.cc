@@ -2,24 +2,22 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/files/files.h"
+#include "core/base/text/json.h"
+#include "core/physics/sim_config.h"
+#include "datasets/journal/manifest.h"
 #include "tests/reports/report_fixture.h"
 
 namespace graspbench {
+
 namespace {
 
 Html MakeParts() {
-  Table table("Rates [%], all cells", {{"Cell"}, {"Rate", Align::kNumber}});
-  table.AddRow({Text("can"), Text("90")});
+  Table table("Rates [%], all cells", {"Cell", "Rate"});
+  table.AddRow({"can", "90"});
   const Html plot = MakeScroll("plot", Element("svg", {{"class", "plot"}}, "x"));
   return MakeFigure("Rates by hand.", "gaps.", plot) + table.ToHtml() +
          MakeFigure("Times.", "late ones.", plot) + table.ToHtml();
-}
-
-std::string TextOfId(const std::string& page, const std::string& id) {
-  tinyxml2::XMLDocument document;
-  ParsePage(page, document);
-  const tinyxml2::XMLElement* found = FindById(*document.RootElement(), id);
-  return found ? ListText(*found) : "no element " + id;
 }
 
 TEST(MakePage, NumbersFiguresAndTablesInTheirOrderAndKeepsIdsApart) {
@@ -39,9 +37,94 @@ TEST(MakePage, WhatLooksLikeANumberedPartInATextIsNone) {
   EXPECT_NE(TextOfId(page, "figure-rates-by-hand").find("Figure\u00A01."), std::string::npos);
 }
 
-TEST(MakePage, TheSameInputGivesTheSameBytes) {
-  EXPECT_EQ(MakePage({"title"}, {}, MakeParts()), MakePage({"title"}, {}, MakeParts()));
+TEST(MakeBibtex, GivesTheWholeEntriesAskedForAndNoOthers) {
+  const std::string text = MakeBibtex({"wilson1927", "holm1979"});
+  EXPECT_EQ(text.rfind("@software{graspbench,", 0), 0u);
+  ExpectParts(text,
+              {"The graspbench developers", "year    = {20", "commit ", "@article{wilson1927,",
+               "10.1080/01621459.1927.10502953", "@article{holm1979,"});
+  EXPECT_EQ(text.find("efron1987"), std::string::npos);
+  int depth = 0;
+  for (const char c : text) depth += c == '{' ? 1 : c == '}' ? -1 : 0;
+  EXPECT_EQ(depth, 0);
+  EXPECT_EQ(text.substr(text.size() - 3), "\n}\n");
+}
+
+TEST(DescribePhysics, NamesAnotherThanTheProgramsOwn) {
+  const std::string now = std::to_string(kPhysicsVersion);
+  EXPECT_EQ(DescribePhysics(kPhysicsVersion), "");
+  EXPECT_EQ(DescribePhysics(8), "; simulated with physics 8, this graspbench has " + now);
+  EXPECT_NE(DescribePhysics(0).find("its folder does not name"), std::string::npos);
+}
+
+TEST(MakeJsonLd, HostileTextsStayTextsAndCannotEndTheScript) {
+  PageFrame frame = {"</script><b>&", "\"sub\""};
+  frame.facts = {{"Seed", "<!--"}};
+  const std::string text = MakeJsonLd(frame);
+  for (const char c : {'<', '>', '&'}) EXPECT_EQ(text.find(c), std::string::npos) << c;
+  const Json json = Json::parse(text);
+  EXPECT_EQ(json.at("name"), "</script><b>&");
+  EXPECT_EQ(json.at("description"), "\"sub\"");
+  EXPECT_EQ(json.at("additionalProperty").back().at("value"), "<!--");
+}
+
+TEST(DrawProvenance, StandsInThePageWithCommandFactsAndReferences) {
+  PageFrame frame = {"title"};
+  frame.commands = {"graspbench report DIR"};
+  frame.facts = {{"Seed", "17"}};
+  frame.references = {"halton1960"};
+  const std::string page = MakePage(frame, {}, MakeMethodsText({"We grasped."}));
+  ExpectSoundPage(page);
+  tinyxml2::XMLDocument document;
+  ParsePage(page, document);
+  const std::string text = ListText(*FindById(*document.RootElement(), "provenance"));
+  ExpectParts(text, {"graspbench report DIR", "Seed 17", "Simbody", "@article{halton1960"});
+}
+
+TEST(WriteReportPage, SealsWhatItWrote) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "write_page";
+  std::filesystem::remove_all(folder);
+  for (const char* page : {"first", "second"}) {
+    EXPECT_EQ(WriteReportPage(folder, page), folder / "report" / "index.html");
+    EXPECT_EQ(ReadFile(folder / "report" / "index.html"), page);
+    const Manifest manifest = LoadManifest(folder / "report");
+    ASSERT_EQ(manifest.files.size(), 1u);
+    EXPECT_TRUE(FindDamage(folder / "report", manifest).empty());
+  }
+}
+
+const char kPage[] =
+    "<html><head><meta content=\"default-src 'none'; img-src data:\"/></head>"
+    "<body>x</body></html>";
+
+TEST(PageScript, IsAllowedByItsHashAlone) {
+  // printf '//<![CDATA[\nrun()\n//]]>\n' | openssl dgst -sha256 -binary | base64
+  EXPECT_EQ(AddScript(kPage, {"p {}", "run()"}),
+            "<html><head><meta content=\"default-src 'none'; script-src "
+            "'sha256-N9PmLvIeOZH4e02Vav6i2IWVsRPDTQEmIEq4u7FFlYQ='; img-src data:\"/><style>\np "
+            "{}</style>\n</head>"
+            "<body>x<script>//<![CDATA[\nrun()\n//]]>\n</script>\n</body></html>");
+}
+
+TEST(PageScript, JoinsThosePermittedBefore) {
+  std::string page = kPage;
+  page.insert(page.find("img-src"), "script-src 'sha256-other='; ");
+  page = AddScript(page, {"", "run()"});
+  ExpectParts(page, {"script-src 'sha256-N9PmLvIeOZH4e02Vav6i2IWVsRPDTQEmIEq4u7FFlYQ=' "
+                     "'sha256-other='; img-src"});
+}
+
+TEST(PageScript, LeavesAPageWithoutScriptAsItIs) { EXPECT_EQ(AddScript(kPage, {"a", ""}), kPage); }
+
+TEST(PageScript, FitsTheFrameOfEveryPage) {
+  const std::string page =
+      AddScript(MakePage({"Title", ""}, {}, MakeParagraph("</head> default-src 'none'; </body>")),
+                {"", "a < b && c"});
+  tinyxml2::XMLDocument document;
+  ParsePage(page, document);
+  EXPECT_NE(document.RootElement()->FirstChildElement("body")->LastChildElement("script"), nullptr);
 }
 
 }  // namespace
+
 }  // namespace graspbench

@@ -7,6 +7,7 @@
 
 #include "reports/page/layout.h"
 #include "reports/plots/line_plot.h"
+#include "tests/reports/report_fixture.h"
 
 namespace graspbench {
 namespace {
@@ -23,8 +24,8 @@ std::string MakePageToTake() {
   row.text = "0.5";
   row.anchor = "somewhere";
   plot.rows.push_back(row);
-  Table table("Rates.", {{"Cell"}, {"Rate", Align::kNumber}});
-  table.AddRow({Text("=can, \"a\""), Text("-0.5")});
+  Table table("Rates.", {"Cell", "Rate"});
+  table.AddRow({"=can, \"a\"", "-0.5"});
   PageFrame frame = {"title"};
   frame.references = {"wilson1927"};
   return MakePage(
@@ -50,9 +51,9 @@ TEST(MakePaperFiles, AFigureStandsAloneInItsOwnColours) {
   EXPECT_EQ(svg.find("var("), std::string::npos);
   EXPECT_EQ(svg.find("href"), std::string::npos);
   EXPECT_EQ(svg.find("dominant-baseline"), std::string::npos);
-  EXPECT_NE(svg.find("dy=\"0.35em\""), std::string::npos);
+  ExpectParts(svg, {"dy=\"0.35em\""});
   EXPECT_NE(svg.find("#0072b2"), std::string::npos) << "the first series by day";
-  EXPECT_NE(svg.find("mass &lt;x&gt;"), std::string::npos);
+  ExpectParts(svg, {"mass &lt;x&gt;"});
 }
 
 TEST(MakePaperFiles, TablesAreCsvThatNoSpreadsheetRuns) {
@@ -65,17 +66,17 @@ TEST(MakePaperFiles, MethodsReferencesAndCaptionsAreText) {
   EXPECT_EQ(Find(files, "methods.md"), "# Methods\n\nWe grasped.\n\nWe lifted.\n");
   EXPECT_NE(Find(files, "refs.bib").find("@article{wilson1927,"), std::string::npos);
   const std::string captions = Find(files, "captions.md");
-  EXPECT_NE(captions.find("Figure\u00A01. Changes & more."), std::string::npos) << captions;
+  ExpectParts(captions, {"Figure\u00A01. Changes & more."});
   EXPECT_EQ(captions.find("What to look for"), std::string::npos) << captions;
-  EXPECT_NE(captions.find("(tables/tab-01-rates.csv, .tex)"), std::string::npos) << captions;
+  ExpectParts(captions, {"(tables/tab-01-rates.csv, .tex)"});
 }
 
 TEST(MakePaperFiles, LatexTablesAreEscaped) {
   EXPECT_EQ(Find(MakePaperFiles(MakePageToTake(), PaperParts::kAll), "tables/tab-01-rates.tex"),
             "\\begin{tabular}{lr}\n\\toprule\nCell & Rate \\\\\n\\midrule\n"
             "=can, \"a\" & -0.5 \\\\\n\\bottomrule\n\\end{tabular}\n");
-  Table table("Signs.", {{"a_b"}});
-  table.AddRow({Text("5 % of {x} & \\y^2 < $3")});
+  Table table("Signs.", {"a_b"});
+  table.AddRow({"5 % of {x} & \\y^2 < $3"});
   EXPECT_EQ(Find(MakePaperFiles(MakePage({"title"}, {}, table.ToHtml()), PaperParts::kAll),
                  "tables/tab-01-signs.tex"),
             "\\begin{tabular}{l}\n\\toprule\na\\_b \\\\\n\\midrule\n"
@@ -92,8 +93,8 @@ TEST(MakePaperFiles, WhatIsFoldedIsLeftOutUnlessAllIsAskedFor) {
 TEST(MakePaperFiles, AtMostTwelveTablesNumberedAsOnThePage) {
   Html body;
   for (int i = 0; i < 15; ++i) {
-    Table table("A table with quite a long title.", {{"x"}});
-    table.AddRow({Text("1")});
+    Table table("A table with quite a long title.", {"x"});
+    table.AddRow({"1"});
     body += i == 0 ? MakeDetails("more", table.ToHtml()) : table.ToHtml();
   }
   const auto count = [&](PaperParts parts) {

@@ -7,6 +7,7 @@
 #include "tests/reports/report_fixture.h"
 
 namespace graspbench {
+
 namespace {
 
 /** A hand that is one box, and a can that is another. */
@@ -127,10 +128,66 @@ TEST(WriteSessionReport, UnknownModelsCostThePicturesNotTheReport) {
   const std::filesystem::path path = WriteSessionReport(folder, session);
   EXPECT_EQ(path, folder / "report" / "index.html");
   const std::string page = ReadFile(path);
-  EXPECT_NE(page.find("no_such_hand"), std::string::npos);
-  EXPECT_NE(page.find("Models: "), std::string::npos);
+  ExpectParts(page, {"no_such_hand", "Models: "});
   EXPECT_EQ(page.find(FindDataRoot().string()), std::string::npos) << "an absolute path";
 }
 
+TEST(ShownTrials, AreAllTrialsOfMostSessions) {
+  const Session session = MakeSession({"tum"}, {"can", "cup", "mug"}, "g3", 1000);
+  const SessionSummary summary = SummariseSession(session);
+  for (const CellSummary& cell : summary.cells) {
+    EXPECT_EQ(ChooseShownTrials(cell, summary), cell.records);
+    EXPECT_TRUE(IsDrawnInFull(cell, summary));
+  }
+  EXPECT_EQ(DescribeShownTrials(1000, summary.cells[0]), "");
+}
+
+TEST(ShownTrials, AreEvenlySpacedInALargeSessionWhichSaysSo) {
+  const Session session = MakeSession({"tum", "shadow"}, {"can", "cup"}, "g3", 2000);
+  const SessionSummary summary = SummariseSession(session);
+  const std::vector<const TrialRecord*> shown = ChooseShownTrials(summary.cells[1], summary);
+  ASSERT_EQ(shown.size(), 750u);
+  for (size_t i = 0; i < shown.size(); ++i) {
+    EXPECT_EQ(shown[i]->plan.trial, static_cast<int>(i * 2000 / 750));
+  }
+  const std::string page = MakePageOf(session);
+  ExpectSoundPage(page);
+  ExpectParts(page, {"750 of 2000 trials, evenly spaced; export/trials.csv has all of them."});
+  EXPECT_LT(page.size(), 10'000'000u);
+}
+
+TEST(ShownTrials, OfManyCellsTheFirstAreDrawnInFull) {
+  std::vector<std::string> objects;
+  for (int i = 0; i < 260; ++i) objects.push_back("object" + std::to_string(i));
+  const Session session = MakeSession({"tum"}, objects, "g3", 1);
+  const SessionSummary summary = SummariseSession(session);
+  EXPECT_TRUE(IsDrawnInFull(summary.cells[249], summary));
+  EXPECT_FALSE(IsDrawnInFull(summary.cells[250], summary));
+  const std::string page = MakePageOf(session);
+  ExpectSoundPage(page);  // every link to a cell has its place
+  ExpectParts(page, {"too many conditions for one page"});
+}
+
+std::string Draw(Outcome outcome) {
+  TrialResult result;
+  result.outcome = outcome;
+  return DrawFilmstrip({{Moment::kClosed, 1.25, "abc"}, {Moment::kLifted, 2.5, "def"}}, result,
+                       "a <hand>")
+      .markup();
+}
+
+TEST(Filmstrip, OnlyASuccessIsShownInItsHold) {
+  EXPECT_NE(Draw(Outcome::kSuccess).find(">Hold, 2.50 s<"), std::string::npos);
+  EXPECT_NE(Draw(Outcome::kPushedAway).find(">End, 2.50 s<"), std::string::npos);
+  EXPECT_EQ(Draw(Outcome::kPushedAway).find("Hold"), std::string::npos);
+  EXPECT_NE(Draw(Outcome::kPushedAway).find(">Stabilisation, 1.25 s<"), std::string::npos);
+}
+
+TEST(Filmstrip, EveryPictureHasWordsInItsPlace) {
+  const std::string html = Draw(Outcome::kSuccess);
+  ExpectParts(html, {"alt=\"a &lt;hand&gt;: Hold\"", "data:image/webp;base64,YWJj"});
+}
+
 }  // namespace
+
 }  // namespace graspbench

@@ -4,12 +4,16 @@
 
 #include <cstdio>
 
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/load_hand.h"
+#include "core/hand/tactile.h"
 #include "objects/catalogue.h"
+#include "tests/reports/report_fixture.h"
 
 namespace graspbench {
+
 namespace {
 
 std::string Draw(const PlanarPose& pose, const PlanarPose& supposed) {
@@ -22,13 +26,32 @@ std::string Draw(const PlanarPose& pose, const PlanarPose& supposed) {
       .markup();
 }
 
+size_t Count(const std::string& text, const std::string& part) {
+  size_t count = 0;
+  for (size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+// 186 discs; the strongest is full, an idle one empty, each with its number.
+TEST(HandMapTest, EveryElementIsADiscShadedByItsForce) {
+  const Hand hand = LoadHand("shadow");
+  std::vector<double> force(hand.skin->elements.size(), 0.0);
+  force[0] = 4.0;
+  force[1] = 1.0;
+  const std::string map = DrawHandMap(hand, force, {"Map", "Forces."}).markup();
+  EXPECT_EQ(Count(map, "<ellipse "), 186u);
+  EXPECT_EQ(Count(map, "fill-opacity=\"1.00\""), 1u);
+  EXPECT_EQ(Count(map, "fill-opacity=\"0.25\""), 1u);
+  EXPECT_EQ(Count(map, "fill-opacity=\"0.00\""), 184u);
+  EXPECT_EQ(Count(map, "ffdistal: 4.00 N"), 1u);
+  EXPECT_EQ(Count(map, "<title>Map</title>"), 1u);
+}
+
 // The camera stands above the supposed place and is turned with it, so that an object that lies
 // there is in the middle (120, 90) of the drawing, with its length across.
 TEST(SightPictureTest, WhatLiesWhereItShouldIsInTheMiddle) {
   const std::string svg = Draw({0.03, -0.02, 0.6}, {0.03, -0.02, 0.6});
-  EXPECT_NE(svg.find("data:image/webp;base64,"), svg.npos);
-  EXPECT_NE(svg.find("sight outline"), svg.npos);
-  EXPECT_NE(svg.find("sight rectangle"), svg.npos);
+  ExpectParts(svg, {"data:image/webp;base64,", "sight outline", "sight rectangle"});
   const size_t axis = svg.find("class=\"sight axis\"");
   ASSERT_NE(axis, svg.npos);
   double x1 = 0.0, y1 = 0.0, x2 = 0.0, y2 = 0.0;
@@ -45,8 +68,9 @@ TEST(SightPictureTest, WhatLiesWhereItShouldIsInTheMiddle) {
 TEST(SightPictureTest, WhatIsNotFoundIsSaid) {
   const std::string svg = Draw({0.25, 0.0, 0.0}, {});
   EXPECT_EQ(svg.find("sight outline"), svg.npos);
-  EXPECT_NE(svg.find("Not found: "), svg.npos);
+  ExpectParts(svg, {"Not found: "});
 }
 
 }  // namespace
+
 }  // namespace graspbench

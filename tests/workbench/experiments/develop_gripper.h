@@ -33,8 +33,8 @@ class DevelopHandTest : public testing::Test {
     request.out = out(name);
     request.config.budget = 100;
     request.num_workers = num_workers;
-    Observer observer;
-    return DevelopHand(request, observer, stop_);
+    Observer observer(stop_);
+    return DevelopHand(request, observer);
   }
 
   TemporaryFolder folder_;

@@ -3,48 +3,31 @@
 #include "core/trial/trial_runner.h"
 #include "datasets/analysis/conditions/threshold_summary.h"
 #include "datasets/analysis/export_result.h"
-#include "datasets/plan/sweep_design.h"
+#include "datasets/plan/conditions.h"
 #include "datasets/session/merge_sessions.h"
-#include "tests/datasets/session/fake_session.h"
+#include "tests/workbench/experiments/small_sessions.h"
 #include "workbench/experiments/machines/run_shard.h"
-#include "workbench/experiments/session_experiment.h"
 
 namespace graspbench {
 namespace {
 namespace fs = std::filesystem;
 
-class GripThresholdsTest : public testing::Test {
+class GripThresholdsTest : public SmallSessions {
  protected:
-  void SetUp() override {
-    config_.hands = {"tum"};
-    config_.objects = {"can"};
+  GripThresholdsTest() {
+    static_cast<SessionConfig&>(config_) = MakeConfig({"can"}, 2);
     config_.grasps = {"g3"};
-    config_.trials = 2;
-    request_ = RunNew("session", config_);
-  }
-  /** A finished session. */
-  ExperimentRequest RunNew(const std::string& name, const SessionConfig& config) {
-    SessionRequest request;
-    request.config = config;
-    request.out = temporary_.path() / name;
-    RunRound(kTrialRound, PrepareSession(request), 1, observer_, stop_);
-    ExperimentRequest experiment;
-    experiment.folder = request.out;
-    return experiment;
   }
   SweepConfig config_;
-  TemporaryFolder temporary_;
-  Observer observer_;
-  std::atomic<bool> stop_ = false;
-  ExperimentRequest request_;
 };
 
 // What the rounds find is what one bisection finds that runs its trials by itself.
 TEST_F(GripThresholdsTest, FindsWhatABisectionOfTheDrawFinds) {
   const ThresholdScale& scale = kThresholdScales[0];
-  const PreparedSession experiment = PrepareThresholds(request_, scale);
-  ASSERT_TRUE(RunExperiment(experiment, request_, 2, observer_, stop_));
-  const Session session = LoadSession(request_.folder);
+  const ExperimentRequest request = RunNew("session", config_);
+  const PreparedSession experiment = PrepareThresholds(request, scale);
+  ASSERT_TRUE(RunExperiment(experiment, request, observer_));
+  const Session session = LoadSession(request.folder);
   const std::vector<ThresholdSummary> found = LoadThresholds(session);
   ASSERT_EQ(found.size(), 1u);
   ASSERT_EQ(found[0].draws.size(), 2u);
@@ -62,8 +45,8 @@ TEST_F(GripThresholdsTest, FindsWhatABisectionOfTheDrawFinds) {
     EXPECT_EQ(draw.found.failed, alone.failed);
     EXPECT_EQ(draw.found.succeeded, alone.succeeded);
   }
-  ExportResult(request_.folder, session);
-  EXPECT_TRUE(std::filesystem::exists(request_.folder / "export" / "thresholds.csv"));
+  ExportResult(request.folder, session);
+  EXPECT_TRUE(std::filesystem::exists(request.folder / "export" / "thresholds.csv"));
 }
 
 // With drives of a hundredth `run` refuses most of the scale: the search ends where it does.
@@ -79,7 +62,7 @@ TEST_F(GripThresholdsTest, OfForcesEndAtWhatDrivesGive) {
   EXPECT_FALSE(ListThresholdWarnings(scale, experiment.config, experiment.inputs).empty());
   EXPECT_TRUE(
       ListThresholdWarnings(kThresholdScales[0], experiment.config, experiment.inputs).empty());
-  ASSERT_TRUE(RunExperiment(experiment, request, 1, observer_, stop_));
+  ASSERT_TRUE(RunExperiment(experiment, request, observer_));
   const ThresholdSummary found = LoadThresholds(LoadSession(request.folder)).at(0);
   ASSERT_EQ(found.draws.size(), 1u);
   const int most = found.draws[0].most_place;
@@ -98,23 +81,13 @@ TEST_F(GripThresholdsTest, OfForcesEndAtWhatDrivesGive) {
       << DescribeCeilings(found);
 }
 
-TEST_F(GripThresholdsTest, GoesOnWhereItStopped) {
-  const PreparedSession experiment = PrepareThresholds(request_, kThresholdScales[1]);
-  stop_ = true;
-  EXPECT_FALSE(RunExperiment(experiment, request_, 1, observer_, stop_));
-  stop_ = false;
-  ASSERT_TRUE(RunExperiment(PrepareThresholds(request_, kThresholdScales[1]), request_, 1,
-                            observer_, stop_));
-  EXPECT_EQ(LoadThresholds(LoadSession(request_.folder))[0].cells[0].num_draws, 2);
-}
-
 // Under a condition of a sweep as in a session of its own, and in shards as at once.
 TEST_F(GripThresholdsTest, OfASweepAreThoseOfEachCondition) {
   const ThresholdScale& scale = kThresholdScales[0];
   SessionConfig heavy = config_;
   heavy.model.mass_scale = 2.0;
   const ExperimentRequest alone = RunNew("heavy", heavy);
-  ASSERT_TRUE(RunExperiment(PrepareThresholds(alone, scale), alone, 2, observer_, stop_));
+  ASSERT_TRUE(RunExperiment(PrepareThresholds(alone, scale), alone, observer_));
   config_.factors = {"model.mass_scale=1,2"};
   const ExperimentRequest swept = RunNew("sweep", MakeSweep(config_));
   const fs::path folder = PrepareThresholds(swept, scale).folder;
@@ -123,7 +96,7 @@ TEST_F(GripThresholdsTest, OfASweepAreThoseOfEachCondition) {
     ShardRequest shard;
     shard.folder = folder;
     shard.shard = {number, 2};
-    const ShardResult result = WorkOnShard(shard, observer_, stop_);
+    const ShardResult result = WorkOnShard(shard, observer_);
     EXPECT_EQ(result.num_left, 0);
   }
   MergeSessions(folder, {});
@@ -140,6 +113,26 @@ TEST_F(GripThresholdsTest, OfASweepAreThoseOfEachCondition) {
   for (const char* file : {"thresholds.csv", "effects.csv", "conditions.csv"}) {
     EXPECT_TRUE(fs::exists(swept.folder / "export" / file)) << file;
   }
+}
+
+// A sweep runs its trials, then the bisections, and goes on where it stopped.
+TEST_F(GripThresholdsTest, AreAskedForWithASweep) {
+  config_.trials = 1;
+  config_.factors = {"model.mass_scale=1,2"};
+  const PreparedSession sweep = Prepare("sweep", MakeSweep(config_));
+  EXPECT_GT(EstimateSweepTime(sweep, false, false), 0.0);
+  ExperimentRequest request;
+  request.thresholds = &kThresholdScales[0];
+  stop_ = true;
+  EXPECT_FALSE(RunExperiment(sweep, request, observer_));
+  stop_ = false;
+  ASSERT_TRUE(RunExperiment(sweep, request, observer_));
+  const Session session = LoadSession(sweep.folder);
+  EXPECT_TRUE(FindUnfinished(session).empty());
+  const std::vector<ThresholdSummary> thresholds = LoadThresholds(session);
+  ASSERT_EQ(thresholds.size(), 1u);
+  ASSERT_EQ(thresholds[0].draws.size(), 2u);
+  for (const DrawThreshold& draw : thresholds[0].draws) EXPECT_FALSE(draw.found.next);
 }
 
 }  // namespace

@@ -4,11 +4,12 @@
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
-#include "datasets/judged_grasps/judged_summary.h"
+#include "datasets/judged_grasps/grasp_store.h"
 #include "tests/datasets/session/fake_session.h"
 #include "tests/workbench/experiments/pinch_inputs.h"
 
 namespace graspbench {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -30,14 +31,14 @@ JudgeGraspsRequest MakeRequest(const fs::path& folder, const std::string& out) {
 /** Stops after so many verdicts. */
 class Stopper : public Observer {
  public:
-  Stopper(int num_verdicts, std::atomic<bool>& stop) : num_verdicts_(num_verdicts), stop_(stop) {}
+  explicit Stopper(int num_verdicts) : Observer(stop_), num_verdicts_(num_verdicts) {}
   void ShowStatus(const BatchStatus& status, int) override {
     if (status.num_done >= num_verdicts_) stop_ = true;
   }
 
  private:
   int num_verdicts_;
-  std::atomic<bool>& stop_;
+  std::atomic<bool> stop_ = false;
 };
 
 TEST(JudgeGrasps, VerdictsAreThoseOfMechanics) {
@@ -45,8 +46,7 @@ TEST(JudgeGrasps, VerdictsAreThoseOfMechanics) {
   JudgeGraspsRequest request = MakeRequest(folder.path(), "judged");
   request.jitter = 0;
   Observer nobody;
-  const std::atomic<bool> stop = false;
-  EXPECT_TRUE(JudgeGrasps(request, Inputs(), nobody, stop));
+  EXPECT_TRUE(JudgeGrasps(request, Inputs(), nobody));
   const std::vector<JudgedGrasp> judged = LoadJudgedGrasps(request.out);
   ASSERT_EQ(judged.size(), 3u);
   EXPECT_TRUE(judged[0].result.passed) << judged[0].result.reason;
@@ -63,21 +63,19 @@ TEST(JudgeGrasps, VerdictsAreThoseOfMechanics) {
 TEST(JudgeGrasps, WorkersAndInterruptionsLeaveTheSameBytes) {
   const TemporaryFolder folder;
   Observer nobody;
-  const std::atomic<bool> never = false;
   const JudgeGraspsRequest plain = MakeRequest(folder.path(), "plain");
-  EXPECT_TRUE(JudgeGrasps(plain, Inputs(), nobody, never));
+  EXPECT_TRUE(JudgeGrasps(plain, Inputs(), nobody));
   JudgeGraspsRequest stopped = MakeRequest(folder.path(), "stopped");
   stopped.num_workers = 2;
-  std::atomic<bool> stop = false;
-  Stopper stopper(3, stop);
-  EXPECT_FALSE(JudgeGrasps(stopped, Inputs(), stopper, stop));
+  Stopper stopper(3);
+  EXPECT_FALSE(JudgeGrasps(stopped, Inputs(), stopper));
   EXPECT_FALSE(fs::exists(stopped.out / "grasps.csv"));
   // And what a kill leaves of a line.
   const fs::path journal = stopped.out / "journal.jsonl";
   const std::string lines = ReadFile(journal);
   ASSERT_GT(lines.size(), 10u);
   WriteFile(journal, lines + lines.substr(0, 50));
-  EXPECT_TRUE(JudgeGrasps(stopped, Inputs(), nobody, never));
+  EXPECT_TRUE(JudgeGrasps(stopped, Inputs(), nobody));
   for (const char* name : {"grasps.json", "journal.jsonl", "grasps.csv", "manifest.json"}) {
     EXPECT_EQ(ReadFile(plain.out / name), ReadFile(stopped.out / name)) << name;
   }
@@ -86,15 +84,14 @@ TEST(JudgeGrasps, WorkersAndInterruptionsLeaveTheSameBytes) {
 TEST(JudgeGrasps, ShardsMergeToTheBytesOfOneRun) {
   const TemporaryFolder folder;
   Observer nobody;
-  const std::atomic<bool> never = false;
   const JudgeGraspsRequest plain = MakeRequest(folder.path(), "plain");
-  EXPECT_TRUE(JudgeGrasps(plain, Inputs(), nobody, never));
+  EXPECT_TRUE(JudgeGrasps(plain, Inputs(), nobody));
   std::vector<fs::path> parts;
   for (const int number : {2, 1}) {
     JudgeGraspsRequest part = MakeRequest(folder.path(), "part" + std::to_string(number));
     part.shard = {number, 2};
     parts.push_back(part.out);
-    EXPECT_TRUE(JudgeGrasps(part, Inputs(), nobody, never));
+    EXPECT_TRUE(JudgeGrasps(part, Inputs(), nobody));
   }
   const fs::path merged = folder.path() / "merged";
   MergeJudgedGrasps(parts, merged);
@@ -110,11 +107,11 @@ TEST(JudgeGrasps, ShardsMergeToTheBytesOfOneRun) {
   JudgeGraspsRequest other = MakeRequest(folder.path(), "other1");
   other.shard = {1, 2};
   other.jitter = 1;
-  EXPECT_TRUE(JudgeGrasps(other, Inputs(), nobody, never));
+  EXPECT_TRUE(JudgeGrasps(other, Inputs(), nobody));
   refuse({parts[0], other.out});
   // A shard's folder takes nothing but its shard.
   JudgeGraspsRequest all = MakeRequest(folder.path(), "part1");
-  EXPECT_THROW(JudgeGrasps(all, Inputs(), nobody, never), Error);
+  EXPECT_THROW(JudgeGrasps(all, Inputs(), nobody), Error);
   fs::remove(parts[1] / "grasps.csv");
   refuse(parts);
 }
@@ -122,13 +119,32 @@ TEST(JudgeGrasps, ShardsMergeToTheBytesOfOneRun) {
 TEST(JudgeGrasps, AnotherProfileNeedsAnotherFolder) {
   const TemporaryFolder folder;
   Observer nobody;
-  const std::atomic<bool> never = false;
   JudgeGraspsRequest request = MakeRequest(folder.path(), "judged");
   request.jitter = 0;
-  EXPECT_TRUE(JudgeGrasps(request, Inputs(), nobody, never));
+  EXPECT_TRUE(JudgeGrasps(request, Inputs(), nobody));
   request.profiles[0].max_shift *= 2.0;
-  EXPECT_THROW(JudgeGrasps(request, Inputs(), nobody, never), Error);
+  EXPECT_THROW(JudgeGrasps(request, Inputs(), nobody), Error);
+}
+
+TEST(ExplainGrasp, NamesTheValueThatTurnsTheVerdict) {
+  const GraspInputs inputs = MakePinchInputs();
+  const FreeSpaceProfile from = MakePinchProfile();
+  FreeSpaceProfile to = from;
+  to.drives.damping = 0.04;     // of given drives: nothing changes
+  to.surfaces.friction = 0.05;  // 0.5 N at most, and the push is 1 N
+  to.test_time = 0.2;
+  const std::vector<ExplainStep> steps = ExplainGrasp(inputs, inputs.grasps.front(), from, to);
+  ASSERT_EQ(steps.size(), 4u);
+  EXPECT_TRUE(steps[0].result.passed) << steps[0].result.reason;
+  EXPECT_EQ(steps[1].key, "drives.damping_nms_per_rad");
+  EXPECT_FALSE(steps[1].turns);
+  EXPECT_EQ(steps[2].key, "surfaces.friction");
+  EXPECT_TRUE(steps[2].turns);
+  EXPECT_EQ(steps[2].from, "0.5");
+  EXPECT_FALSE(steps[2].result.passed);
+  EXPECT_EQ(steps[3].key, "test_time_s");
 }
 
 }  // namespace
+
 }  // namespace graspbench

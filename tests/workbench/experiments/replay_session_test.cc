@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "tests/datasets/session/fake_session.h"
-#include "workbench/experiments/machines/machine.h"
+#include "workbench/experiments/run_record.h"
 #include "workbench/experiments/run_session.h"
 
 namespace graspbench {
@@ -27,8 +27,7 @@ class ReplaySessionTest : public testing::Test {
     request.config->trials = 3;
     request.out = original_->path() / "s";
     Observer observer;
-    const std::atomic<bool> stop = false;
-    RunRound(kTrialRound, PrepareSession(request), 1, observer, stop);
+    RunRound(kTrialRound, PrepareSession(request), 1, observer);
   }
   static void TearDownTestSuite() { original_.reset(); }
   ReplaySessionTest() {
@@ -42,15 +41,15 @@ class ReplaySessionTest : public testing::Test {
     request.trials = session.plan;
     request.num_workers = num_workers;
     request.take = take_;
-    return ReplaySession(session, inputs_, request, observer_, stop_);
+    return ReplaySession(session, inputs_, request, observer_);
   }
 
   TemporaryFolder temporary_;
   std::filesystem::path folder_ = temporary_.path() / "s";
   std::filesystem::path journal_ = folder_ / "journal" / "0.jsonl";
   SessionInputs inputs_;
-  Observer observer_;
   std::atomic<bool> stop_ = false;
+  Observer observer_{stop_};
   std::function<void(size_t, const TrialSetup&, const TracedTrial&)> take_;
   static std::unique_ptr<TemporaryFolder> original_;
 };

@@ -1,10 +1,13 @@
 #include "workbench/experiments/run_record.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "core/base/files/files.h"
+#include "core/base/hash.h"
 
 namespace graspbench {
+
 namespace {
 
 class RunRecordTest : public testing::Test {
@@ -40,17 +43,18 @@ TEST_F(RunRecordTest, ADamagedRecordIsReplaced) {
   }
 }
 
-TEST_F(RunRecordTest, AnotherBuildIsNoticed) {
-  WriteFileAtomically(folder_ / "run.json", R"({"runs": [{"build": "0123456789abcdef"}]})");
-  EXPECT_TRUE(HasRunOfAnotherBuild(folder_));
-}
-
-TEST_F(RunRecordTest, TheClockIsUtcInIsoForm) {
-  const std::string now = FormatUtcNow();
-  ASSERT_EQ(now.size(), 20u) << now;
-  EXPECT_EQ(now[10], 'T');
-  EXPECT_EQ(now.back(), 'Z');
+TEST(FindMachine, SaysWhatTheSystemSays) {
+  const Machine machine = FindMachine();
+  char host[256] = "";
+  ASSERT_EQ(::gethostname(host, sizeof host - 1), 0);
+  EXPECT_EQ(machine.host, host);
+  EXPECT_EQ(machine.build, CalcHashHex(ReadFile("/proc/self/exe")));
+  EXPECT_EQ(machine.c_library.rfind("glibc 2.", 0), 0u);
+  EXPECT_NE(ReadFile("/proc/cpuinfo").find(machine.processor), std::string::npos);
+  EXPECT_NE(machine.processor_flags, CalcHashHex(""));
+  EXPECT_TRUE(machine == FindMachine());
 }
 
 }  // namespace
+
 }  // namespace graspbench

@@ -3,34 +3,22 @@
 #include <gtest/gtest.h>
 
 #include "datasets/session/judgement_store.h"
-#include "tests/datasets/session/fake_session.h"
+#include "tests/workbench/experiments/small_sessions.h"
 
 namespace graspbench {
 namespace {
 
-class RunSessionTest : public testing::Test {
+class RunSessionTest : public SmallSessions {
  protected:
-  RunSessionTest() {
-    SessionRequest request;
-    request.config.emplace();
-    request.config->hands = {"tum"};
-    request.config->objects = {"golf_ball"};
-    request.config->trials = 2;
-    request.out = temporary_.path() / "session";
-    prepared_ = PrepareSession(request);
-  }
   RunRecord Run(const RoundKind& kind) {
     return RunRound(kind, {prepared_.config, prepared_.inputs, prepared_.folder, Load()}, 1,
-                    observer_, stop_);
+                    observer_);
   }
   Session Load() const {
     return LoadSession(prepared_.folder, OnDamage::kRefuse, RecordParts::kBrief);
   }
 
-  TemporaryFolder temporary_;
-  PreparedSession prepared_;
-  Observer observer_;
-  std::atomic<bool> stop_ = false;
+  PreparedSession prepared_ = Prepare("session", MakeConfig({"golf_ball"}, 2));
 };
 
 // What the judge is asked for follows from the records of the trials before it.

@@ -4,24 +4,19 @@
 
 #include "core/base/error.h"
 #include "datasets/journal/sealed_store.h"
-#include "tests/datasets/session/fake_session.h"
+#include "tests/workbench/experiments/small_sessions.h"
 
 namespace graspbench {
 namespace {
 
-class ScheduleSessionTest : public testing::Test {
+class ScheduleSessionTest : public SmallSessions {
  protected:
   void SetUp() override {
-    SessionRequest request;
-    request.config = SessionConfig();
-    request.config->hands = {"shadow"};
-    request.config->objects = {kObject};
-    request.config->trials = 2;
-    request.config->variation.offset = 0.001;
-    request.config->variation.yaw = 0.01;
-    request.out = temporary_.path() / "session";
-    RunRound(kTrialRound, PrepareSession(request), 1, observer_, stop_);
-    request_.folder = request.out;
+    SessionConfig config = MakeConfig({kObject}, 2);
+    config.hands = {"shadow"};
+    config.variation.offset = 0.001;
+    config.variation.yaw = 0.01;
+    request_ = RunNew("session", config);
   }
 
   /** People who touch in the order of the list, at these shares of a closing time of 0.4 s. */
@@ -51,9 +46,6 @@ class ScheduleSessionTest : public testing::Test {
   }
 
   static constexpr char kObject[] = "can";
-  TemporaryFolder temporary_;
-  Observer observer_;
-  std::atomic<bool> stop_ = false;
   ExperimentRequest request_;
 };
 
@@ -69,7 +61,8 @@ TEST_F(ScheduleSessionTest, PlantedSharesComeBackAndSimultaneousDigitsTouchToget
   const People people = MakePeople(planted, kObject);
   const PreparedSession schedules = PrepareSchedules(request_, people);
   EXPECT_EQ(schedules.session.plan.size(), 6u);
-  ASSERT_TRUE(RunSchedules(schedules, request_, 1, observer_, stop_));
+  request_.thresholds = &kThresholdScales[0];
+  ASSERT_TRUE(RunExperiment(schedules, request_, observer_));
   const std::vector<ScheduleComparison> found = LoadSchedules(before);
   ASSERT_EQ(found.size(), 1u);
   ASSERT_EQ(found[0].cells.size(), 1u);

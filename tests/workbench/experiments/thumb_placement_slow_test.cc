@@ -18,7 +18,7 @@
 #include "core/statistics/summary.h"
 #include "datasets/plan/session_plan.h"
 #include "objects/catalogue.h"
-#include "workbench/experiments/pool/trial_bench.h"
+#include "workbench/experiments/pool/batch_runner.h"
 
 namespace graspbench {
 namespace {

@@ -5,7 +5,7 @@
 #include "core/base/files/files.h"
 #include "tests/datasets/session/fake_session.h"
 #include "workbench/shell/shell.h"
-#include "workbench/text/typed_words.h"
+#include "workbench/terminal/command_line.h"
 
 namespace graspbench {
 namespace {
@@ -44,15 +44,6 @@ TEST(ShellCommands, CompletesFilesWhereOneIsExpected) {
   EXPECT_EQ(FindCompletions(shell, "save " + top), Names({top + "grasps/", top + "great.yaml"}));
   EXPECT_EQ(FindCompletions(shell, "save " + top + "none/"), Names());
   EXPECT_EQ(FindCompletions(shell, "goto " + top), Names());
-}
-
-TEST(ShellCommands, AQuestionMarkAsksForHelp) {
-  Shell shell;
-  testing::internal::CaptureStdout();
-  EXPECT_EQ(shell.Execute("hand ?"), Shell::Reply::kDone);
-  const std::string help = testing::internal::GetCapturedStdout();
-  EXPECT_NE(help.find("hand HAND"), std::string::npos) << help;
-  EXPECT_NE(help.find("shadow"), std::string::npos) << help;
 }
 
 TEST(ShellCommands, EveryExampleFitsItsCommand) {

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/base/units.h"
 #include "datasets/plan/session_plan.h"
 
 namespace graspbench {
@@ -98,15 +97,6 @@ TEST(ShellScene, EditsReachThePostureAndThePlace) {
   EXPECT_NEAR(X_WO.translation().x(), 0.01, 1e-12);
   EXPECT_NEAR(X_WO.translation().y(), -0.02, 1e-12);
   EXPECT_NEAR(std::atan2(X_WO.linear()(1, 0), X_WO.linear()(0, 0)), 0.3, 1e-12);
-}
-
-TEST(ShellScene, ADigitClosesOnItsOwnSchedule) {
-  SceneChoice choice = MakeChoice("shadow", "can", std::nullopt);
-  choice.closing["FF"] = {0.05, 1.5};
-  ShellScene scene;
-  scene.Choose(choice);
-  EXPECT_EQ(scene.setup().grasp.closing.at("FF"), (ClosingSchedule{0.05, 1.5}));
-  EXPECT_EQ(scene.unedited_grasp().closing.count("FF"), 0u);
 }
 
 }  // namespace

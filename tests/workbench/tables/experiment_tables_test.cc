@@ -4,7 +4,10 @@
 
 #include <cmath>
 
+#include "tests/datasets/analysis/map/made_map.h"
+
 namespace graspbench {
+
 namespace {
 
 NumericsComparison MakeFlip() {
@@ -92,20 +95,13 @@ TEST(SimultaneityTables, ARelationIsShownWithItsIntervalAndMarkedWhenItHolds) {
   const GraspResponse* success = &ListGraspResponses().front();
   const SimultaneityRelation row = {"tum", "gft_s", success, found, 0.01};
   const SimultaneityRelation none = {"tum", "got_s", success, NoAnswer{"all alike"}, kUnset};
-  EXPECT_EQ(FormatRelations({row, none}),
-            "hand  of the trial  measure  trials  conditions  rank correlation\n"
-            "tum   success [%]   GFT          80           8  -0.50 (-0.70 to -0.25) *\n"
-            "tum   success [%]   GOT           0           0  n/a\n"
-            "within conditions (hand, object, grasp), with 95 % intervals; * differs from 0 at 5 % "
-            "over all rows (Holm)\n");
-}
-
-TEST(SimultaneityTables, NothingButMissingRelationsIsASentence) {
-  const GraspResponse* success = &ListGraspResponses().front();
-  const SimultaneityRelation none = {"tum", "got_s", success, NoAnswer{"all alike"}, kUnset};
-  const std::string text = FormatRelations({none, none});
-  EXPECT_EQ(text.find("no relation can be found"), 0u) << text;
-  EXPECT_EQ(text.find("n/a"), std::string::npos);
+  EXPECT_EQ(
+      FormatRelations({row, none}),
+      "hand  measure  of the trial  conditions  trials  rank correlation             p  p of all\n"
+      "tum   GFT      success                8      80  -0.50 (-0.70 to -0.25)  1.0000     0.010\n"
+      "tum   GOT      success                0       0  n/a                        n/a       n/a\n"
+      "within conditions (hand, object, grasp), with 95 % intervals; p of all: over all rows "
+      "(Holm)\n");
 }
 
 TEST(SimultaneityTables, ADoseShowsItsMeansInTheUnitOfItsLabel) {
@@ -152,5 +148,121 @@ TEST(ThresholdTables, ChangesAreRatios) {
   EXPECT_NE(text.find("1.41 (1.19 to 2.00)"), std::string::npos) << text;
 }
 
+TEST(SweepTables, NameInteractionsThatExcludeZeroAndConditionsThatDecideNothing) {
+  SweepSummary summary;
+  ConditionRow row;
+  row.hand = "tum";
+  row.num_planned = row.num_finished = 4;
+  row.medians = {1.0, 0.25, 1.5, kUnset};
+  row.undecided = "cannot decide success: all 4 trials succeed";
+  summary.rows = {row};
+  SweepEffect effect;
+  effect.factors = {"model.mass_scale"};
+  effect.levels = {"2.0"};
+  effect.measure = "sigma_n";
+  effect.hand = "tum";
+  effect.num_draws = 4;
+  effect.estimate = -0.5;
+  effect.interval = NoAnswer{"fewer than five objects"};
+  summary.effects = {effect};
+  effect.factors.push_back("grasp");
+  effect.levels.push_back("g2");
+  effect.interval = Interval{-0.75, -0.25};
+  summary.interactions = {effect};
+  EXPECT_EQ(
+      FormatSweepTables(summary),
+      "condition  hand  trials  success [%]  GFT% [%]  sigma [N]  breaking force [N]  note\n"
+      "base       tum        4        100.0      25.0       1.50                 n/a  cannot "
+      "decide success: all 4 trials succeed\n"
+      "rate of success, medians of the rest\n"
+      "\n"
+      "level                 hand  measure    draws  objects  change  95 % interval\n"
+      "model.mass_scale=2.0  tum   sigma [N]      4        0   -0.50  fewer than five objects\n"
+      "against the base's level, on the same draws; intervals from drawing objects\n"
+      "\n"
+      "interactions whose interval excludes 0\n"
+      "level                              hand  measure    draws  objects  change  95 % interval\n"
+      "model.mass_scale=2.0 and grasp=g2  tum   sigma [N]      4        0   -0.50  -0.75 to -0.25, "
+      "excludes 0\n");
+  summary.effects[0].num_left_out = 2;
+  summary.effects[0].why_left_out = "2 without a value";
+  EXPECT_NE(
+      FormatSweepTables(summary).find("level                 hand  measure    draws   objects  "
+                                      "change  95 % interval            left out\n"
+                                      "model.mass_scale=2.0  tum   sigma [N]  4 of 6        0   "
+                                      "-0.50  fewer than five objects  2 without a value\n"),
+      std::string::npos)
+      << FormatSweepTables(summary);
+  summary.interactions[0].interval = Interval{-0.75, 0.25};
+  EXPECT_NE(FormatSweepTables(summary).find("no interval of an interaction excludes 0\n"),
+            std::string::npos);
+}
+
+TEST(MapTables, BeginWithTheFindingAndListEveryLevel) {
+  const std::string text = FormatMap(LoadMap(MakeMapSessionResult()));
+  EXPECT_EQ(text.rfind("tum: matters.", 0), 0u) << text;
+  for (const MapFactorRow& factor : ListMapFactors()) {
+    for (const MapLevelRow& level : factor.levels) {
+      EXPECT_NE(text.find(factor.name + " " + level.name), std::string::npos) << level.name;
+    }
+  }
+}
+
+Answer<TouchLags> MakeLags(double thumb) {
+  TouchLags lags;
+  lags.num_trials = 8;
+  lags.closing_time = 0.5;
+  lags.gft = 0.5 * thumb;
+  lags.shares = {{"TH", thumb, thumb, thumb, 0}, {"FF", 0.0, 0.0, 0.0, 0}};
+  return lags;
+}
+
+TEST(ScheduleTables, ARowASchedulePeopleFirstThenWhatIsMissing) {
+  ScheduleComparison comparison;
+  comparison.study = "pilot";
+  comparison.scale = &kThresholdScales[0];
+  ScheduleCell cell;
+  cell.of = {"tum", "can", "g3", {"TH", "FF"}, MakeLags(0.2), {{kPeopleLike, "TH does not touch"}}};
+  ScheduleRow natural = {kNatural, MakeLags(HUGE_VAL), {}};
+  natural.threshold_text = "1.41";
+  natural.ratio = 1.0;
+  natural.interval = Interval{1.0, 1.0};
+  cell.rows = {natural};
+  comparison.cells = {cell};
+  const std::string text = FormatSchedules(comparison);
+  const auto expect = [&](const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << " is missing in\n" << text;
+  };
+  expect("FF 0, TH 20 ");
+  expect("FF 0, TH never ");
+  expect(" 100\n");  // GFT of people [ms]
+  expect("0 of 0");
+  expect("1.00 (1.00 to 1.00)");
+  expect("not compared: can, tum g3, people-like: TH does not touch\n");
+}
+
+TEST(ScheduleTables, ThePlanCountsTrialsAndSaysWhatIsMissing) {
+  Session session;
+  for (const char* grasp : {"g3-natural", "g3-simultaneous", "g30-natural"}) {
+    for (int trial = 0; trial < 4; ++trial) {
+      session.plan.push_back({"id", "tum", "can", grasp, trial});
+    }
+  }
+  session.plan.push_back({"id", "tum", "cup", "g3-natural", 0});
+  SchedulePlan plan;
+  plan.session = &session;
+  plan.people.cells = {{"tum", "can", "g3", {}, {}, {{kPeopleLike, "TH never touched"}}}};
+  const Json json = ToJson(plan);
+  ASSERT_EQ(json.size(), 3u);
+  EXPECT_EQ(json[0]["trials"], 4);
+  EXPECT_EQ(json[1]["trials"], 4);
+  EXPECT_EQ(json[1]["missing"], "");
+  EXPECT_EQ(json[2]["trials"], 0);
+  EXPECT_EQ(json[2]["missing"], "TH never touched");
+  const std::string text = FormatSchedulePlan(plan);
+  EXPECT_NE(text.find("TH never touched"), std::string::npos) << text;
+}
+
 }  // namespace
+
 }  // namespace graspbench

@@ -7,7 +7,7 @@
 #include "core/base/pose.h"
 #include "core/base/units.h"
 #include "core/grasp/placement.h"
-#include "core/hand/coupling.h"
+#include "core/hand/hand.h"
 #include "core/hand/load_hand.h"
 
 namespace graspbench {
@@ -32,6 +32,16 @@ class GraspTablesTest : public testing::TestWithParam<const char*> {
   std::vector<Grasp> grasps_;
   std::vector<GraspNumber> numbers_;
 };
+
+TEST(GraspTables, TypesStandInSevenTaxonomies) {
+  const std::string table = FormatGraspTypes();
+  EXPECT_NE(table.find("Napier 1956"), std::string::npos);
+  EXPECT_NE(table.find("side opposition"), std::string::npos);
+  const Json json = MakeGraspTypesJson();
+  ASSERT_EQ(json["grasp_types"].size(), 4u);
+  EXPECT_TRUE(json["grasp_types"][3]["taxonomies"][1]["name"].is_null());
+  EXPECT_EQ(json["grasp_types"][2]["taxonomies"][6]["name"], "palm opposition");
+}
 
 // From the numbers alone the pads stand on both sides of the block, at alpha from its long axis.
 TEST_P(GraspTablesTest, TheNumbersAreTheGrasp) {
@@ -75,16 +85,6 @@ INSTANTIATE_TEST_SUITE_P(Hands, GraspTablesTest, testing::Values("tum", "shadow"
 
 TEST(GraspTables, AHandWithoutGraspsSaysSo) {
   EXPECT_EQ(FormatGraspNumbers({}, {}), "no standard grasps; graspbench hand develop finds some\n");
-}
-
-TEST(GraspTables, TypesStandInSevenTaxonomies) {
-  const std::string table = FormatGraspTypes();
-  EXPECT_NE(table.find("Napier 1956"), std::string::npos);
-  EXPECT_NE(table.find("side opposition"), std::string::npos);
-  const Json json = MakeGraspTypesJson();
-  ASSERT_EQ(json["grasp_types"].size(), 4u);
-  EXPECT_TRUE(json["grasp_types"][3]["taxonomies"][1]["name"].is_null());
-  EXPECT_EQ(json["grasp_types"][2]["taxonomies"][6]["name"], "palm opposition");
 }
 
 }  // namespace

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/datasets/session/fake_session.h"
+
 namespace graspbench {
+
 namespace {
 
 SessionProgress MakeProgress() {
@@ -12,14 +15,6 @@ SessionProgress MakeProgress() {
   progress.shards = {{{1, 2}, 4, 4, 3.0, ShardState::kFinished},
                      {{2, 2}, 3, 0, std::nullopt, ShardState::kWaiting}};
   return progress;
-}
-
-TEST(FormatShards, HasARowAShard) {
-  const std::string text = FormatShards(MakeProgress().shards, "trials");
-  EXPECT_NE(text.find("\n1/2         4         4  finished"), std::string::npos) << text;
-  EXPECT_NE(text.find("\n2/2         3         0  waiting                 n/a"), std::string::npos)
-      << text;
-  EXPECT_EQ(FormatShards({}, "trials"), "");
 }
 
 TEST(MakeStatusJson, SaysWhatNobodyHasBegun) {
@@ -34,5 +29,31 @@ TEST(MakeStatusJson, SaysWhatNobodyHasBegun) {
   EXPECT_EQ(MakeStatusJson(campaign)["benchmark"]["judge"]["held_grasps"], 5);
 }
 
+TEST(MachineTables, ListsWhoHasWorkedOnWhat) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(FormatMachines(ListMachines(folder.path())).empty());
+  const Machine one = {"node1", "a processor", "flags", "glibc 2.36", "build1", "0.1.0"};
+  Machine two = one;
+  two.host = "node2";
+  two.build = "build2";
+  WorkerLog first(folder.path(), "1of3"), second(folder.path(), "2of3"),
+      third(folder.path(), "3of3");
+  first.Append(WorkerStart{"1of3", "", one, {}});
+  first.Append(WorkerStart{"1of3", "", one, {}});
+  second.Append(WorkerStart{"2of3", "", one, {}});
+  second.Append(WorkerStart{"2of3", "", two, {}});
+  third.Append(WorkerStart{"3of3", "", {}, {}});  // brought by a merge, machine unknown
+  const std::vector<MachineShards> machines = ListMachines(folder.path());
+  ASSERT_EQ(machines.size(), 2u);
+  EXPECT_EQ(CountBuilds(machines), 2u);
+  EXPECT_EQ(machines[0].shards.size(), 2u);
+  EXPECT_EQ(FormatMachines(machines),
+            "machine  processor    C library   build   shards\n"
+            "node1    a processor  glibc 2.36  build1       2\n"
+            "node2    a processor  glibc 2.36  build2       1\n\n");
+  EXPECT_EQ(MakeMachinesJson(machines)[1]["shards"], Json::array({"2of3"}));
+}
+
 }  // namespace
+
 }  // namespace graspbench

@@ -21,7 +21,5 @@ TEST(TextTable, CountsCharactersNotBytes) {
   EXPECT_EQ(table.Format(), "a         b\nRöthling  x\n");
 }
 
-TEST(TextTable, AHeadAlone) { EXPECT_EQ(TextTable({"a", "b"}).Format(), "a  b\n"); }
-
 }  // namespace
 }  // namespace graspbench

@@ -4,7 +4,11 @@
 
 #include <filesystem>
 
+#include "core/base/error.h"
+#include "datasets/plan/scene_names.h"
+
 namespace graspbench {
+
 namespace {
 
 using Words = std::vector<std::string>;
@@ -16,8 +20,8 @@ class CommandLineTest : public testing::Test {
     program_.RequireSubcommand();
     program_.AddVersionFlag("--version,-V", "graspbench 1.2", "the version");
     Command& run = AddSubcommand(program_, "run", "Runs.", "  graspbench run can --trials 3");
-    run.AddOption("object", object_, "what")->Require()->ValueName("O");
-    run.AddOption("--trials", trials_, "how many")->Within(1, 9)->ValueName("N")->ShowDefault();
+    run.AddOption("object", object_, "what", "O")->Require();
+    run.AddOption("--trials", trials_, "how many", "N")->Within(1, 9)->ShowDefault();
     run.AddOption("--unit", unit_, "of length")->OneOf({"m", "mm"});
     run.AddOption("--preset", unit_, "settings")->Suggest({"a", "b"});
     run.AddOption("--sizes", sizes_, "some")->SplitAtCommas();
@@ -88,36 +92,41 @@ TEST_F(CommandLineTest, HelpAndVersionAreAnswers) {
   EXPECT_EQ(program_.Subcommand("run").FormatHelp("graspbench"), *parsed.answer);
 }
 
-TEST_F(CommandLineTest, ItTellsItsParts) {
-  const Command& run = program_.Subcommand("run");
-  ASSERT_EQ(run.options().size(), 9u);
-  EXPECT_EQ(run.options()[0]->name(), "--help");
-  EXPECT_FALSE(run.options()[0]->takes_value());
-  const Option& object = *run.options()[1];
-  EXPECT_TRUE(object.is_argument());
-  EXPECT_TRUE(object.is_required());
-  EXPECT_EQ(object.name(), "object");
-  EXPECT_EQ(object.value_name(), "O");
-  const Option& trials = *run.options()[2];
-  EXPECT_EQ(trials.long_names(), Words{"trials"});
-  EXPECT_TRUE(trials.takes_value());
-  EXPECT_EQ(trials.shown_default(), "2");
-  EXPECT_EQ(trials.description(), "how many");
-  EXPECT_EQ(run.options()[3]->choices(), (Words{"m", "mm"}));
-  EXPECT_EQ(run.options()[4]->choices(), (Words{"a", "b"}));
-  EXPECT_EQ(run.examples(), "  graspbench run can --trials 3");
+using Words = std::vector<std::string>;
+
+TEST(TypedWords, AreSplitAtBlanksOutsideOfQuotes) {
+  EXPECT_EQ(SplitWords(""), Words());
+  EXPECT_EQ(SplitWords("  \t "), Words());
+  EXPECT_EQ(SplitWords(" goto\t1.25s\r"), Words({"goto", "1.25s"}));
+  EXPECT_EQ(SplitWords("save 'my grasp.yaml'"), Words({"save", "my grasp.yaml"}));
+  EXPECT_EQ(SplitWords("'a b'c ''"), Words({"a bc", ""}));
+  EXPECT_EQ(SplitWords("it's \"it's\""), Words({"it's", "it's"}));
 }
 
-TEST(ReadNumber, IsTrueOfWholeWordsAlone) {
-  double real = 0.0;
-  int whole = 0;
-  EXPECT_TRUE(ReadNumber("-1.5e2", real));
-  EXPECT_EQ(real, -150.0);
-  EXPECT_TRUE(ReadNumber("12", whole));
-  EXPECT_EQ(whole, 12);
-  for (const char* word : {"", "x", "1x", "1 2"}) EXPECT_FALSE(ReadNumber(word, real)) << word;
-  for (const char* word : {"", "1.5", "99999999999"}) EXPECT_FALSE(ReadNumber(word, whole)) << word;
+TEST(TypedWords, EndAtAComment) {
+  EXPECT_EQ(SplitWords("# all of it"), Words());
+  EXPECT_EQ(SplitWords("run # to the end"), Words({"run"}));
+  EXPECT_EQ(SplitWords("save a#b '#c'"), Words({"save", "a#b", "#c"}));
+}
+
+TEST(TypedWords, AQuoteWithoutEndIsRefused) {
+  EXPECT_THROW(SplitWords("save 'my grasp"), Error);
+  EXPECT_THROW(SplitWords("\""), Error);
+}
+
+TEST(TypedWords, NumbersMayCarryTheirUnit) {
+  EXPECT_EQ(ParseNumber("1.25", "the time", "s", 0.0, 10.0), 1.25);
+  EXPECT_EQ(ParseNumber("1.25s", "the time", "s", 0.0, 10.0), 1.25);
+  EXPECT_EQ(ParseNumber("-3deg", "the angle", "deg", -5.0, 5.0), -3.0);
+  for (const char* wrong : {"", "s", "nan", "inf", "1e999", "1 2", "1ms", "11", "-1", "0x"}) {
+    EXPECT_THROW(ParseNumber(wrong, "the time", "s", 0.0, 10.0), Error) << wrong;
+  }
+  EXPECT_EQ(ParseCount("7", "the draw", 0, 9), 7);
+  for (const char* wrong : {"", "1.5", "ten", "-1", "10", "99999999999999999999"}) {
+    EXPECT_THROW(ParseCount(wrong, "the draw", 0, 9), Error) << wrong;
+  }
 }
 
 }  // namespace
+
 }  // namespace graspbench

@@ -19,8 +19,8 @@ class CommandLineTextTest : public testing::Test {
   CommandLineTextTest() {
     program_.Describe("graspbench", "What it is.", "");
     Command& run = AddSubcommand(program_, "run", "Runs.", "  graspbench run");
-    run.AddOption("--hand", hand_, "a hand")->ValueName("H");
-    run.AddOption("--jobs", jobs_, ".5 at a time")->ValueName("N")->ShowDefault("2");
+    run.AddOption("--hand", hand_, "a hand", "H");
+    run.AddOption("--jobs", jobs_, ".5 at a time", "N")->ShowDefault("2");
     Command& show =
         AddSubcommand(AddSubcommand(program_, "hand", "Hands.", ""), "show", "It's a hand.", "");
     show.AddOption("--unit", hand_, "of length")->OneOf({"m", "mm"});

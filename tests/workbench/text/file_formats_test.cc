@@ -4,16 +4,14 @@
 
 #include <filesystem>
 
-#include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "core/base/text/yaml.h"
 #include "core/grasp/grasp_file.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/load_hand.h"
-#include "core/hand/tactile_yaml.h"
+#include "core/hand/tactile.h"
 #include "datasets/pipeline/pipeline_file.h"
-#include "datasets/plan/session_config.h"
 #include "objects/object_file.h"
 #include "workbench/text/new_files.h"
 
@@ -39,49 +37,27 @@ void ExpectSameKeys(const FileKeys& read, const FileKeys& rows) {
   }
 }
 
-TEST(FileFormatsTest, EveryKeyHasAMeaning) {
-  ASSERT_EQ(ListFileFormats().size(), 9u);
+TEST(FileFormatsTest, EveryKeyAndColumnHasAMeaning) {
   for (const FileFormat& format : ListFileFormats()) {
     EXPECT_FALSE(format.keys.empty()) << format.name;
     for (const FileKey& key : format.keys) EXPECT_NE(key.meaning, "") << format.name << key.key;
   }
-}
-
-TEST(FileFormatsTest, EverySettingOfRunIsExplained) {
-  for (const std::string& key : ListConfigKeys(SessionConfig())) {
-    const std::string text = ExplainFileKey(key);
-    EXPECT_EQ(text.find(key + "\n  "), 0u) << text;
-    EXPECT_NE(text.find("\n  default "), text.npos) << text;
-    EXPECT_NE(text.find("session.yaml"), text.npos) << text;
-    EXPECT_NE(text.find("graspbench run --set " + key + "=VALUE\n"), text.npos) << text;
+  for (const TableFormat& table : ListTableFormats()) {
+    EXPECT_FALSE(table.columns.empty()) << table.name;
+    for (const TableColumn& column : table.columns) {
+      EXPECT_NE(column.type, "") << table.name << column.name;
+      EXPECT_NE(column.meaning, "") << table.name << " " << column.name;
+    }
   }
 }
 
-TEST(FileFormatsTest, ASettingIsExplainedWithUnitRangeDefaultAndPlace) {
-  EXPECT_EQ(ExplainFileKey("sim.step_s"),
-            "sim.step_s\n"
-            "  time step of the physics\n"
-            "  unit     s\n"
-            "  range    0.0001 to 0.01\n"
-            "  default  0.002\n"
-            "  set in   session.yaml, sweep.yaml, profile.yaml\n"
-            "  or by    graspbench run --set sim.step_s=VALUE\n");
-  // A number without unit.
-  const std::string scale = ExplainFileKey("model.friction_scale");
-  EXPECT_NE(scale.find("  unit     none\n  range    0 to 10\n  default  1.0\n"), scale.npos)
-      << scale;
-  // A key of another file is set there only.
-  const std::string mass = ExplainFileKey("mass_kg");
-  EXPECT_NE(mass.find("object.yaml"), mass.npos) << mass;
-  EXPECT_EQ(mass.find("--set"), mass.npos) << mass;
-  EXPECT_EQ(ExplainFileKey("model.friction_scal"), "");
-}
-
-TEST(FileFormatsTest, AMisspeltSettingOrItsLastPartSuggestsItsName) {
-  const std::string suggestion = "; did you mean \"model.friction_scale\"?";
-  EXPECT_EQ(SuggestFileKeys("model.frction_scale", {"run"}), suggestion);
-  EXPECT_EQ(SuggestFileKeys("friction_scale", {"run"}), suggestion);
-  EXPECT_EQ(SuggestFileKeys("rum", {"run"}), "; did you mean \"run\"?");
+TEST(FileFormatsTest, ANameFitsTheWordInCapitals) {
+  const TableColumn column = {"open_without_DIGIT_m", "number", "m", ""};
+  EXPECT_TRUE(IsNameOf(column, "open_without_DIGIT_m"));
+  EXPECT_TRUE(IsNameOf(column, "open_without_TH_m"));
+  EXPECT_FALSE(IsNameOf(column, "open_without_m"));
+  EXPECT_FALSE(IsNameOf({"JOINT_rad", "number", "rad", ""}, "draw_yaw_rad"));
+  EXPECT_FALSE(IsNameOf({"gft_s", "number", "s", ""}, "gct_s"));
 }
 
 TEST(FileFormatsTest, ObjectsAreReadByTheirRows) {
@@ -130,6 +106,42 @@ TEST(FileFormatsTest, PipelinesAreReadByTheirRows) {
   KeyRecorder recorder;
   EXPECT_THROW(ParsePipeline("stages: {a: {}}\n", "pipeline.yaml", {}), Error);
   ExpectSameKeys(recorder.keys(), FindKeys("pipeline.yaml"));
+}
+
+const FileFormat kFormat = {
+    "pot.yaml",
+    "a pot",
+    {{"name", kRequired, "what a person calls it"},
+     {"lid", "false", KeyType::kBoolean, "true of one with a lid"},
+     {"handles", "", KeyType::kList, "list of its handles"},
+     {"handles.width_m", kRequired, "across the fist", kAboveZero, 0.5},
+     {"handles.bolt_m", kRequired, KeyType::kNumberOfSome, "of handles that are bolted on"},
+     {"parts", "", KeyType::kMap, "a map: the name of a part, and what it is"},
+     {"parts.mass_kg", kRequired, "of the part without its bolts", 0.001},
+     {"grips.ID.tilt_deg", "0", "turn of the hand"}}};
+
+TEST(FileSchemaTest, NestsListsMapsAndNames) {
+  const Json schema = MakeFileSchema(kFormat);
+  EXPECT_EQ(schema["required"], Json::array({"name"}));
+  EXPECT_EQ(schema["additionalProperties"], false);
+  EXPECT_EQ(schema["properties"]["lid"]["type"], "boolean");
+  const Json& handles = schema["properties"]["handles"];
+  EXPECT_EQ(handles["type"], "array");
+  const Json& width = handles["items"]["properties"]["width_m"]["anyOf"][0];
+  EXPECT_EQ(width["exclusiveMinimum"], 0);
+  EXPECT_EQ(width["maximum"], 0.5);
+  const Json& part = schema["properties"]["parts"]["additionalProperties"];
+  EXPECT_EQ(part["required"], Json::array({"mass_kg"}));
+  EXPECT_EQ(part["properties"]["mass_kg"]["anyOf"][0]["minimum"], 0.001);
+  const Json& grip = schema["properties"]["grips"]["additionalProperties"];
+  EXPECT_TRUE(grip["properties"].contains("tilt_deg"));
+}
+
+TEST(FileSchemaTest, NeedsOfAnEntryWhatAllEntriesNeed) {
+  const Json schema = MakeFileSchema(kFormat);
+  // "bolt_m" is needed of some: the reader knows of which.
+  EXPECT_EQ(schema["properties"]["handles"]["items"]["required"], Json::array({"width_m"}));
+  EXPECT_EQ(schema["properties"]["handles"]["description"], "list of its handles");
 }
 
 }  // namespace

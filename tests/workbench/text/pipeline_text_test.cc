@@ -21,15 +21,6 @@ Pipeline MakeAwkward() {
       "p.yaml", MakeCommands());
 }
 
-TEST(PipelineText, StatesAreLines) {
-  const std::vector<StageState> states = {{"a", {"x", "y"}, {}, false}, {"long", {}, {}, false}};
-  EXPECT_EQ(FormatStageStates(states),
-            "a     stale  x\n"
-            "             y\n"
-            "long  fresh\n");
-  EXPECT_EQ(MakeStatesJson(states)["stages"][1]["state"], "fresh");
-}
-
 TEST(PipelineText, NamesAreQuotedForYamlAndShell) {
   EXPECT_EQ(FormatDvc(MakeAwkward()),
             "stages:\n"
@@ -77,19 +68,6 @@ TEST(PipelineText, NamesThatSnakemakeCannotHave) {
                                           "p.yaml", MakeCommands());
   EXPECT_THROW(FormatSnakefile(pipeline), Error);
   EXPECT_NE(FormatDvc(pipeline).find("- \"x{y}\""), std::string::npos);
-}
-
-TEST(PipelineText, ReplaysNameTheFirstDifference) {
-  PackReplay replay;
-  replay.stages = {"a"};
-  replay.num_files = 3;
-  replay.num_different = 1;
-  replay.first = {"a/t.csv", "differs from byte 5 on, in line 1"};
-  EXPECT_EQ(FormatPackReplay(replay),
-            "a/t.csv differs from byte 5 on, in line 1\n"
-            "same     2 of 3 files of 1 stage\n"
-            "program  the same version and commit\n");
-  EXPECT_EQ(MakePackReplayJson(replay)["first_difference"]["file"], "a/t.csv");
 }
 
 }  // namespace

@@ -5,22 +5,6 @@
 namespace graspbench {
 namespace {
 
-TEST(FormatZeroGft, GivesLimitAndMedianInMilliseconds) {
-  ZeroGft zero;
-  zero.num_trials = 4;
-  zero.limit = 0.0304;
-  zero.median = 0.0126;
-  EXPECT_EQ(FormatZeroGft(zero),
-            "zero     detection limit of the GFT 30 ms; touching at once would show a "
-            "median of 13 ms\n");
-}
-
-TEST(FormatZeroGft, IsEmptyWhereNoTrialSays) { EXPECT_EQ(FormatZeroGft(ZeroGft()), ""); }
-
-TEST(FormatRemoved, SaysThatNoTrialCounts) {
-  EXPECT_EQ(FormatRemoved(StudyResult()), "no trial counts:\n");
-}
-
 TEST(FormatRemoved, NamesTheTrialsAndTheKeys) {
   StudyResult result;
   for (int i = 0; i < 8; ++i) {
@@ -80,14 +64,6 @@ TEST(FormatSuggestions, SaysWhyWhatItCostsAndWhatIsLeft) {
       "left     1 [no_contact] no contact of the thumb: hidden\n         trials: p1-1\n"
       "         look at: the marker of that digit under markers; markers.companions, if it is "
       "hidden\n");
-}
-
-TEST(FormatWarnings, OneLineEachWithItsCode) {
-  StudyResult result;
-  EXPECT_EQ(FormatWarnings(result), "");
-  result.warnings = {{"same_recording", "a and b"}, {"frozen_samples", "30 %"}};
-  EXPECT_EQ(FormatWarnings(result),
-            "warning  [same_recording] a and b\nwarning  [frozen_samples] 30 %\n");
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include "core/base/text/text.h"
 #include "datasets/analysis/best_grasps.h"
-#include "workbench/commands/command.h"
+#include "workbench/command.h"
 #include "workbench/tables/text_table.h"
 
 namespace graspbench {
@@ -100,16 +100,14 @@ void FindBest(const BestOptions& options) {
 
 }  // namespace
 
-void AddBestCommand(Command& program, ExitCode&) {
+void AddBestCommand(Command& program) {
   Command& command = AddSubcommand(
       program, "best", "Compare each object's best grasp with the usual one, from a session.",
       "  graspbench run --grasp all --out results/all\n"
       "  graspbench best results/all");
   const auto options = std::make_shared<BestOptions>();
-  command.AddOption("session", options->session, "a session with several grasps")
-      ->Require()
-      ->ValueName("DIR");
-  command.AddFlag("--json", options->json, "print one JSON object");
+  command.AddRequired("session", options->session, "a session with several grasps", "DIR");
+  AddJsonOption(command, options->json);
   command.SetAction([options] { FindBest(*options); });
 }
 

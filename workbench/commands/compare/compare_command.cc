@@ -1,26 +1,18 @@
 #include <memory>
 #include <string>
 
-#include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
 #include "datasets/analysis/session_comparison.h"
 #include "datasets/session/find_trial.h"
-#include "workbench/commands/command.h"
+#include "workbench/command.h"
 #include "workbench/tables/experiment_tables.h"
 #include "workbench/tables/text_table.h"
 
 namespace graspbench {
 std::string FormatThresholdChanges(const std::vector<ThresholdChange>& changes) {
   if (changes.empty()) return "";
-  TextTable table(
-      {"grip threshold", "hand", "pairs", "second over first", "lower", "equal", "higher"});
-  for (const ThresholdChange& change : changes) {
-    table.AddRow({change.scale->name, change.hand, std::to_string(change.num_pairs),
-                  FormatWithRange(change.ratio, change.low, change.high, 2),
-                  std::to_string(change.num_lower), std::to_string(change.num_equal),
-                  std::to_string(change.num_higher)});
-  }
-  return "\n" + table.Format() + "median ratio of the draws' thresholds, with its 95 % interval\n";
+  return "\n" + FormatTable(ShowTable(ListThresholdChangeColumns(), changes)) +
+         "median ratio of the draws' thresholds, with its 95 % interval\n";
 }
 
 namespace {
@@ -33,18 +25,9 @@ struct CompareOptions {
 };
 
 std::string FormatChanges(const std::vector<SettingChange>& changes) {
-  TextTable table({"hand", "pairs", "won", "lost", "success [points]", "GFT [ms]", "GFT% [points]",
-                   "sigma [N]"});
-  for (const SettingChange& change : changes) {
-    table.AddRow(
-        {change.hand, std::to_string(change.successes.num_pairs()),
-         std::to_string(change.successes.second_only), std::to_string(change.successes.first_only),
-         FormatWithRange(100.0 * change.rate_change(), 100.0 * change.rate_change_low,
-                         100.0 * change.rate_change_high, 1),
-         FormatChange(change, "gft_s", 1e3, 0), FormatChange(change, "gft_ratio", 100.0, 1),
-         FormatChange(change, "sigma_n", 1.0, 2)});
-  }
-  return table.Format() + DescribeChanges(changes);
+  return FormatTable(ShowChanges(changes, {"hand", "pairs", "won", "lost", "success [%]",
+                                           "GFT [ms]", "GFT% [%]", "sigma [N]"})) +
+         DescribeChanges(changes);
 }
 
 std::string FormatPair(const TrialPair& pair) {
@@ -98,7 +81,7 @@ void Compare(const CompareOptions& options) {
                       {"only_after", comparison.num_only_after},
                       {"settings", comparison.settings},
                       {"changes", changes},
-                      {"thresholds", ToJson(thresholds)},
+                      {"thresholds", MakeJsonRows(ListThresholdChangeColumns(), thresholds)},
                       {"won", ListFlips(comparison.pairs, &TrialPair::is_won)},
                       {"lost", ListFlips(comparison.pairs, &TrialPair::is_lost)}});
   }
@@ -115,17 +98,15 @@ void Compare(const CompareOptions& options) {
 
 }  // namespace
 
-void AddCompareCommand(Command& program, ExitCode&) {
+void AddCompareCommand(Command& program) {
   Command& command =
       AddSubcommand(program, "compare", "Compare two sessions trial by trial, on the same draws.",
                     "  graspbench compare results/before results/after\n"
                     "  graspbench compare results/standard results/optimised --json");
   const auto options = std::make_shared<CompareOptions>();
-  command.AddOption("before", options->before, "a session")->Require()->ValueName("DIR");
-  command.AddOption("after", options->after, "the session to compare it with")
-      ->Require()
-      ->ValueName("DIR");
-  command.AddFlag("--json", options->json, "print one JSON object");
+  command.AddRequired("before", options->before, "a session", "DIR");
+  command.AddRequired("after", options->after, "the session to compare it with", "DIR");
+  AddJsonOption(command, options->json);
   command.SetAction([options] { Compare(*options); });
 }
 

@@ -4,7 +4,7 @@
 #include "core/base/text/text.h"
 #include "core/hand/load_hand.h"
 #include "datasets/grasps/write_grasps.h"
-#include "workbench/commands/command.h"
+#include "workbench/command.h"
 #include "workbench/commands/options/foreign_grasp_options.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/tables/foreign_grasp_tables.h"
@@ -63,7 +63,7 @@ void ConvertGrasps(const ConvertRequest& request) {
 
 }  // namespace
 
-void AddGraspsCommand(Command& program, ExitCode& exit_code) {
+void AddGraspsCommand(Command& program) {
   Command& group = AddSubcommand(program, "grasps", "Read and convert grasps that others made.",
                                  "  graspbench grasps info downloaded/\n"
                                  "  graspbench grasps info mug.npy --hand shadow");
@@ -76,10 +76,10 @@ void AddGraspsCommand(Command& program, ExitCode& exit_code) {
       "  graspbench grasps info mug.npy --hand shadow\n"
       "  graspbench grasps info mug.yaml --hand-frame panda_hand --object-frame mesh --json");
   request->grasps.AddTo(info);
-  info.AddOption("--hand", request->hand, "also try the grasps on a hand: id, or its folder")
-      ->ValueName("HAND");
+  info.AddOption("--hand", request->hand, "also try the grasps on a hand: id, or its folder",
+                 "HAND");
   AddJsonOption(info, request->json);
-  info.SetAction([request, &exit_code] { exit_code = ShowGrasps(*request); });
+  info.SetAction([request] { return ShowGrasps(*request); });
 
   const auto conversion = std::make_shared<ConvertRequest>();
   Command& convert =
@@ -87,10 +87,9 @@ void AddGraspsCommand(Command& program, ExitCode& exit_code) {
                     "  graspbench grasps convert mug.npy --to isaac --out mug.yaml\n"
                     "  graspbench grasps convert downloaded/mug/ --to dexgraspbench --out mug.npy");
   conversion->grasps.AddTo(convert);
-  convert.AddOption("--to", conversion->format, "one of " + ListNames(ListWrittenFormats()))
-      ->Require()
-      ->ValueName("NAME");
-  convert.AddOption("--out", conversion->out, "new file")->Require()->ValueName("FILE");
+  convert.AddRequired("--to", conversion->format, "one of " + ListNames(ListWrittenFormats()),
+                      "NAME");
+  convert.AddRequired("--out", conversion->out, "new file", "FILE");
   convert.SetAction([conversion] { ConvertGrasps(*conversion); });
 }
 

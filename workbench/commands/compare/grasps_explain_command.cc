@@ -4,9 +4,11 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "datasets/judged_grasps/profile_file.h"
-#include "workbench/commands/command.h"
+#include "reports/kind_pages.h"
+#include "workbench/command.h"
 #include "workbench/commands/options/foreign_grasp_options.h"
-#include "workbench/experiments/explain_grasp.h"
+#include "workbench/experiments/judge_grasps.h"
+#include "workbench/experiments/output_folder.h"
 #include "workbench/tables/text_table.h"
 
 namespace graspbench {
@@ -55,26 +57,74 @@ void Explain(const ExplainOptions& options) {
   PrintJson({{"grasp", input.grasp.source}, {"index", input.grasp.index}, {"steps", json}});
 }
 
+constexpr double kShownInterval = 0.01;  // of the instants that are shown [s]
+
+struct ShowGraspOptions {
+  GraspInputOptions inputs;
+  std::string profile = "dexgraspbench-fc";
+  int number = 0;
+  std::string out;
+  bool json = false;
+};
+
+void Show(const ShowGraspOptions& options) {
+  CheckOutputFile(options.out);
+  const FreeSpaceProfile profile = LoadProfile(options.profile);
+  const GraspInputs inputs = options.inputs.Load({profile});
+  const GraspInput& input = FindGraspInput(inputs, options.number);
+  GraspPageData data;
+  data.name = NameGrasp(input.grasp);
+  data.object_name = input.grasp.object;
+  data.hand = inputs.hand;
+  data.object = input.object;
+  data.profile = profile;
+  data.traced = TraceFreeSpace(MakeInputScene(inputs, input, profile), profile, kShownInterval);
+  data.assumptions = input.grasp.assumptions;
+  data.commands = {"graspbench grasps show FILES --grasp " + std::to_string(options.number) +
+                   " --objects DIR --profile " + profile.name + " --out ANOTHER.html"};
+  WriteOutputFile(options.out, MakeGraspPage(data));
+  const FreeSpaceResult& result = data.traced.result;
+  if (options.json) {
+    return PrintJson({{"grasp", input.grasp.source},
+                      {"index", input.grasp.index},
+                      {"profile", profile.name},
+                      {"result", RecordToJson(result)},
+                      {"page", options.out}});
+  }
+  PrintResult(data.name + ", " + profile.name + ": " +
+              (result.passed ? "pass" : "fail at " + result.failed_stage + ": " + result.reason) +
+              "\npage     " + options.out + "\n");
+}
+
 }  // namespace
 
-void AddGraspsExplainCommand(Command& program, ExitCode&) {
+void AddGraspsExplainCommand(Command& program) {
   const auto options = std::make_shared<ExplainOptions>();
-  Command& command = AddSubcommand(
+  Command& explain = AddSubcommand(
       program.Subcommand("grasps"), "explain",
       "Say which value of a profile turns the verdict on a grasp.",
       "  graspbench grasps explain mug.npy --objects meshes\n"
       "  graspbench grasps explain mug.npy --grasp 3 --from own --to mine.yaml --objects meshes");
-  options->inputs.AddTo(command);
-  command.AddOption("--grasp", options->number, "which of the files' grasps, from 0 on")
-      ->Within(0, 100000000)
-      ->ValueName("N")
+  options->inputs.AddTo(explain);
+  AddGraspNumberOption(explain, options->number);
+  explain.AddOption("--from", options->from, "profile to begin with, by name or file", "P")
       ->ShowDefault();
-  command.AddOption("--from", options->from, "profile to begin with, by name or file")
-      ->ValueName("P")
-      ->ShowDefault();
-  command.AddOption("--to", options->to, "profile to arrive at")->ValueName("P")->ShowDefault();
-  AddJsonOption(command, options->json);
-  command.SetAction([options] { Explain(*options); });
+  explain.AddOption("--to", options->to, "profile to arrive at", "P")->ShowDefault();
+  AddJsonOption(explain, options->json);
+  explain.SetAction([options] { Explain(*options); });
+
+  const auto shown = std::make_shared<ShowGraspOptions>();
+  Command& show = AddSubcommand(
+      program.Subcommand("grasps"), "show",
+      "Draw one grasp under a profile: a page with a 3-D view of its course.",
+      "  graspbench grasps show mug.npy --objects meshes --out mug.html\n"
+      "  graspbench grasps show mug.npy --grasp 3 --profile own --objects meshes --out mug.html");
+  shown->inputs.AddTo(show);
+  AddGraspNumberOption(show, shown->number);
+  show.AddOption("--profile", shown->profile, "profile by name or file", "P")->ShowDefault();
+  show.AddRequired("--out", shown->out, "new page", "FILE");
+  AddJsonOption(show, shown->json);
+  show.SetAction([shown] { Show(*shown); });
 }
 
 }  // namespace graspbench

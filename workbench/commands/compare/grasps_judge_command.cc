@@ -2,15 +2,14 @@
 #include <string>
 
 #include "core/base/text/text.h"
-#include "datasets/judged_grasps/judged_summary.h"
+#include "datasets/judged_grasps/grasp_store.h"
 #include "datasets/judged_grasps/profile_file.h"
-#include "reports/grasps_page.h"
-#include "reports/page/write_page.h"
-#include "workbench/commands/command.h"
+#include "reports/kind_pages.h"
+#include "reports/page/layout.h"
+#include "workbench/command.h"
 #include "workbench/commands/options/foreign_grasp_options.h"
-#include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/judge_grasps.h"
-#include "workbench/tables/judged_grasp_tables.h"
+#include "workbench/tables/foreign_grasp_tables.h"
 #include "workbench/terminal/terminal_observer.h"
 
 namespace graspbench {
@@ -24,7 +23,7 @@ struct JudgeGraspsOptions {
   bool json = false;
 };
 
-struct MergeOptions {
+struct MergeGraspsOptions {
   std::vector<std::filesystem::path> parts;
   std::filesystem::path out;
   bool json = false;
@@ -64,15 +63,12 @@ ExitCode Judge(const JudgeGraspsOptions& options) {
   if (!options.shard.empty()) request.shard = ParseShard(options.shard);
   const GraspInputs inputs = options.inputs.Load(request.profiles);
   PrintUnread(inputs.unread);
-  const std::atomic<bool>& stop = CatchInterrupts();
-  TerminalObserver observer(
-      [&](const Stage& stage) {
-        return request.out.string() + ": " + DescribeTasks(stage) + " of " +
-               FormatCount(static_cast<int>(inputs.grasps.size()), "grasp") + " on " +
-               FormatCount(request.num_workers, "worker");
-      },
-      stop);
-  if (!JudgeGrasps(request, inputs, observer, stop)) {
+  TerminalObserver observer([&](const Stage& stage) {
+    return request.out.string() + ": " + DescribeTasks(stage) + " of " +
+           FormatCount(static_cast<int>(inputs.grasps.size()), "grasp") + " on " +
+           FormatCount(request.num_workers, "worker");
+  });
+  if (!JudgeGrasps(request, inputs, observer)) {
     throw Error(ErrorKind::kInterrupted,
                 "stopped; what was judged is kept. The same command again continues");
   }
@@ -82,7 +78,7 @@ ExitCode Judge(const JudgeGraspsOptions& options) {
 
 }  // namespace
 
-void AddGraspsJudgeCommand(Command& program, ExitCode& exit_code) {
+void AddGraspsJudgeCommand(Command& program) {
   const auto options = std::make_shared<JudgeGraspsOptions>();
   Command& command = AddSubcommand(
       program.Subcommand("grasps"), "judge", "Judge grasps that others made under profiles.",
@@ -95,31 +91,26 @@ void AddGraspsJudgeCommand(Command& program, ExitCode& exit_code) {
   command
       .AddOption(
           "--jitter", options->request.jitter,
-          "also judge each grasp so often with its root moved by 1 mm and turned by 1 degree")
+          "also judge each grasp so often with its root moved by 1 mm and turned by 1 degree", "N")
       ->Within(0, 1000)
-      ->ValueName("N")
       ->ShowDefault();
   AddJobsOption(command, options->request.num_workers, "grasps");
-  command
-      .AddOption("--out", options->request.out,
-                 "folder for verdicts and report; the same command again continues it")
-      ->Require()
-      ->ValueName("DIR");
-  command
-      .AddOption("--shard", options->shard,
-                 "every Nth grasp alone, from the Kth on; grasps merge makes one folder of all")
-      ->ValueName("K/N");
+  command.AddRequired("--out", options->request.out,
+                      "folder for verdicts and report; the same command again continues it", "DIR");
+  command.AddOption("--shard", options->shard,
+                    "every Nth grasp alone, from the Kth on; grasps merge makes one folder of all",
+                    "K/N");
   AddJsonOption(command, options->json);
-  command.SetAction([options, &exit_code] { exit_code = Judge(*options); });
+  command.SetAction([options] { return Judge(*options); });
 
-  const auto merged = std::make_shared<MergeOptions>();
+  const auto merged = std::make_shared<MergeGraspsOptions>();
   Command& merge = AddSubcommand(
       program.Subcommand("grasps"), "merge", "Make one folder of the shards of a judgement.",
       "  graspbench grasps judge downloaded/ --objects meshes --shard 1/2 --out part1\n"
       "  graspbench grasps judge downloaded/ --objects meshes --shard 2/2 --out part2\n"
       "  graspbench grasps merge part1 part2 --out judged");
-  merge.AddOption("parts", merged->parts, "folders of all shards")->Require()->ValueName("DIRS..");
-  merge.AddOption("--out", merged->out, "new folder")->Require()->ValueName("DIR");
+  merge.AddRequired("parts", merged->parts, "folders of all shards", "DIRS..");
+  merge.AddRequired("--out", merged->out, "new folder", "DIR");
   AddJsonOption(merge, merged->json);
   merge.SetAction([merged] {
     MergeJudgedGrasps(merged->parts, merged->out);

@@ -2,18 +2,14 @@
 #include <memory>
 #include <string>
 
-#include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
-#include "datasets/analysis/export_result.h"
 #include "datasets/analysis/judge_evidence.h"
 #include "datasets/session/judgement_store.h"
-#include "reports/session_report.h"
-#include "workbench/commands/command.h"
-#include "workbench/experiments/interrupt.h"
+#include "workbench/command.h"
 #include "workbench/experiments/run_session.h"
+#include "workbench/result_page.h"
 #include "workbench/tables/text_table.h"
 #include "workbench/terminal/terminal_observer.h"
-#include "workbench/trace_session.h"
 
 namespace graspbench {
 namespace {
@@ -52,45 +48,40 @@ ExitCode TellUnjudged(const Session& session, double trial_time_limit) {
 
 ExitCode Judge(const JudgeOptions& options) {
   const std::filesystem::path folder = options.folder;
-  const std::atomic<bool>& stop = CatchInterrupts();
   TerminalObserver observer(
-      [&](const Stage& stage) { return options.folder + ": " + DescribeTasks(stage); }, stop);
-  if (!JudgeSession(folder, options.num_workers, observer, stop, options.on_damage,
+      [&](const Stage& stage) { return options.folder + ": " + DescribeTasks(stage); });
+  if (!JudgeSession(folder, options.num_workers, observer, options.on_damage,
                     options.trial_time_limit)) {
     throw Error(ErrorKind::kInterrupted,
                 "stopped; what was judged is kept. Continue with the same command");
   }
   const Session session = LoadSession(folder, options.on_damage, RecordParts::kBrief);
-  ExportResult(folder, session);
-  const std::filesystem::path report = WriteSessionReport(folder, session, MakeKeptTracer(session));
+  const std::filesystem::path report = WriteResults(session, MakeKeptTracer(session));
   const JudgeEvidence evidence = CalcJudgeEvidence(session.records);
   if (options.json) {
     PrintJson(ToJson(evidence));
   } else {
     PrintEvidence(evidence);
-    PrintResult("\nreport   " + report.string() + "\ndata     " +
-                (folder / "export" / "trials.csv").string() + "\n");
+    PrintResult(FormatPlaces(report, folder / "export" / "trials.csv"));
   }
   return TellUnjudged(session, options.trial_time_limit);
 }
 
 }  // namespace
 
-void AddJudgeCommand(Command& program, ExitCode& exit_code) {
+void AddJudgeCommand(Command& program) {
   Command& command = AddSubcommand(
       program, "judge",
       "Pull and twist the held objects of a finished session until they leave the hand.",
       "  graspbench judge results/pilot             breaking loads, verdicts, evidence\n"
       "  graspbench judge results/pilot --jobs 1    the same bytes, on one processor");
   const auto options = std::make_shared<JudgeOptions>();
-  command.AddOption("folder", options->folder, "folder of the session")
-      ->Require()
-      ->ValueName("DIR");
+  command.AddRequired("folder", options->folder, "folder of the session", "DIR");
   AddJobsOption(command, options->num_workers, "grasps");
   AddTrialTimeoutOption(command, options->trial_time_limit);
   AddAcceptDamageOption(command, options->on_damage);
-  command.AddFlag("--json", options->json, "print the evidence as one JSON object");
-  command.SetAction([options, &exit_code] { exit_code = Judge(*options); });
+  AddJsonOption(command, options->json, "print the evidence as one JSON object");
+  command.SetAction([options] { return Judge(*options); });
 }
 
 }  // namespace graspbench

@@ -2,15 +2,13 @@
 #include <string>
 
 #include "core/base/text/text.h"
-#include "datasets/analysis/export_result.h"
 #include "datasets/analysis/map/map_result.h"
 #include "datasets/plan/scene_names.h"
-#include "reports/session_report.h"
-#include "workbench/commands/command.h"
+#include "workbench/command.h"
 #include "workbench/commands/options/session_options.h"
-#include "workbench/experiments/interrupt.h"
-#include "workbench/experiments/run_map.h"
-#include "workbench/tables/map_tables.h"
+#include "workbench/experiments/session_experiment.h"
+#include "workbench/result_page.h"
+#include "workbench/tables/experiment_tables.h"
 #include "workbench/terminal/terminal_observer.h"
 
 namespace graspbench {
@@ -20,11 +18,10 @@ struct MapOptions {
   SessionConfig base;
   MapRequest request;
   std::string out;
-  int num_workers = 1;
   bool json = false;
 };
 
-ExitCode Run(MapOptions& options) {
+void Run(MapOptions& options) {
   options.request.base = options.base;
   options.request.base.objects = ExpandObjects(options.base.objects);
   options.request.out = options.out;
@@ -34,13 +31,11 @@ ExitCode Run(MapOptions& options) {
                ", " + FormatCount(static_cast<int>(success.session.plan.size()), "trial") +
                " of success, " + std::to_string(FindUnfinished(success.session).size()) +
                " to run" + (options.request.is_quick ? "" : "; then thresholds and strength"));
-  const std::atomic<bool>& stop = CatchInterrupts();
-  TerminalObserver observer({}, stop);
-  DemandFinished(RunMap(success, options.request, options.num_workers, observer, stop));
+  TerminalObserver observer;
+  DemandFinished(RunMap(success, options.request, observer));
   const Session session =
       LoadSession(success.folder, options.request.on_damage, RecordParts::kBrief);
-  ExportResult(success.folder, session);
-  const std::filesystem::path report = WriteSessionReport(success.folder, session);
+  const std::filesystem::path report = WriteResults(session);
   const MapResult result = LoadMap(session);
   if (options.json) {
     Json json = ToJson(result);
@@ -48,15 +43,13 @@ ExitCode Run(MapOptions& options) {
     json["report"] = report.string();
     PrintJson(json);
   } else {
-    PrintResult(FormatMap(result) + "\nreport   " + report.string() + "\ndata     " +
-                (success.folder / "export" / "map.csv").string() + "\n");
+    PrintResult(FormatMap(result) + FormatPlaces(report, success.folder / "export" / "map.csv"));
   }
-  return kExitOk;
 }
 
 }  // namespace
 
-void AddMapCommand(Command& program, ExitCode& exit_code) {
+void AddMapCommand(Command& program) {
   Command& group = AddSubcommand(program, "map", "Map where something matters.",
                                  "  graspbench map simultaneity --quick --out results/quick");
   group.RequireSubcommand();
@@ -70,19 +63,16 @@ void AddMapCommand(Command& program, ExitCode& exit_code) {
       "The same command again continues it.");
   const auto options = std::make_shared<MapOptions>();
   AddSceneOptions(command, options->base);
-  command.AddOption("--seed", options->base.seed, "another seed gives other draws")
-      ->ShowDefault()
-      ->ValueName("N");
+  AddSeedOption(command, options->base.seed, "other draws");
   command.AddFlag("--quick", options->request.is_quick,
                   "success alone, one delay and one draw of each object and region");
-  AddJobsOption(command, options->num_workers);
-  command.AddOption("--out", options->out, "folder of the map")
-      ->ValueName("DIR")
+  AddJobsOption(command, options->request.num_workers);
+  command.AddOption("--out", options->out, "folder of the map", "DIR")
       ->ShowDefault("results/map-HASH");
   AddAcceptDamageOption(command, options->request.on_damage);
   AddTrialTimeoutOption(command, options->request.trial_time_limit);
   AddJsonOption(command, options->json);
-  command.SetAction([options, &exit_code] { exit_code = Run(*options); });
+  command.SetAction([options] { Run(*options); });
 }
 
 }  // namespace graspbench

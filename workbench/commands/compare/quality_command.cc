@@ -4,8 +4,7 @@
 #include "core/base/text/text.h"
 #include "core/quality/contacts_json.h"
 #include "core/quality/grasp_quality.h"
-#include "core/quality/quality_convention.h"
-#include "workbench/commands/command.h"
+#include "workbench/command.h"
 #include "workbench/tables/text_table.h"
 
 namespace graspbench {
@@ -41,7 +40,7 @@ std::string ListConventions() {
 
 }  // namespace
 
-void AddQualityCommand(Command& program, ExitCode&) {
+void AddQualityCommand(Command& program) {
   const auto path = std::make_shared<std::string>();
   const auto json = std::make_shared<bool>(false);
   Command& command =
@@ -60,8 +59,8 @@ void AddQualityCommand(Command& program, ExitCode&) {
                     "convention:\n"
                     "  " +
                         ListConventions() + ".");
-  command.AddOption("contacts", *path, "file of contacts")->Require()->ValueName("CONTACTS.json");
-  command.AddFlag("--json", *json, "print one JSON object");
+  command.AddRequired("contacts", *path, "file of contacts", "CONTACTS.json");
+  AddJsonOption(command, *json);
   command.SetAction([path, json] { ShowQuality(*path, *json); });
 }
 

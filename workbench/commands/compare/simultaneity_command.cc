@@ -1,16 +1,11 @@
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
 
-#include "core/base/text/text.h"
-#include "workbench/commands/command.h"
-#include "workbench/experiments/interrupt.h"
+#include "workbench/command.h"
 #include "workbench/experiments/schedule_session.h"
 #include "workbench/tables/experiment_tables.h"
-#include "workbench/tables/schedule_tables.h"
-#include "workbench/terminal/terminal_observer.h"
-#include "workbench/text/study_touches.h"
+#include "workbench/text/timed_grasp.h"
 
 namespace graspbench {
 namespace {
@@ -19,27 +14,16 @@ struct SimultaneityOptions {
   ExperimentRequest request;
   std::filesystem::path study;
   bool delays = false, schedules = false;
-  int num_workers = 1;
   bool json = false;
 };
-
-template <class Rows>
-Json ListRows(const Rows& rows) {
-  Json list = Json::array();
-  for (const auto& row : rows) list.push_back(ToJson(row));
-  return list;
-}
 
 void RunDelays(const SimultaneityOptions& options) {
   const PreparedSession experiment =
       PrepareExperiment(options.request, "delays", ListDelayConditions);
-  if (options.request.plan_only) return PrintExperimentPlan(experiment);
-  const std::atomic<bool>& stop = CatchInterrupts();
-  TerminalObserver observer(DescribeTasks, stop);
-  DemandFinished(RunExperiment(experiment, options.request, options.num_workers, observer, stop));
+  if (!RunOrPlan(experiment, options.request)) return;
   const std::vector<DoseResponse> rows =
       SummariseDelays(ListDelayedTrials(LoadSession(experiment.folder, options.request.on_damage)));
-  if (options.json) return PrintJson({{"delays", ListRows(rows)}});
+  if (options.json) return PrintJson({{"delays", MakeDosesJson(rows)}});
   PrintResult(FormatDoseResponses(rows));
 }
 
@@ -58,9 +42,9 @@ void RunSchedulesOf(const SimultaneityOptions& options) {
     PrintResult(FormatSchedulePlan(plan));
     return PrintExperimentPlan(schedules);
   }
-  const std::atomic<bool>& stop = CatchInterrupts();
-  TerminalObserver observer(DescribeTasks, stop);
-  DemandFinished(RunSchedules(schedules, options.request, options.num_workers, observer, stop));
+  ExperimentRequest request = options.request;
+  request.thresholds = &kThresholdScales[0];
+  RunOrPlan(schedules, request);
   const Session session =
       LoadSession(schedules.folder, options.request.on_damage, RecordParts::kBrief);
   ScheduleComparison found =
@@ -89,13 +73,13 @@ void Run(SimultaneityOptions options) {
   }
   if (!session.findings.entries().empty()) PrintMessage(session.findings.Format());
   const std::vector<SimultaneityRelation> relations = SummariseSimultaneity(session);
-  if (options.json) return PrintJson({{"relations", ListRows(relations)}});
+  if (options.json) return PrintJson({{"relations", MakeRelationsJson(relations)}});
   PrintResult(FormatRelations(relations));
 }
 
 }  // namespace
 
-void AddSimultaneityCommand(Command& program, ExitCode&) {
+void AddSimultaneityCommand(Command& program) {
   Command& command = AddSubcommand(
       program, "simultaneity",
       "Ask a session's trials whether it matters that the digits touch at once.",
@@ -115,22 +99,17 @@ void AddSimultaneityCommand(Command& program, ExitCode&) {
   schedules->Excludes(delay);
   command
       .AddOption("--people", options->study,
-                 "folder of a study of people on the same objects, for --schedules")
-      ->Needs(schedules)
-      ->ValueName("STUDY");
-  command
-      .AddOption("--trials", options->request.trials_per_cell,
-                 "trials of each hand, object, grasp to run again")
-      ->Within(1, 100000)
-      ->ValueName("N")
-      ->ShowDefault("1; all with --schedules");
+                 "folder of a study of people on the same objects, for --schedules", "STUDY")
+      ->Needs(schedules);
+  AddTrialsOption(command, options->request.trials_per_cell, "1; all with --schedules",
+                  "trials of each hand, object, grasp to run again");
   AddPlanOnlyOption(command, options->request.plan_only);
   command
       .AddFlag("--judge", options->request.with_judge,
                "find breaking forces of the delayed, too; some five times as long")
       ->Needs(delay);
-  AddJobsOption(command, options->num_workers);
-  command.AddFlag("--json", options->json, "print one JSON object");
+  AddJobsOption(command, options->request.num_workers);
+  AddJsonOption(command, options->json);
   command.SetAction([options] { Run(*options); });
 }
 

@@ -6,15 +6,13 @@
 #include "core/base/text/text.h"
 #include "datasets/analysis/conditions/sweep_summary.h"
 #include "datasets/analysis/conditions/threshold_summary.h"
-#include "datasets/analysis/export_result.h"
-#include "datasets/plan/sweep_design.h"
-#include "reports/session_report.h"
-#include "workbench/commands/command.h"
+#include "datasets/plan/conditions.h"
+#include "workbench/command.h"
 #include "workbench/commands/options/session_options.h"
-#include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/machines/shell_quote.h"
-#include "workbench/experiments/run_sweep.h"
-#include "workbench/tables/sweep_tables.h"
+#include "workbench/experiments/session_experiment.h"
+#include "workbench/result_page.h"
+#include "workbench/tables/experiment_tables.h"
 #include "workbench/terminal/terminal_observer.h"
 
 namespace graspbench {
@@ -25,13 +23,7 @@ struct SweepOptions {
   std::string design;
   bool judge = false;
   std::string threshold;
-  std::string out;
-  bool resume = false;
-  bool plan_only = false;
-  OnDamage on_damage = OnDamage::kRefuse;
-  double trial_time_limit = kTrialTimeLimit;
-  int num_workers = 1;
-  bool json = false;
+  RunOptions run;
 };
 
 SweepConfig MakeSweepConfig(const SweepOptions& options) {
@@ -46,18 +38,17 @@ SweepConfig MakeSweepConfig(const SweepOptions& options) {
 }
 
 ExitCode Finish(const SweepOptions& options, const std::filesystem::path& folder) {
-  const Session session = LoadSession(folder, options.on_damage, RecordParts::kBrief);
-  ExportResult(folder, session);
-  const std::filesystem::path report = WriteSessionReport(folder, session);
+  const Session session = LoadSession(folder, options.run.on_damage, RecordParts::kBrief);
+  const std::filesystem::path report = WriteResults(session);
   const SweepSummary summary = SummariseSweep(session, LoadThresholds(session));
-  if (options.json) {
+  if (options.run.json) {
     Json json = ToJson(summary);
     json["folder"] = folder.string();
     json["report"] = report.string();
     PrintJson(json);
   } else {
-    PrintResult(FormatSweepTables(summary) + "\nreport   " + report.string() + "\ndata     " +
-                (folder / "export" / "effects.csv").string() + "\n");
+    PrintResult(FormatSweepTables(summary) +
+                FormatPlaces(report, folder / "export" / "effects.csv"));
   }
   int num_failures = 0;
   for (const ConditionRow& row : summary.rows) num_failures += row.num_numerical;
@@ -66,12 +57,12 @@ ExitCode Finish(const SweepOptions& options, const std::filesystem::path& folder
 ExitCode Sweep(const SweepOptions& options) {
   SessionRequest request;
   request.name = options.session.file().empty() ? "sweep" : options.session.name();
-  request.out = options.out;
-  request.resume = options.resume && HasSession(options.out);
-  request.on_damage = options.on_damage;
+  request.out = options.run.out;
+  request.resume = options.run.resume && HasSession(options.run.out);
+  request.on_damage = options.run.on_damage;
   bool with_judge = options.judge;
   std::string threshold = options.threshold;
-  if (!options.resume || !options.factors.empty() || options.session.HasAny()) {
+  if (!options.run.resume || !options.factors.empty() || options.session.HasAny()) {
     const SweepConfig config = MakeSweepConfig(options);
     with_judge = config.judge;
     threshold = config.threshold;
@@ -87,7 +78,7 @@ ExitCode Sweep(const SweepOptions& options) {
                FormatCount(static_cast<int>(sweep.config.conditions.size()) + 1, "condition") +
                ", " + FormatCount(static_cast<int>(sweep.session.plan.size()), "trial") + ", " +
                std::to_string(FindUnfinished(sweep.session).size()) + " to run");
-  if (options.plan_only) {
+  if (options.run.plan_only) {
     RecordPlanning(sweep.folder);
     PrintMessage("about " + FormatFixed(EstimateSweepTime(sweep, with_judge, scale != nullptr), 0) +
                  " s of one processor, judged by the first trial of each hand");
@@ -98,18 +89,19 @@ ExitCode Sweep(const SweepOptions& options) {
     }
     return kExitOk;
   }
-  const std::atomic<bool>& stop = CatchInterrupts();
-  TerminalObserver observer({}, stop);
+  TerminalObserver observer;
   ExperimentRequest rest;
   rest.with_judge = with_judge;
-  rest.on_damage = options.on_damage;
-  rest.trial_time_limit = options.trial_time_limit;
-  DemandFinished(RunSweep(sweep, scale, rest, options.num_workers, observer, stop));
+  rest.on_damage = options.run.on_damage;
+  rest.trial_time_limit = options.run.trial_time_limit;
+  rest.thresholds = scale;
+  rest.num_workers = options.run.num_workers;
+  DemandFinished(RunExperiment(sweep, rest, observer));
   return Finish(options, sweep.folder);
 }
 }  // namespace
 
-void AddSweepCommand(Command& program, ExitCode& exit_code) {
+void AddSweepCommand(Command& program) {
   Command& command = AddSubcommand(
       program, "sweep", "Run a session under every combination of some settings and compare them.",
       "  graspbench sweep --object can,cup --factor model.mass_scale=1,2 --factor grasp=g1,g2\n"
@@ -119,30 +111,22 @@ void AddSweepCommand(Command& program, ExitCode& exit_code) {
   command
       .AddOption("--factor", options->factors,
                  "a setting, grasp, delay.last, delay.first [s] or backend with its levels, the "
-                 "base's first; best is chosen at the base's levels; may be repeated")
-      ->OneValueEach()
-      ->ValueName("KEY=A,B,..");
+                 "base's first; best is chosen at the base's levels; may be repeated",
+                 "KEY=A,B,..")
+      ->OneValueEach();
   command
       .AddOption("--design", options->design,
-                 "full, one-at-a-time, or latin:N: base and at most N of a Latin hypercube")
-      ->ValueName("DESIGN")
+                 "full, one-at-a-time, or latin:N: base and at most N of a Latin hypercube",
+                 "DESIGN")
       ->ShowDefault("full");
   command.AddFlag("--judge", options->judge, "also break what is held; some five times as long");
   command
       .AddOption("--threshold", options->threshold,
                  "also find the smallest margin, or force, with which each draw succeeds, under "
-                 "every condition; at most six more trials each")
-      ->OneOf(ListNames(kThresholdScales))
-      ->ValueName("SCALE");
-  AddJobsOption(command, options->num_workers);
-  command.AddOption("--out", options->out, "folder of the sweep")
-      ->ValueName("DIR")
-      ->ShowDefault("results/sweep-HASH");
-  command.AddFlag("--resume", options->resume, "continue the sweep in the folder of --out");
-  AddPlanOnlyOption(command, options->plan_only);
-  AddAcceptDamageOption(command, options->on_damage);
-  AddTrialTimeoutOption(command, options->trial_time_limit);
-  command.AddFlag("--json", options->json, "print the summary as one JSON object");
-  command.SetAction([options, &exit_code] { exit_code = Sweep(*options); });
+                 "every condition; at most six more trials each",
+                 "SCALE")
+      ->OneOf(ListNames(kThresholdScales));
+  AddRunOptions(command, options->run, "sweep", "results/sweep-HASH");
+  command.SetAction([options] { return Sweep(*options); });
 }
 }  // namespace graspbench

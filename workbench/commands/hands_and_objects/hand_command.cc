@@ -5,13 +5,12 @@
 #include "core/base/files/files.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/load_hand.h"
-#include "workbench/commands/command.h"
+#include "workbench/command.h"
 #include "workbench/experiments/output_folder.h"
-#include "workbench/pictures/hand_picture.h"
+#include "workbench/pictures/trial_picture.h"
 #include "workbench/tables/grasp_tables.h"
 #include "workbench/tables/hand_tables.h"
-#include "workbench/terminal/diagnostics_output.h"
-#include "workbench/text/forward_kinematics.h"
+#include "workbench/terminal/terminal.h"
 
 namespace graspbench {
 namespace {
@@ -52,23 +51,20 @@ void ShowGrasps(const Hand& hand, const std::string& csv) {
 
 }  // namespace
 
-void AddHandCommand(Command& program, ExitCode& exit_code) {
+void AddHandCommand(Command& program) {
   Command& group = AddSubcommand(program, "hand", "Show and check hands.",
                                  "  graspbench hand list\n"
                                  "  graspbench hand check my_hand/");
   group.RequireSubcommand();
   const auto id = std::make_shared<std::string>();
-  const auto joints = std::make_shared<std::vector<std::string>>();
   const auto json = std::make_shared<bool>(false);
   const auto add = [&](const char* name, const char* description, const char* examples) {
     Command& command = AddSubcommand(group, name, description, examples);
-    command.AddFlag("--json", *json, "print one JSON object");
+    AddJsonOption(command, *json);
     return &command;
   };
   const auto add_hand = [&](Command* command) {
-    command->AddOption("hand", *id, "id, or folder with hand.urdf and hand.yaml")
-        ->Require()
-        ->ValueName("HAND");
+    command->AddRequired("hand", *id, "id, or folder with hand.urdf and hand.yaml", "HAND");
   };
 
   Command* list = add("list", "List the hands that come with the program.",
@@ -87,15 +83,14 @@ void AddHandCommand(Command& program, ExitCode& exit_code) {
   add_hand(show);
   const auto collision = std::make_shared<std::string>();
   show->AddOption("--collision", *collision,
-                  "also draw what of the hand touches beside its pictures, into a new file")
-      ->ValueName("FILE");
+                  "also draw what of the hand touches beside its pictures, into a new file",
+                  "FILE");
   const auto grasps = std::make_shared<bool>(false);
   const auto csv = std::make_shared<std::string>();
   Option* show_grasps = show->AddFlag(
       "--grasps", *grasps, "show placement, pre-grasp and target of all standard grasps instead");
-  show->AddOption("--csv", *csv, "also write those numbers into a new file")
-      ->Needs(show_grasps)
-      ->ValueName("FILE");
+  show->AddOption("--csv", *csv, "also write those numbers into a new file", "FILE")
+      ->Needs(show_grasps);
   show_grasps->Excludes("--json");
   show->SetAction([id, collision, grasps, csv, json] {
     const auto hand = std::make_shared<const Hand>(LoadHand(*id));
@@ -113,23 +108,7 @@ void AddHandCommand(Command& program, ExitCode& exit_code) {
           "  graspbench hand check my_hand/\n"
           "  graspbench hand check my_hand/ --json");
   add_hand(check);
-  check->SetAction([id, json, &exit_code] { exit_code = CheckHandCommand(*id, *json); });
-
-  Command* fk =
-      add("fk", "Calculate forward kinematics: the last link of each digit in the palm's frame.",
-          "  graspbench hand fk shadow --joints FFJ3=30,FFJ2=45\n"
-          "  graspbench hand fk shadow --joints THJ5=20,THJ4=40 --json");
-  add_hand(fk);
-  fk->AddOption("--joints", *joints,
-                "joint angles in degrees; others are zero, coupled ones follow")
-      ->SplitAtCommas()
-      ->OneValueEach()
-      ->ValueName("NAME=DEG,..");
-  const auto link = std::make_shared<std::string>();
-  fk->AddOption("--link", *link,
-                "this link or frame of the description instead of the digits' last links")
-      ->ValueName("NAME");
-  fk->SetAction([id, joints, link, json] { PrintForwardKinematics(*id, *joints, *link, *json); });
+  check->SetAction([id, json] { return CheckHandCommand(*id, *json); });
 }
 
 }  // namespace graspbench

@@ -5,11 +5,10 @@
 #include "core/develop/development_warnings.h"
 #include "core/hand/load_hand.h"
 #include "datasets/analysis/development_summary.h"
-#include "reports/page/write_page.h"
-#include "reports/posture_page.h"
-#include "workbench/commands/command.h"
+#include "reports/kind_pages.h"
+#include "reports/page/layout.h"
+#include "workbench/command.h"
 #include "workbench/experiments/develop_hand.h"
-#include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/tables/text_table.h"
 #include "workbench/terminal/terminal_observer.h"
@@ -53,16 +52,13 @@ std::string DescribeFewest(const DevelopHandRequest& request, const Stage& stage
 }
 
 void Develop(const DevelopHandRequest& request) {
-  const std::atomic<bool>& stop = CatchInterrupts();
-  TerminalObserver observer(
-      [&](const Stage& stage) {
-        return request.out.string() + ": " + DescribeTasks(stage) + ", about " +
-               FormatCount(stage.num_trials, "trial") + " on " +
-               FormatCount(request.num_workers, "worker") + DescribeFewest(request, stage);
-      },
-      stop);
+  TerminalObserver observer([&](const Stage& stage) {
+    return request.out.string() + ": " + DescribeTasks(stage) + ", about " +
+           FormatCount(stage.num_trials, "trial") + " on " +
+           FormatCount(request.num_workers, "worker") + DescribeFewest(request, stage);
+  });
   try {
-    const std::vector<DevelopedGrasp> developed = DevelopHand(request, observer, stop);
+    const std::vector<DevelopedGrasp> developed = DevelopHand(request, observer);
     const std::filesystem::path page = WritePage(request, developed);
     const Hand hand = LoadHand(request.out.string());
     for (const DevelopedGrasp& one : developed) {
@@ -82,30 +78,24 @@ void Develop(const DevelopHandRequest& request) {
 
 }  // namespace
 
-void AddHandDevelopCommand(Command& program, ExitCode&) {
+void AddHandDevelopCommand(Command& program) {
   const auto request = std::make_shared<DevelopHandRequest>();
   Command& command = AddSubcommand(
       program.Subcommand("hand"), "develop",
       "Find a hand's grasps g1 to g5, by geometry, then in simulation on shapes made for it.",
       "  graspbench hand develop allegro --out allegro-developed\n"
       "  graspbench hand develop shadow --budget 20000 --seed 2 --out my-shadow");
-  command.AddOption("hand", request->hand, "id, or folder with hand.urdf and hand.yaml")
-      ->Require()
-      ->ValueName("HAND");
-  command
-      .AddOption("--out", request->out,
-                 "folder for the hand with its grasps; the same command again continues it")
-      ->Require()
-      ->ValueName("DIR");
+  command.AddRequired("hand", request->hand, "id, or folder with hand.urdf and hand.yaml", "HAND");
+  command.AddRequired("--out", request->out,
+                      "folder for the hand with its grasps; the same command again continues it",
+                      "DIR");
   command
       .AddOption("--budget", request->config.budget,
-                 "trials of all grasps together, about; the least that run are 52 a grasp")
+                 "trials of all grasps together, about; the least that run are 52 a grasp", "N")
       ->Within(100, 10000000)
-      ->ValueName("N")
       ->ShowDefault();
-  command.AddOption("--seed", request->config.seed, "another seed gives another development")
+  command.AddOption("--seed", request->config.seed, "another seed gives another development", "N")
       ->Within(0, 2147483647)
-      ->ValueName("N")
       ->ShowDefault();
   command.AddFlag("--any-coupling", request->config.any_coupling,
                   "the rule of coupled joints is not known: train with all of them");

@@ -7,10 +7,10 @@
 #include "core/hand/import/import_hand.h"
 #include "core/hand/load_hand.h"
 #include "objects/load_mesh.h"
-#include "workbench/commands/command.h"
+#include "workbench/command.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/tables/hand_tables.h"
-#include "workbench/terminal/diagnostics_output.h"
+#include "workbench/terminal/terminal.h"
 
 namespace graspbench {
 namespace {
@@ -84,7 +84,7 @@ ExitCode ImportHandCommand(const HandImportOptions& options, bool json) {
 
 }  // namespace
 
-void AddHandImportCommand(Command& program, ExitCode& exit_code) {
+void AddHandImportCommand(Command& program) {
   const auto import = std::make_shared<HandImportOptions>();
   const auto json = std::make_shared<bool>(false);
   Command& command = AddSubcommand(
@@ -93,41 +93,33 @@ void AddHandImportCommand(Command& program, ExitCode& exit_code) {
       "  graspbench hand import allegro_hand_right.urdf --out allegro\n"
       "  graspbench hand import urdf/svh.urdf --package-path ~/ros/src --out svh\n"
       "  graspbench hand import shadow_hand/right_hand.xml --out shadow-mjcf");
-  command.AddOption("file", import->file, "the description: URDF, or a MuJoCo model")
-      ->Require()
-      ->ValueName("FILE");
-  command.AddOption("--out", import->out, "folder for the hand; new or empty")
-      ->Require()
-      ->ValueName("DIR");
+  command.AddRequired("file", import->file, "the description: URDF, or a MuJoCo model", "FILE");
+  command.AddRequired("--out", import->out, "folder for the hand; new or empty", "DIR");
   command
       .AddOption("--package-path", import->package_path,
-                 "folder with the packages that mesh addresses name; may be repeated")
-      ->OneValueEach()
-      ->ValueName("DIR");
+                 "folder with the packages that mesh addresses name; may be repeated", "DIR")
+      ->OneValueEach();
   const auto add_unit = [&](const char* name, std::string& unit, const char* description) {
-    command.AddOption(name, unit, description)
-        ->OneOf({"m", "dm", "cm", "mm", "in"})
-        ->ValueName("m|dm|cm|mm|in");
+    command.AddOption(name, unit, description, "m|dm|cm|mm|in")
+        ->OneOf({"m", "dm", "cm", "mm", "in"});
   };
   add_unit("--unit", import->unit, "unit of its lengths; otherwise inferred, and reported");
   add_unit("--mesh-unit", import->mesh_unit,
            "unit of its mesh files; otherwise inferred, and reported");
-  command.AddOption("--angle", import->angle, "unit of its joint limits (MJCF: of all angles)")
-      ->OneOf({"deg", "rad"})
-      ->ValueName("deg|rad");
   command
-      .AddOption("--palm", import->palm,
-                 "link of the palm, where it is not found, or of the hand of a scene")
-      ->ValueName("LINK");
+      .AddOption("--angle", import->angle, "unit of its joint limits (MJCF: of all angles)",
+                 "deg|rad")
+      ->OneOf({"deg", "rad"});
+  command.AddOption("--palm", import->palm,
+                    "link of the palm, where it is not found, or of the hand of a scene", "LINK");
   command
       .AddOption("--palm-normal", import->palm_normal,
-                 "direction out of the palm in its frame, where it is not found")
+                 "direction out of the palm in its frame, where it is not found", "X,Y,Z")
       ->NumValues(3, 3)
-      ->SplitAtCommas()
-      ->ValueName("X,Y,Z");
+      ->SplitAtCommas();
   AddReplaceOption(command, import->replace);
-  command.AddFlag("--json", *json, "print one JSON object");
-  command.SetAction([import, json, &exit_code] { exit_code = ImportHandCommand(*import, *json); });
+  AddJsonOption(command, *json);
+  command.SetAction([import, json] { return ImportHandCommand(*import, *json); });
 }
 
 }  // namespace graspbench

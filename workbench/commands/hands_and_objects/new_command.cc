@@ -2,7 +2,7 @@
 #include <string>
 
 #include "core/base/files/files.h"
-#include "workbench/commands/command.h"
+#include "workbench/command.h"
 #include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/text/new_files.h"
@@ -70,7 +70,7 @@ void WriteNewFiles(const NewOptions& options) {
 
 }  // namespace
 
-void AddNewCommand(Command& program, ExitCode&) {
+void AddNewCommand(Command& program) {
   Command& command =
       AddSubcommand(program, "new", "Write a small example to start from, every key explained.",
                     "  graspbench new object my_object\n"
@@ -78,23 +78,17 @@ void AddNewCommand(Command& program, ExitCode&) {
                     "  graspbench new grasp timed --timing results/study --object golf_ball\n"
                     "      as people close their hands");
   const auto options = std::make_shared<NewOptions>();
-  command.AddOption("kind", options->kind, ListNames(ListKinds()))
-      ->Require()
-      ->OneOf(ListKinds())
-      ->ValueName("KIND");
-  command.AddOption("folder", options->folder, "new or empty")->Require()->ValueName("DIR");
+  command.AddRequired("kind", options->kind, ListNames(ListKinds()), "KIND")->OneOf(ListKinds());
+  command.AddRequired("folder", options->folder, "new or empty", "DIR");
   std::vector<Option*> of_grasp = {
-      command
-          .AddOption("--timing", options->study, "of a grasp: a study whose contact times it has")
-          ->ValueName("STUDY"),
-      command
-          .AddOption("--object", options->object,
-                     "with --timing: the object that the digits touch at these times; without, "
-                     "only the starts of closing are so")
-          ->ValueName("ID"),
-      command.AddOption("--hand", options->hand, "of a grasp")->ValueName("HAND")->ShowDefault(),
-      command.AddOption("--grasp", options->grasp, "of the hand, to begin with")
-          ->ValueName("ID")
+      command.AddOption("--timing", options->study,
+                        "of a grasp: a study whose contact times it has", "STUDY"),
+      command.AddOption("--object", options->object,
+                        "with --timing: the object that the digits touch at these times; without, "
+                        "only the starts of closing are so",
+                        "ID"),
+      command.AddOption("--hand", options->hand, "of a grasp", "HAND")->ShowDefault(),
+      command.AddOption("--grasp", options->grasp, "of the hand, to begin with", "ID")
           ->ShowDefault()};
   command.SetAction([options, of_grasp] {
     for (const Option* option : of_grasp) {

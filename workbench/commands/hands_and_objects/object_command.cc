@@ -8,9 +8,9 @@
 #include "objects/check_mesh_file.h"
 #include "objects/load_mesh.h"
 #include "objects/object_file.h"
-#include "workbench/commands/command.h"
+#include "workbench/command.h"
 #include "workbench/experiments/output_folder.h"
-#include "workbench/tables/object_tables.h"
+#include "workbench/tables/hand_tables.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -87,7 +87,7 @@ ExitCode AnswerInJson(bool json, const Answer& answer) {
 
 }  // namespace
 
-void AddObjectCommand(Command& program, ExitCode& exit_code) {
+void AddObjectCommand(Command& program) {
   Command& group = AddSubcommand(program, "object", "Show and check things to grasp.",
                                  "  graspbench object list\n"
                                  "  graspbench object check mug.stl --unit mm");
@@ -98,7 +98,7 @@ void AddObjectCommand(Command& program, ExitCode& exit_code) {
   Command& list = AddSubcommand(group, "list", "List the catalogue's objects.",
                                 "  graspbench object list\n"
                                 "  graspbench object list --json");
-  list.AddFlag("--json", *json, "print one JSON object");
+  AddJsonOption(list, *json);
   list.SetAction([json] {
     const DescribedObjects objects = DescribeObjects();
     *json ? PrintJson(objects.json) : PrintResult(objects.table);
@@ -107,12 +107,10 @@ void AddObjectCommand(Command& program, ExitCode& exit_code) {
   Command& show = AddSubcommand(group, "show", "Show sizes, mass and friction of an object.",
                                 "  graspbench object show can\n"
                                 "  graspbench object show my_object/ --json");
-  show.AddOption("object", *id, "id, or folder with object.yaml and a mesh")
-      ->Require()
-      ->ValueName("OBJECT");
-  show.AddFlag("--json", *json, "print one JSON object");
-  show.SetAction([id, json, &exit_code] {
-    exit_code = AnswerInJson(*json, [&] {
+  show.AddRequired("object", *id, "id, or folder with object.yaml and a mesh", "OBJECT");
+  AddJsonOption(show, *json);
+  show.SetAction([id, json] {
+    return AnswerInJson(*json, [&] {
       const auto object = LoadObject(*id);
       *json ? PrintJson(MakeObjectJson(*object)) : PrintResult(FormatObject(*object));
       return kExitOk;
@@ -125,17 +123,17 @@ void AddObjectCommand(Command& program, ExitCode& exit_code) {
   const auto options = std::make_shared<MeshCheckOptions>();
   const std::string what =
       "mesh file (" + ListMeshFormats() + "), or folder with object.yaml and a mesh";
-  check.AddOption("path", options->path, what)->Require()->ValueName("PATH");
-  check.AddOption("--unit", options->unit, "of the mesh file's numbers: " + ListNames(kUnits))
+  check.AddRequired("path", options->path, what, "PATH");
+  check
+      .AddOption("--unit", options->unit, "of the mesh file's numbers: " + ListNames(kUnits),
+                 "UNIT")
       ->OneOf(kUnits)
-      ->ValueName("UNIT")
       ->ShowDefault("by the size");
   check.AddFlag("--repair", options->repair,
                 "mend a mesh that cannot be used; writes NAME-repaired.obj if then it can");
-  check.AddFlag("--json", options->json, "print one JSON object");
-  check.SetAction([options, &exit_code] {
-    exit_code = AnswerInJson(options->json, [&] { return ReportMesh(*options); });
-  });
+  AddJsonOption(check, options->json);
+  check.SetAction(
+      [options] { return AnswerInJson(options->json, [&] { return ReportMesh(*options); }); });
 }
 
 }  // namespace graspbench

@@ -6,14 +6,11 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "datasets/analysis/conditions/basin_summary.h"
-#include "datasets/analysis/export_result.h"
-#include "datasets/plan/input_copies.h"
 #include "datasets/plan/session_inputs.h"
-#include "reports/session_report.h"
-#include "workbench/commands/command.h"
-#include "workbench/experiments/interrupt.h"
+#include "workbench/command.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/experiments/session_experiment.h"
+#include "workbench/result_page.h"
 #include "workbench/terminal/terminal_observer.h"
 
 namespace graspbench {
@@ -31,9 +28,8 @@ struct BasinRequest {
 
 struct BasinOptions {
   BasinRequest request;
-  bool plan_only = false, json = false;
-  double trial_time_limit = kTrialTimeLimit;
-  int num_workers = 1;
+  ExperimentRequest run;
+  bool json = false;
 };
 
 SessionConfig MakeBasinConfig(const BasinRequest& request) {
@@ -87,18 +83,14 @@ PreparedSession PrepareBasin(const BasinRequest& request) {
 
 void Run(const BasinOptions& options) {
   const PreparedSession basin = PrepareBasin(options.request);
-  if (options.plan_only) {
+  if (options.run.plan_only) {
     RecordPlanning(basin.folder);
     return PrintExperimentPlan(basin, options.json);
   }
-  const std::atomic<bool>& stop = CatchInterrupts();
-  TerminalObserver observer({}, stop);
-  ExperimentRequest request;
-  request.trial_time_limit = options.trial_time_limit;
-  DemandFinished(RunExperiment(basin, request, options.num_workers, observer, stop));
+  TerminalObserver observer;
+  DemandFinished(RunExperiment(basin, options.run, observer));
   const Session session = LoadSession(basin.folder, OnDamage::kRefuse, RecordParts::kBrief);
-  ExportResult(basin.folder, session);
-  const std::filesystem::path report = WriteSessionReport(basin.folder, session);
+  const std::filesystem::path report = WriteResults(session);
   const BasinSummary summary = SummariseBasin(ListBasinSamples(session));
   if (options.json) {
     return PrintJson({{"folder", basin.folder.string()},
@@ -112,36 +104,29 @@ void Run(const BasinOptions& options) {
   PrintResult(NameBasin(basin.inputs, session.plan.front()) + ": basin radius " +
               FormatFixed(summary.radius, 2) + " (" +
               FormatFixed(MmFromM(summary.radius_offset), 1) + " mm, " +
-              FormatFixed(DegFromRad(summary.radius_yaw), 1) + " deg)\nreport   " +
-              report.string() + "\n");
+              FormatFixed(DegFromRad(summary.radius_yaw), 1) + " deg)" + FormatPlaces(report));
 }
 
 }  // namespace
 
-void AddBasinCommand(Command& program, ExitCode&) {
+void AddBasinCommand(Command& program) {
   Command& command = AddSubcommand(
       program, "basin", "Map the placement error that a grasp tolerates.",
       "  graspbench basin --hand tum --object golf_ball --out ball_basin\n"
       "  graspbench basin --hand shadow --object can --grasp g3 --samples 400 --out can_basin");
   const auto options = std::make_shared<BasinOptions>();
   BasinRequest& request = options->request;
-  command.AddOption("--hand", request.hand, "hand by id or folder")->Require()->ValueName("HAND");
-  command.AddOption("--object", request.object, "object by id or folder")
-      ->Require()
-      ->ValueName("OBJECT");
-  command.AddOption("--grasp", request.grasp, "best, an id or a grasp file")
-      ->ValueName("GRASP")
+  command.AddRequired("--hand", request.hand, "hand by id or folder", "HAND");
+  command.AddRequired("--object", request.object, "object by id or folder", "OBJECT");
+  command.AddOption("--grasp", request.grasp, "best, an id or a grasp file", "GRASP")
       ->ShowDefault();
-  command.AddOption("--samples", request.num_samples, "offsets to try")
+  command.AddOption("--samples", request.num_samples, "offsets to try", "N")
       ->Within(1, 100000)
-      ->ValueName("N")
       ->ShowDefault();
-  AddJobsOption(command, options->num_workers);
-  AddTrialTimeoutOption(command, options->trial_time_limit);
-  AddPlanOnlyOption(command, options->plan_only);
-  command.AddOption("--out", request.out, "folder for report and basin.csv")
-      ->Require()
-      ->ValueName("DIR");
+  AddJobsOption(command, options->run.num_workers);
+  AddTrialTimeoutOption(command, options->run.trial_time_limit);
+  AddPlanOnlyOption(command, options->run.plan_only);
+  command.AddRequired("--out", request.out, "folder for report and basin.csv", "DIR");
   AddReplaceOption(command, request.replace);
   AddJsonOption(command, options->json);
   command.SetAction([options] { Run(*options); });

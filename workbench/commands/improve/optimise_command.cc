@@ -6,8 +6,7 @@
 
 #include "core/base/config.h"
 #include "core/base/text/text.h"
-#include "workbench/commands/command.h"
-#include "workbench/experiments/interrupt.h"
+#include "workbench/command.h"
 #include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/experiments/run_record.h"
 #include "workbench/experiments/scene_runner.h"
@@ -57,17 +56,14 @@ ExitCode Optimise(OptimiseOptions options) {
     PrintPlan(folder, 1, "scene", options.json);
     return kExitOk;
   }
-  const std::atomic<bool>& stop = CatchInterrupts();
-  TerminalObserver observer(
-      [&](const Stage& stage) {
-        return folder.string() + ": " + inputs.hand->id + ", " + inputs.object->id + ", " +
-               config.grasp + "; at most " + FormatCount(stage.num_trials, "trial") + " on " +
-               FormatCount(options.num_workers, "worker");
-      },
-      stop);
+  TerminalObserver observer([&](const Stage& stage) {
+    return folder.string() + ": " + inputs.hand->id + ", " + inputs.object->id + ", " +
+           config.grasp + "; at most " + FormatCount(stage.num_trials, "trial") + " on " +
+           FormatCount(options.num_workers, "worker");
+  });
   try {
     return Finish(folder, inputs, options,
-                  RunSceneStage(folder, config, inputs, options.num_workers, observer, stop,
+                  RunSceneStage(folder, config, inputs, options.num_workers, observer,
                                 options.trial_time_limit));
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::kInterrupted) throw;
@@ -91,41 +87,36 @@ void AddOptions(Command& command, OptimiseOptions& options) {
   SceneConfig& scene = options.config;
   OptimiseConfig& config = scene.optimise;
   scene.grasp = "best";
-  command.AddOption("--hand", scene.hand, "hand by id or folder")->ValueName("H");
-  command.AddOption("--object", scene.object, "object by id or folder")->ValueName("O");
-  command.AddOption("--grasp", scene.grasp, "standard grasp")->ValueName("G")->ShowDefault();
-  command.AddOption("--step", config.step, "1: new pre-grasp, 2: new target grasp, both")
+  command.AddOption("--hand", scene.hand, "hand by id or folder", "H");
+  command.AddOption("--object", scene.object, "object by id or folder", "O");
+  command.AddOption("--grasp", scene.grasp, "standard grasp", "G")->ShowDefault();
+  command.AddOption("--step", config.step, "1: new pre-grasp, 2: new target grasp, both", "STEP")
       ->OneOf(ListNames(kOptimiseSteps))
-      ->ValueName("STEP")
       ->ShowDefault();
   command
-      .AddOption("--method", config.method, "search of step 2: " + ListNames(ListSearchMethods()))
+      .AddOption("--method", config.method, "search of step 2: " + ListNames(ListSearchMethods()),
+                 "METHOD")
       ->OneOf(ListSearchMethods())
-      ->ValueName("METHOD")
       ->ShowDefault();
   AddSearchOptions(command, config, "of step 2");
-  command.AddOption("--seed", config.seed, "another seed gives another search")
-      ->ValueName("N")
-      ->ShowDefault();
+  AddSeedOption(command, config.seed, "another search");
   AddSettingsOption(command, options.settings, "model.mass_scale=2");
   AddPlanOnlyOption(command, options.plan_only);
   AddJobsOption(command, options.num_workers);
   command
-      .AddOption("--out", options.out, "folder of the results; the same command again continues it")
-      ->ValueName("DIR")
+      .AddOption("--out", options.out, "folder of the results; the same command again continues it",
+                 "DIR")
       ->ShowDefault("results/optimise-HAND-OBJECT-HASH");
   AddResumeOption(command, options.resume);
   AddTrialTimeoutOption(command, options.trial_time_limit);
   AddJsonOption(command, options.json);
-  command
-      .AddOption("--replay", options.replay,
-                 "simulate individual N of the finished folder again and save its grasp")
-      ->ValueName("N");
+  command.AddOption("--replay", options.replay,
+                    "simulate individual N of the finished folder again and save its grasp", "N");
 }
 
 }  // namespace
 
-void AddOptimiseCommand(Command& program, ExitCode& exit_code) {
+void AddOptimiseCommand(Command& program) {
   Command& command =
       AddSubcommand(program, "optimise", "Make a standard grasp fit one object, in two steps.",
                     "  graspbench optimise --hand tum --object adhesive_tape --out results/tape\n"
@@ -133,13 +124,13 @@ void AddOptimiseCommand(Command& program, ExitCode& exit_code) {
                     "best,results/tape/new-target.yaml");
   const auto options = std::make_shared<OptimiseOptions>();
   AddOptions(command, *options);
-  command.SetAction([options, &command, &exit_code] {
+  command.SetAction([options, &command] {
     if (options->resume) {
       CheckResume(command, {"--hand", "--object", "--grasp", "--step", "--method", "--evaluations",
                             "--fitness-trials", "--search", "--fitness", "--race", "--grip",
                             "--grip-limit", "--seed", "--set", "--plan-only", "--replay"});
     }
-    exit_code = options->replay ? Replay(*options) : Optimise(*options);
+    return options->replay ? Replay(*options) : Optimise(*options);
   });
 }
 

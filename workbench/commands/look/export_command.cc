@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "core/base/files/files.h"
-#include "core/trial/grasp_by_sight.h"
+#include "core/trial/trial_runner.h"
 #include "datasets/analysis/export_result.h"
 #include "datasets/mjcf/mjcf_export.h"
 #include "datasets/plan/session_inputs.h"
 #include "datasets/session/find_trial.h"
 #include "datasets/session/ro_crate.h"
 #include "datasets/session/session_store.h"
-#include "workbench/commands/command.h"
+#include "workbench/command.h"
 #include "workbench/experiments/output_folder.h"
 
 namespace graspbench {
@@ -94,23 +94,19 @@ void Export(const ExportOptions& options) {
 
 }  // namespace
 
-void AddExportCommand(Command& program, ExitCode&) {
+void AddExportCommand(Command& program) {
   Command& command =
       AddSubcommand(program, "export", "Write the trials of a session as CSV and SQLite.",
                     "  graspbench export results/benchmark-1a2b3c4d\n"
                     "  column -ts, \"$(graspbench export results/pilot)\" | less -S\n"
                     "  graspbench export results/pilot --mjcf all --out scenes");
   const auto options = std::make_shared<ExportOptions>();
-  command.AddOption("folder", options->folder, "folder of the session")
-      ->Require()
-      ->ValueName("DIR");
+  command.AddRequired("folder", options->folder, "folder of the session", "DIR");
   command
       .AddOption("--mjcf", options->mjcf,
-                 "instead: scene and commanded motion of these trials for MuJoCo")
-      ->SplitAtCommas()
-      ->ValueName("ID,..|all");
-  command.AddOption("--out", options->out, "folder for a session that cannot be written")
-      ->ValueName("DIR")
+                 "instead: scene and commanded motion of these trials for MuJoCo", "ID,..|all")
+      ->SplitAtCommas();
+  command.AddOption("--out", options->out, "folder for a session that cannot be written", "DIR")
       ->ShowDefault("that of the session");
   command.AddFlag("--records", options->with_records,
                   "also records.jsonl: everything, a line a trial, as the journals hold it");

@@ -3,9 +3,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/trial/grasp_by_sight.h"
+#include "core/trial/trial_runner.h"
 #include "datasets/plan/session_plan.h"
-#include "workbench/commands/command.h"
+#include "workbench/command.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/pictures/trial_picture.h"
 
@@ -56,21 +56,18 @@ void Render(const RenderOptions& options) {
 
 }  // namespace
 
-void AddRenderCommand(Command& program, ExitCode&) {
+void AddRenderCommand(Command& program) {
   Command& command = AddSubcommand(
       program, "render", "Run one trial without variation and draw it with its forces.",
       "  graspbench render shadow can g3 --at closed --out can.png\n"
       "  graspbench render tum golf_ball best --at 1.25s --camera top --out ball.png");
   const auto options = std::make_shared<RenderOptions>();
-  command.AddOption("hand", options->hand, "hand by id or folder")->Require()->ValueName("HAND");
-  command.AddOption("object", options->object, "object by id or folder")
-      ->Require()
-      ->ValueName("OBJECT");
-  command.AddOption("grasp", options->grasp, "an id as g1, best, by-sight, or a grasp file")
-      ->Require()
-      ->ValueName("GRASP");
+  command.AddRequired("hand", options->hand, "hand by id or folder", "HAND");
+  command.AddRequired("object", options->object, "object by id or folder", "OBJECT");
+  command.AddRequired("grasp", options->grasp, "an id as g1, best, by-sight, or a grasp file",
+                      "GRASP");
   AddPictureOptions(command, options->at, options->view, options->size);
-  command.AddOption("--out", options->out, "the picture (PNG)")->Require()->ValueName("FILE.PNG");
+  command.AddRequired("--out", options->out, "the picture (PNG)", "FILE.PNG");
   command.SetAction([options] { Render(*options); });
 }
 

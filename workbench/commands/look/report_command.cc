@@ -4,7 +4,7 @@
 
 #include "core/base/files/files.h"
 #include "reports/page/paper.h"
-#include "workbench/commands/command.h"
+#include "workbench/command.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/pictures/svg_to_pdf.h"
 #include "workbench/result_page.h"
@@ -68,7 +68,7 @@ void Report(const ReportOptions& options) {
 
 }  // namespace
 
-void AddReportCommand(Command& program, ExitCode&) {
+void AddReportCommand(Command& program) {
   Command& command =
       AddSubcommand(program, "report", "Write the report of any result, finished or not.",
                     "  graspbench report results/benchmark-1a2b3c4d\n"
@@ -76,26 +76,20 @@ void AddReportCommand(Command& program, ExitCode&) {
                     "  graspbench report results/pilot --paper paper   figures, tables, methods\n"
                     "  graspbench compare results/a results/b          what differs between two");
   const auto options = std::make_shared<ReportOptions>();
-  command
-      .AddOption("folder", options->folder, "folder of a session, a campaign, a study or a basin")
-      ->Require()
-      ->ValueName("DIR");
-  command.AddOption("--out", options->out, "folder for a result that cannot be written")
-      ->ValueName("DIR")
+  command.AddRequired("folder", options->folder,
+                      "folder of a session, a campaign, a study or a basin", "DIR");
+  command.AddOption("--out", options->out, "folder for a result that cannot be written", "DIR")
       ->ShowDefault("that of the result");
-  Option* paper =
-      command
-          .AddOption(
-              "--paper", options->paper,
-              "folder for the page's figures, tables as CSV and LaTeX, methods.md and refs.bib")
-          ->ValueName("DIR");
+  Option* paper = command.AddOption(
+      "--paper", options->paper,
+      "folder for the page's figures, tables as CSV and LaTeX, methods.md and refs.bib", "DIR");
   command
       .AddOption("--figures", options->figures,
                  "of --paper: shown (what the page shows unfolded, at most 20 figures and 12 "
-                 "tables) or all")
+                 "tables) or all",
+                 "WHICH")
       ->OneOf({"shown", "all"})
       ->Needs(paper)
-      ->ValueName("WHICH")
       ->ShowDefault("shown");
   const auto add_views = [&](const char* name, PageViews views, const char* text) {
     return command.AddFlag(

@@ -6,11 +6,11 @@
 #include "core/base/text/text.h"
 #include "datasets/journal/sealed_store.h"
 #include "datasets/session/judgement_store.h"
-#include "workbench/commands/command.h"
-#include "workbench/experiments/interrupt.h"
+#include "workbench/command.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/experiments/session_experiment.h"
 #include "workbench/tables/experiment_tables.h"
+#include "workbench/terminal/terminal_observer.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -19,7 +19,6 @@ namespace {
 
 struct NumericsOptions {
   ExperimentRequest request;
-  int num_workers = 1;
   std::string out;
   bool json = false;
 };
@@ -43,9 +42,8 @@ void Check(const NumericsOptions& options) {
   const PreparedSession experiment = PrepareExperiment(request, "numerics", ListNumericsVariants);
   if (options.request.plan_only) return PrintExperimentPlan(experiment);
   PrintVariants(experiment.session);
-  Observer observer;  // its few trials need no more
-  DemandFinished(
-      RunExperiment(experiment, request, options.num_workers, observer, CatchInterrupts()));
+  Observer observer(CatchInterrupts());  // its few trials need no more
+  DemandFinished(RunExperiment(experiment, request, observer));
   const std::vector<NumericsComparison> comparisons = ListNumericsComparisons(
       LoadSession(experiment.folder, options.request.on_damage, RecordParts::kBrief));
   const std::vector<NumericsSummary> summaries = SummariseNumerics(comparisons);
@@ -67,7 +65,7 @@ void Check(const NumericsOptions& options) {
 
 }  // namespace
 
-void AddCheckNumericsCommand(Command& program, ExitCode&) {
+void AddCheckNumericsCommand(Command& program) {
   Command& command =
       AddSubcommand(program, "check-numerics",
                     "Run trials again with other numerics and list the verdicts that flip.",
@@ -76,18 +74,12 @@ void AddCheckNumericsCommand(Command& program, ExitCode&) {
   const auto options = std::make_shared<NumericsOptions>();
   AddStoreFolder(command, options->request.folder, "folder of the session");
   options->request.trials_per_cell = 1;
-  command
-      .AddOption("--trials", options->request.trials_per_cell,
-                 "finished trials of each hand, object, grasp to take")
-      ->Within(1, 100000)
-      ->ValueName("N")
-      ->ShowDefault();
-  AddJobsOption(command, options->num_workers);
+  AddTrialsOption(command, options->request.trials_per_cell, "1");
+  AddJobsOption(command, options->request.num_workers);
   AddPlanOnlyOption(command, options->request.plan_only);
-  command.AddOption("--out", options->out, "table of all comparisons")
-      ->ValueName("FILE")
+  command.AddOption("--out", options->out, "table of all comparisons", "FILE")
       ->ShowDefault("check-numerics/numerics.csv in the session");
-  command.AddFlag("--json", options->json, "print one JSON object");
+  AddJsonOption(command, options->json);
   command.SetAction([options] { Check(*options); });
 }
 

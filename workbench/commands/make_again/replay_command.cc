@@ -7,13 +7,12 @@
 
 #include "core/base/text/text.h"
 #include "datasets/session/find_trial.h"
-#include "workbench/commands/command.h"
-#include "workbench/experiments/interrupt.h"
+#include "workbench/command.h"
 #include "workbench/experiments/replay_session.h"
-#include "workbench/pack_replay.h"
+#include "workbench/stage_commands.h"
 #include "workbench/terminal/terminal_observer.h"
-#include "workbench/text/replay_text.h"
-#include "workbench/trajectory_output.h"
+#include "workbench/text/trial_text.h"
+#include "workbench/trial_files.h"
 
 namespace graspbench {
 namespace {
@@ -84,11 +83,9 @@ ExitCode Replay(ReplayOptions options) {
     };
   }
   const SessionInputs inputs = LoadSessionInputs(session.config, FieldUse::kLater, session.folder);
-  const std::atomic<bool>& stop = CatchInterrupts();
   TerminalObserver observer(
-      [&](const Stage& stage) { return options.folder.string() + ": " + DescribeTasks(stage); },
-      stop);
-  SessionReplay replay = ReplaySession(session, inputs, request, observer, stop);
+      [&](const Stage& stage) { return options.folder.string() + ": " + DescribeTasks(stage); });
+  SessionReplay replay = ReplaySession(session, inputs, request, observer);
   replay.conditions = FindReplayConditions(session, inputs);
   if (options.json) {
     PrintJson(MakeReplayJson(replay, options.folder.string()));
@@ -102,7 +99,7 @@ ExitCode Replay(ReplayOptions options) {
 
 }  // namespace
 
-void AddReplayCommand(Command& program, ExitCode& exit_code) {
+void AddReplayCommand(Command& program) {
   Command& command = AddSubcommand(
       program, "replay", "Run trials of a session again and compare them with their records.",
       "  graspbench replay results/pilot --all --verify    exit code 3 when one differs\n"
@@ -112,10 +109,10 @@ void AddReplayCommand(Command& program, ExitCode& exit_code) {
   const auto options = std::make_shared<ReplayOptions>();
   TrajectoryRequest& trajectory = options->trajectory;
   AddStoreFolder(command, options->folder, "a session, or DIR/benchmark of a campaign; or a pack");
-  command
-      .AddOption("trials", options->names,
-                 "trials, each its trial_id, the first letters of it, or hand-object-grasp:number")
-      ->ValueName("ID|CONDITION:N ..");
+  command.AddOption(
+      "trials", options->names,
+      "trials, each its trial_id, the first letters of it, or hand-object-grasp:number",
+      "ID|CONDITION:N ..");
   Option* failed =
       command.AddFlag("--failed", options->failed, "the finished trials that are no success");
   command.AddFlag("--all", options->all, "every trial of the plan")->Excludes(failed);
@@ -125,24 +122,21 @@ void AddReplayCommand(Command& program, ExitCode& exit_code) {
   for (const TrajectoryForm& form : ListTrajectoryForms()) {
     forms += (forms.empty() ? "" : "; ") + std::string(form.name) + ": " + form.text;
   }
-  command.AddOption("--trajectory", trajectory.name, "write what happened; " + forms)
-      ->ValueName("FILE|FORM");
-  command.AddOption("--fps", trajectory.rate, "instants a second of a trajectory")
+  command.AddOption("--trajectory", trajectory.name, "write what happened; " + forms, "FILE|FORM");
+  command.AddOption("--fps", trajectory.rate, "instants a second of a trajectory", "RATE")
       ->Within(1.0, 1000.0)
-      ->ValueName("RATE")
       ->ShowDefault("60")
       ->Needs("--trajectory");
-  command.AddOption("--out", trajectory.out, "new folder for trajectories of FORM")
-      ->ValueName("DIR")
+  command.AddOption("--out", trajectory.out, "new folder for trajectories of FORM", "DIR")
       ->Needs("--trajectory");
   AddReplaceOption(command, trajectory.replace);
   AddJobsOption(command, options->num_workers);
   AddTrialTimeoutOption(command, options->trial_time_limit);
   AddAcceptDamageOption(command, options->on_damage);
-  command.AddFlag("--json", options->json, "print one JSON object");
-  command.SetAction([&program, options, &exit_code] {
+  AddJsonOption(command, options->json);
+  command.SetAction([&program, options] {
     const bool is_file = std::filesystem::is_regular_file(options->folder);
-    exit_code = is_file ? ReplayWholePack(program, *options) : Replay(*options);
+    return is_file ? ReplayWholePack(program, *options) : Replay(*options);
   });
 }
 

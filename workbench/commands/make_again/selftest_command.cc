@@ -1,7 +1,7 @@
 
 #include "core/base/text/text.h"
 #include "core/physics/known_answers/known_answer.h"
-#include "workbench/commands/command.h"
+#include "workbench/command.h"
 #include "workbench/tables/text_table.h"
 
 namespace graspbench {
@@ -62,13 +62,13 @@ ExitCode RunSelftest(bool json) {
 
 }  // namespace
 
-void AddSelftestCommand(Command& program, ExitCode& exit_code) {
+void AddSelftestCommand(Command& program) {
   Command& command = AddSubcommand(
       program, "selftest", "Run the physics on problems with known answers and print the sheet.",
       "  graspbench selftest\n"
       "  graspbench selftest --json");
   Option* json = command.AddFlag("--json", "print one JSON object");
-  command.SetAction([json, &exit_code] { exit_code = RunSelftest(json->IsGiven()); });
+  command.SetAction([json] { return RunSelftest(json->IsGiven()); });
 }
 
 }  // namespace graspbench

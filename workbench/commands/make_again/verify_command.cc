@@ -3,8 +3,7 @@
 
 #include "datasets/campaign/check_records.h"
 #include "datasets/journal/sealed_store.h"
-#include "datasets/journal/unverified_files.h"
-#include "workbench/commands/command.h"
+#include "workbench/command.h"
 
 namespace graspbench {
 namespace {
@@ -78,18 +77,18 @@ ExitCode Verify(const VerifyOptions& options) {
 
 }  // namespace
 
-void AddVerifyCommand(Command& program, ExitCode& exit_code) {
+void AddVerifyCommand(Command& program) {
   Command& command = AddSubcommand(
       program, "verify", "Compare a result folder with the hashes in its manifest.",
       "  graspbench verify results/pilot             damaged: exit code 3; else stale: exit code "
       "1\n"
       "  graspbench verify results/pilot --repair    sets damaged lines aside, seals the rest");
   const auto options = std::make_shared<VerifyOptions>();
-  command.AddOption("folder", options->folder, "folder of any result")->Require()->ValueName("DIR");
+  command.AddRequired("folder", options->folder, "folder of any result", "DIR");
   command.AddFlag("--repair", options->repair,
                   "move damaged lines into files beside their journals; nothing is thrown away");
-  command.AddFlag("--json", options->json, "print the verdict as one JSON object");
-  command.SetAction([options, &exit_code] { exit_code = Verify(*options); });
+  AddJsonOption(command, options->json, "print the verdict as one JSON object");
+  command.SetAction([options] { return Verify(*options); });
 }
 
 }  // namespace graspbench

@@ -4,20 +4,18 @@
 #include <vector>
 
 #include "core/base/text/text.h"
-#include "datasets/analysis/campaign/campaign_export.h"
-#include "datasets/analysis/export_result.h"
+#include "datasets/analysis/campaign/campaign_summary.h"
 #include "datasets/analysis/session_summary.h"
-#include "datasets/campaign/merge_campaigns.h"
+#include "datasets/campaign/campaign_store.h"
 #include "datasets/session/merge_sessions.h"
 #include "reports/campaign/campaign_report.h"
-#include "reports/session_report.h"
-#include "workbench/commands/command.h"
-#include "workbench/experiments/machines/merge_campaign.h"
+#include "workbench/command.h"
 #include "workbench/experiments/machines/shell_quote.h"
-#include "workbench/tables/campaign_tables.h"
-#include "workbench/tables/machine_tables.h"
+#include "workbench/experiments/run_campaign.h"
+#include "workbench/result_page.h"
+#include "workbench/tables/optimise_tables.h"
+#include "workbench/tables/progress_tables.h"
 #include "workbench/tables/summary_table.h"
-#include "workbench/trace_session.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -62,7 +60,7 @@ ExitCode MergeOfCampaign(const MergeOptions& options) {
                {"searches_left", rest.searches},
                {"differences", differences}});
   } else {
-    PrintResult(FormatVariantsTable(campaign) + "\nreport   " + report + "\n");
+    PrintResult(FormatVariantsTable(campaign) + FormatPlaces(report));
   }
   for (const std::string& difference : differences) PrintMessage("warning: " + difference);
   if (rest.scenes > 0) FailOnRest(options, FormatCount(rest.scenes, "scene is", "scenes are"));
@@ -103,10 +101,8 @@ ExitCode Merge(const MergeOptions& options) {
   fs::path report;
   std::string page = "\nthe command that planned this shows it with its session\n";
   if (!HasSession(options.folder / ".." / "..")) {
-    ExportResult(options.folder, session);
-    report = WriteSessionReport(options.folder, session, MakeKeptTracer(session));
-    page = "\nreport   " + report.string() + "\ndata     " +
-           (options.folder / "export" / "trials.csv").string() + "\n";
+    report = WriteResults(session, MakeKeptTracer(session));
+    page = FormatPlaces(report, options.folder / "export" / "trials.csv");
   }
   const std::vector<MachineShards> machines = ListMachines(options.folder);
   const SessionSummary summary = SummariseSession(session);
@@ -128,22 +124,21 @@ ExitCode Merge(const MergeOptions& options) {
 
 }  // namespace
 
-void AddMergeCommand(Command& program, ExitCode& exit_code) {
+void AddMergeCommand(Command& program) {
   Command& command = AddSubcommand(
       program, "merge", "Put the shards of a session or campaign together and write its report.",
       "  graspbench merge results/pilot                 after graspbench work, on one disk\n"
       "  graspbench merge results/pilot node1/pilot node2/pilot");
   const auto options = std::make_shared<MergeOptions>();
   AddStoreFolder(command, options->folder, "folder of a session, campaign or optimisation");
-  command.AddOption("others", options->others, "folders of the same one on other disks")
-      ->ValueName("OTHER..");
+  command.AddOption("others", options->others, "folders of the same one on other disks", "OTHER..");
   command
       .AddOption(
           "--set-aside", options->aside,
-          "leave out what a journal of DIR holds and keep it beside, as journal/2of7-0.jsonl")
-      ->OneValueEach()
-      ->ValueName("FILE");
-  command.AddFlag("--json", options->json, "print summary and machines as one JSON object");
-  command.SetAction([options, &exit_code] { exit_code = Merge(*options); });
+          "leave out what a journal of DIR holds and keep it beside, as journal/2of7-0.jsonl",
+          "FILE")
+      ->OneValueEach();
+  AddJsonOption(command, options->json, "print summary and machines as one JSON object");
+  command.SetAction([options] { return Merge(*options); });
 }
 }  // namespace graspbench

@@ -10,10 +10,10 @@
 
 #include "core/base/files/files.h"
 #include "datasets/session/session_progress.h"
-#include "workbench/commands/command.h"
-#include "workbench/experiments/machines/machine.h"
+#include "workbench/command.h"
 #include "workbench/experiments/machines/run_shard.h"
 #include "workbench/experiments/machines/submit_script.h"
+#include "workbench/experiments/run_record.h"
 
 namespace graspbench {
 namespace {
@@ -67,7 +67,7 @@ void Submit(const SubmitOptions& options) {
 
 }  // namespace
 
-void AddSubmitCommand(Command& program, ExitCode&) {
+void AddSubmitCommand(Command& program) {
   Command& command = AddSubcommand(
       program, "submit", "Work on all shards of a session and merge them.",
       "  graspbench submit results/pilot --engine slurm --array 50 --dry-run\n"
@@ -78,12 +78,10 @@ void AddSubmitCommand(Command& program, ExitCode&) {
   SubmitRequest& request = options->request;
   request.num_shards = 0;
   AddStoreFolder(command, request.folder, "folder made with --plan-only");
-  command.AddOption("--engine", request.engine, "what starts the workers: local, parallel, slurm")
-      ->Require()
-      ->ValueName("ENGINE");
-  command.AddOption("--array", request.num_shards, "number of shards")
+  command.AddRequired("--engine", request.engine, "what starts the workers: local, parallel, slurm",
+                      "ENGINE");
+  command.AddOption("--array", request.num_shards, "number of shards", "N")
       ->Within(1, 1000000)
-      ->ValueName("N")
       ->ShowDefault("as begun; or else processors, slurm: 10");
   command.AddFlag("--judge", request.judge, "break what was held, after a merge");
   command.AddFlag("--dry-run", options->dry_run, "print the script and start nothing");

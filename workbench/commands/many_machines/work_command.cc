@@ -6,8 +6,7 @@
 
 #include "core/base/text/text.h"
 #include "datasets/session/session_progress.h"
-#include "workbench/commands/command.h"
-#include "workbench/experiments/interrupt.h"
+#include "workbench/command.h"
 #include "workbench/experiments/machines/run_shard.h"
 #include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/terminal/terminal_observer.h"
@@ -58,10 +57,8 @@ void Work(const WorkOptions& options) {
   if (!options.time_budget.empty()) request.time_budget = ParseTime(options.time_budget);
   const std::string folder = request.folder.string(), name = folder + ", shard " + options.shard;
   WarnOfOtherJournals(request);
-  const std::atomic<bool>& stop = CatchInterrupts();
-  TerminalObserver observer([&](const Stage& stage) { return name + ": " + DescribeTasks(stage); },
-                            stop);
-  const ShardResult result = WorkOnShard(request, observer, stop);
+  TerminalObserver observer([&](const Stage& stage) { return name + ": " + DescribeTasks(stage); });
+  const ShardResult result = WorkOnShard(request, observer);
   if (result.num_left > 0) {
     throw Error(ErrorKind::kInterrupted,
                 name + ": stopped; " +
@@ -75,7 +72,7 @@ void Work(const WorkOptions& options) {
 
 }  // namespace
 
-void AddWorkCommand(Command& program, ExitCode&) {
+void AddWorkCommand(Command& program) {
   Command& command = AddSubcommand(
       program, "work", "Run one machine's part of a session or campaign that several work on.",
       "  graspbench work results/pilot --shard 3/7\n"
@@ -83,18 +80,14 @@ void AddWorkCommand(Command& program, ExitCode&) {
   const auto options = std::make_shared<WorkOptions>();
   ShardRequest& request = options->request;
   AddStoreFolder(command, request.folder, "folder made with --plan-only");
-  command.AddOption("--shard", options->shard, "which part of how many, from 1/N to N/N")
-      ->Require()
-      ->ValueName("K/N");
+  command.AddRequired("--shard", options->shard, "which part of how many, from 1/N to N/N", "K/N");
   command.AddFlag("--judge", request.judge, "break what the shard's trials held; after a merge");
   command
       .AddOption("--time-budget", options->time_budget,
-                 "stop when this time is over, finish the current trial, exit with 75")
-      ->ValueName("TIME")
+                 "stop when this time is over, finish the current trial, exit with 75", "TIME")
       ->ShowDefault("none; 90s, 25m, 2h");
-  command.AddOption("--jobs", request.num_workers, "trials at a time")
+  command.AddOption("--jobs", request.num_workers, "trials at a time", "N")
       ->Within(1, 1024)
-      ->ValueName("N")
       ->ShowDefault();
   AddTrialTimeoutOption(command, request.trial_time_limit);
   command.AddFlag("--allow-build", request.allow_build,

@@ -2,41 +2,35 @@
 
 #include <cmath>
 
-#include "workbench/commands/command.h"
+#include "workbench/command.h"
 
 namespace graspbench {
 
 void ForeignGraspOptions::AddTo(Command& command) {
   std::vector<std::string> formats = {"auto"};
   for (const GraspFormat& format : ListGraspFormats()) formats.emplace_back(format.id);
-  command.AddOption("files", paths_, "files of grasps, or folders: all files below them")
-      ->Require()
-      ->ValueName("FILES..");
-  command.AddOption("--format", format_, "one of " + ListNames(formats))
-      ->ValueName("NAME")
-      ->ShowDefault();
-  command
-      .AddOption("--hand-frame", read_.hand_frame,
-                 "link of the hand whose pose the files give, where they do not say it reliably")
-      ->ValueName("LINK");
-  command
-      .AddOption("--object-frame", read_.object_frame,
-                 "frame in which the poses are given: \"mesh\", as the object's mesh is drawn")
-      ->ValueName("NAME");
+  command.AddRequired("files", paths_, "files of grasps, or folders: all files below them",
+                      "FILES..");
+  command.AddOption("--format", format_, "one of " + ListNames(formats), "NAME")->ShowDefault();
+  command.AddOption("--hand-frame", read_.hand_frame,
+                    "link of the hand whose pose the files give, where they do not say it reliably",
+                    "LINK");
+  command.AddOption("--object-frame", read_.object_frame,
+                    "frame in which the poses are given: \"mesh\", as the object's mesh is drawn",
+                    "NAME");
   command
       .AddOption("--joint-names", read_.joint_names,
-                 "joints in the order of the files' positions, where they have no names")
+                 "joints in the order of the files' positions, where they have no names", "NAME,..")
       ->SplitAtCommas()
-      ->OneValueEach()
-      ->ValueName("NAME,..");
+      ->OneValueEach();
   command
       .AddOption("--open", open_joints_,
-                 "joints of the open hand in radians and metres, where the files state none")
+                 "joints of the open hand in radians and metres, where the files state none",
+                 "NAME=NUMBER,..")
       ->SplitAtCommas()
-      ->OneValueEach()
-      ->ValueName("NAME=NUMBER,..");
-  command.AddOption("--scale", scale_, "of the object's mesh, instead of what the files say")
-      ->ValueName("NUMBER");
+      ->OneValueEach();
+  command.AddOption("--scale", scale_, "of the object's mesh, instead of what the files say",
+                    "NUMBER");
 }
 
 GraspCollection ForeignGraspOptions::Read() const {
@@ -61,11 +55,10 @@ GraspCollection ForeignGraspOptions::Read() const {
 
 void GraspInputOptions::AddTo(Command& command) {
   grasps_.AddTo(command);
-  command.AddOption("--hand", hand_, "hand by id or folder")->ValueName("HAND")->ShowDefault();
-  command
-      .AddOption("--objects", objects_,
-                 "folder of the meshes; a grasp's object is looked for by every end of its path")
-      ->ValueName("DIR");
+  command.AddOption("--hand", hand_, "hand by id or folder", "HAND")->ShowDefault();
+  command.AddOption("--objects", objects_,
+                    "folder of the meshes; a grasp's object is looked for by every end of its path",
+                    "DIR");
 }
 
 GraspInputs GraspInputOptions::Load(const std::vector<FreeSpaceProfile>& profiles) const {

@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <iterator>
 
-#include "datasets/plan/firm_grip.h"
-#include "datasets/plan/presets.h"
+#include "datasets/plan/grip_check.h"
 #include "datasets/plan/scene_names.h"
-#include "workbench/commands/command.h"
+#include "datasets/plan/session_config.h"
+#include "workbench/command.h"
 
 namespace graspbench {
 namespace {
@@ -36,31 +36,28 @@ constexpr SettingOption kOptions[] = {
 }  // namespace
 
 void SessionOptions::AddTo(Command& command, const std::string& file_text) {
-  command.AddOption("session", session_file_, file_text)->ValueName("SESSION");
+  command.AddOption("session", session_file_, file_text, "SESSION");
   std::vector<std::string> presets;
   std::string names;
   for (const Preset& preset : ListPresets()) {
     presets.push_back(preset.name);
     names += (names.empty() ? "" : ",") + preset.name;
   }
-  command.AddOption("--preset", preset_, "named settings instead of a session file: " + names)
-      ->Suggest(presets)
-      ->ValueName("NAME");
+  command
+      .AddOption("--preset", preset_, "named settings instead of a session file: " + names, "NAME")
+      ->Suggest(presets);
   AddSceneOptions(command, given_);
   AddListOption(command, "--grasp", given_.grasps,
                 "best, by-sight, all, ids or grasp files: g1,my.yaml; by-sight: the type by the "
                 "outline that the hand's camera sees, right for 38 of 51 unseen things",
                 "G,..");
   command
-      .AddOption("--approach", given_.approach, "above or side, whatever objects and grasps say")
-      ->ValueName("FROM")
+      .AddOption("--approach", given_.approach, "above or side, whatever objects and grasps say",
+                 "FROM")
       ->ShowDefault();
-  command.AddOption("--trials", given_.trials, "trials of each hand, object, grasp")
-      ->ValueName("N")
+  command.AddOption("--trials", given_.trials, "trials of each hand, object, grasp", "N")
       ->ShowDefault();
-  command.AddOption("--seed", given_.seed, "another seed gives other variations")
-      ->ValueName("N")
-      ->ShowDefault();
+  AddSeedOption(command, given_.seed, "other variations");
   AddSettingsOption(command, settings_, "sim.step_s=0.001");
   command_ = &command;
 }

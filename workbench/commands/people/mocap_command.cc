@@ -2,10 +2,10 @@
 #include <memory>
 
 #include "core/base/files/files.h"
-#include "human_study/recording/describe_recording.h"
 #include "human_study/recording/importers/importer.h"
+#include "human_study/recording/recording.h"
 #include "human_study/recording/save_recording.h"
-#include "workbench/commands/command.h"
+#include "workbench/command.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/pictures/mocap_plot.h"
 
@@ -37,7 +37,7 @@ void PrintFindings(const Recording& recording) {
 }
 
 void AddImportOptions(Command& command, const SharedOptions& options) {
-  command.AddOption("file", options->in, "recording")->Require()->ValueName("FILE");
+  command.AddRequired("file", options->in, "recording", "FILE");
   std::string formats;
   for (const Importer& importer : ImporterList()) {
     formats += (formats.empty() ? "" : ", ") + std::string(importer.id);
@@ -46,10 +46,8 @@ void AddImportOptions(Command& command, const SharedOptions& options) {
                     "instead of finding it by content and name: " + formats);
   command.AddOption("--unit", options->import.unit,
                     "length unit of a file that states none: mm, cm, m, in");
-  command
-      .AddOption("--mapping", options->import.mapping,
-                 "YAML file that names the columns of a plain table")
-      ->ValueName("FILE");
+  command.AddOption("--mapping", options->import.mapping,
+                    "YAML file that names the columns of a plain table", "FILE");
   command.AddOption("--trial", options->import.trial,
                     "plain table with several trials: the one to read");
   command.AddFlag("--accept-truncated", options->import.accept_truncated,
@@ -99,7 +97,7 @@ void RedactFile(const MocapOptions& options) {
 
 }  // namespace
 
-void AddMocapCommand(Command& program, ExitCode&) {
+void AddMocapCommand(Command& program) {
   Command& group = AddSubcommand(program, "mocap", "Show, draw, convert and redact motion capture.",
                                  "  graspbench mocap info reach01.c3d\n"
                                  "  graspbench mocap convert reach01.tsv reach01.c3d");
@@ -111,7 +109,7 @@ void AddMocapCommand(Command& program, ExitCode&) {
                     "  graspbench mocap info reach01.c3d\n"
                     "  graspbench mocap info table.txt --mapping columns.yaml --json");
   AddImportOptions(info, options);
-  info.AddFlag("--json", options->json, "print one JSON object, with the mean of every point");
+  AddJsonOption(info, options->json, "print one JSON object, with the mean of every point");
   info.SetAction([options] { ShowRecording(*options); });
 
   Command& convert = AddSubcommand(group, "convert",
@@ -119,21 +117,21 @@ void AddMocapCommand(Command& program, ExitCode&) {
                                    "  graspbench mocap convert reach01.n3d reach01.c3d\n"
                                    "  graspbench mocap convert take.csv take.c3d --unit mm");
   AddImportOptions(convert, options);
-  convert.AddOption("out", options->out, "file to write")->Require()->ValueName("OUT");
+  convert.AddRequired("out", options->out, "file to write", "OUT");
   convert.SetAction([options] { ConvertRecording(*options); });
 
   Command& plot =
       AddSubcommand(group, "plot", "Draw gaps, height and speed of every point into one HTML page.",
                     "  graspbench mocap plot reach01.c3d reach01.html");
   AddImportOptions(plot, options);
-  plot.AddOption("out", options->out, "HTML file to write")->Require()->ValueName("OUT");
+  plot.AddRequired("out", options->out, "HTML file to write", "OUT");
   plot.SetAction([options] { PlotRecording(*options); });
 
   Command& redact = AddSubcommand(
       group, "redact", "Copy a recording with names, dates and paths blanked; data stay.",
       "  graspbench mocap redact reach01.c3d share/reach01.c3d");
-  redact.AddOption("file", options->in, "recording")->Require()->ValueName("FILE");
-  redact.AddOption("out", options->out, "file to write")->Require()->ValueName("OUT");
+  redact.AddRequired("file", options->in, "recording", "FILE");
+  redact.AddRequired("out", options->out, "file to write", "OUT");
   redact.SetAction([options] { RedactFile(*options); });
 }
 

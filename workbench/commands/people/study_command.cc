@@ -3,13 +3,12 @@
 #include <optional>
 
 #include "core/base/files/files.h"
-#include "core/base/text/text.h"
-#include "human_study/study/run/analyse_study.h"
+#include "human_study/study/run/run_study.h"
 #include "human_study/study/synthetic/demo_study.h"
 #include "reports/study/study_report.h"
-#include "workbench/commands/command.h"
-#include "workbench/experiments/interrupt.h"
+#include "workbench/command.h"
 #include "workbench/experiments/output_folder.h"
+#include "workbench/terminal/terminal_observer.h"
 #include "workbench/text/study_text.h"
 
 namespace graspbench {
@@ -96,7 +95,7 @@ void RunDemo(StudyOptions options) {
 
 }  // namespace
 
-void AddStudyCommand(Command& program, ExitCode& exit_code) {
+void AddStudyCommand(Command& program) {
   Command& group =
       AddSubcommand(program, "study", "Analyse people's reaching and grasping from recordings.",
                     "  graspbench study demo --out demo\n"
@@ -105,19 +104,15 @@ void AddStudyCommand(Command& program, ExitCode& exit_code) {
   group.RequireSubcommand();
   const auto options = std::make_shared<StudyOptions>();
   const auto add_study = [&](Command& command, const char* about) {
-    command.AddOption("study", options->study_file, about)->Require()->ValueName("STUDY.YAML");
-    command.AddOption("--data", options->data, "folder of the recordings")
-        ->ValueName("DIR")
+    command.AddRequired("study", options->study_file, about, "STUDY.YAML");
+    command.AddOption("--data", options->data, "folder of the recordings", "DIR")
         ->ShowDefault("that of study.yaml");
   };
   const auto add_common = [&](Command& command) {
-    command.AddOption("--out", options->out, "folder for tables, BIDS derivative and report")
-        ->Require()
-        ->ValueName("DIR");
-    command
-        .AddOption("--robot", options->robot,
-                   "a session of graspbench run to put beside the people")
-        ->ValueName("SESSION");
+    command.AddRequired("--out", options->out, "folder for tables, BIDS derivative and report",
+                        "DIR");
+    command.AddOption("--robot", options->robot,
+                      "a session of graspbench run to put beside the people", "SESSION");
     AddReplaceOption(command, options->replace);
   };
 
@@ -129,9 +124,8 @@ void AddStudyCommand(Command& program, ExitCode& exit_code) {
   AddSettingsOption(run, options->settings, "contact.detector=surface");
   add_common(run);
   AddJsonOption(run, options->json);
-  run.SetAction([options, &exit_code] {
-    if (RunStudyFile(*options).CountKept() == 0) exit_code = kExitFailed;
-  });
+  run.SetAction(
+      [options] { return RunStudyFile(*options).CountKept() == 0 ? kExitFailed : kExitOk; });
 
   Command& freeze = AddSubcommand(
       group, "freeze", "Write down every choice before the data; a run lists what deviates.",

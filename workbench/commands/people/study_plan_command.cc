@@ -1,9 +1,8 @@
 #include <memory>
 
-#include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
 #include "human_study/study/design/study_plan.h"
-#include "workbench/commands/command.h"
+#include "workbench/command.h"
 #include "workbench/tables/text_table.h"
 
 namespace graspbench {
@@ -85,18 +84,16 @@ void RunPlan(PlanOptions options) {
 
 }  // namespace
 
-void AddStudyPlanCommand(Command& program, ExitCode&) {
+void AddStudyPlanCommand(Command& program) {
   const auto options = std::make_shared<PlanOptions>();
   Command& plan = AddSubcommand(
       program.Subcommand("study"), "plan",
       "Persons and trials that a difference needs, by simulation.",
       "  graspbench study plan results/pilot --difference 0.01\n"
       "  graspbench study plan --difference 0.01 --trial-sd 0.03 --person-sd 0.01 --trials 5,10");
-  plan.AddOption("pilot", options->pilot, "result of graspbench study run: its variances")
-      ->ValueName("[DIR]");
-  plan.AddOption("--difference", options->request.difference,
-                 "to be shown, in the measure's SI unit; never the pilot's own")
-      ->Require();
+  plan.AddOption("pilot", options->pilot, "result of graspbench study run: its variances", "[DIR]");
+  plan.AddRequired("--difference", options->request.difference,
+                   "to be shown, in the measure's SI unit; never the pilot's own");
   plan.AddOption("--measure", options->question.measure, "id, as in measures.csv")->ShowDefault();
   plan.AddOption("--factor", options->question.factor, "column of the pilot whose levels differ")
       ->ShowDefault("the first");

@@ -2,16 +2,19 @@
 #include <memory>
 
 #include "core/base/text/text.h"
-#include "reports/study/review_pages.h"
-#include "workbench/commands/command.h"
+#include "human_study/study/suggest/suggest_settings.h"
+#include "reports/study/trial_figures.h"
+#include "workbench/command.h"
+#include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/experiments/output_folder.h"
+#include "workbench/text/study_text.h"
 
 namespace graspbench {
 namespace {
 
 struct ReviewOptions {
   std::string study_file, data, out;
-  std::vector<std::string> trials;
+  std::vector<std::string> trials;  ///< with pages; empty: all
   std::vector<std::string> settings;
   bool replace = false;
 };
@@ -57,28 +60,61 @@ void RunReview(const ReviewOptions& options) {
               ": fill it in, name it in study.yaml under reviews\n");
 }
 
+/** How to run the study under what is suggested. */
+std::string MakeRunCommand(const ReviewOptions& options, const StudySuggestions& suggestions) {
+  std::string command = "graspbench study run " + QuoteForShell(options.study_file);
+  if (!options.data.empty()) command += " --data " + QuoteForShell(options.data);
+  std::vector<std::string> settings = options.settings;
+  for (const Suggestion& suggestion : suggestions.suggestions) {
+    settings.insert(settings.end(), suggestion.settings.begin(), suggestion.settings.end());
+  }
+  for (const std::string& setting : settings) command += " --set " + QuoteForShell(setting);
+  return command + " --out results/suggested";
+}
+
+void RunSuggest(const ReviewOptions& options) {
+  const Study study = LoadStudy(options.study_file, options.data, options.settings);
+  if (!study.warnings.entries().empty()) PrintMessage(study.warnings.Format());
+  const StudySuggestions suggestions = SuggestSettings(study);
+  PrintResult(FormatSuggestions(suggestions));
+  if (suggestions.suggestions.empty()) return;
+  PrintResult("try      " + MakeRunCommand(options, suggestions) +
+              "\n         and what convinces you, write into " + options.study_file + "\n");
+}
+
+void AddStudyOptions(Command& command, ReviewOptions& options) {
+  command.AddRequired("study", options.study_file, "what was recorded and every choice",
+                      "STUDY.YAML");
+  command.AddOption("--data", options.data, "folder of the recordings", "DIR")
+      ->ShowDefault("that of study.yaml");
+}
+
 }  // namespace
 
-void AddStudyReviewCommand(Command& program, ExitCode&) {
+void AddStudyReviewCommand(Command& program) {
   const auto options = std::make_shared<ReviewOptions>();
   Command& review =
       AddSubcommand(program.Subcommand("study"), "review",
                     "Pages to look at every contact, and a table for verdicts that a run replays.",
                     "  graspbench study review study.yaml --out review\n"
                     "  graspbench study review study.yaml --trials P1-3,P2-1 --out review");
-  review.AddOption("study", options->study_file, "what was recorded and every choice")
-      ->Require()
-      ->ValueName("STUDY.YAML");
-  review.AddOption("--data", options->data, "folder of the recordings")
-      ->ValueName("DIR")
-      ->ShowDefault("that of study.yaml");
-  review.AddOption("--out", options->out, "folder for the pages")->Require()->ValueName("DIR");
+  AddStudyOptions(review, *options);
+  review.AddRequired("--out", options->out, "folder for the pages", "DIR");
   review.AddOption("--trials", options->trials, "pages of these alone")
       ->SplitAtCommas()
       ->ShowDefault("all");
   AddSettingsOption(review, options->settings, "contact.detector=surface");
   AddReplaceOption(review, options->replace);
   review.SetAction([options] { RunReview(*options); });
+
+  Command& suggest = AddSubcommand(
+      program.Subcommand("study"), "suggest",
+      "Propose settings that the data ask for, with reasons; changes nothing.",
+      "  graspbench study suggest study.yaml\n"
+      "  graspbench study suggest study.yaml --data /data/mocap --set contact.cutoff_hz=15");
+  AddStudyOptions(suggest, *options);
+  AddSettingsOption(suggest, options->settings, "contact.detector=surface");
+  suggest.SetAction([options] { RunSuggest(*options); });
 }
 
 }  // namespace graspbench

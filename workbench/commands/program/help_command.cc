@@ -6,38 +6,36 @@
 #include <vector>
 
 #include "core/base/text/text.h"
-#include "datasets/plan/presets.h"
-#include "workbench/commands/command.h"
+#include "datasets/plan/session_config.h"
+#include "workbench/command.h"
 #include "workbench/tables/grasp_tables.h"
-#include "workbench/text/file_formats.h"
-#include "workbench/text/file_schema.h"
-#include "workbench/text/glossary.h"
+#include "workbench/text/help_text.h"
 
 namespace graspbench {
 namespace {
 
 constexpr char kGraspTypesTopic[] = "grasp-types";
 
-Json MakeFormatJson(const FileFormat& format) {
-  Json keys = Json::array();
-  for (const FileKey& key : format.keys) {
-    keys.push_back({{"key", key.key},
-                    {"unit", FindUnit(key.key)},
-                    {"range", FormatRange(key)},
-                    {"required", key.fallback == kRequired},
-                    {"default", key.fallback == kRequired ? "" : key.fallback},
-                    {"meaning", key.meaning}});
-  }
-  return {{"file", format.name}, {"about", format.about}, {"keys", keys}};
-}
-
-void PrintFormat(const std::string& name, bool json, bool schema) {
+/** Of a file that people write, or of the tables of this name. False: there is none. */
+bool PrintFormat(const std::string& name, bool json, bool schema) {
   for (const FileFormat& format : ListFileFormats()) {
     if (format.name != name) continue;
-    if (schema) return PrintJson(MakeFileSchema(format));
-    json ? PrintJson(MakeFormatJson(format))
-         : PrintResult(format.name + ": " + format.about + "\n\n" + FormatFileKeys(format.keys));
+    schema ? PrintJson(MakeFileSchema(format))
+    : json ? PrintJson(MakeFormatJson(format))
+           : PrintResult(format.name + ": " + format.about + "\n\n" + FormatFileKeys(format.keys));
+    return true;
   }
+  std::string text;
+  Json tables = Json::array();
+  for (const TableFormat& table : ListTableFormats()) {
+    if (table.name != name) continue;
+    tables.push_back(MakeTableJson(table));
+    text += (text.empty() ? "" : "\n") + table.name + ": " + table.about + "\n\n" +
+            FormatTableColumns(table);
+  }
+  if (text.empty()) return false;
+  json ? PrintJson({{"tables", tables}}) : PrintResult(text);
+  return true;
 }
 
 std::string JoinWords(const std::vector<std::string>& words) {
@@ -57,7 +55,7 @@ std::string FormatOverview(const Command& program, const std::vector<std::string
          presets + "\nFiles (graspbench help FILE):\n  " + ListNames(files) +
          "\n\nGrasp types and what others call them: graspbench help grasp-types\n"
          "A setting, for example: graspbench help model.friction_scale\n"
-         "A measure or a column of a table, for example: graspbench help gft\n";
+         "A measure, a table or a column of it, for example: graspbench help gft\n";
 }
 
 /** What "graspbench WORDS --help" prints, and what a word means as a measure, a column or a setting.
@@ -65,31 +63,28 @@ std::string FormatOverview(const Command& program, const std::vector<std::string
 std::string FindCommandHelp(const Command& program, const std::vector<std::string>& words) {
   const Command* command = &program;
   std::string above;
-  const std::string setting = words.size() == 1 ? ExplainFileKey(words.front()) : "";
   for (const std::string& word : words) {
     std::vector<std::string> names;
-    if (command == &program) {
-      for (const FileFormat& format : ListFileFormats()) names.push_back(format.name);
-      names.push_back(kGraspTypesTopic);
-      for (const std::string& term : ListGlossaryWords()) names.push_back(term);
-    }
     const Command* next = nullptr;
     for (const auto& each : command->subcommands()) {
       names.push_back(each->name());
       if (each->name() == word) next = each.get();
     }
     if (!next && command == &program) {
-      const std::vector<GlossaryEntry> entries = FindInGlossary(JoinWords(words));
-      if (!entries.empty() || !setting.empty()) return FormatGlossary(entries) + setting;
+      const std::string meanings = ExplainWord(JoinWords(words));
+      if (!meanings.empty()) return meanings;
+      for (const FileFormat& format : ListFileFormats()) names.push_back(format.name);
+      names.push_back(kGraspTypesTopic);
     }
     if (!next) {
       throw Error(ErrorKind::kUsage, "\"" + word + "\" is no command, file, setting or word" +
-                                         (command == &program ? SuggestFileKeys(word, names)
+                                         (command == &program ? SuggestWords(word, names)
                                                               : SuggestNames(word, names)));
     }
     above += (above.empty() ? "" : " ") + command->name();
     command = next;
   }
+  const std::string setting = words.size() == 1 ? ExplainFileKey(words.front()) : "";
   return command->FormatHelp(above) + (setting.empty() ? "" : "\n" + setting);
 }
 
@@ -105,7 +100,7 @@ std::vector<std::string> ListTopics(const std::vector<std::string>& files, const
 
 }  // namespace
 
-void AddHelpCommand(Command& program, ExitCode&) {
+void AddHelpCommand(Command& program) {
   Command& command = AddSubcommand(
       program, "help",
       "Explain a command, a setting, or every key of a file: unit, range and default.",
@@ -115,17 +110,20 @@ void AddHelpCommand(Command& program, ExitCode&) {
       "  graspbench help study.yaml --schema   for an editor or validator\n"
       "  graspbench help model.friction_scale  a setting\n"
       "  graspbench help gft                   a measure or a column of a table\n"
+      "  graspbench help measures.csv          the columns of a table\n"
       "  graspbench help hand develop          as graspbench hand develop --help");
   std::vector<std::string> files;
-  for (const FileFormat& format : ListFileFormats()) files.push_back(format.name);
+  for (const FileFormat& format : ListFileFormats()) {
+    if (!format.is_frozen) files.push_back(format.name);
+  }
   const auto words = std::make_shared<std::vector<std::string>>();
   const auto json = std::make_shared<bool>(false), schema = std::make_shared<bool>(false);
   command
       .AddOption("topic", *words,
-                 "a command, grasp-types, a measure, a setting, or one of " + ListNames(files) +
-                     "; absent: all there is")
-      ->Suggest(ListTopics(files, program))
-      ->ValueName("COMMAND|FILE|KEY|WORD");
+                 "a command, grasp-types, a measure, a setting, a table, or one of " +
+                     ListNames(files) + "; absent: all there is",
+                 "COMMAND|FILE|KEY|WORD")
+      ->Suggest(ListTopics(files, program));
   command.AddFlag("--json", *json, "of a file: print one JSON object");
   command.AddFlag("--schema", *schema, "of a file: print its JSON Schema")->Excludes("--json");
   command.SetAction([&program, files, words, json, schema] {
@@ -138,8 +136,8 @@ void AddHelpCommand(Command& program, ExitCode&) {
     if (words->front() == kGraspTypesTopic) {
       return *json ? PrintJson(MakeGraspTypesJson()) : PrintResult(FormatGraspTypes());
     }
-    is_file ? PrintFormat(words->front(), *json, *schema)
-            : PrintResult(FindCommandHelp(program, *words));
+    if (words->size() == 1 && PrintFormat(words->front(), *json, *schema)) return;
+    PrintResult(FindCommandHelp(program, *words));
   });
 }
 

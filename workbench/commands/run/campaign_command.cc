@@ -7,15 +7,14 @@
 #include "core/base/config.h"
 #include "core/base/hash.h"
 #include "core/base/text/text.h"
-#include "datasets/analysis/campaign/campaign_export.h"
+#include "datasets/analysis/campaign/campaign_summary.h"
 #include "datasets/plan/scene_names.h"
 #include "reports/campaign/campaign_report.h"
-#include "workbench/commands/command.h"
-#include "workbench/experiments/interrupt.h"
+#include "workbench/command.h"
 #include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/experiments/run_campaign.h"
 #include "workbench/experiments/run_record.h"
-#include "workbench/tables/campaign_tables.h"
+#include "workbench/tables/optimise_tables.h"
 #include "workbench/terminal/terminal_observer.h"
 
 namespace graspbench {
@@ -74,9 +73,8 @@ ExitCode Run(CampaignOptions options) {
     return kExitOk;
   }
   PrintMessage(folder.string() + " on " + FormatCount(options.num_workers, "worker"));
-  const std::atomic<bool>& stop = CatchInterrupts();
-  TerminalObserver observer(DescribeStage, stop);
-  if (!RunCampaign(request, observer, stop)) {
+  TerminalObserver observer(DescribeStage);
+  if (!RunCampaign(request, observer)) {
     throw Error(ErrorKind::kInterrupted,
                 "stopped; finished trials are kept. Continue with\n  graspbench campaign --resume "
                 "--out " +
@@ -101,7 +99,7 @@ ExitCode Run(CampaignOptions options) {
 
 }  // namespace
 
-void AddCampaignCommand(Command& program, ExitCode& exit_code) {
+void AddCampaignCommand(Command& program) {
   Command& command =
       AddSubcommand(program, "campaign",
                     "Optimise every hand and object, then try all variants on the same poses.",
@@ -116,8 +114,7 @@ void AddCampaignCommand(Command& program, ExitCode& exit_code) {
                        std::to_string(OptimiseConfig().evaluations) + ") for the full campaign");
   command
       .AddOption("--trials", config.session.trials,
-                 "trials of each scene and variant in the benchmark")
-      ->ValueName("N")
+                 "trials of each scene and variant in the benchmark", "N")
       ->ShowDefault();
   command.AddFlag("--compare", options->compare,
                   "also compare search methods over several seeds, on " +
@@ -125,24 +122,21 @@ void AddCampaignCommand(Command& program, ExitCode& exit_code) {
   AddSettingsOption(command, options->settings, "comparison.seeds=20");
   AddPlanOnlyOption(command, options->plan_only);
   AddJobsOption(command, options->num_workers);
-  command.AddOption("--out", options->out, "folder")
-      ->ValueName("DIR")
-      ->ShowDefault("results/campaign-HASH");
+  command.AddOption("--out", options->out, "folder", "DIR")->ShowDefault("results/campaign-HASH");
   AddResumeOption(command, options->resume);
-  command
-      .AddOption("--real", options->real,
-                 "trials with real hands, to stand beside the simulated ones; graspbench new "
-                 "trials DIR writes such a table")
-      ->ValueName("FILE.csv");
+  command.AddOption("--real", options->real,
+                    "trials with real hands, to stand beside the simulated ones; graspbench new "
+                    "trials DIR writes such a table",
+                    "FILE.csv");
   AddTrialTimeoutOption(command, options->trial_time_limit);
   AddJsonOption(command, options->json);
-  command.SetAction([options, &command, &exit_code] {
+  command.SetAction([options, &command] {
     if (options->resume) {
       CheckResume(command, {"--hand", "--object", "--evaluations", "--fitness-trials", "--trials",
                             "--search", "--fitness", "--race", "--grip", "--grip-limit",
                             "--compare", "--set", "--plan-only"});
     }
-    exit_code = Run(*options);
+    return Run(*options);
   });
 }
 

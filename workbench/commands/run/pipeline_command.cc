@@ -3,11 +3,9 @@
 #include <string>
 
 #include "core/base/text/text.h"
-#include "workbench/commands/command.h"
-#include "workbench/experiments/interrupt.h"
-#include "workbench/experiments/output_folder.h"
-#include "workbench/pack_replay.h"
+#include "workbench/command.h"
 #include "workbench/stage_commands.h"
+#include "workbench/terminal/terminal_observer.h"
 #include "workbench/text/pipeline_text.h"
 
 namespace graspbench {
@@ -61,39 +59,33 @@ ExitCode ShowStatus(const Command& program, PipelineOptions options) {
 Command& AddPart(Command& command, PipelineOptions& options, const std::string& name,
                  const std::string& text, const std::string& examples) {
   Command& part = AddSubcommand(command, name, text, examples);
-  part.AddOption("file", options.file, "the stages; see graspbench help pipeline.yaml")
-      ->Require()
-      ->ValueName("PIPELINE.YAML");
+  part.AddRequired("file", options.file, "the stages; see graspbench help pipeline.yaml",
+                   "PIPELINE.YAML");
   return part;
 }
 
 void AddResultsOption(Command& part, PipelineOptions& options) {
-  part.AddOption("--out", options.results, "folder of the stages' results")
-      ->ValueName("DIR")
+  part.AddOption("--out", options.results, "folder of the stages' results", "DIR")
       ->ShowDefault("results/NAME");
 }
 
-void AddReplayPart(Command& program, Command& command, ExitCode& exit_code) {
+void AddReplayPart(Command& program, Command& command) {
   Command& part = AddSubcommand(
       command, "replay", "Make a pack's results again elsewhere and compare them byte for byte.",
       "  graspbench pipeline replay pilot.tar --verify    exit code 3 when a byte differs\n"
       "  graspbench replay pilot.tar --verify             the same");
   const auto options = std::make_shared<PackReplayOptions>();
-  part.AddOption("pack", options->pack, "file of graspbench pipeline pack")
-      ->Require()
-      ->ValueName("PACK.TAR");
+  part.AddRequired("pack", options->pack, "file of graspbench pipeline pack", "PACK.TAR");
   part.AddFlag("--verify", "compare; a pack is not replayed for anything else");
-  part.AddOption("--out", options->folder, "new folder that keeps what was packed and made")
-      ->ValueName("DIR");
+  part.AddOption("--out", options->folder, "new folder that keeps what was packed and made", "DIR");
   AddJobsOption(part, options->num_workers);
-  part.AddFlag("--json", options->json, "print one JSON object");
-  part.SetAction(
-      [&program, options, &exit_code] { exit_code = ReplayPackFile(program, *options); });
+  AddJsonOption(part, options->json);
+  part.SetAction([&program, options] { return ReplayPackFile(program, *options); });
 }
 
 }  // namespace
 
-void AddPipelineCommand(Command& program, ExitCode& exit_code) {
+void AddPipelineCommand(Command& program) {
   Command& command = AddSubcommand(
       program, "pipeline", "Make results by named stages that others can make again.",
       "  graspbench pipeline run pilot.yaml        the stages that are stale, and no other\n"
@@ -105,14 +97,14 @@ void AddPipelineCommand(Command& program, ExitCode& exit_code) {
                          "  graspbench pipeline run pilot.yaml --out results/pilot --jobs 2");
   AddResultsOption(run, *options);
   AddJobsOption(run, options->num_workers, "processors for all stages");
-  run.SetAction([&program, options, &exit_code] { exit_code = Run(program, *options); });
+  run.SetAction([&program, options] { return Run(program, *options); });
 
   Command& status = AddPart(command, *options, "status",
                             "Say of each stage whether it is stale, and because of what.",
                             "  graspbench pipeline status pilot.yaml    exit code 1 when one is");
   AddResultsOption(status, *options);
-  status.AddFlag("--json", options->json, "print one JSON object");
-  status.SetAction([&program, options, &exit_code] { exit_code = ShowStatus(program, *options); });
+  AddJsonOption(status, options->json);
+  status.SetAction([&program, options] { return ShowStatus(program, *options); });
 
   Command& graph = AddPart(command, *options, "graph", "Show what needs what.",
                            "  graspbench pipeline graph pilot.yaml --dot | dot -Tsvg > pilot.svg");
@@ -124,9 +116,8 @@ void AddPipelineCommand(Command& program, ExitCode& exit_code) {
 
   Command& write = AddPart(command, *options, "export", "Print the same stages for DVC, Snakemake.",
                            "  graspbench pipeline export pilot.yaml --as snakemake > Snakefile");
-  write.AddOption("--as", options->form, "dvc or snakemake")
+  write.AddOption("--as", options->form, "dvc or snakemake", "FORM")
       ->OneOf({"dvc", "snakemake"})
-      ->ValueName("FORM")
       ->ShowDefault();
   write.SetAction([&program, options] {
     const Pipeline pipeline = LoadWanted(program, *options);
@@ -135,14 +126,14 @@ void AddPipelineCommand(Command& program, ExitCode& exit_code) {
 
   Command& pack = AddPart(command, *options, "pack", "Put inputs and results into one tar file.",
                           "  graspbench pipeline pack pilot.yaml pilot.tar");
-  pack.AddOption("pack", options->pack, "new file")->Require()->ValueName("PACK.TAR");
+  pack.AddRequired("pack", options->pack, "new file", "PACK.TAR");
   AddResultsOption(pack, *options);
   pack.SetAction([&program, options] {
     const Pipeline pipeline = LoadWanted(program, *options);
     MakePack(pipeline, options->results, FindProgramFacts(), options->pack);
     PrintResult(options->pack.string() + "\n");
   });
-  AddReplayPart(program, command, exit_code);
+  AddReplayPart(program, command);
 }
 
 }  // namespace graspbench

@@ -11,36 +11,29 @@
 #include "datasets/plan/grasp_choice.h"
 #include "datasets/plan/grip_check.h"
 #include "reports/session_report.h"
-#include "workbench/commands/command.h"
+#include "workbench/command.h"
 #include "workbench/commands/options/session_options.h"
-#include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/experiments/pool/worker_pool.h"
 #include "workbench/experiments/run_record.h"
 #include "workbench/experiments/run_session.h"
+#include "workbench/result_page.h"
 #include "workbench/tables/summary_table.h"
 #include "workbench/terminal/terminal_observer.h"
-#include "workbench/trace_session.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
 
 namespace {
 
-struct RunOptions {
+struct RunCommandOptions {
   SessionOptions session;
-  int num_workers = 1;
-  std::string out;
-  bool resume = false;
-  bool plan_only = false;
-  OnDamage on_damage = OnDamage::kRefuse;
-  double trial_time_limit = kTrialTimeLimit;
-  bool json = false;
+  RunOptions run;
 };
 
-std::string FormatResumeCommand(const RunOptions& options, const fs::path& folder) {
+std::string FormatResumeCommand(const RunCommandOptions& options, const fs::path& folder) {
   return QuoteForShell(program_invocation_name) + " run --resume --out " +
-         QuoteForShell(folder.string()) + " --jobs " + std::to_string(options.num_workers);
+         QuoteForShell(folder.string()) + " --jobs " + std::to_string(options.run.num_workers);
 }
 
 void PrintStart(const PreparedSession& work, int num_unfinished, int num_workers) {
@@ -63,23 +56,23 @@ void PrintStart(const PreparedSession& work, int num_unfinished, int num_workers
 }
 
 /** Nothing of the work is needed any more but its folder. */
-ExitCode Finish(PreparedSession& work, const RunOptions& options) {
+ExitCode Finish(PreparedSession& work, const RunCommandOptions& options) {
   const fs::path& folder = work.folder;
   const std::vector<Damage> damage = work.session.damage;
   work.session = {};  // before it is loaded again: two large ones would not fit
   work.inputs = {};
-  Session session = LoadSession(folder, options.on_damage, RecordParts::kBrief);
+  Session session = LoadSession(folder, options.run.on_damage, RecordParts::kBrief);
   session.damage = damage;  // what was found before the run sealed what is there
   ExportResult(folder, session);
   const SessionSummary summary = SummariseSession(session);
   const TrialTracer trace = MakeKeptTracer(session);
   const fs::path report = WriteSessionReport(folder, std::move(session), trace);
-  if (options.json) {
+  if (options.run.json) {
     PrintJson(MakeSummaryJson(summary, folder, report));
   } else {
-    PrintResult("\n" + FormatSummaryTable(summary) + "\nreport   " + report.string() +
-                "\ndata     " + (folder / "export" / "trials.csv").string() +
-                "\nnext     xdg-open " + QuoteForShell(report.string()) + "\n");
+    PrintResult("\n" + FormatSummaryTable(summary) +
+                FormatPlaces(report, folder / "export" / "trials.csv") + "next     xdg-open " +
+                QuoteForShell(report.string()) + "\n");
   }
   return summary.total.CountOf(Outcome::kNumericalFailure) > 0 ? kExitNumericalFailures : kExitOk;
 }
@@ -91,28 +84,27 @@ ExitCode Plan(const PreparedSession& work, bool as_json) {
   return kExitOk;
 }
 
-ExitCode Run(const RunOptions& options) {
+ExitCode Run(const RunCommandOptions& options) {
   SessionRequest request;
   request.name = options.session.name();
-  request.out = options.out;
-  request.resume = options.resume;
-  request.on_damage = options.on_damage;
+  request.out = options.run.out;
+  request.resume = options.run.resume;
+  request.on_damage = options.run.on_damage;
   if (options.session.HasAny()) request.config = options.session.MakeConfig();
   PreparedSession work = PrepareSession(request);
   const int num_trials = static_cast<int>(FindUnfinished(work.session).size());
   std::vector<std::string> warnings = ListObjectWarnings(work.config, work.inputs);
   for (auto& warning : ListGripWarnings(work.config, work.inputs)) warnings.push_back(warning);
   for (const std::string& warning : warnings) PrintMessage("warning: " + warning);
-  if (options.plan_only) return Plan(work, options.json);
-  const int num_workers = CalcNumWorkers(options.num_workers, static_cast<size_t>(num_trials));
+  if (options.run.plan_only) return Plan(work, options.run.json);
+  const int num_workers = CalcNumWorkers(options.run.num_workers, static_cast<size_t>(num_trials));
   PrintStart(work, num_trials, num_workers);
   if (num_trials == 0) return Finish(work, options);
 
-  const std::atomic<bool>& stop = CatchInterrupts();
-  TerminalObserver observer({}, stop);
+  TerminalObserver observer;
   RunRecord record;
   try {
-    record = RunRound(kTrialRound, work, num_workers, observer, stop, options.trial_time_limit);
+    record = RunRound(kTrialRound, work, num_workers, observer, options.run.trial_time_limit);
     if (record.ending == RunEnding::kFinished) return Finish(work, options);
   } catch (const Error& error) {
     throw Error(error.kind(), std::string(error.what()) +
@@ -127,23 +119,15 @@ ExitCode Run(const RunOptions& options) {
 
 }  // namespace
 
-void AddRunCommand(Command& program, ExitCode& exit_code) {
+void AddRunCommand(Command& program) {
   Command& command = AddSubcommand(
       program, "run", "Run a benchmark session and write its report.",
       "  graspbench run                       both hands, 21 objects, 10 trials each\n"
       "  graspbench run --hand shadow --object can,cup --grasp all --trials 3");
-  const auto options = std::make_shared<RunOptions>();
+  const auto options = std::make_shared<RunCommandOptions>();
   options->session.AddTo(command);
-  AddJobsOption(command, options->num_workers);
-  command.AddOption("--out", options->out, "folder of the session")
-      ->ValueName("DIR")
-      ->ShowDefault("results/NAME-HASH");
-  command.AddFlag("--resume", options->resume, "continue the session in the folder of --out");
-  AddPlanOnlyOption(command, options->plan_only);
-  AddAcceptDamageOption(command, options->on_damage);
-  AddTrialTimeoutOption(command, options->trial_time_limit);
-  command.AddFlag("--json", options->json, "print the summary as one JSON object");
-  command.SetAction([options, &exit_code] { exit_code = Run(*options); });
+  AddRunOptions(command, options->run, "session", "results/NAME-HASH");
+  command.SetAction([options] { return Run(*options); });
 }
 
 }  // namespace graspbench

@@ -9,7 +9,7 @@
 
 #include "core/base/files/files.h"
 #include "core/base/text/text.h"
-#include "workbench/commands/command.h"
+#include "workbench/command.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/shell/line_editor.h"
 #include "workbench/shell/shell.h"
@@ -126,18 +126,16 @@ ExitCode RunShell(const ShellOptions& options) {
 
 }  // namespace
 
-void AddShellCommand(Command& program, ExitCode& exit_code) {
+void AddShellCommand(Command& program) {
   Command& command =
       AddSubcommand(program, "shell", "Move one trial step by step, at a prompt or by a script.",
                     "  graspbench shell\n"
                     "  graspbench shell -c 'hand shadow' -c 'object light bulb' -c run -c why");
   const auto options = std::make_shared<ShellOptions>();
-  command.AddOption("file", options->file, "script: a command a line")->ValueName("FILE");
-  command.AddOption("-c", options->commands, "a command; again for more")
-      ->OneValueEach()
-      ->ValueName("CMD");
-  command.AddOption("--log", options->log, "keep all lines as a script")->ValueName("FILE");
-  command.SetAction([options, &exit_code] { exit_code = RunShell(*options); });
+  command.AddOption("file", options->file, "script: a command a line", "FILE");
+  command.AddOption("-c", options->commands, "a command; again for more", "CMD")->OneValueEach();
+  command.AddOption("--log", options->log, "keep all lines as a script", "FILE");
+  command.SetAction([options] { return RunShell(*options); });
 }
 
 }  // namespace graspbench

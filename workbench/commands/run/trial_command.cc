@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "workbench/commands/command.h"
+#include "workbench/command.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/pictures/trial_picture.h"
 #include "workbench/text/trial_text.h"
@@ -70,7 +70,7 @@ ExitCode ShowTrial(TrialOptions options) {
 
 }  // namespace
 
-void AddTrialCommand(Command& program, ExitCode& exit_code) {
+void AddTrialCommand(Command& program) {
   Command& command = AddSubcommand(
       program, "trial", "Run one trial of a session again and tell what happened in it.",
       "  graspbench trial results/pilot tum-can-g2:3\n"
@@ -81,27 +81,23 @@ void AddTrialCommand(Command& program, ExitCode& exit_code) {
       "  graspbench trial results/pilot 3f2a --json");
   const auto options = std::make_shared<TrialOptions>();
   AddStoreFolder(command, options->folder, "the session");
-  command
-      .AddOption("trial", options->name,
-                 "its trial_id, the first letters of it, or hand-object-grasp:number")
-      ->Require()
-      ->ValueName("ID|CONDITION:N");
+  command.AddRequired("trial", options->name,
+                      "its trial_id, the first letters of it, or hand-object-grasp:number",
+                      "ID|CONDITION:N");
   for (const TrialFile& form : ListTrialFiles()) {
     if (!*form.text) continue;  // another form of an option that is there
-    command
-        .AddOptionFunction<std::string>(
-            form.option,
-            [options, &form](const std::string& file) { options->files[form.option] = file; },
-            form.text)
-        ->ValueName(form.hint);
+    command.AddOptionFunction<std::string>(
+        form.option,
+        [options, &form](const std::string& file) { options->files[form.option] = file; },
+        form.text, form.hint);
   }
   const std::vector<Option*> of_picture =
       AddPictureOptions(command, options->how.at, options->how.view, options->how.size);
   of_picture.front()->Needs("--render");
   of_picture.back()->Needs("--render");  // between them the camera, also a film's
   AddAcceptDamageOption(command, options->on_damage);
-  command.AddFlag("--json", options->json, "print one JSON object");
-  command.SetAction([options, &exit_code] { exit_code = ShowTrial(*options); });
+  AddJsonOption(command, options->json);
+  command.SetAction([options] { return ShowTrial(*options); });
 }
 
 }  // namespace graspbench

@@ -1,24 +1,132 @@
 #include "workbench/experiments/machines/run_shard.h"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "core/base/error.h"
+#include "core/base/files/files.h"
 #include "core/base/text/text.h"
 #include "datasets/analysis/conditions/threshold_summary.h"
 #include "datasets/campaign/campaign_store.h"
+#include "datasets/shards/worker_log.h"
 #include "objects/catalogue.h"
-#include "workbench/experiments/machines/campaign_shard.h"
+#include "workbench/experiments/pool/batch_runner.h"
 #include "workbench/experiments/pool/worker_pool.h"
+#include "workbench/experiments/run_campaign.h"
+#include "workbench/experiments/run_record.h"
 #include "workbench/experiments/run_session.h"
 #include "workbench/experiments/scene_runner.h"
 
 namespace graspbench {
+
 namespace fs = std::filesystem;
 
 namespace {
+
+/** Passes on what happens and asks to stop when somebody else does, or when the time is over and at
+least one trial is finished: so the same request gets there in the end, however short its time. */
+class TimeBudget : public Observer {
+ public:
+  TimeBudget(double seconds, Observer& observer)
+      : Observer(stop_), seconds_(seconds), observer_(observer) {
+    Look();
+  }
+
+  int num_done() const { return num_done_; }  ///< of the last stage
+
+  void BeginStage(const Stage& stage) override {
+    num_done_ = 0;
+    observer_.BeginStage(stage);
+  }
+  void ShowStatus(const BatchStatus& status, int num_trials) override {
+    num_done_ = status.num_done;
+    has_progress_ = has_progress_ || num_done_ > 0;
+    Look();
+    observer_.ShowStatus(status, num_trials);
+  }
+  void EndStage() override { observer_.EndStage(); }
+
+  /** To be called now and then. */
+  void Look() {
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start_;
+    if (observer_.stop() || (has_progress_ && time.count() >= seconds_)) stop_ = true;
+  }
+
+ private:
+  const double seconds_;
+  Observer& observer_;
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::atomic<bool> stop_{false};
+  int num_done_ = 0;
+  bool has_progress_ = false;  // in any stage
+};
+
+/** Of sentinels, which are no part of the shard's progress. */
+class TimeKeeper : public Observer {
+ public:
+  explicit TimeKeeper(TimeBudget& budget) : Observer(budget.stop()), budget_(budget) {}
+  void ShowStatus(const BatchStatus&, int) override { budget_.Look(); }
+
+ private:
+  TimeBudget& budget_;
+};
+
+/** A worker at work on a shard: while it lives no other process is, and its file says so. */
+class ShardPresence {
+ public:
+  /** @param num_left  read when the worker ends; must outlive this.
+  @throws Error(kIo) when another process works on the shard. */
+  ShardPresence(const std::filesystem::path& folder, const std::string& label, const int& num_left)
+      : folder_(folder), label_(label), num_left_(num_left), log_(folder, label) {}
+  ~ShardPresence() {
+    try {
+      log_.Append(WorkerEnd{label_, FormatUtcNow(), num_left_});
+    } catch (const std::exception&) {  // a full disk has stopped the trials already
+    }
+  }
+  ShardPresence(const ShardPresence&) = delete;
+  ShardPresence& operator=(const ShardPresence&) = delete;
+
+  /** The plan's sentinels, or none when this machine has run them. */
+  std::vector<PlannedTrial> ListMissingSentinels(const std::vector<PlannedTrial>& plan) const {
+    Diagnostics ignored;  // another reader reports them
+    const std::vector<WorkerStart> starts = LoadWorkers(folder_, ignored).starts;
+    return HasSentinels(starts, FindMachine(), plan) ? std::vector<PlannedTrial>()
+                                                     : ListSentinels(plan);
+  }
+
+  /** Runs the sentinels and says that the worker begins.
+  @returns false: stopped before they were through, and nothing is kept. */
+  bool Begin(const std::vector<PlannedTrial>& sentinels, const SessionConfig& config,
+             const SessionInputs& inputs, TimeBudget& budget, double trial_time_limit) {
+    WorkerStart start{label_, FormatUtcNow(), FindMachine(), {}};
+    const auto make_worker = [&](int) {
+      return MakeTrialWorker(config, inputs, [&start](const TrialRecord& record) {
+        start.sentinels.push_back(record);
+      });
+    };
+    TimeKeeper keeper(budget);
+    if (!RunBatch(MakeStage(StageKind::kRun, sentinels.size()), sentinels, 1, make_worker, keeper,
+                  trial_time_limit)) {
+      return false;
+    }
+    log_.Append(start);
+    return true;
+  }
+
+ private:
+  const std::filesystem::path folder_;
+  const std::string label_;
+  const int& num_left_;
+  WorkerLog log_;
+};
 
 /** Leaves out the objects of the catalogue that no trial needs. */
 void DropIdleObjects(const std::vector<PlannedTrial>& trials, SessionConfig& config) {
@@ -65,11 +173,11 @@ std::vector<PlannedTrial> Intersect(const std::vector<PlannedTrial>& trials,
 
 class SessionShard {
  public:
-  SessionShard(const ShardRequest& request, Observer& observer, const std::atomic<bool>& stop)
+  SessionShard(const ShardRequest& request, Observer& observer)
       : request_(request),
         folder_(request.folder),
         label_(FormatLabel(request.shard)),
-        budget_(request.time_budget, observer, stop),
+        budget_(request.time_budget, observer),
         session_(request.judge ? LoadSession(folder_, OnDamage::kRefuse, RecordParts::kBrief)
                                : LoadShardOfSession(folder_, label_)),
         round_(request.judge ? kJudgeRound : FindTrialRound(session_.config)) {
@@ -97,7 +205,7 @@ class SessionShard {
     }
     while (!trials.empty()) {
       RunBatch(MakeStage(round_.stage, trials.size()), trials, request_.num_workers,
-               round_.make_workers(session_, inputs_, folder_, label_), budget_, budget_.stop(),
+               round_.make_workers(session_, inputs_, folder_, label_), budget_,
                request_.trial_time_limit);
       result.num_left -= budget_.num_done();
       if (result.num_left > 0 || &round_ != &kThresholdRound) break;
@@ -143,9 +251,91 @@ class SessionShard {
   SessionInputs inputs_;
 };
 
+/** The same for a session. @param inputs  its hands, objects and grasps; none: those that its
+configuration names, as far as the shard needs them. */
+ShardResult WorkOnSession(const ShardRequest& request, const std::optional<SessionInputs>& inputs,
+                          Observer& observer);
+
+ShardResult WorkOnSession(const ShardRequest& request, const std::optional<SessionInputs>& inputs,
+                          Observer& observer) {
+  auto worker = std::make_unique<SessionShard>(request, observer);
+  const ShardResult result = worker->Work(inputs);
+  if (HasAbandonedTasks()) static_cast<void>(worker.release());  // their threads still use it
+  return result;
+}
+
+/** One machine's part of a campaign. Scenes are partitioned first. When all are finished, a merge
+plans the benchmark, as it needs their grasps; then the same shards take the benchmark's trials,
+judge what they held, and run the searches that are compared. */
+class CampaignShard {
+ public:
+  CampaignShard(const ShardRequest& request, Observer& observer)
+      : request_(request),
+        folder_(request.folder),
+        budget_(request.time_budget, observer),
+        config_(LoadCampaignConfig(folder_)),
+        inputs_(LoadSessionInputs(config_.session, FieldUse::kNow, folder_)),
+        scenes_(PlanScenes(config_, inputs_, folder_)) {
+    CheckProgram(kCampaignStore, request);
+    CheckSameScenes(folder_, scenes_);
+  }
+
+  ShardResult Work() {
+    ShardResult optimised = Search(ListOptimisations(scenes_, request_.shard));
+    optimised.goes_on = !HasSession(folder_ / "benchmark");
+    if (optimised.num_left > 0 || optimised.goes_on) return optimised;
+    ShardResult result;
+    result.unit = "task";
+    for (const bool judge : {false, true}) {
+      const ShardResult done = Benchmark(judge);
+      result.num_all += done.num_all;
+      result.num_left += done.num_left;
+      if (result.num_left > 0) return result;
+    }
+    const std::vector<ComparisonTask> searches = PlanComparison(config_, scenes_, folder_);
+    const ShardResult compared = Search(ListComparisons(searches, request_.shard));
+    result.num_all += compared.num_all;
+    result.num_left += compared.num_left;
+    return result;
+  }
+
+ private:
+  ShardResult Benchmark(bool judge) {
+    ShardRequest request = request_;
+    request.folder = folder_ / "benchmark";
+    request.judge = judge;
+    request.time_budget = std::numeric_limits<double>::infinity();
+    return WorkOnSession(request, AddSceneGrasps(inputs_, scenes_), budget_);
+  }
+
+  ShardResult Search(const SearchRound& round) {
+    ShardResult result;
+    result.unit = "scene";
+    result.num_all = round.num_all;
+    result.num_left = static_cast<int>(round.left.size());
+    if (round.left.empty()) return result;
+    ShardPresence presence(folder_, FormatLabel(request_.shard), result.num_left);
+    const SessionConfig& config = config_.session;
+    const std::vector<PlannedTrial> sentinels =
+        presence.ListMissingSentinels(MakePlan(config, inputs_));
+    budget_.Look();
+    if (presence.Begin(sentinels, config, inputs_, budget_, request_.trial_time_limit)) {
+      result.num_left -=
+          RunSearches(round, request_.num_workers, budget_, request_.trial_time_limit);
+    }
+    return result;
+  }
+
+  const ShardRequest request_;
+  const fs::path folder_;
+  TimeBudget budget_;
+  const CampaignConfig config_;
+  const SessionInputs inputs_;
+  const std::vector<CampaignScene> scenes_;
+};
+
 /** An optimisation asks one question after the other, so one machine works on it. */
-ShardResult WorkOnScene(const ShardRequest& request, Observer& observer,
-                        const std::atomic<bool>& stop) {
+ShardResult WorkOnScene(const ShardRequest& request, Observer& observer) {
   CheckProgram(kSceneStore, request);
   SceneConfig config = LoadScene(request.folder).config;
   const SceneInputs inputs = LoadSceneInputs(config, request.folder);
@@ -153,9 +343,9 @@ ShardResult WorkOnScene(const ShardRequest& request, Observer& observer,
   result.unit = "scene";
   result.num_all = 1;
   if (IsSceneFinished(request.folder, inputs)) return result;
-  TimeBudget budget(request.time_budget, observer, stop);
+  TimeBudget budget(request.time_budget, observer);
   try {
-    RunSceneStage(request.folder, config, inputs, request.num_workers, budget, budget.stop(),
+    RunSceneStage(request.folder, config, inputs, request.num_workers, budget,
                   request.trial_time_limit);
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::kInterrupted) throw;
@@ -166,10 +356,36 @@ ShardResult WorkOnScene(const ShardRequest& request, Observer& observer,
 
 }  // namespace
 
+void CheckProgram(const StoreKind& kind, const ShardRequest& request) {
+  const std::string what = std::string("the ") + kind.name + " in \"" + request.folder.string();
+  const int physics =
+      IntFrom(Json::parse(ReadFile(request.folder / kind.file)).at("physics_version"));
+  if (physics != kPhysicsVersion) {
+    throw Error(ErrorKind::kVersion, what + "\" was planned with physics version " +
+                                         std::to_string(physics) + ", this program has " +
+                                         std::to_string(kPhysicsVersion) +
+                                         "; work on it with the program that planned it");
+  }
+  const std::vector<std::string> builds = ListBuilds(request.folder);
+  if (request.allow_build || builds.empty() ||
+      std::find(builds.begin(), builds.end(), FindBuild()) != builds.end()) {
+    return;
+  }
+  throw Error(ErrorKind::kVersion,
+              what + "\" belongs to build " + builds.back() + " of graspbench, this is build " +
+                  FindBuild() +
+                  "; use that one on every machine, or --allow-build if their results are known to "
+                  "be the same");
+}
+
 int CountCards(const fs::path& folder) {
   const StoreKind* kind = FindStoreKind(folder);
   if (kind == &kSceneStore) return 1;
-  if (kind == &kCampaignStore) return CountCampaignCards(folder);
+  if (kind == &kCampaignStore) {  // the trials of its benchmark
+    const CampaignConfig config = LoadCampaignConfig(folder);
+    const size_t num_variants = MakeBenchmarkConfig(config).grasps.size();
+    return static_cast<int>(ListScenes(folder).size() * num_variants) * config.session.trials;
+  }
   const Session session = LoadPlannedSession(folder);
   return FindThresholdScale(session.config) ? CountDraws(session.plan)
                                             : static_cast<int>(session.plan.size());
@@ -192,23 +408,14 @@ void CheckRequest(const ShardRequest& request) {
                                      ": expected at most as many shards as " + unit + "s");
 }
 
-ShardResult WorkOnSession(const ShardRequest& request, const std::optional<SessionInputs>& inputs,
-                          Observer& observer, const std::atomic<bool>& stop) {
-  auto worker = std::make_unique<SessionShard>(request, observer, stop);
-  const ShardResult result = worker->Work(inputs);
-  if (HasAbandonedTasks()) static_cast<void>(worker.release());  // their threads still use it
-  return result;
-}
-
-ShardResult WorkOnShard(const ShardRequest& request, Observer& observer,
-                        const std::atomic<bool>& stop) {
+ShardResult WorkOnShard(const ShardRequest& request, Observer& observer) {
   const StoreKind* kind = FindStoreKind(request.folder);
   if (kind != &kCampaignStore && kind != &kSceneStore) {
-    return WorkOnSession(request, std::nullopt, observer, stop);
+    return WorkOnSession(request, std::nullopt, observer);
   }
   CheckRequest(request);
-  return kind == &kCampaignStore ? WorkOnCampaign(request, observer, stop)
-                                 : WorkOnScene(request, observer, stop);
+  return kind == &kCampaignStore ? CampaignShard(request, observer).Work()
+                                 : WorkOnScene(request, observer);
 }
 
 }  // namespace graspbench

@@ -1,6 +1,5 @@
 #include "workbench/experiments/machines/submit_script.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <regex>
 #include <string_view>
@@ -122,8 +121,9 @@ std::string MakeLocal(const SubmitRequest& request) {
          kLeaveWhenStopped + FormatEnd(request, words);
 }
 
-/** The list of jobs is a record only: a shard that has lost a line since is worked on again, and one
-that is finished leaves at once. The command is one word, as parallel's shell reads it once more. */
+/** The list of jobs is a record only: a shard that has lost a line since is worked on again, and
+one that is finished leaves at once. The command is one word, as parallel's shell reads it once
+more. */
 std::string MakeParallel(const SubmitRequest& request) {
   const Words words = MakeWords(request);
   return MakeHead(request, words, "with GNU parallel") + FormatSetting({}) +

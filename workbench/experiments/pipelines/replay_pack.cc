@@ -11,7 +11,7 @@
 #include "core/base/files/files.h"
 #include "datasets/pipeline/pipeline_pack.h"
 #include "datasets/pipeline/stable_files.h"
-#include "datasets/session/provenance.h"
+#include "datasets/session/ro_crate.h"
 #include "workbench/experiments/output_folder.h"
 
 namespace graspbench {

@@ -1,11 +1,66 @@
 #include "workbench/experiments/pool/batch_runner.h"
 
 #include <memory>
+#include <mutex>
 #include <optional>
 
+#include "core/base/error.h"
 #include "workbench/experiments/pool/worker_pool.h"
 
 namespace graspbench {
+
+namespace {
+
+/** All that a trial which is given up may still use. */
+struct RunningTrial {
+  std::shared_ptr<TrialBench> bench;
+  TrialSetup setup;
+  TrialRunner* runner = nullptr;  // the bench's
+  TrialResult result;
+};
+
+}  // namespace
+
+std::vector<TrialResult> TrialPool::Run(const std::vector<TrialSetup>& setups,
+                                        const ObserveResult& observe) {
+  std::vector<TrialResult> results(setups.size());
+  std::mutex observing;
+  const auto tell = [&](size_t task) {
+    if (!observe) return;
+    const std::lock_guard<std::mutex> lock(observing);
+    observe(task, results[task]);
+  };
+  std::atomic<bool> is_one_given_up{false};
+  const auto make_runner = [&](int worker, const std::atomic<bool>&) -> TaskRunner {
+    const auto trial = std::make_shared<RunningTrial>();
+    if (const auto number = static_cast<size_t>(worker); number < workers_.size()) {
+      if (!workers_[number]) workers_[number] = std::make_shared<TrialBench>();
+      trial->bench = workers_[number];
+    } else {  // in the place of one that was given up
+      trial->bench = std::make_shared<TrialBench>();
+    }
+    const RunTask prepare = [&setups, trial](size_t task) {
+      trial->setup = setups[task];
+      trial->runner = &trial->bench->Prepare(trial->setup);
+    };
+    const RunTask run = [trial](size_t) { trial->result = trial->runner->Run(trial->setup); };
+    const RunTask keep = [&results, &tell, trial](size_t task) {
+      results[task] = trial->result;
+      tell(task);
+    };
+    const RunTask give_up = [&, this](size_t task) {
+      results[task] = MakeEndlessResult(time_limit_);
+      is_one_given_up = true;
+      tell(task);
+    };
+    return {prepare, run, keep, give_up};
+  };
+  const bool is_complete = RunTasks(
+      setups.size(), static_cast<int>(workers_.size()), make_runner, [] {}, stop_, time_limit_);
+  if (is_one_given_up) workers_.assign(workers_.size(), nullptr);  // its thread has one of them
+  if (!is_complete || stop_) throw Error(ErrorKind::kInterrupted, "stopped");
+  return results;
+}
 
 TrialResult MakeEndlessResult(double time_limit) {
   TrialResult result;
@@ -14,9 +69,22 @@ TrialResult MakeEndlessResult(double time_limit) {
   return result;
 }
 
+BatchWorker MakeTrialWorker(const SessionConfig& config, const SessionInputs& inputs,
+                            std::function<void(const TrialRecord&)> keep, CarryOut carry_out) {
+  const auto bench = std::make_shared<TrialBench>();
+  const auto prepare = [&config, &inputs, carry_out,
+                        bench](const PlannedTrial& planned) -> std::function<TrialResult()> {
+    TrialSetup setup = MakeTrialSetup(config, inputs, planned);
+    TrialRunner& runner = bench->Prepare(setup);
+    return [bench, &runner, setup, carry_out] {
+      return carry_out ? carry_out(runner, setup) : runner.Run(setup);
+    };
+  };
+  return {prepare, std::move(keep)};
+}
+
 bool RunBatch(const Stage& stage, const std::vector<PlannedTrial>& trials, int num_workers,
-              const MakeBatchWorker& make_worker, Observer& observer, const std::atomic<bool>& stop,
-              double time_limit) {
+              const MakeBatchWorker& make_worker, Observer& observer, double time_limit) {
   observer.BeginStage(stage);
   if (trials.empty()) return true;
   StatusBoard board(CalcNumWorkers(num_workers, trials.size()));
@@ -49,7 +117,7 @@ bool RunBatch(const Stage& stage, const std::vector<PlannedTrial>& trials, int n
   };
   const auto show = [&] { observer.ShowStatus(board.Read(), stage.num_trials); };
   const bool is_complete =
-      RunTasks(trials.size(), num_workers, make_runner, show, stop, time_limit);
+      RunTasks(trials.size(), num_workers, make_runner, show, observer.stop(), time_limit);
   observer.EndStage();
   return is_complete;
 }

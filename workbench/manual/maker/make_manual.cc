@@ -21,9 +21,8 @@ int main(int argc, char** argv) {
     return kExitUsage;
   }
   try {
-    ExitCode exit_code = kExitOk;
     Command program;
-    AddCommands(program, exit_code);
+    AddCommands(program);
     WriteManual(program, argv[1], argv[2]);
     const fs::path share = argv[3];
     const std::pair<fs::path, std::string> texts[] = {

@@ -8,7 +8,7 @@ function score(section, words) {
   let sum = 0;
   for (const word of words) {
     const found = text.split(word).length - 1;
-    const named = (title.includes(word) ? 8 : 0) + (page.includes(word) ? 4 : 0);
+    const named = (title === word ? 40 : title.includes(word) ? 8 : 0) + (page.includes(word) ? 4 : 0);
     if (found + named === 0) return 0;
     sum += named + Math.min(found, 5);
   }

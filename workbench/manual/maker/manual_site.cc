@@ -1,17 +1,15 @@
 #include "workbench/manual/maker/manual_site.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "core/base/text/json.h"
+#include "core/base/text/text.h"
 #include "reports/page/layout.h"
-#include "reports/page/page_script.h"
 #include "workbench/manual/maker/manual_assets.h"
 #include "workbench/manual/maker/markdown.h"
-#include "workbench/manual/maker/reference.h"
 
 namespace graspbench {
 namespace {
@@ -22,16 +20,8 @@ struct WrittenPage {
   ManualText text;
 };
 
-std::string Capitalise(std::string word) {
-  word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
-  return word;
-}
-
 std::string MakeMarkdown(const ManualPage& page, const Command& program, const fs::path& source) {
-  if (page.id == "commands") return MakeCommandReference(program);
-  if (page.id == "files") return MakeFileReference();
-  if (page.id == "columns") return MakeColumnReference();
-  if (page.id == "outcomes") return MakeOutcomeReference();
+  if (page.room == "reference") return MakeReference(page.id, program);
   // Made from the rows of validation/ and kept beside them, for readers of the sources.
   if (page.id == "validation") return ReadFile(source / "validation.md");
   return ReadFile(source / "pages" / (page.id + ".md"));
@@ -98,10 +88,12 @@ Html DrawSections(const ManualText& text) {
 Json MakeSearchIndex(const std::vector<WrittenPage>& pages) {
   Json index = Json::array();
   for (const WrittenPage& page : pages) {
-    for (const ManualSection& section : page.text.sections) {
-      const std::string anchor = section.anchor.empty() ? "" : "#" + section.anchor;
-      index.push_back(
-          {page.page.id + ".html" + anchor, page.text.title, section.title, section.text});
+    for (const auto* list : {&page.text.sections, &page.text.rows}) {
+      for (const ManualSection& section : *list) {
+        const std::string anchor = section.anchor.empty() ? "" : "#" + section.anchor;
+        index.push_back(
+            {page.page.id + ".html" + anchor, page.text.title, section.title, section.text});
+      }
     }
   }
   return index;

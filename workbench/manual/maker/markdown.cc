@@ -4,7 +4,9 @@
 #include <cmark-gfm.h>
 
 #include <cctype>
+#include <map>
 #include <memory>
+#include <set>
 #include <string_view>
 
 #include "core/base/error.h"
@@ -68,7 +70,8 @@ class MarkdownReader {
     for (; node; node = cmark_node_next(node)) {
       if (cmark_node_get_type(node) == CMARK_NODE_HEADING) {
         page.sections.push_back({MakeAnchor(CollectText(node)), CollectText(node), ""});
-      } else {
+        names_.insert(page.sections.back().anchor);
+      } else if (!IsTable(node) || !NameRows(node, page)) {
         page.sections.back().text += " " + CollectText(node);
       }
       page.body += DrawBlock(node);
@@ -77,6 +80,27 @@ class MarkdownReader {
   }
 
  private:
+  static bool IsTable(cmark_node* node) {
+    return std::string_view(cmark_node_get_type_string(node)) == "table";
+  }
+
+  /** False: no row of the table begins with one word in code. */
+  bool NameRows(cmark_node* table, ManualText& page) {
+    const ManualSection& section = page.sections.back();
+    const size_t before = page.rows.size();
+    for (cmark_node* row = cmark_node_first_child(table); row; row = cmark_node_next(row)) {
+      cmark_node* word = cmark_node_first_child(cmark_node_first_child(row));
+      if (!word || cmark_node_next(word) || cmark_node_get_type(word) != CMARK_NODE_CODE) continue;
+      const std::string name = GetLiteral(word);
+      if (name.find(' ') != name.npos) continue;
+      std::string anchor = name;
+      if (!names_.insert(anchor).second) anchor = section.anchor + "." + name;
+      page.rows.push_back({anchor, name, section.title + CollectText(row)});
+      anchors_[row] = anchor;
+    }
+    return page.rows.size() > before;
+  }
+
   [[noreturn]] void Refuse(cmark_node* node, const std::string& what) const {
     throw Error(ErrorKind::kFormat,
                 places_.name + ":" + std::to_string(cmark_node_get_start_line(node)) + ": " + what);
@@ -134,7 +158,10 @@ class MarkdownReader {
         cells += is_head ? Element("th", {{"scope", "col"}}, DrawInlines(cell))
                          : Element("td", {{"class", "prose"}}, DrawInlines(cell));
       }
-      (is_head ? head : body) += Element("tr", {}, cells);
+      const auto anchor = anchors_.find(row);
+      const Attributes id =
+          anchor == anchors_.end() ? Attributes() : Attributes{{"id", anchor->second}};
+      (is_head ? head : body) += Element("tr", id, cells);
     }
     return MakeScroll(
         "Table", Element("table", {}, Element("thead", {}, head) + Element("tbody", {}, body)));
@@ -160,7 +187,7 @@ class MarkdownReader {
       default:
         break;
     }
-    if (std::string_view(cmark_node_get_type_string(node)) == "table") return DrawTable(node);
+    if (IsTable(node)) return DrawTable(node);
     Refuse(node, std::string("no place for ") + cmark_node_get_type_string(node));
   }
 
@@ -210,6 +237,8 @@ class MarkdownReader {
   }
 
   const MarkdownPlaces& places_;
+  std::set<std::string> names_;                 ///< anchors of headings and rows
+  std::map<cmark_node*, std::string> anchors_;  ///< of rows
 };
 
 }  // namespace

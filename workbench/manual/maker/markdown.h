@@ -24,6 +24,10 @@ struct ManualText {
   std::string subtitle;  ///< the paragraph right below it
   Html body;
   std::vector<ManualSection> sections;
+  /** Rows of tables that begin with one word in code, as a key or an option: each has an anchor of
+  its name, of a name that stood there before in front of it that of its section, "sweepyaml.seed";
+  they are not in the text of the sections. */
+  std::vector<ManualSection> rows;
 };
 
 struct MarkdownPlaces {

@@ -1,11 +1,11 @@
-#include "workbench/manual/maker/reference.h"
-
+#include <map>
+#include <string>
 #include <vector>
 
+#include "core/base/text/text.h"
 #include "core/trial/outcome.h"
-#include "datasets/plan/presets.h"
-#include "datasets/records/trial_table.h"
-#include "human_study/study/output/statistics_table.h"
+#include "datasets/plan/session_config.h"
+#include "workbench/manual/maker/manual_site.h"
 #include "workbench/terminal/command_line.h"
 #include "workbench/text/file_formats.h"
 
@@ -34,68 +34,91 @@ std::string MakeHead(const std::vector<std::string>& heads) {
 
 std::string MakeCode(const std::string& text) { return text.empty() ? "" : "`" + text + "`"; }
 
+/** The options and arguments of a command, and of those below it. */
 void AddCommands(const Command& command, const std::string& above, std::string& page) {
   for (const auto& each : command.subcommands()) {
-    page +=
-        "\n## " + above + " " + each->name() + "\n\n```text\n" + each->FormatHelp(above) + "```\n";
-    AddCommands(*each, above + " " + each->name(), page);
+    const std::string path = above + " " + each->name();
+    page += "\n## " + path + "\n\n" + EscapeCell(each->description()) + "\n\n```text\n" +
+            each->examples() + "\n```\n\n";
+    std::string rows;
+    for (const auto& option : each->options()) {
+      if (option->name() == "--help") continue;
+      rows += MakeRow({MakeCode(option->name()), EscapeCell(option->description()),
+                       EscapeCell(option->value_name()),
+                       option->is_required() ? "required" : EscapeCell(option->shown_default())});
+    }
+    if (!rows.empty()) page += MakeHead({"option", "meaning", "value", "default"}) + rows;
+    AddCommands(*each, path, page);
   }
 }
 
-template <class Row>
-std::string MakeColumnTable(const std::string& title, const std::string& about,
-                            const std::vector<CsvColumn<Row>>& columns) {
-  std::string text =
-      "\n## " + title + "\n\n" + about + "\n\n" + MakeHead({"column", "type", "unit", "meaning"});
-  for (const CsvColumn<Row>& column : columns) {
-    text += MakeRow(
-        {MakeCode(column.name), column.type, EscapeCell(column.unit), EscapeCell(column.meaning)});
-  }
-  return text;
-}
-
-}  // namespace
-
-std::string MakeCommandReference(const Command& program) {
+std::string MakeOptionPage(const Command& program) {
   std::string page =
-      "# Commands\n\nEvery command and option, as `graspbench COMMAND --help` prints them.\n";
+      "# Options\n\nEvery command with its options and arguments, as `graspbench COMMAND --help` "
+      "prints them.\n";
   AddCommands(program, program.name(), page);
   return page;
 }
 
-std::string MakeFileReference() {
+/** The file whose row says the same of a key; empty: none before `format` does. */
+std::string FindEarlier(const FileFormat& format, const FileKey& key) {
+  for (const FileFormat& earlier : ListFileFormats()) {
+    if (&earlier == &format) break;
+    const FileKey* row = FindFileKey(earlier.keys, key.key);
+    if (row && row->fallback == key.fallback && row->meaning == key.meaning &&
+        FormatRange(*row) == FormatRange(key)) {
+      return earlier.name;
+    }
+  }
+  return "";
+}
+
+std::string MakeKeyPage() {
   std::string page =
-      "# Files that you write\n\nEvery key with unit, range, default and meaning, as `graspbench "
+      "# Keys\n\nEvery key of every file with unit, range, default and meaning, as `graspbench "
       "help FILE` prints them; `graspbench new` writes a commented example, `graspbench help FILE "
-      "--schema` a JSON "
-      "Schema for editors and validators.\n";
+      "--schema` a JSON Schema for editors and validators.\n";
   for (const FileFormat& format : ListFileFormats()) {
-    page += "\n## " + format.name + "\n\n" + EscapeCell(format.about) + ".\n\n" +
-            MakeHead({"key", "unit", "range", "default", "meaning"});
+    std::string rows;
+    std::map<std::string, std::string> shared;  // by file
     for (const FileKey& key : format.keys) {
-      page += MakeRow({MakeCode(key.key), EscapeCell(FindUnit(key.key)), FormatRange(key),
-                       key.fallback == kRequired ? "required" : EscapeCell(key.fallback),
-                       EscapeCell(key.meaning)});
+      const std::string earlier = FindEarlier(format, key);
+      if (!earlier.empty()) {
+        std::string& list = shared[earlier];
+        list += (list.empty() ? "" : ", ") + MakeCode(key.key);
+        continue;
+      }
+      rows += MakeRow({MakeCode(key.key), EscapeCell(key.meaning), EscapeCell(FindUnit(key.key)),
+                       FormatRange(key),
+                       key.fallback == kRequired ? "required" : EscapeCell(key.fallback)});
+    }
+    page += "\n## " + format.name + "\n\n" + Capitalise(EscapeCell(format.about)) + ".\n\n";
+    if (!rows.empty()) page += MakeHead({"key", "meaning", "unit", "range", "default"}) + rows;
+    for (const auto& [file, keys] : shared) page += "\nAs in " + file + ": " + keys + ".\n";
+  }
+  return page;
+}
+
+std::string MakeColumnPage() {
+  std::string page =
+      "# Columns\n\nEvery column of every table that the program writes, as `graspbench help "
+      "FILE` prints them. An empty cell is a missing value, a boolean is 0 or 1. Words in capitals "
+      "stand for names of the data: DIGIT, JOINT, FACTOR, GROUP, LEVEL.\n";
+  for (const TableFormat& table : ListTableFormats()) {
+    const size_t end = table.about.find(": ");  // of where the table is written
+    page += "\n## " + table.name + " (" + table.about.substr(0, end) + ")\n\n";
+    if (end != table.about.npos)
+      page += Capitalise(EscapeCell(table.about.substr(end + 2))) + ".\n\n";
+    page += MakeHead({"column", "meaning", "type", "unit"});
+    for (const TableColumn& column : table.columns) {
+      page += MakeRow({MakeCode(column.name), EscapeCell(column.meaning), column.type,
+                       EscapeCell(column.unit)});
     }
   }
   return page;
 }
 
-std::string MakeColumnReference() {
-  return "# Columns of tables\n\nEvery table has a data dictionary beside it; an empty cell is a "
-         "missing value, a boolean is 0 or 1.\n" +
-         MakeColumnTable("trials.csv",
-                         "`export/trials.csv` of a session, one row per trial; sweeps add their "
-                         "factors.",
-                         ListTrialColumns({})) +
-         MakeColumnTable("events.csv", "`export/events.csv`, one row per contact event.",
-                         ListEventColumns()) +
-         MakeColumnTable("statistics.csv",
-                         "`statistics.csv` of a study of people, one row per test.",
-                         ListStatisticColumns());
-}
-
-std::string MakeOutcomeReference() {
+std::string MakeOutcomePage() {
   std::string page =
       "# Outcomes, exit codes, presets\n\nHow a trial may end, what a command's exit code says, "
       "and "
@@ -119,6 +142,15 @@ std::string MakeOutcomeReference() {
     page += MakeRow({MakeCode(preset.name), EscapeCell(preset.about)});
   }
   return page;
+}
+
+}  // namespace
+
+std::string MakeReference(const std::string& page, const Command& program) {
+  if (page == "options") return MakeOptionPage(program);
+  if (page == "keys") return MakeKeyPage();
+  if (page == "columns") return MakeColumnPage();
+  return MakeOutcomePage();
 }
 
 }  // namespace graspbench

@@ -1,9 +1,8 @@
-#include "core/hand/import/checks/digit_rows.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/hand/closing.h"
+#include "core/hand/import/checks/find_implausible.h"
 
 namespace graspbench {
 namespace {

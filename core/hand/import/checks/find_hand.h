@@ -15,7 +15,7 @@ name one that outweighs the hand is reported. */
 #include <string>
 #include <vector>
 
-#include "core/base/diagnostics.h"
+#include "core/base/error.h"
 #include "core/hand/import/foreign_hand.h"
 
 namespace graspbench {

@@ -9,12 +9,7 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/hand/closing.h"
-#include "core/hand/import/checks/digit_rows.h"
-#include "core/hand/import/checks/misplaced_links.h"
-#include "core/hand/import/checks/opposed_digits.h"
-#include "core/hand/import/checks/outward_digits.h"
-#include "core/hand/import/checks/unlike_digits.h"
-#include "core/hand/import/foreign_xml.h"
+#include "core/hand/import/foreign_hand.h"
 #include "core/hand/import/shapes/shape_distance.h"
 
 namespace graspbench {

@@ -21,8 +21,9 @@ Source: MuJoCo's XML reference, mujoco.readthedocs.io/en/stable/XMLreference.htm
 #include <string>
 #include <vector>
 
-#include "core/base/diagnostics.h"
+#include "core/base/error.h"
 #include "core/base/pose.h"
+#include "core/hand/import/foreign_hand.h"
 
 namespace tinyxml2 {
 class XMLDocument;
@@ -125,5 +126,18 @@ class MjcfDocument {
 
 /** Rotation from z to a direction, the least one; half a turn about x when it is -z. */
 Eigen::Matrix3d MakeRotationFromZ(const Eigen::Vector3d& direction);
+
+/** The extent of a geom of a MuJoCo model, and what of it weighs. By `size`, for the kind that
+`shape` has. False: it has no good one. */
+bool ReadGeomExtent(MjcfDocument& document, const MjcfNode& node, const std::string& where,
+                    ForeignShape& shape);
+/** The same by `fromto`, which also says its place in the body. */
+bool ReadGeomFromTo(MjcfDocument& document, const MjcfNode& node, const std::string& where,
+                    ForeignShape& shape);
+
+/** `mass`, else `density`; nothing when it weighs nothing, or when the compiler takes no inertia
+from it. */
+std::optional<ForeignShape::Weight> FindGeomWeight(MjcfDocument& document, const MjcfNode& node,
+                                                   const std::string& where);
 
 }  // namespace graspbench

@@ -1,5 +1,3 @@
-#include "core/hand/import/mjcf/read_foreign_mjcf.h"
-
 #include <tinyxml2.h>
 
 #include <Eigen/Geometry>
@@ -11,10 +9,10 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/hand/import/checks/joint_limits.h"
-#include "core/hand/import/foreign_xml.h"
+#include "core/hand/import/foreign_hand.h"
 #include "core/hand/import/mjcf/mjcf_couplings.h"
 #include "core/hand/import/mjcf/mjcf_document.h"
-#include "core/hand/import/mjcf/mjcf_geoms.h"
+#include "core/hand/import/read_foreign_urdf.h"
 
 namespace graspbench {
 namespace {
@@ -43,10 +41,42 @@ class MjcfReader {
         problems_(problems),
         is_angle_told_(in_degrees.has_value()) {}
 
-  ForeignHand Read(const std::string& text);
+  ForeignHand Read(const std::string& text) {
+    if (!document_.Parse(text)) return {};
+    if (!CheckIsWhole()) return {};
+    hand_.name = document_.FindName();
+    for (const char* kind : {"extension", "deformable"}) {
+      for (XMLElement* section : document_.FindSections(kind)) WarnOnce(*section, kind);
+    }
+    ReadAssets();
+    ReadWorld();
+    if (hand_.links.size() == 1)
+      problems_.Fail(file_, 0, "the model has no body whose joint moves");
+    if (hand_.links.size() >= kMostLinks) {
+      problems_.Fail(file_, 0, "the model has 1000 bodies or more: no hand");
+    }
+    if (problems_.num_errors() > 0) return {};
+    const std::string doubt = angles_.FindDoubt(document_.settings().in_degrees);
+    if (!doubt.empty() && !is_angle_told_) problems_.Warn(file_, angles_.first_line, doubt);
+    ReadMjcfCouplings(document_, bodies_, file_, problems_, hand_);
+    hand_.included = document_.ListIncluded();
+    return std::move(hand_);
+  }
 
  private:
-  bool CheckIsWhole();
+  /** False, with an error: a part that another file includes. */
+  bool CheckIsWhole() {
+    const bool has_bodies = !document_.FindSections("worldbody").empty();
+    if (document_.IsFragment() || !has_bodies) {
+      problems_.Fail(file_, 0,
+                     std::string(document_.IsFragment() ? "the outermost element is <mujocoinclude>"
+                                                        : "the model has no <worldbody>") +
+                         ": a fragment of a model; give the file that includes it");
+      return false;
+    }
+    return true;
+  }
+
   /** Where the frame of a body's content lies in the body's last link, and whose classes hold. */
   struct Place {
     int link = 0;
@@ -54,23 +84,365 @@ class MjcfReader {
     const MjcfClass* childclass = nullptr;
   };
 
-  void ReadAssets();
-  void ReadMesh(XMLElement& element);
-  void ReadWorld();
-  bool Moves(XMLElement& body, const MjcfClass* childclass);
-  void ReadContent(XMLElement& parent, const Place& place, bool is_world);
-  void ReadBody(XMLElement& element, const Place& above);
-  int AddLink(const std::string& name, int line);
+  void ReadAssets() {
+    for (XMLElement* section : document_.FindSections("asset")) {
+      for (XMLElement* element : document_.ListChildren(*section)) {
+        const std::string kind = element->Name();
+        if (kind == "mesh") ReadMesh(*element);
+        const char* name = element->Attribute("name");
+        if (kind == "material" && name) materials_.emplace(name, element);
+        if (kind == "model" || kind == "skin") WarnOnce(*element, kind);
+      }
+    }
+  }
+
+  void ReadMesh(XMLElement& element) {
+    const MjcfNode node = document_.Resolve(element, nullptr);
+    const char* own = element.Attribute("name");
+    const char* address = document_.Find(node, "file");
+    std::filesystem::path file = address ? address : "";
+    const std::string name = own ? own : file.stem().string();
+    const std::string where = "mesh \"" + name + "\"";
+    if (!address || !*address) {
+      document_.Warn(element, where + " has no file; left out");
+      return;
+    }
+    if (document_.settings().strips_paths) file = file.filename();
+    Mesh mesh;
+    mesh.address = (std::filesystem::path(document_.settings().mesh_folder) / file)
+                       .lexically_normal()
+                       .string();
+    mesh.scale = document_.FindVector(node, "scale", Vector3d::Ones(), where);
+    if (mesh.scale.cwiseAbs().minCoeff() < 1e-9) {
+      document_.Warn(element, where + ": a scale of zero; taken as 1");
+      mesh.scale.setOnes();
+    }
+    // A vertex v lies at scale * refquat^-1 (v - refpos).
+    const Vector3d p = document_.FindVector(node, "refpos", Vector3d::Zero(), where);
+    Matrix3d R = Matrix3d::Identity();
+    if (const auto q = document_.FindNumbers(node, "refquat", 4, 4, where)) {
+      const Eigen::Quaterniond quaternion((*q)[0], (*q)[1], (*q)[2], (*q)[3]);
+      if (quaternion.norm() > 1e-10) R = quaternion.normalized().toRotationMatrix();
+    }
+    const bool is_uniform = (mesh.scale.array() == mesh.scale[0]).all();
+    if (!is_uniform && !R.isIdentity(1e-9)) {
+      document_.Warn(element,
+                     where + ": a scale by axis of a turned mesh; its refquat is left out");
+      R.setIdentity();
+    }
+    mesh.X_GM = MakePose(R.transpose(), -mesh.scale.cwiseProduct(R.transpose() * p));
+    meshes_.emplace(name, mesh);
+  }
+
+  void ReadWorld() {
+    std::vector<std::string> changes;
+    AddLink(link_names_.Add("world", changes), 0);
+    hand_.world = 0;
+    bodies_.emplace("world", MjcfBody());
+    int num_moving = 0;
+    for (XMLElement* world : document_.FindSections("worldbody")) {
+      for (XMLElement* element : document_.ListChildren(*world)) {
+        const std::string kind = element->Name();
+        if (kind == "body" || kind == "frame") num_moving += Moves(*element, nullptr);
+      }
+    }
+    keeps_world_ = num_moving > 1;
+    for (XMLElement* world : document_.FindSections("worldbody")) {
+      Place place;
+      place.childclass = document_.FindChildClass(*world, nullptr);
+      ReadContent(*world, place, true);
+    }
+  }
+
+  /** True when a hinge or slide belongs to the body or one below. */
+  bool Moves(XMLElement& body, const MjcfClass* childclass) {
+    const MjcfClass* own = document_.FindChildClass(body, childclass);
+    for (XMLElement* element : document_.ListChildren(body)) {
+      const std::string kind = element->Name();
+      if (kind == "joint") {
+        const char* type = document_.Find(document_.Resolve(*element, own), "type");
+        const std::string text = type ? type : "hinge";
+        if (text == "hinge" || text == "slide") return true;
+      }
+      if ((kind == "body" || kind == "frame") && Moves(*element, own)) return true;
+    }
+    return false;
+  }
+
+  void ReadContent(XMLElement& parent, const Place& place, bool is_world) {
+    for (XMLElement* element : document_.ListChildren(parent)) {
+      const std::string kind = element->Name();
+      if (hand_.links.size() >= kMostLinks) return;
+      if (kind == "body") {
+        if (!is_world || keeps_world_ || Moves(*element, place.childclass)) {
+          ReadBody(*element, place);
+        } else {
+          const char* name = element->Attribute("name");
+          document_.Warn(*element,
+                         "body \"" + std::string(name ? name : "") +
+                             "\": no joint moves below it: a part of the scene; left out");
+        }
+      } else if (kind == "frame") {
+        Place inner = place;
+        const MjcfNode node = {element, nullptr};
+        inner.X_LB = place.X_LB * document_.FindPose(node, "frame", true);
+        inner.childclass = document_.FindChildClass(*element, place.childclass);
+        ReadContent(*element, inner, is_world);
+      } else if (kind == "geom") {
+        if (!is_world || keeps_world_) {
+          ReadGeom(document_.Resolve(*element, place.childclass), place);
+        } else if (told_.insert("world's geoms").second) {
+          document_.Warn(*element, "shapes of the world belong to the scene; left out");
+        }
+      } else if (kind == "inertial") {
+        ReadInertial({element, nullptr}, place);
+      } else if (kind != "joint" && kind != "freejoint" && ListSilentElements().count(kind) == 0) {
+        WarnOnce(*element, kind);
+      }
+    }
+  }
+
+  void ReadBody(XMLElement& element, const Place& above) {
+    const std::string name = FindName(element, link_names_, "");
+    Place place;
+    place.childclass = document_.FindChildClass(element, above.childclass);
+    const Pose X_PB =
+        above.X_LB * document_.FindPose({&element, nullptr}, "body \"" + name + "\"", true);
+    place.X_LB = AddJoints(element, place.childclass, name, X_PB, above.link);
+    place.link = static_cast<int>(hand_.links.size()) - 1;
+    const int link = place.link;
+    hand_.links[static_cast<size_t>(link)].X_LF = place.X_LB;
+    bodies_.emplace(name, MjcfBody{link, place.X_LB});
+    ReadContent(element, place, false);
+    // Shapes that touch are seen, too, unless there is a picture.
+    ForeignLink& own = hand_.links[static_cast<size_t>(link)];
+    if (own.inertia) own.weights.clear();
+    if (!has_picture_[static_cast<size_t>(link)]) return;
+    const auto is_plain = [](const ForeignShape& shape) {
+      return shape.kind != ForeignShape::Kind::kMesh && shape.also_touches;
+    };
+    own.visuals.erase(std::remove_if(own.visuals.begin(), own.visuals.end(), is_plain),
+                      own.visuals.end());
+  }
+
+  int AddLink(const std::string& name, int line) {
+    ForeignLink& link = hand_.links.emplace_back();
+    link.name = name;
+    link.line = line;
+    has_picture_.push_back(false);
+    return static_cast<int>(hand_.links.size()) - 1;
+  }
+
+  /** The body's links, one by joint or one that is fixed; its content belongs to the last.
+@returns the body's frame in that link, whose own frame is that of its joint. */
   Pose AddJoints(XMLElement& element, const MjcfClass* childclass, const std::string& body,
-                 const Pose& X_PB, int parent);
-  void ReadJoint(const MjcfNode& node, const Pose& X_PJ, int parent, int child);
-  void ReadInertial(const MjcfNode& node, const Place& place);
-  void ReadGeom(const MjcfNode& node, const Place& place);
-  bool PlaceMesh(const MjcfNode& node, const std::string& where, ForeignShape& shape);
+                 const Pose& X_PB, int parent) {
+    std::vector<MjcfNode> joints;
+    for (XMLElement* e : document_.ListChildren(element)) {
+      const std::string kind = e->Name();
+      if (kind != "joint" && kind != "freejoint") continue;
+      const MjcfNode node = document_.Resolve(*e, childclass);
+      const char* type_text = document_.Find(node, "type");
+      const std::string type = kind == "freejoint" ? "free" : type_text ? type_text : "hinge";
+      if (type == "hinge" || type == "slide") {
+        joints.push_back(node);
+      } else {
+        document_.Warn(*e,
+                       "body \"" + body + "\": a joint of type \"" + type + "\" is fixed" +
+                           (type == "free" ? ": the arm of an experiment carries the hand" : ""));
+      }
+    }
+    const int line = document_.LineOf(element);
+    if (joints.empty()) {
+      const int child = AddLink(body, line);
+      ForeignJoint& joint = hand_.joints.emplace_back();
+      std::vector<std::string> changes;
+      joint.name = joint_names_.Add(("fixed_" + body).c_str(), changes);
+      joint.line = line;
+      joint.parent = parent;
+      joint.child = child;
+      joint.X_PJ = X_PB;
+      return Pose::Identity();
+    }
+    Pose X_PF = X_PB;  // the body's frame in the link above
+    Vector3d p_BJ = Vector3d::Zero();
+    for (size_t i = 0; i < joints.size(); ++i) {
+      const std::string where = "a joint of body \"" + body + "\"";
+      const char* type = document_.Find(joints[i], "type");
+      if (!type || std::string(type) == "hinge") {  // a slide has no place
+        p_BJ = document_.FindVector(joints[i], "pos", Vector3d::Zero(), where, true);
+      }
+      std::string name = body;
+      if (i + 1 < joints.size()) {
+        std::vector<std::string> changes;
+        name = link_names_.Add((body + "_" + std::to_string(i + 1)).c_str(), changes);
+      }
+      const int child = AddLink(name, line);
+      ReadJoint(joints[i], X_PF * MakePose(p_BJ), parent, child);
+      parent = child;
+      X_PF = MakePose(-p_BJ);
+    }
+    return X_PF;
+  }
+
+  void ReadJoint(const MjcfNode& node, const Pose& X_PJ, int parent, int child) {
+    const char* type = document_.Find(node, "type");
+    ForeignJoint joint;
+    joint.name = FindName(*node.xml, joint_names_, hand_.links[static_cast<size_t>(child)].name);
+    joint.line = document_.LineOf(*node.xml);
+    joint.parent = parent;
+    joint.child = child;
+    joint.X_PJ = X_PJ;
+    const bool slides = type && std::string(type) == "slide";
+    joint.kind = slides ? ForeignJoint::Kind::kPrismatic : ForeignJoint::Kind::kRevolute;
+    const std::string where = "joint \"" + joint.name + "\"";
+    const Vector3d axis = document_.FindVector(node, "axis", Vector3d::UnitZ(), where);
+    if (axis.norm() > 1e-6) {
+      joint.axis = axis.normalized();
+    } else {
+      document_.Warn(*node.xml, where + ": the axis has no direction; taken as z");
+      joint.axis = Vector3d::UnitZ();
+    }
+    const double unit = !slides && document_.settings().in_degrees ? RadFromDeg(1.0) : 1.0;
+    const double ref = unit * document_.FindNumber(node, "ref", 0.0, where);
+    if (ref != 0.0) {
+      document_.Warn(*node.xml, where + ": its zero is its place in the file, which MuJoCo calls " +
+                                    (slides ? FormatFixed(MmFromM(ref), 1) + " mm"
+                                            : FormatFixed(DegFromRad(ref), 1) + " deg"));
+    }
+    const char* limited = document_.Find(node, "limited");
+    const auto range = document_.FindNumbers(node, "range", 2, 2, where);
+    StatedLimits limits;
+    if (!range || (limited && std::string(limited) == "false")) {
+      limits.missing = "range";
+    } else {
+      limits.lower = unit * (*range)[0] - ref;
+      limits.upper = unit * (*range)[1] - ref;
+    }
+    if (!slides && limits.missing.empty()) angles_.Add((*range)[0], (*range)[1], unit, joint.line);
+    const std::string repaired = SetLimits(limits, joint);
+    if (!repaired.empty()) document_.Warn(*node.xml, where + repaired);
+    joint.drive.damping = std::max(0.0, document_.FindNumber(node, "damping", 0.0, where));
+    joint.spring_stiffness = std::max(0.0, document_.FindNumber(node, "stiffness", 0.0, where));
+    joint.reference = ref;
+    joint.spring_rest = unit * document_.FindNumber(node, "springref", 0.0, where) - ref;
+    if (const auto force = document_.FindNumbers(node, "actuatorfrcrange", 2, 2, where)) {
+      joint.drive.effort = std::max(std::abs((*force)[0]), std::abs((*force)[1]));
+    }
+    hand_.joints.push_back(joint);
+  }
+
+  void ReadInertial(const MjcfNode& node, const Place& place) {
+    if (document_.settings().inertia_from_geom == MjcfSettings::GeomInertia::kAlways) return;
+    ForeignLink& link = hand_.links[static_cast<size_t>(place.link)];
+    const std::string where = "body \"" + link.name + "\", inertial";
+    ForeignInertia inertia;
+    inertia.line = document_.LineOf(*node.xml);
+    inertia.X_LI = place.X_LB * document_.FindPose(node, where);
+    inertia.mass = document_.FindNumber(node, "mass", 0.0, where);
+    if (const auto full = document_.FindNumbers(node, "fullinertia", 6, 6, where)) {
+      const std::vector<double>& v = *full;
+      inertia.I_I << v[0], v[3], v[4], v[3], v[1], v[5], v[4], v[5], v[2];
+    } else {
+      inertia.I_I = document_.FindVector(node, "diaginertia", Vector3d::Zero(), where).asDiagonal();
+    }
+    link.inertia = inertia;
+  }
+
+  void ReadGeom(const MjcfNode& node, const Place& place) {
+    using Kind = ForeignShape::Kind;
+    const size_t link = static_cast<size_t>(place.link);
+    const char* own_name = node.xml->Attribute("name");
+    const std::string where = "body \"" + hand_.links[link].name + "\", geom" +
+                              (own_name ? " \"" + std::string(own_name) + "\"" : "");
+    const std::map<std::string, Kind> kinds = {
+        {"sphere", Kind::kSphere}, {"capsule", Kind::kCapsule},     {"cylinder", Kind::kCylinder},
+        {"box", Kind::kBox},       {"ellipsoid", Kind::kEllipsoid}, {"mesh", Kind::kMesh}};
+    const char* type = document_.Find(node, "type");
+    const auto kind = kinds.find(type ? type : "sphere");
+    if (kind == kinds.end()) {
+      document_.Warn(*node.xml, where + ": type \"" + type + "\" is no part of a hand; left out");
+      return;
+    }
+    const auto is_zero = [&](const char* attribute) {
+      return document_.FindNumber(node, attribute, 1.0, where) == 0.0;
+    };
+    const bool touches = !is_zero("contype") || !is_zero("conaffinity");
+    const bool is_shown = document_.FindNumber(node, "group", 0.0, where) <= kLastGroupShown;
+    ForeignShape shape;
+    shape.weight = FindGeomWeight(document_, node, where);
+    if (!touches && !is_shown && !shape.weight) return;
+    shape.line = document_.LineOf(*node.xml);
+    shape.kind = kind->second;
+    bool is_clear = false;
+    shape.colour = FindColour(node, where, is_clear);
+    const bool is_mesh = kind->second == Kind::kMesh || document_.Find(node, "mesh") != nullptr;
+    const bool has_ends = !is_mesh && document_.Find(node, "fromto") && shape.kind != Kind::kSphere;
+    if (!has_ends) shape.X_LS = document_.FindPose(node, where);
+    const bool is_good = is_mesh    ? PlaceMesh(node, where, shape)
+                         : has_ends ? ReadGeomFromTo(document_, node, where, shape)
+                                    : ReadGeomExtent(document_, node, where, shape);
+    if (is_mesh && !is_good) return;
+    if (!is_mesh && (!is_good || shape.size.minCoeff() <= 0.0)) {
+      document_.Warn(*node.xml, where + ": the " + kind->first + " has no extent; left out");
+      return;
+    }
+    shape.X_LS = place.X_LB * shape.X_LS;
+    if (shape.weight) hand_.links[link].weights.push_back(shape);
+    if (touches) hand_.links[link].collisions.push_back(shape);
+    shape.also_touches = touches;
+    if (!is_shown || is_clear) return;
+    hand_.links[link].visuals.push_back(shape);
+    if (!touches) has_picture_[link] = true;
+  }
+
+  bool PlaceMesh(const MjcfNode& node, const std::string& where, ForeignShape& shape) {
+    const char* name = document_.Find(node, "mesh");
+    const auto mesh = meshes_.find(name ? name : "");
+    if (mesh == meshes_.end()) {
+      std::vector<std::string> known;
+      for (const auto& [known_name, unused] : meshes_) known.push_back(known_name);
+      document_.Warn(*node.xml, where + ": no mesh \"" + std::string(name ? name : "") +
+                                    "\" with a file" + SuggestNames(name ? name : "", known) +
+                                    "; left out");
+      return false;
+    }
+    shape.kind = ForeignShape::Kind::kMesh;
+    shape.mesh = mesh->second.address;
+    shape.scale = mesh->second.scale;
+    shape.X_LS = shape.X_LS * mesh->second.X_GM;
+    return true;
+  }
+
   std::optional<Vector3d> FindColour(const MjcfNode& node, const std::string& where,
-                                     bool& is_clear);
-  void WarnOnce(const XMLElement& at, const std::string& kind);
-  std::string FindName(XMLElement& element, NameList& names, const std::string& otherwise);
+                                     bool& is_clear) {
+    auto rgba = document_.FindNumbers(node, "rgba", 4, 4, where);
+    const char* material = document_.Find(node, "material");
+    const auto found = materials_.find(material ? material : "");
+    if (!rgba && found != materials_.end()) {
+      const MjcfNode of_material = document_.Resolve(*found->second, nullptr);
+      rgba = document_.FindNumbers(of_material, "rgba", 4, 4, "material");
+    }
+    is_clear = rgba && (*rgba)[3] == 0.0;
+    if (!rgba) return {};
+    return Vector3d((*rgba)[0], (*rgba)[1], (*rgba)[2]).cwiseMax(0.0).cwiseMin(1.0);
+  }
+
+  void WarnOnce(const XMLElement& at, const std::string& kind) {
+    if (told_.insert(kind).second) {
+      document_.Warn(at, "<" + kind + "> is not read, here and below; left out");
+    }
+  }
+
+  std::string FindName(XMLElement& element, NameList& names, const std::string& otherwise) {
+    const char* own = element.Attribute("name");
+    std::vector<std::string> changes;
+    const std::string name = names.Add(own ? own : otherwise.c_str(), changes);
+    for (const std::string& change : own ? changes : std::vector<std::string>()) {
+      document_.Warn(element, change);
+    }
+    return name;
+  }
 
   struct Mesh {
     std::string address;
@@ -92,397 +464,6 @@ class MjcfReader {
   const bool is_angle_told_;  // by the user
   StatedAngles angles_;
 };
-
-void MjcfReader::WarnOnce(const XMLElement& at, const std::string& kind) {
-  if (told_.insert(kind).second) {
-    document_.Warn(at, "<" + kind + "> is not read, here and below; left out");
-  }
-}
-
-std::string MjcfReader::FindName(XMLElement& element, NameList& names,
-                                 const std::string& otherwise) {
-  const char* own = element.Attribute("name");
-  std::vector<std::string> changes;
-  const std::string name = names.Add(own ? own : otherwise.c_str(), changes);
-  for (const std::string& change : own ? changes : std::vector<std::string>()) {
-    document_.Warn(element, change);
-  }
-  return name;
-}
-
-void MjcfReader::ReadMesh(XMLElement& element) {
-  const MjcfNode node = document_.Resolve(element, nullptr);
-  const char* own = element.Attribute("name");
-  const char* address = document_.Find(node, "file");
-  std::filesystem::path file = address ? address : "";
-  const std::string name = own ? own : file.stem().string();
-  const std::string where = "mesh \"" + name + "\"";
-  if (!address || !*address) {
-    document_.Warn(element, where + " has no file; left out");
-    return;
-  }
-  if (document_.settings().strips_paths) file = file.filename();
-  Mesh mesh;
-  mesh.address =
-      (std::filesystem::path(document_.settings().mesh_folder) / file).lexically_normal().string();
-  mesh.scale = document_.FindVector(node, "scale", Vector3d::Ones(), where);
-  if (mesh.scale.cwiseAbs().minCoeff() < 1e-9) {
-    document_.Warn(element, where + ": a scale of zero; taken as 1");
-    mesh.scale.setOnes();
-  }
-  // A vertex v lies at scale * refquat^-1 (v - refpos).
-  const Vector3d p = document_.FindVector(node, "refpos", Vector3d::Zero(), where);
-  Matrix3d R = Matrix3d::Identity();
-  if (const auto q = document_.FindNumbers(node, "refquat", 4, 4, where)) {
-    const Eigen::Quaterniond quaternion((*q)[0], (*q)[1], (*q)[2], (*q)[3]);
-    if (quaternion.norm() > 1e-10) R = quaternion.normalized().toRotationMatrix();
-  }
-  const bool is_uniform = (mesh.scale.array() == mesh.scale[0]).all();
-  if (!is_uniform && !R.isIdentity(1e-9)) {
-    document_.Warn(element, where + ": a scale by axis of a turned mesh; its refquat is left out");
-    R.setIdentity();
-  }
-  mesh.X_GM = MakePose(R.transpose(), -mesh.scale.cwiseProduct(R.transpose() * p));
-  meshes_.emplace(name, mesh);
-}
-
-void MjcfReader::ReadAssets() {
-  for (XMLElement* section : document_.FindSections("asset")) {
-    for (XMLElement* element : document_.ListChildren(*section)) {
-      const std::string kind = element->Name();
-      if (kind == "mesh") ReadMesh(*element);
-      const char* name = element->Attribute("name");
-      if (kind == "material" && name) materials_.emplace(name, element);
-      if (kind == "model" || kind == "skin") WarnOnce(*element, kind);
-    }
-  }
-}
-
-/** True when a hinge or slide belongs to the body or one below. */
-bool MjcfReader::Moves(XMLElement& body, const MjcfClass* childclass) {
-  const MjcfClass* own = document_.FindChildClass(body, childclass);
-  for (XMLElement* element : document_.ListChildren(body)) {
-    const std::string kind = element->Name();
-    if (kind == "joint") {
-      const char* type = document_.Find(document_.Resolve(*element, own), "type");
-      const std::string text = type ? type : "hinge";
-      if (text == "hinge" || text == "slide") return true;
-    }
-    if ((kind == "body" || kind == "frame") && Moves(*element, own)) return true;
-  }
-  return false;
-}
-
-int MjcfReader::AddLink(const std::string& name, int line) {
-  ForeignLink& link = hand_.links.emplace_back();
-  link.name = name;
-  link.line = line;
-  has_picture_.push_back(false);
-  return static_cast<int>(hand_.links.size()) - 1;
-}
-
-void MjcfReader::ReadWorld() {
-  std::vector<std::string> changes;
-  AddLink(link_names_.Add("world", changes), 0);
-  hand_.world = 0;
-  bodies_.emplace("world", MjcfBody());
-  int num_moving = 0;
-  for (XMLElement* world : document_.FindSections("worldbody")) {
-    for (XMLElement* element : document_.ListChildren(*world)) {
-      const std::string kind = element->Name();
-      if (kind == "body" || kind == "frame") num_moving += Moves(*element, nullptr);
-    }
-  }
-  keeps_world_ = num_moving > 1;
-  for (XMLElement* world : document_.FindSections("worldbody")) {
-    Place place;
-    place.childclass = document_.FindChildClass(*world, nullptr);
-    ReadContent(*world, place, true);
-  }
-}
-
-void MjcfReader::ReadContent(XMLElement& parent, const Place& place, bool is_world) {
-  for (XMLElement* element : document_.ListChildren(parent)) {
-    const std::string kind = element->Name();
-    if (hand_.links.size() >= kMostLinks) return;
-    if (kind == "body") {
-      if (!is_world || keeps_world_ || Moves(*element, place.childclass)) {
-        ReadBody(*element, place);
-      } else {
-        const char* name = element->Attribute("name");
-        document_.Warn(*element, "body \"" + std::string(name ? name : "") +
-                                     "\": no joint moves below it: a part of the scene; left out");
-      }
-    } else if (kind == "frame") {
-      Place inner = place;
-      const MjcfNode node = {element, nullptr};
-      inner.X_LB = place.X_LB * document_.FindPose(node, "frame", true);
-      inner.childclass = document_.FindChildClass(*element, place.childclass);
-      ReadContent(*element, inner, is_world);
-    } else if (kind == "geom") {
-      if (!is_world || keeps_world_) {
-        ReadGeom(document_.Resolve(*element, place.childclass), place);
-      } else if (told_.insert("world's geoms").second) {
-        document_.Warn(*element, "shapes of the world belong to the scene; left out");
-      }
-    } else if (kind == "inertial") {
-      ReadInertial({element, nullptr}, place);
-    } else if (kind != "joint" && kind != "freejoint" && ListSilentElements().count(kind) == 0) {
-      WarnOnce(*element, kind);
-    }
-  }
-}
-
-void MjcfReader::ReadBody(XMLElement& element, const Place& above) {
-  const std::string name = FindName(element, link_names_, "");
-  Place place;
-  place.childclass = document_.FindChildClass(element, above.childclass);
-  const Pose X_PB =
-      above.X_LB * document_.FindPose({&element, nullptr}, "body \"" + name + "\"", true);
-  place.X_LB = AddJoints(element, place.childclass, name, X_PB, above.link);
-  place.link = static_cast<int>(hand_.links.size()) - 1;
-  const int link = place.link;
-  hand_.links[static_cast<size_t>(link)].X_LF = place.X_LB;
-  bodies_.emplace(name, MjcfBody{link, place.X_LB});
-  ReadContent(element, place, false);
-  // Shapes that touch are seen, too, unless there is a picture.
-  ForeignLink& own = hand_.links[static_cast<size_t>(link)];
-  if (own.inertia) own.weights.clear();
-  if (!has_picture_[static_cast<size_t>(link)]) return;
-  const auto is_plain = [](const ForeignShape& shape) {
-    return shape.kind != ForeignShape::Kind::kMesh && shape.also_touches;
-  };
-  own.visuals.erase(std::remove_if(own.visuals.begin(), own.visuals.end(), is_plain),
-                    own.visuals.end());
-}
-
-/** The body's links, one by joint or one that is fixed; its content belongs to the last.
-@returns the body's frame in that link, whose own frame is that of its joint. */
-Pose MjcfReader::AddJoints(XMLElement& element, const MjcfClass* childclass,
-                           const std::string& body, const Pose& X_PB, int parent) {
-  std::vector<MjcfNode> joints;
-  for (XMLElement* e : document_.ListChildren(element)) {
-    const std::string kind = e->Name();
-    if (kind != "joint" && kind != "freejoint") continue;
-    const MjcfNode node = document_.Resolve(*e, childclass);
-    const char* type_text = document_.Find(node, "type");
-    const std::string type = kind == "freejoint" ? "free" : type_text ? type_text : "hinge";
-    if (type == "hinge" || type == "slide") {
-      joints.push_back(node);
-    } else {
-      document_.Warn(*e, "body \"" + body + "\": a joint of type \"" + type + "\" is fixed" +
-                             (type == "free" ? ": the arm of an experiment carries the hand" : ""));
-    }
-  }
-  const int line = document_.LineOf(element);
-  if (joints.empty()) {
-    const int child = AddLink(body, line);
-    ForeignJoint& joint = hand_.joints.emplace_back();
-    std::vector<std::string> changes;
-    joint.name = joint_names_.Add(("fixed_" + body).c_str(), changes);
-    joint.line = line;
-    joint.parent = parent;
-    joint.child = child;
-    joint.X_PJ = X_PB;
-    return Pose::Identity();
-  }
-  Pose X_PF = X_PB;  // the body's frame in the link above
-  Vector3d p_BJ = Vector3d::Zero();
-  for (size_t i = 0; i < joints.size(); ++i) {
-    const std::string where = "a joint of body \"" + body + "\"";
-    const char* type = document_.Find(joints[i], "type");
-    if (!type || std::string(type) == "hinge") {  // a slide has no place
-      p_BJ = document_.FindVector(joints[i], "pos", Vector3d::Zero(), where, true);
-    }
-    std::string name = body;
-    if (i + 1 < joints.size()) {
-      std::vector<std::string> changes;
-      name = link_names_.Add((body + "_" + std::to_string(i + 1)).c_str(), changes);
-    }
-    const int child = AddLink(name, line);
-    ReadJoint(joints[i], X_PF * MakePose(p_BJ), parent, child);
-    parent = child;
-    X_PF = MakePose(-p_BJ);
-  }
-  return X_PF;
-}
-
-void MjcfReader::ReadJoint(const MjcfNode& node, const Pose& X_PJ, int parent, int child) {
-  const char* type = document_.Find(node, "type");
-  ForeignJoint joint;
-  joint.name = FindName(*node.xml, joint_names_, hand_.links[static_cast<size_t>(child)].name);
-  joint.line = document_.LineOf(*node.xml);
-  joint.parent = parent;
-  joint.child = child;
-  joint.X_PJ = X_PJ;
-  const bool slides = type && std::string(type) == "slide";
-  joint.kind = slides ? ForeignJoint::Kind::kPrismatic : ForeignJoint::Kind::kRevolute;
-  const std::string where = "joint \"" + joint.name + "\"";
-  const Vector3d axis = document_.FindVector(node, "axis", Vector3d::UnitZ(), where);
-  if (axis.norm() > 1e-6) {
-    joint.axis = axis.normalized();
-  } else {
-    document_.Warn(*node.xml, where + ": the axis has no direction; taken as z");
-    joint.axis = Vector3d::UnitZ();
-  }
-  const double unit = !slides && document_.settings().in_degrees ? RadFromDeg(1.0) : 1.0;
-  const double ref = unit * document_.FindNumber(node, "ref", 0.0, where);
-  if (ref != 0.0) {
-    document_.Warn(*node.xml, where + ": its zero is its place in the file, which MuJoCo calls " +
-                                  (slides ? FormatFixed(MmFromM(ref), 1) + " mm"
-                                          : FormatFixed(DegFromRad(ref), 1) + " deg"));
-  }
-  const char* limited = document_.Find(node, "limited");
-  const auto range = document_.FindNumbers(node, "range", 2, 2, where);
-  StatedLimits limits;
-  if (!range || (limited && std::string(limited) == "false")) {
-    limits.missing = "range";
-  } else {
-    limits.lower = unit * (*range)[0] - ref;
-    limits.upper = unit * (*range)[1] - ref;
-  }
-  if (!slides && limits.missing.empty()) angles_.Add((*range)[0], (*range)[1], unit, joint.line);
-  const std::string repaired = SetLimits(limits, joint);
-  if (!repaired.empty()) document_.Warn(*node.xml, where + repaired);
-  joint.drive.damping = std::max(0.0, document_.FindNumber(node, "damping", 0.0, where));
-  joint.spring_stiffness = std::max(0.0, document_.FindNumber(node, "stiffness", 0.0, where));
-  joint.reference = ref;
-  joint.spring_rest = unit * document_.FindNumber(node, "springref", 0.0, where) - ref;
-  if (const auto force = document_.FindNumbers(node, "actuatorfrcrange", 2, 2, where)) {
-    joint.drive.effort = std::max(std::abs((*force)[0]), std::abs((*force)[1]));
-  }
-  hand_.joints.push_back(joint);
-}
-
-void MjcfReader::ReadInertial(const MjcfNode& node, const Place& place) {
-  if (document_.settings().inertia_from_geom == MjcfSettings::GeomInertia::kAlways) return;
-  ForeignLink& link = hand_.links[static_cast<size_t>(place.link)];
-  const std::string where = "body \"" + link.name + "\", inertial";
-  ForeignInertia inertia;
-  inertia.line = document_.LineOf(*node.xml);
-  inertia.X_LI = place.X_LB * document_.FindPose(node, where);
-  inertia.mass = document_.FindNumber(node, "mass", 0.0, where);
-  if (const auto full = document_.FindNumbers(node, "fullinertia", 6, 6, where)) {
-    const std::vector<double>& v = *full;
-    inertia.I_I << v[0], v[3], v[4], v[3], v[1], v[5], v[4], v[5], v[2];
-  } else {
-    inertia.I_I = document_.FindVector(node, "diaginertia", Vector3d::Zero(), where).asDiagonal();
-  }
-  link.inertia = inertia;
-}
-
-bool MjcfReader::PlaceMesh(const MjcfNode& node, const std::string& where, ForeignShape& shape) {
-  const char* name = document_.Find(node, "mesh");
-  const auto mesh = meshes_.find(name ? name : "");
-  if (mesh == meshes_.end()) {
-    std::vector<std::string> known;
-    for (const auto& [known_name, unused] : meshes_) known.push_back(known_name);
-    document_.Warn(*node.xml, where + ": no mesh \"" + std::string(name ? name : "") +
-                                  "\" with a file" + SuggestNames(name ? name : "", known) +
-                                  "; left out");
-    return false;
-  }
-  shape.kind = ForeignShape::Kind::kMesh;
-  shape.mesh = mesh->second.address;
-  shape.scale = mesh->second.scale;
-  shape.X_LS = shape.X_LS * mesh->second.X_GM;
-  return true;
-}
-
-std::optional<Vector3d> MjcfReader::FindColour(const MjcfNode& node, const std::string& where,
-                                               bool& is_clear) {
-  auto rgba = document_.FindNumbers(node, "rgba", 4, 4, where);
-  const char* material = document_.Find(node, "material");
-  const auto found = materials_.find(material ? material : "");
-  if (!rgba && found != materials_.end()) {
-    const MjcfNode of_material = document_.Resolve(*found->second, nullptr);
-    rgba = document_.FindNumbers(of_material, "rgba", 4, 4, "material");
-  }
-  is_clear = rgba && (*rgba)[3] == 0.0;
-  if (!rgba) return {};
-  return Vector3d((*rgba)[0], (*rgba)[1], (*rgba)[2]).cwiseMax(0.0).cwiseMin(1.0);
-}
-
-void MjcfReader::ReadGeom(const MjcfNode& node, const Place& place) {
-  using Kind = ForeignShape::Kind;
-  const size_t link = static_cast<size_t>(place.link);
-  const char* own_name = node.xml->Attribute("name");
-  const std::string where = "body \"" + hand_.links[link].name + "\", geom" +
-                            (own_name ? " \"" + std::string(own_name) + "\"" : "");
-  const std::map<std::string, Kind> kinds = {
-      {"sphere", Kind::kSphere}, {"capsule", Kind::kCapsule},     {"cylinder", Kind::kCylinder},
-      {"box", Kind::kBox},       {"ellipsoid", Kind::kEllipsoid}, {"mesh", Kind::kMesh}};
-  const char* type = document_.Find(node, "type");
-  const auto kind = kinds.find(type ? type : "sphere");
-  if (kind == kinds.end()) {
-    document_.Warn(*node.xml, where + ": type \"" + type + "\" is no part of a hand; left out");
-    return;
-  }
-  const auto is_zero = [&](const char* attribute) {
-    return document_.FindNumber(node, attribute, 1.0, where) == 0.0;
-  };
-  const bool touches = !is_zero("contype") || !is_zero("conaffinity");
-  const bool is_shown = document_.FindNumber(node, "group", 0.0, where) <= kLastGroupShown;
-  ForeignShape shape;
-  shape.weight = FindGeomWeight(document_, node, where);
-  if (!touches && !is_shown && !shape.weight) return;
-  shape.line = document_.LineOf(*node.xml);
-  shape.kind = kind->second;
-  bool is_clear = false;
-  shape.colour = FindColour(node, where, is_clear);
-  const bool is_mesh = kind->second == Kind::kMesh || document_.Find(node, "mesh") != nullptr;
-  const bool has_ends = !is_mesh && document_.Find(node, "fromto") && shape.kind != Kind::kSphere;
-  if (!has_ends) shape.X_LS = document_.FindPose(node, where);
-  const bool is_good = is_mesh    ? PlaceMesh(node, where, shape)
-                       : has_ends ? ReadGeomFromTo(document_, node, where, shape)
-                                  : ReadGeomExtent(document_, node, where, shape);
-  if (is_mesh && !is_good) return;
-  if (!is_mesh && (!is_good || shape.size.minCoeff() <= 0.0)) {
-    document_.Warn(*node.xml, where + ": the " + kind->first + " has no extent; left out");
-    return;
-  }
-  shape.X_LS = place.X_LB * shape.X_LS;
-  if (shape.weight) hand_.links[link].weights.push_back(shape);
-  if (touches) hand_.links[link].collisions.push_back(shape);
-  shape.also_touches = touches;
-  if (!is_shown || is_clear) return;
-  hand_.links[link].visuals.push_back(shape);
-  if (!touches) has_picture_[link] = true;
-}
-
-/** False, with an error: a part that another file includes. */
-bool MjcfReader::CheckIsWhole() {
-  const bool has_bodies = !document_.FindSections("worldbody").empty();
-  if (document_.IsFragment() || !has_bodies) {
-    problems_.Fail(file_, 0,
-                   std::string(document_.IsFragment() ? "the outermost element is <mujocoinclude>"
-                                                      : "the model has no <worldbody>") +
-                       ": a fragment of a model; give the file that includes it");
-    return false;
-  }
-  return true;
-}
-
-ForeignHand MjcfReader::Read(const std::string& text) {
-  if (!document_.Parse(text)) return {};
-  if (!CheckIsWhole()) return {};
-  hand_.name = document_.FindName();
-  for (const char* kind : {"extension", "deformable"}) {
-    for (XMLElement* section : document_.FindSections(kind)) WarnOnce(*section, kind);
-  }
-  ReadAssets();
-  ReadWorld();
-  if (hand_.links.size() == 1) problems_.Fail(file_, 0, "the model has no body whose joint moves");
-  if (hand_.links.size() >= kMostLinks) {
-    problems_.Fail(file_, 0, "the model has 1000 bodies or more: no hand");
-  }
-  if (problems_.num_errors() > 0) return {};
-  const std::string doubt = angles_.FindDoubt(document_.settings().in_degrees);
-  if (!doubt.empty() && !is_angle_told_) problems_.Warn(file_, angles_.first_line, doubt);
-  ReadMjcfCouplings(document_, bodies_, file_, problems_, hand_);
-  hand_.included = document_.ListIncluded();
-  return std::move(hand_);
-}
 
 }  // namespace
 

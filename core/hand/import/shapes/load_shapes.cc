@@ -7,10 +7,10 @@
 
 #include "core/base/text/text.h"
 #include "core/base/units.h"
+#include "core/hand/import/checks/joint_limits.h"
 #include "core/hand/import/shapes/find_mesh.h"
 #include "core/hand/import/shapes/fit_capsules.h"
-#include "core/hand/import/shapes/geom_mass.h"
-#include "core/hand/import/shapes/length_unit_guess.h"
+#include "core/hand/import/shapes/shape_distance.h"
 #include "core/shape/primitives.h"
 
 namespace graspbench {
@@ -44,9 +44,7 @@ constexpr double kPalmOutlier = 6.0;  // where digits part: a palm may reach far
 constexpr double kOddScale = 1.5, kSameScale = 1.5;
 
 double CalcLargestExtent(const TriMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Vector3d& p : mesh.vertices) box.extend(p);
-  return mesh.vertices.empty() ? 0.0 : box.sizes().maxCoeff();
+  return mesh.vertices.empty() ? 0.0 : CalcBounds(mesh).sizes().maxCoeff();
 }
 
 /** Without a factor that makes the part larger than any of a hand: programs export one. */

@@ -11,7 +11,7 @@ closed or open meshes to look at. */
 #include <string>
 #include <vector>
 
-#include "core/base/diagnostics.h"
+#include "core/base/error.h"
 #include "core/hand/contact_shape.h"
 #include "core/hand/import/foreign_hand.h"
 #include "core/hand/import/shapes/cover_surface.h"

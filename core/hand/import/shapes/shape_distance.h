@@ -7,6 +7,7 @@ that contact takes it for (core/hand/contact_shape.h), unless it is a disc. */
 #include <vector>
 
 #include "core/hand/contact_shape.h"
+#include "core/hand/import/foreign_hand.h"
 #include "core/shape/mass_properties.h"
 
 namespace graspbench {
@@ -30,5 +31,14 @@ Eigen::AlignedBox3d CalcBounds(const std::vector<CollisionShape>& shapes);
 /** Of the union of the shapes of one link, homogeneous, on a grid of about 40 cells along the
 longest side: volume within some per cent. @pre at least one shape. */
 MassProperties CalcUnionMass(const std::vector<CollisionShape>& shapes, double density);
+
+/** Mass of a homogeneous solid, as MuJoCo gives it to the geoms of a body without `<inertial>`.
+Closed forms; a capsule has round ends. In the link's frame. @param mesh  in the link's frame, of a
+mesh only: the volume that it encloses. @returns no mass where there is no volume. @pre the shape's
+extent is positive, `weight` is given. */
+MassProperties CalcGeomMass(const ForeignShape& shape, const TriMesh& mesh);
+
+/** Two solids in the same frame as one. */
+MassProperties AddMass(const MassProperties& a, const MassProperties& b);
 
 }  // namespace graspbench

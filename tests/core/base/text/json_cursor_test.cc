@@ -10,25 +10,6 @@
 namespace graspbench {
 namespace {
 
-TEST(JsonCursor, ReadsWhatComesNext) {
-  JsonCursor text("{\"a\":-1.5e2,\"b\":7,\"c\":\"öl\",\"d\":[1,{\"e\":\"\\n\"}],\"f\":null}");
-  text.Demand("{");
-  EXPECT_TRUE(text.TakeKey("a", true));
-  EXPECT_EQ(text.ReadNumber(), -150.0);
-  EXPECT_FALSE(text.TakeKey("c", false));
-  EXPECT_TRUE(text.TakeKey("b", false));
-  EXPECT_EQ(text.ReadInt(), 7);
-  EXPECT_TRUE(text.TakeKey("c", false));
-  EXPECT_EQ(text.ReadPlainText(), "öl");
-  EXPECT_TRUE(text.TakeKey("d", false));
-  EXPECT_EQ(text.ReadValue(), "[1,{\"e\":\"\\n\"}]");
-  EXPECT_TRUE(text.TakeKey("f", false));
-  EXPECT_TRUE(text.Take("null"));
-  text.Demand("}");
-  EXPECT_FALSE(text.has_failed());
-  EXPECT_EQ(text.rest(), "");
-}
-
 /** The numbers that two ways of reading must agree on to the last bit, by another library. */
 TEST(JsonCursor, ReadsNumbersAsATreeDoes) {
   std::vector<std::string> numbers = {"0",

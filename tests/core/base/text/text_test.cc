@@ -6,35 +6,21 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <string>
 
 #include "core/base/random.h"
 
 namespace graspbench {
 namespace {
 
-TEST(Format, DecimalsAreFixed) {
-  EXPECT_EQ(FormatFixed(0.5, 3), "0.500");
+TEST(Format, RoundsWithoutASignOfZeroAndNamesWhatIsMissing) {
   EXPECT_EQ(FormatFixed(1234567.0, 0), "1234567");
   EXPECT_EQ(FormatFixed(-2.345, 1), "-2.3");
-  EXPECT_EQ(FormatFixed(1e300, 1).size(), 303u);
-}
-
-TEST(Format, ZeroHasNoSign) {
-  EXPECT_EQ(FormatFixed(-0.0, 2), "0.00");
   EXPECT_EQ(FormatFixed(-0.0004, 3), "0.000");
-  EXPECT_EQ(FormatFixed(-0.0006, 3), "-0.001");
-}
-
-TEST(Format, WhatIsMissingIsNoNumber) {
   EXPECT_EQ(FormatFixed(std::nan(""), 3), "n/a");
-  EXPECT_EQ(FormatSignificant(INFINITY, 3), "n/a");
-  EXPECT_EQ(FormatPercent(std::nan("")), "n/a");
-}
-
-TEST(Format, SignificantDigits) {
-  EXPECT_EQ(FormatSignificant(0.0012345, 3), "0.00123");
   EXPECT_EQ(FormatSignificant(123456.0, 3), "1.23e+05");
-  EXPECT_EQ(FormatSignificant(0.0, 3), "0");
+  EXPECT_EQ(FormatSignificant(-0.0, 3), "0");
+  EXPECT_EQ(FormatPercent(INFINITY), "n/a");
 }
 
 // The standard library's own conversion, of doubles of every magnitude.
@@ -109,6 +95,67 @@ TEST(Utf8, WhatTheStandardForbidsIsNotRead) {
   }
   EXPECT_TRUE(IsUtf8(""));
   EXPECT_TRUE(IsUtf8("Gr\u00F6\u00DFe \u2264 5 \U0001F600"));
+}
+
+TEST(EscapeForTerminal, ShowsWhatATerminalWouldObey) {
+  EXPECT_EQ(EscapeForTerminal("\x1b[31mred"), "\\u001b[31mred");
+  EXPECT_EQ(EscapeForTerminal("bell\a, return\r, delete\x7f"),
+            "bell\\u0007, return\\u000d, delete\\u007f");
+  EXPECT_EQ(EscapeForTerminal(std::string_view("nul\0", 4)), "nul\\u0000");
+  EXPECT_EQ(EscapeForTerminal("\u009b31m"), "\\u009b31m");  // CSI in one character
+  EXPECT_EQ(EscapeForTerminal("\u202ecod.exe"), "\\u202ecod.exe");
+  EXPECT_EQ(EscapeForTerminal("\u2066\u2069\u200f\u061c\u2028"),
+            "\\u2066\\u2069\\u200f\\u061c\\u2028");
+}
+
+TEST(EscapeForTerminal, ShowsBytesThatAreNoUtf8) {
+  EXPECT_EQ(EscapeForTerminal("a\xff\xfe z"), "a\\xff\\xfe z");
+  EXPECT_EQ(EscapeForTerminal("\x9b"
+                              "31m"),
+            "\\x9b31m");                                           // an 8-bit terminal's CSI
+  EXPECT_EQ(EscapeForTerminal("\xc0\x9b"), "\\xc0\\x9b");          // overlong
+  EXPECT_EQ(EscapeForTerminal("cut \xe4\xb8"), "cut \\xe4\\xb8");  // half a character
+}
+
+// Whatever the bytes: valid text comes out, and no byte that a terminal obeys.
+TEST(EscapeForTerminal, NothingGetsThrough) {
+  unsigned state = 1;
+  for (int i = 0; i < 2000; ++i) {
+    std::string bytes;
+    for (int k = 0; k < 20; ++k) {
+      state = state * 1664525u + 1013904223u;
+      bytes += static_cast<char>(state >> 24);
+    }
+    const std::string safe = EscapeForTerminal(bytes);
+    EXPECT_TRUE(IsUtf8(safe));
+    for (const char c : safe) {
+      EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t') << safe;
+      EXPECT_NE(c, '\x7f');
+    }
+    EXPECT_EQ(EscapeForTerminal(safe), safe);
+  }
+}
+
+TEST(RangeText, NamesTheRangeBehindTheValue) {
+  EXPECT_EQ(FormatRange(-0.001, 0.25, 2), "0.00 to 0.25");
+  EXPECT_EQ(FormatWithRange(0.5, 0.25, 1.0, 1), "0.5 (0.2 to 1.0)");
+  EXPECT_EQ(FormatWithRange(0.5, std::nan(""), std::nan(""), 1), "0.5");
+}
+
+using namespace std::string_literals;
+
+TEST(IsUtf16, ByItsMarkOrByTheZerosBesideItsLetters) {
+  EXPECT_TRUE(IsUtf16("\xff\xfep\0"s));
+  EXPECT_TRUE(IsUtf16("\xfe\xff\0p"s));
+  EXPECT_TRUE(IsUtf16("f\0i\0l\0e\0"s));
+  EXPECT_TRUE(IsUtf16("\0f\0i\0l\0e"s));
+  EXPECT_FALSE(IsUtf16("file"));
+  EXPECT_FALSE(IsUtf16(""));
+  EXPECT_FALSE(
+      IsUtf16("\xef\xbb\xbf"
+              "file,participant"));  // UTF-8 with its mark
+  EXPECT_FALSE(IsUtf16("\0\0\0\0\0\0\0\0"s));
+  EXPECT_FALSE(IsUtf16("\x02P\0\0\x01\0\x10\0"s));  // C3D
 }
 
 }  // namespace

@@ -2,22 +2,17 @@
 // palm touch where the description's own solids are apart: measured against the description's
 // surfaces by winding numbers and brute force, which share nothing with the fit.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <Eigen/Geometry>
 #include <map>
 #include <random>
 
-#include "core/base/files/files.h"
 #include "core/base/units.h"
-#include "core/hand/coupling.h"
-#include "core/hand/import/import_hand.h"
+#include "core/hand/contact_shape.h"
+#include "core/hand/hand.h"
 #include "core/hand/import/read_foreign_urdf.h"
-#include "core/hand/load_hand.h"
-#include "core/hand/self_contact.h"
-#include "core/shape/obj_file.h"
 #include "core/shape/primitives.h"
-#include "tests/support/shared_data.h"
+#include "tests/core/hand/import/import_file.h"
 
 namespace graspbench {
 namespace {
@@ -101,27 +96,11 @@ struct Imported {
 };
 
 Imported ImportAndLoad(const fs::path& file) {
-  HandSource source;
-  source.file = file.string();
-  source.folder = file.parent_path();
-  source.load_mesh = [](const fs::path& path) {
-    Diagnostics unread;
-    return ParseObj(ReadFile(path), path.string(), unread);
-  };
   Diagnostics problems;
-  const ImportedFiles files = ImportHand(ReadFile(file), source, "", problems);
+  const ImportedFiles files = ImportHand(ReadFile(file), MakeFileSource(file), "", problems);
   EXPECT_EQ(problems.num_errors(), 0) << problems.Format();
-  const fs::path out = fs::path(testing::TempDir()) / ("coverage_" + std::to_string(::getpid()));
-  fs::remove_all(out);
-  for (const auto& [path, content] : files.files) {
-    MakeFolder((out / path).parent_path());
-    WriteFile(out / path, content);
-  }
   Imported imported;
-  Diagnostics of_loading;
-  imported.hand = CheckHand(out.string(), of_loading);
-  fs::remove_all(out);
-  EXPECT_EQ(of_loading.Format(), "");
+  imported.hand = WriteAndLoad(files);
 
   Diagnostics unread;
   const ForeignHand foreign = ReadForeignUrdf(ReadFile(file), file.string(), unread);
@@ -158,17 +137,10 @@ double CalcUncovered(const Hand& hand, int link, const std::vector<Vector3d>& po
   return *at;
 }
 
-class ContactCoverageTest : public testing::TestWithParam<const char*> {
- protected:
-  fs::path FindDescription() const {
-    const std::string name = GetParam();
-    return name.find('/') == std::string::npos ? fs::path(IMPORT_TEST_DATA_DIR) / "right" / name
-                                               : FindSharedData() / "hands" / name;
-  }
-};
+class ContactCoverageTest : public testing::TestWithParam<const char*> {};
 
 TEST_P(ContactCoverageTest, EveryLinkOfADigitIsCovered) {
-  const fs::path file = FindDescription();
+  const fs::path file = FindDescription(GetParam());
   if (!fs::exists(file)) GTEST_SKIP() << file << " is not on this machine";
   const Imported imported = ImportAndLoad(file);
   double largest = 0.0;
@@ -195,7 +167,7 @@ double CalcApart(const Solids& digit, const Solids& palm, const Pose& X_PD) {
 
 // The points of either surface are some 3 mm apart, so a touch is found within about half of that.
 TEST_P(ContactCoverageTest, DigitAndPalmMeetOnlyWhereTheirSolidsDo) {
-  const fs::path file = FindDescription();
+  const fs::path file = FindDescription(GetParam());
   if (!fs::exists(file)) GTEST_SKIP() << file << " is not on this machine";
   const Imported imported = ImportAndLoad(file);
   const Hand& hand = imported.hand;

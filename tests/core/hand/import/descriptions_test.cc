@@ -2,17 +2,12 @@
 // every wrong one is refused or reported by its subject, no right one is refused. cases.tsv beside
 // the files says what is wrong with each and which words the message must have.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <sstream>
 
-#include "core/base/files/files.h"
-#include "core/base/text/text.h"
-#include "core/hand/import/import_hand.h"
-#include "core/hand/load_hand.h"
-#include "core/shape/obj_file.h"
 #include "tests/core/hand/import/doubts.h"
+#include "tests/core/hand/import/import_file.h"
 
 namespace graspbench {
 namespace {
@@ -43,20 +38,12 @@ ImportedFiles ImportDescription(const fs::path& file, const std::string& option,
                                 Diagnostics& problems) {
   const std::vector<std::string> parts = SplitAt(option, "=");
   const std::string palm = parts[0] == "palm" ? parts[1] : "";
-  HandSource source;
+  HandSource source = MakeFileSource(file);
   if (parts[0] == "normal") {
     const std::vector<std::string> numbers = SplitAt(parts[1], ",");
     source.palm_normal =
         Eigen::Vector3d(std::stod(numbers[0]), std::stod(numbers[1]), std::stod(numbers[2]));
   }
-  source.file = file.filename().string();
-  source.folder = file.parent_path();
-  source.load_mesh = [](const fs::path& path) {
-    Diagnostics of_mesh;
-    const TriMesh mesh = ParseObj(ReadFile(path), path.string(), of_mesh);
-    of_mesh.ThrowIfErrors(ErrorKind::kFormat, "broken");
-    return mesh;
-  };
   return ImportHand(ReadFile(file), source, palm, problems);
 }
 
@@ -92,35 +79,20 @@ INSTANTIATE_TEST_SUITE_P(All, WrongDescriptionTest, testing::ValuesIn(ReadCases(
 
 class RightDescriptionTest : public testing::TestWithParam<std::vector<std::string>> {};
 
-TEST_P(RightDescriptionTest, IsImportedAndLoads) {
+TEST_P(RightDescriptionTest, IsImportedWithoutDoubtAndLoads) {
   const std::vector<std::string>& row = GetParam();
   ASSERT_EQ(row.size(), 3u);
   Diagnostics problems;
   const ImportedFiles imported = ImportDescription(
       fs::path(IMPORT_TEST_DATA_DIR) / "right" / row[0], row[1] == "-" ? "" : row[1], problems);
   ASSERT_EQ(problems.num_errors(), 0) << row[2] << "\n" << problems.Format();
-  const fs::path out = fs::path(testing::TempDir()) / ("right_hand_" + std::to_string(::getpid()));
-  fs::remove_all(out);
-  for (const auto& [name, content] : imported.files) {
-    MakeFolder((out / name).parent_path());
-    WriteFile(out / name, content);
-  }
-  Diagnostics of_loading;
-  CheckHand(out.string(), of_loading);
-  EXPECT_EQ(of_loading.Format(), "");
-  fs::remove_all(out);
-}
-INSTANTIATE_TEST_SUITE_P(All, RightDescriptionTest, testing::ValuesIn(ReadCases("right")),
-                         NameOfFile);
-
-// What is right must not be drowned in doubts of unit, scale, axis or mass either.
-TEST_P(RightDescriptionTest, IsNotDoubted) {
-  Diagnostics problems;
-  ImportDescription(fs::path(IMPORT_TEST_DATA_DIR) / "right" / GetParam()[0],
-                    GetParam()[1] == "-" ? "" : GetParam()[1], problems);
+  WriteAndLoad(imported);
+  // What is right must not be drowned in doubts of unit, scale, axis or mass either.
   EXPECT_EQ(FindDoubts(problems), "");
   EXPECT_EQ(problems.Format().find("of a finger's drive"), std::string::npos) << problems.Format();
 }
+INSTANTIATE_TEST_SUITE_P(All, RightDescriptionTest, testing::ValuesIn(ReadCases("right")),
+                         NameOfFile);
 
 /** What stands behind "normal:" in hand.yaml. */
 std::string ReadNormal(const char* file) {

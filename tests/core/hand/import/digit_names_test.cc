@@ -1,6 +1,6 @@
-#include "core/hand/import/digit_names.h"
-
 #include <gtest/gtest.h>
+
+#include "core/hand/import/guess_hand.h"
 
 namespace graspbench {
 namespace {

@@ -4,7 +4,7 @@ What must not be said of a hand that is described right. */
 
 #include <string>
 
-#include "core/base/diagnostics.h"
+#include "core/base/error.h"
 
 namespace graspbench {
 

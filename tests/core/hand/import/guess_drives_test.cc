@@ -1,8 +1,7 @@
-#include "core/hand/import/guess_drives.h"
-
 #include <gtest/gtest.h>
 
-#include "tests/core/hand/import/checks/box_hand.h"
+#include "core/hand/import/guess_hand.h"
+#include "tests/core/hand/import/box_hand.h"
 
 namespace graspbench {
 namespace {
@@ -23,12 +22,6 @@ std::string TellDrives(ImportedHand& imported) {
   Diagnostics problems;
   GuessDrives("hand.urdf", imported, problems);
   return problems.Format();
-}
-
-TEST(GuessDrivesTest, AnEffortThatAFingerCanHaveIsTaken) {
-  ImportedHand imported = MakeDriven(5.0);  // 67 N at 75 mm
-  EXPECT_EQ(TellDrives(imported), "");
-  EXPECT_EQ(imported.hand.joints[0].drive.torque_limit, 5.0);
 }
 
 TEST(GuessDrivesTest, MoreThanAFingerHasAndPlaceholdersAreGuessedAndTold) {
@@ -54,6 +47,12 @@ TEST(GuessDrivesTest, AnEffortBelowTheWeightOfWhatItMovesIsTold) {
   EXPECT_NE(TellDrives(imported).find("the effort of 1 joint (\"left_near_bend\") bears less"),
             std::string::npos)
       << TellDrives(imported);
+}
+
+TEST(GuessDrivesTest, AnEffortThatAFingerCanHaveIsTaken) {
+  ImportedHand imported = MakeDriven(5.0);  // 67 N at 75 mm
+  EXPECT_EQ(TellDrives(imported), "");
+  EXPECT_EQ(imported.hand.joints[0].drive.torque_limit, 5.0);
 }
 
 TEST(GuessDrivesTest, DampingThatCrawlsIsTold) {

@@ -1,16 +1,12 @@
 #include "core/hand/import/import_hand.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include "core/base/files/files.h"
 #include "core/base/text/text.h"
-#include "core/hand/import/foreign_xml.h"
-#include "core/hand/load_hand.h"
-#include "core/shape/obj_file.h"
+#include "core/hand/import/foreign_hand.h"
 #include "tests/core/hand/import/doubts.h"
+#include "tests/core/hand/import/import_file.h"
 #include "tests/core/hand/import/small_gripper.h"
-#include "tests/support/shared_data.h"
 
 namespace graspbench {
 namespace {
@@ -25,44 +21,21 @@ struct Published {
 };
 class PublishedHandTest : public testing::TestWithParam<Published> {};
 
-HandSource MakeSource(const fs::path& file) {
-  HandSource source;
-  source.file = file.string();
-  source.folder = file.parent_path();
-  source.load_mesh = [](const fs::path& path) {
-    Diagnostics problems;
-    const TriMesh mesh = ParseObj(ReadFile(path), path.string(), problems);
-    problems.ThrowIfErrors(ErrorKind::kFormat, "broken");
-    return mesh;
-  };
-  return source;
-}
-
 TEST_P(PublishedHandTest, ImportsUneditedAndLoads) {
   const fs::path file = FindSharedData() / "hands" / GetParam().file;
   if (!fs::exists(file)) GTEST_SKIP() << file << " is not on this machine";
-  const HandSource source = MakeSource(file);
+  const HandSource source = MakeFileSource(file);
   Diagnostics problems;
   const ImportedFiles imported = ImportHand(ReadFile(file), source, "", problems);
   EXPECT_EQ(FindDoubts(problems), GetParam().doubts);
   ASSERT_EQ(problems.num_errors(), 0) << problems.Format();
   EXPECT_EQ(imported.num_driven, GetParam().num_driven);
-  const fs::path out =
-      fs::path(testing::TempDir()) / ("published_hand_" + std::to_string(::getpid()));
-  fs::remove_all(out);
-  for (const auto& [name, content] : imported.files) {
-    MakeFolder((out / name).parent_path());
-    WriteFile(out / name, content);
-  }
-  Diagnostics of_loading;
-  const Hand hand = CheckHand(out.string(), of_loading);
-  EXPECT_EQ(of_loading.Format(), "");
+  const Hand hand = WriteAndLoad(imported);
   std::string digits;
   for (const Digit& digit : hand.digits) digits += digit.id + (digit.is_thumb ? "! " : " ");
   EXPECT_EQ(digits, GetParam().digits);
   EXPECT_GT(hand.palm_normal.dot(GetParam().normal), 0.99) << hand.palm_normal.transpose();
   EXPECT_EQ(ImportHand(ReadFile(file), source, "", problems).files, imported.files);
-  fs::remove_all(out);
 }
 INSTANTIATE_TEST_SUITE_P(
     Hands, PublishedHandTest,
@@ -82,29 +55,11 @@ class OwnHandTest : public testing::TestWithParam<const char*> {};
 TEST_P(OwnHandTest, IsNotDoubted) {
   const fs::path file = FindDataRoot() / "core/hand/models" / GetParam() / "hand.urdf";
   Diagnostics problems;
-  ImportHand(ReadFile(file), MakeSource(file), "", problems);
+  ImportHand(ReadFile(file), MakeFileSource(file), "", problems);
   ASSERT_EQ(problems.num_errors(), 0) << problems.Format();
   EXPECT_EQ(FindDoubts(problems), "");
 }
 INSTANTIATE_TEST_SUITE_P(Models, OwnHandTest, testing::Values("tum", "tum-original", "shadow"));
-
-/** As the loader has it; nothing where the description is not on this machine. */
-std::optional<Hand> ImportAndParse(const fs::path& file, ImportedFiles& imported,
-                                   std::string& told) {
-  if (!fs::exists(file)) return {};
-  Diagnostics problems, of_loading;
-  imported = ImportHand(ReadFile(file), MakeSource(file), "", problems);
-  told = problems.Format();
-  const fs::path out = fs::path(testing::TempDir()) / ("stranger_" + std::to_string(::getpid()));
-  for (const auto& [name, content] : imported.files) {
-    MakeFolder((out / name).parent_path());
-    WriteFile(out / name, content);
-  }
-  const Hand hand = CheckHand(out.string(), of_loading);
-  EXPECT_EQ(of_loading.Format(), "");
-  fs::remove_all(out);
-  return hand;
-}
 
 double CalcMass(const Hand& hand) {
   double mass = 0.0;
@@ -115,10 +70,13 @@ double CalcMass(const Hand& hand) {
 class StrangersHandTest : public testing::Test {
  protected:
   bool Import(const char* name) {
-    const auto hand =
-        ImportAndParse(FindSharedData() / "strangers" / "hands" / name, imported_, told_);
-    if (hand) hand_ = *hand;
-    return hand.has_value();
+    const fs::path file = FindSharedData() / "strangers" / "hands" / name;
+    if (!fs::exists(file)) return false;
+    Diagnostics problems;
+    imported_ = ImportHand(ReadFile(file), MakeFileSource(file), "", problems);
+    told_ = problems.Format();
+    hand_ = WriteAndLoad(imported_);
+    return true;
   }
   ImportedFiles imported_;
   std::string told_;

@@ -2,19 +2,15 @@
 
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
-#include <unistd.h>
 
 #include <memory>
 #include <random>
 
-#include "core/base/files/files.h"
 #include "core/base/units.h"
-#include "core/hand/coupling.h"
-#include "core/hand/import/import_hand.h"
-#include "core/hand/import/mjcf/read_foreign_mjcf.h"
+#include "core/hand/hand.h"
+#include "core/hand/import/read_foreign_urdf.h"
 #include "core/hand/import/weld_links.h"
-#include "core/hand/load_hand.h"
-#include "core/shape/obj_file.h"
+#include "tests/core/hand/import/import_file.h"
 #include "tests/core/hand/import/small_claw.h"
 
 namespace graspbench {
@@ -40,13 +36,6 @@ Pose PoseAt(const mjtNum* places, const mjtNum* matrices, int index) {
   return MakePose(R, VectorAt(places, index));
 }
 
-TriMesh LoadObj(const fs::path& path) {
-  Diagnostics problems;
-  const TriMesh mesh = ParseObj(ReadFile(path), path.string(), problems);
-  problems.ThrowIfErrors(ErrorKind::kFormat, "broken");
-  return mesh;
-}
-
 class MujocoPeerTest : public testing::Test {
  protected:
   MujocoPeerTest()
@@ -62,10 +51,7 @@ class MujocoPeerTest : public testing::Test {
     model_.reset(mj_loadXML((folder_ / "model.xml").c_str(), nullptr, fault, sizeof(fault)));
     ASSERT_NE(model_, nullptr) << fault;
     data_.reset(mj_makeData(model_.get()));
-    HandSource source;
-    source.file = (folder_ / "model.xml").string();
-    source.folder = folder_;
-    source.load_mesh = &LoadObj;
+    const HandSource source = MakeFileSource(folder_ / "model.xml");
     Diagnostics problems;
     ForeignHand foreign = ReadForeignMjcf(text, source.file, folder_, problems);
     ShapeLoader loader(source, problems);

@@ -2,7 +2,6 @@
 // those of the file, computed here from its numbers alone.
 #include <gtest/gtest.h>
 #include <tinyxml2.h>
-#include <unistd.h>
 
 #include <Eigen/Geometry>
 #include <functional>
@@ -10,12 +9,8 @@
 #include <random>
 #include <sstream>
 
-#include "core/base/files/files.h"
-#include "core/hand/coupling.h"
-#include "core/hand/import/import_hand.h"
-#include "core/hand/load_hand.h"
-#include "core/shape/obj_file.h"
-#include "tests/support/shared_data.h"
+#include "core/hand/hand.h"
+#include "tests/core/hand/import/import_file.h"
 
 namespace graspbench {
 namespace {
@@ -67,32 +62,12 @@ std::map<std::string, Eigen::Isometry3d> CalcFrames(const tinyxml2::XMLElement& 
 class NamedFramesTest : public testing::TestWithParam<const char*> {};
 
 TEST_P(NamedFramesTest, AreWhereTheDescriptionHasThem) {
-  const std::string name = GetParam();
-  const fs::path file = name.find('/') == std::string::npos
-                            ? fs::path(IMPORT_TEST_DATA_DIR) / "right" / name
-                            : FindSharedData() / "hands" / name;
+  const fs::path file = FindDescription(GetParam());
   if (!fs::exists(file)) GTEST_SKIP() << file << " is not on this machine";
-  HandSource source;
-  source.file = file.string();
-  source.folder = file.parent_path();
-  source.load_mesh = [](const fs::path& path) {
-    Diagnostics unread;
-    return ParseObj(ReadFile(path), path.string(), unread);
-  };
   Diagnostics problems;
-  const ImportedFiles imported = ImportHand(ReadFile(file), source, "", problems);
+  const ImportedFiles imported = ImportHand(ReadFile(file), MakeFileSource(file), "", problems);
   ASSERT_EQ(problems.num_errors(), 0) << problems.Format();
-  const fs::path out =
-      fs::path(testing::TempDir()) / ("named_frames_" + std::to_string(::getpid()));
-  fs::remove_all(out);
-  for (const auto& [path, content] : imported.files) {
-    MakeFolder((out / path).parent_path());
-    WriteFile(out / path, content);
-  }
-  Diagnostics of_loading;
-  const Hand hand = CheckHand(out.string(), of_loading);
-  fs::remove_all(out);
-  ASSERT_EQ(of_loading.num_errors(), 0) << of_loading.Format();
+  const Hand hand = WriteAndLoad(imported);
 
   tinyxml2::XMLDocument document;
   const std::string text = ReadFile(file);
@@ -129,16 +104,12 @@ TEST_P(NamedFramesTest, AreWhereTheDescriptionHasThem) {
   }
   RecordProperty("largest_difference_pm", std::to_string(1e12 * largest));
 }
+
 // Bodies at (10, 30, 8) mm and 45 mm above; the joint between them lies 5 mm beside the second.
 TEST(NamedFrames, ABodyBesideItsJointKeepsItsFrame) {
-  const fs::path file = fs::path(IMPORT_TEST_DATA_DIR) / "right" / "joint_beside_body.xml";
-  HandSource source;
-  source.file = file.filename().string();
+  const fs::path file = FindDescription("joint_beside_body.xml");
   Diagnostics problems;
-  const ImportedFiles imported = ImportHand(ReadFile(file), source, "", problems);
-  const Hand hand =
-      ParseHand(imported.files.at("hand.urdf"), imported.files.at("hand.yaml"), ".", problems);
-  ASSERT_EQ(problems.num_errors(), 0) << problems.Format();
+  const Hand hand = WriteAndLoad(ImportHand(ReadFile(file), MakeFileSource(file), "", problems));
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, Eigen::VectorXd::Zero(hand.num_joints()));
   const Pose X_PH = X_HL[hand.palm_link].inverse();
   int num_found = 0;

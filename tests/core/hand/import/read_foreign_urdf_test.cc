@@ -4,131 +4,18 @@
 
 #include "core/base/units.h"
 #include "tests/core/hand/import/small_gripper.h"
+#include "tests/core/hand/text_cases.h"
 
 namespace graspbench {
 namespace {
 
-/** A change of the gripper and what is said about it. */
-struct OddUrdf {
-  const char* from;
-  const char* to;
-  const char* expected;
-};
-
-class OddUrdfTest : public testing::TestWithParam<OddUrdf> {};
-
-TEST_P(OddUrdfTest, TellsWhatItRepairsAndWhatItCannot) {
-  const std::string text = ReplaceOnce(kSmallGripper, GetParam().from, GetParam().to);
-  ASSERT_NE(text, kSmallGripper);
-  Diagnostics problems;
-  ReadForeignUrdf(text, "g.urdf", problems);
-  EXPECT_EQ(problems.Format(), GetParam().expected) << GetParam().from << " -> " << GetParam().to;
+TEST(ReadForeignUrdfTest, TellsWhatItRepairsAndWhatItCannot) {
+  for (const TextCase& odd : ReadTextCases(IMPORT_TEST_DATA_DIR "/odd_urdf.yaml")) {
+    Diagnostics problems;
+    ReadForeignUrdf(odd.Change(kSmallGripper), "g.urdf", problems);
+    EXPECT_EQ(problems.Format(), odd.expected) << odd.from << " -> " << odd.to;
+  }
 }
-
-constexpr const char* kLeftLimit = "lower=\"0\" upper=\"0.04\"";
-
-INSTANTIATE_TEST_SUITE_P(
-    Repaired, OddUrdfTest,
-    testing::Values(
-        OddUrdf{kLeftLimit, "lower=\"0.04\" upper=\"0\"",
-                "g.urdf:34: warning: joint \"slide_left\": the limits are reversed; exchanged"},
-        OddUrdf{"<limit effort=\"20\" lower=\"0\" upper=\"0.04\" velocity=\"0.2\"/>", "",
-                "g.urdf:31: warning: joint \"slide_left\" has no <limit>; fixed: give it a lower "
-                "and an upper limit if it moves"},
-        OddUrdf{kLeftLimit, "",
-                "g.urdf:31: warning: joint \"slide_left\" has equal limits; fixed: give it a lower "
-                "and an upper limit if it moves"},
-        OddUrdf{"\"slide_left\" type=\"prismatic\"", "\"slide_left\" type=\"continuous\"",
-                "g.urdf:31: warning: joint \"slide_left\" is continuous, it turns without end; "
-                "its limits are taken as half a turn each way"},
-        OddUrdf{"\"slide_left\" type=\"prismatic\"", "\"slide_left\" type=\"floating\"",
-                "g.urdf:31: warning: joint \"slide_left\": type \"floating\" is no joint of a "
-                "hand; taken as fixed\n"
-                "g.urdf:40: warning: joint \"slide_right\": <mimic> of \"slide_left\", which does "
-                "not move; the joint gets a drive of its own"},
-        OddUrdf{"<mimic joint=\"slide_left\"/>", "<mimic joint=\"slide_right\"/>",
-                "g.urdf:40: warning: joint \"slide_right\": <mimic> of itself; the joint gets a "
-                "drive of its own"},
-        OddUrdf{"<mimic joint=\"slide_left\"/>", "<mimic joint=\"slide\"/>",
-                "g.urdf:40: warning: joint \"slide_right\": <mimic> of \"slide\", which is no "
-                "joint; the joint gets a drive of its own"},
-        OddUrdf{"<mimic joint=\"slide_left\"/>", "<mimic joint=\"slide_left\" multiplier=\"0\"/>",
-                "g.urdf:40: warning: joint \"slide_right\": <mimic> has a multiplier of 0; the "
-                "joint gets a drive of its own"},
-        OddUrdf{"axis xyz=\"0 1 0\"", "axis xyz=\"0 0 0\"",
-                "g.urdf:33: warning: joint \"slide_left\": the axis has no direction; taken as x"},
-        OddUrdf{"mass value=\"0.7\"", "mass value=\"0,7kg\"",
-                "g.urdf:10: warning: link \"the hand\", inertial, <mass> value: expected 1 finite "
-                "number, found \"0,7kg\"; taken as if it were not there"},
-        OddUrdf{"box size=\"0.06 0.2 0.06\"", "box size=\"0.06 0.2 0\"",
-                "g.urdf:14: warning: link \"the hand\", collision: the box has no extent; left "
-                "out"},
-        OddUrdf{"<box size=\"0.06 0.2 0.06\"/>", "<cone/>",
-                "g.urdf:14: warning: link \"the hand\", collision: <cone> is no shape of URDF; "
-                "left out"},
-        OddUrdf{
-            "<box size=\"0.06 0.2 0.06\"/>", "<mesh/>",
-            "g.urdf:14: warning: link \"the hand\", collision: <mesh> has no attribute filename; "
-            "left out"},
-        OddUrdf{"<geometry><box size=\"0.06 0.2 0.06\"/></geometry>", "",
-                "g.urdf:13: warning: link \"the hand\", collision: <geometry> is missing; "
-                "left out"}));
-
-INSTANTIATE_TEST_SUITE_P(
-    Refused, OddUrdfTest,
-    testing::Values(
-        OddUrdf{
-            "</robot>", "",
-            "g.urdf:2: error: not valid XML: a tag or a value from here on is not closed or not "
-            "well-formed (XML_ERROR_PARSING)"},
-        OddUrdf{"<link name=\"world\"/>", "<xacro:macro name=\"m\"/>",
-                "g.urdf:3: error: <xacro:macro> is a macro: expand the file first (xacro "
-                "FILE.xacro > FILE.urdf)"},
-        OddUrdf{"<parent link=\"world\"/>", "<parent link=\"wrold\"/>",
-                "g.urdf:5: error: joint \"mount\": parent link \"wrold\" does not exist; did you "
-                "mean \"world\"? "
-                "Known: world, the hand, left, right"},
-        OddUrdf{"<child link=\"right\"/>", "<child link=\"left\"/>",
-                "g.urdf:36: error: joint \"slide_right\": link \"left\" already hangs on joint "
-                "\"slide_left\" (line 31); a hand is a tree, so cut the loop and give one side a "
-                "mimic\n"
-                "g.urdf:26: error: several roots: \"world\", \"right\"; join all links into one "
-                "tree below the link that the arm carries"},
-        OddUrdf{"<parent link=\"world\"/>", "<parent link=\"left\"/>",
-                "g.urdf:4: error: the joints \"mount\", \"slide_left\" form a cycle; a hand is a "
-                "tree"},
-        OddUrdf{"origin xyz=\"0 0 0.06\"", "origin xyz=\"nan 0 0.06\"",
-                "g.urdf:33: error: joint \"slide_left\", <origin> xyz: expected 3 finite numbers, "
-                "found \"nan 0 0.06\"; without it nobody knows where the joint is"},
-        OddUrdf{"origin xyz=\"0 0 0.03\"", "origin xyz=\"0 0\"",
-                "g.urdf:14: error: link \"the hand\", collision, <origin> xyz: expected 3 finite "
-                "numbers, found \"0 0\"; without it nobody knows where the collision is"},
-        OddUrdf{"origin xyz=\"0 0 0.03\"", "origin xyz=\"0 0 0.03\" quat_xyzw=\"0 0 0.7 0.7\"",
-                "g.urdf:14: error: link \"the hand\", collision: its <origin> has the attribute "
-                "\"quat_xyzw\"; expected the attributes \"xyz\" (a place in metres) and \"rpy\" "
-                "(roll, pitch, yaw in radians) alone; give the place and the rotation by these"},
-        OddUrdf{"origin xyz=\"0 0 0.06\"", "origin pos=\"0 0 0.06\"",
-                "g.urdf:33: error: joint \"slide_left\": its <origin> has the attribute \"pos\"; "
-                "expected the attributes \"xyz\" (a place in metres) and \"rpy\" (roll, pitch, yaw "
-                "in radians) alone; give the place and the rotation by these"},
-        OddUrdf{"<origin xyz=\"0 0 0.03\"/>", "<origin><!-- here --><xyz>0 0 0.03</xyz></origin>",
-                "g.urdf:14: error: link \"the hand\", collision: its <origin> has the element "
-                "<xyz>; expected the attributes \"xyz\" (a place in metres) and \"rpy\" (roll, "
-                "pitch, yaw in radians) alone; give the place and the rotation by these"},
-        OddUrdf{"<origin xyz=\"0 0 0.03\"/>", "<origin>0 0 0.03</origin>",
-                "g.urdf:14: error: link \"the hand\", collision: its <origin> has the text \"0 0 "
-                "0.03\"; expected the attributes \"xyz\" (a place in metres) and \"rpy\" (roll, "
-                "pitch, yaw in radians) alone; give the place and the rotation by these"},
-        OddUrdf{"<origin xyz=\"0 0 0.03\"/>", "<origin xyz=\"0 0 0.03\"/><origin rpy=\"1 0 0\"/>",
-                "g.urdf:14: error: link \"the hand\", collision: a second <origin>; one is "
-                "allowed"},
-        OddUrdf{"mass value=\"0.7\"", "mass value=\"${m}\"",
-                "g.urdf:10: error: link \"the hand\", inertial, <mass> value: expected 1 finite "
-                "number, "
-                "found \"${m}\", a macro: expand the file first (xacro FILE.xacro > FILE.urdf)"},
-        OddUrdf{"<link name=\"world\"/>", "<link name=\"world\"/><link name=\"loose\"/>",
-                "g.urdf:3: error: several roots: \"world\", \"loose\"; join all links into one "
-                "tree below the link that the arm carries"}));
 
 TEST(ReadForeignUrdfTest, ReadsNamesOfAnyScript) {
   Diagnostics problems;

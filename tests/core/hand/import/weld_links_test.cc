@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/hand/import/checks/find_hand.h"
 #include "core/hand/import/read_foreign_urdf.h"
 #include "tests/core/hand/import/small_gripper.h"
 
@@ -57,18 +58,6 @@ TEST(WeldLinksTest, ReplacesWhatNoBodyHas) {
       "kg/m^3, inertia of its volume, 19.8 g";
   EXPECT_EQ(told("nothing", "changed"), kept);
   const std::string left = "link \"left\": ";
-  const std::string replaced = "; replaced: published mass, inertia of its volume, 15 g";
-  EXPECT_EQ(
-      told("ixx=\"2.4e-6\"", "ixx=\"4e-6\""),
-      left + "a principal moment larger than the sum of the others, which no body has" + replaced);
-  EXPECT_EQ(told("ixx=\"2.4e-6\"", "ixx=\"-2e-6\""),
-            left + "a principal moment that is not positive" + replaced);
-  EXPECT_EQ(told("<inertia ixx=\"2.4e-6\" ixy=\"0\" ixz=\"0\" iyy=\"2.3e-6\" iyz=\"0\" "
-                 "izz=\"7.5e-7\"/>",
-                 ""),
-            left + "no inertia" + replaced);
-  EXPECT_EQ(told("<mass value=\"0.015\"/>", "<mass value=\"0.015\"/><origin xyz=\"0.1 0 0\"/>"),
-            left + "a centre of mass 90 mm outside its shapes" + replaced);
   EXPECT_EQ(told("<mass value=\"0.015\"/>", "<mass value=\"0.05\"/>"),
             kept);  // heavy, but a body may have it
   // A ball of 100 g of 20,000 kg/m^3 has a radius of 10.6 mm and moments of 4.5e-6 kg m^2.
@@ -146,6 +135,44 @@ TEST(WeldLinksTest, WithoutDigitsThereIsNoHand) {
             "has two digits at least that part from a palm");
   EXPECT_EQ(told(kSmallGripper, "hand"),
             "no link \"hand\" for the palm. Known: world, the hand, left, right");
+}
+
+/** Links by name, each with a shape, that hang on the one named before them, 30 mm along x times
+`step`. */
+class TreeBuilder {
+ public:
+  int Add(const std::string& name, int parent, bool moves, const Eigen::Vector3d& at) {
+    ForeignLink& link = hand.links.emplace_back();
+    link.name = name;
+    link.collisions.emplace_back();
+    const int child = static_cast<int>(hand.links.size()) - 1;
+    if (parent < 0) return child;
+    ForeignJoint& joint = hand.joints.emplace_back();
+    joint.kind = moves ? ForeignJoint::Kind::kRevolute : ForeignJoint::Kind::kFixed;
+    joint.parent = parent;
+    joint.child = child;
+    joint.X_PJ = MakePose(at);
+    return child;
+  }
+  HandCandidate Find(const std::string& palm = "") {
+    return FindHand(hand, MakeForeignTree(hand), std::vector<bool>(hand.links.size(), true), palm,
+                    "rig.urdf", problems);
+  }
+  ForeignHand hand;
+  Diagnostics problems;
+};
+
+// A moving metacarpal with two fingers beside three other digits, as some hands have: no hand in a
+// hand.
+TEST(FindHandTest, APartWithTwoFingersNearTheOthersIsNoHandOfItsOwn) {
+  TreeBuilder rig;
+  const int palm = rig.Add("palm", -1, false, {0, 0, 0});
+  rig.Add("thumb", palm, true, {0.03, 0, 0});
+  rig.Add("index", palm, true, {0, 0, 0.09});
+  const int part = rig.Add("metacarpal", palm, true, {0, 0.03, 0.02});
+  rig.Add("ring", part, true, {0, 0, 0.07});
+  rig.Add("little", part, true, {0, 0.02, 0.06});
+  EXPECT_EQ(rig.Find().palm, palm);
 }
 
 }  // namespace

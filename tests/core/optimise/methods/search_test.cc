@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <set>
 
 #include "core/base/error.h"
+#include "core/base/units.h"
 
 namespace graspbench {
 namespace {
@@ -51,9 +54,7 @@ SearchResult Search(const std::string& method, int size, int num_evaluations, in
                    });
 }
 
-double FindBest(const SearchResult& result) {
-  return result.individuals[static_cast<size_t>(result.best)].fitness;
-}
+double FindBest(const SearchResult& result) { return result.individuals[result.best].fitness; }
 
 double CalcMedianBest(const std::string& method, int size, const Function& function) {
   std::vector<double> best;
@@ -142,7 +143,7 @@ TEST(EvolutionStrategy, NeverLosesTheBestAndRecombinesItsParents) {
       if (other.generation < child.generation) best_before = std::max(best_before, other.fitness);
     }
     for (const int number : child.parents) {
-      const Individual& parent = result.individuals[static_cast<size_t>(number)];
+      const Individual& parent = result.individuals[number];
       num_better = 0;
       for (const Individual& other : result.individuals) {
         num_better += other.generation == parent.generation && other.fitness > parent.fitness;
@@ -153,12 +154,49 @@ TEST(EvolutionStrategy, NeverLosesTheBestAndRecombinesItsParents) {
   }
 }
 
-TEST(GridSearch, CoversTheFacesOfTheBox) {
-  const SearchResult result = Search("grid", 3, 65, 1, Sphere);
-  ASSERT_EQ(result.individuals.size(), 65u);  // the start and 4 x 4 x 4
-  EXPECT_EQ(result.individuals[1].genome, VectorXd::Constant(3, -1.0));
-  EXPECT_EQ(result.individuals[64].genome, VectorXd::Constant(3, 1.0));
-  EXPECT_NEAR(result.individuals[2].genome[0], -1.0 / 3.0, 1e-15);
+// 5^2 <= 30 < 6^2: five points each, one apart.
+TEST(GridSearch, GivesEveryPointOfTheLatticeOnceAndThenNoMore) {
+  const SearchSpace space = {VectorXd::Constant(2, -1.0), VectorXd::Constant(2, 3.0),
+                             VectorXd::Zero(2)};
+  const auto search = MakeSearchMethod("grid", space, 31, RandomStream("none", "test"));
+  std::set<std::array<double, 2>> points, lattice;
+  size_t count = 0;
+  for (auto generation = search->MakeGeneration(); !generation.empty();
+       generation = search->MakeGeneration()) {
+    for (const Individual& individual : generation) {
+      points.insert({individual.genome[0], individual.genome[1]});
+      ++count;
+    }
+  }
+  for (int i = -1; i <= 3; ++i) {
+    for (int j = -1; j <= 3; ++j) lattice.insert({double(i), double(j)});
+  }
+  EXPECT_EQ(points, lattice);
+  EXPECT_EQ(count, lattice.size());
+}
+
+TEST(RandomSearch, FillsTheBoxEvenly) {
+  const SearchSpace space = {Eigen::Vector2d(-1.0, 10.0), Eigen::Vector2d(3.0, 11.0),
+                             Eigen::Vector2d(0.0, 10.5)};
+  const auto search = MakeSearchMethod("random", space, 0, RandomStream("box", "test"));
+  Eigen::Array2d sum = Eigen::Array2d::Zero(), squares = Eigen::Array2d::Zero();
+  int count = 0;
+  while (count < 4000) {
+    for (const Individual& individual : search->MakeGeneration()) {
+      const Eigen::Array2d share =
+          (individual.genome - space.lower).array() / (space.upper - space.lower).array();
+      ASSERT_TRUE((share >= 0.0).all() && (share < 1.0).all());
+      sum += share;
+      squares += share.square();
+      ++count;
+    }
+  }
+  // Uniform: mean 1/2, mean square 1/3; four standard errors.
+  const double root = std::sqrt(static_cast<double>(count));
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_NEAR(sum[i] / count, 0.5, 4.0 * std::sqrt(1.0 / 12.0) / root);
+    EXPECT_NEAR(squares[i] / count, 1.0 / 3.0, 4.0 * std::sqrt(4.0 / 45.0) / root);
+  }
 }
 
 TEST(Search, RefusesWhatItCannotDo) {
@@ -185,6 +223,111 @@ TEST(ReflectInto, MirrorsAtTheFaces) {
   EXPECT_NEAR(reflect(1.2), 0.8, 1e-15);
   EXPECT_NEAR(reflect(-1.5), -0.5, 1e-15);
   EXPECT_NEAR(reflect(3.1), -0.9, 1e-15);
+}
+
+SearchSpace MakeBox(int size) {
+  const VectorXd one = VectorXd::Ones(size);
+  return {-one, one, 0.0 * one, 0.32};
+}
+
+/** From an optimum that is elsewhere for each seed. */
+struct Landscape {
+  VectorXd optimum;
+  bool is_rugged;
+  int num_asked = 0;
+
+  Landscape(int size, int seed, bool rugged) : is_rugged(rugged) {
+    RandomStream stream(std::to_string(seed), "landscape of the race's test");
+    optimum = 0.8 * DrawUniformPoint(MakeBox(size), stream);
+  }
+  double Calc(const VectorXd& x) const {
+    const VectorXd d = x - optimum;
+    if (!is_rugged) return -d.squaredNorm();
+    return -(25.0 * d.array().square() + 10.0 - 10.0 * (10.0 * kPi * d.array()).cos()).sum();
+  }
+  std::vector<double> operator()(const std::vector<Individual>& generation) {
+    std::vector<double> fitness;
+    for (const Individual& individual : generation) fitness.push_back(Calc(individual.genome));
+    num_asked += static_cast<int>(generation.size());
+    return fitness;
+  }
+};
+
+double Search(Landscape& landscape, int size, int seed, int num_evaluations, bool is_raced) {
+  Race race(MakeBox(size));
+  const auto simulate = [&](const auto& generation) { return landscape(generation); };
+  const SearchResult result = RunSearch(
+      "es", MakeBox(size), num_evaluations, RandomStream(std::to_string(seed), "race test"),
+      [&](const std::vector<Individual>& generation) {
+        return is_raced ? race.Evaluate(generation, simulate) : simulate(generation);
+      });
+  const Individual& best = result.individuals[result.best];
+  EXPECT_EQ(best.fitness, landscape.Calc(best.genome));  // never one that was given up
+  return best.fitness;
+}
+
+// A thousand that are raced ask for fewer simulations than 300 that are not, and end nearer.
+TEST(Race, AThousandRacedEndNearerThanThreeHundred) {
+  for (const bool is_rugged : {false, true}) {
+    for (const int size : {3, 5}) {
+      std::vector<double> raced, plain;
+      for (int seed = 1; seed <= 11; ++seed) {
+        Landscape landscape(size, seed, is_rugged);
+        raced.push_back(Search(landscape, size, seed, 1000, true));
+        EXPECT_LE(landscape.num_asked, 300);
+        plain.push_back(Search(landscape, size, seed, 300, false));
+      }
+      std::sort(raced.begin(), raced.end());
+      std::sort(plain.begin(), plain.end());
+      EXPECT_GT(raced[5], plain[5]) << is_rugged << " " << size;
+    }
+  }
+}
+
+// By hand: the five nearest are 0.1 .. 0.5 of the box away and have the fitness 1 .. 5; a sixth,
+// which was there first, is farther. What was given up has its promise, or less than what was
+// simulated.
+TEST(Race, APromiseIsTheWeightedMeanOfTheFiveNearest) {
+  SearchSpace box = MakeBox(2);
+  box.lower[1] = -10.0;
+  box.upper[1] = 10.0;
+  const auto make = [](int generation, const std::vector<Eigen::Vector2d>& places) {
+    std::vector<Individual> individuals;
+    for (const Eigen::Vector2d& place : places) {
+      Individual individual;
+      individual.number = static_cast<int>(individuals.size());
+      individual.generation = generation;
+      individual.genome = place;
+      individuals.push_back(individual);
+    }
+    return individuals;
+  };
+  Race race(box);
+  size_t num_asked = 0;
+  const auto answer = [&](const std::vector<double>& fitness) {
+    return [&num_asked, fitness](const std::vector<Individual>& generation) {
+      num_asked = generation.size();
+      return std::vector<double>(fitness.begin(),
+                                 fitness.begin() + static_cast<std::ptrdiff_t>(num_asked));
+    };
+  };
+  race.Evaluate(make(0, {{1.0, 10.0}}), answer({-1000.0}));
+  race.Evaluate(make(1, {{0.2, 0.0}, {-0.4, 0.0}, {0.0, 6.0}, {0.8, 0.0}, {0.0, -10.0}}),
+                answer({1.0, 2.0, 3.0, 4.0, 5.0}));
+  EXPECT_EQ(num_asked, 5u);
+  const std::vector<double> fitness = race.Evaluate(
+      make(2, {{0.0, 0.0}, {0.3, 0.0}, {0.0, -9.9}, {0.1, 0.0}}), answer({1e6, 1e6, 1e6, 1e6}));
+  EXPECT_EQ(num_asked, 1u);
+  EXPECT_EQ(fitness[2], 1e6);
+  const double sum = 1.0 / 0.01 + 2.0 / 0.04 + 3.0 / 0.09 + 4.0 / 0.16 + 5.0 / 0.25;
+  const double weights = 1.0 / 0.01 + 1.0 / 0.04 + 1.0 / 0.09 + 1.0 / 0.16 + 1.0 / 0.25;
+  EXPECT_NEAR(fitness[0], sum / weights, 1e-9);
+  // Of two, too, one is simulated.
+  const std::vector<double> worse =
+      race.Evaluate(make(3, {{0.0, 0.0}, {0.0, -9.9}}), answer({-5.0}));
+  EXPECT_EQ(num_asked, 1u);
+  EXPECT_EQ(worse[1], -5.0);
+  EXPECT_LT(worse[0], -5.0);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include "core/base/random.h"
 #include "core/base/units.h"
-#include "core/hand/coupling.h"
+#include "core/hand/hand.h"
 #include "core/physics/hand_dynamics.h"
 #include "core/physics/known_answers/small_scenes.h"
 #include "tests/core/physics/random_vector.h"
@@ -39,91 +39,75 @@ Hand MakeRandomHand(int num_links, RandomStream& random) {
   return hand;
 }
 
+/** Poses, mass matrix and bias of a hand in a random state against Simbody's, whose joints all move
+for themselves: with u_joint = T u, M = T' M_all T, and the bias likewise. */
+void ExpectEqualsSimbody(const Hand& hand, const Eigen::MatrixXd& T, RandomStream& random) {
+  const int joints = hand.num_joints();
+  MassProperties object;
+  object.mass = 0.1;
+  object.I_OOcm = Vector3d(1e-4, 2e-4, 2.5e-4).asDiagonal();
+  SimbodyModel simbody(hand, object);
+  HandDynamics dynamics(hand), taken(hand);
+  const int speeds = dynamics.num_speeds();
+  ASSERT_EQ(speeds, T.cols());
+  VectorXd q = MakeRandomVector(joints, 1.0, random);
+  ApplyCoupling(hand, q);
+  const VectorXd u = MakeRandomVector(speeds, 3.0, random);
+  const Vector3d gravity = MakeRandomVector(3, 5.0, random);
+  const Pose X_WH = MakePose(MakeRotationRpy(0.3, -0.8, 2.0), Vector3d(0.1, -0.2, 0.3));
+  VectorXd all_speeds = VectorXd::Zero(joints + 12);
+  all_speeds.head(joints + 6) = T * u;
+  simbody.SetPositions(X_WH, q, Pose::Identity());
+  simbody.SetSpeeds(all_speeds);
+  dynamics.UpdatePositions(X_WH, q);
+  std::vector<Pose> X_WL;
+  simbody.CalcLinkPoses(X_WL);
+  taken.TakePoses(X_WH, X_WL);
+  for (size_t i = 0; i < X_WL.size(); ++i) {
+    EXPECT_LT((X_WL[i].matrix() - dynamics.X_WL(static_cast<int>(i)).matrix()).norm(), 1e-12);
+  }
+  for (int j = 0; j < joints; ++j) {
+    EXPECT_TRUE(taken.motion(j).isApprox(dynamics.motion(j), 1e-12)) << j;
+  }
+  Eigen::MatrixXd M(speeds, speeds);
+  dynamics.CalcMassMatrix(M);
+  const Eigen::MatrixXd M_all = simbody.CalcMassMatrix().topLeftCorner(joints + 6, joints + 6);
+  EXPECT_LT((M - T.transpose() * M_all * T).cwiseAbs().maxCoeff(), 1e-11);
+  VectorXd bias(speeds);
+  dynamics.CalcBias(u, gravity, bias);
+  const VectorXd bias_all = simbody.CalcBias(gravity).head(joints + 6);
+  EXPECT_LT((bias - T.transpose() * bias_all).cwiseAbs().maxCoeff(), 1e-10);
+}
+
 // The oracle is Simbody itself: calcM and calcResidualForceIgnoringConstraints.
 TEST(HandDynamics, EqualsSimbodyOnRandomTreesAndStates) {
   RandomStream random("dynamics", "test");
   for (int trial = 0; trial < 20; ++trial) {
     const Hand hand = MakeRandomHand(1 + random.NextIndex(24), random);
-    const int joints = hand.num_joints();
-    MassProperties object;
-    object.mass = 0.1;
-    object.I_OOcm = Vector3d(1e-4, 2e-4, 2.5e-4).asDiagonal();
-    SimbodyModel simbody(hand, object);
-    HandDynamics dynamics(hand);
-    ASSERT_EQ(simbody.num_speeds(), joints + 12);
-    ASSERT_EQ(dynamics.num_dofs(), joints);
-
-    const VectorXd q = MakeRandomVector(joints, 1.0, random);
-    const int speeds = joints + 6;
-    const VectorXd u = MakeRandomVector(speeds, 3.0, random);
-    const Vector3d gravity = MakeRandomVector(3, 5.0, random);
-    const Pose X_WH = MakePose(MakeRotationRpy(0.3, -0.8, 2.0), Vector3d(0.1, -0.2, 0.3));
-    simbody.SetPositions(X_WH, q, Pose::Identity());
-    VectorXd all_speeds = VectorXd::Zero(joints + 12);
-    all_speeds.head(speeds) = u;
-    simbody.SetSpeeds(all_speeds);
-
-    dynamics.UpdatePositions(X_WH, q);
-    std::vector<Pose> X_WL;
-    simbody.CalcLinkPoses(X_WL);
-    for (size_t i = 0; i < X_WL.size(); ++i) {
-      EXPECT_LT((X_WL[i].matrix() - dynamics.X_WL(static_cast<int>(i)).matrix()).norm(), 1e-12);
-    }
-    Eigen::MatrixXd M(speeds, speeds);
-    dynamics.CalcMassMatrix(M);
-    EXPECT_LT((M - simbody.CalcMassMatrix().topLeftCorner(speeds, speeds)).cwiseAbs().maxCoeff(),
-              1e-12);
-    VectorXd bias(speeds);
-    dynamics.CalcBias(u, gravity, bias);
-    EXPECT_LT((bias - simbody.CalcBias(gravity).head(speeds)).cwiseAbs().maxCoeff(), 1e-11);
+    const int speeds = hand.num_joints() + 6;
+    ExpectEqualsSimbody(hand, Eigen::MatrixXd::Identity(speeds, speeds), random);
   }
 }
 
-// A linkage takes degrees of freedom away: with u_joint = T u, M = T' M_all T and the bias likewise,
-// those of all joints being Simbody's. Followers and what they follow lie on any branches.
+// A linkage takes degrees of freedom away. Followers and what they follow lie on any branches.
 TEST(HandDynamics, LinkagesAreSimbodysHandWithTiedSpeeds) {
   RandomStream random("linkages", "test");
   for (int trial = 0; trial < 20; ++trial) {
     Hand hand = MakeRandomHand(4 + random.NextIndex(8), random);
-    const int joints = hand.num_joints();
-    for (int j = 1; j < joints; j += 2) {
-      HandJoint& follower = hand.joints[static_cast<size_t>(j)];
-      follower.coupled_to = 2 * random.NextIndex((joints + 1) / 2);
-      follower.is_mimic = true;
-      follower.mimic_ratio = random.NextUniform(-2.0, 2.0);
-      follower.mimic_offset = random.NextUniform(-0.5, 0.5);
-    }
-    MassProperties object;
-    object.mass = 0.1;
-    object.I_OOcm = Vector3d(1e-4, 2e-4, 2.5e-4).asDiagonal();
-    SimbodyModel simbody(hand, object);
-    HandDynamics dynamics(hand);
-    const int speeds = dynamics.num_speeds();
-    ASSERT_EQ(dynamics.num_dofs(), (joints + 1) / 2);
-    Eigen::MatrixXd T = Eigen::MatrixXd::Zero(joints + 6, speeds);
+    const int joints = hand.num_joints(), dofs = (joints + 1) / 2;
+    Eigen::MatrixXd T = Eigen::MatrixXd::Zero(joints + 6, dofs + 6);
     T.bottomRightCorner(6, 6).setIdentity();
     for (int j = 0; j < joints; ++j) {
-      const HandJoint& joint = hand.joints[static_cast<size_t>(j)];
+      HandJoint& joint = hand.joints[static_cast<size_t>(j)];
+      if (j % 2 == 1) {
+        joint.coupled_to = 2 * random.NextIndex((joints + 1) / 2);
+        joint.is_mimic = true;
+        joint.mimic_ratio = random.NextUniform(-2.0, 2.0);
+        joint.mimic_offset = random.NextUniform(-0.5, 0.5);
+      }
       T(j, (joint.is_mimic ? joint.coupled_to : j) / 2) = joint.is_mimic ? joint.mimic_ratio : 1.0;
     }
-    VectorXd q = MakeRandomVector(joints, 1.0, random);
-    ApplyCoupling(hand, q);
-    const VectorXd u = MakeRandomVector(speeds, 3.0, random);
-    const Vector3d gravity = MakeRandomVector(3, 5.0, random);
-    const Pose X_WH = MakePose(MakeRotationRpy(0.3, -0.8, 2.0), Vector3d(0.1, -0.2, 0.3));
-    VectorXd all_speeds = VectorXd::Zero(joints + 12);
-    all_speeds.head(joints + 6) = T * u;
-    simbody.SetPositions(X_WH, q, Pose::Identity());
-    simbody.SetSpeeds(all_speeds);
-    dynamics.UpdatePositions(X_WH, q);
-    Eigen::MatrixXd M(speeds, speeds);
-    dynamics.CalcMassMatrix(M);
-    const Eigen::MatrixXd M_all = simbody.CalcMassMatrix().topLeftCorner(joints + 6, joints + 6);
-    EXPECT_LT((M - T.transpose() * M_all * T).cwiseAbs().maxCoeff(), 1e-11);
-    VectorXd bias(speeds);
-    dynamics.CalcBias(u, gravity, bias);
-    const VectorXd bias_all = simbody.CalcBias(gravity).head(joints + 6);
-    EXPECT_LT((bias - T.transpose() * bias_all).cwiseAbs().maxCoeff(), 1e-10);
+    ExpectEqualsSimbody(hand, T, random);
   }
 }
 

@@ -8,7 +8,7 @@
 #include "core/base/units.h"
 #include "core/shape/primitives.h"
 #include "core/shape/repair/mesh_repair.h"
-#include "core/shape/repair/weld_vertices.h"
+#include "core/shape/repair/mesh_topology.h"
 #include "tests/core/shape/join_meshes.h"
 
 namespace graspbench {

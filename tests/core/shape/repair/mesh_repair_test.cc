@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
+#include <utility>
 
 #include "core/shape/mass_properties.h"
 #include "core/shape/primitives.h"
 #include "core/shape/repair/mesh_check.h"
+#include "core/shape/repair/mesh_topology.h"
+#include "tests/core/shape/join_meshes.h"
 
 namespace graspbench {
 namespace {
@@ -183,6 +187,120 @@ TEST(MeshRepairTest, HopelessInputComesBack) {
   bad.vertices[0].x() = NAN;
   EXPECT_TRUE(RepairMesh(bad).actions.empty());
   EXPECT_EQ(RepairMesh(bad).mesh.num_triangles(), bad.num_triangles());
+}
+
+TriMesh MakeSharpBlock() { return MakeRoundedBox({0.04, 0.03, 0.02}, 0.0); }
+
+// The four sides of a box without the end at x = 0 or x = 1 of its length.
+TriMesh MakeBoxWithoutEnd(double end) {
+  TriMesh box = MakeSharpBlock();
+  const double x = (end - 0.5) * 0.04;
+  box.triangles.erase(std::remove_if(box.triangles.begin(), box.triangles.end(),
+                                     [&](const Eigen::Vector3i& t) {
+                                       return std::all_of(t.begin(), t.end(), [&](int i) {
+                                         return std::abs(box.vertices[i].x() - x) < 1e-9;
+                                       });
+                                     }),
+                      box.triangles.end());
+  return box;
+}
+
+TEST(MeshRepairTest, AWallAcrossTheInsideGoes) {
+  const TriMesh left = MakeBoxWithoutEnd(1.0), right = MakeBoxWithoutEnd(0.0);
+  TriMesh wall = MakeSharpBlock();
+  wall.triangles.erase(std::remove_if(wall.triangles.begin(), wall.triangles.end(),
+                                      [&](const Eigen::Vector3i& t) {
+                                        return std::any_of(t.begin(), t.end(), [&](int i) {
+                                          return wall.vertices[i].x() < 0.019;
+                                        });
+                                      }),
+                       wall.triangles.end());
+  ASSERT_GT(wall.num_triangles(), 0);
+  for (const bool is_turned : {false, true}) {
+    TriMesh part = wall;
+    if (is_turned) {
+      for (Eigen::Vector3i& t : part.triangles) std::swap(t[0], t[1]);
+    }
+    TriMesh mesh = WeldVertices(JoinMeshes(JoinMeshes(left, right, {0.04, 0.0, 0.0}), part), 1e-9);
+    EXPECT_FALSE(CheckMesh(mesh).problems.empty());
+    const UsableMesh usable = MakeUsable(mesh);
+    EXPECT_EQ(FormatProblems(usable.report), "");
+    EXPECT_EQ(usable.mesh.num_triangles(), mesh.num_triangles() - wall.num_triangles());
+    EXPECT_NEAR(CalcVolume(usable.mesh), 0.08 * 0.03 * 0.02, 1e-12);
+  }
+}
+
+template <class Keep>
+TriMesh TakeFaces(TriMesh mesh, const Keep& is_kept) {
+  mesh.triangles.erase(
+      std::remove_if(mesh.triangles.begin(), mesh.triangles.end(),
+                     [&](const Eigen::Vector3i& t) {
+                       return !is_kept(
+                           (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0);
+                     }),
+      mesh.triangles.end());
+  return mesh;
+}
+
+// Holes at random, many of which meet in a vertex, so that their rim is no simple loop.
+TEST(MeshRepairTest, ManyHolesThatTouchAreClosed) {
+  for (int seed = 1; seed <= 5; ++seed) {
+    std::mt19937 random(seed);
+    const TriMesh ball = MakeSphere(0.02, 40);
+    TriMesh mesh = ball;
+    const int num_before = mesh.num_triangles();
+    for (int i = 0; i < num_before / 20; ++i) {
+      mesh.triangles.erase(mesh.triangles.begin() +
+                           static_cast<int>(random() % mesh.triangles.size()));
+    }
+    ASSERT_FALSE(CheckMesh(mesh).is_closed);
+    const MeshReport report = MakeUsable(mesh).report;  // a triangle may be left alone in a hole
+    EXPECT_EQ(FormatProblems(report), "");
+    EXPECT_NEAR(report.volume, CalcVolume(ball), 1e-3 * report.volume);
+  }
+}
+
+// The largest hole that is closed without asking, by its area, changes the volume by less than 0.1
+// %; by a cap of a ball: V = pi h^2 (3 R - h) / 3, area of the rim's disc pi (2 R h - h^2).
+TEST(MeshRepairTest, WhatIsClosedWithoutAskingHardlyChangesTheVolume) {
+  const TriMesh whole = MakeSphere(0.02, 96);
+  double largest = 0.0;
+  for (double z = 0.0199; z > 0.018; z -= 0.0001) {
+    TriMesh mesh = TakeFaces(whole, [&](const Eigen::Vector3d& p) { return p.z() < z; });
+    mesh = MendMesh(mesh).mesh;
+    if (!CheckMesh(mesh).is_closed) break;
+    EXPECT_EQ(FormatProblems(CheckMesh(mesh)), "");
+    largest = std::max(largest, 1.0 - CalcVolume(mesh) / CalcVolume(whole));
+  }
+  EXPECT_GT(largest, 4e-5);
+  EXPECT_LT(largest, 1e-3);
+}
+
+// One side of a box has its edges whole, its neighbours have theirs in two.
+TEST(MeshRepairTest, SlitsOfAnyLengthAreClosed) {
+  TriMesh box;
+  const double a = 0.04, b = 0.03, c = 0.02;
+  box.vertices = {{0, 0, 0}, {a, 0, 0}, {a, b, 0}, {0, b, 0},         {0, 0, c},
+                  {a, 0, c}, {a, b, c}, {0, b, c}, {0.5 * a, 0.0, c}, {a, 0.5 * b, c}};
+  box.triangles = {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4},
+                   {3, 4, 7}, {0, 1, 8}, {0, 8, 4}, {1, 5, 8}, {1, 2, 9}, {1, 9, 5}, {2, 6, 9}};
+  EXPECT_EQ(CheckMesh(box).num_open_edges, 6);
+  const MeshReport report = MakeUsable(box).report;
+  EXPECT_EQ(FormatProblems(report), "");
+  EXPECT_NEAR(report.volume, a * b * c, 1e-15);
+}
+
+TEST(MeshRepairTest, SeamsAreSewnWithinTheirTolerance) {
+  const TriMesh upper = TakeFaces(MakeBall(), [](const Eigen::Vector3d& p) { return p.z() > 0.0; });
+  const TriMesh lower =
+      TakeFaces(MakeBall(), [](const Eigen::Vector3d& p) { return p.z() <= 0.0; });
+  const TriMesh gaping = JoinMeshes(upper, lower, {0.0, 0.0, -2e-5});
+  const UsableMesh usable = MakeUsable(gaping);
+  EXPECT_EQ(FormatProblems(usable.report), "");
+  EXPECT_NEAR(CalcVolume(usable.mesh), CalcVolume(MakeBall()), 1e-3 * CalcVolume(usable.mesh));
+  // 50 micrometres are more than a seam of a thing of 40 mm.
+  const TriMesh apart = JoinMeshes(upper, lower, {0.0, 0.0, -5e-5});
+  EXPECT_NE(FormatProblems(MakeUsable(apart).report), "");
 }
 
 }  // namespace

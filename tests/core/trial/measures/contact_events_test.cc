@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "core/base/error.h"
 #include "core/physics/known_answers/small_scenes.h"
 #include "core/physics/world.h"
 
@@ -86,18 +85,64 @@ TEST(ContactEvents, ChatterIsNoEvent) {
   EXPECT_EQ(script.events().size(), 1u);
 }
 
-TEST(ContactEvents, SurviveTheirRecord) {
-  Script script;
-  script.Play(Script::State::kSticks, 0.1);
-  script.Play(Script::State::kFree, 0.1);
-  for (const ContactEvent& event : script.events()) {
-    const std::string text = RecordToJson(event).dump();
-    ContactEvent back;
-    ReadRecord(Json::parse(text), back);
-    EXPECT_EQ(RecordToJson(back).dump(), text);
+std::vector<HandContact> MakeContacts(const std::vector<int>& links) {
+  std::vector<HandContact> contacts(links.size());
+  for (size_t i = 0; i < links.size(); ++i) contacts[i].link = links[i];
+  return contacts;
+}
+
+/** Steady for long enough, and one step more. */
+SteadyContacts MakeSteady(const std::vector<HandContact>& contacts) {
+  SteadyContacts steady;
+  for (int i = 0; i < 27; ++i) steady.Observe(contacts, 0.0, 0.0, kStep);
+  return steady;
+}
+
+TEST(SteadyContacts, TakeTheirTime) {
+  const std::vector<HandContact> contacts = MakeContacts({2, 2, 5});
+  SteadyContacts steady;
+  for (int i = 0; i < 25; ++i) {
+    EXPECT_FALSE(steady.are_steady()) << i;
+    steady.Observe(contacts, 0.0, 0.0, kStep);
   }
-  ContactEvent event;
-  EXPECT_THROW(ReadRecord({{"time_s", 1.0}, {"kind", "kiss"}}, event), Error);
+  steady.Observe(contacts, 0.0, 0.0, kStep);  // the first one had none before it
+  EXPECT_TRUE(steady.are_steady());
+}
+
+TEST(SteadyContacts, EndAtAnyEvent) {
+  const std::vector<HandContact> contacts = MakeContacts({2, 5});
+  const auto is_steady_after = [&](const std::vector<HandContact>& next, double table_force,
+                                   double slip_speed) {
+    SteadyContacts steady = MakeSteady(contacts);
+    steady.Observe(next, table_force, slip_speed, kStep);
+    return steady.are_steady();
+  };
+  EXPECT_TRUE(is_steady_after(contacts, 0.0, 0.004));
+  EXPECT_FALSE(is_steady_after(contacts, 0.0, 0.006));
+  EXPECT_FALSE(is_steady_after(contacts, 0.1, 0.0));
+  EXPECT_FALSE(is_steady_after(MakeContacts({2}), 0.0, 0.0));        // lost
+  EXPECT_FALSE(is_steady_after(MakeContacts({2, 5, 5}), 0.0, 0.0));  // new
+  EXPECT_FALSE(is_steady_after(MakeContacts({2, 4}), 0.0, 0.0));     // another
+  EXPECT_FALSE(is_steady_after({}, 0.0, 0.0));
+  std::vector<HandContact> slips = contacts;
+  slips[1].is_at_limit = true;
+  EXPECT_TRUE(is_steady_after(slips, 0.0, 0.0));  // it stands still
+  slips[1].slip_speed = 0.002;
+  EXPECT_FALSE(is_steady_after(slips, 0.0, 0.0));
+}
+
+TEST(SteadyContacts, NoStepIsLongerThanTheLongest) {
+  SimConfig config;
+  const auto steps_at = [&](double step, int factor) {
+    config.step = step;
+    config.steady_step_factor = factor;
+    return CalcSteadySteps(config);
+  };
+  EXPECT_EQ(steps_at(0.002, 5), 5);
+  EXPECT_EQ(steps_at(0.0005, 5), 5);
+  EXPECT_EQ(steps_at(0.004, 5), 2);
+  EXPECT_EQ(steps_at(0.01, 5), 1);
+  EXPECT_EQ(steps_at(0.002, 1), 1);
 }
 
 }  // namespace

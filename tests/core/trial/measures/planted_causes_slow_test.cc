@@ -15,7 +15,7 @@
 #include <random>
 
 #include "core/base/units.h"
-#include "core/trial/delayed_digit.h"
+#include "core/trial/digit_delays.h"
 #include "core/trial/protocols/protocol.h"
 #include "objects/catalogue.h"
 #include "tests/core/trial/trial_setups.h"
@@ -170,23 +170,20 @@ Observed RunPlanted(TrialRunner& runner, const PlantedTrial& planted) {
   return observed;
 }
 
-bool HasTouched(const TrialResult& result, const std::string& digit) {
-  return std::any_of(result.contacts.begin(), result.contacts.end(),
-                     [&](const DigitContact& contact) {
-                       return contact.digit == digit && !std::isnan(contact.time);
-                     });
-}
-
-/** The digit's last command is its target. */
-bool WasAskedForTarget(const TrialSetup& setup, const std::string& id,
-                       const Eigen::VectorXd& command) {
+/** The digit did not touch, though its last command is its target. */
+bool IsMissed(const PlantedTrial& planted, const Observed& observed) {
+  const TrialSetup& setup = planted.setup;
+  for (const DigitContact& contact : observed.result.contacts) {
+    if (contact.digit == planted.digit && !std::isnan(contact.time)) return false;
+  }
   const auto& digits = setup.hand->digits;
-  const auto digit = std::find_if(digits.begin(), digits.end(),
-                                  [&](const Digit& candidate) { return candidate.id == id; });
+  const auto digit = std::find_if(digits.begin(), digits.end(), [&](const Digit& candidate) {
+    return candidate.id == planted.digit;
+  });
   const std::vector<int> joints = FindDrivenJoints(*setup.hand, *digit);
   return std::all_of(joints.begin(), joints.end(), [&](int joint) {
     const double target = setup.grasp.q_target[joint] + setup.draw.joint_error[joint];
-    return std::abs(command[joint] - target) < 1e-9;
+    return std::abs(observed.last_command[joint] - target) < 1e-9;
   });
 }
 
@@ -196,10 +193,9 @@ bool IsRight(FailureCause cause, const PlantedTrial& planted, const Observed& ob
   if (cause == FailureCause::kPush) return diagnosis->cause == cause;
   if (diagnosis->digit != planted.digit) return false;
   // Asked for its target and still not at the object, a digit would not have touched in time either.
-  const bool is_missed = cause == FailureCause::kLateDigit &&
-                         !HasTouched(observed.result, planted.digit) &&
-                         WasAskedForTarget(planted.setup, planted.digit, observed.last_command);
-  return diagnosis->cause == cause || (is_missed && diagnosis->cause == FailureCause::kNoTouch);
+  return diagnosis->cause == cause ||
+         (cause == FailureCause::kLateDigit && diagnosis->cause == FailureCause::kNoTouch &&
+          IsMissed(planted, observed));
 }
 
 struct Tally {
@@ -210,17 +206,15 @@ struct Tally {
 class PlantedCausesTest : public testing::Test {
  protected:
   /** Plants all causes in one trial, if it succeeds. */
-  void PlantAll(TrialRunner& runner, const TrialSetup& setup, const std::string& name,
-                const TrialKey& key);
-  void Judge(FailureCause cause, const PlantedTrial& planted, const Observed& observed,
-             const std::string& name);
+  void PlantAll(TrialRunner& runner, const TrialSetup& setup, const TrialKey& key);
+  void Judge(FailureCause cause, const PlantedTrial& planted, const Observed& observed);
 
   std::map<FailureCause, Tally> tallies_;
   int num_trials_ = 0, num_held_ = 0, num_numerical_ = 0;
 };
 
 void PlantedCausesTest::PlantAll(TrialRunner& runner, const TrialSetup& setup,
-                                 const std::string& name, const TrialKey& key) {
+                                 const TrialKey& key) {
   ++num_trials_;
   const TrialResult undisturbed = runner.Run(setup);
   if (!IsSuccess(undisturbed.outcome)) return;
@@ -232,13 +226,13 @@ void PlantedCausesTest::PlantAll(TrialRunner& runner, const TrialSetup& setup,
       const bool has_own_hand = planted.setup.hand != setup.hand;
       std::optional<TrialRunner> own;
       if (has_own_hand) own.emplace(planted.setup.hand, planted.setup.object);
-      Judge(cause, planted, RunPlanted(has_own_hand ? *own : runner, planted), name);
+      Judge(cause, planted, RunPlanted(has_own_hand ? *own : runner, planted));
     }
   }
 }
 
 void PlantedCausesTest::Judge(FailureCause cause, const PlantedTrial& planted,
-                              const Observed& observed, const std::string& name) {
+                              const Observed& observed) {
   const TrialResult& result = observed.result;
   Tally& tally = tallies_[cause];
   ++tally.num_planted;
@@ -254,13 +248,10 @@ void PlantedCausesTest::Judge(FailureCause cause, const PlantedTrial& planted,
     ++tally.num_right;
     return;
   }
-  std::cout << name << ", " << planted.text << ": " << NameOf(result.outcome) << ", ";
-  if (diagnosis) {
-    std::cout << fmt::format("diagnosis {} {} at {:.3f} s: {}\n", NameOf(diagnosis->cause),
-                             diagnosis->digit, diagnosis->time, diagnosis->text);
-  } else {
-    std::cout << "no diagnosis: " << result.reason << "\n";
-  }
+  const TrialSetup& setup = planted.setup;
+  std::cout << fmt::format("{}, {}, {}, grip {}, {}: {}, {}\n", setup.hand->id, setup.object->id,
+                           setup.grasp.id, setup.strategy.grip, planted.text,
+                           NameOf(result.outcome), diagnosis ? diagnosis->text : result.reason);
 }
 
 TEST_F(PlantedCausesTest, AreNamedInNineOfTenFailures) {
@@ -277,9 +268,7 @@ TEST_F(PlantedCausesTest, AreNamedInNineOfTenFailures) {
           TrialSetup setup = MakeSetup(hand, grasp, object);
           setup.strategy = MakeStrategy(kGrips[g]);
           setup.draw = Draw(*hand, Stream({h, o, g, draw}, {0}));
-          const std::string name = fmt::format("{}, {}, {}, grip {}, draw {}", hand->id, object->id,
-                                               grasp, setup.strategy.grip, draw);
-          PlantAll(runner, setup, name, {h, o, g, draw});
+          PlantAll(runner, setup, {h, o, g, draw});
         }
       }
     }

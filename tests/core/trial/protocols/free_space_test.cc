@@ -55,13 +55,12 @@ struct Pinch {
     hand.links[0].I_LLcm = 1e-3 * Eigen::Matrix3d::Identity();
   }
 
-  FreeSpaceResult Run() const {
+  ProfiledScene MakeScene(const Pose& X_WO = Pose::Identity()) const {
     const std::vector<bool> is_asked(hand.joints.size(), true);
-    const ProfiledScene scene =
-        MakeProfiledScene(MakeProfiledHand(hand, profile, is_asked),
-                          MakeProfiledObject(object, profile), Pose::Identity(), stages, profile);
-    return RunFreeSpace(scene, profile);
+    return MakeProfiledScene(MakeProfiledHand(hand, profile, is_asked),
+                             MakeProfiledObject(object, profile), X_WO, stages, profile);
   }
+  FreeSpaceResult Run() const { return RunFreeSpace(MakeScene(), profile); }
 };
 
 // Across the fingers two contacts stand 2 mu N; along them the drives stand more.
@@ -85,31 +84,6 @@ TEST(FreeSpace, HoldsWhatTwoContactsCanHold) {
   }
 }
 
-TEST(FreeSpace, AloneAnObjectFliesWithThePush) {
-  Pinch pinch;
-  pinch.hand = MakeBareHand();
-  pinch.profile.acceleration = 2.0;
-  pinch.profile.test_time = pinch.profile.check_interval = 0.2;
-  pinch.stages = {{"grasp", MakePose(Vector3d(0.0, 0.0, 10.0)), VectorXd()}};
-  const FreeSpaceResult result = pinch.Run();
-  EXPECT_FALSE(result.passed) << "40 mm are within the limits, but of a free object";
-  EXPECT_EQ(result.failed_stage, "grasp");
-  EXPECT_EQ(result.num_stood, 6);
-  EXPECT_NEAR(result.worst_shift, 0.5 * 2.0 * 0.2 * 0.2, 1e-3);
-  EXPECT_EQ(result.touching, "");
-  EXPECT_EQ(result.closing_shift, 0.0) << "without a push it rests";
-}
-
-TEST(FreeSpace, AHandThatMissesTheObjectFailsWhereItShouldHoldIt) {
-  Pinch pinch;
-  for (ScriptedStage& stage : pinch.stages) stage.X_OH = MakePose(Vector3d(0.0, 0.0, 10.0));
-  const FreeSpaceResult result = pinch.Run();
-  EXPECT_FALSE(result.passed);
-  EXPECT_EQ(result.failed_stage, "squeeze");
-  EXPECT_EQ(result.epsilon, 0.0);
-  EXPECT_NE(result.reason.find("nothing touched it"), std::string::npos) << result.reason;
-}
-
 TEST(FreeSpace, AFingerAlonePushesTheObjectAway) {
   Pinch pinch;
   pinch.hand = MakeSqueezeHand(1, kHalfWidth, kForce, 0.0);
@@ -123,15 +97,6 @@ TEST(FreeSpace, AFingerAlonePushesTheObjectAway) {
   EXPECT_GT(result.closing_shift, pinch.profile.max_shift);
 }
 
-TEST(FreeSpace, OpeningAfterTheGraspLetsGo) {
-  Pinch pinch;
-  pinch.stages[2].q.setConstant(-0.3);
-  const FreeSpaceResult result = pinch.Run();
-  EXPECT_FALSE(result.passed);
-  EXPECT_EQ(result.touching, "");
-  EXPECT_EQ(result.failed_stage, "squeeze") << result.reason;
-}
-
 TEST(FreeSpace, StartPenetrationIsAResult) {
   Pinch pinch;
   for (ScriptedStage& stage : pinch.stages) stage.X_OH.translation().x() = 0.012;
@@ -140,6 +105,25 @@ TEST(FreeSpace, StartPenetrationIsAResult) {
   EXPECT_NEAR(result.start_penetration, 0.012, 5e-4);
   pinch.profile.max_start_penetration = 0.02;
   EXPECT_NE(pinch.Run().failed_stage, "start");
+}
+
+TEST(FreeSpace, AHandThatMissesTheObjectFailsWhereItShouldHoldIt) {
+  Pinch pinch;
+  for (ScriptedStage& stage : pinch.stages) stage.X_OH = MakePose(Vector3d(0.0, 0.0, 10.0));
+  const FreeSpaceResult result = pinch.Run();
+  EXPECT_FALSE(result.passed);
+  EXPECT_EQ(result.failed_stage, "squeeze");
+  EXPECT_EQ(result.epsilon, 0.0);
+  EXPECT_NE(result.reason.find("nothing touched it"), std::string::npos) << result.reason;
+}
+
+TEST(FreeSpace, OpeningAfterTheGraspLetsGo) {
+  Pinch pinch;
+  pinch.stages[2].q.setConstant(-0.3);
+  const FreeSpaceResult result = pinch.Run();
+  EXPECT_FALSE(result.passed);
+  EXPECT_EQ(result.touching, "");
+  EXPECT_EQ(result.failed_stage, "squeeze") << result.reason;
 }
 
 // The root turns and moves with the stages, and carries what it holds.
@@ -171,11 +155,7 @@ TEST(FreeSpace, LiftsFromATable) {
   pinch.profile.surfaces.friction = 0.8;  // 1.6 N above a weight of 1 N
   double height = 0.01;
   const auto run = [&] {
-    ProfiledScene scene =
-        MakeProfiledScene(MakeProfiledHand(pinch.hand, pinch.profile, {true, true}),
-                          MakeProfiledObject(pinch.object, pinch.profile),
-                          MakePose(Vector3d(0.0, 0.0, height)), pinch.stages, pinch.profile);
-    return RunFreeSpace(scene, pinch.profile);
+    return RunFreeSpace(pinch.MakeScene(MakePose(Vector3d(0.0, 0.0, height))), pinch.profile);
   };
   const FreeSpaceResult held = run();
   EXPECT_TRUE(held.passed) << held.reason;
@@ -257,12 +237,18 @@ TEST(FreeSpace, AFallIsOnePushOutOfThePalm) {
   EXPECT_TRUE(pinch.Run().passed);
 }
 
-TEST(FreeSpace, WhereATouchIsDemandedAnObjectThatIsLeftBehindFails) {
+TEST(FreeSpace, AnObjectThatNothingTouchesFails) {
   Pinch pinch;
   pinch.hand = MakeBareHand();
   pinch.stages = {{"grasp", MakePose(Vector3d(0.0, 0.0, 10.0)), VectorXd()}};
   pinch.profile.acceleration = 2.0;
   pinch.profile.test_time = pinch.profile.check_interval = 0.2;
+  const FreeSpaceResult alone = pinch.Run();
+  EXPECT_FALSE(alone.passed) << "40 mm are within the limits, but of a free object";
+  EXPECT_EQ(alone.failed_stage, "grasp");
+  EXPECT_EQ(alone.num_stood, 6);
+  EXPECT_NEAR(alone.worst_shift, 0.5 * 2.0 * 0.2 * 0.2, 1e-3) << "it flies with the push";
+  EXPECT_EQ(alone.closing_shift, 0.0) << "without a push it rests";
   pinch.profile.must_touch = true;
   const FreeSpaceResult result = pinch.Run();
   EXPECT_EQ(result.failed_stage, "push -x");
@@ -300,6 +286,37 @@ TEST(FreeSpace, AHeldObjectWaitsForTheSecondFinger) {
   const FreeSpaceResult missed = pinch.Run();
   EXPECT_FALSE(missed.passed);
   EXPECT_NE(missed.reason.find("where two must"), std::string::npos) << missed.reason;
+}
+
+// A hand with a longer chain than the solver holds is a result.
+TEST(FreeSpace, AChainOfTooManyJointsIsAResult) {
+  Pinch pinch;
+  constexpr int kNumJoints = ContactPoint::kMaxChain + 1;
+  pinch.hand = MakeBareHand();
+  for (int i = 0; i < kNumJoints; ++i) {
+    AddRodLink(pinch.hand, i, Pose::Identity(), Vector3d::UnitX(), 0.01, 0.02);
+  }
+  pinch.stages = {{"grasp", Pose::Identity(), VectorXd::Zero(kNumJoints)}};
+  const FreeSpaceResult result = pinch.Run();
+  EXPECT_TRUE(result.is_numerical);
+  EXPECT_NE(result.reason.find("at most"), std::string::npos) << result.reason;
+}
+
+TEST(FreeSpace, TheTraceHasTheStartAndEveryPhase) {
+  const Pinch pinch;
+  const TracedFreeSpace traced = TraceFreeSpace(pinch.MakeScene(), pinch.profile, 0.02);
+  EXPECT_EQ(FormatJson(RecordToJson(traced.result)), FormatJson(RecordToJson(pinch.Run())));
+  const std::vector<const TraceInstant*> ends = ListPhaseEnds(traced.trace);
+  ASSERT_EQ(ends.size(), 3u);
+  EXPECT_EQ(traced.trace.front().time, 0.0);
+  EXPECT_EQ(ends[0]->phase, Phase::kPlacing);
+  EXPECT_EQ(ends[0]->next_phase, Phase::kClosure);
+  EXPECT_EQ(ends[1]->next_phase, Phase::kHold);
+  EXPECT_EQ(ends[2]->phase, Phase::kHold);
+  for (size_t i = 1; i < traced.trace.size(); ++i) {
+    EXPECT_GT(traced.trace[i].time, traced.trace[i - 1].time);
+    EXPECT_LT(traced.trace[i].time, traced.trace[i - 1].time + 0.0205);
+  }
 }
 
 TEST(FreeSpace, GivesTheSameBytesAgain) {

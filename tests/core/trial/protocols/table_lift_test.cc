@@ -54,22 +54,6 @@ TEST_P(TableLiftTest, GoesOnToTheSameBytesFromEverySavedInstant) {
   ExpectEqualFromEveryInstant(MakeLost(), 67);
 }
 
-TEST_P(TableLiftTest, AnInstantIsAValue) {
-  const TrialSetup setup = MakeHeld();
-  TableLift course = MakeCourse(setup);
-  course.Begin();
-  for (int step = 0; step < 900; ++step) ASSERT_TRUE(course.Advance());
-  const TrialInstant instant = course.Save(), copy = instant;
-  const WorldState at_saving = course.world().state();
-  const std::string expected = Finish(course);
-  for (const TrialInstant* saved : {&instant, &copy, &instant}) {
-    EXPECT_EQ(saved->world->state().p_WOcm, at_saving.p_WOcm);
-    EXPECT_EQ(saved->world->state().q, at_saving.q);
-    course.Restore(*saved);
-    EXPECT_EQ(Finish(course), expected);
-  }
-}
-
 TEST_P(TableLiftTest, ABranchTakesItsOwnWay) {
   const TrialSetup setup = MakeHeld();
   TableLift course = MakeCourse(setup);
@@ -125,17 +109,6 @@ TEST_P(TableLiftTest, LongStepsWhereNothingHappensGiveTheSameTrial) {
   EXPECT_NEAR(with.stability.sigma, without.stability.sigma, 0.01 * without.stability.sigma);
   EXPECT_NEAR(with.simulated_time, without.simulated_time, 1e-9);
   EXPECT_LT(std::abs(with.energy_residual), 1e-4);
-}
-
-TEST_P(TableLiftTest, PhasesFollowEachOtherAsPlanned) {
-  const TrialSetup setup = MakeHeld();
-  const TrialResult result = MakeCourse(setup).Run();
-  ASSERT_EQ(result.phases.size(), 5u);
-  const char* const names[] = {"closure", "stabilisation", "lift-off", "hold", "done"};
-  for (size_t i = 0; i < 5; ++i) EXPECT_EQ(result.phases[i].name, names[i]);
-  EXPECT_EQ(result.phases[0].time, 0.0);
-  EXPECT_NEAR(result.phases[3].time - result.phases[2].time, setup.strategy.lift_time, 0.0021);
-  EXPECT_NEAR(result.phases[4].time - result.phases[3].time, setup.strategy.hold_time, 0.0021);
 }
 
 INSTANTIATE_TEST_SUITE_P(Hands, TableLiftTest, testing::Values("tum", "shadow"),

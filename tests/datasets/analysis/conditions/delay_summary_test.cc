@@ -66,17 +66,12 @@ TEST(DelaySummary, StabilityIsComparedAmongTrialsThatSucceedAtEveryDelay) {
   EXPECT_NEAR(success.means.back(), 11.0 / 12.0, 1e-12);
 }
 
-TEST(DelaySummary, WithoutTrialsThereIsNoRow) {
-  EXPECT_TRUE(SummariseDelays({}).empty());
-  EXPECT_EQ(ListDelays().front(), 0.0);
-}
-
 TEST(DelaySummary, FewCellsHaveNoIntervalAndSayWhy) {
   std::vector<DelayedTrial> trials = MakeTrials();
   trials.resize(4 * 2 * ListDelays().size());
   const auto rows = SummariseDelays(trials);
   EXPECT_FALSE(Find(rows, "sigma_n").interval);
-  const Json json = ToJson(Find(rows, "sigma_n"));
+  const Json json = MakeDosesJson({Find(rows, "sigma_n")})[0];
   EXPECT_TRUE(json.at("low").is_null());
   EXPECT_EQ(json.at("no_interval"), "4 to draw from; expected 5 or more");
 }

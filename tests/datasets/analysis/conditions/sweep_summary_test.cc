@@ -5,6 +5,7 @@
 #include <cmath>
 
 namespace graspbench {
+
 namespace {
 
 constexpr int kNumObjects = 6, kNumTrials = 3;
@@ -134,7 +135,8 @@ TEST_F(PlantedSweep, SaysWhichDrawsItLeavesOutAndDecidesNothingOfThem) {
   EXPECT_EQ(a.num_draws, 12);
   EXPECT_EQ(a.num_left_out, 12) << "six of g1, six of g2";
   EXPECT_EQ(a.why_left_out, "12 without a trial in each condition");
-  EXPECT_EQ(CountDraws(a), "12 of 24");
+  EXPECT_EQ(a.num_draws, 12);
+  EXPECT_EQ(a.num_left_out, 24 - 12);
   ASSERT_FALSE(a.interval);
   EXPECT_EQ(a.interval.reason(),
             "cannot decide success: 12 of 24 trials left out fail, none of the 48 compared");
@@ -145,7 +147,8 @@ TEST_F(PlantedSweep, SaysWhichDrawsItLeavesOutAndDecidesNothingOfThem) {
   for (size_t i = 0; i < session_.plan.size(); ++i) session_.records[i].plan = session_.plan[i];
   const SweepSummary apart = SummariseSweep(session_, {});
   const SweepEffect& none = Find(apart.effects, "model.mass_scale=2.0", "success");
-  EXPECT_EQ(CountDraws(none), "0 of 36");
+  EXPECT_EQ(none.num_draws, 0);
+  EXPECT_EQ(none.num_left_out, 36 - 0);
   EXPECT_TRUE(std::isnan(none.estimate));
   EXPECT_EQ(none.interval.reason(), "no draw has every value");
 }
@@ -158,7 +161,8 @@ TEST_F(PlantedSweep, SaysWhatIsNotFinishedAndWhatHasNoValue) {
   const SweepSummary summary = SummariseSweep(session_, {});
   const SweepEffect& sigma = Find(summary.effects, "model.mass_scale=2.0", "sigma_n");
   EXPECT_EQ(sigma.why_left_out, "2 not finished, 5 without a value");
-  EXPECT_EQ(CountDraws(sigma), "11 of 18");
+  EXPECT_EQ(sigma.num_draws, 11);
+  EXPECT_EQ(sigma.num_left_out, 18 - 11);
   const SweepEffect& success = Find(summary.effects, "model.mass_scale=2.0", "success");
   EXPECT_EQ(success.why_left_out, "2 not finished");
   EXPECT_EQ(success.interval.reason(), "cannot decide success: all 64 trials fail");
@@ -184,5 +188,29 @@ TEST_F(PlantedSweep, HasTablesWithTheirDictionaries) {
   EXPECT_EQ(tables[1].schema.at("fields").size(), 15u);
 }
 
+TEST(SweepMeasures, AThresholdEntersEffectsAsItsLogarithm) {
+  const SweepMeasure& measure = FindSweepMeasure("threshold_margin");
+  const TrialRecord record;
+  SweepTrial trial;
+  trial.record = &record;
+  EXPECT_TRUE(std::isnan(measure.CalcEffectValue(trial)));
+  trial.thresholds[0] = 4.0;
+  EXPECT_DOUBLE_EQ(measure.CalcEffectValue(trial), 2.0);
+  // Never held: one of sixteen equal steps above the largest margin, 16.
+  trial.thresholds[0] = HUGE_VAL;
+  EXPECT_DOUBLE_EQ(measure.CalcEffectValue(trial), 4.25);
+  EXPECT_DOUBLE_EQ(FindSweepMeasure("success").CalcEffectValue(trial), 0.0);
+}
+
+TEST(SweepMeasures, AChangeOfAThresholdIsShownAsARatio) {
+  const SweepMeasure& measure = FindSweepMeasure("threshold_force_n");
+  EXPECT_EQ(FormatChange(measure, 1.0), "x 2.00");
+  EXPECT_EQ(FormatChangeInterval(measure, {-1.0, 1.0}), "x 0.50 to 2.00");
+  EXPECT_EQ(FormatValue(measure, HUGE_VAL), "none held");
+  EXPECT_EQ(FormatValue(measure, kUnset), "n/a");
+  EXPECT_EQ(FormatChange(FindSweepMeasure("success"), -0.25), "-25.0");
+}
+
 }  // namespace
+
 }  // namespace graspbench

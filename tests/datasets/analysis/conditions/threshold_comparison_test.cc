@@ -39,7 +39,7 @@ TEST(ThresholdComparison, ComparesDrawByDraw) {
   EXPECT_DOUBLE_EQ(changes[0].ratio, 2.0);
   EXPECT_DOUBLE_EQ(changes[0].low, 0.5);
   EXPECT_DOUBLE_EQ(changes[0].high, 4.0);
-  EXPECT_EQ(ToJson(changes)[0]["pairs"], 7);
+  EXPECT_EQ(MakeJsonRows(ListThresholdChangeColumns(), changes)[0]["pairs"], 7);
   EXPECT_TRUE(CompareThresholds(pairs, {}, {MakeThresholds(after, {1.0})}).empty());
 }
 

@@ -7,6 +7,7 @@
 #include "tests/datasets/analysis/map/made_pairs.h"
 
 namespace graspbench {
+
 namespace {
 
 const MapCell& Find(const SimultaneityMap& map, MapMeasure measure,
@@ -129,5 +130,95 @@ TEST(SimultaneityMap, EverywhereIsAFamilyOfItsOwn) {
   EXPECT_GE(Find(map, MapMeasure::kSuccess, {{0, 0}}).adjusted_p, everywhere.p);
 }
 
+MapCell MakeRegion(int num_pairs, int num_objects, Answer<Interval> interval) {
+  MapCell cell;
+  cell.hand = "tum";
+  cell.late = LateDigit::kLast;
+  cell.where = {{0, 0}};
+  cell.num_pairs = num_pairs;
+  cell.num_objects = num_objects;
+  cell.interval = interval;
+  return cell;
+}
+
+TEST(MapPrecision, CountsLargeRegionsAndNamesTheWideOnes) {
+  SimultaneityMap map;
+  map.hands = {"tum"};
+  map.factors = {{"grip", {"weak"}}};
+  map.cells = {MakeRegion(150, 20, Interval{-0.1, 0.0}),   // 5 points: at the bar
+               MakeRegion(400, 29, Interval{-0.02, 0.1}),  // 6 points
+               MakeRegion(150, 20, Interval{-0.3, 0.0}),   // 15 points
+               MakeRegion(149, 20, Interval{-0.3, 0.0}),   // too few pairs
+               MakeRegion(150, 19, Interval{-0.3, 0.0}),   // too few objects
+               MakeRegion(0, 0, NoAnswer{"no pair"})};
+  MapCell other = MakeRegion(400, 29, Interval{-0.3, 0.0});
+  other.measure = MapMeasure::kPush;
+  map.cells.push_back(other);
+  other = MakeRegion(400, 29, Interval{-0.3, 0.0});
+  other.where.clear();  // everywhere is no region
+  map.cells.push_back(other);
+  const MapPrecision precision = FindPrecision(map, "tum");
+  EXPECT_EQ(precision.num_regions, 5);
+  EXPECT_EQ(precision.num_large, 3);
+  EXPECT_EQ(precision.num_narrow(), 1);
+  ASSERT_EQ(precision.wide.size(), 2u);
+  EXPECT_DOUBLE_EQ(CalcHalfWidth(*precision.wide[0]), 0.15);
+  EXPECT_DOUBLE_EQ(CalcHalfWidth(*precision.wide[1]), 0.06);
+  EXPECT_EQ(DescribePrecision(precision),
+            "Of 3 regions with at least 150 pairs of 20 objects, 1 have a 95 % interval with a "
+            "half-width of at most 5 points of success for 100 ms.");
+}
+
+TEST(MapPrecision, WithoutLargeRegionsThatIsSaid) {
+  SimultaneityMap map;
+  map.cells = {MakeRegion(10, 5, Interval{0.0, 0.0})};
+  EXPECT_EQ(DescribePrecision(FindPrecision(map, "tum")),
+            "None of 1 region has at least 150 pairs of 20 objects.");
+}
+
+// Object 1 loses every second draw with 0.3 s, object 0 nothing: -0.3 in two of four pairs.
+MapData MakeOneThatMatters() {
+  return MakeData(2, [](int object, int draw, double delay) {
+    return Values{object == 1 && draw % 2 == 0 && delay == 0.3 ? 0.0 : 1.0, kUnset, kUnset, kUnset};
+  });
+}
+
+TEST(ObjectEffects, TheLargestLossComesFirstWithItsRates) {
+  const std::vector<ObjectEffect> effects = ListObjectEffects(MakeOneThatMatters());
+  ASSERT_EQ(effects.size(), 2u);
+  EXPECT_EQ(effects[0].object, "object1");
+  EXPECT_NEAR(effects[0].estimate, -0.15, 1e-12);
+  ASSERT_EQ(effects[0].rates.size(), 3u);
+  EXPECT_DOUBLE_EQ(effects[0].rates[0].rate, 1.0);
+  EXPECT_DOUBLE_EQ(effects[0].rates[2].delay, 0.3);
+  EXPECT_DOUBLE_EQ(effects[0].rates[2].rate, 0.5);
+  EXPECT_FALSE(effects[0].interval) << "four pairs are too few";
+  EXPECT_DOUBLE_EQ(effects[1].estimate, 0.0);
+  EXPECT_EQ(effects[0].changed, (std::vector<std::string>{"object1:0", "object1:2"}));
+  EXPECT_TRUE(effects[1].changed.empty());
+}
+
+// Twelve draws of an object, nine of them lost: the interval excludes 0.
+TEST(ObjectEffects, AreSaidWithTheirRatesWhereTheIntervalExcludesZero) {
+  MapData data;
+  data.factors = {{"grip", {"weak", "firm"}}};
+  for (int draw = 0; draw < 12; ++draw) {
+    for (const double delay : {0.0, 0.3}) {
+      const double value = delay > 0.0 && draw % 4 != 0 ? 0.0 : 1.0;
+      data.trials.push_back(MakeTrial(0, draw, delay > 0.0 ? LateDigit::kLast : LateDigit::kNone,
+                                      delay, {value, kUnset, kUnset, kUnset}));
+    }
+  }
+  const std::vector<ObjectEffect> effects = ListObjectEffects(data);
+  ASSERT_EQ(effects.size(), 1u);
+  ASSERT_TRUE(effects[0].interval);
+  EXPECT_LT(effects[0].interval->high, 0.0);
+  const std::string says = DescribeObjects(effects, "tum");
+  EXPECT_NE(says.find("costs 1 of 1 object success"), std::string::npos) << says;
+  EXPECT_NE(says.find("object0 100 to 25 %"), std::string::npos) << says;
+  EXPECT_EQ(DescribeObjects(effects, "shadow"), "");
+}
+
 }  // namespace
+
 }  // namespace graspbench

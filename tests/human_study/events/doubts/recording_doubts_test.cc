@@ -1,11 +1,11 @@
-#include "human_study/events/doubts/recording_doubts.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 
 #include "core/base/random.h"
+#include "human_study/events/doubts/plausibility.h"
+#include "tests/human_study/events/trajectories.h"
 
 namespace graspbench {
 namespace {
@@ -13,18 +13,12 @@ namespace {
 constexpr size_t kNumSamples = 200;  // at 100 Hz; the hold is at 1 s
 
 /** Digits at rest about an object; from 1.2 s on all rise by `rise`. */
-std::vector<SmoothPath> MakeTips(const std::vector<Eigen::Vector3d>& places, double rise) {
+std::vector<SmoothPath> MakeRisingTips(const std::vector<Eigen::Vector3d>& places, double rise) {
   std::vector<SmoothPath> tips(places.size());
   for (size_t d = 0; d < tips.size(); ++d) {
-    Trajectory& path = tips[d].path;
-    path.p.resize(3, kNumSamples);
-    for (size_t i = 0; i < kNumSamples; ++i) {
-      const double t = 0.01 * static_cast<double>(i);
-      path.times.push_back(t);
-      path.states.push_back(SampleState::kMeasured);
-      path.p.col(static_cast<Eigen::Index>(i)) =
-          places[d] + Eigen::Vector3d(0.0, 0.0, t > 1.2 ? rise : 0.0);
-    }
+    tips[d].path = SamplePath(MakeTimes(0.0, 1.99, 100.0), [&](double t) {
+      return Eigen::Vector3d(places[d] + Eigen::Vector3d(0.0, 0.0, t > 1.2 ? rise : 0.0));
+    });
   }
   return tips;
 }
@@ -57,12 +51,13 @@ std::vector<DigitTrack> MakeDigits() {
 
 TEST(FindLeftBehind, AHandThatRisesWithoutItsObject) {
   const auto find = [](double rise, double moved) {
-    return FindLeftBehind(MakeTips(kOpposed, rise), MakeStill(moved), MakeHoldAt(1.0), {}, {});
+    return FindLeftBehind(MakeRisingTips(kOpposed, rise), MakeStill(moved), MakeHoldAt(1.0), {},
+                          {});
   };
   ASSERT_EQ(find(0.13, 0.0).size(), 1u);
   EXPECT_EQ(find(0.13, 0.0)[0].code, "object_left_behind");
-  EXPECT_NE(find(0.13, 0.0)[0].text.find("rise 130 mm together"), std::string::npos);
-  EXPECT_NE(find(0.035, 0.0)[0].text.find("rise 35 mm together"), std::string::npos);
+  ExpectHolds(find(0.13, 0.0)[0].text, "rise 130 mm together");
+  ExpectHolds(find(0.035, 0.0)[0].text, "rise 35 mm together");
   EXPECT_TRUE(find(0.02, 0.0).empty());   // no lift
   EXPECT_TRUE(find(0.13, 0.05).empty());  // the object goes along
 }
@@ -75,8 +70,8 @@ TEST(FindLeftBehind, AlsoWhereTheHoldIsAloftOrNotFound) {
   Hold none;
   none.missing = "the tips never rest together";
   for (const Hold& hold : {MakeHoldAt(1.9), none}) {
-    EXPECT_EQ(find(hold, MakeTips(kOpposed, 0.13)), 1u);
-    std::vector<SmoothPath> loose = MakeTips(kOpposed, 0.13);
+    EXPECT_EQ(find(hold, MakeRisingTips(kOpposed, 0.13)), 1u);
+    std::vector<SmoothPath> loose = MakeRisingTips(kOpposed, 0.13);
     for (Eigen::Index i = 0; i < 150; ++i) loose[4].path.p(0, i) += 0.02;
     EXPECT_EQ(find(hold, loose), 1u);  // one digit takes no part
     // A hand that opens and goes up has let go.
@@ -89,17 +84,17 @@ TEST(FindLeftBehind, AlsoWhereTheHoldIsAloftOrNotFound) {
 
 TEST(FindSwappedThumb, TheOpposingDigitIsTheThumb) {
   const std::vector<DigitTrack> digits = MakeDigits();
-  EXPECT_TRUE(FindSwappedThumb(digits, MakeTips(kOpposed, 0.0), MakeHoldAt(1.0)).empty());
+  EXPECT_TRUE(FindSwappedThumb(digits, MakeRisingTips(kOpposed, 0.0), MakeHoldAt(1.0)).empty());
   std::vector<Eigen::Vector3d> exchanged = kOpposed;
   std::swap(exchanged[0], exchanged[1]);
-  const auto doubts = FindSwappedThumb(digits, MakeTips(exchanged, 0.0), MakeHoldAt(1.0));
+  const auto doubts = FindSwappedThumb(digits, MakeRisingTips(exchanged, 0.0), MakeHoldAt(1.0));
   ASSERT_EQ(doubts.size(), 1u);
   EXPECT_EQ(doubts[0].code, "thumb_not_opposed");
-  EXPECT_NE(doubts[0].text.find("digit FF is opposite all others"), std::string::npos);
+  ExpectHolds(doubts[0].text, "digit FF is opposite all others");
   // All in one row, as on a flat hand: nothing to say.
   const std::vector<Eigen::Vector3d> row = {
       {-0.06, 0.0, 0.0}, {-0.03, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.03, 0.0, 0.0}, {0.06, 0.0, 0.0}};
-  EXPECT_TRUE(FindSwappedThumb(digits, MakeTips(row, 0.0), MakeHoldAt(1.0)).empty());
+  EXPECT_TRUE(FindSwappedThumb(digits, MakeRisingTips(row, 0.0), MakeHoldAt(1.0)).empty());
 }
 
 /** Places of a right hand from the wrist's marker, palm down, the thumb on the left: lengths of
@@ -121,7 +116,7 @@ int CountExchanged(bool is_curled, bool is_exchanged) {
     RandomStream random("hand " + std::to_string(i), is_curled ? "curled" : "all five");
     std::vector<Eigen::Vector3d> places = PlaceHand(is_curled, random);
     if (is_exchanged) std::swap(places[0], places[1]);
-    const std::vector<SmoothPath> tips = MakeTips(places, 0.1);
+    const std::vector<SmoothPath> tips = MakeRisingTips(places, 0.1);
     Trajectory wrist = tips[0].path;
     for (Eigen::Index c = 0; c < wrist.p.cols(); ++c) wrist.p.col(c) -= places[0];
     count += MayBeExchanged(MakeDigits(), tips, wrist, 0.2, MakeHoldAt(1.0));
@@ -140,18 +135,13 @@ TEST(MayBeExchanged, AsAnatomyShowsItAndNotForAPinchWithCurledFingers) {
 // goes elsewhere first; with z, or pushed by 15 mm before a lift of 130 mm, it does not.
 TEST(GoesElsewhereFirst, AWrongAxisAndNoPush) {
   const auto goes = [](const Eigen::Vector3d& up, double push, double height, double aside) {
-    const auto smooth = [](double u) {
-      u = std::clamp(u, 0.0, 1.0);
-      return u * u * u * (10.0 - 15.0 * u + 6.0 * u * u);
-    };
     ReachTrial trial;
     for (int i = 0; i < 300; ++i) {
       const double t = 0.01 * i;
       trial.times.push_back(t);
       Pose pose = Pose::Identity();
-      pose.translation() =
-          Eigen::Vector3d(push * smooth((t - 0.4) / 0.1) + aside * smooth((t - 1.2) / 0.8), 0.0,
-                          height * smooth((t - 1.0) / 0.8));
+      pose.translation() = Eigen::Vector3d(push * Ease(t, 0.4, 0.5) + aside * Ease(t, 1.2, 2.0),
+                                           0.0, height * Ease(t, 1.0, 1.8));
       trial.object.X_LO.push_back(pose);
       trial.object.states.push_back(SampleState::kMeasured);
     }

@@ -1,33 +1,19 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/base/units.h"
 #include "human_study/recording/cleaning/butterworth.h"
 #include "human_study/recording/cleaning/gaps.h"
-#include "human_study/recording/cleaning/resample.h"
-#include "human_study/recording/cleaning/residual_analysis.h"
+#include "human_study/recording/cleaning/trajectory.h"
 #include "human_study/recording/importers/importer.h"
 #include "tests/human_study/events/trajectories.h"
 #include "tests/support/mocap_data.h"
 
 namespace graspbench {
 namespace {
-
-Trajectory Sample(const std::function<Eigen::Vector3d(double)>& path,
-                  const std::vector<double>& times) {
-  Trajectory trajectory;
-  trajectory.times = times;
-  trajectory.p.resize(3, static_cast<Eigen::Index>(times.size()));
-  trajectory.states.assign(times.size(), SampleState::kMeasured);
-  for (size_t i = 0; i < times.size(); ++i) {
-    trajectory.p.col(static_cast<Eigen::Index>(i)) = path(times[i]);
-  }
-  return trajectory;
-}
 
 std::vector<double> EvenTimes(double rate, size_t count) {
   std::vector<double> times;
@@ -38,7 +24,7 @@ std::vector<double> EvenTimes(double rate, size_t count) {
 void Hide(Trajectory& trajectory, size_t first, size_t last) {
   for (size_t i = first; i < last; ++i) {
     trajectory.states[i] = SampleState::kInvalid;
-    trajectory.p.col(static_cast<Eigen::Index>(i)).setConstant(std::nan(""));
+    trajectory.At(i).setConstant(std::nan(""));
   }
 }
 
@@ -54,15 +40,14 @@ TEST(FillGaps, AParabolaIsFilledExactlyByTheCubic) {
   // A cubic through a parabola's points and one-sided velocities errs by the velocities' error
   // only.
   const auto line = [](double t) { return Eigen::Vector3d(t, -2 * t, 3); };
-  Trajectory trajectory = Sample(line, EvenTimes(100, 50));
+  Trajectory trajectory = SamplePath(EvenTimes(100, 50), line);
   Hide(trajectory, 20, 25);
   const GapReport report = FillGaps(trajectory, 0.06);
   EXPECT_EQ(report.num_filled_samples, 5u);
   EXPECT_NEAR(report.longest_filled, 0.06, 1e-12);
   for (size_t i = 20; i < 25; ++i) {
     EXPECT_EQ(trajectory.states[i], SampleState::kFilled);
-    EXPECT_LT((trajectory.p.col(static_cast<Eigen::Index>(i)) - line(trajectory.times[i])).norm(),
-              1e-14);
+    EXPECT_LT((trajectory.At(i) - line(trajectory.times[i])).norm(), 1e-14);
   }
 }
 
@@ -72,14 +57,12 @@ TEST(FillGaps, TheCubicHasNoCornerWhereTheLineHasOne) {
   };
   double worst[2] = {0, 0};
   for (const GapFilling filling : {GapFilling::kLinear, GapFilling::kCubic}) {
-    Trajectory trajectory = Sample(curve, EvenTimes(100, 100));
+    Trajectory trajectory = SamplePath(EvenTimes(100, 100), curve);
     Hide(trajectory, 40, 50);
     FillGaps(trajectory, 0.2, filling);
     for (size_t i = 40; i < 50; ++i) {
       double& error = worst[filling == GapFilling::kCubic];
-      error = std::max(
-          error,
-          (trajectory.p.col(static_cast<Eigen::Index>(i)) - curve(trajectory.times[i])).norm());
+      error = std::max(error, (trajectory.At(i) - curve(trajectory.times[i])).norm());
     }
   }
   EXPECT_GT(worst[0], 0.1);
@@ -127,7 +110,7 @@ TEST(FillGapsAlong, WhereTheCompanionIsHiddenTheGapStays) {
 
 TEST(FillGaps, LongGapsAndEndsStayOpenAndMeasuredSamplesStay) {
   const auto line = [](double t) { return Eigen::Vector3d(t, t, t); };
-  Trajectory trajectory = Sample(line, EvenTimes(100, 50));
+  Trajectory trajectory = SamplePath(EvenTimes(100, 50), line);
   Hide(trajectory, 0, 2);
   Hide(trajectory, 20, 26);
   Hide(trajectory, 49, 50);
@@ -140,7 +123,7 @@ TEST(FillGaps, LongGapsAndEndsStayOpenAndMeasuredSamplesStay) {
 
 TEST(FrozenSamples, RepeatsAreHiddenTheFirstIsKept) {
   Trajectory trajectory =
-      Sample([](double t) { return Eigen::Vector3d(t, 0, 0); }, EvenTimes(100, 10));
+      SamplePath(EvenTimes(100, 10), [](double t) { return Eigen::Vector3d(t, 0, 0); });
   trajectory.p.col(4) = trajectory.p.col(5) = trajectory.p.col(3);
   trajectory.p.col(8) = trajectory.p.col(7);
   Trajectory copy = trajectory;
@@ -154,24 +137,54 @@ TEST(FrozenSamples, RepeatsAreHiddenTheFirstIsKept) {
 TEST(FrozenSamples, ARoundedMarkerAtRestIsKept) {
   // Rests 0.2 s, moves 0.3 m in 0.5 s, rests; in whole millimetres.
   const auto path = [](double t) {
-    const double s = std::min(1.0, std::max(0.0, (t - 0.2) / 0.5));
-    const double x = 0.3 * s * s * s * (10 - 15 * s + 6 * s * s);
+    const double x = 0.3 * Ease(t, 0.2, 0.7);
     return Eigen::Vector3d(0.001 * std::round(1000.0 * x), 0.1, 0);
   };
-  Trajectory rest = Sample(path, EvenTimes(200, 180));
+  Trajectory rest = SamplePath(EvenTimes(200, 180), path);
   Trajectory held = rest;
   EXPECT_EQ(InvalidateFrozenSamples(rest), 0u);
   for (Eigen::Index i = 91; i < 100; ++i) held.p.col(i) = held.p.col(90);  // at full speed
   EXPECT_EQ(InvalidateFrozenSamples(held), 9u);
   // Lost in the middle of the reach and never seen again.
-  Trajectory lost = Sample(path, EvenTimes(200, 180));
+  Trajectory lost = SamplePath(EvenTimes(200, 180), path);
   for (Eigen::Index i = 91; i < 180; ++i) lost.p.col(i) = lost.p.col(90);
   EXPECT_EQ(InvalidateFrozenSamples(lost), 89u);
 }
 
+/** A reach of 0.4 m in 0.8 s at 100 Hz (minimum jerk) with noise of 0.3 mm. */
+Trajectory MakeNoisyReach() {
+  RandomStream random("spikes", "noise");
+  return SamplePath(EvenTimes(100, 200), [&](double t) {
+    const Eigen::Vector3d way(0.4 * Ease(t, 0.5, 1.3), 0.0, 0.0);
+    const Eigen::Vector3d noise(random.NextNormal(), random.NextNormal(), random.NextNormal());
+    return Eigen::Vector3d(way + 0.3e-3 * noise);
+  });
+}
+
+TEST(InvalidateSpikes, TakesWhatWasPutInAndNothingElse) {
+  Trajectory path = MakeNoisyReach();
+  for (const int at : {30, 70, 71, 95, 150}) path.p(at % 3, at) += 0.03;  // two in a row, too
+  EXPECT_EQ(InvalidateSpikes(path), 5u);
+  for (size_t i = 0; i < path.size(); ++i) {
+    const bool is_spike = i == 30 || i == 70 || i == 71 || i == 95 || i == 150;
+    EXPECT_EQ(path.IsValid(i), !is_spike) << i;
+    EXPECT_EQ(std::isnan(path.p(0, static_cast<Eigen::Index>(i))), is_spike) << i;
+  }
+}
+
+TEST(InvalidateSpikes, LeavesReachesJumpsThatStayAndNoiseAlone) {
+  Trajectory path = MakeNoisyReach();
+  EXPECT_EQ(InvalidateSpikes(path), 0u);
+  for (int i = 120; i < 200; ++i) path.p(1, i) += 0.05;  // labels exchanged
+  EXPECT_EQ(InvalidateSpikes(path), 0u);
+  RandomStream random("spikes", "coarse");
+  for (int i = 0; i < 200; ++i) path.p(2, i) += 5e-3 * random.NextNormal();
+  EXPECT_EQ(InvalidateSpikes(path), 0u);
+}
+
 TEST(Resample, AStraightLineIsKeptAndHolesStayHoles) {
   const auto line = [](double t) { return Eigen::Vector3d(2 * t, 1 - t, 0); };
-  Trajectory trajectory = Sample(line, {0.0, 0.011, 0.019, 0.033, 0.1, 0.11, 0.12});
+  Trajectory trajectory = SamplePath({0.0, 0.011, 0.019, 0.033, 0.1, 0.11, 0.12}, line);
   trajectory.states[5] = SampleState::kFilled;
   EXPECT_FALSE(FindSampling(trajectory.times).is_even);
   const Trajectory even = Resample(trajectory, 100.0, 0.02);
@@ -180,7 +193,7 @@ TEST(Resample, AStraightLineIsKeptAndHolesStayHoles) {
     const bool in_hole = i >= 4 && i <= 9;
     EXPECT_EQ(even.IsValid(i), !in_hole) << i;
     if (even.IsValid(i)) {
-      EXPECT_LT((even.p.col(static_cast<Eigen::Index>(i)) - line(even.times[i])).norm(), 1e-12);
+      EXPECT_LT((even.At(i) - line(even.times[i])).norm(), 1e-12);
     }
   }
   EXPECT_EQ(even.states[11], SampleState::kFilled);
@@ -260,13 +273,13 @@ TEST(Butterworth, WrongCutoffsAndUnevenTimesAreRefused) {
   EXPECT_THROW(MakeLowPass(40.0, 100.0), Error);
   EXPECT_THROW(MakeLowPass(std::nan(""), 100.0), Error);
   Trajectory trajectory =
-      Sample([](double t) { return Eigen::Vector3d(t, t, t); }, {0.0, 0.01, 0.03, 0.04});
+      SamplePath({0.0, 0.01, 0.03, 0.04}, [](double t) { return Eigen::Vector3d(t, t, t); });
   EXPECT_THROW(FilterLowPass(trajectory, 10.0), Error);
 }
 
 TEST(Butterworth, GapsStayGapsAndDoNotBleed) {
-  Trajectory trajectory =
-      Sample([](double t) { return Eigen::Vector3d(t < 0.5 ? 0 : 1, 0, 0); }, EvenTimes(100, 100));
+  Trajectory trajectory = SamplePath(
+      EvenTimes(100, 100), [](double t) { return Eigen::Vector3d(t < 0.5 ? 0 : 1, 0, 0); });
   Hide(trajectory, 45, 55);
   FilterLowPass(trajectory, 10.0);
   EXPECT_EQ(FindGaps(trajectory).size(), 1u);
@@ -277,13 +290,11 @@ TEST(Butterworth, GapsStayGapsAndDoNotBleed) {
 TEST(ResidualAnalysis, FindsTheNoiseOfAKnownSignal) {
   RandomStream random("residual analysis", "noise");
   const double noise = 0.3e-3;
-  Trajectory trajectory = Sample(
-      [&](double t) {
-        return Eigen::Vector3d(0.2 * std::sin(2 * kPi * t) + noise * random.NextNormal(),
-                               0.1 * std::sin(4 * kPi * t) + noise * random.NextNormal(),
-                               noise * random.NextNormal());
-      },
-      EvenTimes(200, 2000));
+  Trajectory trajectory = SamplePath(EvenTimes(200, 2000), [&](double t) {
+    return Eigen::Vector3d(0.2 * std::sin(2 * kPi * t) + noise * random.NextNormal(),
+                           0.1 * std::sin(4 * kPi * t) + noise * random.NextNormal(),
+                           noise * random.NextNormal());
+  });
   const ResidualAnalysis analysis = FindCutoff(trajectory);
   EXPECT_NEAR(analysis.noise, noise * std::sqrt(3.0), 0.05 * noise);
   EXPECT_GT(analysis.cutoff, 4.0) << "above the signal";
@@ -294,7 +305,7 @@ TEST(ResidualAnalysis, FindsTheNoiseOfAKnownSignal) {
   }
   EXPECT_LT(FindCutoff(trajectory).cutoff, analysis.cutoff);
   EXPECT_THROW(
-      FindCutoff(Sample([](double) { return Eigen::Vector3d::Zero(); }, EvenTimes(200, 100))),
+      FindCutoff(SamplePath(EvenTimes(200, 100), [](double) { return Eigen::Vector3d::Zero(); })),
       Error);
 }
 
@@ -308,6 +319,104 @@ TEST(KnownTrajectories, FingertipsDropOutWhereTheHandCloses) {
   EXPECT_EQ(longest, 57u);
   FillGaps(thumb, 0.1);
   EXPECT_GT(FindGaps(thumb).size(), 0u) << "a gap of 570 ms is no short gap";
+}
+
+struct Export {
+  double rate = 200.0;     // [Hz]
+  double noise = 0.25e-3;  // of a coordinate [m]
+  double cutoff = 0.0;     // [Hz]; 0: as recorded
+  bool is_causal = true;
+  double tremor = 0.0;  // [m]
+};
+
+/** Butterworth of second order in the difference equation of textbooks, forwards. */
+void Filter(double cutoff, double rate, Eigen::VectorXd& x) {
+  const double k = std::tan(3.14159265358979 * cutoff / rate), q = std::sqrt(2.0);
+  const double a0 = k * k + q * k + 1.0;
+  double x1 = x[0], x2 = x[0], y1 = x[0], y2 = x[0];
+  for (double& value : x) {
+    const double y =
+        (k * k * (value + 2.0 * x1 + x2) - 2.0 * (k * k - 1.0) * y1 - (k * k - q * k + 1.0) * y2) /
+        a0;
+    x2 = x1, x1 = value, y2 = y1, y1 = value = y;
+  }
+}
+
+/** A marker that rests, is moved by 0.3 m in 0.8 s and hit on the way, and rests: 2.5 s. */
+Trajectory MakeMarker(const Export& settings, const std::string& name) {
+  RandomStream random(name, "marker of an export");
+  Trajectory track;
+  const int count = static_cast<int>(2.5 * settings.rate);
+  track.p.resize(3, count);
+  track.states.assign(static_cast<size_t>(count), SampleState::kMeasured);
+  const double phase = random.NextUniform(0.0, 6.28);
+  for (int i = 0; i < count; ++i) {
+    const double t = i / settings.rate;
+    const double hit = t > 1.4 ? 0.0 : 0.1 * (1.4 - t);  // a corner of 100 mm/s
+    track.times.push_back(t);
+    const double way =
+        0.3 * Ease(t, 0.7, 1.5) + hit + settings.tremor * std::sin(6.2832 * 9.5 * t + phase);
+    for (int axis = 0; axis < 3; ++axis) {
+      track.p(axis, i) = way + settings.noise * random.NextNormal();
+    }
+  }
+  for (int axis = 0; axis < 3 && settings.cutoff > 0.0; ++axis) {
+    Eigen::VectorXd x = track.p.row(axis);
+    Filter(settings.cutoff, settings.rate, x);
+    if (!settings.is_causal) {
+      x = x.reverse().eval();
+      Filter(settings.cutoff, settings.rate, x);
+      x = x.reverse().eval();
+    }
+    track.p.row(axis) = x;
+  }
+  return track;
+}
+
+double FindOf(const Export& settings, const std::string& name) {
+  std::vector<Trajectory> markers;
+  for (int i = 0; i < 6; ++i) markers.push_back(MakeMarker(settings, name + std::to_string(i)));
+  std::vector<const Trajectory*> tracks;
+  for (const Trajectory& marker : markers) tracks.push_back(&marker);
+  return FindLowPassTrace(tracks);
+}
+
+TEST(FindLowPassTrace, FindsAFilterAndItsCutoff) {
+  for (const double rate : {100.0, 200.0, 500.0}) {
+    for (const double cutoff : {6.0, 10.0}) {
+      for (const bool is_causal : {true, false}) {
+        Export settings;
+        settings.rate = rate;
+        settings.cutoff = cutoff;
+        settings.is_causal = is_causal;
+        const double found = FindOf(settings, "filtered" + std::to_string(rate + cutoff));
+        // Two passes have their -3 dB point at 0.80 of that of one.
+        EXPECT_NEAR(found, is_causal ? cutoff : 0.8 * cutoff, 0.35 * cutoff)
+            << rate << " " << cutoff << " " << is_causal;
+      }
+    }
+  }
+}
+
+TEST(FindLowPassTrace, LeavesRecordingsAsTheyWereTakenAlone) {
+  for (const double rate : {30.0, 60.0, 100.0, 200.0, 500.0}) {
+    for (const double noise : {0.03e-3, 0.25e-3, 1e-3}) {
+      for (const double tremor : {0.0, 0.4e-3}) {
+        Export settings;
+        settings.rate = rate;
+        settings.noise = noise;
+        settings.tremor = tremor;
+        EXPECT_TRUE(std::isnan(FindOf(settings, "raw"))) << rate << " " << noise << " " << tremor;
+      }
+    }
+  }
+}
+
+TEST(FindLowPassTrace, SaysNothingWithoutNoiseOrWithoutSamples) {
+  Export settings;
+  settings.noise = 0.0;
+  EXPECT_TRUE(std::isnan(FindOf(settings, "clean")));
+  EXPECT_TRUE(std::isnan(FindLowPassTrace({})));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "tests/human_study/faults.h"
 #include "tests/human_study/recording/synthetic_recording.h"
 #include "tests/support/shared_data.h"
 
@@ -149,9 +150,7 @@ TEST(C3dImporter, ATruncatedLongFileIsNotTakenForASaturatedOne) {
   original.analog.clear();
   std::string bytes = FormatC3d(original);
   bytes.resize(FindData(bytes) + 66000 * 16);
-  EXPECT_NE(
-      ImportFault(bytes, "c3d").find("promises 72610 frames of 16 bytes, the file holds 66000"),
-      std::string::npos);
+  ExpectHolds(ImportFault(bytes, "c3d"), "promises 72610 frames of 16 bytes, the file holds 66000");
   ImportOptions options;
   options.accept_truncated = true;
   const Recording read = ImportBytes(bytes, "c3d", options);
@@ -371,9 +370,6 @@ TEST(C3dImporter, BrokenFilesAreRefusedWithTheirByte) {
     break_it(bytes);
     return ImportFault(bytes, "c3d");
   };
-  EXPECT_EQ(
-      ImportFault("", "c3d"),
-      "file: byte 0: the file ends here; a C3D header alone has 512 bytes (the file is empty)");
   EXPECT_EQ(ImportFault(good.substr(0, 511), "c3d"),
             "file: byte 511: the file ends here; a C3D header alone has 512 bytes");
   EXPECT_EQ(
@@ -390,29 +386,25 @@ TEST(C3dImporter, BrokenFilesAreRefusedWithTheirByte) {
                 ": TRIAL:ACTUAL_END_FIELD promises 40 frames of 80 bytes, the file holds 38; it is "
                 "cut off or its counts are wrong (--accept-truncated reads what is there)");
   // A chain cannot go back: a distance into the record's own data is refused.
-  EXPECT_NE(broken([](std::string& b) {
-              SetWord(b, FindParameter(b, "SCALE") - 4, 1);
-            }).find("record SCALE points to byte"),
-            std::string::npos);
-  EXPECT_NE(broken([](std::string& b) {
-              b[FindParameter(b, "SCALE") - 2] = 7;
-            }).find("parameter SCALE has type 7; expected -1 (text), 1, 2 or 4"),
-            std::string::npos);
-  EXPECT_NE(broken([](std::string& b) {
-              const size_t at = FindParameter(b, "LABELS");
-              b[at - 1] = b[at - 2] = '\xff';
-            }).find("a parameter record runs past the end of the parameter section"),
-            std::string::npos);
-  EXPECT_NE(broken([](std::string& b) {
-              SetWord(b, 16, 9999);
-              SetWord(b, FindParameter(b, "DATA_START"), 9998);
-            }).find("byte 16: the data are said to start at block 9999"),
-            std::string::npos);
-  EXPECT_NE(broken([](std::string& b) {
-              SetFloat(b, 12, 0.0f);
-              SetFloat(b, FindParameter(b, "SCALE"), 0.0f);
-            }).find("neither POINT:SCALE nor the header gives a scale factor"),
-            std::string::npos);
+  ExpectHolds(broken([](std::string& b) { SetWord(b, FindParameter(b, "SCALE") - 4, 1); }),
+              "record SCALE points to byte");
+  ExpectHolds(broken([](std::string& b) { b[FindParameter(b, "SCALE") - 2] = 7; }),
+              "parameter SCALE has type 7; expected -1 (text), 1, 2 or 4");
+  ExpectHolds(broken([](std::string& b) {
+                const size_t at = FindParameter(b, "LABELS");
+                b[at - 1] = b[at - 2] = '\xff';
+              }),
+              "a parameter record runs past the end of the parameter section");
+  ExpectHolds(broken([](std::string& b) {
+                SetWord(b, 16, 9999);
+                SetWord(b, FindParameter(b, "DATA_START"), 9998);
+              }),
+              "byte 16: the data are said to start at block 9999");
+  ExpectHolds(broken([](std::string& b) {
+                SetFloat(b, 12, 0.0f);
+                SetFloat(b, FindParameter(b, "SCALE"), 0.0f);
+              }),
+              "neither POINT:SCALE nor the header gives a scale factor");
 }
 
 // Two MIPS files of the collection on c3d.org store the pointer of their last parameter so.
@@ -446,10 +438,10 @@ TEST(C3dImporter, LyingCountsDoNotAllocate) {
   SetWord(bytes, 4, 65535);
   SetWord(bytes, FindParameter(bytes, "USED"), 65535);
   SetWord(bytes, FindParameter(bytes, "ACTUAL_END_FIELD") + 2, 32767);
-  EXPECT_NE(ImportFault(bytes, "c3d").find("promises"), std::string::npos);
+  ExpectHolds(ImportFault(bytes, "c3d"), "promises");
   ImportOptions options;
   options.accept_truncated = true;
-  EXPECT_NE(ImportFault(bytes, "c3d", options).find("the file holds 0"), std::string::npos);
+  ExpectHolds(ImportFault(bytes, "c3d", options), "the file holds 0");
 }
 
 TEST(C3dWriter, RefusesWhatTheFormatCannotHold) {

@@ -1,13 +1,10 @@
-#include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include <array>
-#include <fstream>
-
 #include "core/base/files/files.h"
-#include "human_study/recording/importers/table_mapping.h"
+#include "core/base/text/yaml.h"
+#include "tests/human_study/faults.h"
 #include "tests/human_study/recording/synthetic_recording.h"
-#include "tests/support/processor_time.h"
+#include "tests/support/transcript.h"
 
 namespace graspbench {
 namespace {
@@ -60,30 +57,6 @@ TEST(QualisysTsv, AStatedUnitCounts) {
   EXPECT_EQ(CountFindings(metres, "unit_by_convention"), 0u);
 }
 
-TEST(QualisysTsv, FaultsNameTheirLine) {
-  EXPECT_EQ(
-      ImportFault(kQualisysHead + "1\t2\t3\t4\t5\t6\n1\t2\tx\x01y\t4\t5\t6\n", "qualisys_tsv"),
-      "file:12: column 3: \"x?y\" is not a number");
-  EXPECT_EQ(ImportFault(kQualisysHead + "1\t2\t3\t4\t5\t6\n1\t2", "qualisys_tsv"),
-            "file:12: the row has 2 columns, expected 6; the file is cut off or damaged here "
-            "(--accept-truncated reads what comes before)");
-  EXPECT_EQ(ImportFault("NO_OF_FRAMES\t-5\n", "qualisys_tsv"),
-            "file:1: NO_OF_FRAMES is \"-5\"; expected a number from 0 to 2147483647");
-  EXPECT_EQ(ImportFault("NO_OF_FRAMES\t1\nDATA_INCLUDED\t6D\n", "qualisys_tsv"),
-            "file:2: DATA_INCLUDED is 6D; only position exports (3D) can be read");
-  EXPECT_EQ(ImportFault("NO_OF_FRAMES\t3\n", "qualisys_tsv"),
-            "file:2: the file ends before the first row of data");
-  EXPECT_EQ(ImportFault("", "qualisys_tsv"), "file:1: the file ends before its header");
-  EXPECT_EQ(ImportFault(kQualisysHead + "1\t2\t3\t4\n", "qualisys_tsv"),
-            "file:11: the first row of data has 4 columns, expected 6 or more");
-  EXPECT_EQ(ImportFault(kQualisysHead + "1\t2\t3\t4\t5\t6\t7\n", "qualisys_tsv"),
-            "file:11: the row has 7 columns, expected 6 or, with frame and time, 8");
-  EXPECT_NE(ImportFault(kQualisysHead + "1\t0.5\t1\t2\t3\t4\t5\t6\n2\t0.4\t1\t2\t3\t4\t5\t6\n",
-                        "qualisys_tsv")
-                .find("file:12: time is 0.4 s after 0.5 s; times must increase"),
-            std::string::npos);
-}
-
 TEST(QualisysTsv, ATruncatedRowMayBeAccepted) {
   ImportOptions options;
   options.accept_truncated = true;
@@ -130,8 +103,6 @@ TEST(Trc, TabsAndCommas) {
     EXPECT_EQ(bytes.find("anna"), std::string::npos);
     EXPECT_EQ(ImportBytes(bytes, "trc").num_frames, 2u);
   }
-  EXPECT_EQ(ImportFault("PathFileType\t4\nDataRate\n100\n", "trc"),
-            "file:3: NumFrames is \"\"; expected a number from 0 to 2147483647");
 }
 
 const std::string kMotive =
@@ -198,13 +169,6 @@ TEST(MotiveCsv, RowsWithoutTitlesAreThoseOfVersions15To17) {
   EXPECT_EQ(CountFindings(read, "unit_by_convention"), 1u);
 }
 
-TEST(MotiveCsv, FaultsNameTheirLine) {
-  EXPECT_EQ(ImportFault("Format Version,1.23\n\n,Type,Marker\n", "motive_csv"),
-            "file:4: the file ends before the row \"Frame, Time (Seconds), ..\"");
-  EXPECT_EQ(ImportFault("Format Version,1.23,Capture Frame Rate,fast\n", "motive_csv"),
-            "file:1: Capture Frame Rate is \"fast\"; expected a number from 1e-06 to 1000000");
-}
-
 const std::string kNexus =
     "Events\n100\nSubject,Context,Name,Time (s),Description\nAnna,Left,touch,0.02,\n\n"
     "Devices\n200\n,,Plate - Force,,\nFrame,Sub Frame,Fx,Fy,Fz\n,,N,N,N\n1,0,1,2,3\n1,1,4,5,6\n\n"
@@ -235,18 +199,6 @@ TEST(NexusCsv, RedactingRemovesTheSubject) {
   EXPECT_EQ(ImportBytes(bytes, "nexus_csv").points[0].label, "thumb");
 }
 
-TEST(NexusCsv, FaultsNameTheirLine) {
-  EXPECT_EQ(ImportFault("Trajectories\n0\n", "nexus_csv"),
-            "file:2: the rate of block Trajectories is \"0\"; expected a number from 1e-06 to "
-            "1000000");
-  EXPECT_EQ(ImportFault("Trajectories\n100\n,,a,,\nFrame,Sub Frame,X,Y,Z\n,,mm,mm,mm\n1,0,1,2,3\n"
-                        "3,0,1,2,3\n",
-                        "nexus_csv"),
-            "file:7: frame 3 follows frame 1; frames must be consecutive");
-  EXPECT_EQ(ImportFault("Joints\n1\n\n", "nexus_csv"),
-            "file:3: no block of Trajectories or Devices was found");
-}
-
 struct Bids {
   std::string motion = "1\t2\t3\t0.5\n4\tn/a\t6\t0.6\n";
   std::string channels =
@@ -267,12 +219,7 @@ struct Bids {
         .import({stream, "in/sub-1_task-g_tracksys-q_motion.tsv", sibling}, {});
   }
   std::string Fault() const {
-    try {
-      Import();
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "";
+    return FaultOf([&] { Import(); });
   }
 };
 
@@ -301,234 +248,30 @@ TEST(MotionBids, FaultsNameTheSidecar) {
             "components x, y, z");
   bids = {};
   bids.motion = "1\t2\n";
-  EXPECT_NE(bids.Fault().find("_motion.tsv:1: the row has 2 columns, expected 4"),
-            std::string::npos);
-  EXPECT_EQ(ImportFault("1\t2\n", "motion_bids"),
-            "file: \"_motion.json\", which describes its columns, is not beside it");
+  ExpectHolds(bids.Fault(), "_motion.tsv:1: the row has 2 columns, expected 4");
 }
 
-std::filesystem::path WriteText(const std::string& name, const std::string& text) {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / name;
-  std::ofstream(path) << text;
-  return path;
-}
-
-const std::string kMapping =
-    "unit: mm\npoints:\n  tip: [a, b, c]\ntime: t\ntime_unit: ms\ntrial: n\noccluded: o\n";
-const std::string kTable =
-    "n;t;a;b;c;o\n1;0;1;2;3;0\n1;11;1;2;3;1\n1;20;1;2;3;0\n2;0;7;8;9;0\n2;10;7;8;9;0\n";
-
-TEST(Table, AMappingNamesTheColumns) {
-  ImportOptions options;
-  options.mapping = WriteText("mapping.yaml", kMapping);
-  options.trial = "1";
-  const Recording read = ImportBytes(kTable, "table", options);
-  EXPECT_EQ(read.num_frames, 3u);
-  EXPECT_EQ(read.points[0].states[1], SampleState::kInvalid) << "occluded";
-  EXPECT_EQ(read.Time(1), 0.011);
-  EXPECT_EQ(CountFindings(read, "irregular_times"), 1u);
-  EXPECT_EQ(FindTableTrials(WriteText("table.csv", kTable), LoadTableMapping(options.mapping)),
-            (std::vector<std::string>{"1", "2"}));
-  options.trial = "3";
-  EXPECT_EQ(ImportFault(kTable, "table", options),
-            "file: no trial \"3\"; did you mean \"1\"? Known: 1, 2");
-  options.trial = "";
-  EXPECT_EQ(
-      ImportFault(kTable, "table", options),
-      "file: the table holds 2 trials, \"1\" to \"2\"; name one (--trial of graspbench mocap, "
-      "column table_trial of a study's trials.csv)");
-  EXPECT_EQ(ImportFault("n;t;a;b\n", "table", options),
-            "file:1: the mapping names columns the table does not have: c, o; did you mean \"n\"? "
-            "Known: n, t, a, b");
-  EXPECT_EQ(ImportFault(kTable, "table"),
-            "file: a plain table needs a mapping that names its columns (--mapping columns.yaml)");
-}
-
-TEST(Table, TimeIsLinearInItsTrials) {
-  ImportOptions options;
-  options.mapping = WriteText("mapping.yaml", kMapping);
-  const TableMapping mapping = LoadTableMapping(options.mapping);
-  const auto make_table = [](int num_trials) {
-    std::string table = "n;t;a;b;c;o\n";
-    for (int row = 0; row < 4 * num_trials; ++row) {
-      table += fmt::format("{};{};1;2;3;0\n", row / 4 + 1, 10 * (row % 4));
+/** The recordings of wrong_recordings.yaml, each with its own message. */
+TEST(WrongRecordings, EachIsRefusedWithItsFault) {
+  const std::filesystem::path path =
+      FindDataRoot() / "tests/human_study/recording/wrong_recordings.yaml";
+  Diagnostics problems;
+  const YAML::Node file = LoadYaml(path, problems);
+  ASSERT_EQ(problems.num_errors(), 0) << problems.Format();
+  const std::filesystem::path mapping = std::filesystem::path(testing::TempDir()) / "wrong.yaml";
+  for (const YAML::Node& wrong : file["cases"]) {
+    const auto text = [&](const char* key) { return wrong[key].as<std::string>(""); };
+    ImportOptions options;
+    options.trial = text("trial");
+    if (wrong["mapping"] || wrong["own"]) {
+      WriteFileAtomically(mapping,
+                          text("own") + file["mappings"][text("mapping")].as<std::string>(""));
+      options.mapping = mapping;
     }
-    return table;
-  };
-  for (const int num_trials : {10'000, 40'000}) {
-    WriteText("table_" + std::to_string(num_trials), make_table(num_trials));
+    const std::string fault = ImportFault(
+        file["heads"][text("head")].as<std::string>("") + text("bytes"), text("format"), options);
+    EXPECT_TRUE(MatchesLine(fault, text("fault"))) << fault << "\nfor " << text("fault");
   }
-  EXPECT_LT(FindTimeRatio([&](int num_trials) {
-              const std::filesystem::path path = testing::TempDir();
-              const auto trials =
-                  FindTableTrials(path / ("table_" + std::to_string(num_trials)), mapping);
-              EXPECT_EQ(trials.size(), static_cast<size_t>(num_trials));
-            }),
-            8.0);
-  EXPECT_LT(FindTimeRatio([&](int num_trials) {
-              options.trial = std::to_string(num_trials);
-              EXPECT_EQ(ImportBytes(make_table(num_trials), "table", options).num_frames, 4u);
-            }),
-            8.0);
-}
-
-TEST(Table, ANumberThatIsNoPlaceIsMissingAndCounted) {
-  ImportOptions options;
-  options.mapping = WriteText("mapping.yaml", kMapping);
-  options.trial = "1";
-  std::string table = kTable;
-  table.replace(table.find("1;20;1;"), 7, "1;20;1e300;");
-  const Recording read = ImportBytes(table, "table", options);
-  EXPECT_EQ(read.points[0].states[0], SampleState::kMeasured);
-  EXPECT_EQ(read.points[0].states[2], SampleState::kInvalid);
-  EXPECT_EQ(CountFindings(read, "huge_coordinates"), 1u);
-}
-
-TEST(Table, AWrongMappingTellsAllItsFaults) {
-  try {
-    LoadTableMapping(WriteText(
-        "bad.yaml", "points:\n  tip: [a, b]\ntime_unit: h\nextra: 1\nchannels: {f: [a, b]}\n"));
-    FAIL();
-  } catch (const Error& error) {
-    const std::string text = error.what();
-    for (const char* part :
-         {"needs the three columns", "each needs the name of one column",
-          "is \"h\"; expected s, ms or us", "rate_hz: is needed when no column of times",
-          "unknown key \"extra\""}) {
-      EXPECT_NE(text.find(part), std::string::npos) << text;
-    }
-  }
-}
-
-TEST(Table, WithoutAHeadingColumnsAreNumbered) {
-  ImportOptions options;
-  options.mapping = WriteText("bare.yaml",
-                              "unit: mm\nheading: false\npoints:\n  tip: [2, 3, 4]\ntime: 1\n"
-                              "channels: {touch: 5}\n");
-  // Tabs, semicolons, commas and runs of blanks hold the same.
-  for (const char* rows : {"0\t1\t2\t3\t0\n0.01\t1\t2\t4\t1\n", "0;1;2;3;0\n0.01;1;2;4;1\n",
-                           "0,1,2,3,0\n0.01,1,2,4,1\n", "  0 1  2 3   0\n 0.01 1 2  4 1 \n"}) {
-    const Recording read = ImportBytes(rows, "table", options);
-    ASSERT_EQ(read.num_frames, 2u) << rows;
-    EXPECT_NEAR(read.points[0].Position(1).z(), 0.004, 1e-12) << rows;
-    EXPECT_NEAR(read.rate, 100.0, 1e-9);
-    ASSERT_EQ(read.analog.size(), 1u);
-    EXPECT_EQ(read.analog[0].label, "touch");
-    EXPECT_EQ(read.analog[0].rate, read.rate);
-    EXPECT_EQ(read.analog[0].samples, (std::vector<float>{0.0f, 1.0f}));
-  }
-  EXPECT_EQ(ImportFault("t;x;y;z;f\n0;1;2;3;0\n", "table", options),
-            "file:1: the first row has no number, but the mapping says heading: false; take that "
-            "out and name the columns");
-  EXPECT_EQ(ImportFault("0;1;2\n", "table", options),
-            "file:1: the mapping names columns the table does not have: 4, 5; did you mean \"1\"? "
-            "Known: 1, 2, 3");
-  EXPECT_EQ(ImportFault("", "table", options), "file:1: the file ends before its first row");
-  EXPECT_EQ(ImportFault("0;1;2;3;0\n0.01;1;2;3;0\n0.03;1;2;3;0\n0.04;1;2;3;0\n", "table", options),
-            "file: its times are uneven, so that its channels have no rate; take them out of the "
-            "mapping, or export the table at an even rate");
-  // A decimal comma is no delimiter of this table's.
-  EXPECT_EQ(
-      ImportFault("0,0;1,5;2;3;0\n", "table", options),
-      "file:1: column 2: \"1,5\" is not a number: it has a decimal comma; export with points");
-  options.mapping = WriteText("mapping.yaml", kMapping);
-  EXPECT_EQ(ImportFault("1;0;1;2;3;0\n", "table", options),
-            "file:1: the first row holds numbers, not the names of columns (a, b, c, t, n, o); for "
-            "a table without a heading the mapping says heading: false and numbers the columns "
-            "from 1");
-}
-
-/** Rows of 21 landmarks; `place` gives x, y, z of one. */
-template <class Place>
-std::string MakeLandmarks(const Place& place) {
-  std::string text = "time_s";
-  for (int i = 0; i < 21; ++i) {
-    for (const char* axis : {"x", "y", "z"}) text += "," + (axis + std::to_string(i));
-  }
-  for (int row = 0; row < 3; ++row) {
-    text += "\n" + std::to_string(0.05 * row);
-    for (int i = 0; i < 21; ++i) {
-      for (const double value : place(row, i)) text += "," + std::to_string(value);
-    }
-  }
-  return text + "\n";
-}
-
-TEST(Table, TheShippedMappingReadsMediaPipesLandmarksAndRefusesThoseOfAnImage) {
-  ImportOptions options;
-  options.mapping = FindDataRoot() / "human_study/examples/mediapipe/columns.yaml";
-  const auto in_space = [](int row, int i) {
-    return std::array<double, 3>{0.01 * i, 0.1 * row, 0.6 - 0.01 * i};
-  };
-  const Recording read = ImportBytes(MakeLandmarks(in_space), "table", options);
-  EXPECT_NEAR(read.rate, 20.0, 1e-6);
-  ASSERT_EQ(read.points.size(), 21u);
-  EXPECT_NEAR((read.FindPoint("little_tip").Position(2) - Eigen::Vector3d(0.2, 0.2, 0.4)).norm(),
-              0.0, 1e-6);
-  EXPECT_NEAR(read.FindPoint("thumb_tip").Position(0).x(), 0.04, 1e-6);
-  // Shares of the picture; the wrist's depth is 0 by definition.
-  const auto in_image = [](int row, int i) {
-    return std::array<double, 3>{0.3 + 0.01 * i, 0.5 + 0.05 * row, -0.005 * i};
-  };
-  EXPECT_EQ(ImportFault(MakeLandmarks(in_image), "table", options),
-            "file: these are landmarks of an image (the wrist's z is 0 in every row, x and y lie "
-            "within a picture): shares of its width, not lengths. Place them by a depth camera or "
-            "by two cameras first");
-  // A hand that nobody saw is no picture.
-  std::string unseen = "time_s,x,y,z,u,v,w";
-  for (int row = 0; row < 3; ++row) {
-    unseen += "\n" + std::to_string(0.05 * row) + ",nan,nan,nan,0.1,0.2,0.3";
-  }
-  options.mapping = WriteText("unseen.yaml",
-                              "unit: m\ntime: time_s\npoints:\n  wrist: [x, y, z]\n"
-                              "  tip: [u, v, w]\n");
-  EXPECT_EQ(ImportBytes(unseen + "\n", "table", options).num_frames, 3u);
-}
-
-TEST(Table, TheShippedMappingReadsLeapHands) {
-  ImportOptions options;
-  options.mapping = FindDataRoot() / "human_study/examples/leap/columns.yaml";
-  const TableMapping mapping = LoadTableMapping(options.mapping);
-  std::string head = "timestamp", rows[2] = {"1000000", "1010000"};
-  int place = 0;
-  for (const TableMapping::Point& point : mapping.points) {
-    for (const std::string& column : point.columns) {
-      head += "," + column;
-      for (int row = 0; row < 2; ++row) rows[row] += "," + std::to_string(100 + place + 5 * row);
-      ++place;
-    }
-  }
-  const Recording read =
-      ImportBytes(head + "\n" + rows[0] + "\n" + rows[1] + "\n", "table", options);
-  EXPECT_NEAR(read.rate, 100.0, 1e-6);  // microseconds
-  ASSERT_EQ(read.points.size(), 12u);
-  EXPECT_NEAR((read.FindPoint("wrist").Position(1) - Eigen::Vector3d(0.105, 0.106, 0.107)).norm(),
-              0.0, 1e-6);
-  EXPECT_NO_THROW(read.FindPoint("little_tip"));
-}
-
-TEST(Table, TheShippedMappingMakesTipsOfAGlovesAngles) {
-  ImportOptions options;
-  options.mapping = FindDataRoot() / "human_study/examples/glove/columns.yaml";
-  const std::vector<std::string> columns = LoadTableMapping(options.mapping).glove.ListColumns();
-  std::string head = "time_s";
-  for (const std::string& column : columns) head += "," + column;
-  std::string text = head + "\n";
-  for (int row = 0; row < 3; ++row) {
-    text += std::to_string(0.01 * row);
-    for (size_t i = 0; i + 7 < columns.size(); ++i) text += row == 1 ? ",30" : ",0";
-    text += row == 2 ? ",1,2,3,,0,0,1\n" : ",1,2,3,0,0,0,1\n";
-  }
-  const Recording read = ImportBytes(text, "table", options);
-  ASSERT_EQ(read.points.size(), 6u);
-  EXPECT_NEAR((read.FindPoint("wrist").Position(0) - Eigen::Vector3d(1, 2, 3)).norm(), 0.0, 1e-6);
-  // Bent fingers bring the tips nearer to the wrist; a missing cell is a missing point.
-  const RecordedPoint& tip = read.FindPoint("index_tip");
-  const RecordedPoint& wrist = read.FindPoint("wrist");
-  EXPECT_LT((tip.Position(1) - wrist.Position(1)).norm(),
-            (tip.Position(0) - wrist.Position(0)).norm() - 0.01);
-  EXPECT_EQ(tip.states[2], SampleState::kInvalid);
-  EXPECT_EQ(read.findings.front().code, "glove_model");
 }
 
 std::string N3d(int num_frames, int num_values = 3) {
@@ -563,20 +306,14 @@ TEST(N3d, FaultsNameTheirByte) {
             "count is wrong (--accept-truncated reads what is there)");
   EXPECT_EQ(ImportFault(N3d(2, 1), "n3d"),
             "file: byte 3: each item has 1 values; only positions (3 values) can be read");
-  EXPECT_EQ(ImportFault("short", "n3d"),
-            "file: byte 5: the file ends here; an N3D header alone has 256 bytes");
 }
 
 TEST(FindImporter, Utf16IsSaid) {
   using namespace std::string_literals;
-  try {
-    FindImporter("", "\xff\xfeN\0O\0"s, "take.tsv");
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_STREQ(error.what(),
-                 "take.tsv: is UTF-16 (\"Unicode text\" of a spreadsheet); no format of motion "
-                 "capture is: save it as UTF-8, or export it again");
-  }
+  EXPECT_EQ(
+      FaultOf([] { FindImporter("", "\xff\xfeN\0O\0"s, "take.tsv"); }),
+      "take.tsv: is UTF-16 (\"Unicode text\" of a spreadsheet); no format of motion capture is: "
+      "save it as UTF-8, or export it again");
 }
 
 TEST(FindImporter, ContentDecidesThenTheName) {

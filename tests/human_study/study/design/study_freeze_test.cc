@@ -1,32 +1,21 @@
 #include "human_study/study/design/study_freeze.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include "core/base/error.h"
-#include "core/base/files/files.h"
 #include "human_study/study/design/study_config.h"
+#include "tests/human_study/faults.h"
 
 namespace graspbench {
 namespace {
 
-namespace fs = std::filesystem;
-
-class StudyFreeze : public ::testing::Test {
+class StudyFreeze : public FolderTest {
  protected:
   void SetUp() override {
-    folder_ = fs::path(::testing::TempDir()) / ("freeze_" + std::to_string(::getpid()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
+    FolderTest::SetUp();
     Write("study.yaml",
           "name: Pilot\nmarkers: {thumb: t, index: i}\nhypotheses: hypotheses.csv\n"
           "contact: {cutoff_hz: 15}\n");
     Write("hypotheses.csv", "measure,equal_within\ngrasp_forming_time_s,0.01\n");
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  void Write(const std::string& name, const std::string& text) {
-    WriteFileAtomically(folder_ / name, text);
   }
   void WriteTrials() { Write("trials.csv", "participant,file\n01,a.tsv\n01,b.tsv\n"); }
   void Freeze() { Write("study.freeze.json", MakeFreeze(folder_ / "study.yaml")); }
@@ -34,21 +23,14 @@ class StudyFreeze : public ::testing::Test {
     return ListDeviations(LoadStudy(folder_ / "study.yaml", {}, settings));
   }
   std::string Fault() {
-    try {
-      LoadStudy(folder_ / "study.yaml");
-    } catch (const Error& error) {
-      const std::string text = error.what();
-      return text.substr(text.find("study.freeze.json"));
-    }
-    return "";
+    const std::string text = FaultOf([&] { LoadStudy(folder_ / "study.yaml"); });
+    return text.empty() ? text : text.substr(text.find("study.freeze.json"));
   }
-
-  fs::path folder_;
 };
 
 TEST_F(StudyFreeze, BeforeTheDataAndNothingChanged) {
   Freeze();  // there is no trials.csv yet
-  const std::string before = ReadFile(folder_ / "study.freeze.json");
+  const std::string before = Read("study.freeze.json");
   EXPECT_EQ(MakeFreeze(folder_ / "study.yaml"), before);
   WriteTrials();
   const Study study = LoadStudy(folder_ / "study.yaml");
@@ -56,7 +38,7 @@ TEST_F(StudyFreeze, BeforeTheDataAndNothingChanged) {
   EXPECT_TRUE(study.freeze->deviations.empty());
   EXPECT_EQ(DescribeFreeze(study), "Choices frozen before any recording (SHA-256 " +
                                        study.freeze->hash.substr(0, 12) + "): no deviation.");
-  fs::remove(folder_ / "study.freeze.json");
+  std::filesystem::remove(folder_ / "study.freeze.json");
   EXPECT_FALSE(LoadStudy(folder_ / "study.yaml").freeze);
 }
 
@@ -78,7 +60,7 @@ TEST_F(StudyFreeze, EveryDeviationIsNamedWithBothValues) {
   EXPECT_EQ(two[1].find("table hypotheses: frozen SHA-256 "), 0u) << two[1];
   const std::string text = DescribeFreeze(LoadStudy(folder_ / "study.yaml"));
   EXPECT_EQ(text.find("Choices frozen when 1 recording was there already (SHA-256 "), 0u) << text;
-  EXPECT_NE(text.find("): 2 deviations."), std::string::npos) << text;
+  ExpectHolds(text, "): 2 deviations.");
 }
 
 TEST_F(StudyFreeze, RowsThatChangeOrGoDeviateAndNewOnesDoNot) {
@@ -107,7 +89,7 @@ TEST_F(StudyFreeze, RowsThatChangeOrGoDeviateAndNewOnesDoNot) {
 TEST_F(StudyFreeze, AFileThatIsNoFreezeOrWasTouchedIsRefused) {
   WriteTrials();
   Freeze();
-  const std::string good = ReadFile(folder_ / "study.freeze.json");
+  const std::string good = Read("study.freeze.json");
   const std::string none =
       "study.freeze.json: this is no file of \"graspbench study freeze\"; remove it, or bring the "
       "frozen one back";

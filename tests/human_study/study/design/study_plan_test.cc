@@ -3,26 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 
-#include "core/base/files/files.h"
+#include "tests/human_study/faults.h"
 
 namespace graspbench {
 namespace {
 
-namespace fs = std::filesystem;
-
-class StudyPlanTest : public ::testing::Test {
+class StudyPlanTest : public FolderTest {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(::testing::TempDir()) /
-              (std::string("study_plan_") +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder_);
-    MakeFolder(folder_ / "tidy");
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   /** Two trials a person and size; person p differs by p hundredths between the sizes. */
   void WritePilot(int num_persons, int num_trials = 2) const {
     std::string text = "person,trial,size,size_number,group,measure,value\n";
@@ -36,19 +24,10 @@ class StudyPlanTest : public ::testing::Test {
         }
       }
     }
-    WriteFileAtomically(folder_ / "tidy" / "tidy.csv", text);
+    MakeFolder(folder_ / "tidy");
+    Write("tidy/tidy.csv", text);
   }
   Pilot Load(const PilotQuestion& question = {}) const { return LoadPilot(folder_, question); }
-  static std::string FindFault(const std::function<void()>& work) {
-    try {
-      work();
-      return "";
-    } catch (const Error& error) {
-      return error.what();
-    }
-  }
-
-  fs::path folder_;
 };
 
 TEST_F(StudyPlanTest, APilotsVariancesAreThoseOfTheAnova) {
@@ -99,54 +78,53 @@ TEST_F(StudyPlanTest, ThePlanReachesThePowerAndSaysHowSureThePilotIs) {
 }
 
 TEST_F(StudyPlanTest, RefusesNonsense) {
-  WritePilot(5);
-  const auto plan = [&](const std::function<void(PlanRequest&)>& change) {
+  struct Case {
+    void (*change)(PlanRequest&);
+    const char* says;
+  };
+  const Case cases[] = {
+      {[](PlanRequest& r) { r.difference = 0.0; }, "--difference is 0;"},
+      {[](PlanRequest& r) { r.difference = NAN; }, "--difference is"},
+      {[](PlanRequest& r) { r.difference = 10.0; }, "10 ms is 0.01"},
+      {[](PlanRequest& r) { r.stated.trial_sd = -1.0; }, "expected 0 or more"},
+      {[](PlanRequest& r) { r.stated = {}; }, "without any spread"},
+      {[](PlanRequest& r) { r.wanted = 1.0; }, "--power is 1;"},
+      {[](PlanRequest& r) { r.trials = {0}; }, "--trials has 0;"},
+      {[](PlanRequest& r) { r.num_persons = 1; }, "--persons is 1;"},
+      {[](PlanRequest& r) { r.measure = "gft"; }, "measure \"gft\" is not known"},
+      {[](PlanRequest&) {}, ""},
+  };
+  for (const Case& c : cases) {
     PlanRequest request;
     request.difference = 0.01;
     request.stated.trial_sd = 0.02;
     request.stated.person_sd = 0.01;
-    change(request);
-    return FindFault([&] { MakeStudyPlan(request); });
-  };
-  EXPECT_EQ(plan([](PlanRequest&) {}), "");
-  EXPECT_NE(plan([](PlanRequest& r) { r.difference = 0.0; }).find("--difference is 0;"),
-            std::string::npos);
-  EXPECT_NE(plan([](PlanRequest& r) { r.difference = NAN; }).find("--difference is"),
-            std::string::npos);
-  EXPECT_NE(plan([](PlanRequest& r) { r.difference = 10.0; }).find("10 ms is 0.01"),
-            std::string::npos);
-  EXPECT_NE(plan([](PlanRequest& r) { r.stated.trial_sd = -1.0; }).find("expected 0 or more"),
-            std::string::npos);
-  EXPECT_NE(plan([](PlanRequest& r) { r.stated = {}; }).find("without any spread"),
-            std::string::npos);
-  EXPECT_NE(plan([](PlanRequest& r) { r.wanted = 1.0; }).find("--power is 1;"), std::string::npos);
-  EXPECT_NE(plan([](PlanRequest& r) { r.trials = {0}; }).find("--trials has 0;"),
-            std::string::npos);
-  EXPECT_NE(plan([](PlanRequest& r) { r.num_persons = 1; }).find("--persons is 1;"),
-            std::string::npos);
-  EXPECT_NE(plan([](PlanRequest& r) { r.measure = "gft"; }).find("measure \"gft\" is not known"),
-            std::string::npos);
+    c.change(request);
+    const std::string fault = FaultOf([&] { MakeStudyPlan(request); });
+    ExpectHolds(fault, c.says);
+    EXPECT_EQ(fault.empty(), *c.says == '\0') << fault;
+  }
+}
 
+TEST_F(StudyPlanTest, APilotThatDoesNotFitIsTold) {
+  const auto fault = [&](const PilotQuestion& question = {}) {
+    return FaultOf([&] { Load(question); });
+  };
+  ExpectHolds(fault(), "is no result of graspbench study run");
+  WritePilot(5);
   PilotQuestion question;
   question.factor = "sise";
-  EXPECT_NE(FindFault([&] { Load(question); }).find("no factor \"sise\"; did you mean \"size\"?"),
-            std::string::npos);
+  ExpectHolds(fault(question), "no factor \"sise\"; did you mean \"size\"?");
   question = {};
   question.levels = {"30", "31"};
-  EXPECT_NE(FindFault([&] { Load(question); }).find("size has no level \"31\""), std::string::npos);
+  ExpectHolds(fault(question), "size has no level \"31\"");
   question = {};
   question.measure = "grasp_opening";
-  EXPECT_NE(FindFault([&] { Load(question); }).find("no measure \"grasp_opening\""),
-            std::string::npos);
+  ExpectHolds(fault(question), "no measure \"grasp_opening\"");
   WritePilot(1);
-  EXPECT_EQ(FindFault([&] { Load(); }),
-            "the pilot: 1 person has trials at both levels of size; expected 2 or more");
+  EXPECT_EQ(fault(), "the pilot: 1 person has trials at both levels of size; expected 2 or more");
   WritePilot(4, 1);
-  EXPECT_NE(FindFault([&] { Load(); }).find("nobody has two trials in a condition"),
-            std::string::npos);
-  fs::remove_all(folder_ / "tidy");
-  EXPECT_NE(FindFault([&] { Load(); }).find("is no result of graspbench study run"),
-            std::string::npos);
+  ExpectHolds(fault(), "nobody has two trials in a condition");
 }
 
 }  // namespace

@@ -4,63 +4,36 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
-#include "core/base/text/data_table.h"
 #include "core/base/text/text.h"
 #include "human_study/study/output/study_tables.h"
 #include "human_study/study/synthetic/demo_study.h"
+#include "tests/human_study/faults.h"
 
 namespace graspbench {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string FindFaults(const std::string& text) {
-  Diagnostics problems;
-  DataTable table(text, "reviews.csv", problems);
-  ReadReviews(table, problems);
-  return problems.Format();
-}
-
-TEST(TrialReview, FaultsHaveTheirLines) {
-  const std::string head = "trial,digit,verdict,contact_s,uncertainty_s\n";
-  EXPECT_EQ(FindFaults(head + "P1-1,index,,,\nP1-1,thumb,confirmed,,\n"), "");
-  const auto expect = [&](const std::string& rows, const std::string& part) {
-    const std::string faults = FindFaults(head + rows);
-    EXPECT_NE(faults.find(part), std::string::npos) << part << " is missing in " << faults;
-  };
-  expect("P1-1,pinky,confirmed,,\n", "reviews.csv:2: error: digit \"pinky\" is not known");
-  expect("P1-1,index,yes,,\n", "reviews.csv:2: error: verdict \"yes\" is not known");
-  expect("P1-1,index,corrected,,\n", "reviews.csv:2: error: corrected without a time");
-  expect("P1-1,index,corrected,1.2,0\n", "uncertainty_s: expected more than 0");
-  expect(",index,confirmed,,\n", "trial: empty");
-  expect("P1-1,index,confirmed,,\nP1-1,FF,no_contact,,\n",
-         "reviews.csv:3: error: trial P1-1 has a verdict on the index already in line 2");
-}
-
+/** One person's demo study, analysed once without a review. */
 class ReplayedReview : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(::testing::TempDir()) /
-              (std::string("trial_review_") +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder_);
+  static void SetUpTestSuite() {
     SyntheticOptions options;
     options.seed = "trial_review_test";
     options.num_people = 1;
     options.trials_per_size = 2;
     options.diameters = {0.03, 0.06};
+    folder_ = fs::path(::testing::TempDir()) / "trial_review";
     WriteDemoStudy(MakeSyntheticStudy(options), folder_);
-    std::ofstream(folder_ / "study.yaml", std::ios::app) << "bias_trials: 0\n";
-    before_ = Run();
+    before_ = RunStudy(LoadStudy(folder_ / "study.yaml", {}, {"bias_trials=0"}));
   }
-  void TearDown() override { fs::remove_all(folder_); }
+  static void TearDownTestSuite() { fs::remove_all(folder_); }
 
-  StudyResult Run() const { return RunStudy(LoadStudy(folder_ / "study.yaml")); }
   StudyResult RunWith(const std::string& rows) const {
-    std::ofstream(folder_ / "reviews.csv") << "trial,digit,verdict,contact_s,by\n" << rows;
-    return RunStudy(LoadStudy(folder_ / "study.yaml", {}, {"reviews=reviews.csv"}));
+    WriteFileAtomically(folder_ / "reviews.csv", "trial,digit,verdict,contact_s,by\n" + rows);
+    return RunStudy(
+        LoadStudy(folder_ / "study.yaml", {}, {"bias_trials=0", "reviews=reviews.csv"}));
   }
   static const DigitContactEvents& FindIndex(const StudyTrial& trial) {
     for (const DigitContactEvents& digit : trial.analysis->contacts) {
@@ -69,8 +42,8 @@ class ReplayedReview : public ::testing::Test {
     return trial.analysis->contacts.front();
   }
 
-  fs::path folder_;
-  StudyResult before_;
+  inline static fs::path folder_;
+  inline static StudyResult before_;
 };
 
 TEST_F(ReplayedReview, ACorrectionMovesTheContactAndEveryMeasure) {
@@ -129,16 +102,10 @@ TEST_F(ReplayedReview, AConfirmationHoldsForItsTimeAndAFrame) {
 
 TEST_F(ReplayedReview, WhatFitsNoTrialStopsTheRun) {
   const std::string id = before_.trials[0].id;
-  const auto expect = [&](const std::string& rows, const std::string& part) {
-    try {
-      RunWith(rows);
-      ADD_FAILURE() << "no fault for " << rows;
-    } catch (const Error& error) {
-      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-    }
-  };
-  expect("P9-1,index,confirmed,,\n", "trial \"P9-1\" is not of this study");
-  expect(id + ",index,corrected,900,\n", "contact_s 900.000 lies outside of trial " + id);
+  ExpectHolds(FaultOf([&] { RunWith("P9-1,index,confirmed,,\n"); }),
+              "trial \"P9-1\" is not of this study");
+  ExpectHolds(FaultOf([&] { RunWith(id + ",index,corrected,900,\n"); }),
+              "contact_s 900.000 lies outside of trial " + id);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "core/base/random.h"
 #include "human_study/study/run/run_study.h"
+#include "tests/human_study/faults.h"
 
 namespace graspbench {
 namespace {
@@ -163,10 +164,9 @@ TEST(OpeningReliability, TheSentenceSaysWhatCouldBeTested) {
   StudyResult study = Analyse(MakeStudy(model, "twelve"));
   const std::string shown = DescribeOpeningArgument(study);
   EXPECT_EQ(shown.find("More reliable than the aperture: shown for virtual_finger. "), 0u) << shown;
-  EXPECT_NE(shown.find("(12 persons, 32 comparisons)"), std::string::npos) << shown;
+  ExpectHolds(shown, "(12 persons, 32 comparisons)");
   study.study.config.analysis.opening.measure = "aperture";
-  EXPECT_NE(DescribeOpeningArgument(study).find("the study's own opening is the aperture itself"),
-            std::string::npos);
+  ExpectHolds(DescribeOpeningArgument(study), "the study's own opening is the aperture itself");
   study.digits = {"TH", "FF"};
   EXPECT_EQ(DescribeOpeningArgument(study),
             "More reliable than the aperture: not testable with 2 digits, of which every opening "

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "core/base/files/files.h"
-#include "core/base/text/data_table.h"
+#include "core/base/text/delimited_text.h"
 #include "core/base/text/text.h"
 #include "human_study/recording/importers/importer.h"
 #include "human_study/study/output/motion_bids.h"
@@ -15,6 +15,7 @@
 #include "human_study/study/run/prepare_recording.h"
 #include "human_study/study/suggest/suggest_settings.h"
 #include "human_study/study/synthetic/demo_study.h"
+#include "tests/human_study/faults.h"
 #include "tests/support/mocap_data.h"
 #include "tests/support/shared_data.h"
 
@@ -23,50 +24,64 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/** Three people, two sizes, two trials each, on disk. */
-class RunStudyTest : public ::testing::Test {
+/** Three people, two sizes, two trials each, on disk: as it is, analysed once, and in a copy to
+change. Two universes are enough to see that they differ. */
+class RunStudyTest : public FolderTest {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(::testing::TempDir()) /
-              (std::string("run_study_") +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder_);
+  static void SetUpTestSuite() {
     SyntheticOptions options;
     options.seed = "run_study_test";
     options.num_people = 3;
     options.trials_per_size = 2;
     options.diameters = {0.03, 0.06};
     trials_ = MakeSyntheticStudy(options);
-    WriteDemoStudy(trials_, folder_);
-    // Two universes are enough to see that they differ.
-    Append("study.yaml",
-           "multiverse:\n  onset: []\n  cutoff_hz: [8]\n  detector: [speed]\n  opening: []\n"
-           "bias_trials: 0\n");
+    demo_ = fs::path(::testing::TempDir()) / "run_study";
+    fs::remove_all(demo_);
+    WriteDemoStudy(trials_, demo_);
+    std::ofstream(demo_ / "study.yaml", std::ios::app)
+        << "multiverse:\n  onset: []\n  cutoff_hz: [8]\n  detector: [speed]\n  opening: []\n"
+           "bias_trials: 0\n";
+    const Study study = LoadStudy(demo_ / "study.yaml");
+    StudyWatch watch;
+    MotionBidsWriter bids(demo_ / "bids", study);
+    watch.on_row = [](size_t, size_t) { ++num_rows_; };
+    watch.on_trial = [&](const StudyTrial& trial, const ReachTrial& reach) {
+      bids.WriteTrial(trial, reach);
+      reaches_.push_back(reach);
+    };
+    result_ = RunStudy(study, watch);
+    bids.Finish();
   }
-  void TearDown() override { fs::remove_all(folder_); }
+  static void TearDownTestSuite() { fs::remove_all(demo_); }
 
-  void Append(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::app) << text;
+  void SetUp() override {
+    FolderTest::SetUp();
+    fs::copy(demo_, folder_, fs::copy_options::recursive | fs::copy_options::overwrite_existing);
   }
   void Replace(const std::string& name, const std::string& what, const std::string& with) const {
-    std::string text = ReadFile(folder_ / name);
+    std::string text = Read(name);
     const size_t at = text.find(what);
     ASSERT_NE(at, std::string::npos) << what;
-    text.replace(at, what.size(), with);
-    WriteFileAtomically(folder_ / name, text);
+    Write(name, text.replace(at, what.size(), with));
   }
-  StudyResult Run(const StudyWatch& watch = {}) const {
-    return RunStudy(LoadStudy(folder_ / "study.yaml"), watch);
+  fs::path FileOf(size_t trial) const {
+    return folder_ / "recordings" / SyntheticFileName(trials_[trial], SyntheticFormat::kC3d);
   }
+  /** The changed study. */
+  StudyResult Run() const { return RunStudy(LoadStudy(folder_ / "study.yaml")); }
 
-  fs::path folder_;
-  std::vector<SyntheticTrial> trials_;
+  inline static fs::path demo_;
+  inline static std::vector<SyntheticTrial> trials_;
+  inline static std::vector<ReachTrial> reaches_;
+  inline static size_t num_rows_ = 0;
+  inline static StudyResult result_;
 };
 
 TEST_F(RunStudyTest, TheTruthComesOutAtTheEndOfTheWay) {
-  const StudyResult result = Run();
+  const StudyResult& result = result_;
   ASSERT_EQ(result.trials.size(), 12u);
   EXPECT_EQ(result.CountKept(), 12);
+  EXPECT_EQ(num_rows_, 12u);
   EXPECT_NEAR(result.rate, 200.0, 1e-3);
   EXPECT_NEAR(result.noise, 0.0003, 0.0001);
   const TruthComparison errors = CompareWithTruth(result, trials_);
@@ -91,7 +106,7 @@ TEST_F(RunStudyTest, TheTruthComesOutAtTheEndOfTheWay) {
 }
 
 TEST_F(RunStudyTest, AUniverseIsTheStudyUnderOtherChoices) {
-  const StudyResult result = Run();
+  const StudyResult& result = result_;
   ASSERT_EQ(result.universes.size(), 4u);  // two cut-offs, two detectors
   EXPECT_TRUE(result.universes.front().is_own);
   const size_t other = 3;
@@ -107,33 +122,24 @@ TEST_F(RunStudyTest, AUniverseIsTheStudyUnderOtherChoices) {
 }
 
 TEST_F(RunStudyTest, ATrialThatCannotBeAnalysedIsRemovedWithItsReason) {
-  fs::resize_file(folder_ / "recordings" / SyntheticFileName(trials_[1], SyntheticFormat::kC3d), 0);
-  fs::remove(folder_ / "recordings" / SyntheticFileName(trials_[2], SyntheticFormat::kC3d));
+  fs::resize_file(FileOf(1), 0);
+  fs::remove(FileOf(2));
   const StudyResult result = Run();
   EXPECT_EQ(result.CountKept(), 10);
   EXPECT_FALSE(result.trials[1].removed.empty());
-  EXPECT_NE(result.trials[2].removed.find("trial-003.c3d"), std::string::npos)
-      << result.trials[2].removed;
+  ExpectHolds(result.trials[2].removed, "trial-003.c3d");
   EXPECT_FALSE(result.trials[2].analysis.has_value());
 }
 
 TEST_F(RunStudyTest, AMarkerThatNoRecordingHasIsAFaultOfTheStudy) {
   Replace("study.yaml", "index_tip", "index_tp");
-  try {
-    Run();
-    FAIL() << "no error";
-  } catch (const Error& error) {
-    const std::string text = error.what();
-    EXPECT_NE(text.find("study.yaml:7: error: markers.index: no recording has it"),
-              std::string::npos)
-        << text;
-    EXPECT_NE(text.find("did you mean \"index_tip\"?"), std::string::npos) << text;
-  }
+  const std::string fault = FaultOf([&] { Run(); });
+  ExpectHolds(fault, "study.yaml:7: error: markers.index: no recording has it");
+  ExpectHolds(fault, "did you mean \"index_tip\"?");
 }
 
 TEST_F(RunStudyTest, ARecordingWithoutOneMarkerCostsItsTrialsAlone) {
-  const fs::path file =
-      folder_ / "recordings" / SyntheticFileName(trials_[4], SyntheticFormat::kC3d);
+  const fs::path file = FileOf(4);
   std::string bytes = ReadFile(file);
   const size_t at = bytes.find("ring_tip");
   ASSERT_NE(at, std::string::npos);
@@ -141,61 +147,51 @@ TEST_F(RunStudyTest, ARecordingWithoutOneMarkerCostsItsTrialsAlone) {
   WriteFileAtomically(file, bytes);
   const StudyResult result = Run();
   EXPECT_EQ(result.CountKept(), 11);
-  EXPECT_NE(result.trials[4].removed.find("no marker for the ring"), std::string::npos);
-  EXPECT_NE(result.trials[4].removed.find("did you mean \"rong_tip\"?"), std::string::npos);
+  ExpectHolds(result.trials[4].removed, "no marker for the ring");
+  ExpectHolds(result.trials[4].removed, "did you mean \"rong_tip\"?");
 }
 
 // A copy has the same noise, whatever its file is called.
 TEST_F(RunStudyTest, ACopiedRecordingCountsOnce) {
-  const fs::path recordings = folder_ / "recordings";
-  const auto file_of = [&](size_t trial) {
-    return recordings / SyntheticFileName(trials_[trial], SyntheticFormat::kC3d);
-  };
-  WriteFileAtomically(file_of(7), ReadFile(file_of(1)));
+  WriteFileAtomically(FileOf(7), ReadFile(FileOf(1)));
   const StudyResult result = Run();
   EXPECT_EQ(result.CountKept(), 11);
   EXPECT_EQ(result.trials[7].removed_code, "same_recording");
-  EXPECT_NE(result.trials[7].removed.find("those of " + result.trials[1].id), std::string::npos)
-      << result.trials[7].removed;
+  ExpectHolds(result.trials[7].removed, "those of " + result.trials[1].id);
+}
+
+/** Points 10 mm apart that move alike: 50 samples at 100 Hz. */
+Recording MakeRecording(const std::vector<const char*>& labels) {
+  Recording recording;
+  recording.rate = 100.0;
+  recording.num_frames = 50;
+  for (const char* label : labels) {
+    RecordedPoint& point = recording.points.emplace_back();
+    point.label = label;
+    for (int i = 0; i < 50; ++i) point.Append(i, 10.0 * double(recording.points.size()), i % 7);
+  }
+  SetLengthUnit(recording, "mm", "test");
+  return recording;
+}
+
+StudyConfig MakeConfig() {
+  StudyConfig config;
+  config.markers.tips.thumb = {"thumb"};
+  config.markers.tips.index = {"index"};
+  return config;
 }
 
 TEST(PrepareRecording, ATimeOfYearsIsAFault) {
-  Recording recording;
-  recording.rate = 100.0;
-  recording.num_frames = 50;
-  for (const char* label : {"thumb", "index"}) {
-    RecordedPoint& point = recording.points.emplace_back();
-    point.label = label;
-    for (int i = 0; i < 50; ++i) point.Append(i, 10.0 * double(recording.points.size()), i % 7);
-  }
+  Recording recording = MakeRecording({"thumb", "index"});
   for (int i = 0; i < 50; ++i) recording.times.push_back(i < 49 ? 0.01 * i : 1e300);
-  SetLengthUnit(recording, "mm", "test");
-  StudyConfig config;
-  config.markers.tips.thumb = {"thumb"};
-  config.markers.tips.index = {"index"};
-  try {
-    PrepareRecording(recording, config);
-    FAIL() << "no error";
-  } catch (const Error& error) {
-    EXPECT_EQ(std::string(error.what()),
-              "the recording's 50 samples span 1e+300 s, one interval alone 1e+300 s: a time is "
-              "wrong. Correct it, or cut the recording there");
-  }
+  EXPECT_EQ(FaultOf([&] { PrepareRecording(recording, MakeConfig()); }),
+            "the recording's 50 samples span 1e+300 s, one interval alone 1e+300 s: a time is "
+            "wrong. Correct it, or cut the recording there");
 }
 
 TEST(PrepareRecording, AMarkerThatIsNeverSeenIsAMissingOne) {
-  Recording recording;
-  recording.rate = 100.0;
-  recording.num_frames = 50;
-  for (const char* label : {"thumb", "index", "wrist", "top", "side"}) {
-    RecordedPoint& point = recording.points.emplace_back();
-    point.label = label;
-    for (int i = 0; i < 50; ++i) point.Append(i, 10.0 * double(recording.points.size()), i % 7);
-  }
-  SetLengthUnit(recording, "mm", "test");
-  StudyConfig config;
-  config.markers.tips.thumb = {"thumb"};
-  config.markers.tips.index = {"index"};
+  Recording recording = MakeRecording({"thumb", "index", "wrist", "top", "side"});
+  StudyConfig config = MakeConfig();
   config.markers.wrist = {"wrist"};
   config.markers.object = {"top", "side"};
   EXPECT_TRUE(PrepareRecording(recording, config).missing.empty());
@@ -204,103 +200,89 @@ TEST(PrepareRecording, AMarkerThatIsNeverSeenIsAMissingOne) {
     const PreparedRecording prepared = PrepareRecording(recording, config);
     return prepared.missing.empty() ? std::string() : prepared.missing.back().text;
   };
-  EXPECT_EQ(hide(3), "") << "the other marker shows the object";
-  EXPECT_EQ(hide(4),
-            "no marker for the object: \"side\" has no place in any sample of the recording");
-  config.markers.object.clear();
-  EXPECT_EQ(hide(2),
-            "no marker for the wrist: \"wrist\" has no place in any sample of the recording");
-  config.markers.wrist.clear();
-  EXPECT_EQ(hide(0),
-            "no marker for the thumb: \"thumb\" has no place in any sample of the recording");
-}
-
-TEST_F(RunStudyTest, OneMarkerUnderTwoDigitsIsRefused) {
-  const std::vector<double> times = {0, 0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.07, 0.08, 0.09, 0.1};
-  std::string table = "time,t_x,t_y,t_z,i_x,i_y,i_z\n";
-  for (const double t : times) {
-    const std::string x = std::to_string(100.0 * t);
-    table += std::to_string(t) + "," + x + ",0,0," + x + ",40,0\n";
-  }
-  WriteFileAtomically(folder_ / "a.csv", table);
-  WriteFileAtomically(folder_ / "trials.csv", "participant,file\nP1,a.csv\n");
-  WriteFileAtomically(folder_ / "study.yaml",
-                      "recording: {mapping: columns.yaml}\n"
-                      "markers: {thumb: thumb, index: index, middle: middle}\n");
-  const std::string mapping =
-      "unit: mm\ntime: time\npoints:\n  thumb: [t_x, t_y, t_z]\n  index: [i_x, i_y, i_z]\n";
-  const auto run = [&](const std::string& middle) -> std::string {
-    WriteFileAtomically(folder_ / "columns.yaml", mapping + "  middle: " + middle + "\n");
-    try {
-      const StudyResult result = Run();
-      return result.trials.front().removed;
-    } catch (const Error& error) {
-      return error.what();
-    }
+  const auto unseen = [](const std::string& what, const std::string& label) {
+    return "no marker for the " + what + ": \"" + label +
+           "\" has no place in any sample of the recording";
   };
-  EXPECT_NE(run("[i_x, i_y, i_z]")
-                .find("the index and the middle are at the same place in all 11 samples"),
-            std::string::npos)
-      << run("[i_x, i_y, i_z]");
-  EXPECT_EQ(run("[i_x, i_z, i_y]").find("same place"), std::string::npos);
+  EXPECT_EQ(hide(3), "") << "the other marker shows the object";
+  EXPECT_EQ(hide(4), unseen("object", "side"));
+  config.markers.object.clear();
+  EXPECT_EQ(hide(2), unseen("wrist", "wrist"));
+  config.markers.wrist.clear();
+  EXPECT_EQ(hide(0), unseen("thumb", "thumb"));
 }
 
-TEST_F(RunStudyTest, TimesInMillisecondsAreToldAsSuch) {
-  std::string table = "time,t_x,t_y,t_z,i_x,i_y,i_z\n";
-  for (int t = 0; t < 2000; t += 5) {
-    const std::string x = std::to_string(t);
-    table += x + "," + x + ",0,0," + x + ",40,0\n";
+/** A study of one plain table, thumb and index in one place each. */
+class OneTable : public FolderTest {
+ protected:
+  /** @param step  between its rows, of which the last is at `end`. */
+  void WriteTable(double end, double step, double place_per_time) const {
+    std::string table = "time,t_x,t_y,t_z,i_x,i_y,i_z\n";
+    for (int i = 0; i * step < end + 1e-9; ++i) {
+      const std::string x = std::to_string(place_per_time * i * step);
+      table += std::to_string(i * step) + "," + x + ",0,0," + x + ",40,0\n";
+    }
+    Write("a.csv", table);
+    Write("trials.csv", "participant,file\nP1,a.csv\n");
   }
-  WriteFileAtomically(folder_ / "a.csv", table);
-  WriteFileAtomically(folder_ / "trials.csv", "participant,file\nP1,a.csv\n");
-  WriteFileAtomically(folder_ / "study.yaml",
-                      "recording: {mapping: columns.yaml}\n"
-                      "markers: {thumb: thumb, index: index}\n");
-  WriteFileAtomically(folder_ / "columns.yaml",
-                      "unit: mm\ntime: time\npoints:\n  thumb: [t_x, t_y, t_z]\n"
-                      "  index: [i_x, i_y, i_z]\n");
-  try {
-    Run();
-    FAIL() << "no error";
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what())
-                  .find("0.2 samples a second, too few for a reach: its times "
-                        "may be in milliseconds (time_unit: ms"),
-              std::string::npos)
-        << error.what();
+  /** What a person is told, with these lines under markers and points. */
+  std::string Run(const std::string& markers, const std::string& points) const {
+    Write("study.yaml", "recording: {mapping: columns.yaml}\nmarkers: {thumb: thumb, index: index" +
+                            markers + "}\n");
+    Write("columns.yaml",
+          "unit: mm\ntime: time\npoints:\n  thumb: [t_x, t_y, t_z]\n  index: [i_x, i_y, i_z]\n" +
+              points);
+    std::string removed;
+    const std::string fault = FaultOf(
+        [&] { removed = RunStudy(LoadStudy(folder_ / "study.yaml")).trials.front().removed; });
+    return fault.empty() ? removed : fault;
   }
+};
+
+TEST_F(OneTable, OneMarkerUnderTwoDigitsIsRefused) {
+  WriteTable(0.1, 0.01, 100.0);
+  const std::string middle = ", middle: middle";
+  ExpectHolds(Run(middle, "  middle: [i_x, i_y, i_z]\n"),
+              "the index and the middle are at the same place in all 11 samples");
+  EXPECT_EQ(Run(middle, "  middle: [i_x, i_z, i_y]\n").find("same place"), std::string::npos);
+}
+
+TEST_F(OneTable, TimesInMillisecondsAreToldAsSuch) {
+  WriteTable(1995.0, 5.0, 1.0);
+  ExpectHolds(Run("", ""),
+              "0.2 samples a second, too few for a reach: its times may be in milliseconds "
+              "(time_unit: ms");
 }
 
 TEST_F(RunStudyTest, BytesThatAreNoTextAreEscapedInTheTables) {
-  WriteFileAtomically(folder_ / "recordings" / SyntheticFileName(trials_[1], SyntheticFormat::kC3d),
-                      "\x9f\xe2\x28\xa1,\xff\n\xc0\xc1,1\n");
+  WriteFileAtomically(FileOf(1), "\x9f\xe2\x28\xa1,\xff\n\xc0\xc1,1\n");
   WriteStudyTables(Run(), folder_ / "a");
   EXPECT_TRUE(IsUtf8(ReadFile(folder_ / "a" / "trials.csv")));
 }
 
 TEST_F(RunStudyTest, TheWrongFolderIsToldAsSuch) {
-  try {
-    RunStudy(LoadStudy(folder_ / "study.yaml", folder_ / "elsewhere"));
-    FAIL() << "no error";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::kNotFound);
-    EXPECT_NE(std::string(error.what()).find("--data DIR names another folder"), std::string::npos);
-  }
+  ExpectHolds(FaultOf([&] { RunStudy(LoadStudy(folder_ / "study.yaml", folder_ / "elsewhere")); }),
+              "--data DIR names another folder");
 }
 
 TEST_F(RunStudyTest, TablesHoldEveryTrialAndEventAndTheSameBytes) {
-  const StudyResult result = Run();
+  const StudyResult& result = result_;
   WriteStudyTables(result, folder_ / "a");
-  WriteStudyTables(Run(), folder_ / "b");
+  size_t num_rows = 0;
+  AnalyseStudy(LoadStudy(folder_ / "study.yaml"), folder_ / "b",
+               [&](size_t, size_t) { ++num_rows; });
+  EXPECT_EQ(num_rows, result.trials.size());
+  EXPECT_TRUE(fs::exists(folder_ / "b" / "bids" / "dataset_description.json"));
+  EXPECT_FALSE(fs::is_empty(folder_ / "b" / "tidy"));
   for (const char* name : {"trials", "events", "measures", "statistics"}) {
-    const std::string csv = ReadFile(folder_ / "a" / (std::string(name) + ".csv"));
-    EXPECT_EQ(csv, ReadFile(folder_ / "b" / (std::string(name) + ".csv")));
-    const Json schema = Json::parse(ReadFile(folder_ / "a" / (std::string(name) + ".schema.json")));
+    const std::string csv = Read(std::string("a/") + name + ".csv");
+    EXPECT_EQ(csv, Read(std::string("b/") + name + ".csv"));
+    const Json schema = Json::parse(Read(std::string("a/") + name + ".schema.json"));
     const std::string heading = csv.substr(0, csv.find('\n'));
     EXPECT_EQ(static_cast<size_t>(std::count(heading.begin(), heading.end(), ',')) + 1,
               schema.at("fields").size());
   }
-  const std::string measures = ReadFile(folder_ / "a" / "measures.csv");
+  const std::string measures = Read("a/measures.csv");
   EXPECT_EQ(std::count(measures.begin(), measures.end(), '\n'), 13);
   const std::vector<StudyEvent> events = ListEvents(result.trials[0], result.study.config);
   std::vector<std::string> names;
@@ -314,32 +296,21 @@ TEST_F(RunStudyTest, TablesHoldEveryTrialAndEventAndTheSameBytes) {
 }
 
 TEST_F(RunStudyTest, TheBidsDerivativeReadsBackAsTheCleanedTrial) {
-  std::vector<ReachTrial> reaches;
-  const Study study = LoadStudy(folder_ / "study.yaml");
-  MotionBidsWriter bids(folder_ / "bids", study);
-  StudyWatch watch;
-  watch.on_trial = [&](const StudyTrial& trial, const ReachTrial& reach) {
-    bids.WriteTrial(trial, reach);
-    reaches.push_back(reach);
-  };
-  const StudyResult result = RunStudy(study, watch);
-  bids.Finish();
   const Recording recording =
-      LoadRecording(folder_ / "bids" / "sub-01" / "motion" /
+      LoadRecording(demo_ / "bids" / "sub-01" / "motion" /
                     "sub-01_task-reachtograsp_tracksys-markers_run-1_desc-cleaned_motion.tsv");
-  ASSERT_EQ(recording.num_frames, reaches[0].times.size());
+  ASSERT_EQ(recording.num_frames, reaches_[0].times.size());
   EXPECT_NEAR(recording.rate, 200.0, 1e-6);
   const RecordedPoint& thumb = recording.FindPoint("thumb_tip");
   for (size_t i = 0; i < recording.num_frames; i += 50) {
-    EXPECT_LT(
-        (thumb.Position(i) - reaches[0].digits[0].tip.p.col(static_cast<Eigen::Index>(i))).norm(),
-        1e-6);
+    EXPECT_LT((thumb.Position(i) - reaches_[0].digits[0].tip.At(i)).norm(), 1e-6);
   }
   double onset = -1.0;
   for (const RecordedEvent& event : recording.events) {
     if (event.label == "movement_onset") onset = event.time;
   }
-  EXPECT_NEAR(onset, result.trials[0].analysis->movement.onset.time - result.trials[0].begin, 1e-6);
+  EXPECT_NEAR(onset, result_.trials[0].analysis->movement.onset.time - result_.trials[0].begin,
+              1e-6);
 }
 
 TEST(FindReaches, GoFromOneFarthestPlaceToTheNext) {
@@ -383,9 +354,8 @@ std::map<std::string, int> CountReasons(const StudyResult& result) {
 }
 
 TEST_F(RunStudyTest, ACompanionThatNoRecordingHasIsTold) {
-  std::string yaml = ReadFile(folder_ / "study.yaml");
-  yaml.insert(yaml.find("  wrist: wrist\n"), "  companions: {thumb: thumb_middle}\n");
-  std::ofstream(folder_ / "study.yaml") << yaml;
+  Replace("study.yaml", "  wrist: wrist\n",
+          "  companions: {thumb: thumb_middle}\n  wrist: wrist\n");
   const StudyResult result = Run();
   EXPECT_EQ(result.CountKept(), 0);
   EXPECT_EQ(result.trials[0].removed.substr(0, 80),
@@ -439,18 +409,16 @@ TEST(StudyExamples, ThirtyHertzOfAStrangerAreAnalysed) {
   }
 }
 
-TEST(StudyExamples, AStrangersBadFileIsNamedAndTheOthersGoOn) {
+TEST_F(OneTable, AStrangersBadFileIsNamedAndTheOthersGoOn) {
   const fs::path people = FindSharedData() / "strangers" / "people" / "hz30";
   const fs::path files = FindSharedData() / "strangers" / "files";
   if (!fs::exists(people) || !fs::exists(files)) GTEST_SKIP() << "shared data are not here";
-  const fs::path folder = fs::path(::testing::TempDir()) / "stranger_bad_file";
-  fs::remove_all(folder);
-  fs::copy(people, folder);
+  fs::copy(people, folder_);
   for (const char* name : {"event_used_neg.c3d", "event_used_nan.c3d"}) {
-    fs::copy(files / name, folder / name);
-    std::ofstream(folder / "trials.csv", std::ios::app) << "P1," << name << "," << name << ",cyl\n";
+    fs::copy(files / name, folder_ / name);
+    Append("trials.csv", std::string("P1,") + name + "," + name + ",cyl\n");
   }
-  const StudyResult result = RunStudy(LoadStudy(folder / "study.yaml"));
+  const StudyResult result = RunStudy(LoadStudy(folder_ / "study.yaml"));
   ASSERT_EQ(result.trials.size(), 10u);
   EXPECT_GE(result.CountKept(), 6);
   const auto has_finding = [&](const std::string& file) {
@@ -462,7 +430,6 @@ TEST(StudyExamples, AStrangersBadFileIsNamedAndTheOthersGoOn) {
     EXPECT_FALSE(result.trials[i].removed.empty());
     EXPECT_TRUE(has_finding(result.trials[i].file));
   }
-  fs::remove_all(folder);
 }
 
 TEST(StudyExamples, DfkiRunsEndToEnd) {

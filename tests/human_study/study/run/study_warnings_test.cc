@@ -1,8 +1,9 @@
-#include "human_study/study/run/study_warnings.h"
-
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "human_study/study/run/run_study.h"
+#include "tests/human_study/faults.h"
 
 namespace graspbench {
 namespace {
@@ -27,10 +28,10 @@ StudyResult MakeResult(const std::function<bool(int)>& touches) {
   return result;
 }
 
-TEST(FindNeverTouching, NamesTheDigitOfTheStudyOrOfOneObject) {
+TEST(FindWarnings, NamesTheDigitThatNeverTouchesInTheStudyOrAtOneObject) {
   const auto texts = [](const std::function<bool(int)>& touches) {
     std::vector<std::string> starts;
-    for (const StudyWarning& warning : FindNeverTouching(MakeResult(touches))) {
+    for (const StudyWarning& warning : FindWarnings(MakeResult(touches))) {
       EXPECT_EQ(warning.code, "digit_never_touches");
       starts.push_back(warning.text.substr(0, warning.text.find(';')));
     }
@@ -42,63 +43,55 @@ TEST(FindNeverTouching, NamesTheDigitOfTheStudyOrOfOneObject) {
             Texts{"the ring touches in 0 of 5 trials of object \"cup\" only (held 40 mm away)"});
   EXPECT_EQ(texts([](int i) { return i >= 8; }),
             Texts{"the ring touches in 2 of 10 trials only (held 40 mm away)"});
-}
-
-TEST(FindNeverTouching, ATouchAtAnUnknownInstantIsATouch) {
+  // A touch at an unknown instant is a touch.
   StudyResult result = MakeResult([](int) { return false; });
   for (StudyTrial& trial : result.trials) {
     trial.analysis->contacts.back().contact = MissingEvent(std::string(kNotUsable) + ": hidden");
   }
-  EXPECT_TRUE(FindNeverTouching(result).empty());
+  EXPECT_TRUE(FindWarnings(result).empty());
 }
 
-TEST(FindManyFrozen, FromAFifthOn) {
-  StudyResult result;
-  EXPECT_TRUE(FindManyFrozen(result).empty());
-  result.num_samples = 1000;
-  result.num_frozen = 199;
-  EXPECT_TRUE(FindManyFrozen(result).empty());
-  result.num_frozen = 205;
-  ASSERT_EQ(FindManyFrozen(result).size(), 1u);
-  EXPECT_EQ(FindManyFrozen(result)[0].text.find("20 % of all samples"), 0u);
+/** The only warning of the result, "" without any. */
+std::string FindText(const StudyResult& result, const std::string& code) {
+  const std::vector<StudyWarning> warnings = FindWarnings(result);
+  EXPECT_LE(warnings.size(), 1u);
+  if (warnings.empty()) return "";
+  EXPECT_EQ(warnings[0].code, code);
+  return warnings[0].text;
 }
 
-TEST(FindFilteredExports, SaysHowManyAndHowLate) {
-  StudyResult result;
-  result.trials.resize(3);
-  for (StudyTrial& trial : result.trials) trial.analysis.emplace();
-  EXPECT_TRUE(FindFilteredExports(result).empty());
-  result.trials[0].analysis->low_pass = result.trials[2].analysis->low_pass = 6.0;
-  const std::vector<StudyWarning> warnings = FindFilteredExports(result);
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0].code, "filtered_export");
-  EXPECT_NE(warnings[0].text.find("of 2 of 3 trials were low-passed at about 6 Hz"),
-            std::string::npos);
-  EXPECT_NE(warnings[0].text.find("some 38 ms late"), std::string::npos);
-}
+TEST(FindWarnings, EachHasItsLimit) {
+  StudyResult frozen;
+  frozen.num_samples = 1000;
+  frozen.num_frozen = 199;
+  EXPECT_EQ(FindText(frozen, "frozen_samples"), "");
+  frozen.num_frozen = 205;
+  ExpectHolds(FindText(frozen, "frozen_samples"), "20 % of all samples");
 
-TEST(FindExchangedThumbs, FromThreeTrialsAndAFifthOn) {
-  StudyResult result;
-  result.trials.resize(15);
-  for (StudyTrial& trial : result.trials) trial.analysis.emplace();
-  result.trials[0].analysis->may_be_exchanged = result.trials[1].analysis->may_be_exchanged = true;
-  EXPECT_TRUE(FindExchangedThumbs(result).empty());
-  result.trials[7].analysis->may_be_exchanged = true;
-  ASSERT_EQ(FindExchangedThumbs(result).size(), 1u);
-  EXPECT_EQ(FindExchangedThumbs(result)[0].text.find("in 3 of 15 trials"), 0u);
-  result.trials.resize(16);
-  EXPECT_TRUE(FindExchangedThumbs(result).empty());
-}
+  StudyResult filtered;
+  filtered.trials.resize(15);
+  for (StudyTrial& trial : filtered.trials) trial.analysis.emplace();
+  StudyResult exchanged = filtered;
+  EXPECT_EQ(FindText(filtered, "filtered_export"), "");
+  filtered.trials[0].analysis->low_pass = filtered.trials[2].analysis->low_pass = 6.0;
+  ExpectHolds(FindText(filtered, "filtered_export"),
+              "of 2 of 15 trials were low-passed at about 6 Hz");
+  ExpectHolds(FindText(filtered, "filtered_export"), "some 38 ms late");
 
-TEST(FindTwoRates, NamesBothBeyondTwoPerCent) {
-  StudyResult result;
-  result.lowest_rate = 199.0;
-  result.highest_rate = 200.0;
-  EXPECT_TRUE(FindTwoRates(result).empty());
-  result.lowest_rate = 100.0;
-  const std::vector<StudyWarning> warnings = FindTwoRates(result);
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_NE(warnings[0].text.find("100 to 200 samples a second"), std::string::npos);
+  // From three trials and a fifth on.
+  for (const size_t i : {0, 1}) exchanged.trials[i].analysis->may_be_exchanged = true;
+  EXPECT_EQ(FindText(exchanged, "thumb_exchanged"), "");
+  exchanged.trials[7].analysis->may_be_exchanged = true;
+  ExpectHolds(FindText(exchanged, "thumb_exchanged"), "in 3 of 15 trials");
+  exchanged.trials.resize(16);
+  EXPECT_EQ(FindText(exchanged, "thumb_exchanged"), "");
+
+  StudyResult rates;
+  rates.lowest_rate = 199.0;
+  rates.highest_rate = 200.0;
+  EXPECT_EQ(FindText(rates, "two_rates"), "");
+  rates.lowest_rate = 100.0;
+  ExpectHolds(FindText(rates, "two_rates"), "100 to 200 samples a second");
 }
 
 }  // namespace

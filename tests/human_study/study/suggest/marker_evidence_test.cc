@@ -1,10 +1,9 @@
-#include "human_study/study/suggest/marker_evidence.h"
-
 #include <gtest/gtest.h>
 
 #include <functional>
 
 #include "core/base/random.h"
+#include "human_study/study/suggest/suggest_settings.h"
 
 namespace graspbench {
 namespace {

@@ -9,6 +9,7 @@
 #include "core/statistics/summary.h"
 #include "human_study/recording/importers/importer.h"
 #include "tests/human_study/events/trajectories.h"
+#include "tests/human_study/faults.h"
 
 namespace graspbench {
 namespace {
@@ -59,8 +60,7 @@ TEST(SyntheticStudy, EachTipTouchesAtItsTimeAndNotBefore) {
     for (size_t d = 0; d < 5; ++d) {
       for (size_t i = 0; i < reach.times.size(); ++i) {
         const Eigen::Vector3d p_O =
-            reach.object.X_LO[i].inverse() *
-            Eigen::Vector3d(reach.digits[d].tip.p.col(static_cast<Eigen::Index>(i)));
+            reach.object.X_LO[i].inverse() * Eigen::Vector3d(reach.digits[d].tip.At(i));
         const double clearance = reach.object.distance(p_O) - kSyntheticPadOffset;
         const double late = reach.times[i] - trial.truth.contacts[d];
         if (late >= 0.0) {
@@ -163,7 +163,7 @@ TEST(SyntheticStudy, FilesHoldTheTrialsAndTheTruth) {
       "peak_aperture_s,lift_off_s,release_s,contact_TH_s,contact_FF_s,contact_MF_s,contact_RF_s,"
       "contact_LF_s");
   EXPECT_EQ(std::count(truth.begin(), truth.end(), '\n'), 5);
-  EXPECT_NE(truth.find("\nsub-01_trial-004.tsv,01,4,"), std::string::npos) << truth;
+  ExpectHolds(truth, "\nsub-01_trial-004.tsv,01,4,");
   std::filesystem::remove_all(folder);
 }
 
@@ -183,8 +183,7 @@ TEST(SyntheticStudy, WhatIsNotLiftedIsHeldAndLeftTheWayItWasReached) {
       EXPECT_GT(truth.release, Last(truth) + 0.3);
       const ReachTrial reach = MakeReachTrial(trial);
       const auto tip_at = [&](size_t digit, double t) {
-        return Eigen::Vector3d(
-            reach.digits[digit].tip.p.col(static_cast<Eigen::Index>(std::lround(1000.0 * t))));
+        return Eigen::Vector3d(reach.digits[digit].tip.At(std::lround(1000.0 * t)));
       };
       for (size_t d = 0; d < 5; ++d) {
         const Eigen::Vector3d held = tip_at(d, truth.release);

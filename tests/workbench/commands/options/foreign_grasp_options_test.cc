@@ -5,7 +5,6 @@
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "workbench/terminal/command_line.h"
-#include "workbench/text/typed_words.h"
 
 namespace graspbench {
 namespace {

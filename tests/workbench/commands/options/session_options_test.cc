@@ -8,7 +8,6 @@
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "workbench/terminal/command_line.h"
-#include "workbench/text/typed_words.h"
 
 namespace graspbench {
 namespace {
@@ -27,13 +26,6 @@ class SessionOptionsTest : public testing::Test {
   Command command_;
   SessionOptions options_;
 };
-
-TEST_F(SessionOptionsTest, NothingGivenIsTheBenchmark) {
-  ASSERT_EQ(command_.Parse({}).fault, "");
-  EXPECT_FALSE(options_.HasAny());
-  EXPECT_EQ(options_.name(), "benchmark");
-  EXPECT_EQ(ToJson(options_.MakeConfig()), ToJson(SessionConfig()));
-}
 
 // The defaults shown in the help must not override the file.
 TEST_F(SessionOptionsTest, OptionsOverrideSettingsAndSettingsTheFile) {
@@ -80,49 +72,26 @@ TEST_F(SessionOptionsTest, APresetStandsInThePlaceOfAFile) {
   EXPECT_EQ(ToJson(options_.MakeConfig()), ToJson(expected));
 }
 
-TEST_F(SessionOptionsTest, AFileAndAPresetAreRefused) {
-  ASSERT_EQ(command_.Parse(SplitWords(file_.string() + " --preset benchmark")).fault, "");
-  try {
-    options_.MakeConfig();
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::kUsage);
-    EXPECT_NE(std::string(error.what()).find("preset: benchmark"), std::string::npos);
+TEST_F(SessionOptionsTest, WhatContradictsItselfIsRefused) {
+  const std::pair<std::string, const char*> cases[] = {
+      {file_.string() + " --preset benchmark", "preset: benchmark"},
+      {"--set sim.step_s=0.001 --set trials=8 --trials 9",
+       "--set trials=8 and --trials say the same setting; give one of them"},
+      {"--set strategy.grip_force_n=3 --set strategy.grip=posture",
+       "strategy.grip_force_n=3 has no use where strategy.grip is posture"}};
+  for (const auto& [words, expected] : cases) {
+    Command command;
+    SessionOptions options;
+    options.AddTo(command);
+    ASSERT_EQ(command.Parse(SplitWords(words)).fault, "");
+    try {
+      options.MakeConfig();
+      ADD_FAILURE() << words;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::kUsage);
+      EXPECT_NE(std::string(error.what()).find(expected), std::string::npos) << error.what();
+    }
   }
-}
-
-TEST_F(SessionOptionsTest, AnOptionAndASettingOfTheSameAreRefused) {
-  ASSERT_EQ(command_.Parse(SplitWords("--set sim.step_s=0.001 --set trials=8 --trials 9")).fault,
-            "");
-  try {
-    options_.MakeConfig();
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_STREQ(error.what(),
-                 "--set trials=8 and --trials say the same setting; give one of them");
-  }
-}
-
-TEST_F(SessionOptionsTest, AValueOfAnotherKindOfGripIsRefused) {
-  ASSERT_EQ(
-      command_.Parse(SplitWords("--set strategy.grip_force_n=3 --set strategy.grip=posture")).fault,
-      "");
-  try {
-    options_.MakeConfig();
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_STREQ(error.what(),
-                 "strategy.grip_force_n=3 has no use where strategy.grip is posture; leave it "
-                 "out, or set strategy.grip");
-  }
-}
-
-TEST_F(SessionOptionsTest, ListsReplaceTheirDefaults) {
-  ASSERT_EQ(command_.Parse(SplitWords("--hand shadow --object can,cup --grasp g1")).fault, "");
-  const SessionConfig config = options_.MakeConfig();
-  EXPECT_EQ(config.hands, std::vector<std::string>{"shadow"});
-  EXPECT_EQ(config.objects, (std::vector<std::string>{"can", "cup"}));
-  EXPECT_EQ(config.grasps, std::vector<std::string>{"g1"});
 }
 
 }  // namespace

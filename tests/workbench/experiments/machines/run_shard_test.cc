@@ -5,13 +5,14 @@
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
-#include "core/base/hash.h"
-#include "datasets/campaign/campaign_progress.h"
-#include "datasets/campaign/merge_campaigns.h"
+#include "datasets/campaign/campaign_store.h"
 #include "datasets/session/merge_sessions.h"
+#include "tests/datasets/session/fake_session.h"
+#include "workbench/experiments/run_campaign.h"
 #include "workbench/experiments/scene_runner.h"
 
 namespace graspbench {
+
 namespace {
 namespace fs = std::filesystem;
 
@@ -39,7 +40,7 @@ class WorkOnShardTest : public testing::Test {
   }
   ~WorkOnShardTest() override { fs::remove_all(folder_); }
 
-  ShardResult Work() { return WorkOnShard(request_, observer_, stop_); }
+  ShardResult Work() { return WorkOnShard(request_, observer_); }
   std::string Refuse(ErrorKind kind) {
     try {
       Work();
@@ -62,8 +63,8 @@ class WorkOnShardTest : public testing::Test {
 
   const fs::path folder_;
   ShardRequest request_;
-  Observer observer_;
   std::atomic<bool> stop_{false};
+  Observer observer_{stop_};
 };
 
 TEST_F(WorkOnShardTest, WritesFilesOfItsOwnOnly) {
@@ -89,14 +90,6 @@ TEST_F(WorkOnShardTest, GetsThereInAnyTime) {
   while (Work().num_left > 0 && num_calls < 3) ++num_calls;
   EXPECT_LE(num_calls, 1);
   EXPECT_EQ(LoadShardOfSession(folder_, "1of2").records.size(), 2u);
-}
-
-TEST_F(WorkOnShardTest, KeepsNothingWhenItIsStoppedAndGoesOnLater) {
-  stop_ = true;
-  EXPECT_EQ(Work().num_left, 2);
-  EXPECT_TRUE(ListJournals(folder_).empty());
-  stop_ = false;
-  EXPECT_EQ(Work().num_left, 0);
 }
 
 TEST_F(WorkOnShardTest, ReadsNoOtherShard) {
@@ -147,6 +140,7 @@ TEST_F(WorkOnShardTest, SaysThatItStopped) {
   };
   stop_ = true;
   EXPECT_EQ(Work().num_left, 2);
+  EXPECT_TRUE(ListJournals(folder_).empty());
   EXPECT_TRUE(is_at_rest());
   stop_ = false;
   EXPECT_EQ(Work().num_left, 0);
@@ -175,15 +169,14 @@ TEST(WorkOnScene, GivesTheSameResultElsewhere) {
   PlanScene(top / "here", config);
   fs::copy(top / "here", top / "there", fs::copy_options::recursive);
   Observer observer;
-  const std::atomic<bool> stop{false};
   ShardRequest request;
   request.folder = top / "here";
   request.time_budget = 1e-6;  // one trial at least, however fast the machine
-  EXPECT_EQ(WorkOnShard(request, observer, stop).num_left, 1);
+  EXPECT_EQ(WorkOnShard(request, observer).num_left, 1);
   EXPECT_FALSE(ReadSearchProgress(top / "here").is_finished);
   request.folder = top / "there";
   request.time_budget = 3600.0;
-  EXPECT_EQ(WorkOnShard(request, observer, stop).num_left, 0);
+  EXPECT_EQ(WorkOnShard(request, observer).num_left, 0);
   EXPECT_TRUE(ReadSearchProgress(top / "there").is_finished);
   EXPECT_GT(MergeScenes(top / "here", {top / "there"}), 0);
   EXPECT_EQ(MergeScenes(top / "here", {top / "there"}), 0);
@@ -192,7 +185,7 @@ TEST(WorkOnScene, GivesTheSameResultElsewhere) {
   }
   EXPECT_TRUE(CheckStore(top / "here").damages.empty());
   request.shard = {2, 2};
-  EXPECT_THROW(WorkOnShard(request, observer, stop), Error);
+  EXPECT_THROW(WorkOnShard(request, observer), Error);
   fs::remove_all(top);
 }
 
@@ -230,5 +223,64 @@ TEST_F(WorkOnShardTest, RefusesDamageAndTooManyShards) {
   EXPECT_NE(Refuse(ErrorKind::kFormat).find("plan.jsonl"), std::string::npos);
 }
 
+/** Bytes of whole campaigns are compared in tests/cluster. */
+class WorkOnCampaignTest : public testing::Test {
+ protected:
+  WorkOnCampaignTest() {
+    config_.session.hands = {"tum"};
+    config_.session.objects = {"golf_ball", "tea_light"};
+    config_.session.trials = 2;
+    CampaignRequest campaign;
+    campaign.folder = folder_;
+    campaign.config = config_;
+    EXPECT_EQ(PlanCampaign(campaign), 2);
+    request_.folder = folder_;
+    request_.shard = {1, 3};
+  }
+  ShardResult Work() { return WorkOnShard(request_, observer_); }
+
+  const TemporaryFolder top_;
+  const fs::path folder_ = top_.path() / "campaign";
+  CampaignConfig config_;
+  ShardRequest request_;
+  std::atomic<bool> stop_{false};
+  Observer observer_{stop_};
+};
+
+TEST_F(WorkOnCampaignTest, StopsAndLeavesItsSceneForLater) {
+  EXPECT_EQ(CountCards(folder_), 12);
+  stop_ = true;
+  const ShardResult result = Work();
+  EXPECT_EQ(result.num_all, 1);
+  EXPECT_EQ(result.num_left, 1);
+  EXPECT_TRUE(result.goes_on);
+  Diagnostics findings;
+  EXPECT_EQ(LoadWorkers(folder_, findings).at_rest, std::set<std::string>{"1of3"});
+  stop_ = false;
+  request_.shard = {3, 3};  // two scenes only
+  EXPECT_EQ(Work().num_all, 0);
+  EXPECT_TRUE(CheckStore(folder_).damages.empty());
+}
+
+TEST_F(WorkOnCampaignTest, RefusesOtherHandsAndObjects) {
+  auto scenes = PlanScenes(config_, LoadSessionInputs(config_.session), folder_);
+  scenes[0].inputs.grasp.tilt += 0.1;
+  SealScenes(folder_, scenes);
+  try {
+    Work();
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kVersion) << error.what();
+  }
+}
+
+TEST_F(WorkOnCampaignTest, AnUnfinishedOneIsMergedAsItIs) {
+  const CampaignRest rest = MergeCampaign(folder_, {});
+  EXPECT_EQ(rest.scenes, 2);
+  EXPECT_EQ(rest.sum(), 2);
+  EXPECT_FALSE(HasSession(folder_ / "benchmark"));
+}
+
 }  // namespace
+
 }  // namespace graspbench

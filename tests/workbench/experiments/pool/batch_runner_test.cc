@@ -48,12 +48,13 @@ class BatchRunnerTest : public testing::Test {
   bool RunAll(const std::vector<PlannedTrial>& trials, int num_workers,
               const MakeBatchWorker& make_worker, double time_limit = kNoTimeLimit) {
     struct Watch : Observer {
+      using Observer::Observer;
       void ShowStatus(const BatchStatus& status, int) override { show(status); }
       std::function<void(const BatchStatus&)> show;
-    } observer;
+    } observer(stop_);
     observer.show = show_;
     return RunBatch(MakeStage(StageKind::kRun, trials.size()), trials, num_workers, make_worker,
-                    observer, stop_, time_limit);
+                    observer, time_limit);
   }
   std::mutex mutex_;
   std::vector<std::string> kept_;

@@ -6,7 +6,6 @@
 #include <chrono>
 #include <set>
 #include <thread>
-#include <vector>
 
 #include "core/base/error.h"
 

@@ -15,15 +15,6 @@ ManualText Read(const std::string& markdown) {
                                  }});
 }
 
-std::string Complain(const std::string& markdown) {
-  try {
-    Read(markdown);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no complaint";
-}
-
 TEST(Markdown, TitleSubtitleAndSections) {
   const ManualText page =
       Read("# A *title*\n\nWhat it is\nabout.\n\nFirst.\n\n## One `two`\n\nSecond.\n");
@@ -37,42 +28,53 @@ TEST(Markdown, TitleSubtitleAndSections) {
             "<p>First.</p><h2 id=\"one-two\">One <code>two</code></h2><p>Second.</p>");
 }
 
-TEST(Markdown, TextIsNeverMarkup) {
-  EXPECT_EQ(Read("# T\n\nS\n\n`<b>` & \"a\"\n").body.markup(),
-            "<p><code>&lt;b&gt;</code> &amp; &quot;a&quot;</p>");
-  EXPECT_EQ(Complain("# T\n\nS\n\n<script>x</script>\n"), "a.md:5: no place for html_block");
-  EXPECT_EQ(Complain("# T\n\nS\n\na <b>c</b>\n"), "a.md:5: no place for html_inline");
-}
-
-TEST(Markdown, ListsTablesAndLinks) {
-  EXPECT_EQ(Read("# T\n\nS\n\n- a\n- [b](b.md)\n").body.markup(),
-            "<ul><li>a</li><li><a href=\"b.html\">b</a></li></ul>");
-  const std::string table =
-      Read("# T\n\nS\n\n| x | y |\n| --- | --- |\n| 1 | `2` |\n").body.markup();
-  EXPECT_NE(table.find("<th scope=\"col\">y</th>"), std::string::npos) << table;
-  EXPECT_NE(table.find("<td class=\"prose\"><code>2</code></td>"), std::string::npos) << table;
-  EXPECT_EQ(Complain("# T\n\nS\n\n[c](c.md)\n"), "a.md:5: no page");
-}
-
-TEST(Markdown, WhatIsTypedIsSetApart) {
-  EXPECT_NE(Read("# T\n\nS\n\n```console\n$ run <x>\ndone\n```\n")
-                .body.markup()
-                .find("<pre class=\"console\"><b>$ run &lt;x&gt;\n</b>done\n</pre>"),
-            std::string::npos);
-}
-
-TEST(Markdown, PicturesAreInThePage) {
+TEST(Markdown, TextListsTablesLinksAndPicturesBecomePartsOfThePage) {
   WriteFile(std::filesystem::path(testing::TempDir()) / "p.svg", "<svg/>");
-  EXPECT_EQ(Read("# T\n\nS\n\n![a picture](p.svg)\n").body.markup(),
-            "<p><img src=\"data:image/svg+xml;base64,PHN2Zy8+\" alt=\"a picture\"/></p>");
-  EXPECT_EQ(Complain("# T\n\nS\n\n![a](none.png)\n"), "a.md:5: no picture none.png");
+  const std::pair<const char*, const char*> cases[] = {
+      {"`<b>` & \"a\"", "<p><code>&lt;b&gt;</code> &amp; &quot;a&quot;</p>"},
+      {"- a\n- [b](b.md)", "<ul><li>a</li><li><a href=\"b.html\">b</a></li></ul>"},
+      {"| x | y |\n| --- | --- |\n| 1 | `2` |", "<th scope=\"col\">y</th>"},
+      {"| x | y |\n| --- | --- |\n| 1 | `2` |", "<td class=\"prose\"><code>2</code></td>"},
+      {"```console\n$ run <x>\ndone\n```",
+       "<pre class=\"console\"><b>$ run &lt;x&gt;\n</b>done\n</pre>"},
+      {"![a picture](p.svg)",
+       "<p><img src=\"data:image/svg+xml;base64,PHN2Zy8+\" alt=\"a picture\"/></p>"}};
+  for (const auto& [markdown, markup] : cases) {
+    const std::string page = Read("# T\n\nS\n\n" + std::string(markdown) + "\n").body.markup();
+    EXPECT_NE(page.find(markup), page.npos) << page;
+  }
 }
 
-TEST(Markdown, APageBeginsWithItsTitle) {
-  const std::string wanted = "a page begins with its title: # Title";
-  EXPECT_EQ(Complain("Text.\n"), "a.md:1: " + wanted);
-  EXPECT_EQ(Complain(""), "a.md:1: " + wanted);
-  EXPECT_EQ(Complain("# T\n\nS\n\n#### deep\n"), "a.md:5: headings are of second or third order");
+TEST(Markdown, RowsAreFoundByTheirNames) {
+  const ManualText page = Read(
+      "# T\n\nS\n\n## A b\n\n| x | y |\n| --- | --- |\n| `k` | one |\n| z | two |\n\n## C\n\n"
+      "| x | y |\n| --- | --- |\n| `k` | three |\n");
+  ASSERT_EQ(page.rows.size(), 2u);
+  EXPECT_EQ(page.rows[0].anchor, "k");
+  EXPECT_EQ(page.rows[0].text, "A b k one");
+  EXPECT_EQ(page.rows[1].anchor, "c.k");
+  EXPECT_EQ(page.sections[1].text, "");
+  EXPECT_NE(page.body.markup().find("<tr id=\"c.k\">"), std::string::npos);
+}
+
+TEST(Markdown, WhatHasNoPlaceIsNamedWithItsLine) {
+  const std::string title = "a.md:1: a page begins with its title: # Title", top = "# T\n\nS\n\n";
+  const std::pair<std::string, std::string> cases[] = {
+      {"Text.\n", title},
+      {"", title},
+      {top + "<script>x</script>\n", "a.md:5: no place for html_block"},
+      {top + "a <b>c</b>\n", "a.md:5: no place for html_inline"},
+      {top + "[c](c.md)\n", "a.md:5: no page"},
+      {top + "![a](none.png)\n", "a.md:5: no picture none.png"},
+      {top + "#### deep\n", "a.md:5: headings are of second or third order"}};
+  for (const auto& [markdown, fault] : cases) {
+    try {
+      Read(markdown);
+      ADD_FAILURE() << markdown;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.what(), fault);
+    }
+  }
 }
 
 }  // namespace

@@ -2,96 +2,98 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/units.h"
-
 namespace graspbench {
 namespace {
 
-struct Case {
-  bool slides;
-  StatedLimits stated;
-  double lower, upper;
-  const char* repaired;
-  const char* no_limits;
-};
-class SetLimitsTest : public testing::TestWithParam<Case> {};
-
-TEST_P(SetLimitsTest, TakesWhatCanBeMeant) {
-  const Case& c = GetParam();
-  ForeignJoint joint;
-  joint.kind = c.slides ? ForeignJoint::Kind::kPrismatic : ForeignJoint::Kind::kRevolute;
-  EXPECT_EQ(SetLimits(c.stated, joint), c.repaired);
-  EXPECT_EQ(joint.lower, c.lower);
-  EXPECT_EQ(joint.upper, c.upper);
-  EXPECT_EQ(joint.no_limits, c.no_limits);
-}
-INSTANTIATE_TEST_SUITE_P(
-    All, SetLimitsTest,
-    testing::Values(
-        Case{false, {"", -0.5, 1.5}, -0.5, 1.5, "", ""},
-        Case{false, {"", 1.5, -0.5}, -0.5, 1.5, ": the limits are reversed; exchanged", ""},
-        Case{false, {"", 0.4, 0.4}, 0.4, 0.4, "", "has equal limits"},
-        Case{false, {"<limit>", 0.0, 1.0}, -kPi, kPi, "", "has no <limit>"},
-        Case{false, {"", 0.0, 7.0}, -kPi, kPi, "", "has a limit of 7, more than one turn"},
-        Case{true, {"", 0.0, 30.0}, 0.0, 30.0, "", ""},  // of any unit yet
-        Case{true, {"range", 0.0, 0.0}, 0.0, 0.0, "", "has no range"}));
-
-TEST(FixUnlimitedTest, OneThatFollowsIsLedTheOtherIsFixed) {
+/** A finger: links of 95, 45 and 25 mm, a ball at its end, in units of `unit`. */
+ForeignHand MakeFinger(double unit) {
   ForeignHand hand;
   hand.links.resize(4);
-  hand.joints.resize(3);
-  for (int j = 0; j < 3; ++j) {
-    hand.joints[j].name = "j" + std::to_string(j);
-    hand.joints[j].kind = ForeignJoint::Kind::kRevolute;
-    hand.joints[j].parent = j;
-    hand.joints[j].child = j + 1;
-    hand.joints[j].lower = 0.0;
-    hand.joints[j].upper = 1.0;
+  for (int i = 0; i < 3; ++i) {
+    ForeignJoint& joint = hand.joints.emplace_back();
+    joint.kind = ForeignJoint::Kind::kRevolute;
+    joint.upper = 1.5;
+    joint.parent = i;
+    joint.child = i + 1;
+    joint.X_PJ = MakePose(Eigen::Vector3d(0.0, 0.0, std::vector{0.095, 0.045, 0.025}[i] / unit));
   }
-  hand.joints[1].no_limits = "has no <limit>";
-  hand.joints[1].mimic = ForeignMimic{0, -2.0, 0.25, false};
-  hand.joints[2].no_limits = "has equal limits";
-  hand.joints[2].axis = Eigen::Vector3d::UnitZ();
-  hand.joints[2].lower = hand.joints[2].upper = 0.5;
+  ForeignShape& shape = hand.links[3].collisions.emplace_back();
+  shape.size.setConstant(0.02 / unit);
+  shape.X_LS = MakePose(Eigen::Vector3d(0.0, 0.0, 0.01 / unit));
+  hand.links[3].inertia.emplace();
+  hand.links[3].inertia->mass = 0.02;
+  hand.links[3].inertia->X_LI = shape.X_LS;
+  hand.links[3].inertia->I_I.setIdentity();
+  return hand;
+}
+
+TEST(SetLengthUnitTest, ScalesEveryLengthAndNoAngle) {
+  for (const double unit : {0.01, 0.001, 0.0254}) {
+    ForeignHand hand = MakeFinger(unit);
+    Diagnostics problems;
+    SetLengthUnit(unit, "h", problems, hand);
+    EXPECT_EQ(problems.Format(), "");
+    EXPECT_NEAR(hand.joints[1].X_PJ.translation().z(), 0.045, 1e-12);
+    EXPECT_EQ(hand.joints[1].upper, 1.5);
+    EXPECT_NEAR(hand.links[3].collisions[0].size.x(), 0.02, 1e-12);
+    EXPECT_NEAR(hand.links[3].collisions[0].X_LS.translation().z(), 0.01, 1e-12);
+    EXPECT_NEAR(hand.links[3].inertia->X_LI.translation().z(), 0.01, 1e-12);
+    EXPECT_NEAR(hand.links[3].inertia->I_I(0, 0), unit * unit, 1e-12);
+    EXPECT_EQ(hand.links[3].inertia->mass, 0.02);
+  }
+}
+
+TEST(SetLengthUnitTest, TellsWhichUnitItInfersAndWhy) {
+  const std::pair<double, std::string> cases[] = {
+      {1.0, ""},
+      {0.01,
+       "h: warning: the joints lie typically 4.5 apart: the description is taken to be in "
+       "centimetres, where that is 45 mm, as in a finger; inches would be 114 mm (--unit in)"},
+      {0.1,
+       "h: warning: the joints lie typically 0.45 apart: the description is taken to be in "
+       "decimetres, where that is 45 mm, as in a finger; if it is not, say its unit with --unit"},
+      {0.001,
+       "h: warning: the joints lie typically 45 apart: the description is taken to be in "
+       "millimetres, where that is 45 mm, as in a finger; if it is not, say its unit with --unit"},
+      {0.0254,
+       "h: warning: the joints lie typically 1.77 apart: the description is taken to be in "
+       "inches, where that is 45 mm, as in a finger; centimetres would be 17.7 mm (--unit cm)"},
+      {0.0045,
+       "h: error: the joints lie typically 10 apart, which is a hand neither in metres nor in "
+       "centimetres nor in millimetres; say its unit with --unit"}};
+  for (const auto& [unit, told] : cases) {
+    ForeignHand hand = MakeFinger(unit);
+    Diagnostics problems;
+    SetLengthUnit(0.0, "h", problems, hand);
+    EXPECT_EQ(problems.Format(), told);
+    if (problems.num_errors() == 0) {
+      EXPECT_NEAR(hand.joints[0].X_PJ.translation().z(), 0.095, 1e-12);
+    }
+  }
+}
+
+// Jaws may begin anywhere along their slides.
+TEST(SetLengthUnitTest, SlidesSayNothing) {
+  ForeignHand hand = MakeFinger(1.0);
+  ForeignHand jaws = MakeFinger(0.1);
+  for (ForeignJoint& joint : jaws.joints) {
+    joint.kind = ForeignJoint::Kind::kPrismatic;
+    joint.upper = 0.05;
+  }
   Diagnostics problems;
-  FixUnlimited("h", problems, hand);
-  EXPECT_EQ(hand.joints[1].lower, -1.75);  // 0.25 - 2 * 1
-  EXPECT_EQ(hand.joints[1].upper, 0.25);
-  EXPECT_EQ(hand.joints[2].kind, ForeignJoint::Kind::kFixed);
-  EXPECT_NEAR(hand.joints[2].X_PJ.linear()(1, 0), std::sin(0.5), 1e-15);
-  EXPECT_EQ(problems.entries().size(), 2u);
+  SetLengthUnit(0.0, "h", problems, jaws);
+  EXPECT_EQ(problems.Format(), "");
+  EXPECT_NEAR(jaws.joints[1].X_PJ.translation().z(), 0.45, 1e-12);
+  hand.joints[1].kind = ForeignJoint::Kind::kPrismatic;
+  EXPECT_EQ(CalcLinkLengths(hand), (std::vector<double>{0.095, 0.0, 0.025, 0.025}));
+  EXPECT_EQ(CalcLinkLengths(jaws), (std::vector<double>{0.0, 0.0, 0.0, 0.0}));
 }
 
-TEST(FinishStrokeTest, OfAHandInMetres) {
-  ForeignJoint joint;
-  joint.kind = ForeignJoint::Kind::kPrismatic;
-  EXPECT_EQ(FinishStroke(joint), "");
-  EXPECT_EQ(joint.upper, 0.05);
-  joint.upper = 0.03;
-  EXPECT_EQ(FinishStroke(joint), "");
-  EXPECT_EQ(joint.upper, 0.03);
-  joint.upper = 40.0;
-  EXPECT_EQ(FinishStroke(joint), ": a limit exceeds 1 m; taken as 0 to 50 mm");
-  EXPECT_EQ(joint.upper, 0.05);
-}
-
-// Radians in a file that MuJoCo reads as degrees, and the reverse.
-TEST(StatedAnglesTest, LimitsOfAnotherUnitAreDoubted) {
-  const auto doubt = [](double upper, bool in_degrees, int num_joints = 3) {
-    StatedAngles angles;
-    const double unit = in_degrees ? RadFromDeg(1.0) : 1.0;
-    for (int j = 0; j < num_joints; ++j) angles.Add(-0.1 * upper, upper, unit, 7 + j);
-    EXPECT_EQ(angles.first_line, 7);
-    return angles.FindDoubt(in_degrees);
-  };
-  EXPECT_NE(doubt(1.57, true).find("no range of 3 joints goes beyond 1.57"), std::string::npos);
-  EXPECT_NE(doubt(1.57, true).find("--angle rad"), std::string::npos);
-  EXPECT_NE(doubt(90.0, false).find("of 3 of 3 joints go beyond one turn, up to 90"),
-            std::string::npos);
-  EXPECT_NE(doubt(90.0, false).find("--angle deg"), std::string::npos);
-  EXPECT_EQ(doubt(90.0, true), "");
-  EXPECT_EQ(doubt(1.57, false), "");
-  EXPECT_EQ(doubt(1.57, true, 1), "");  // one joint may be stiff
+TEST(CalcLinkLengthsTest, ToTheFarthestJointOrFromTheOneBefore) {
+  EXPECT_EQ(CalcLinkLengths(MakeFinger(1.0)), (std::vector<double>{0.095, 0.045, 0.025, 0.025}));
+  ForeignHand hub = MakeFinger(1.0);  // the next joint lies where its own does
+  hub.joints[1].X_PJ = Pose::Identity();
+  EXPECT_EQ(CalcLinkLengths(hub), (std::vector<double>{0.095, 0.0, 0.025, 0.025}));
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/units.h"
-#include "core/hand/import/mjcf/read_foreign_mjcf.h"
+#include "core/hand/import/read_foreign_urdf.h"
 #include "tests/core/hand/import/small_claw.h"
 
 namespace graspbench {
@@ -150,33 +150,6 @@ TEST_F(MjcfCouplingsTest, DrivesAreAtTheJoint) {
   Read("joint=\"FFJ1\" coef=\"1\"", "joint=\"FFJ1\" coef=\"0.5\"");
   EXPECT_EQ(Joint("FFJ2").drive.stiffness, 1.5625);
   EXPECT_EQ(Joint("FFJ2").drive.effort, 1.0);
-}
-
-TEST_F(MjcfCouplingsTest, WhatIsNotReadIsTold) {
-  const char* const cases[][3] = {
-      {"<fixed name=\"FFJ0\">", "<spatial name=\"s\"/><fixed name=\"FFJ0\">",
-       "claw.xml:71: warning: tendon \"s\" of kind <spatial> is not read; its joints get drives of "
-       "their own"},
-      {"<equality>", "<equality><weld body1=\"ff_distal\"/>",
-       "claw.xml:76: warning: equality <weld> is not read: what it holds together is not; joints "
-       "that "
-       "nothing else ties get drives of their own"},
-      {"joint1=\"MFJ1\"", "joint1=\"none\"",
-       "claw.xml:77: warning: equality of \"none\": no joint \"none\" that moves; left out"},
-      {"joint2=\"MFJ2\"", "joint2=\"MFJ1\"",
-       "claw.xml:77: warning: joint \"MFJ1\": <equality> of itself; the joint gets a drive of its "
-       "own"},
-      {"<motor name=\"A_MFJ2\" joint=\"MFJ2\"", "<muscle name=\"m\" site=\"s\"",
-       "claw.xml:84: warning: actuator \"m\": acts on no joint and no fixed tendon of the hand; "
-       "left out"},
-      {"<motor name=\"A_MFJ2\"", "<adhesion name=\"A_MFJ2\"",
-       "claw.xml:84: warning: actuator \"A_MFJ2\" of kind <adhesion> is not read; left out"},
-      {"name=\"A_FFJ3\" joint=\"FFJ3\"", "name=\"A_FFJ3\" joint=\"FFJ9\"",
-       "claw.xml:81: warning: actuator \"A_FFJ3\": joint \"FFJ9\" does not move; left out"}};
-  for (const auto& [from, to, told] : cases) {
-    Read(from, to);
-    EXPECT_TRUE(Tells(told)) << told << "\n\n" << problems_.Format();
-  }
 }
 
 }  // namespace

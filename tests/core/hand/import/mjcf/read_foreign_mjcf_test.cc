@@ -1,12 +1,12 @@
-#include "core/hand/import/mjcf/read_foreign_mjcf.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "core/base/units.h"
+#include "core/hand/import/read_foreign_urdf.h"
 #include "core/hand/load_hand.h"
 #include "tests/core/hand/import/small_claw.h"
+#include "tests/core/hand/text_cases.h"
 
 namespace graspbench {
 namespace {
@@ -113,57 +113,14 @@ TEST(ReadForeignMjcfTest, FramesMoveWhatIsInThem) {
             1e-15);
 }
 
-struct OddMjcf {
-  const char* from;
-  const char* to;
-  const char* told;
-};
-class OddMjcfTest : public testing::TestWithParam<OddMjcf> {};
-
-TEST_P(OddMjcfTest, IsTold) {
-  const std::string text = ReplaceOnce(kSmallClaw, GetParam().from, GetParam().to);
-  ASSERT_NE(text, kSmallClaw);
-  Diagnostics problems;
-  Read(text, problems);
-  EXPECT_NE(problems.Format().find(GetParam().told), std::string::npos) << GetParam().told << "\n\n"
-                                                                        << problems.Format();
+TEST(ReadForeignMjcfTest, TellsWhatItRepairsAndWhatItCannot) {
+  for (const TextCase& odd : ReadTextCases(IMPORT_TEST_DATA_DIR "/odd_mjcf.yaml")) {
+    Diagnostics problems;
+    Read(odd.Change(kSmallClaw), problems);
+    EXPECT_NE(problems.Format().find(odd.expected), std::string::npos) << odd.expected << "\n\n"
+                                                                       << problems.Format();
+  }
 }
-
-constexpr const char* kPalm = "<geom name=\"palm\" ";
-INSTANTIATE_TEST_SUITE_P(
-    All, OddMjcfTest,
-    testing::Values(
-        OddMjcf{"</mujoco>", "", "claw.xml:1: error: not valid XML (XML_ERROR_PARSING)"},
-        OddMjcf{"pos=\"0.1 -0.2 0.4\"", "pos=\"0.1 up 0.4\"",
-                "claw.xml:27: error: body \"palm\": pos: expected 3 finite numbers, found \"0.1 up "
-                "0.4\"; without it nobody knows where it is"},
-        OddMjcf{"euler=\"30 -20 10\"", "quat=\"0 0 0 0\"",
-                "claw.xml:27: error: body \"palm\": quat: no orientation is given by \"0 0 0 0\""},
-        OddMjcf{"<tendon>", "<include file=\"more.xml\"/><tendon>",
-                "claw.xml:70: error: <include> of \"more.xml\": "},
-        OddMjcf{kPalm, "<composite/><geom name=\"palm\" ",
-                "claw.xml:30: warning: <composite> is not read, here and below; left out"},
-        OddMjcf{kPalm, "<geom type=\"mesh\" mesh=\"none\"/><geom name=\"palm\" ",
-                "claw.xml:30: warning: body \"palm\", geom: no mesh \"none\" with a file"},
-        OddMjcf{kPalm, "<geom type=\"hfield\"/><geom name=\"palm\" ",
-                "claw.xml:30: warning: body \"palm\", geom: type \"hfield\" is no part of a hand; "
-                "left out"},
-        OddMjcf{"size=\"0.04 0.012 0.04\"", "size=\"0.04 0.012\"",
-                "claw.xml:30: warning: body \"palm\", geom \"palm\": the box has no extent; left "
-                "out"},
-        OddMjcf{"axis=\"0 1 0\" range=\"-20 20\"", "axis=\"0 0 0\" range=\"-20 20\"",
-                "claw.xml:32: warning: joint \"FFJ4\": the axis has no direction; taken as z"},
-        OddMjcf{"range=\"-0.01 0.02\"", "limited=\"false\"",
-                "claw.xml:57: warning: joint \"THJ3\" has no range; fixed: give it a lower and an "
-                "upper limit if it moves"},
-        OddMjcf{"<joint name=\"FFJ2\"/>", "<joint name=\"FFJ2\" type=\"ball\"/>",
-                "claw.xml:36: warning: body \"ff_middle\": a joint of type \"ball\" is fixed\n"},
-        OddMjcf{"<body name=\"mf_middle\"", "<body name=\"ff_middle\"",
-                "claw.xml:47: warning: body \"ff_middle\": the name is taken; called "
-                "\"ff_middle_2\""},
-        OddMjcf{"childclass=\"thumb\"", "childclass=\"toe\"",
-                "claw.xml:56: warning: childclass \"toe\" does not exist; as if it were not "
-                "there"}));
 
 TEST(ReadForeignMjcfTest, TheClawIsAHandThatLoads) {
   Diagnostics problems, of_loading;

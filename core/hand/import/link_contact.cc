@@ -1,0 +1,130 @@
+#include "core/hand/import/link_contact.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/text/text.h"
+#include "core/base/units.h"
+#include "core/hand/contact_shape.h"
+#include "core/hand/hand.h"
+#include "core/hand/import/shapes/cover_surface.h"
+
+namespace graspbench {
+namespace {
+
+constexpr double kBlocks = 0.0005;          // [m]
+constexpr double kRootOfFreeDigit = 0.025;  // [m] of a joint from the digit's first one
+constexpr int kPostures = 400;
+
+/** Postures that fill the joints' ranges evenly (Kronecker sequence), the ends of each first. */
+std::vector<Eigen::VectorXd> ListPostures(const Hand& hand, const std::vector<int>& joints) {
+  std::vector<Eigen::VectorXd> postures;
+  const auto add = [&](auto&& choose) {
+    Eigen::VectorXd q = Eigen::VectorXd::Zero(hand.num_joints());
+    for (size_t i = 0; i < joints.size(); ++i) {
+      const HandJoint& joint = hand.joints[static_cast<size_t>(joints[i])];
+      q[joints[i]] = joint.lower + (joint.upper - joint.lower) * choose(i);
+    }
+    ApplyCoupling(hand, q);
+    postures.push_back(q);
+  };
+  for (size_t corner = 0; corner < (size_t{1} << std::min<size_t>(joints.size(), 4)); ++corner) {
+    add([&](size_t i) { return i < 4 ? static_cast<double>(corner >> i & 1) : 0.5; });
+  }
+  for (int k = 1; k <= kPostures; ++k) {
+    add([&](size_t i) {
+      const double step = std::sqrt(static_cast<double>(i == 0 ? 2 : i == 1 ? 3 : 2 * i + 1));
+      return k * step - std::floor(k * step);
+    });
+  }
+  return postures;
+}
+
+/** How deep the link's shapes get into the palm's while the joints that lead to it move [m]. */
+double CalcDepth(const ImportedHand& imported, int link, const std::vector<int>& joints) {
+  Hand pair = imported.hand;  // with these two links' capsules alone
+  pair.capsules.clear();
+  pair.contact_spheres.clear();
+  for (const CollisionShape& shape : imported.shapes) {
+    if (shape.link == pair.palm_link || shape.link == link) AddContact(shape, false, pair);
+  }
+  const std::vector<CapsulePair> meeting = FindCapsulePairs(pair);
+  double depth = 0.0;
+  for (const Eigen::VectorXd& q : ListPostures(pair, joints)) {
+    const std::vector<Pose> X_HL = CalcLinkPoses(pair, q);
+    for (const CapsulePair& capsules : meeting) {
+      depth = std::max(depth, -CalcCapsuleGap(pair, capsules, X_HL));
+    }
+  }
+  return depth;
+}
+
+}  // namespace
+
+void FreeJoints(const std::string& file, ImportedHand& imported, Diagnostics& problems) {
+  Hand& hand = imported.hand;
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand, Eigen::VectorXd::Zero(hand.num_joints()));
+  for (const Digit& digit : hand.digits) {
+    std::vector<int> joints;
+    for (const int link : digit.links) {
+      if (hand.links[link].joint >= 0) joints.push_back(hand.links[link].joint);
+      const double from_root =
+          (X_HL[link].translation() - X_HL[digit.links.front()].translation()).norm();
+      if (from_root > kRootOfFreeDigit || joints.empty()) break;
+      const double depth = CalcDepth(imported, link, joints);
+      if (depth <= kBlocks) continue;
+      hand.apart.emplace_back(hand.palm_link, link);
+      problems.Warn(file, 0,
+                    fmt::format("link \"{}\" would enter the palm by up to {:.1f} mm within the "
+                                "limits of joint \"{}\"; the two never touch each other",
+                                hand.links[link].name, MmFromM(depth),
+                                hand.joints[hand.links[link].joint].name));
+    }
+  }
+}
+
+namespace {
+
+/** Of the link, as the loader makes them of its shapes. */
+std::vector<ContactSphere> MakeBalls(const ImportedHand& imported, int link, bool is_pad) {
+  Hand alone;
+  for (const CollisionShape& shape : imported.shapes) {
+    if (shape.link == link) AddContact(shape, is_pad, alone);
+  }
+  return alone.contact_spheres;
+}
+
+}  // namespace
+
+void CoverLinks(const std::string& file, int num_points, ImportedHand& imported,
+                Diagnostics& problems) {
+  const Hand& hand = imported.hand;
+  for (const Digit& digit : hand.digits) {
+    for (const int link : digit.links) {
+      const std::vector<TriMesh>& solids = imported.solids[static_cast<size_t>(link)];
+      if (solids.empty()) continue;
+      const SurfaceCover cover =
+          CoverSurface(solids, MakeBalls(imported, link, link == digit.distal_link), num_points);
+      for (const SurfaceCover::Ball& ball : cover.balls) {
+        CollisionShape& shape = imported.shapes.emplace_back();
+        shape.link = link;
+        shape.X_LS = MakePose(ball.centre);
+        shape.size.setConstant(2.0 * ball.radius);
+        shape.is_cover = true;
+      }
+      const std::string& name = hand.links[link].name;
+      const std::string told = FormatFixed(MmFromM(cover.uncovered), 2) +
+                               " mm of its surface stay uncovered at 95 of 100 points";
+      std::string& note = imported.notes[static_cast<size_t>(link)];
+      note += (note.empty() ? "" : "\n") + name + ": " +
+              FormatCount(static_cast<int64_t>(cover.balls.size()), "ball") +
+              " more at edges and ends; " + told;
+      if (cover.uncovered <= kMostUncovered) continue;
+      problems.Warn(file, 0, "link \"" + name + "\": " + told + ": what it grasps there sinks in");
+    }
+  }
+}
+
+}  // namespace graspbench

@@ -1,0 +1,20 @@
+#pragma once
+/** @file
+The id of a trial: a hash of all that decides its result, and of nothing else. The trial's random
+stream derives from it. */
+
+#include <string>
+
+#include "core/base/text/json.h"
+#include "core/hand/hand.h"
+#include "core/shape/grasp_object.h"
+#include "datasets/plan/session_config.h"
+
+namespace graspbench {
+
+/** @param grasp  one, or the list of those of which the camera chooses.
+@pre a hand that looks has a camera, one that feels has a skin. */
+std::string CalcTrialId(const SessionConfig& config, const Hand& hand, const GraspObject& object,
+                        const Json& grasp, int trial);
+
+}  // namespace graspbench

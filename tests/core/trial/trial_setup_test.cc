@@ -1,0 +1,101 @@
+#include "core/trial/trial_setup.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/units.h"
+#include "core/physics/implicit_world.h"
+#include "core/physics/simbody/compliant_world.h"
+#include "core/trial/protocols/table_lift.h"
+#include "objects/catalogue.h"
+#include "tests/core/trial/trial_setups.h"
+
+namespace graspbench {
+namespace {
+
+TrialSetup MakeTrial() { return MakeSetup("tum-evolved", "g1", LoadObject("remote_control")); }
+
+Pose FindRelativePose(const SceneSnapshot& snapshot) {
+  return snapshot.X_WH.inverse() * snapshot.X_WO;
+}
+
+// Who knows the object's place exactly meets it as if it lay where it should: the whole trial is
+// moved over the table.
+TEST(Positioning, TrueMeetsTheObjectAsWithoutOffset) {
+  TrialSetup setup = MakeTrial();
+  const TrialResult centred = RunSetup(setup);
+  ASSERT_EQ(centred.outcome, Outcome::kSuccess) << centred.reason;
+  EXPECT_TRUE(std::isnan(centred.believed_x));
+  EXPECT_FALSE(ToJson(centred).contains("believed_x_m"));
+
+  setup.draw.offset_x = 0.03;
+  setup.draw.offset_y = -0.02;
+  setup.draw.offset_yaw = 0.6;
+  setup.positioning = Positioning::kTrue;
+  const TrialResult moved = RunSetup(setup);
+  EXPECT_EQ(moved.outcome, Outcome::kSuccess) << moved.reason;
+  EXPECT_EQ(moved.believed_x, 0.03);
+  EXPECT_EQ(moved.believed_yaw, 0.6);
+  ASSERT_EQ(moved.snapshots.size(), centred.snapshots.size());
+  const Pose difference =
+      FindRelativePose(centred.snapshots[0]).inverse() * FindRelativePose(moved.snapshots[0]);
+  EXPECT_LT(difference.translation().norm(), 1e-4);
+  EXPECT_LT(Eigen::AngleAxisd(difference.linear()).angle(), 1e-3);
+  EXPECT_NEAR(moved.timing.gct, centred.timing.gct, 0.01);
+
+  setup.positioning = Positioning::kNominal;
+  EXPECT_NE(RunSetup(setup).outcome, Outcome::kSuccess);
+}
+
+TEST(Positioning, TheCameraFindsTheObject) {
+  TrialSetup setup = MakeTrial();
+  setup.draw.offset_x = 0.03;
+  setup.draw.offset_y = -0.02;
+  setup.draw.offset_yaw = 0.6;
+  setup.positioning = Positioning::kCamera;
+  const TrialResult result = RunSetup(setup);
+  EXPECT_EQ(result.outcome, Outcome::kSuccess) << result.reason;
+  EXPECT_NEAR(result.believed_x, 0.03, 0.001);
+  EXPECT_NEAR(result.believed_y, -0.02, 0.001);
+  EXPECT_NEAR(result.believed_yaw, 0.6, RadFromDeg(1.0));
+  ExpectSurvivesItsRecord(result);
+  // The same again, by a course that makes its own camera.
+  EXPECT_EQ(ToJson(TableLift(std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim),
+                             setup)
+                       .Run()),
+            ToJson(result));
+}
+
+TEST(Positioning, WhatIsNotSeenIsAResultWithItsReason) {
+  TrialSetup setup = MakeTrial();
+  setup.draw.offset_x = 0.2;
+  setup.positioning = Positioning::kCamera;
+  const TrialResult result = RunSetup(setup);
+  EXPECT_EQ(result.outcome, Outcome::kNotSeen);
+  EXPECT_EQ(result.reason, "what is seen reaches over the picture's edge");
+  EXPECT_EQ(result.num_steps, 0);
+  EXPECT_TRUE(std::isnan(result.believed_x));
+  ExpectSurvivesItsRecord(result);
+}
+
+TEST(CompliantTrial, TakesBalls) {
+  EXPECT_TRUE(CanMoveCompliantly(*LoadObject("golf_ball")));
+  EXPECT_TRUE(CanMoveCompliantly(*LoadObject("tennis_ball")));
+  EXPECT_FALSE(CanMoveCompliantly(*LoadObject("toy_cube")));
+  EXPECT_FALSE(CanMoveCompliantly(*LoadObject("can")));
+}
+
+TEST(CompliantTrial, TouchesAndGripsAsOurOwnWorldDoes) {
+  TrialSetup setup = MakeSetup("tum-evolved", "g1", LoadObject("golf_ball"));
+  const TrialResult ours = RunSetup(setup);
+  setup.is_compliant = true;
+  const TrialResult theirs = RunSetup(setup);
+  EXPECT_EQ(theirs.outcome, ours.outcome) << theirs.reason;
+  EXPECT_NEAR(theirs.timing.gct, ours.timing.gct, 0.01);
+  EXPECT_NEAR(theirs.timing.gft, ours.timing.gft, 0.01);
+  EXPECT_NEAR(theirs.grip_force, ours.grip_force, 0.05 * ours.grip_force);
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,55 @@
+#include "datasets/plan/trial_id.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/config.h"
+#include "core/hand/tactile.h"
+#include "datasets/plan/session_config.h"
+
+namespace graspbench {
+namespace {
+
+/** Of a hand with camera and skin, so that every part of the configuration can be hashed. */
+std::string CalcIdOf(const SessionConfig& config) {
+  Hand hand;
+  hand.id = "hand";
+  hand.content_hash = "0a";
+  hand.camera = HandCamera();
+  auto skin = std::make_shared<TactileSkin>();
+  skin->content_hash = "0b";
+  hand.skin = skin;
+  GraspObject object;
+  object.id = "object";
+  object.content_hash = "0c";
+  return CalcTrialId(config, hand, object, "g1", 3);
+}
+
+// Ids of 2026: whatever key is added to the configuration or removed from it, they stay. The physics
+// version is hashed, too: a new one gives new ids here and nowhere else.
+TEST(TrialId, KnownConfigurationsKeepTheirIds) {
+  SessionConfig all;
+  for (const char* setting :
+       {"positioning=camera", "camera.noise_grey_levels=2", "touch=sensed", "sensors.noise=0.002",
+        "imperfections.stick_slip=0.1", "model.mass_scale=2", "sim.step_s=0.001", "seed=7"}) {
+    ApplySetting(setting, all);
+  }
+  EXPECT_EQ(CalcIdOf(SessionConfig()), "6d57b0ca0c3e1faa");
+  EXPECT_EQ(CalcIdOf(LoadPreset("firm")), "64555ee3c8576fe3");
+  EXPECT_EQ(CalcIdOf(all), "dc7f35d645ed2db8");
+}
+
+TEST(TrialId, EverySettingOfATrialChangesIt) {
+  SessionConfig base;
+  for (const char* setting : {"positioning=camera", "touch=sensed", "imperfections.stick_slip=0.1"})
+    ApplySetting(setting, base);
+  const std::string id = CalcIdOf(base);
+  for (const FileKey& key : DescribeConfig(base)) {
+    if (key.key.find('.') == key.key.npos || key.type != KeyType::kNumber) continue;
+    SessionConfig changed = base;
+    ApplySetting(key.key + "=" + (key.key == "sim.steady_step_factor" ? "3" : "0.123"), changed);
+    EXPECT_NE(CalcIdOf(changed), id) << key.key;
+  }
+}
+
+}  // namespace
+}  // namespace graspbench

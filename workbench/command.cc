@@ -1,0 +1,236 @@
+#include "workbench/command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/enum_table.h"
+#include "core/base/text/text.h"
+#include "workbench/experiments/machines/shell_quote.h"
+#include "workbench/experiments/run_record.h"
+#include "workbench/experiments/session_experiment.h"
+#include "workbench/pictures/scene_view.h"
+#include "workbench/terminal/terminal_observer.h"
+
+namespace graspbench {
+namespace {
+
+/** Adds the names of "g1,g2". @throws Error(kUsage) where one is empty. */
+void SplitNames(const std::string& option, const std::string& given,
+                std::vector<std::string>& names) {
+  size_t number = 1;
+  for (size_t start = 0; start <= given.size(); ++number) {
+    const size_t comma = std::min(given.find(',', start), given.size());
+    if (comma == start) {
+      throw Error(ErrorKind::kUsage, option + " \"" + given + "\": name " + std::to_string(number) +
+                                         " of the list is empty; expected names with one comma "
+                                         "between two");
+    }
+    names.push_back(given.substr(start, comma - start));
+    start = comma + 1;
+  }
+}
+
+}  // namespace
+
+void AddListOption(Command& command, const std::string& name, std::vector<std::string>& list,
+                   const std::string& text, const std::string& form) {
+  std::string names;
+  for (const std::string& item : list) names += (names.empty() ? "" : ",") + item;
+  // Not by SplitAtCommas(), which drops empty names.
+  command
+      .AddOptionFunction<std::vector<std::string>>(
+          name,
+          [name, &list](const std::vector<std::string>& given) {
+            list.clear();
+            for (const std::string& one : given) SplitNames(name, one, list);
+          },
+          text, form)
+      ->OneValueEach()
+      ->ShowDefault(names);
+}
+
+void AddSceneOptions(Command& command, SessionConfig& config) {
+  AddListOption(command, "--hand", config.hands, "hands by id or folder, or all", "H,..");
+  AddListOption(command, "--object", config.objects,
+                "objects by id or folder, all, or a folder of such folders", "O,..");
+}
+
+void AddSettingsOption(Command& command, std::vector<std::string>& settings,
+                       const std::string& example) {
+  command.AddOption("--set", settings, "any other setting, e.g. " + example, "KEY=VALUE")
+      ->OneValueEach();
+}
+
+void AddSearchOptions(Command& command, OptimiseConfig& config, const std::string& of) {
+  command.AddOption("--evaluations", config.evaluations, of, "N")->ShowDefault();
+  command
+      .AddOption("--fitness-trials", config.fitness_trials,
+                 "trials of an evaluation: 1 without variation, or so many drawn ones", "N")
+      ->ShowDefault();
+  command
+      .AddOption("--search", config.search, "what step 2 changes: " + ListNames(ListGraspSpaces()),
+                 "SPACE")
+      ->OneOf(ListGraspSpaces())
+      ->ShowDefault();
+  command.AddFlag("--race", config.race,
+                  "simulate only those individuals of which earlier ones promise most, 28 %");
+  command
+      .AddOption("--fitness", config.fitness,
+                 "what step 2 makes larger: sigma, by statics, or strength, by pulling", "FITNESS")
+      ->OneOf(ListNames(kFitnessKinds))
+      ->ShowDefault();
+  command
+      .AddOption("--grip", config.grip,
+                 "what a target may grip with: equal to the start, free, or limit", "GRIP")
+      ->OneOf(ListNames(kGripBudgets))
+      ->ShowDefault();
+  command.AddOption("--grip-limit", config.grip_limit, "for --grip limit [N]", "N");
+}
+
+void AddReplaceOption(Command& command, bool& replace) {
+  command.AddFlag("--replace", replace,
+                  "write in the place of an earlier result, if all its files are as written");
+}
+
+void AddPlanOnlyOption(Command& command, bool& plan_only) {
+  command.AddFlag("--plan-only", plan_only, "make the folder and run nothing: see work, submit");
+}
+
+void PrintPlan(const std::filesystem::path& folder, int count, const std::string& unit,
+               bool as_json) {
+  const std::string name = folder.string();
+  const std::string next = "graspbench submit " + QuoteForShell(name) + " --engine local";
+  if (as_json) {
+    PrintJson({{"folder", name}, {unit + "s", count}, {"next", next}});
+  } else {
+    PrintResult(name + ": " + FormatCount(count, unit) + " planned\nnext     " + next + "\n");
+  }
+}
+
+void PrintExperimentPlan(const PreparedSession& experiment, bool as_json) {
+  PrintPlan(experiment.folder, static_cast<int>(experiment.session.plan.size()), "trial", as_json);
+}
+
+bool RunOrPlan(const PreparedSession& experiment, const ExperimentRequest& request) {
+  if (request.plan_only) {
+    PrintExperimentPlan(experiment);
+    return false;
+  }
+  TerminalObserver observer(DescribeTasks);
+  DemandFinished(RunExperiment(experiment, request, observer));
+  return true;
+}
+
+void DemandFinished(bool is_finished) {
+  if (is_finished) return;
+  throw Error(ErrorKind::kInterrupted,
+              "stopped; what has run is kept. Continue with the same command");
+}
+
+void AddJsonOption(Command& command, bool& as_json, const std::string& text) {
+  command.AddFlag("--json", as_json, text);
+}
+
+void AddResumeOption(Command& command, bool& resume) {
+  command.AddFlag("--resume", resume,
+                  "continue what is in the folder of --out, with its own settings");
+}
+
+void CheckResume(const Command& command, const std::vector<std::string>& settings) {
+  if (!command.IsGiven("--out")) {
+    throw Error(ErrorKind::kUsage, "--resume needs --out DIR, the folder to be continued");
+  }
+  for (const std::string& name : settings) {
+    if (!command.IsGiven(name)) continue;
+    throw Error(ErrorKind::kUsage, name +
+                                       " does not go with --resume: what is continued keeps its "
+                                       "own settings; leave it out");
+  }
+}
+
+void AddRunOptions(Command& command, RunOptions& options, const std::string& what,
+                   const std::string& usual_folder) {
+  AddJobsOption(command, options.num_workers);
+  command.AddOption("--out", options.out, "folder of the " + what, "DIR")
+      ->ShowDefault(usual_folder);
+  command.AddFlag("--resume", options.resume, "continue the " + what + " in the folder of --out");
+  AddPlanOnlyOption(command, options.plan_only);
+  AddAcceptDamageOption(command, options.on_damage);
+  AddTrialTimeoutOption(command, options.trial_time_limit);
+  AddJsonOption(command, options.json, "print the summary as one JSON object");
+}
+
+void AddTrialsOption(Command& command, int& trials, const std::string& usual,
+                     const std::string& text) {
+  command.AddOption("--trials", trials, text, "N")->Within(1, 100000)->ShowDefault(usual);
+}
+
+void AddSeedOption(Command& command, int& seed, const std::string& what) {
+  command.AddOption("--seed", seed, "another seed gives " + what, "N")->ShowDefault();
+}
+
+void AddGraspNumberOption(Command& command, int& number) {
+  command.AddOption("--grasp", number, "which of the files' grasps, from 0 on", "N")
+      ->Within(0, 100000000)
+      ->ShowDefault();
+}
+
+void AddAcceptDamageOption(Command& command, OnDamage& on_damage) {
+  command.AddFlag(
+      "--accept-damage", [&on_damage] { on_damage = OnDamage::kAccept; },
+      "go on with what is whole in a damaged folder; the report names the damage");
+}
+
+void AddSecondsOption(Command& command, const std::string& name, double& seconds,
+                      const std::string& text) {
+  const auto check = [](const std::string& value) {
+    double number = 0.0;
+    const bool is_time = ReadNumber(value, number) && std::isfinite(number) && number > 0.0;
+    return is_time ? std::string() : "\"" + value + "\": expected a number of seconds above 0";
+  };
+  command.AddOption(name, seconds, text, "S")->Check(check)->ShowDefault();
+}
+
+void AddTrialTimeoutOption(Command& command, double& seconds) {
+  AddSecondsOption(
+      command, "--trial-timeout", seconds,
+      "seconds of processor time after which a trial is given up as a numerical failure");
+}
+
+void AddStoreFolder(Command& command, std::filesystem::path& folder, const std::string& text) {
+  const auto name = [](const std::string& value) {
+    return value == "." ? std::filesystem::current_path().string() : value;
+  };
+  command.AddRequired("folder", folder, text, "DIR")->Transform(name);
+}
+
+std::vector<Option*> AddPictureOptions(Command& command, std::string& at,
+                                       std::vector<std::string>& view, std::string& size) {
+  return {command.AddOption("--at,--phase", at,
+                            "which instant: a time as 1.25s, or the end of a phase; else of "
+                            "stabilisation",
+                            "TIME|PHASE"),
+          command
+              .AddOption("--camera", view, "from where: " + ListNames(ListSceneViews()),
+                         "VIEW [AZ EL [ZOOM]]")
+              ->NumValues(1, 4),
+          command.AddOption("--size", size, "of the picture, in pixels", "WxH")->ShowDefault()};
+}
+
+void AddJobsOption(Command& command, int& num_workers, const std::string& what) {
+  num_workers = CountProcessors();
+  command.AddOption("--jobs", num_workers, what + " at a time", "N")
+      ->Within(1, 1024)
+      ->ShowDefault("processors");
+}
+
+std::string ListNames(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+}  // namespace graspbench
