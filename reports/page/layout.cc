@@ -208,12 +208,21 @@ std::string MakeSlug(std::string_view text) {
   return slug.substr(0, 2 * kLongest);
 }
 
-/** "12.5", "6 of 10", "-0.4 (-1.2 to 0.3)", "x 1.41"; what stands for no number is one, too. */
+/** "12.5", "6 of 10", "-0.4 (-1.2 to 0.3)", "x 1.41", "F = 1.91", "3 ms"; what stands for no number
+is one, too. "1 lost while closing" is none: it has words longer than units. */
 bool IsNumber(const std::string& text) {
-  constexpr size_t kLongest = 40;
+  constexpr size_t kLongest = 40, kLongestUnit = 3;
   if (text.empty() || text == "-" || text == "n/a" || text == "none held") return true;
-  const size_t start = text.find_first_not_of("+-<x ");
-  return text.size() <= kLongest && start < 3 && text[start] >= '0' && text[start] <= '9';
+  const size_t name = text.find("= ");
+  const std::string value = name == std::string::npos ? text : text.substr(name + 2);
+  const size_t start = value.find_first_not_of("+-<x ");
+  size_t word = 0, longest_word = 0;
+  for (const char c : value) {
+    word = std::isalpha(static_cast<unsigned char>(c)) ? word + 1 : 0;
+    longest_word = std::max(longest_word, word);
+  }
+  return text.size() <= kLongest && longest_word <= kLongestUnit && start < 3 &&
+         value[start] >= '0' && value[start] <= '9';
 }
 
 /** Whoever uses the keyboard must be able to reach what scrolls. */

@@ -37,6 +37,22 @@ TEST(MakePage, WhatLooksLikeANumberedPartInATextIsNone) {
   EXPECT_NE(TextOfId(page, "figure-rates-by-hand").find("Figure\u00A01."), std::string::npos);
 }
 
+TEST(Table, ColumnsOfNumbersStandToTheRightAndOfWordsDoNot) {
+  const std::pair<const char*, bool> cases[] = {
+      {"12.5", true},       {"-0.4 (-1.2 to 0.3)", true},
+      {"6 of 10", true},    {"x 1.41", true},
+      {"F = 1.91", true},   {"3 ms", true},
+      {"< 0.001", true},    {"1 lost while closing", false},
+      {"golf_ball", false}, {"g2, clear", false}};
+  for (const auto& [cell, is_number] : cases) {
+    Table table("t", {{"name"}, {"value"}});
+    table.AddRow({"a", cell});
+    table.AddRow({"b", "n/a"});
+    const std::string markup = table.ToHtml().markup();
+    EXPECT_EQ(markup.find("<td class=\"number\">n/a") != markup.npos, is_number) << cell;
+  }
+}
+
 TEST(MakeBibtex, GivesTheWholeEntriesAskedForAndNoOthers) {
   const std::string text = MakeBibtex({"wilson1927", "holm1979"});
   EXPECT_EQ(text.rfind("@software{graspbench,", 0), 0u);
