@@ -132,7 +132,12 @@ void PrepareContact(double h, int step_number, ContactPoint& contact) {
     contact.twist = r > 0.0 ? contact.twist * scale * memory->torsion_radius / r : 0.0;
   }
   contact.is_dynamic = h * (step_number - memory->last_slide) < kRestTime;
-  contact.friction_limit = contact.mu() * memory->normal_force;
+  // A guess: the force changes as it did. The solver corrects it where it matters.
+  double fn = memory->normal_force;
+  if (!std::isnan(memory->normal_force_before)) {
+    fn = std::clamp(2.0 * fn - memory->normal_force_before, 0.5 * fn, 2.0 * fn);
+  }
+  contact.friction_limit = contact.mu() * fn;
 }
 
 ContactForces CalcContactForces(const ContactPoint& contact, const ContactRates& rates, double h) {
@@ -208,6 +213,8 @@ void FinishContact(const ContactPoint& contact, const ContactRates& mean_rates,
   memory->twist = twist;
   memory->tangential_stiffness = kt;
   memory->torsion_radius = r;
+  memory->normal_force_before =
+      memory->last_step == step_number - 1 ? memory->normal_force : kUnset;
   memory->normal_force = fn;
   memory->last_step = step_number;
   if (forces.is_at_limit) memory->last_slide = step_number;

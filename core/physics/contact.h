@@ -109,6 +109,7 @@ struct ContactMemory {
   double tangential_stiffness = 0.0;                     ///< kt of the last step [N/m]
   double torsion_radius = 0.0;                           ///< r of the last step [m]
   double normal_force = 0.0;                             ///< of the last step [N]
+  double normal_force_before = kUnset;                   ///< of the step before that [N]
   int last_step = -2;                                    ///< number of the last step it was alive
   int last_slide = std::numeric_limits<int>::min() / 2;  ///< of the last step it slid
 };

@@ -1,14 +1,14 @@
 #pragma once
 /** @file
-Kinematics, mass matrix and bias of the hand, in flat arrays for the inner loop.
+The hand's equations of motion in the degrees of freedom that its couplings leave.
 
-The numbers are those of the Simbody model; its own routines cost several times more per step
-because the packaged library checks every access. Tests hold both equal on random states (mass
-matrix and bias to 1e-12), and every trial compares them again at its end.
+Where the links are, what each carries and the forces of velocity are Simbody's (hand_tree.h). With
+a joint's motion vector about the world's origin, S = (a, p x a), of a prismatic joint (0, a), and
+the momentum F of all that it carries, the mass matrix is
 
-Method: spatial vectors about the world's origin, expressed in W (Featherstone 2008): a joint's
-motion vector is S = (a, p x a), of a prismatic joint (0, a); composite rigid bodies give the mass
-matrix, recursive Newton-Euler the bias.
+    M(joint, ancestor) = S_ancestor . F_joint
+
+(Featherstone 2008), summed over joints with their rates.
 
 Degrees of freedom: one for every driven joint, then six of the base, which an arm carries. A
 coupled joint shares that of the joint it follows: u_joint = rate_j * u_dof (core/hand/hand.h). One
@@ -25,25 +25,14 @@ v_WH is that of H's origin.
 
 #include "core/base/pose.h"
 #include "core/hand/hand.h"
+#include "core/physics/simbody/hand_tree.h"
 
 namespace graspbench {
 
 using SpatialVector = Eigen::Matrix<double, 6, 1>;  ///< (angular, linear)
 
-/** Mass, first moment and second moment about the world's origin. */
-struct SpatialInertia {
-  double mass = 0.0;
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();   ///< mass * p_Wcm
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about the world's origin
-
-  void Add(const SpatialInertia& other) {
-    mass += other.mass;
-    moment += other.moment;
-    inertia += other.inertia;
-  }
-  /** Momentum of a body with this inertia moving with V. */
-  SpatialVector operator*(const SpatialVector& V) const;
-};
+/** Slower than this a hand has no forces of velocity: at a finger some 1e-4 N m [rad/s, m/s]. */
+inline constexpr double kFastSpeed = 0.3;
 
 class HandDynamics {
  public:
@@ -77,11 +66,8 @@ class HandDynamics {
     return speed;
   }
 
-  /** Poses and inertias of links, motion vectors of joints. @param q  (num_joints) [rad]. */
+  /** Poses of links, motion vectors of joints. @param q  (num_joints) [rad]. */
   void UpdatePositions(const Pose& X_WH, const Eigen::VectorXd& q);
-
-  /** The same from poses of all links that somebody else found. */
-  void TakePoses(const Pose& X_WH, const std::vector<Pose>& X_WL);
 
   const Eigen::Vector3d& p_WH() const { return p_WH_; }
   const Pose& X_WL(int link) const { return X_WL_[link]; }
@@ -91,29 +77,23 @@ class HandDynamics {
   const std::vector<int>& chain(int link) const { return chain_[link]; }
 
   /** Mass matrix (num_speeds x num_speeds) for the current positions. */
-  void CalcMassMatrix(Eigen::Ref<Eigen::MatrixXd> M) const;
+  void CalcMassMatrix(Eigen::Ref<Eigen::MatrixXd> M);
 
-  /** Generalised force (num_speeds) that gives zero acceleration at speeds u (num_speeds): Coriolis,
-  centrifugal, gyroscopic, gravity. */
-  void CalcBias(const Eigen::VectorXd& u, const Eigen::Vector3d& gravity_W,
-                Eigen::Ref<Eigen::VectorXd> bias) const;
+  /** Generalised force (num_speeds) that gives zero acceleration at speeds u (num_speeds). That of
+  gravity is -M(:, v_WH) g, since a field acts like an acceleration of the base; Coriolis,
+  centrifugal and gyroscopic forces count where a speed is above kFastSpeed.
+  @param M  mass matrix, of these positions or of some very near. */
+  void CalcBias(const Eigen::Ref<const Eigen::MatrixXd>& M, const Eigen::VectorXd& u,
+                const Eigen::Vector3d& gravity_W, Eigen::Ref<Eigen::VectorXd> bias);
 
  private:
-  struct LinkInertia {
-    double mass;
-    Eigen::Vector3d p_LLcm;
-    Eigen::Matrix3d I_LLcm;
-  };
+  Eigen::Matrix<double, 6, 6> CalcBaseMass() const;
 
-  void UpdateInertias();
-
+  HandTree tree_;
   int num_dofs_ = 0;
-  std::vector<int> parent_;  // by link
-  std::vector<int> joint_;   // by link; -1: fixed
-  std::vector<Pose> X_PJ_;   // by link
+  std::vector<int> joint_;  // by link; -1: fixed
   std::vector<Eigen::Vector3d> axis_;
   std::vector<bool> slides_;  // by joint
-  std::vector<LinkInertia> inertia_;
   std::vector<std::vector<int>> chain_;
   std::vector<int> joint_link_;  // by joint
   std::vector<int> dof_of_joint_;
@@ -122,8 +102,8 @@ class HandDynamics {
   std::vector<int> joint_of_dof_;
   std::vector<int> distal_of_dof_;
   std::vector<Pose> X_WL_;
-  std::vector<SpatialInertia> inertia_W_;  // by link
-  std::vector<SpatialVector> S_;           // by joint
+  std::vector<CarriedMass> carried_;  // by link
+  std::vector<SpatialVector> S_;      // by joint
   Eigen::Vector3d p_WH_ = Eigen::Vector3d::Zero();
 };
 

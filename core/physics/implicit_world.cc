@@ -25,6 +25,9 @@ constexpr double kBiasProductTolerance = 1e-4;
 /** What moves no faster stands [rad/s, m/s]. A contact settles within its relaxation time, so 1e-5 N
 of its force are still missing then. */
 constexpr double kStandingSpeed = 1e-8;
+/** The hand's mass matrix is kept until a joint has moved, or the hand turned, by this much [rad], of
+slides [m]: it changes by as small a share then. */
+constexpr double kKeptAngle = 1e-3;
 constexpr double kMostSpeed = 1e6;  // [m/s], [rad/s]
 
 Matrix3d MakeRotation(const Vector3d& rotation_vector) {
@@ -68,10 +71,6 @@ ImplicitWorld::ImplicitWorld(const Hand& hand, const GraspObject& object, const 
   problem_.u = VectorXd::Zero(n);
   problem_.bias = VectorXd::Zero(n);
   problem_.contacts.reserve(128);
-  if (config.multibody == "simbody") {
-    simbody_model_ = std::make_shared<SimbodyModel>(hand, object.mass_properties);
-    simbody_.emplace(*simbody_model_);
-  }
 }
 
 std::unique_ptr<World> ImplicitWorld::Clone() const {
@@ -89,6 +88,8 @@ void ImplicitWorld::Reset(const WorldState& state) {
   SetExternalLoad(Vector3d::Zero(), Vector3d::Zero());
   stands_ = false;
   solver_.Forget();
+  mass_place_ = {};
+  v_before_.resize(0);
   energy_ = EnergyAccount();
   energy_.kinetic_at_start = CalcKineticEnergy();
 }
@@ -221,11 +222,8 @@ void ImplicitWorld::AddRollingResistance() {
 void ImplicitWorld::CalcBias(const VectorXd& mean_speeds, const Vector3d& acceleration_W) {
   const int base = dynamics_.num_dofs(), object = dynamics_.num_speeds();
   VectorXd& bias = problem_.bias;
-  if (simbody_) {
-    bias.head(object) = simbody_->CalcBias(mean_speeds.head(object), state_.gravity_W);
-  } else {
-    dynamics_.CalcBias(mean_speeds.head(object), state_.gravity_W, bias.head(object));
-  }
+  dynamics_.CalcBias(problem_.M.topLeftCorner(object, object), mean_speeds.head(object),
+                     state_.gravity_W, bias.head(object));
   const Eigen::Matrix<double, 6, 1> inertia =
       problem_.M.block<6, 3>(base, base + 3) * acceleration_W;
   carrying_ = bias.segment<6>(base) + inertia;
@@ -236,17 +234,27 @@ void ImplicitWorld::CalcBias(const VectorXd& mean_speeds, const Vector3d& accele
   bias.segment<3>(object + 3) = -mass_.mass * state_.gravity_W - external_force_W_;
 }
 
+void ImplicitWorld::UpdateHandMass() {
+  const int object = dynamics_.num_speeds();
+  bool is_kept = mass_place_.q.size() > 0 &&
+                 (middle_.q - mass_place_.q).cwiseAbs().maxCoeff() < kKeptAngle &&
+                 (middle_.X_WH.linear() - mass_place_.R_WH).cwiseAbs().maxCoeff() < kKeptAngle;
+  for (int joint = 0; joint < dynamics_.num_joints() && is_kept; ++joint) {
+    is_kept = mass_place_.rates[joint] == dynamics_.rate_of_joint(joint);
+  }
+  if (is_kept) return;
+  dynamics_.CalcMassMatrix(problem_.M.topLeftCorner(object, object));
+  AddArmatures(problem_.M);
+  mass_place_ = {middle_.q, middle_.X_WH.linear(), {}};
+  for (int joint = 0; joint < dynamics_.num_joints(); ++joint) {
+    mass_place_.rates.push_back(dynamics_.rate_of_joint(joint));
+  }
+}
+
 void ImplicitWorld::UpdateDynamics() {
   const int object = dynamics_.num_speeds();
-  if (simbody_) {
-    simbody_->SetPositions(dynamics_, middle_.X_WH, middle_.q);
-    dynamics_.TakePoses(middle_.X_WH, simbody_->CalcLinkPoses());
-    problem_.M.topLeftCorner(object, object) = simbody_->CalcMassMatrix();
-  } else {
-    dynamics_.UpdatePositions(middle_.X_WH, middle_.q);
-    dynamics_.CalcMassMatrix(problem_.M.topLeftCorner(object, object));
-  }
-  AddArmatures(problem_.M);
+  dynamics_.UpdatePositions(middle_.X_WH, middle_.q);
+  UpdateHandMass();
   problem_.M.block<3, 3>(object, object) = middle_.R_WO * mass_.I_OOcm * middle_.R_WO.transpose();
   problem_.M.block<3, 3>(object + 3, object + 3) = mass_.mass * Matrix3d::Identity();
 }
@@ -264,7 +272,10 @@ StepReport ImplicitWorld::Step(const WorldCommand& command) {
   const bool is_as_before = IsAsBefore(command);
   if (stands_ && is_as_before) return last_report_;
   const double h = command.num_steps * config_.step;
-  if (h != problem_.h) solver_.Forget();
+  if (h != problem_.h) {
+    solver_.Forget();
+    v_before_.resize(0);
+  }
   problem_.h = h;
   const int dofs = dynamics_.num_dofs(), object = dynamics_.num_speeds();
   ChooseDistalModes(command, energy_.limits);
@@ -284,6 +295,9 @@ StepReport ImplicitWorld::Step(const WorldCommand& command) {
 
   const Vector3d acceleration_W = (command.v_WH - commanded_v_WH_) / h;
   commanded_v_WH_ = command.v_WH;
+  const VectorXd last = v_;
+  if (v_before_.size() > 0) v_ += last - v_before_;  // a guess: speeds change as they did
+  v_before_ = last;
   VectorXd mean_speeds = 0.5 * (problem_.u + v_);
   CalcBias(mean_speeds, acceleration_W);
   const bool converged = solver_.Solve(problem_, v_, [&](const VectorXd& v) {

@@ -4,7 +4,8 @@ The default backend: contact solved implicitly on top of the hand's rigid body d
 
 One step of length h goes from (q, u) to (q + h (u + v) / 2, v):
 1. positions move by h u / 2 to the middle of the step (the object turns by its rotation vector);
-2. mass matrix, bias and contacts are taken there;
+2. mass matrix, bias and contacts are taken there. The hand's mass matrix is kept until a joint, or
+   the hand, has turned by kKeptAngle; its forces of velocity count above kFastSpeed;
 3. the implicit solve gives the speeds v at the end (step_solver.h); the bias is that of the mean
    speeds (u + v) / 2, so that the smooth part is second order and keeps its energy;
 4. positions move by h v / 2.
@@ -35,7 +36,6 @@ solver starts from, the blocked links, the drives' imperfections, loads and the 
 #include <optional>
 
 #include "core/physics/imperfect_drive.h"
-#include "core/physics/simbody/simbody_dynamics.h"
 #include "core/physics/step_solver.h"
 #include "core/physics/world.h"
 
@@ -88,6 +88,8 @@ class ImplicitWorld : public World {
   void MovePositions(double h, const Eigen::VectorXd& u, WorldState& state) const;
   /** Positions of the hand and the mass matrix at middle_. */
   void UpdateDynamics();
+  /** The hand's part of the mass matrix, where that has changed enough. */
+  void UpdateHandMass();
   /** Whether the step asks for nothing new. */
   bool IsAsBefore(const WorldCommand& command) const;
   void AddDrives(const WorldCommand& command);
@@ -103,13 +105,18 @@ class ImplicitWorld : public World {
   void UpdateBlocks(const std::vector<bool>& link_touches_object);
 
   SimConfig config_;
-  // Of sim.multibody=simbody; clones share the model, whose state is set again in each step.
-  std::shared_ptr<SimbodyModel> simbody_model_;
-  std::optional<SimbodyDynamics> simbody_;
   StepSolver solver_;
   StepProblem problem_;
-  WorldState middle_;  // of the current step
-  Eigen::VectorXd v_;  // speeds at the end of the last step: [u, w_WH, v_WH, w_WO, v_WOcm]
+  /** Where the hand's part of problem_.M was calculated. */
+  struct MassPlace {
+    Eigen::VectorXd q;  ///< empty: nowhere
+    Eigen::Matrix3d R_WH;
+    std::vector<double> rates;  ///< by joint
+  };
+  MassPlace mass_place_;
+  WorldState middle_;         // of the current step
+  Eigen::VectorXd v_;         // speeds at the end of the last step: [u, w_WH, v_WH, w_WO, v_WOcm]
+  Eigen::VectorXd v_before_;  // at its start; empty where the next step has another length
   Eigen::Vector3d commanded_v_WH_ = Eigen::Vector3d::Zero();
   Eigen::Matrix<double, 6, 1> carrying_ = Eigen::Matrix<double, 6, 1>::Zero();  // the hand itself
   Eigen::Vector3d external_force_W_ = Eigen::Vector3d::Zero();

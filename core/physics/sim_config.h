@@ -3,7 +3,6 @@
 Settings of the physics, and the number that tells its versions apart. */
 
 #include <Eigen/Core>
-#include <string>
 
 #include "core/base/units.h"
 
@@ -11,7 +10,7 @@ namespace graspbench {
 
 /** Counts changes of the physics, or of a record's measures, that change results. Part of every
 trial id, so that records of different physics never meet under one id. */
-inline constexpr int kPhysicsVersion = 13;
+inline constexpr int kPhysicsVersion = 14;
 
 /** Settings of the physics; part of the frozen session configuration. */
 struct SimConfig {
@@ -39,11 +38,6 @@ struct SimConfig {
   double arm_damping_time = 0.02;      ///< damping over stiffness [s]
   double arm_force_limit = 98.0;       ///< along each axis of W; at it the trial ends [N]
   double arm_moment_limit = 20.0;      ///< about H's origin, likewise [N m]
-
-  /** Whose positions, mass matrix and bias of the hand every step takes: "arrays", this program's,
-  compared with Simbody's at the end of every trial; "simbody", Simbody's own, some three times
-  slower: for checking. */
-  std::string multibody = "arrays";
 
   template <class V>
   void Visit(V&& v) {
@@ -78,9 +72,6 @@ struct SimConfig {
       {"limit of the arm's force along each axis; a trial that reaches it ends", 1, 1e6});
     v("arm_moment_limit_nm", arm_moment_limit,
       {"limit of the arm's moment about the hand's base; a trial that reaches it ends", 0.1, 1e6});
-    v("multibody", multibody,
-      "arrays: the program's own mass matrix and bias, compared with Simbody's at the end of every "
-      "trial; simbody: Simbody's in every step, slower, for checking");
   }
 };
 

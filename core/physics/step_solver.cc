@@ -138,7 +138,7 @@ bool FactorCholesky(Eigen::MatrixXd& H) {
 namespace {
 
 /** Shares of the normal force by which a friction limit may lag behind. */
-constexpr double kLimitShare = 1e-4;
+constexpr double kLimitShare = 1e-3;
 constexpr double kLimitForce = 1e-6;  ///< [N]
 /** Farther than this multiple of a pass's change no limit is thrown. */
 constexpr double kMostMixing = 10.0;
@@ -374,7 +374,7 @@ bool StepSolver::SolvePass(StepProblem& problem, Eigen::VectorXd& v) {
   CalcResidual(problem, v);
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     const double miss = CalcMiss();
-    if (!(miss > 1.0)) return residual_.allFinite();
+    if (!(miss > looseness_)) return residual_.allFinite();
 
     if (!UpdateFactor(problem, v)) return false;
     direction_ = -residual_;
@@ -397,7 +397,7 @@ bool StepSolver::SolvePass(StepProblem& problem, Eigen::VectorXd& v) {
     }
     if (!is_fresh_ && CalcMiss() > kStaleShare * miss) Forget();
   }
-  return CalcMiss() <= 1.0;
+  return CalcMiss() <= looseness_;
 }
 
 bool StepSolver::RefreshFrictionLimits(StepProblem& problem) {

@@ -49,6 +49,8 @@ class StepSolver {
   /** And at most what gives a degree of freedom alone this speed: a thin disc of 1 g would turn by
   3e-3 rad/s for the other, in every step again [m/s, rad/s]. */
   static constexpr double kSpeedTolerance = 1e-5;
+  /** While limits and bias still change, a pass may miss the tolerances by this factor. */
+  static constexpr double kLooseness = 100.0;
   static constexpr int kMaxIterations = 50;  ///< of Newton, per pass
   static constexpr int kMaxPasses = 30;      ///< of friction limits and bias
 
@@ -60,12 +62,16 @@ class StepSolver {
     limits_.clear();
     tolerance_ = (kSpeedTolerance * problem.M.diagonal()).cwiseMin(kTolerance);
     CalcMotion(problem, v);
+    looseness_ = kLooseness;
     for (int pass = 0; pass < kMaxPasses; ++pass) {
       const bool converged = SolvePass(problem, v);
       const bool limits_changed = RefreshFrictionLimits(problem);
       const bool bias_changed = refresh_bias(v);
-      if (!limits_changed && !bias_changed) return converged;
+      if (limits_changed || bias_changed) continue;
+      if (looseness_ == 1.0 || CalcMiss() <= 1.0) return converged;
+      looseness_ = 1.0;
     }
+    looseness_ = 1.0;
     SolvePass(problem, v);  // with the last limits
     return false;
   }
@@ -96,7 +102,7 @@ class StepSolver {
   /** @pre CalcMotion at v. */
   void CalcResidual(const StepProblem& problem, const Eigen::VectorXd& v);
   double CalcSlope(const StepProblem& problem, const Eigen::VectorXd& v, double alpha) const;
-  /** Largest residual over its tolerance: at most 1 when solved. */
+  /** Largest residual over its tolerance: at most 1 when solved, `looseness_` for now. */
   double CalcMiss() const { return (residual_.array().abs() / tolerance_.array()).maxCoeff(); }
 
   struct FrictionLimit {
@@ -118,6 +124,7 @@ class StepSolver {
   std::vector<bool> is_inside_;  // by scalar, of the factor: between its bounds
   std::vector<double> scalar_gains_;
   bool has_factor_ = false;
+  double looseness_ = 1.0;
   bool is_fresh_ = false;     // the factor is of this iteration
   Eigen::VectorXd momentum_;  // M (v - u)
   Eigen::VectorXd residual_, direction_, M_direction_;

@@ -11,8 +11,6 @@
 #include "core/base/error.h"
 #include "core/physics/implicit_world.h"
 #include "core/physics/simbody/compliant_world.h"
-#include "core/physics/simbody/simbody_dynamics.h"
-#include "core/physics/simbody/simbody_model.h"
 #include "core/trial/digit_delays.h"
 #include "core/trial/measures/object_in_hand.h"
 #include "core/trial/protocols/protocol.h"
@@ -48,7 +46,6 @@ bool IsSame(const TrialSetup& a, const TrialSetup& b) {
 struct TrialRunner::Impl {
   std::shared_ptr<const Hand> hand;
   std::shared_ptr<const GraspObject> object;
-  SimbodyModel simbody;
   std::unique_ptr<const World> world;  // for `sim` and `table`; each trial runs in a clone
   SimConfig sim;
   TablePresence table = TablePresence::kPresent;
@@ -61,9 +58,7 @@ struct TrialRunner::Impl {
   std::optional<Undelayed> undelayed;  // the last trial that one with a late digit may ask for
 
   Impl(std::shared_ptr<const Hand> the_hand, std::shared_ptr<const GraspObject> the_object)
-      : hand(std::move(the_hand)),
-        object(std::move(the_object)),
-        simbody(*hand, object->mass_properties) {}
+      : hand(std::move(the_hand)), object(std::move(the_object)) {}
 
   /** Without an exception for what happens inside the trial. */
   JudgedTrial Run(const TrialSetup& setup, bool is_judged,
@@ -183,12 +178,6 @@ JudgedTrial TrialRunner::Impl::RunCourse(const TrialSetup& setup, bool is_judged
     result = course->Run(observe);
   }
   if (result.outcome == Outcome::kNumericalFailure) return trial;
-  if (const double difference = CompareWithSimbody(course->world(), simbody);
-      !(difference < kSimbodyTolerance)) {
-    result.outcome = Outcome::kNumericalFailure;
-    result.reason = fmt::format("mass matrix or bias differs from Simbody's by {:.1e}", difference);
-    return trial;
-  }
   if (setup.finds_strength) result.strength = course->FindStrength();
   if (is_judged && course->is_held()) trial.judgement = course->Judge();
   return trial;

@@ -267,10 +267,6 @@ std::vector<std::pair<std::string, std::string>> FindSimProblems(const SimConfig
     problems.emplace_back("sim.hand_friction_dynamic",
                           "must not be higher than sim.hand_friction_static");
   }
-  if (sim.multibody != "arrays" && sim.multibody != "simbody") {
-    problems.emplace_back("sim.multibody", "no multibody \"" + sim.multibody + "\"" +
-                                               SuggestNames(sim.multibody, {"arrays", "simbody"}));
-  }
   return problems;
 }
 

@@ -198,7 +198,7 @@ struct ConfigProblem {
 };
 
 /** Values of the simulation that contradict each other, in a session or a profile: keys
-("sim.multibody") with what is wrong. Ranges are checked where the keys are listed. */
+("sim.table_friction_dynamic") with what is wrong. Ranges are checked where the keys are listed. */
 std::vector<std::pair<std::string, std::string>> FindSimProblems(const SimConfig& sim);
 
 /** All problems of the values: ranges, empty or repeated names. Whether hands, objects and grasps

@@ -130,7 +130,7 @@ void BM_Step(benchmark::State& state, const char* hand_id, const char* object_id
         dynamics.CalcMassMatrix(M);
         break;
       case StepPart::kBias:
-        dynamics.CalcBias(hand_speeds, held.gravity_W, bias);
+        dynamics.CalcBias(M, hand_speeds, held.gravity_W, bias);
         break;
       case StepPart::kCollision:
         collider.FindContacts(dynamics, world.CalcObjectPose(), held.p_WOcm, step++, contacts);

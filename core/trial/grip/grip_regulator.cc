@@ -36,7 +36,6 @@ GripRegulator::GripRegulator(const TrialSetup& setup, const std::vector<int>& di
       is_saturating_(is_regulated() &&
                      RowFromName(kDriveLaws, setup.strategy.drive_law, "drive law").value ==
                          DriveLaw::kSaturating),
-      step_(setup.sim.step),
       most_closing_(setup.grasp.type == GraspType::kPower ? 1.0 : kMostClosing),
       way_(setup.grasp.q_target - setup.grasp.q_pre),
       parts_(MapLinksToParts(*setup.hand, digits)),
@@ -126,7 +125,7 @@ double GripRegulator::CalcAskedForce() const {
 }
 
 /** What the opposing digit, and the rest where it touches, are asked for follows from balance. */
-void GripRegulator::ShareForce(const std::vector<PartLoad>& loads) {
+void GripRegulator::ShareForce(const std::vector<PartLoad>& loads, double duration) {
   const double force = CalcAskedForce();
   std::vector<double> asked(loads.size(), force);
   std::vector<int> free;
@@ -151,7 +150,7 @@ void GripRegulator::ShareForce(const std::vector<PartLoad>& loads) {
       if (digits_[d].opposes) asked[d] = others;
     }
   }
-  const double weight = step_ / (kFilterTime + step_);
+  const double weight = duration / (kFilterTime + duration);
   asked_ = sum_ = 0.0;
   for (size_t d = 0; d < digits_.size(); ++d) {
     DigitGrip& digit = digits_[d];
@@ -166,8 +165,8 @@ void GripRegulator::ShareForce(const std::vector<PartLoad>& loads) {
 }
 
 void GripRegulator::Observe(Phase phase, World& world, const std::vector<HandContact>& contacts,
-                            const TouchSensors* sensors) {
-  time_ += step_;
+                            const TouchSensors* sensors, double duration) {
+  time_ += duration;
   if (phase == Phase::kLiftOff && phase_ != Phase::kLiftOff) {
     was_in_band_ = is_in_band();
     closed_ = sum_;
@@ -182,7 +181,7 @@ void GripRegulator::Observe(Phase phase, World& world, const std::vector<HandCon
   const std::vector<PartLoad> loads =
       CalcPartLoads(contacts, parts_, static_cast<int>(digits_.size()) + 1, world.dynamics(),
                     world.state().gravity_W);
-  const double weight = step_ / (kFilterTime + step_);
+  const double weight = duration / (kFilterTime + duration);
   for (size_t d = 0; d < digits_.size(); ++d) {
     DigitGrip& digit = digits_[d];
     const double force = sensors ? sensors->CalcFeltForce(digit.digit) : loads[d].force;
@@ -195,7 +194,7 @@ void GripRegulator::Observe(Phase phase, World& world, const std::vector<HandCon
   }
   const double rest = sensors ? sensors->CalcFeltForce(-1) : loads.back().force;
   rest_force_ += weight * (rest - rest_force_);
-  ShareForce(loads);
+  ShareForce(loads, duration);
   peak_ = std::max(peak_, sum_);
 
   const bool has_closed = phase >= Phase::kStabilisation;
@@ -214,7 +213,7 @@ void GripRegulator::Observe(Phase phase, World& world, const std::vector<HandCon
   const bool is_in_band = regulates_ && std::abs(sum_ - asked_) <= kBandShare * asked_;
   if (!is_in_band) in_band_since_ = kUnset;
   if (is_in_band && std::isnan(in_band_since_)) in_band_since_ = time_;
-  NoteHold(phase);
+  NoteHold(phase, duration);
 
   const Hand& hand = *setup_->hand;
   drive_positions_.resize(hand.num_joints());
@@ -237,17 +236,17 @@ void GripRegulator::Observe(Phase phase, World& world, const std::vector<HandCon
   }
 }
 
-void GripRegulator::NoteHold(Phase phase) {
+void GripRegulator::NoteHold(Phase phase, double duration) {
   if (phase != Phase::kHold) return;
-  ++num_held_;
-  held_sum_ += sum_;
-  held_asked_ += asked_;
-  rest_held_sum_ += rest_force_;
-  rest_held_asked_ += rest_asked_;
+  held_time_ += duration;
+  held_sum_ += duration * sum_;
+  held_asked_ += duration * asked_;
+  rest_held_sum_ += duration * rest_force_;
+  rest_held_asked_ += duration * rest_asked_;
   for (DigitGrip& digit : digits_) {
-    digit.held_sum += digit.force;
-    digit.asked_sum += digit.asked;
-    digit.pressed_sum += digit.pressed;
+    digit.held_sum += duration * digit.force;
+    digit.asked_sum += duration * digit.asked;
+    digit.pressed_sum += duration * digit.pressed;
   }
 }
 
@@ -273,7 +272,7 @@ bool GripRegulator::IsStopped(const DigitGrip& digit) const {
 
 /** Two digits that both oppose a third: what one gains the other gives up, so that the sum, and the
 opposing digit's share, stay. */
-void GripRegulator::ShareWithinSide() {
+void GripRegulator::ShareWithinSide(double duration) {
   if (digits_.size() != 3) return;
   std::vector<DigitGrip*> side;
   for (DigitGrip& digit : digits_) {
@@ -282,31 +281,31 @@ void GripRegulator::ShareWithinSide() {
   if (side.size() != 2) return;
   const double difference = side[1]->force / side[1]->asked - side[0]->force / side[0]->asked;
   if (std::abs(difference) < kDeadDifference || IsStopped(*side[difference > 0.0 ? 0 : 1])) return;
-  const double most = kMostShift * step_ / setup_->strategy.closure_time;
+  const double most = kMostShift * duration / setup_->strategy.closure_time;
   for (const double sign : {1.0, -1.0}) {
     DigitGrip& digit = *side[sign > 0.0 ? 0 : 1];
     const double shift =
-        0.5 * sign * digit.asked / digit.stiffness * difference * step_ / kShareTime;
+        0.5 * sign * digit.asked / digit.stiffness * difference * duration / kShareTime;
     digit.Shift(std::clamp(shift, -most, most), most_closing_);
   }
 }
 
-void GripRegulator::Advance(Phase phase) {
+void GripRegulator::Advance(Phase phase, double duration) {
   const StrategyConfig& strategy = setup_->strategy;
   is_closing_ = false;
   if (regulates_) {
-    if (!is_saturating_) ShareWithinSide();
+    if (!is_saturating_) ShareWithinSide(duration);
     const double error = asked_ > 0.0 ? (asked_ - sum_) / asked_ : 0.0;
     if (std::abs(error) < kDeadShare) return;
     if (is_saturating_) {
-      torque_share_ = std::clamp(torque_share_ * (1.0 + error * step_ / kShiftTime),
+      torque_share_ = std::clamp(torque_share_ * (1.0 + error * duration / kShiftTime),
                                  1.0 / kMostTorqueShare, kMostTorqueShare);
     }
-    const double most = kMostShift * step_ / strategy.closure_time;
+    const double most = kMostShift * duration / strategy.closure_time;
     for (DigitGrip& digit : digits_) {
       if (is_saturating_ || !digit.has_touched || !digit.is_felt) continue;
       const double shift =
-          std::clamp(digit.asked / digit.stiffness * error * step_ / kShiftTime, -most, most);
+          std::clamp(digit.asked / digit.stiffness * error * duration / kShiftTime, -most, most);
       if (shift > 0.0 && IsAtLimit(digit)) continue;
       digit.Shift(shift, most_closing_);
     }
@@ -320,7 +319,8 @@ void GripRegulator::Advance(Phase phase) {
       continue;
     }
     const double closing = digit.law.closing();
-    digit.law.Advance(step_, strategy.closure_time, digit.has_touched ? strategy.touch_speed : 1.0);
+    digit.law.Advance(duration, strategy.closure_time,
+                      digit.has_touched ? strategy.touch_speed : 1.0);
     is_closing_ = is_closing_ || digit.law.closing() > closing;
   }
 }
@@ -393,12 +393,12 @@ GripRecord GripRegulator::MakeRecord() const {
   record.told_friction = mode_ == GripMode::kMargin ? told_friction_ : 0.0;
   if (smallest_) record.smallest = *smallest_;
   record.force = CalcAskedForce();
-  record.asked = num_held_ > 0 ? held_asked_ / num_held_ : asked_;
+  record.asked = held_time_ > 0.0 ? held_asked_ / held_time_ : asked_;
   record.closed = closed_;
-  if (num_held_ > 0) record.held = held_sum_ / num_held_;
-  if (num_held_ > 0 && rest_held_sum_ > kLeastRest * num_held_) {
-    record.rest_asked = rest_held_asked_ / num_held_;
-    record.rest_held = rest_held_sum_ / num_held_;
+  if (held_time_ > 0.0) record.held = held_sum_ / held_time_;
+  if (held_time_ > 0.0 && rest_held_sum_ > kLeastRest * held_time_) {
+    record.rest_asked = rest_held_asked_ / held_time_;
+    record.rest_held = rest_held_sum_ / held_time_;
   }
   record.peak = peak_;
   record.was_in_band = was_in_band_;
@@ -406,15 +406,15 @@ GripRecord GripRegulator::MakeRecord() const {
     DigitGripRecord& of = record.digits.emplace_back();
     of.digit = setup_->hand->digits[static_cast<size_t>(digit.digit)].id;
     of.opposes = digit.opposes;
-    of.asked = num_held_ > 0 ? digit.asked_sum / num_held_ : digit.asked;
+    of.asked = held_time_ > 0.0 ? digit.asked_sum / held_time_ : digit.asked;
     of.closed = digit.closed;
-    if (num_held_ > 0) of.held = digit.held_sum / num_held_;
+    if (held_time_ > 0.0) of.held = digit.held_sum / held_time_;
     of.closing = digit.CalcClosing();
-    const bool was_lost = num_held_ == 0 && !std::isnan(closed_);  // then the end says nothing
+    const bool was_lost = held_time_ == 0.0 && !std::isnan(closed_);  // then the end says nothing
     const auto [fault, joint] =
         was_lost ? digit.fault
-                 : FindFault(digit, of.asked, num_held_ > 0 ? of.held : digit.force,
-                             num_held_ > 0 ? digit.pressed_sum / num_held_ : digit.pressed);
+                 : FindFault(digit, of.asked, held_time_ > 0.0 ? of.held : digit.force,
+                             held_time_ > 0.0 ? digit.pressed_sum / held_time_ : digit.pressed);
     of.fault = fault;
     if (joint >= 0) of.joint = setup_->hand->joints[static_cast<size_t>(joint)].name;
   }

@@ -48,11 +48,12 @@ class GripRegulator {
   /** @param digits  those that grasp, indices into Hand::digits. */
   GripRegulator(const TrialSetup& setup, const std::vector<int>& digits);
 
-  /** After a step. @param phase  it was in.  @param sensors  null: it feels the contacts. */
+  /** After a step. @param phase  it was in.  @param sensors  null: it feels the contacts.
+  @param duration  of the step [s]. */
   void Observe(Phase phase, World& world, const std::vector<HandContact>& contacts,
-               const TouchSensors* sensors);
-  /** The next command. @param phase  in which the step begins. */
-  void Advance(Phase phase);
+               const TouchSensors* sensors, double duration);
+  /** The next command. @param phase  in which the step begins.  @param duration  of the step [s]. */
+  void Advance(Phase phase, double duration);
   /** Puts the digits' part into a command for a common closing. */
   void Command(WorldCommand& command) const;
 
@@ -96,8 +97,8 @@ class GripRegulator {
   void FollowTouches(const World& world, const std::vector<HandContact>& contacts,
                      const TouchSensors* sensors);
   void FindSmallest(const World& world, const std::vector<HandContact>& contacts);
-  void ShareForce(const std::vector<PartLoad>& loads);
-  void ShareWithinSide();
+  void ShareForce(const std::vector<PartLoad>& loads, double duration);
+  void ShareWithinSide(double duration);
   void TakeBack(DigitGrip& digit, const World& world) const;
   bool IsAtLimit(const DigitGrip& digit, int joint, double share) const;
   bool IsAtLimit(const DigitGrip& digit) const;
@@ -107,12 +108,11 @@ class GripRegulator {
   std::pair<GripFault, int> FindFault(const DigitGrip& digit, double asked, double reached,
                                       double pressed) const;
   double CalcAskedForce() const;
-  void NoteHold(Phase phase);
+  void NoteHold(Phase phase, double duration);
 
   std::shared_ptr<const TrialSetup> setup_;  // shared by copies
   GripMode mode_;
   bool is_saturating_;
-  double step_;
   double most_closing_;     // s of a digit that presses
   Eigen::VectorXd way_;     // q_target - q_pre
   std::vector<int> parts_;  // of each link: a digit's place in digits_, or the rest's
@@ -127,7 +127,7 @@ class GripRegulator {
   double peak_ = 0.0, closed_ = kUnset, held_sum_ = 0.0, held_asked_ = 0.0;
   double rest_held_sum_ = 0.0, rest_held_asked_ = 0.0;
   bool was_in_band_ = false;
-  int num_held_ = 0;
+  double held_time_ = 0.0;  // of the hold [s]
   Phase phase_ = Phase::kPlacing;
   Eigen::VectorXd drive_positions_;  // of the last step (num_joints)
   std::vector<int> dofs_;            // of each joint

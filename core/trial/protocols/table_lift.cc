@@ -241,7 +241,7 @@ void TableLift::Observe(const StepReport& report) {
                        notes_.grip);
   if (notes_.sensors) notes_.sensors->Observe(notes_.time, hand_contacts_, world_->dynamics());
   notes_.grip.Observe(notes_.strategy.phase(), *world_, hand_contacts_,
-                      notes_.sensors ? &*notes_.sensors : nullptr);
+                      notes_.sensors ? &*notes_.sensors : nullptr, duration);
   notes_.stability.Observe(*world_, notes_.strategy.phase(), notes_.strategy.time_in_phase(),
                            notes_.command.num_steps);
   if (notes_.strategy.phase() == Phase::kHold && !notes_.settled_at &&
@@ -409,12 +409,11 @@ StrategyObservation TableLift::FindObservation() const {
   return observation;
 }
 
-/** A regulated grip, sensors and a person's drives ask for something in every step. */
+/** Sensors and a person's drives ask for something in every step. */
 int TableLift::ChooseNumSteps() const {
   const Phase phase = notes_.strategy.phase();
   const bool is_lifted = phase == Phase::kLiftOff || phase == Phase::kHold;
-  if (!is_lifted || !notes_.steady.are_steady() || notes_.grip.is_regulated() || notes_.sensors ||
-      !setup_.drives.empty()) {
+  if (!is_lifted || !notes_.steady.are_steady() || notes_.sensors || !setup_.drives.empty()) {
     return 1;
   }
   const int num_steps = CalcSteadySteps(setup_.sim);
@@ -427,8 +426,9 @@ int TableLift::ChooseNumSteps() const {
 
 StrategyCommand TableLift::NextCommand(const StrategyObservation& observation, int num_steps) {
   const Phase phase = notes_.strategy.phase();
-  const StrategyCommand command = notes_.strategy.Step(num_steps * setup_.sim.step, observation);
-  notes_.grip.Advance(phase);
+  const double duration = num_steps * setup_.sim.step;
+  const StrategyCommand command = notes_.strategy.Step(duration, observation);
+  notes_.grip.Advance(phase, duration);
   return command;
 }
 

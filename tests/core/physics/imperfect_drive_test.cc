@@ -11,8 +11,6 @@
 #include "core/hand/load_hand.h"
 #include "core/physics/implicit_world.h"
 #include "core/physics/known_answers/small_scenes.h"
-#include "core/physics/simbody/simbody_dynamics.h"
-#include "core/physics/simbody/simbody_model.h"
 
 namespace graspbench {
 namespace {
@@ -272,26 +270,6 @@ TEST(ImperfectDriveTest, YieldingCouplingsKeepTheEnergy) {
         });
     EXPECT_LT(highest - start, 1e-5 * std::abs(start)) << step;
     EXPECT_LT(std::abs(bench.world().CalcEnergyResidual()), 1e-4 * std::abs(start)) << step;
-  }
-}
-
-// The equations of motion with deviations are Simbody's, projected by the rates.
-TEST(ImperfectDriveTest, YieldingHandsMoveAsSimbodySays) {
-  for (const char* id : {"tum", "shadow"}) {
-    Hand hand = LoadHand(id);
-    for (HandJoint& joint : hand.joints) {
-      if (joint.coupled_to >= 0) joint.coupling_compliance = 0.5;
-    }
-    SmallWorld world(hand, MakeBlock(0.1), SimConfig());
-    VectorXd q = VectorXd::Constant(hand.num_joints(), 0.3);
-    world.start().q = VectorXd::Constant(hand.num_joints(), 0.1);
-    world.start().X_WH = MakePose(MakeRotationRpy(0.3, 0.4, 0.5), Vector3d(0.0, 0.0, 1.0));
-    world.Reset(q);
-    world.Run(0.1);
-    ASSERT_GT(world.state().u.norm(), 0.01);
-    EXPECT_GT(world.state().deviation.norm(), 0.0);
-    SimbodyModel simbody(hand, MakeBlock(0.1).mass_properties);
-    EXPECT_LT(CompareWithSimbody(world.world(), simbody), 1e-9) << id;
   }
 }
 

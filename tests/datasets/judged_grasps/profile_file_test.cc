@@ -106,7 +106,6 @@ TEST(ProfileFile, FaultsAreNamedWithTheirLine) {
   EXPECT_EQ(FindFault("about: mine\n"), "");
   EXPECT_TRUE(Has(FindFault(""), "no profile"));
   EXPECT_TRUE(Has(FindFault("\xff\xfe"), "mine.yaml"));
-  EXPECT_TRUE(Has(FindFault("sim: {multibody: mujoco}\n"), "no multibody"));
   EXPECT_TRUE(Has(FindFault("test: lift\nlift_height_m: 0.04\n"), "above max_shift_m"));
   for (const char* idle : {"test: lift\n", "acceleration_m_per_s2: 0\n"}) {
     EXPECT_TRUE(Has(FindFault(std::string("finds_breaking_load: true\n") + idle), "needs pushes"));

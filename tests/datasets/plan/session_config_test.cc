@@ -160,8 +160,6 @@ TEST(SessionConfig, UnknownNamesAreRefusedWithTheKnownOnes) {
                 "no touch \"sense\"; did you mean \"sensed\"? Known: exact, sensed"},
            Case{"model.coupling_rule=evn", "model.coupling_rule",
                 "no rule \"evn\"; did you mean \"even\"? Known: own, middle-first, even, fixed"},
-           Case{"sim.multibody=mujoco", "sim.multibody",
-                "no multibody \"mujoco\". Known: arrays, simbody"},
        }) {
     EXPECT_EQ(FindProblem({c.setting}), std::pair(std::string(c.key), std::string(c.text)));
   }

@@ -74,7 +74,7 @@ void ExpectEqualsSimbody(const Hand& hand, const Eigen::MatrixXd& T, RandomStrea
   const Eigen::MatrixXd M_all = simbody.CalcMassMatrix().topLeftCorner(joints + 6, joints + 6);
   EXPECT_LT((M - T.transpose() * M_all * T).cwiseAbs().maxCoeff(), 1e-11);
   VectorXd bias(speeds);
-  dynamics.CalcBias(u, gravity, bias);
+  dynamics.CalcBias(M, u, gravity, bias);
   const VectorXd bias_all = simbody.CalcBias(gravity).head(joints + 6);
   EXPECT_LT((bias - T.transpose() * bias_all).cwiseAbs().maxCoeff(), 1e-10);
 }
@@ -108,6 +108,42 @@ TEST(HandDynamics, LinkagesAreSimbodysHandWithTiedSpeeds) {
       T(j, (joint.is_mimic ? joint.coupled_to : j) / 2) = joint.is_mimic ? joint.mimic_ratio : 1.0;
     }
     ExpectEqualsSimbody(hand, T, random);
+  }
+}
+
+// A coupling that yields leaves the follower a speed of its own beside that of what it follows.
+TEST(HandDynamics, YieldingLinkagesAreSimbodysHandWithAddedSpeeds) {
+  RandomStream random("yielding", "test");
+  for (int trial = 0; trial < 10; ++trial) {
+    Hand hand = MakeRandomHand(6, random);
+    HandJoint& follower = hand.joints[3];
+    follower.coupled_to = 1;
+    follower.is_mimic = true;
+    follower.mimic_ratio = random.NextUniform(-2.0, 2.0);
+    follower.coupling_compliance = 0.5;
+    MassProperties object;
+    object.mass = 0.1;
+    object.I_OOcm = 1e-4 * Eigen::Matrix3d::Identity();
+    SimbodyModel simbody(hand, object);
+    HandDynamics dynamics(hand);
+    ASSERT_EQ(dynamics.num_speeds(), 12);  // joints 0..5, of which 3 is the deviation, and base
+    Eigen::MatrixXd T = Eigen::MatrixXd::Identity(12, 12);
+    T(3, 1) = follower.mimic_ratio;
+    const VectorXd q = MakeRandomVector(6, 1.0, random), u = MakeRandomVector(12, 3.0, random);
+    const Vector3d gravity = MakeRandomVector(3, 5.0, random);
+    VectorXd all_speeds = VectorXd::Zero(18);
+    all_speeds.head(12) = T * u;
+    simbody.SetPositions(Pose::Identity(), q, Pose::Identity());
+    simbody.SetSpeeds(all_speeds);
+    dynamics.UpdatePositions(Pose::Identity(), q);
+    Eigen::MatrixXd M(12, 12);
+    dynamics.CalcMassMatrix(M);
+    const Eigen::MatrixXd M_all = simbody.CalcMassMatrix().topLeftCorner(12, 12);
+    EXPECT_LT((M - T.transpose() * M_all * T).cwiseAbs().maxCoeff(), 1e-11);
+    VectorXd bias(12);
+    dynamics.CalcBias(M, u, gravity, bias);
+    EXPECT_LT((bias - T.transpose() * simbody.CalcBias(gravity).head(12)).cwiseAbs().maxCoeff(),
+              1e-10);
   }
 }
 
