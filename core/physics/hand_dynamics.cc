@@ -9,9 +9,13 @@ using Eigen::VectorXd;
 HandDynamics::HandDynamics(const Hand& hand) : tree_(hand) {
   const size_t num_links = hand.links.size();
   chain_.resize(num_links);
+  carried_moment_.resize(num_links);
   for (size_t i = 0; i < num_links; ++i) {
     const HandLink& link = hand.links[i];
+    parent_.push_back(link.parent);
     joint_.push_back(link.joint);
+    link_mass_.push_back(link.mass);
+    p_LLcm_.push_back(link.p_LLcm);
     axis_.push_back(link.axis);
     if (link.parent >= 0) chain_[i] = chain_[link.parent];
     if (link.joint >= 0) chain_[i].push_back(link.joint);
@@ -37,6 +41,8 @@ HandDynamics::HandDynamics(const Hand& hand) : tree_(hand) {
     }
     distal_of_dof_[dof_of_joint_[j]] = static_cast<int>(j);
   }
+  carried_mass_ = link_mass_;
+  for (size_t i = num_links; i-- > 1;) carried_mass_[parent_[i]] += carried_mass_[i];
   X_WL_.assign(num_links, Pose::Identity());
   S_.assign(hand.joints.size(), SpatialVector::Zero());
 }
@@ -54,6 +60,10 @@ void HandDynamics::UpdatePositions(const Pose& X_WH, const VectorXd& q) {
       S_[joint] << a_W, Vector3d(X_WL_[i].translation()).cross(a_W);
     }
   }
+  for (size_t i = 0; i < joint_.size(); ++i) {
+    carried_moment_[i] = link_mass_[i] * (X_WL_[i] * p_LLcm_[i]);
+  }
+  for (size_t i = joint_.size(); i-- > 1;) carried_moment_[parent_[i]] += carried_moment_[i];
 }
 
 void HandDynamics::CalcMassMatrix(Eigen::Ref<Eigen::MatrixXd> M) {
@@ -105,9 +115,18 @@ Eigen::Matrix<double, 6, 6> HandDynamics::CalcBaseMass() const {
   return result;
 }
 
-void HandDynamics::CalcBias(const Eigen::Ref<const Eigen::MatrixXd>& M, const VectorXd& u,
-                            const Vector3d& gravity_W, Eigen::Ref<VectorXd> bias) {
-  bias = -M.rightCols<3>() * gravity_W;
+void HandDynamics::CalcBias(const VectorXd& u, const Vector3d& gravity_W,
+                            Eigen::Ref<VectorXd> bias) {
+  bias.setZero();
+  for (size_t i = 1; i < joint_.size(); ++i) {
+    if (joint_[i] < 0) continue;
+    SpatialVector weight;
+    weight << carried_moment_[i].cross(gravity_W), carried_mass_[i] * gravity_W;
+    const double force = S_[joint_[i]].dot(weight);
+    ForEachSpeed(joint_[i], [&](int dof, double rate) { bias[dof] -= rate * force; });
+  }
+  bias.segment<3>(num_dofs_) -= (carried_moment_[0] - carried_mass_[0] * p_WH_).cross(gravity_W);
+  bias.segment<3>(num_dofs_ + 3) -= carried_mass_[0] * gravity_W;
   if (u.head(num_dofs_ + 3).cwiseAbs().maxCoeff() < kFastSpeed) return;
   VectorXd rates(num_joints() + 6);
   for (int joint = 0; joint < num_joints(); ++joint) rates[joint] = CalcJointSpeed(joint, u);

@@ -66,7 +66,8 @@ class HandDynamics {
     return speed;
   }
 
-  /** Poses of links, motion vectors of joints. @param q  (num_joints) [rad]. */
+  /** Poses of links, motion vectors of joints, carried centres of mass.
+  @param q  (num_joints) [rad]. */
   void UpdatePositions(const Pose& X_WH, const Eigen::VectorXd& q);
 
   const Eigen::Vector3d& p_WH() const { return p_WH_; }
@@ -79,19 +80,19 @@ class HandDynamics {
   /** Mass matrix (num_speeds x num_speeds) for the current positions. */
   void CalcMassMatrix(Eigen::Ref<Eigen::MatrixXd> M);
 
-  /** Generalised force (num_speeds) that gives zero acceleration at speeds u (num_speeds). That of
-  gravity is -M(:, v_WH) g, since a field acts like an acceleration of the base; Coriolis,
-  centrifugal and gyroscopic forces count where a speed is above kFastSpeed.
-  @param M  mass matrix, of these positions or of some very near. */
-  void CalcBias(const Eigen::Ref<const Eigen::MatrixXd>& M, const Eigen::VectorXd& u,
-                const Eigen::Vector3d& gravity_W, Eigen::Ref<Eigen::VectorXd> bias);
+  /** Generalised force (num_speeds) that gives zero acceleration at speeds u (num_speeds): gravity,
+  and where a speed is above kFastSpeed Coriolis, centrifugal and gyroscopic forces. */
+  void CalcBias(const Eigen::VectorXd& u, const Eigen::Vector3d& gravity_W,
+                Eigen::Ref<Eigen::VectorXd> bias);
 
  private:
   Eigen::Matrix<double, 6, 6> CalcBaseMass() const;
 
   HandTree tree_;
   int num_dofs_ = 0;
-  std::vector<int> joint_;  // by link; -1: fixed
+  std::vector<int> parent_, joint_;               // by link; -1: none, fixed
+  std::vector<double> link_mass_, carried_mass_;  // by link
+  std::vector<Eigen::Vector3d> p_LLcm_;           // by link
   std::vector<Eigen::Vector3d> axis_;
   std::vector<bool> slides_;  // by joint
   std::vector<std::vector<int>> chain_;
@@ -102,8 +103,9 @@ class HandDynamics {
   std::vector<int> joint_of_dof_;
   std::vector<int> distal_of_dof_;
   std::vector<Pose> X_WL_;
-  std::vector<CarriedMass> carried_;  // by link
-  std::vector<SpatialVector> S_;      // by joint
+  std::vector<CarriedMass> carried_;             // by link
+  std::vector<Eigen::Vector3d> carried_moment_;  // by link, about the world's origin [kg m]
+  std::vector<SpatialVector> S_;                 // by joint
   Eigen::Vector3d p_WH_ = Eigen::Vector3d::Zero();
 };
 

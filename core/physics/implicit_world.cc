@@ -25,8 +25,8 @@ constexpr double kBiasProductTolerance = 1e-4;
 /** What moves no faster stands [rad/s, m/s]. A contact settles within its relaxation time, so 1e-5 N
 of its force are still missing then. */
 constexpr double kStandingSpeed = 1e-8;
-/** The hand's mass matrix is kept until a joint has moved, or the hand turned, by this much [rad], of
-slides [m]: it changes by as small a share then. */
+/** The hand's mass matrix is kept until a joint has moved, or the hand turned, by this much [rad],
+of slides [m]: it changes by as small a share then. */
 constexpr double kKeptAngle = 1e-3;
 constexpr double kMostSpeed = 1e6;  // [m/s], [rad/s]
 
@@ -222,8 +222,7 @@ void ImplicitWorld::AddRollingResistance() {
 void ImplicitWorld::CalcBias(const VectorXd& mean_speeds, const Vector3d& acceleration_W) {
   const int base = dynamics_.num_dofs(), object = dynamics_.num_speeds();
   VectorXd& bias = problem_.bias;
-  dynamics_.CalcBias(problem_.M.topLeftCorner(object, object), mean_speeds.head(object),
-                     state_.gravity_W, bias.head(object));
+  dynamics_.CalcBias(mean_speeds.head(object), state_.gravity_W, bias.head(object));
   const Eigen::Matrix<double, 6, 1> inertia =
       problem_.M.block<6, 3>(base, base + 3) * acceleration_W;
   carrying_ = bias.segment<6>(base) + inertia;

@@ -110,7 +110,7 @@ class ImplicitWorld : public World {
   /** Where the hand's part of problem_.M was calculated. */
   struct MassPlace {
     Eigen::VectorXd q;  ///< empty: nowhere
-    Eigen::Matrix3d R_WH;
+    Eigen::Matrix3d R_WH = Eigen::Matrix3d::Identity();
     std::vector<double> rates;  ///< by joint
   };
   MassPlace mass_place_;

@@ -35,7 +35,7 @@ struct JudgedTrial {
 class TrialCourse;
 class WristCamera;
 
-/** Runs trials of one hand and object; builds the Simbody system once and resets it.
+/** Runs trials of one hand and object; builds their world once, and each trial runs in a copy.
 Not to be shared between threads. Never throws for what happens inside a trial. */
 class TrialRunner {
  public:

@@ -119,7 +119,7 @@ std::vector<KnownAnswer> CheckSimbodyDynamics() {
       Eigen::MatrixXd M(speeds, speeds);
       dynamics.CalcMassMatrix(M);
       VectorXd bias(speeds);
-      dynamics.CalcBias(M, u.head(speeds), gravity_W, bias);
+      dynamics.CalcBias(u.head(speeds), gravity_W, bias);
       const Eigen::MatrixXd M_simbody = simbody.CalcMassMatrix().topLeftCorner(speeds, speeds);
       const VectorXd bias_simbody = simbody.CalcBias(gravity_W).head(speeds);
       worst_mass = std::max(worst_mass, (M - M_simbody).cwiseAbs().maxCoeff());
@@ -170,7 +170,7 @@ std::vector<KnownAnswer> CheckCoupledAccelerations() {
         Eigen::MatrixXd M(speeds, speeds);
         dynamics.CalcMassMatrix(M);
         VectorXd bias(speeds);
-        dynamics.CalcBias(M, u, gravity_W, bias);
+        dynamics.CalcBias(u, gravity_W, bias);
         const VectorXd obtained =
             T * M.topLeftCorner(dofs, dofs).llt().solve(T.transpose() * torques - bias.head(dofs));
         worst = std::max(worst, (obtained - expected).norm() / expected.norm());

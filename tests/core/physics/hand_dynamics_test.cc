@@ -104,7 +104,7 @@ TEST(HandDynamics, RodOnAPinHasItsClosedForm) {
   dynamics.CalcMassMatrix(M);
   EXPECT_NEAR(M(0, 0), kMass * kLength * kLength / 3.0, 2e-7);  // the rod is 1e-7 kg m^2 thick
   VectorXd bias(7);
-  dynamics.CalcBias(M, 2.0 * VectorXd::Unit(7, 0), Vector3d(0.0, 0.0, -kStandardGravity), bias);
+  dynamics.CalcBias(2.0 * VectorXd::Unit(7, 0), Vector3d(0.0, 0.0, -kStandardGravity), bias);
   // The rod stands along z at zero and leans by `angle`: gravity pulls it further over.
   const double moment = kMass * kStandardGravity * 0.5 * kLength * std::sin(angle);
   EXPECT_NEAR(bias[0], -moment, 1e-12);

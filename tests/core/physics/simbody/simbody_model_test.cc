@@ -47,7 +47,7 @@ void ExpectEqualsSimbody(const Hand& hand, const Eigen::MatrixXd& T, RandomStrea
   object.mass = 0.1;
   object.I_OOcm = Vector3d(1e-4, 2e-4, 2.5e-4).asDiagonal();
   SimbodyModel simbody(hand, object);
-  HandDynamics dynamics(hand), taken(hand);
+  HandDynamics dynamics(hand);
   const int speeds = dynamics.num_speeds();
   ASSERT_EQ(speeds, T.cols());
   VectorXd q = MakeRandomVector(joints, 1.0, random);
@@ -62,19 +62,15 @@ void ExpectEqualsSimbody(const Hand& hand, const Eigen::MatrixXd& T, RandomStrea
   dynamics.UpdatePositions(X_WH, q);
   std::vector<Pose> X_WL;
   simbody.CalcLinkPoses(X_WL);
-  taken.TakePoses(X_WH, X_WL);
   for (size_t i = 0; i < X_WL.size(); ++i) {
     EXPECT_LT((X_WL[i].matrix() - dynamics.X_WL(static_cast<int>(i)).matrix()).norm(), 1e-12);
-  }
-  for (int j = 0; j < joints; ++j) {
-    EXPECT_TRUE(taken.motion(j).isApprox(dynamics.motion(j), 1e-12)) << j;
   }
   Eigen::MatrixXd M(speeds, speeds);
   dynamics.CalcMassMatrix(M);
   const Eigen::MatrixXd M_all = simbody.CalcMassMatrix().topLeftCorner(joints + 6, joints + 6);
   EXPECT_LT((M - T.transpose() * M_all * T).cwiseAbs().maxCoeff(), 1e-11);
   VectorXd bias(speeds);
-  dynamics.CalcBias(M, u, gravity, bias);
+  dynamics.CalcBias(u, gravity, bias);
   const VectorXd bias_all = simbody.CalcBias(gravity).head(joints + 6);
   EXPECT_LT((bias - T.transpose() * bias_all).cwiseAbs().maxCoeff(), 1e-10);
 }
@@ -141,7 +137,7 @@ TEST(HandDynamics, YieldingLinkagesAreSimbodysHandWithAddedSpeeds) {
     const Eigen::MatrixXd M_all = simbody.CalcMassMatrix().topLeftCorner(12, 12);
     EXPECT_LT((M - T.transpose() * M_all * T).cwiseAbs().maxCoeff(), 1e-11);
     VectorXd bias(12);
-    dynamics.CalcBias(M, u, gravity, bias);
+    dynamics.CalcBias(u, gravity, bias);
     EXPECT_LT((bias - T.transpose() * simbody.CalcBias(gravity).head(12)).cwiseAbs().maxCoeff(),
               1e-10);
   }
