@@ -47,11 +47,26 @@ std::string CalcContentHash(const GraspObject& object) {
       std::all_of(surface.begin() + 2, surface.end(), [](double v) { return std::isnan(v); });
   append(surface.data(), is_friction_all ? 2 : surface.size());
   if (object.approach != Approach::kAutomatic) bytes += RowOf(kApproaches, object.approach).name;
+  if (object.compressible) {
+    append(&object.compressible->force, 1);
+    append(object.compressible->yield.data(), 9);
+  }
   return CalcHashHex(bytes);
 }
 
 std::shared_ptr<const SignedDistanceField> LoadField(const TriMesh& mesh) {
   return SignedDistanceField::LoadOrBuild(mesh, FindCacheRoot() / "sdf");
+}
+
+/** @throws Error(kFormat) where the mesh does not have the size that the key states. */
+void CheckSize(const std::string& key, const Eigen::Vector3d& stated, const GraspObject& object,
+               const ObjectFile& file, const fs::path& path) {
+  if ((object.size - stated).cwiseAbs().maxCoeff() <= kSizeTolerance) return;
+  throw Error(ErrorKind::kFormat, path.string() + ": " + key + " says " +
+                                      FormatSizeInMm(stated, 2) + " mm, but \"" + file.mesh +
+                                      "\" measures " + FormatSizeInMm(object.size, 2) +
+                                      " mm if its unit is " + NameOf(file.mesh_unit) +
+                                      "; correct " + key + " or mesh_unit");
 }
 
 std::shared_ptr<const GraspObject> LoadFolder(const fs::path& folder, const std::string& id,
@@ -73,14 +88,15 @@ std::shared_ptr<const GraspObject> LoadFolder(const fs::path& folder, const std:
   const Eigen::AlignedBox3d box = CalcBounds(object->mesh);
   for (Eigen::Vector3d& p : object->mesh.vertices) p -= box.center();
   object->size = box.sizes();
-  if (file.size.allFinite() && (object->size - file.size).cwiseAbs().maxCoeff() > kSizeTolerance) {
-    throw Error(ErrorKind::kFormat, path.string() + ": size_m says " +
-                                        FormatSizeInMm(file.size, 2) + " mm" + ", but \"" +
-                                        file.mesh + "\" measures " +
-                                        FormatSizeInMm(object->size, 2) + " mm if its unit is " +
-                                        NameOf(file.mesh_unit) + "; correct size_m or mesh_unit");
+  if (file.size.allFinite()) CheckSize("size_m", file.size, *object, file, path);
+  if (file.compression) {
+    CheckSize("compressible.sight_m", file.compression->size_of_sight, *object, file, path);
+    Compressibility& compressible = object->compressible.emplace();
+    compressible.force = file.compression->force;
+    compressible.yield =
+        (0.5 * (file.compression->size_of_sight - file.compression->size_of_grasp)).asDiagonal();
+    compressible.is_sight_guessed = file.compression->is_sight_guessed;
   }
-  object->size_of_sight = file.size_of_sight.allFinite() ? file.size_of_sight : object->size;
 
   const double mass = std::isfinite(file.mass)
                           ? file.mass
@@ -111,6 +127,13 @@ std::shared_ptr<const GraspObject> LoadFolder(const fs::path& folder, const std:
 std::string FormatSizeInMm(const Eigen::Vector3d& size, int decimals) {
   return fmt::format("{0:.{3}f} x {1:.{3}f} x {2:.{3}f}", MmFromM(size.x()), MmFromM(size.y()),
                      MmFromM(size.z()), decimals);
+}
+
+std::string DescribeCompression(const GraspObject& object) {
+  if (!object.compressible) return "";
+  return FormatSizeInMm(CalcSizeOfGrasp(object), 1) +
+         fmt::format(" mm under {:g} N of each fingertip", object.compressible->force) +
+         (object.compressible->is_sight_guessed ? "; the size at rest is a guess" : "");
 }
 
 std::vector<std::string> ListObjects() {
@@ -163,7 +186,7 @@ std::shared_ptr<const GraspObject> LoadMeshObject(const fs::path& path, double s
   const Overlap& overlap = usable.report.overlap;
   object->mass_properties = CalcSolidMassProperties(
       object->mesh, kDensity * (CalcVolume(object->mesh) - overlap.volume), overlap);
-  object->size = object->size_of_sight = CalcBounds(object->mesh).sizes();
+  object->size = CalcBounds(object->mesh).sizes();
   object->surface.friction_static = object->surface.friction_dynamic = 0.0;
   object->content_hash = CalcContentHash(*object);
   object->field = LoadField(object->mesh);

@@ -26,6 +26,10 @@ namespace graspbench {
 /** "12.0 x 34.5 x 6.7", in mm. */
 std::string FormatSizeInMm(const Eigen::Vector3d& size, int decimals);
 
+/** "68.0 x 58.0 x 46.0 mm under 0.7 N of each fingertip; the size at rest is a guess" of a
+compressible object, else empty. */
+std::string DescribeCompression(const GraspObject& object);
+
 /** Ids of the catalogue in the order of the thesis's table 4.1, from
 objects/catalogue/catalogue.yaml. */
 std::vector<std::string> ListObjects();

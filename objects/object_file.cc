@@ -56,8 +56,16 @@ const FileKeys& ListObjectKeys() {
     const FileKeys rest = {
         {"size_m", "", "length, width and height; the mesh must have them within 0.1 mm",
          kAboveZero},
-        {"size_of_sight_m", "", "of something soft: before it is squeezed; else its size",
+        {"compressible", "", "how fingertips compress it (manual: objects); else it is rigid"},
+        {"compressible.force_n", kRequired, "of each fingertip at grasp_m", 0.01, 100},
+        {"compressible.sight_m", kRequired,
+         "length, width and height at rest; the mesh must have them within 0.1 mm", kAboveZero},
+        {"compressible.grasp_m", kRequired,
+         "the same where fingertips press on both sides with force_n; each from 0.6 of sight_m to "
+         "sight_m",
          kAboveZero},
+        {"compressible.sight_guessed", "false", KeyType::kBoolean,
+         "true: nobody measured sight_m; outputs mark it as a guess"},
         {"centre_of_mass_m", "",
          "from the middle of the bounding box; else that of a homogeneous body"},
         {"best_grasp", "", "by hand, by id or name: {tum: g3, shadow: power}"},
@@ -73,6 +81,28 @@ const FileKeys& ListObjectKeys() {
   }();
   return keys;
 }
+
+namespace {
+
+void ReadCompression(YamlMap& map, const std::string& path, Diagnostics& problems,
+                     ObjectFile& file) {
+  const YAML::Node node = map.Child("compressible", Needed::kNo);
+  if (!map.Has("compressible")) return;
+  YamlMap keys(node, path, "compressible", problems, &ListObjectKeys(), "compressible.");
+  Compression& compression = file.compression.emplace();
+  keys.Read("force_n", compression.force);
+  keys.Read("sight_m", compression.size_of_sight);
+  keys.Read("grasp_m", compression.size_of_grasp);
+  keys.Read("sight_guessed", compression.is_sight_guessed, Needed::kNo);
+  keys.FinishKnownKeys();
+  const auto &sight = compression.size_of_sight.array(), &grasp = compression.size_of_grasp.array();
+  if ((grasp > sight).any() || (grasp < kLeastSizeOfGrasp * sight).any()) {
+    keys.Fail("grasp_m",
+              "each size must be from 0.6 of sight_m to sight_m; correct one of the two");
+  }
+}
+
+}  // namespace
 
 ObjectFile LoadObjectFile(const std::filesystem::path& path) {
   return ParseObjectFile(ReadFile(path), path.string());
@@ -101,7 +131,7 @@ ObjectFile ParseObjectFile(const std::string& text, const std::string& path) {
   ReadSurface(map, Needed::kYes, file.surface);
 
   map.Read("size_m", file.size, Needed::kNo);
-  map.Read("size_of_sight_m", file.size_of_sight, Needed::kNo);
+  ReadCompression(map, path, problems, file);
   map.Read("centre_of_mass_m", file.p_OOcm, Needed::kNo);
 
   ReadApproach(map, file.approach);

@@ -12,7 +12,11 @@ object.yaml: what is known of a thing to grasp beside its mesh.
     contact_stiffness_n_per_m: 5e4        # of one contact point; else as the session has it
     torsion_radius_m: 0.003               # of a soft surface
     size_m: [0.12, 0.085, 0.09]           # the mesh must have it within 0.1 mm
-    size_of_sight_m: [0.12, 0.085, 0.09]  # if soft: the size before it is squeezed
+    compressible:                         # if soft: how fingertips compress it
+      force_n: 0.7                        # of each
+      sight_m: [0.12, 0.085, 0.09]        # at rest; the mesh must have it within 0.1 mm
+      grasp_m: [0.12, 0.08, 0.08]         # where they press on both sides; from 0.6 of sight_m
+      sight_guessed: true                 # nobody measured it; outputs say so
     centre_of_mass_m: [0.01, 0, 0]        # from the middle of the bounding box; else homogeneous
     best_grasp: {tum: g3, shadow: g1}     # by hand
     grasp_order: [g1, g3, g2, g5, g4]     # for hands not named above, best first
@@ -23,6 +27,7 @@ object.yaml: what is known of a thing to grasp beside its mesh.
 #include <Eigen/Core>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +40,14 @@ object.yaml: what is known of a thing to grasp beside its mesh.
 
 namespace graspbench {
 
+/** How fingertips compress a thing, as `compressible` states it. */
+struct Compression {
+  double force = 0.0;                                                 ///< of each [N]
+  Eigen::Vector3d size_of_sight = Eigen::Vector3d::Constant(kUnset);  ///< at rest [m]
+  Eigen::Vector3d size_of_grasp = Eigen::Vector3d::Constant(kUnset);  ///< under the force [m]
+  bool is_sight_guessed = false;
+};
+
 /** Values that were left out are NaN. */
 struct ObjectFile {
   std::string name;
@@ -43,11 +56,11 @@ struct ObjectFile {
   double mass = kUnset;     ///< [kg]; either this
   double density = kUnset;  ///< [kg/m^3]; or this
   SurfaceMaterial surface;
-  Eigen::Vector3d size = Eigen::Vector3d::Constant(kUnset);           ///< [m]
-  Eigen::Vector3d size_of_sight = Eigen::Vector3d::Constant(kUnset);  ///< [m]
-  Eigen::Vector3d p_OOcm = Eigen::Vector3d::Constant(kUnset);         ///< [m]
-  std::map<std::string, std::string> best_grasp;                      ///< by hand id
-  std::vector<std::string> grasp_order;                               ///< empty: left out
+  Eigen::Vector3d size = Eigen::Vector3d::Constant(kUnset);  ///< [m]
+  std::optional<Compression> compression;
+  Eigen::Vector3d p_OOcm = Eigen::Vector3d::Constant(kUnset);  ///< [m]
+  std::map<std::string, std::string> best_grasp;               ///< by hand id
+  std::vector<std::string> grasp_order;                        ///< empty: left out
   Approach approach = Approach::kAutomatic;
   bool has_separate_parts = false;                          ///< bodies that do not touch are meant
   Eigen::Vector3d colour = Eigen::Vector3d(0.8, 0.7, 0.5);  ///< linear RGB

@@ -6,6 +6,7 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/base/version.h"
+#include "objects/catalogue.h"
 #include "reports/page/layout.h"
 #include "reports/page/models.h"
 #include "reports/plots/trial_plots.h"
@@ -137,8 +138,10 @@ Html DrawFindings(const DrawnTrial& data) {
 std::string DescribeMethod(const TrialSetup& setup, const TrialRecord& record) {
   const TrialDraw& draw = setup.draw;
   return "The " + setup.hand->name + " grasped one object (" + setup.object->name + ", " +
-         FormatFixed(GFromKg(setup.object->mass_properties.mass), 1) + " g, friction " +
-         FormatFixed(setup.object->surface.friction_static, 2) + " static and " +
+         FormatFixed(GFromKg(setup.object->mass_properties.mass), 1) + " g, " +
+         (setup.object->compressible ? "compressed to " + DescribeCompression(*setup.object) + ", "
+                                     : "") +
+         "friction " + FormatFixed(setup.object->surface.friction_static, 2) + " static and " +
          FormatFixed(setup.object->surface.friction_dynamic, 2) + " dynamic) by the grasp " +
          NameOfDone(record) + " in a physical simulation. The object stood " +
          FormatFixed(MmFromM(draw.offset_x), 1) + " mm and " +

@@ -221,7 +221,7 @@ std::shared_ptr<const GraspObject> MakeShape(const ShapeRow& row, const std::str
   Eigen::AlignedBox3d box;
   for (const Vector3d& p : object->mesh.vertices) box.extend(p);
   for (Vector3d& p : object->mesh.vertices) p -= box.center();
-  object->size = object->size_of_sight = box.sizes();
+  object->size = box.sizes();
   const double mass = density * CalcVolume(object->mesh);
   object->mass_properties = CalcSolidMassProperties(object->mesh, mass);
   // Of a bulb as a whole the middle is not that of its weight, and it would tip.

@@ -49,6 +49,7 @@ Collider::Collider(const Hand& hand, const GraspObject& object, const SimConfig&
       spheres_(hand.contact_spheres),
       capsules_(hand.capsules),
       field_(object.field.get()),
+      compressible_(object.compressible),
       support_(TableSupport::Of(object)) {
   GroupSpheres();
   FindPairs(hand);
@@ -193,6 +194,7 @@ void Collider::FindHandObject(const HandDynamics& dynamics, const Pose& X_WO,
                               std::vector<ContactPoint>& contacts) {
   const Eigen::Matrix3d R_WO = X_WO.linear();
   const Vector3d p_WO = X_WO.translation();
+  pressing_.clear();
   for (size_t g = 0; g < link_spheres_.size(); ++g) {
     const LinkSpheres& group = link_spheres_[g];
     const Pose& X_WL = dynamics.X_WL(group.link);
@@ -227,11 +229,27 @@ void Collider::FindHandObject(const HandDynamics& dynamics, const Pose& X_WO,
       contact.is_on_object = true;
       contact.memory = &hand_object_memory_[i];
       SetRadius(sphere.radius, contact);
-      PrepareContact(h_, step_number, contact);
-      AddJointRows(dynamics, group.link, 1.0, contact);
-      AddBodyRows(dynamics.num_dofs(), dynamics.p_WH(), contact.p_WC, 1.0, contact);
-      AddBodyRows(dynamics.num_speeds(), p_WOcm, contact.p_WC, -1.0, contact);
+      if (compressible_) {
+        pressing_.push_back(
+            {p_OS, R_WO.transpose() * contact.nhat_BA_W, sphere.radius, contact.depth});
+      }
     }
+  }
+  if (compressible_) YieldToHand(contacts);
+  for (ContactPoint& contact : contacts) {
+    PrepareContact(h_, step_number, contact);
+    AddJointRows(dynamics, contact.link, 1.0, contact);
+    AddBodyRows(dynamics.num_dofs(), dynamics.p_WH(), contact.p_WC, 1.0, contact);
+    AddBodyRows(dynamics.num_speeds(), p_WOcm, contact.p_WC, -1.0, contact);
+  }
+}
+
+void Collider::YieldToHand(std::vector<ContactPoint>& contacts) {
+  CalcSurfaceYields(*compressible_, pressing_, yields_);
+  for (size_t i = 0; i < contacts.size(); ++i) {
+    ContactPoint& contact = contacts[i];
+    contact.surface = yields_[i];
+    contact.p_WC -= 0.5 * CalcCompression(contact, contact.depth).surface * contact.nhat_BA_W;
   }
 }
 

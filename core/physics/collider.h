@@ -2,7 +2,8 @@
 /** @file
 Finds the points of contact of a scene: hand spheres against the object's distance field, hand
 spheres and the object against the table (z = 0), links of the hand against each other (capsules).
-Movable parts of an object (keys, a folding rule) are rigid.
+Movable parts of an object (keys, a folding rule) are rigid. The surface of a compressible object
+gives way to the hand (soft_surface.h); the point of contact is then where the surface has gone.
 
 Points with a gap below kMargin are included, so that a fast approach is felt one step ahead. Order
 and names of contacts are fixed: the same scene gives the same list. */
@@ -10,6 +11,7 @@ and names of contacts are fixed: the same scene gives the same list. */
 #include <Eigen/Core>
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/hand/hand.h"
@@ -83,6 +85,9 @@ class Collider {
                           const Eigen::Vector3d& p_WFriction, double sign, ContactPoint& contact);
   void FindHandObject(const HandDynamics& dynamics, const Pose& X_WO, const Eigen::Vector3d& p_WOcm,
                       int step_number, std::vector<ContactPoint>& contacts);
+  /** Lets a compressible object's surface give way to contacts that are not prepared yet, those of
+  pressing_. */
+  void YieldToHand(std::vector<ContactPoint>& contacts);
   void FindHandTable(const HandDynamics& dynamics, int step_number,
                      std::vector<ContactPoint>& contacts);
   void FindObjectTable(const HandDynamics& dynamics, const Pose& X_WO,
@@ -115,6 +120,9 @@ class Collider {
   std::vector<PlacedCapsule> placed_capsules_;  // of the current step
   std::vector<Eigen::Vector3d> p_WCapsules_;    // p_LCapsules_ in W
   const SignedDistanceField* field_;
+  std::optional<Compressibility> compressible_;
+  std::vector<PressingBall> pressing_;  // of the current step, where the object is compressible
+  std::vector<SurfaceYield> yields_;    // as pressing_
   std::shared_ptr<const TableSupport> support_;
   std::vector<ContactMaterial> link_object_, link_table_;  // by link
   ContactMaterial object_table_;

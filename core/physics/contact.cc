@@ -14,8 +14,7 @@ constexpr double kLeastCompression = 1e-6;
 /** Sets the stiffness along the patch and the torsion radius of a contact with a pad. */
 void ApplyPatch(ContactPoint& contact) {
   ContactMaterial& material = contact.material;
-  const PadCompression state =
-      CalcPadCompression(contact.hertz, material.stiffness, material.pad.depth, contact.depth);
+  const PadCompression state = CalcCompression(contact, contact.depth);
   // hertz / (4/3 E*) is the root of R.
   const double patch = contact.hertz / (4.0 / 3.0 * material.pad.modulus) *
                        std::sqrt(std::max(state.compression, kLeastCompression));
@@ -96,6 +95,41 @@ PadCompression CalcPadCompression(double hertz, double stiffness, double pad_dep
   return {w * w, hertz * w * w * w, 1.0 / (1.0 / (1.5 * hertz * w) + 1.0 / stiffness)};
 }
 
+PadCompression CalcCompression(const ContactPoint& contact, double x) {
+  if (!(x > 0.0)) return {};
+  const double k = contact.material.stiffness, pad_depth = contact.material.pad.depth;
+  const auto calc_rigid = [&](double depth) {
+    return contact.hertz > 0.0 ? CalcPadCompression(contact.hertz, k, pad_depth, depth)
+                               : PadCompression{0.0, k * depth, k};
+  };
+  const SurfaceYield& surface = contact.surface;
+  if (surface.factor == 0.0) return calc_rigid(x);
+  const double full = surface.factor * surface.depth * surface.depth;
+  const double pad = contact.hertz > 0.0 ? std::pow(contact.hertz, -2.0 / 3.0) : 0.0;
+  const auto calc_pad = [&](double root) { return pad * root * std::cbrt(root); };
+  if (x >= surface.depth + std::min(calc_pad(std::sqrt(full)), pad_depth) + full / k) {
+    PadCompression state = calc_rigid(x - surface.depth);
+    state.surface = surface.depth;
+    return state;
+  }
+  // With w the root of the force: w / sqrt(c) + pad w^(4/3) + w^2 / k = x. Convex: from above Newton
+  // only falls.
+  const double across = 1.0 / std::sqrt(surface.factor);
+  const double at_pad_end = pad > 0.0 ? std::pow(pad_depth / pad, 0.75) : 0.0;
+  const bool is_pad_full =
+      pad > 0.0 && x >= at_pad_end * across + pad_depth + at_pad_end * at_pad_end / k;
+  const double shared = is_pad_full ? x - pad_depth : x, elastic = is_pad_full ? 0.0 : pad;
+  double w = std::min(shared / across, std::sqrt(k * shared)), slope = 1.0;
+  for (int i = 0; i < 50; ++i) {
+    const double root = std::cbrt(w);
+    slope = across + 4.0 / 3.0 * elastic * root + 2.0 * w / k;
+    const double change = (across * w + elastic * w * root + w * w / k - shared) / slope;
+    w -= change;
+    if (change <= 1e-8 * w) break;
+  }
+  return {is_pad_full ? pad_depth : calc_pad(w), w * w, 2.0 * w / slope, across * w};
+}
+
 void SetRadius(double radius, ContactPoint& contact) {
   const PadMaterial& pad = contact.material.pad;
   if (pad.is_soft()) contact.hertz = CalcHertzFactor(pad.modulus, radius);
@@ -147,15 +181,9 @@ ContactForces CalcContactForces(const ContactPoint& contact, const ContactRates&
   const double ahead = std::max(contact.depth, 0.0) -
                        (h + material.relaxation_time) * (vn - std::min(contact.depth, 0.0) / h);
   if (ahead > 0.0) {
-    if (contact.hertz > 0.0) {
-      const PadCompression pad =
-          CalcPadCompression(contact.hertz, material.stiffness, material.pad.depth, ahead);
-      result.force[kNormalRow] = pad.force;
-      result.normal_slope = pad.slope;
-    } else {
-      result.force[kNormalRow] = material.stiffness * ahead;
-      result.normal_slope = material.stiffness;
-    }
+    const PadCompression state = CalcCompression(contact, ahead);
+    result.force[kNormalRow] = state.force;
+    result.normal_slope = state.slope;
   }
   if (!contact.memory) return result;
 

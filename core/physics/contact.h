@@ -8,7 +8,8 @@ normal rate separates. Everything below is evaluated at the END of the step, wit
 and depth x0 the penetration at its middle:
 
     normal     fn = F(x0+ - (h + tau) (vn - x0-/h))       x0+ the depth or 0, x0- minus the gap or 0
-                    F(x) = k x+ where both sides are bare, that of a pad where one is soft
+                    F(x) = k x+ where both sides are bare, that of a pad where one is soft,
+                    in series with the surface of a compressible object (soft_surface.h)
     friction   (ft, m/r) = -clip(kt (s + h vt) + ct vt, mu fn)
                with s = (bristle, r phi) and vt = (tangential speed, r wn)
 
@@ -36,6 +37,7 @@ resistance, wear, adhesion. */
 
 #include "core/base/units.h"
 #include "core/physics/sim_config.h"
+#include "core/physics/soft_surface.h"
 #include "core/shape/surface_material.h"
 
 namespace graspbench {
@@ -69,11 +71,13 @@ struct PadMaterial {
   bool is_soft() const { return modulus > 0.0; }
 };
 
-/** How a pad of force over compression F = hertz y^1.5 and a spring share a depth. */
+/** How a pad of force over compression F = hertz y^1.5, a spring and, of a compressible object, the
+surface share a depth. */
 struct PadCompression {
-  double compression = 0.0;  ///< y [m]
+  double compression = 0.0;  ///< y of the pad [m]
   double force = 0.0;        ///< [N]
   double slope = 0.0;        ///< dF / dx [N/m]
+  double surface = 0.0;      ///< y of the surface [m]
 };
 
 /** @param hertz  4/3 E* sqrt(R) [N/m^1.5]   @param stiffness  k [N/m]
@@ -124,8 +128,9 @@ struct ContactPoint {
   static constexpr int kMaxChain =
       kMaxDofs / 2;  ///< joints between root and link: two chains, or one, base and object
 
-  ContactMaterial material;  ///< with a pad, PrepareContact sets kt and r to those of the patch
-  double hertz = 0.0;        ///< 4/3 E* sqrt(R) [N/m^1.5]; 0: bare
+  ContactMaterial material;   ///< with a pad, PrepareContact sets kt and r to those of the patch
+  double hertz = 0.0;         ///< 4/3 E* sqrt(R) [N/m^1.5]; 0: bare
+  SurfaceYield surface = {};  ///< of a compressible object
   Eigen::Vector3d p_WC = Eigen::Vector3d::Zero();
   Eigen::Vector3d nhat_BA_W = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d tangent1_W = Eigen::Vector3d::UnitX();
@@ -146,6 +151,8 @@ struct ContactPoint {
   double friction_limit = 0.0;  ///< mu fn in this pass of the solver [N]
   bool is_dynamic = false;      ///< mu is that of sliding
 
+  /** The normal force is not proportional to the depth. */
+  bool is_nonlinear() const { return hertz > 0.0 || surface.factor > 0.0; }
   double mu() const { return is_dynamic ? material.friction_dynamic : material.friction_static; }
   int num_rows() const {
     if (!memory) return 1;
@@ -166,6 +173,9 @@ struct ContactGains {
   /** Of the tangent rows and the spin row among each other: 11, 12, 22, 1s, 2s, ss. */
   std::array<double, 6> friction = {0, 0, 0, 0, 0, 0};
 };
+
+/** At this depth [m]; no force at or below zero. */
+PadCompression CalcCompression(const ContactPoint& contact, double x);
 
 /** Makes it that of a ball of this radius, which matters to a pad. @pre material is set. */
 void SetRadius(double radius, ContactPoint& contact);

@@ -443,10 +443,10 @@ StepReport ImplicitWorld::MakeReport(const VectorXd& v, bool converged) const {
     report.touch_age[contact.link] =
         std::max(report.touch_age[contact.link], CalcTouchAge(contact));
     report.worst_contact_force = std::max(report.worst_contact_force, fn);
+    double depth = contact.depth - 0.5 * problem_.h * solver_.rates()[c][kNormalRow];
+    if (contact.surface.factor > 0.0) depth -= CalcCompression(contact, depth).surface;
     report.worst_penetration =
-        std::max(report.worst_penetration, contact.depth -
-                                               0.5 * problem_.h * solver_.rates()[c][kNormalRow] -
-                                               contact.material.pad.depth);
+        std::max(report.worst_penetration, depth - contact.material.pad.depth);
   }
   Eigen::Matrix<double, 6, 1> arm;
   for (int k = 0; k < 6; ++k) {

@@ -144,7 +144,7 @@ constexpr double kLimitForce = 1e-6;  ///< [N]
 constexpr double kMostMixing = 10.0;
 /** Nor below this share of what the pass gave. */
 constexpr double kLeastShare = 0.5;
-/** The factor serves on while a pad's gains change by less than this share. */
+/** The factor serves on while the gains of a pad or of a surface that yields change by less than this share. */
 constexpr double kPadGainShare = 1e-3;
 /** A factor of an earlier step that leaves more of the residual is of no more use. */
 constexpr double kStaleShare = 0.01;
@@ -301,8 +301,8 @@ bool StepSolver::UpdateFactor(const StepProblem& problem, const Eigen::VectorXd&
                          CalcContactGains(contact, rates_[c], forces_[c], problem.h)};
     GainKey& last = gains_[c];
     is_same = is_same && key.link == last.link && key.num_dofs == last.num_dofs &&
-              AreAlike(key.gains, last.gains, contact.hertz > 0.0 ? kPadGainShare : 0.0);
-    if (!is_same || contact.hertz == 0.0) last = key;
+              AreAlike(key.gains, last.gains, contact.is_nonlinear() ? kPadGainShare : 0.0);
+    if (!is_same || !contact.is_nonlinear()) last = key;
   }
   is_inside_.resize(problem.scalars.size());
   scalar_gains_.resize(problem.scalars.size());

@@ -64,7 +64,8 @@ struct StepReport {
   double grip_force = 0.0;                ///< sum of normal forces of the hand on the object [N]
   double table_force = 0.0;               ///< normal force of the table on the object [N]
   double worst_penetration = 0.0;         ///< deepest point of the hand in the object beyond the
-                                          ///< depth of its pad [m]
+                                          ///< depth of its pad and, of a compressible one, of
+                                          ///< its surface under the force [m]
   double worst_contact_force = 0.0;       ///< largest normal force of one hand contact [N]
   double arm_force = 0.0;                 ///< that the arm bears beside the hand itself [N]
   double arm_moment = 0.0;                ///< the same about H's origin [N m]

@@ -6,6 +6,7 @@ from a user's mesh; shared read-only between threads. */
 #include <Eigen/Core>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,15 +37,26 @@ inline constexpr ApproachRow kApproaches[] = {
 /** The key `approach`, which may be left out; another word is a problem with a hint. */
 void ReadApproach(YamlMap& map, Approach& approach);
 
+/** How a compressible object gives way to fingers (core/physics/soft_surface.h). */
+struct Compressibility {
+  double force = 0.0;  ///< of one fingertip [N]
+  /** By nhat^T yield nhat the surface whose normal in O is nhat gives way to it [m]. */
+  Eigen::Matrix3d yield = Eigen::Matrix3d::Zero();
+  bool is_sight_guessed = false;  ///< nobody measured the size at rest
+};
+
+/** No side of an object may be compressed to less than this share of its size at rest. */
+inline constexpr double kLeastSizeOfGrasp = 0.6;
+
 struct GraspObject {
   std::string id;    ///< "adhesive_tape"
   std::string name;  ///< "adhesive tape"
   /** In frame O: centre of the bounding box as the object rests on the table; x along length, y
-  along width, z up. These are the sizes of grasp (what three fingers compress a soft object to). */
+  along width, z up. At rest: what a camera sees of a compressible object. */
   TriMesh mesh;
-  std::shared_ptr<const SignedDistanceField> field;         ///< of `mesh`
-  Eigen::Vector3d size = Eigen::Vector3d::Zero();           ///< of grasp: length, width, height [m]
-  Eigen::Vector3d size_of_sight = Eigen::Vector3d::Zero();  ///< what a camera sees [m]
+  std::shared_ptr<const SignedDistanceField> field;  ///< of `mesh`
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();    ///< length, width, height at rest [m]
+  std::optional<Compressibility> compressible;       ///< none: it is rigid
   MassProperties mass_properties;
   SurfaceMaterial surface;  ///< its friction is that against the hand
   /** Best-suited standard grasp, "g1".."g5", by hand id; hands not named here use grasp_order. */
@@ -58,5 +70,12 @@ struct GraspObject {
   /** By how much it was turned from how its mesh lay to how it rests (resting_pose.h) [rad]. */
   double turned_to_rest = 0.0;
 };
+
+/** Its size where fingertips press with Compressibility::force on both sides of each axis; of a
+rigid one its size [m]. */
+inline Eigen::Vector3d CalcSizeOfGrasp(const GraspObject& object) {
+  if (!object.compressible) return object.size;
+  return object.size - 2.0 * object.compressible->yield.diagonal();
+}
 
 }  // namespace graspbench

@@ -112,8 +112,10 @@ void LayDown(GraspObject& object) {
     box.extend(p);
   }
   for (Vector3d& p : object.mesh.vertices) p -= box.center();
-  if (object.size_of_sight == object.size) object.size_of_sight = box.sizes();
   object.size = box.sizes();
+  if (object.compressible) {
+    object.compressible->yield = R_RO * object.compressible->yield * R_RO.transpose();
+  }
   mass.p_OOcm = R_RO * mass.p_OOcm - box.center();
   mass.I_OOcm = R_RO * mass.I_OOcm * R_RO.transpose();
   object.turned_to_rest = Eigen::AngleAxisd(R_RO).angle();

@@ -116,9 +116,9 @@ TriMesh DrawToyPropeller() {
 
 TriMesh DrawToyCube() { return MakeRoundedBox({31.0, 31.0, 31.0}, 2.0, 5); }
 
-TriMesh DrawTissuePack() { return MakeWrappedBar({107.0, 53.0, 25.0}, 3.5, 9.0, 6.0); }
+TriMesh DrawTissuePack() { return MakeWrappedBar({107.0, 53.0, 28.0}, 3.5, 9.0, 6.0); }
 
-TriMesh DrawChocolateBar() { return MakeWrappedBar({101.0, 30.5, 22.0}, 8.0, 5.0, 4.0); }
+TriMesh DrawChocolateBar() { return MakeWrappedBar({101.0, 32.0, 24.0}, 8.0, 5.0, 4.0); }
 
 // A thick remote control: rows of buttons, and one wide button near the front.
 TriMesh DrawRemoteControl() {

@@ -115,7 +115,7 @@ TriMesh DrawPaperBall() {
       if (normal.dot(p) > 0.5) radius = std::min(radius, distance / normal.dot(p));
     }
     p *= radius * random.NextUniform(0.96, 1.0);
-    p = p.cwiseProduct(Eigen::Vector3d(34.0, 29.0, 23.0));
+    p = p.cwiseProduct(Eigen::Vector3d(36.0, 34.0, 31.0));
   }
   FlattenBottom(ball, 1.5);
   return ball;

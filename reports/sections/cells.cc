@@ -3,6 +3,7 @@
 
 #include "core/base/text/text.h"
 #include "core/base/units.h"
+#include "objects/catalogue.h"
 #include "reports/page/layout.h"
 #include "reports/page/models.h"
 #include "reports/plots/line_plot.h"
@@ -23,8 +24,9 @@ std::string DescribeObject(const CellSummary& cell, const SessionModels& models)
   for (double side : object->size)
     size += (size.empty() ? "" : " × ") + FormatFixed(MmFromM(side), 1);
   return FormatFixed(GFromKg(object->mass_properties.mass), 1) + " g, " + size +
-         " mm (length × width × height), friction " +
-         FormatFixed(object->surface.friction_static, 2) + " static and " +
+         " mm (length × width × height)" +
+         (object->compressible ? ", compressed to " + DescribeCompression(*object) : "") +
+         ", friction " + FormatFixed(object->surface.friction_static, 2) + " static and " +
          FormatFixed(object->surface.friction_dynamic, 2) + " dynamic.";
 }
 

@@ -2,6 +2,7 @@
 #include "core/base/units.h"
 #include "core/base/version.h"
 #include "core/grasp/standard_grasp.h"
+#include "objects/catalogue.h"
 #include "reports/page/layout.h"
 #include "reports/sections/section.h"
 
@@ -97,13 +98,14 @@ Html DrawHands(const ReportData& data) {
 }
 
 Html DrawObjects(const ReportData& data) {
-  Table table("Objects as they were when this page was made; sizes of grasp.",
+  Table table("Objects as they were when this page was made; sizes at rest.",
               {"Object",
                "Id",
                "Mass [g]",
                "Length [mm]",
                "Width [mm]",
                "Height [mm]",
+               {"Compressed", "none: rigid"},
                {"Centre of mass [mm]", "from the geometric centre, along the length"},
                "Static friction",
                "Dynamic friction",
@@ -114,6 +116,7 @@ Html DrawObjects(const ReportData& data) {
     std::vector<Cell> row = {object->name, id,
                              FormatFixed(GFromKg(object->mass_properties.mass), 1)};
     for (double side : object->size) row.push_back(FormatFixed(MmFromM(side), 1));
+    row.push_back(DescribeCompression(*object));
     row.push_back(FormatFixed(MmFromM(object->mass_properties.p_OOcm.x()), 1));
     row.push_back(FormatFixed(object->surface.friction_static, 2));
     row.push_back(FormatFixed(object->surface.friction_dynamic, 2));

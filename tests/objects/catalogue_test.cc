@@ -61,7 +61,7 @@ TEST_F(CatalogueTest, AUsersFolderIsCentredAndHomogeneous) {
   const auto object = LoadObject(folder_.string());
   EXPECT_EQ(object->id, folder_.filename().string());
   EXPECT_LT((object->size - Eigen::Vector3d(0.04, 0.03, 0.02)).norm(), 1e-7);
-  EXPECT_EQ(object->size_of_sight, object->size);
+  EXPECT_FALSE(object->compressible);
   EXPECT_LT(object->mass_properties.p_OOcm.norm(), 1e-7);
   EXPECT_NEAR(object->mass_properties.I_OOcm(0, 0), 0.06 / 12.0 * (0.0009 + 0.0004), 1e-10);
   EXPECT_NEAR(object->field->Query({0.0, 0.0, 0.015}).distance, 0.005, 1e-6);

@@ -19,10 +19,12 @@ TEST(LoadCatalogueTest, EveryObjectIsThatOfTheTable) {
     SCOPED_TRACE(row.id);
     EXPECT_EQ(ids[i], row.id);
     const auto object = LoadObject(row.id);
-    EXPECT_NEAR(MmFromM(object->size.x()), row.length_mm, 0.1);
-    EXPECT_NEAR(MmFromM(object->size.y()), row.width_mm, 0.1);
-    EXPECT_NEAR(MmFromM(object->size.z()), row.height_mm, 0.1);
-    EXPECT_TRUE((object->size_of_sight.array() >= object->size.array() - 1e-9).all());
+    const Eigen::Vector3d size_of_grasp = CalcSizeOfGrasp(*object);
+    EXPECT_NEAR(MmFromM(size_of_grasp.x()), row.length_mm, 0.1);
+    EXPECT_NEAR(MmFromM(size_of_grasp.y()), row.width_mm, 0.1);
+    EXPECT_NEAR(MmFromM(size_of_grasp.z()), row.height_mm, 0.1);
+    EXPECT_EQ(object->compressible.has_value(),
+              row.id == "tissue_pack" || row.id == "paper_ball" || row.id == "chocolate_bar");
     EXPECT_NEAR(GFromKg(object->mass_properties.mass), row.mass_g, 1e-9);
     EXPECT_NEAR(MmFromM(object->mass_properties.p_OOcm.x()), row.offset_mm, 1e-9);
     EXPECT_EQ(object->surface.friction_static, row.friction_static);
@@ -49,6 +51,27 @@ TEST(LoadCatalogueTest, EveryObjectIsThatOfTheTable) {
     hashes.insert(object->content_hash);
   }
   EXPECT_EQ(hashes.size(), ids.size());
+}
+
+// A fingertip of 7 mm radius that went down as far as the surface yields at all, twice half of what
+// the size loses, has not come to where the distance field's gradient turns: the gradient at its
+// centre still points out of the face that it pressed.
+TEST(LoadCatalogueTest, FingertipsStopBeforeTheMiddle) {
+  for (const char* id : {"tissue_pack", "paper_ball", "chocolate_bar"}) {
+    const auto object = LoadObject(id);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double most = 2.0 * object->compressible->yield(axis, axis);
+      for (const double side : {-1.0, 1.0}) {
+        const Eigen::Vector3d outwards = side * Eigen::Vector3d::Unit(axis);
+        for (const double share : {0.5, 0.75, 1.0}) {
+          const Eigen::Vector3d p_OCentre =
+              (0.5 * object->size[axis] - share * most + 0.007) * outwards;
+          EXPECT_GT(object->field->Query(p_OCentre).gradient.dot(outwards), 0.8)
+              << id << ' ' << axis << ' ' << side << ' ' << share;
+        }
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -51,10 +51,16 @@ TEST_F(ObjectFileTest, TheSmallestFileLeavesTheRestUnset) {
 TEST_F(ObjectFileTest, ReadsEveryKey) {
   const ObjectFile file =
       Load(std::string(kSmallest) +
-           "size_m: [0.1, 0.08, 0.06]\nsize_of_sight_m: [0.1, 0.08, 0.07]\n"
+           "size_m: [0.1, 0.08, 0.06]\ncompressible: {force_n: 0.7, sight_m: [0.1, 0.08, 0.06],\n"
+           "  grasp_m: [0.1, 0.07, 0.05], sight_guessed: true}\n"
            "centre_of_mass_m: [0.01, 0, 0]\nbest_grasp: {tum: g3, my_hand: g2}\n"
            "grasp_order: [g2, g1]\ncolour: [1, 0.5, 0]\n");
   EXPECT_EQ(file.size, Eigen::Vector3d(0.1, 0.08, 0.06));
+  ASSERT_TRUE(file.compression);
+  EXPECT_EQ(file.compression->force, 0.7);
+  EXPECT_EQ(file.compression->size_of_sight, Eigen::Vector3d(0.1, 0.08, 0.06));
+  EXPECT_EQ(file.compression->size_of_grasp, Eigen::Vector3d(0.1, 0.07, 0.05));
+  EXPECT_TRUE(file.compression->is_sight_guessed);
   EXPECT_EQ(file.p_OOcm.x(), 0.01);
   EXPECT_EQ(file.best_grasp.at("my_hand"), "g2");
   EXPECT_EQ(file.grasp_order, (std::vector<std::string>{"g2", "g1"}));
@@ -83,6 +89,21 @@ TEST_F(ObjectFileTest, TellsEveryProblemAtItsLine) {
   expect(7, "object, friction_dynamic: is larger than friction_static; swap the two?");
   expect(8, "best_grasp, tum: no standard grasp \"g7\"; did you mean \"g1\"?");
   expect(9, "object: unknown key \"frictoin\"");
+}
+
+TEST_F(ObjectFileTest, RefusesWhatNoFingertipsCompress) {
+  for (const char* grasp : {"[0.1, 0.09, 0.06]", "[0.1, 0.08, 0.03]"}) {
+    const std::string message =
+        FindMessage(std::string(kSmallest) + "compressible: {force_n: 0.7, sight_m: " +
+                    "[0.1, 0.08, 0.06], grasp_m: " + grasp + "}\n");
+    EXPECT_NE(message.find("compressible, grasp_m: each size must be from 0.6 of sight_m to "
+                           "sight_m; correct one of the two"),
+              std::string::npos)
+        << message;
+  }
+  EXPECT_NE(FindMessage(std::string(kSmallest) + "compressible: {sight_m: [0.1, 0.08, 0.06]}\n")
+                .find("the key \"force_n\" is missing"),
+            std::string::npos);
 }
 
 TEST_F(ObjectFileTest, AnUnitIsNeverGuessed) {

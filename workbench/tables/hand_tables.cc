@@ -15,6 +15,8 @@ namespace graspbench {
 
 namespace {
 
+constexpr char kGuessMark[] = "*";  // behind a size
+
 std::string FormatBestGrasps(const GraspObject& object) {
   std::string text;
   for (const auto& [hand, grasp] : object.best_grasp) {
@@ -26,17 +28,23 @@ std::string FormatBestGrasps(const GraspObject& object) {
 }  // namespace
 
 Json MakeObjectJson(const GraspObject& object) {
-  return {{"id", object.id},
-          {"name", object.name},
-          {"mass_kg", object.mass_properties.mass},
-          {"size_m", JsonVector(object.size)},
-          {"size_of_sight_m", JsonVector(object.size_of_sight)},
-          {"centre_of_mass_m", JsonVector(object.mass_properties.p_OOcm)},
-          {"friction_static", object.surface.friction_static},
-          {"friction_dynamic", object.surface.friction_dynamic},
-          {"best_grasp", object.best_grasp},
-          {"triangles", object.mesh.num_triangles()},
-          {"turned_to_rest_deg", DegFromRad(object.turned_to_rest)}};
+  Json json{{"id", object.id},
+            {"name", object.name},
+            {"mass_kg", object.mass_properties.mass},
+            {"size_m", JsonVector(object.size)},
+            {"centre_of_mass_m", JsonVector(object.mass_properties.p_OOcm)},
+            {"friction_static", object.surface.friction_static},
+            {"friction_dynamic", object.surface.friction_dynamic},
+            {"best_grasp", object.best_grasp},
+            {"triangles", object.mesh.num_triangles()},
+            {"turned_to_rest_deg", DegFromRad(object.turned_to_rest)}};
+  if (object.compressible) {
+    json["compressible"] = {{"force_n", object.compressible->force},
+                            {"sight_m", JsonVector(object.size)},
+                            {"grasp_m", JsonVector(CalcSizeOfGrasp(object))},
+                            {"sight_guessed", object.compressible->is_sight_guessed}};
+  }
+  return json;
 }
 
 DescribedObjects DescribeObjects() {
@@ -44,15 +52,24 @@ DescribedObjects DescribeObjects() {
   TextTable table({"id", "mass [g]", "length x width x height [mm]", "mu_s", "mu_d", "best grasp"});
   for (const std::string& id : ListObjects()) {
     const auto object = LoadObject(id);
+    const bool is_guess = object->compressible && object->compressible->is_sight_guessed;
     list.push_back(MakeObjectJson(*object));
     table.AddRow({id, FormatFixed(GFromKg(object->mass_properties.mass), 1),
-                  FormatSizeInMm(object->size, 1), FormatFixed(object->surface.friction_static, 2),
+                  FormatSizeInMm(object->size, 1) + (is_guess ? kGuessMark : ""),
+                  FormatFixed(object->surface.friction_static, 2),
                   FormatFixed(object->surface.friction_dynamic, 2), FormatBestGrasps(*object)});
   }
-  return {Json{{"objects", list}}, table.Format()};
+  return {Json{{"objects", list}},
+          table.Format() + "\n* compressible, and the size at rest is a guess\n"};
 }
 
 namespace {
+
+/** Nothing of a rigid object. */
+std::string FormatCompression(const GraspObject& object) {
+  if (!object.compressible) return "";
+  return "compressed      " + DescribeCompression(object) + "\n";
+}
 
 /** Nothing of an object that lies as it rests. */
 std::string FormatRest(const GraspObject& object) {
@@ -66,10 +83,9 @@ std::string FormatRest(const GraspObject& object) {
 std::string FormatObject(const GraspObject& object) {
   const MassProperties& solid = object.mass_properties;
   return object.name + " (" + object.id + ")\n\nmass            " +
-         FormatFixed(GFromKg(solid.mass), 1) + " g\nsize of grasp   " +
-         FormatSizeInMm(object.size, 1) + " mm\nsize of sight   " +
-         FormatSizeInMm(object.size_of_sight, 1) + " mm\ncentre of mass  (" +
-         FormatFixed(MmFromM(solid.p_OOcm.x()), 1) + ", " +
+         FormatFixed(GFromKg(solid.mass), 1) + " g\nsize            " +
+         FormatSizeInMm(object.size, 1) + " mm\n" + FormatCompression(object) +
+         "centre of mass  (" + FormatFixed(MmFromM(solid.p_OOcm.x()), 1) + ", " +
          FormatFixed(MmFromM(solid.p_OOcm.y()), 1) + ", " +
          FormatFixed(MmFromM(solid.p_OOcm.z()), 1) + ") mm from the centre\nfriction        " +
          FormatFixed(object.surface.friction_static, 2) + " static, " +

@@ -99,6 +99,10 @@ std::string MakeObject() {
   std::string text =
       "# What is known of this thing beside its mesh: put yours in the place of mesh.obj.\n";
   for (const FileKey& row : ListObjectKeys()) {
+    if (const size_t dot = row.key.find('.'); dot != row.key.npos) {
+      text += "#   " + row.key.substr(dot + 1) + ":  " + FormatComment(row) + "\n";
+      continue;
+    }
     const auto example = examples.find(row.key);
     text += FormatComment(row) + "\n" +
             (example == examples.end() ? "# " + row.key + ":" : row.key + ": " + example->second) +

@@ -323,14 +323,24 @@ ExaminedTrial ExamineTrial(const Session& session, const PlannedTrial& planned, 
   return trial;
 }
 
+namespace {
+
+/** Nothing of a rigid object. */
+std::string FormatCompression(const GraspObject& object) {
+  if (!object.compressible) return "";
+  return "soft     compressed to " + DescribeCompression(object) + "\n";
+}
+
+}  // namespace
+
 std::string FormatTrial(const ExaminedTrial& trial, const std::string& folder) {
   const TrialResult& result = trial.traced.result;
   std::string text =
       fmt::format("trial    {} ({}): {}, {}, {}\n", trial.planned.id, NameTrial(trial.planned),
                   trial.setup.hand->name, trial.setup.object->name, trial.planned.grasp) +
-      FormatSight(result) + FormatOutcome(result) + "draw     " +
-      FormatObjectDraw(trial.setup.draw) + FormatJointErrors(trial.setup) + "\n" + "phases   " +
-      FormatPhases(trial.traced, trial.setup.strategy) + "\n";
+      FormatCompression(*trial.setup.object) + FormatSight(result) + FormatOutcome(result) +
+      "draw     " + FormatObjectDraw(trial.setup.draw) + FormatJointErrors(trial.setup) + "\n" +
+      "phases   " + FormatPhases(trial.traced, trial.setup.strategy) + "\n";
   if (!result.contacts.empty()) text += FormatDigits(trial);
   text += FormatSeat(result) + FormatGrip(result);
   if (result.diagnosis) text += "why      " + result.diagnosis->text + "\n";

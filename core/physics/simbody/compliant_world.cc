@@ -466,7 +466,9 @@ void CompliantWorld::TakeSphereDepths(StepReport& report) const {
 
 }  // namespace
 
-bool CanMoveCompliantly(const GraspObject& object) { return FindSphereRadius(object).has_value(); }
+bool CanMoveCompliantly(const GraspObject& object) {
+  return !object.compressible && FindSphereRadius(object).has_value();
+}
 
 bool CanMoveCompliantly(const Hand& hand) {
   return std::all_of(hand.joints.begin(), hand.joints.end(), [](const HandJoint& joint) {

@@ -24,7 +24,7 @@ integrator's accuracy, not to the same bytes. */
 
 namespace graspbench {
 
-/** Whether the object is a ball; seams and dimples do not count. */
+/** Whether the object is a rigid ball; seams and dimples do not count. */
 bool CanMoveCompliantly(const GraspObject& object);
 /** Whether the hand has no imperfect drive or coupling. */
 bool CanMoveCompliantly(const Hand& hand);

@@ -98,16 +98,20 @@ TEST(RestingRotationTest, RestsWhereNoTurnLowersTheCentre) {
 TEST(LayDownTest, KeepsTheBodyAndFillsItsNewBox) {
   GraspObject object;
   object.mesh = Turn(kBrick, 1.5, Vector3d::UnitY());
-  object.size = object.size_of_sight = Vector3d::Constant(0.1);
+  object.size = Vector3d::Constant(0.1);
+  object.compressible = {0.7, Vector3d(0.001, 0.002, 0.003).asDiagonal(), false};
   object.mass_properties = CalcSolidMassProperties(object.mesh, 0.3);
   LayDown(object);
   EXPECT_NEAR(object.turned_to_rest, 0.5 * kPi - 1.5, 1e-9);
   EXPECT_TRUE(object.size.isApprox(Vector3d(0.02, 0.06, 0.08), 1e-9));
-  EXPECT_EQ(object.size_of_sight, object.size);
   const MassProperties expected = CalcSolidMassProperties(object.mesh, 0.3);
   EXPECT_TRUE(object.mass_properties.p_OOcm.isApprox(expected.p_OOcm, 1e-9) ||
               object.mass_properties.p_OOcm.norm() < 1e-12);
   EXPECT_TRUE(object.mass_properties.I_OOcm.isApprox(expected.I_OOcm, 1e-9));
+  const double turned = std::sin(object.turned_to_rest) * std::sin(object.turned_to_rest);
+  const Matrix3d& yield = object.compressible->yield;
+  EXPECT_NEAR(yield(0, 0), 0.001 * (1.0 - turned) + 0.003 * turned, 1e-12);
+  EXPECT_NEAR(yield(1, 1), 0.002, 1e-12);
 }
 
 }  // namespace
