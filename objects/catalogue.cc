@@ -58,12 +58,12 @@ std::shared_ptr<const SignedDistanceField> LoadField(const TriMesh& mesh) {
   return SignedDistanceField::LoadOrBuild(mesh, FindCacheRoot() / "sdf");
 }
 
-/** @throws Error(kFormat) where the mesh does not have the size that the key states. */
-void CheckSize(const std::string& key, const Eigen::Vector3d& stated, const GraspObject& object,
-               const ObjectFile& file, const fs::path& path) {
-  if ((object.size - stated).cwiseAbs().maxCoeff() <= kSizeTolerance) return;
+/** @throws Error(kFormat) where the mesh does not have the size that is stated. */
+void CheckSize(const GraspObject& object, const ObjectFile& file, const fs::path& path) {
+  if ((object.size - file.size).cwiseAbs().maxCoeff() <= kSizeTolerance) return;
+  const std::string key = file.compression ? "compressible.sight_m" : "size_m";
   throw Error(ErrorKind::kFormat, path.string() + ": " + key + " says " +
-                                      FormatSizeInMm(stated, 2) + " mm, but \"" + file.mesh +
+                                      FormatSizeInMm(file.size, 2) + " mm, but \"" + file.mesh +
                                       "\" measures " + FormatSizeInMm(object.size, 2) +
                                       " mm if its unit is " + NameOf(file.mesh_unit) +
                                       "; correct " + key + " or mesh_unit");
@@ -88,13 +88,11 @@ std::shared_ptr<const GraspObject> LoadFolder(const fs::path& folder, const std:
   const Eigen::AlignedBox3d box = CalcBounds(object->mesh);
   for (Eigen::Vector3d& p : object->mesh.vertices) p -= box.center();
   object->size = box.sizes();
-  if (file.size.allFinite()) CheckSize("size_m", file.size, *object, file, path);
+  if (file.size.allFinite()) CheckSize(*object, file, path);
   if (file.compression) {
-    CheckSize("compressible.sight_m", file.compression->size_of_sight, *object, file, path);
     Compressibility& compressible = object->compressible.emplace();
     compressible.force = file.compression->force;
-    compressible.yield =
-        (0.5 * (file.compression->size_of_sight - file.compression->size_of_grasp)).asDiagonal();
+    compressible.yield = (0.5 * (file.size - file.compression->size_of_grasp)).asDiagonal();
     compressible.is_sight_guessed = file.compression->is_sight_guessed;
   }
 

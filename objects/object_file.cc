@@ -91,11 +91,12 @@ void ReadCompression(YamlMap& map, const std::string& path, Diagnostics& problem
   YamlMap keys(node, path, "compressible", problems, &ListObjectKeys(), "compressible.");
   Compression& compression = file.compression.emplace();
   keys.Read("force_n", compression.force);
-  keys.Read("sight_m", compression.size_of_sight);
+  keys.Read("sight_m", file.size);
   keys.Read("grasp_m", compression.size_of_grasp);
   keys.Read("sight_guessed", compression.is_sight_guessed, Needed::kNo);
   keys.FinishKnownKeys();
-  const auto &sight = compression.size_of_sight.array(), &grasp = compression.size_of_grasp.array();
+  if (map.Has("size_m")) map.Fail("size_m", "leave it out: compressible states it as sight_m");
+  const auto &sight = file.size.array(), &grasp = compression.size_of_grasp.array();
   if ((grasp > sight).any() || (grasp < kLeastSizeOfGrasp * sight).any()) {
     keys.Fail("grasp_m",
               "each size must be from 0.6 of sight_m to sight_m; correct one of the two");

@@ -40,10 +40,9 @@ object.yaml: what is known of a thing to grasp beside its mesh.
 
 namespace graspbench {
 
-/** How fingertips compress a thing, as `compressible` states it. */
+/** How fingertips compress a thing, as `compressible` states it. At rest it has ObjectFile::size. */
 struct Compression {
   double force = 0.0;                                                 ///< of each [N]
-  Eigen::Vector3d size_of_sight = Eigen::Vector3d::Constant(kUnset);  ///< at rest [m]
   Eigen::Vector3d size_of_grasp = Eigen::Vector3d::Constant(kUnset);  ///< under the force [m]
   bool is_sight_guessed = false;
 };

@@ -13,8 +13,8 @@ surface lies below that at rest, so a force is a stiffness per volume times the 
     V1(R, y) = pi y^2 (R - y / 3)             one ball, y <= R; from there on + pi R^2 per depth
 
 K is that of one known grip: a fingertip that presses with `force` goes down by d(n). The reference
-fingertip is one ball of radius R1 = 7 mm, that of the TUM Hand, which held the thesis's compressible
-objects. R1, the bed and its linear law are proposed.
+fingertip is one ball of radius R1 = 7 mm, that of the TUM Hand, which held the compressible objects
+of the thesis. R1, the bed and its linear law are proposed.
 
 Balls that press side by side share the bed: each displaces what lies where it is the deepest, up to
 where their spheres meet. So the force depends on the shape that the balls cover, not on their

@@ -51,14 +51,13 @@ TEST_F(ObjectFileTest, TheSmallestFileLeavesTheRestUnset) {
 TEST_F(ObjectFileTest, ReadsEveryKey) {
   const ObjectFile file =
       Load(std::string(kSmallest) +
-           "size_m: [0.1, 0.08, 0.06]\ncompressible: {force_n: 0.7, sight_m: [0.1, 0.08, 0.06],\n"
+           "compressible: {force_n: 0.7, sight_m: [0.1, 0.08, 0.06],\n"
            "  grasp_m: [0.1, 0.07, 0.05], sight_guessed: true}\n"
            "centre_of_mass_m: [0.01, 0, 0]\nbest_grasp: {tum: g3, my_hand: g2}\n"
            "grasp_order: [g2, g1]\ncolour: [1, 0.5, 0]\n");
   EXPECT_EQ(file.size, Eigen::Vector3d(0.1, 0.08, 0.06));
   ASSERT_TRUE(file.compression);
   EXPECT_EQ(file.compression->force, 0.7);
-  EXPECT_EQ(file.compression->size_of_sight, Eigen::Vector3d(0.1, 0.08, 0.06));
   EXPECT_EQ(file.compression->size_of_grasp, Eigen::Vector3d(0.1, 0.07, 0.05));
   EXPECT_TRUE(file.compression->is_sight_guessed);
   EXPECT_EQ(file.p_OOcm.x(), 0.01);
@@ -101,6 +100,11 @@ TEST_F(ObjectFileTest, RefusesWhatNoFingertipsCompress) {
               std::string::npos)
         << message;
   }
+  EXPECT_NE(FindMessage(std::string(kSmallest) + "size_m: [0.1, 0.08, 0.06]\n" +
+                        "compressible: {force_n: 0.7, sight_m: [0.1, 0.08, 0.06], " +
+                        "grasp_m: [0.1, 0.08, 0.05]}\n")
+                .find("size_m: leave it out: compressible states it as sight_m"),
+            std::string::npos);
   EXPECT_NE(FindMessage(std::string(kSmallest) + "compressible: {sight_m: [0.1, 0.08, 0.06]}\n")
                 .find("the key \"force_n\" is missing"),
             std::string::npos);
