@@ -19,38 +19,43 @@ constexpr double kRelief = 1e-8;           // of the largest bound, see Relieve
 
 constexpr double kViolation = 1e-7;  // of rows and prices; more is no optimum
 
-/** Columns: variables, slacks, right-hand side. The last row holds minus the gains. A pivot works on
+/** Columns: right-hand side, slacks, variables. The last row holds minus the gains. A pivot works on
 whole rows, so they lie in one piece. */
-struct Tableau {
-  Eigen::Index num_rows, num_columns;  // without the last ones
+struct Simplex {
+  Eigen::Index num_rows, num_columns;  // in use, without the last row
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> values;
-  std::vector<Eigen::Index> basis;  // the variable each row stands for
+  std::vector<Eigen::Index> basis;  // the column each row stands for
 };
 
-Tableau MakeTableau(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, const Eigen::VectorXd& c) {
-  const Eigen::Index num_rows = A.rows(), num_variables = A.cols();
-  Tableau tableau;
-  tableau.num_rows = num_rows;
-  tableau.num_columns = num_variables + num_rows;
-  tableau.values = Eigen::MatrixXd::Zero(num_rows + 1, tableau.num_columns + 1);
-  tableau.values.topLeftCorner(num_rows, num_variables) = A;
-  tableau.values.block(0, num_variables, num_rows, num_rows).setIdentity();
-  tableau.values.col(tableau.num_columns).head(num_rows) = b;
-  tableau.values.row(num_rows).head(num_variables) = -c.transpose();
-  for (Eigen::Index row = 0; row < num_rows; ++row) tableau.basis.push_back(num_variables + row);
+Simplex MakeSimplex(const Eigen::VectorXd& b) {
+  Simplex tableau{b.size(), b.size() + 1, {}, {}};
+  tableau.values = Eigen::MatrixXd::Zero(b.size() + 1, 4 * (b.size() + 1));
+  tableau.values.col(0).head(b.size()) = b;
+  tableau.values.block(0, 1, b.size(), b.size()).setIdentity();
+  for (Eigen::Index row = 0; row < b.size(); ++row) tableau.basis.push_back(row + 1);
   return tableau;
+}
+
+/** The slacks' columns turn a new one into the present basis. */
+void AddColumn(const Eigen::Ref<const Eigen::VectorXd>& column, double gain, Simplex& tableau) {
+  auto& values = tableau.values;
+  if (tableau.num_columns == values.cols()) {
+    values.conservativeResize(Eigen::NoChange, 2 * values.cols());
+  }
+  values.col(tableau.num_columns) = values.middleCols(1, tableau.num_rows) * column;
+  values(tableau.num_rows, tableau.num_columns++) -= gain;
 }
 
 /** Of the rows that limit the entering variable most, the one with the largest pivot, which keeps
 rounding small; or, when it is not `is_stable`, the one with the first variable (Bland's rule); -1
 when no row limits it. */
-Eigen::Index FindLeavingRow(const Tableau& tableau, Eigen::Index enter, bool is_stable) {
+Eigen::Index FindLeavingRow(const Simplex& tableau, Eigen::Index enter, bool is_stable) {
   Eigen::Index leave = -1;
   double tightest = 0.0;
   for (Eigen::Index row = 0; row < tableau.num_rows; ++row) {
     const double pivot = tableau.values(row, enter);
     if (pivot <= kSmallestPivot) continue;
-    const double ratio = tableau.values(row, tableau.num_columns) / pivot;
+    const double ratio = tableau.values(row, 0) / pivot;
     const bool is_tie = leave >= 0 && std::abs(ratio - tightest) <= kTie;
     const bool wins_tie =
         is_tie && (is_stable ? pivot > tableau.values(leave, enter)
@@ -63,29 +68,31 @@ Eigen::Index FindLeavingRow(const Tableau& tableau, Eigen::Index enter, bool is_
   return leave;
 }
 
-void Pivot(Eigen::Index enter, Eigen::Index leave, Tableau& tableau) {
+void Pivot(Eigen::Index enter, Eigen::Index leave, Simplex& tableau) {
   auto& values = tableau.values;
-  values.row(leave) /= values(leave, enter);
+  auto pivot_row = values.row(leave).head(tableau.num_columns);
+  pivot_row /= values(leave, enter);
   for (Eigen::Index row = 0; row <= tableau.num_rows; ++row) {
     const double factor = values(row, enter);
-    if (row != leave && factor != 0.0) values.row(row) -= factor * values.row(leave);
+    if (row == leave || factor == 0.0) continue;
+    values.row(row).head(tableau.num_columns) -= factor * pivot_row;
   }
   tableau.basis[leave] = enter;
 }
 
 /** The variable that gains most for its share; -1 when none gains (Dantzig's rule: fewer pivots). */
-Eigen::Index FindSteepest(const Tableau& tableau) {
+Eigen::Index FindSteepest(const Simplex& tableau) {
   Eigen::Index steepest = -1;
   const double gain =
-      -tableau.values.row(tableau.num_rows).head(tableau.num_columns).minCoeff(&steepest);
-  return gain > kZero ? steepest : -1;
+      -tableau.values.row(tableau.num_rows).segment(1, tableau.num_columns - 1).minCoeff(&steepest);
+  return gain > kZero ? steepest + 1 : -1;
 }
 
 /** Which variable enters first of all. */
 enum class Entry { kSteepest, kFirst };
 
 /** Pivots until nothing gains. */
-LinearProgramEnd RunSimplex(Entry entry, double rounding_gain, Tableau& tableau) {
+LinearProgramEnd RunSimplex(Entry entry, double rounding_gain, Simplex& tableau) {
   // After so many steps it might cycle, which Bland's rule prevents, but for rounding.
   const Eigen::Index num_stable_steps = kStableSteps * (tableau.num_rows + tableau.num_columns);
   for (Eigen::Index step = 0; step <= 4 * num_stable_steps; ++step) {
@@ -95,7 +102,7 @@ LinearProgramEnd RunSimplex(Entry entry, double rounding_gain, Tableau& tableau)
     if (enter >= 0) leave = FindLeavingRow(tableau, enter, is_stable);
     // Where that one is not limited, or under Bland's rule, the first variable that gains enters. A
     // tiny gain that no row limits is rounding, not a way to infinity.
-    for (Eigen::Index column = 0; column < tableau.num_columns && leave < 0; ++column) {
+    for (Eigen::Index column = 1; column < tableau.num_columns && leave < 0; ++column) {
       const double gain = -tableau.values(tableau.num_rows, column);
       if (gain <= kZero) continue;
       enter = column;
@@ -118,28 +125,6 @@ bool IsOptimum(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, const Eigen::
          y.minCoeff() >= -kViolation * price && b.dot(y) - c.dot(x) <= kViolation * price * size;
 }
 
-LinearProgramResult SolveOnce(Entry entry, const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
-                              const Eigen::VectorXd& c) {
-  const Eigen::Index num_rows = b.size(), num_variables = c.size();
-  Tableau tableau = MakeTableau(A, b, c);
-  const double rounding_gain = num_variables > 0 ? kRoundingGain * c.cwiseAbs().maxCoeff() : 0.0;
-  LinearProgramResult result;
-  result.end = RunSimplex(entry, rounding_gain, tableau);
-  result.x = Eigen::VectorXd::Zero(num_variables);
-  for (Eigen::Index row = 0; row < num_rows; ++row) {
-    const Eigen::Index variable = tableau.basis[row];
-    if (variable < num_variables) result.x[variable] = tableau.values(row, tableau.num_columns);
-  }
-  result.value = c.dot(result.x);
-  const Eigen::VectorXd prices =
-      tableau.values.row(num_rows).segment(num_variables, num_rows).transpose();
-  if (result.end == LinearProgramEnd::kOptimum && num_rows > 0 && num_variables > 0 &&
-      !IsOptimum(A, b, c, result.x, prices)) {
-    result.end = LinearProgramEnd::kLost;
-  }
-  return result;
-}
-
 /** Bounds a little wider, each by another amount, so that no two rows tie: what is lost to rounding
 in a program full of ties is found in this one, at a price of about kRelief times the prices of the
 rows. */
@@ -156,19 +141,66 @@ Eigen::VectorXd Relieve(const Eigen::VectorXd& b) {
 
 }  // namespace
 
+struct LinearProgram::Tableau : Simplex {};
+
+LinearProgram::LinearProgram(const Eigen::VectorXd& b)
+    : A_(b.size(), 0), b_(b), tableau_(new Tableau{MakeSimplex(b)}) {
+  GRASPBENCH_DEMAND(b.size() == 0 || b.minCoeff() >= 0.0, "a negative bound");
+}
+
+LinearProgram::~LinearProgram() = default;
+
+void LinearProgram::AddVariable(const Eigen::VectorXd& column, double gain) {
+  GRASPBENCH_DEMAND(column.size() == b_.size(), "size: " + std::to_string(column.size()));
+  const auto index = static_cast<Eigen::Index>(c_.size());
+  if (index == A_.cols()) A_.conservativeResize(Eigen::NoChange, 2 * index + 32);
+  A_.col(index) = column;
+  c_.push_back(gain);
+  AddColumn(column, gain, *tableau_);
+}
+
+LinearProgramResult LinearProgram::SolveOnce(bool steepest_first) {
+  const Eigen::Map<const Eigen::VectorXd> c(c_.data(), static_cast<Eigen::Index>(c_.size()));
+  const double rounding_gain = c.size() > 0 ? kRoundingGain * c.cwiseAbs().maxCoeff() : 0.0;
+  LinearProgramResult result;
+  result.end =
+      RunSimplex(steepest_first ? Entry::kSteepest : Entry::kFirst, rounding_gain, *tableau_);
+  result.x = Eigen::VectorXd::Zero(c.size());
+  for (Eigen::Index row = 0; row < b_.size(); ++row) {
+    const Eigen::Index variable = tableau_->basis[static_cast<size_t>(row)] - b_.size() - 1;
+    if (variable >= 0) result.x[variable] = tableau_->values(row, 0);
+  }
+  result.value = c.dot(result.x);
+  result.prices = tableau_->values.row(b_.size()).segment(1, b_.size()).transpose();
+  if (result.end == LinearProgramEnd::kOptimum && b_.size() > 0 && c.size() > 0 &&
+      !IsOptimum(A_.leftCols(c.size()), b_, c, result.x, result.prices)) {
+    result.end = LinearProgramEnd::kLost;
+  }
+  return result;
+}
+
+LinearProgramResult LinearProgram::Solve() {
+  // The steepest variable first takes fewest steps, the first one loses least to rounding.
+  LinearProgramResult result = SolveOnce(true);
+  for (const bool is_relieved : {false, true}) {
+    if (result.end == LinearProgramEnd::kOptimum || b_.size() == 0) return result;
+    if (is_relieved) b_ = Relieve(b_);
+    *tableau_ = Tableau{MakeSimplex(b_)};
+    for (size_t i = 0; i < c_.size(); ++i) {
+      AddColumn(A_.col(static_cast<Eigen::Index>(i)), c_[i], *tableau_);
+    }
+    result = SolveOnce(false);
+  }
+  return result;
+}
+
 LinearProgramResult SolveLinearProgram(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
                                        const Eigen::VectorXd& c) {
-  const Eigen::Index num_rows = A.rows(), num_variables = A.cols();
-  GRASPBENCH_DEMAND(b.size() == num_rows && c.size() == num_variables,
+  GRASPBENCH_DEMAND(b.size() == A.rows() && c.size() == A.cols(),
                     "sizes: " + std::to_string(b.size()) + ", " + std::to_string(c.size()));
-  GRASPBENCH_DEMAND(num_rows == 0 || b.minCoeff() >= 0.0, "a negative bound");
-
-  // The steepest variable first takes fewest steps, the first one loses least to rounding.
-  LinearProgramResult result = SolveOnce(Entry::kSteepest, A, b, c);
-  if (result.end == LinearProgramEnd::kOptimum || num_rows == 0) return result;
-  result = SolveOnce(Entry::kFirst, A, b, c);
-  if (result.end == LinearProgramEnd::kOptimum) return result;
-  return SolveOnce(Entry::kFirst, A, Relieve(b), c);
+  LinearProgram program(b);
+  for (Eigen::Index i = 0; i < c.size(); ++i) program.AddVariable(A.col(i), c[i]);
+  return program.Solve();
 }
 
 }  // namespace graspbench

@@ -14,6 +14,8 @@ size, the same bits on every run, from any thread, and no package for it. For an
 solver. */
 
 #include <Eigen/Core>
+#include <memory>
+#include <vector>
 
 namespace graspbench {
 
@@ -24,13 +26,35 @@ enum class LinearProgramEnd {
 };
 
 struct LinearProgramResult {
-  LinearProgramEnd end = LinearProgramEnd::kOptimum;  ///< else value and x mean nothing
+  LinearProgramEnd end = LinearProgramEnd::kOptimum;  ///< else the others mean nothing
   double value = 0.0;                                 ///< c.x at the optimum
   Eigen::VectorXd x;                                  ///< an optimal point (num_variables)
+  Eigen::VectorXd prices;                             ///< of the rows: d value / d b (num_rows)
 };
 
-/** What rounding hides is looked for again with bounds that are wider by 1e-8 of the largest.
-@param A (num_rows x num_variables)  @param b (num_rows) >= 0  @param c (num_variables); all
+/** A program whose variables may be added one by one: Solve goes on from the last optimum. */
+class LinearProgram {
+ public:
+  /** @param b  (num_rows) >= 0. */
+  explicit LinearProgram(const Eigen::VectorXd& b);
+  /** @param column  of A (num_rows)  @param gain  its entry of c; all finite. */
+  void AddVariable(const Eigen::VectorXd& column, double gain);
+  ~LinearProgram();
+  /** What rounding hides is looked for again from the beginning, then with bounds that are wider by
+  1e-8 of the largest. */
+  LinearProgramResult Solve();
+
+ private:
+  struct Tableau;
+  LinearProgramResult SolveOnce(bool steepest_first);
+
+  Eigen::MatrixXd A_;  // wider than there are variables
+  Eigen::VectorXd b_;
+  std::vector<double> c_;
+  std::unique_ptr<Tableau> tableau_;
+};
+
+/** @param A (num_rows x num_variables)  @param b (num_rows) >= 0  @param c (num_variables); all
 finite. */
 LinearProgramResult SolveLinearProgram(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
                                        const Eigen::VectorXd& c);

@@ -17,14 +17,13 @@ constexpr double kHoldInterval = 0.2;
 constexpr double kMostLoads = 10.0;          ///< Q F / (m g) counts up to here
 constexpr double kProposedSlipSpeed = 0.01;  ///< [m/s]
 
-double CalcWeakestHoldingForce(const GraspInstant& instant) {
+double CalcLeastPull(const GraspInstant& instant) {
   std::vector<Eigen::Vector3d> directions;
   for (int axis = 0; axis < 3; ++axis) {
     directions.push_back(instant.R_OPalm.col(axis));
     directions.push_back(-instant.R_OPalm.col(axis));
   }
-  const std::vector<double> forces = CalcHoldingForces(instant.grasp, directions);
-  return *std::min_element(forces.begin(), forces.end());
+  return CalcWeakestHoldingForce(instant.grasp, directions);
 }
 
 }  // namespace
@@ -43,7 +42,7 @@ StabilityPart CalcStabilityPart(const std::vector<GraspInstant>& samples) {
         std::accumulate(grasp.normal_forces.begin(), grasp.normal_forces.end(), 0.0);
     const double loads = std::min(kMostLoads, quality * normal_force / grasp.weight.norm());
     const double opposition = instant.is_opposed ? 1.0 : 0.0;
-    part.sigma += share * CalcWeakestHoldingForce(instant);
+    part.sigma += share * CalcLeastPull(instant);
     part.sigma_proposed +=
         share * loads * std::exp(-instant.slip_speed / kProposedSlipSpeed) * opposition;
     part.quality += share * quality;

@@ -78,6 +78,30 @@ TEST(LinearProgram, AgreesWithTheBestCorner) {
   }
 }
 
+// Variables that join after a solution lead where all of them at once do; the prices prove it: no
+// variable gains, and b.prices is the value.
+TEST(LinearProgram, GoesOnWithMoreVariables) {
+  RandomStream stream("linear program", "columns");
+  for (int i = 0; i < 50; ++i) {
+    Eigen::MatrixXd A(6, 12);
+    for (double& value : A.reshaped()) value = stream.NextNormal();
+    A.row(0).setOnes();
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(6), c(12);
+    b[0] = 1.0;
+    b[3] = 0.5;
+    for (double& value : c) value = stream.NextNormal();
+    LinearProgram program(b);
+    LinearProgramResult result;
+    for (Eigen::Index j = 0; j < 12; ++j) {
+      program.AddVariable(A.col(j), c[j]);
+      result = program.Solve();
+    }
+    EXPECT_NEAR(result.value, SolveLinearProgram(A, b, c).value, 1e-10);
+    EXPECT_NEAR(result.prices.dot(b), result.value, 1e-10);
+    EXPECT_LE((c - A.transpose() * result.prices).maxCoeff(), 1e-10);
+  }
+}
+
 // Friction of 1e100 once kept it going for ever. What comes out of such numbers is not looked at.
 TEST(LinearProgram, EndsForNumbersThatAreFarApart) {
   RandomStream random("linear program", "far apart");
