@@ -13,6 +13,7 @@
 #include "datasets/campaign/campaign_store.h"
 #include "datasets/judged_grasps/grasp_store.h"
 #include "datasets/plan/session_inputs.h"
+#include "datasets/session/find_trial.h"
 #include "datasets/session/session_store.h"
 #include "objects/catalogue.h"
 #include "reports/campaign/campaign_report.h"
@@ -40,8 +41,10 @@ TrialTracer MakeTrialTracer(const Session& session) {
   const auto inputs = std::make_shared<const SessionInputs>(
       LoadSessionInputs(session.config, FieldUse::kLater, session.folder));
   const auto benches = std::make_shared<std::map<Pair, Bench>>();
-  return [config = session.config, inputs, benches](const PlannedTrial& planned) {
-    TrialSetup setup = MakeTrialSetup(config, *inputs, planned);
+  // Of a large session brief records, which take 1 kB each.
+  const auto recorded = std::make_shared<const Session>(session);
+  return [recorded, inputs, benches](const PlannedTrial& planned) {
+    TrialSetup setup = MakeRecordedSetup(*recorded, *inputs, planned);
     Bench& bench = (*benches)[{planned.hand, planned.object}];
     if (!bench.runner) {
       bench.object = CompleteObject(setup.object);

@@ -72,7 +72,7 @@ StrategyCommand GraspStrategy::Step(double step, const StrategyObservation& obse
       }
       closing_ = std::min(1.0, closing_ + step / config_.closure_time);
       if (time_in_phase_ >= config_.closure_lead &&
-          (observation.all_digits_touched ||
+          (observation.all_digits_touched || observation.lifts.value_or(false) ||
            time_in_phase_ >= slowest_closure_ + config_.closure_patience)) {
         Enter(Phase::kStabilisation);
       }
@@ -80,8 +80,10 @@ StrategyCommand GraspStrategy::Step(double step, const StrategyObservation& obse
     case Phase::kStabilisation:
       closing_ = std::min(1.0, closing_ + step / config_.closure_time);
       if (observation.is_closing) closed_since_ = time_in_phase_;
-      if ((IsSteady(observation) && time_in_phase_ >= config_.stabilisation_min_time) ||
-          time_in_phase_ - closed_since_ >= config_.stabilisation_max_time) {
+      if (observation.lifts) {
+        if (*observation.lifts) Enter(Phase::kLiftOff);
+      } else if ((IsSteady(observation) && time_in_phase_ >= config_.stabilisation_min_time) ||
+                 time_in_phase_ - closed_since_ >= config_.stabilisation_max_time) {
         Enter(Phase::kLiftOff);
       }
       break;

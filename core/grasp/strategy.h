@@ -18,6 +18,7 @@ and goes on after the first touch until s = 1: what the object prevents becomes 
 grip "posture"; under "force" and "margin" each digit closes until it has its force, which is then
 held (core/trial/grip). */
 
+#include <optional>
 #include <string>
 
 #include "core/base/enum_table.h"
@@ -123,6 +124,8 @@ struct StrategyObservation {
   /** Of a regulated grip: its force was in its band for a while; digits still close towards their
   shares. */
   bool is_regulated = false, is_in_band = false, is_closing = false;
+  /** Whether a controller wants the hand to be lifted; unset: there is none, the machine decides. */
+  std::optional<bool> lifts = {};
 };
 
 /** What the hand is asked to do at the end of the step. */

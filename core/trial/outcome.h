@@ -24,6 +24,7 @@ enum class Outcome {
   kNotSeen,              ///< the camera did not find the object; `reason` says why
   kArmOverloaded,        ///< object or table pushed harder on the hand than the arm can bear
   kNotPhysical,       ///< held, but in a way no real hand could: see protocols/table_lift_outcome.h
+  kWrongAnswer,       ///< its controller answered what it must not; `reason` says what
   kNumericalFailure,  ///< the simulation gave up; `reason` says why
 };
 
@@ -58,6 +59,7 @@ inline constexpr OutcomeRow kOutcomes[] = {
     {Outcome::kNotSeen, "not seen", "NS", OutcomeKind::kFailure},
     {Outcome::kArmOverloaded, "arm overloaded", "AO", OutcomeKind::kMaybeInHand},
     {Outcome::kNotPhysical, "not physical", "NP", OutcomeKind::kMaybeInHand},
+    {Outcome::kWrongAnswer, "wrong answer", "WA", OutcomeKind::kFailure},
     {Outcome::kNumericalFailure, "numerical failure", "NF", OutcomeKind::kNumerical},
 };
 /** Without kNotRun. */

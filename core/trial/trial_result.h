@@ -21,6 +21,7 @@ What is known of a trial after it was carried out. */
 #include "core/trial/measures/opposition.h"
 #include "core/trial/measures/stability.h"
 #include "core/trial/outcome.h"
+#include "core/trial/policy/policy_record.h"
 #include "core/trial/touch_sensors.h"
 
 namespace graspbench {
@@ -148,6 +149,7 @@ struct TrialResult {
   double believed_x = kUnset, believed_y = kUnset, believed_yaw = kUnset;
   std::optional<Opposition> opposition;  ///< at the end, of an object that is held
   std::optional<GripRecord> grip;        ///< of a trial that regulates its grip
+  std::optional<PolicyRecord> policy;    ///< of a trial with a controller
   std::optional<TouchRecord> touch;      ///< of a trial that goes by sensed touch
   std::optional<Displacement> closing;   ///< until the last digit touched, where it was asked for
   /** Where it was asked for: the smallest of six pulls that take the held object out of the hand,
@@ -206,6 +208,7 @@ struct TrialResult {
     field("believed_yaw_rad", &R::believed_yaw, FieldMayMiss{});
     field("opposition_type", &R::opposition);
     field("grip", &R::grip);
+    field("policy", &R::policy);
     field("touch", &R::touch);
     field("closing_displacement", &R::closing);
     field("strength_n", &R::strength);

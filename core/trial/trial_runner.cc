@@ -13,6 +13,7 @@
 #include "core/physics/simbody/compliant_world.h"
 #include "core/trial/digit_delays.h"
 #include "core/trial/measures/object_in_hand.h"
+#include "core/trial/policy/hand_policy.h"
 #include "core/trial/protocols/protocol.h"
 #include "core/trial/protocols/table_lift.h"
 #include "core/vision/locate_object.h"
@@ -153,6 +154,8 @@ JudgedTrial TrialRunner::Impl::Run(const TrialSetup& setup, bool is_judged,
     }
     return RunCourse(setup, is_judged, observe);
   } catch (const std::bad_alloc&) {  // of the machine, not of the trial
+    throw;
+  } catch (const PolicyLost&) {  // nothing is known of the trial
     throw;
   } catch (const std::exception& e) {
     // Simbody reports impossible states, and steps that become too short, this way.

@@ -15,10 +15,13 @@ to trial. */
 #include "core/hand/hand.h"
 #include "core/physics/sim_config.h"
 #include "core/shape/grasp_object.h"
+#include "core/trial/policy/policy_config.h"
 #include "core/trial/touch_sensors.h"
 #include "core/vision/camera_config.h"
 
 namespace graspbench {
+
+class HandPolicy;
 
 /** What the hand knows of where the object lies before it places itself. */
 enum class Positioning {
@@ -77,6 +80,10 @@ struct TrialSetup {
   double delay = 0.0;                     ///< so much later [s]
   bool keeps_closing = false;             ///< the result says how far closing moved the object
   bool finds_strength = false;            ///< the result says what the grasp stands
+  PolicyConfig policy = {};               ///< of policy_lift
+  std::shared_ptr<HandPolicy> controller = {};  ///< of policy_lift; outlives no trial's thread
+  std::string trial_id = {};                    ///< told to a controller
+  unsigned policy_seed = 0;                     ///< likewise
   bool is_compliant = false;  ///< in the second world (core/physics/simbody/compliant_world.h)
 };
 

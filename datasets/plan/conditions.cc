@@ -186,7 +186,7 @@ constexpr const char* kCompliant = "compliant";
 /** What leaves the draws of a trial, as key or as group of keys. */
 const std::vector<std::string> kComparable = {"variation",     "strategy",    "sim",    "model",
                                               "imperfections", "positioning", "camera", "touch",
-                                              "sensors",       "approach"};
+                                              "sensors",       "approach",    "policy"};
 
 struct Assignment {
   std::string key, value;
@@ -352,6 +352,12 @@ ConditionInputs ApplyCondition(const Condition& condition, const SessionConfig& 
   for (const std::string& setting : condition.settings) Apply(setting, made);
   made.config = SessionConfigFromJson(ToJson(made.config), condition.name);  // only what is used
   CheckSessionConfig(made.config);
+  if (!made.config.policy.command.empty() && (made.late != LateDigit::kNone || made.is_compliant)) {
+    throw Error(ErrorKind::kUsage, "the condition \"" + condition.name +
+                                       "\" delays a digit or changes the backend, and "
+                                       "policy.command gives the digits to a controller; leave one "
+                                       "of them out");
+  }
   return made;
 }
 

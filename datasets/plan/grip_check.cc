@@ -41,7 +41,7 @@ std::pair<const Grasp*, double> FindLeast(const SessionConfig& config, const Ses
                                           const SessionHand& hand,
                                           double (*calc)(const Hand&, const Grasp&)) {
   std::pair<const Grasp*, double> least = {nullptr, HUGE_VAL};
-  if (RowFromName(kGripModes, config.strategy.grip, "grip").value == GripMode::kPosture) {
+  if (RowFromName(kGripModes, FindUsedStrategy(config).grip, "grip").value == GripMode::kPosture) {
     return least;
   }
   for (const Grasp* grasp : ListUsed(config, inputs, hand)) {
@@ -54,7 +54,7 @@ std::pair<const Grasp*, double> FindLeast(const SessionConfig& config, const Ses
 /** Whether forces are asked of a hand that goes by what its elements feel. */
 bool GoesByFeeling(const SessionConfig& config) {
   return config.touch == RowOf(kTouchSenses, TouchSense::kSensed).name &&
-         config.strategy.grip != RowOf(kGripModes, GripMode::kPosture).name;
+         FindUsedStrategy(config).grip != RowOf(kGripModes, GripMode::kPosture).name;
 }
 
 /** What an element must bear to be felt. @pre the hand has a skin. */
@@ -133,6 +133,17 @@ void RefuseUnusedGrip(const std::string& assignment, const StrategyConfig& strat
   throw Error(ErrorKind::kUsage, assignment + " " + DescribeUnusedGrip(strategy));
 }
 
+StrategyConfig FindUsedStrategy(const SessionConfig& config) {
+  StrategyConfig strategy = config.strategy;
+  if (config.policy.command.empty()) return strategy;
+  const StrategyConfig firm = MakeFirmStrategy();
+  strategy.grip = firm.grip;
+  strategy.drive_law = firm.drive_law;
+  strategy.touch_speed = firm.touch_speed;
+  DropUnusedGrip(strategy);
+  return strategy;
+}
+
 void DropUnusedGrip(StrategyConfig& strategy) {
   const StrategyConfig firm = MakeFirmStrategy();
   if (strategy.grip != firm.grip) return;
@@ -202,7 +213,7 @@ std::vector<std::string> ListGripWarnings(const SessionConfig& config,
 }
 
 void CheckGripMargins(const SessionConfig& config, const SessionInputs& inputs) {
-  const GripMode mode = RowFromName(kGripModes, config.strategy.grip, "grip").value;
+  const GripMode mode = RowFromName(kGripModes, FindUsedStrategy(config).grip, "grip").value;
   if (mode != GripMode::kMargin) return;
   for (const auto& object : inputs.objects) {
     if (object->surface.friction_dynamic > 0.0) continue;

@@ -43,6 +43,10 @@ std::string DescribeUnusedGrip(const StrategyConfig& strategy);
 @throws Error(kUsage) for one that cannot matter. */
 void RefuseUnusedGrip(const std::string& assignment, const StrategyConfig& strategy);
 
+/** That of the session's trials: where a controller closes the digits, a firm grip, which regulates
+nothing. */
+StrategyConfig FindUsedStrategy(const SessionConfig& config);
+
 /** A firm grip with the values that its frozen configuration does not say. */
 void DropUnusedGrip(StrategyConfig& strategy);
 

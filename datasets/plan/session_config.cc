@@ -127,6 +127,16 @@ void CheckGrip(const StrategyConfig& strategy, std::vector<ConfigProblem>& probl
   }
 }
 
+void CheckPolicy(const SessionConfig& config, std::vector<ConfigProblem>& problems) {
+  const PolicyConfig& policy = config.policy;
+  if (policy.command.empty()) {
+    CheckUnused("policy", policy, "policy.command is empty; set it or leave the key out", problems);
+  } else if (!IsUtf8(policy.command)) {
+    problems.push_back({"policy.command", "is not UTF-8"});
+  }
+  CheckRow(kPolicyObjectPoses, "policy.object_pose", "object pose", policy.object_pose, problems);
+}
+
 /** What a session has written: a complete configuration, alone or in its session.json. */
 SessionConfig ParseFrozenConfig(const std::string& text, const std::string& file) {
   const Json json = Json::try_parse(text);
@@ -292,6 +302,7 @@ std::vector<ConfigProblem> Validate(const SessionConfig& config) {
                                                    "\" is no colour; expected one as \"#b4509b\""});
   }
   CheckSensors(config, problems);
+  CheckPolicy(config, problems);
   if (config.draws != "random" && config.draws != "halton") {
     problems.push_back({"draws", "no draws \"" + config.draws + "\"; expected random or halton"});
   }
@@ -355,6 +366,7 @@ Json ToJson(const SessionConfig& config) {
     json.erase("sensors");
   }
   if (config.imperfections == defaults.imperfections) json.erase("imperfections");
+  if (config.policy.command.empty()) json.erase("policy");
   if (config.draws != defaults.draws) json["draws"] = config.draws;
   for (const Condition& condition : config.conditions) {
     json["conditions"].push_back({{"name", condition.name}, {"settings", condition.settings}});
@@ -367,7 +379,7 @@ SessionConfig SessionConfigFromJson(const Json& json, const std::string& file) {
   Json complete = json;
   const Json defaults = ConfigToJson(SessionConfig());
   for (const char* key :
-       {"approach", "positioning", "camera", "touch", "sensors", "imperfections"}) {
+       {"approach", "positioning", "camera", "touch", "sensors", "imperfections", "policy"}) {
     if (json.is_object() && !json.contains(key)) complete[key] = defaults.at(key);
   }
   AddFirmGrip(complete);

@@ -14,6 +14,7 @@ frozen in full into the session's folder. */
 #include "core/hand/hand.h"
 #include "core/physics/sim_config.h"
 #include "core/shape/grasp_object.h"
+#include "core/trial/policy/policy_config.h"
 #include "core/trial/touch_sensors.h"
 #include "core/vision/camera_config.h"
 
@@ -141,6 +142,7 @@ struct SessionConfig : TrialConditions {
   std::string touch = "exact";                 ///< core/trial/touch_sensors.h
   SensorConfig sensors;                        ///< for touch: sensed
   ImperfectionConfig imperfections;            ///< of the hands; none by default
+  PolicyConfig policy;                         ///< a controller in the place of the strategy
   int trials = 10;                             ///< per hand, object and grasp
   int seed = 1;
   /** Where draws come from: "random", or "halton" (a basin's); no key of session files. */
@@ -162,6 +164,7 @@ struct SessionConfig : TrialConditions {
       "the hand's tactile.yaml feel)");
     v("sensors", sensors);
     v("imperfections", imperfections);
+    v("policy", policy);
   }
   /** Without what a campaign does not choose. */
   template <class V>
@@ -220,8 +223,8 @@ SessionConfig ParseSessionConfig(const std::string& text, const std::string& fil
 void ApplySetting(const std::string& assignment, SessionConfig& config);
 
 /** The complete configuration, every default written out, but for an automatic approach, nominal
-positioning, exact touch, a grip by posture with its keys, no imperfections, random draws,
-no conditions, and for camera and sensors
+positioning, exact touch, a grip by posture with its keys, no imperfections, no controller, random
+draws, no conditions, and for camera and sensors
 of a session without them: sessions without a choice are what they were before there was one. */
 Json ToJson(const SessionConfig& config);
 /** @param file  name of the file in messages.

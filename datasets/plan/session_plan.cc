@@ -282,6 +282,11 @@ std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInp
   const bool is_threshold = FindThresholdScale(config) != nullptr;
   for (const ConditionBlock& block : blocks) {
     CheckGripMargins(*block.config, *block.inputs);
+    if (is_threshold && !block.config->policy.command.empty()) {
+      throw Error(ErrorKind::kUsage,
+                  "grip thresholds are those of the strategy, and policy.command gives the digits "
+                  "to a controller; leave it out");
+    }
     if (is_threshold && !block.is_base)
       continue;  // a scale goes from less to more than is possible
     CheckGripForces(*block.config, *block.inputs);
@@ -373,7 +378,12 @@ TrialSetup MakeTrialSetup(const SessionConfig& config, const SessionInputs& inpu
     GRASPBENCH_DEMAND(grasp, planned.grasp);
     setup.grasp = FindFitted(inputs, *hand, *grasp, *object);
   }
-  setup.strategy = config.strategy;
+  setup.strategy = FindUsedStrategy(config);
+  setup.policy = config.policy;
+  if (!config.policy.command.empty()) setup.protocol = "policy_lift";
+  setup.trial_id = planned.id;
+  setup.policy_seed = static_cast<unsigned>(CalcHash64(
+      JoinNames({config.seed, hand->hand->id, (*object)->id, planned.trial, "controller"})));
   setup.sim = config.sim;
   setup.draw = MakeTrialDraw(config, *hand->hand, **object, planned.trial);
   setup.positioning = FindRow(kPositionings, config.positioning)->value;

@@ -40,7 +40,11 @@ constexpr char kHashedKeys[] = R"({
     "noise": 0.001, "threshold": 0.006, "rate_hz": 500.0},
   "imperfections": {
     "hysteresis_rad": 0.0, "stick_slip": 0.0, "stiffness_scale": 1.0,
-    "coupling_compliance_rad_per_nm": 0.0}
+    "coupling_compliance_rad_per_nm": 0.0},
+  "policy": {
+    "command": "", "period_s": 0.02, "execute_steps": 1, "time_s": 5.0, "object_pose": "believed",
+    "latency_s": 0.0, "latency_jitter_s": 0.0, "dropout": 0.0, "joint_noise_rad": 0.0,
+    "force_noise_n": 0.0}
 })";
 
 /** @param values  of a part of the configuration: what is left out of it is not hashed.
@@ -73,16 +77,17 @@ Json ToJson(const HandCamera& camera) {
 std::string CalcTrialId(const SessionConfig& config, const Hand& hand, const GraspObject& object,
                         const Json& grasp, int trial) {
   static const Json defaults = ConfigToJson(SessionConfig());
-  Json content = {{"physics", kPhysicsVersion},
-                  {"hand", {hand.id, hand.content_hash}},
-                  {"object", {object.id, object.content_hash}},
-                  {"grasp", grasp},
-                  {"variation", TakeHashed("variation", ConfigToJson(config.variation), defaults)},
-                  {"strategy", TakeHashed("strategy", StrategyToJson(config.strategy), defaults)},
-                  {"sim", TakeHashed("sim", ConfigToJson(config.sim), defaults)},
-                  {"model", TakeHashed("model", ConfigToJson(config.model), defaults)},
-                  {"seed", config.seed},
-                  {"trial", trial}};
+  Json content = {
+      {"physics", kPhysicsVersion},
+      {"hand", {hand.id, hand.content_hash}},
+      {"object", {object.id, object.content_hash}},
+      {"grasp", grasp},
+      {"variation", TakeHashed("variation", ConfigToJson(config.variation), defaults)},
+      {"strategy", TakeHashed("strategy", StrategyToJson(FindUsedStrategy(config)), defaults)},
+      {"sim", TakeHashed("sim", ConfigToJson(config.sim), defaults)},
+      {"model", TakeHashed("model", ConfigToJson(config.model), defaults)},
+      {"seed", config.seed},
+      {"trial", trial}};
   // Only what differs from the default, so that the ids of all other trials stay as they were.
   if (config.positioning != SessionConfig().positioning) {
     content["positioning"] = config.positioning;
@@ -95,6 +100,11 @@ std::string CalcTrialId(const SessionConfig& config, const Hand& hand, const Gra
     content["touch"] = config.touch;
     content["sensors"] = TakeHashed("sensors", ConfigToJson(config.sensors), defaults);
     content["skin"] = hand.skin->content_hash;
+  }
+  if (!config.policy.command.empty()) {
+    Json policy = ConfigToJson(config.policy);
+    policy.erase("timeout_s");  // of real time: it changes no result
+    content["policy"] = TakeHashed("policy", policy, defaults);
   }
   if (config.draws != SessionConfig().draws) content["draws"] = config.draws;
   if (!(config.imperfections == SessionConfig().imperfections)) {

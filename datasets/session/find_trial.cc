@@ -149,6 +149,20 @@ const TrialRecord* FindRecord(const Session& session, const PlannedTrial& planne
   return found == session.records.end() ? nullptr : &*found;
 }
 
+std::shared_ptr<HandPolicy> FindRecordedPolicy(const Session& session,
+                                               const PlannedTrial& planned) {
+  const TrialRecord* record = FindRecord(session, planned);
+  if (!record || !record->result.policy) return nullptr;
+  return MakeRecordedPolicy(*LoadWhole(session, *record).result.policy);
+}
+
+TrialSetup MakeRecordedSetup(const Session& session, const SessionInputs& inputs,
+                             const PlannedTrial& planned) {
+  TrialSetup setup = MakeTrialSetup(session.config, inputs, planned);
+  setup.controller = FindRecordedPolicy(session, planned);
+  return setup;
+}
+
 NearestSuccess FindNearestSuccess(const Session& session, const PlannedTrial& planned,
                                   double radius) {
   const auto draw = [&](int trial) {

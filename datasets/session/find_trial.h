@@ -2,9 +2,11 @@
 /** @file
 One trial of a session, by the name that a person has for it. */
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "core/trial/policy/hand_policy.h"
 #include "datasets/session/session_store.h"
 
 namespace graspbench {
@@ -20,6 +22,13 @@ const PlannedTrial& FindPlannedTrial(const Session& session, const std::string& 
 
 /** The record of a planned trial; null while it is not finished. */
 const TrialRecord* FindRecord(const Session& session, const PlannedTrial& planned);
+
+/** What runs a planned trial again: a controller gives the actions of the trial's record, and where
+there is no record the trial cannot run. */
+TrialSetup MakeRecordedSetup(const Session& session, const SessionInputs& inputs,
+                             const PlannedTrial& planned);
+/** Those actions; null for a trial without. */
+std::shared_ptr<HandPolicy> FindRecordedPolicy(const Session& session, const PlannedTrial& planned);
 
 /** The successful trial of the same cell whose object stood nearest to that of `planned`; null
 without any. */

@@ -70,6 +70,7 @@ void MakeBrief(TrialResult& result) {
   Drop(result.phases);
   Drop(result.contact_events);
   Drop(result.snapshots);
+  if (result.policy) Drop(result.policy->rows);
 }
 
 /** Finished trials by their place in the plan, gathered from journals in any order. */

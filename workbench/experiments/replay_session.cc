@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/trial/trial_trace.h"
+#include "datasets/session/find_trial.h"
 #include "datasets/session/session_store.h"
 #include "datasets/shards/worker_log.h"
 #include "workbench/experiments/pool/batch_runner.h"
@@ -108,8 +109,7 @@ SessionReplay ReplaySession(const Session& session, const SessionInputs& inputs,
     const auto keep = [&, traced](const TrialRecord& now) {
       compare(now);
       if (!request.take) return;
-      request.take(places.at(now.plan.id), MakeTrialSetup(session.config, inputs, now.plan),
-                   *traced);
+      request.take(places.at(now.plan.id), MakeRecordedSetup(session, inputs, now.plan), *traced);
     };
     CarryOut trace;
     if (request.take) {
@@ -118,7 +118,8 @@ SessionReplay ReplaySession(const Session& session, const SessionInputs& inputs,
         return traced->result;
       };
     }
-    BatchWorker worker = MakeTrialWorker(session.config, inputs, keep, trace);
+    BatchWorker worker =
+        MakeTrialWorker(session.config, inputs, keep, trace, MakeRecordedPolicies(session));
     worker.give_up = compare;
     return worker;
   };

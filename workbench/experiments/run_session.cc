@@ -59,11 +59,13 @@ MakeBatchWorker MakeJudgeWorkers(const Session& session, const SessionInputs& in
       writer->Append(record.plan.id, *judgement);
     };
     BatchWorker made = MakeTrialWorker(
-        session.config, inputs, keep, [judgement](TrialRunner& runner, const TrialSetup& setup) {
+        session.config, inputs, keep,
+        [judgement](TrialRunner& runner, const TrialSetup& setup) {
           JudgedTrial trial = runner.Judge(setup);
           *judgement = trial.judgement ? *trial.judgement : MakeEmptyHandJudgement();
           return trial.result;
-        });
+        },
+        MakeRecordedPolicies(session));
     // Nothing is known of a grasp whose test does not end: it stays unjudged.
     made.give_up = [](const TrialRecord&) {};
     return made;

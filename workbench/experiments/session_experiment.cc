@@ -186,10 +186,12 @@ bool RunExperiment(const PreparedSession& experiment, const ExperimentRequest& r
 double EstimateSweepTime(const PreparedSession& sweep, bool with_judge, bool with_thresholds) {
   std::map<std::string, double> times;
   TrialBench bench;
+  const FindPolicy find_policy = MakeLivePolicies();
   double sum = 0.0;
   for (const PlannedTrial& planned : FindUnfinished(sweep.session)) {
     if (times.count(planned.hand) == 0) {
       TrialSetup setup = MakeTrialSetup(sweep.config, sweep.inputs, planned);
+      setup.controller = find_policy(setup, planned);
       TrialRunner& runner = bench.Prepare(setup);
       const auto start = std::chrono::steady_clock::now();
       runner.Run(setup);

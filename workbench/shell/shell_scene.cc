@@ -26,6 +26,9 @@ TrialSetup MakeDrawnSetup(const SceneChoice& choice, const SessionInputs& inputs
   SessionConfig config = choice.config;
   config.trials = 1;
   CheckSessionConfig(config);
+  if (!config.policy.command.empty()) {
+    throw Error(ErrorKind::kUsage, "the shell controls the hand itself; leave out policy.command");
+  }
   const std::vector<PlannedTrial> plan = MakePlan(config, inputs);
   PlannedTrial planned = plan.front();
   planned.trial = draw.value_or(0);

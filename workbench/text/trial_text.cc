@@ -306,7 +306,7 @@ ExaminedTrial ExamineTrial(const Session& session, const PlannedTrial& planned, 
   const SessionInputs inputs = LoadTrialInputs(session, planned);
   ExaminedTrial trial;
   trial.planned = planned;
-  trial.setup = MakeTrialSetup(session.config, inputs, planned);
+  trial.setup = MakeRecordedSetup(session, inputs, planned);
   trial.setup.object = CompleteObject(trial.setup.object);
   TrialRunner runner(trial.setup.hand, trial.setup.object);
   trial.traced = TraceTrial(runner, trial.setup, interval);

@@ -44,13 +44,13 @@ GripRegulator MakeRegulator(const TrialSetup& setup, const std::vector<int>& dig
 TableLift::TableLift(std::unique_ptr<World> world, const TrialSetup& setup, WristCamera* camera)
     : TrialCourse(std::move(world)),
       setup_(setup),
+      digits_(ListGraspingDigits(*setup.hand, setup.grasp)),
+      notes_{GraspStrategy(setup.strategy, setup.grasp.approach_distance), StabilityMeter(setup),
+             ContactEventRecorder(*setup.hand), LoadRecorder(setup_, digits_),
+             MakeRegulator(setup_, digits_)},
       hand_(*setup.hand),
       object_radius_(CalcObjectRadius(*setup.object)),
-      placement_(CalcPlacement(hand_, setup.grasp, *setup.object)),
-      digits_(ListGraspingDigits(hand_, setup.grasp)),
-      notes_{GraspStrategy(setup.strategy, setup.grasp.approach_distance), StabilityMeter(setup),
-             ContactEventRecorder(hand_), LoadRecorder(setup_, digits_),
-             MakeRegulator(setup_, digits_)} {
+      placement_(CalcPlacement(hand_, setup.grasp, *setup.object)) {
   for (const int digit : digits_) {
     const bool opposes = digit == FindOpposingDigit(hand_, setup.grasp);
     notes_.result.contacts.push_back(
@@ -117,8 +117,18 @@ Eigen::VectorXd TableLift::CalcStartPosture() const {
 }
 
 Pose TableLift::CalcStartPose() const {
-  Pose X_WO = MakePose(Vector3d(setup_.draw.offset_x, setup_.draw.offset_y, 0.0));
-  X_WO.rotate(Eigen::AngleAxisd(setup_.draw.offset_yaw, Vector3d::UnitZ()));
+  return CalcRestPose(setup_.draw.offset_x, setup_.draw.offset_y, setup_.draw.offset_yaw);
+}
+
+Pose TableLift::CalcBelievedPose() const {
+  const TrialResult& known = notes_.result;
+  if (std::isnan(known.believed_x)) return CalcRestPose(0.0, 0.0, 0.0);
+  return CalcRestPose(known.believed_x, known.believed_y, known.believed_yaw);
+}
+
+Pose TableLift::CalcRestPose(double x, double y, double yaw) const {
+  Pose X_WO = MakePose(Vector3d(x, y, 0.0));
+  X_WO.rotate(Eigen::AngleAxisd(yaw, Vector3d::UnitZ()));
   if (const std::optional<Pose> X_NO = FindRestPose(*setup_.object, setup_.sim)) {
     return X_WO * *X_NO;
   }
@@ -269,7 +279,7 @@ void TableLift::ObserveTouches() {
     DigitTouch& touch = notes_.result.touches[d];
     if (IsTouching(digits_[d])) {
       notes_.result.contacts[d].time = CalcTouchTime(digits_[d]);
-      touch = {notes_.grip.closing(d), world_->state().q, 0.0};
+      touch = {FindClosing(d), world_->state().q, 0.0};
     } else if (is_closing && notes_.result.num_steps % kGapInterval == 0) {
       touch.smallest_gap = std::fmin(touch.smallest_gap, CalcGap(&hand_.digits[digits_[d]].links));
     }
@@ -316,6 +326,7 @@ TrialFacts TableLift::MakeFacts() const {
   facts.lift_time = setup_.strategy.lift_time;
   facts.lift_distance = setup_.grasp.approach_distance;
   facts.not_seen = notes_.not_seen;
+  facts.policy_fault = notes_.policy_fault;
   facts.is_reachable = placement_.reaches_object;
   facts.start_gap = notes_.start_gap;
   facts.report = notes_.report;
@@ -391,7 +402,7 @@ bool TableLift::is_held() const {
   return notes_.is_over && notes_.phase == Phase::kDone && IsHeld(MakeFacts());
 }
 
-StrategyObservation TableLift::FindObservation() const {
+StrategyObservation TableLift::FindObservation() {
   StrategyObservation observation;
   observation.is_regulated = notes_.grip.is_regulated();
   observation.is_in_band = notes_.grip.is_in_band();

@@ -48,6 +48,7 @@ struct TrialNotes {
   WorldCommand command = {};                 ///< the last one
   StepReport report = {};                    ///< of the last step
   std::optional<TouchSensors> sensors = {};  ///< of a trial that goes by them
+  std::string policy_fault = {};             ///< what a controller answered wrongly
   std::string not_seen = {};                 ///< why the camera did not find the object
   double time = 0.0;                         ///< since the start [s]
   double closure_start = kUnset;
@@ -104,16 +105,28 @@ class TableLift : public TrialCourse {
   double FindStrength() const override;
   const WorldCommand& last_command() const override { return notes_.command; }
 
+ protected:
+  virtual StrategyObservation FindObservation();
+  virtual WorldCommand MakeCommand(const StrategyCommand& command) const;
+  /** s of the closing law of a grasping digit, by its place in `digits_`. */
+  virtual double FindClosing(size_t digit) const { return notes_.grip.closing(digit); }
+  /** X_WO at rest, where the hand takes the object to be. */
+  Pose CalcBelievedPose() const;
+
+  const TrialSetup& setup_;
+  std::vector<int> digits_;                 // grasping digits, indices into hand_.digits
+  std::vector<HandContact> hand_contacts_;  // of the last step; kept for its memory
+  TrialNotes notes_;
+
  private:
   Pose CalcStartPose() const;
+  Pose CalcRestPose(double x, double y, double yaw) const;
   Eigen::VectorXd CalcStartPosture() const;
   /** Moves the placement to where the hand believes the object. */
   void Position(WristCamera* camera);
   double FindPlacingStart(const Pose& X_WO, const Eigen::VectorXd& q);
-  WorldCommand MakeCommand(const StrategyCommand& command) const;
   /** How many steps of the settings' length the next one is. */
   int ChooseNumSteps() const;
-  StrategyObservation FindObservation() const;
   /** Of the strategy, and the digits' closing with it. */
   StrategyCommand NextCommand(const StrategyObservation& observation, int num_steps);
   void Observe(const StepReport& report);
@@ -134,13 +147,9 @@ class TableLift : public TrialCourse {
   bool IsTouching(int digit) const;
   double CalcTouchTime(int digit) const;
 
-  const TrialSetup& setup_;
   const Hand& hand_;
   double object_radius_;  // about its centre of mass [m]
   Placement placement_;
-  std::vector<int> digits_;                 // grasping digits, indices into hand_.digits
-  std::vector<HandContact> hand_contacts_;  // of the last step; kept for its memory
-  TrialNotes notes_;
 };
 
 }  // namespace graspbench

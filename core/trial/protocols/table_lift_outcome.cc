@@ -53,6 +53,7 @@ std::string FindImplausibility(const TrialFacts& facts) {
 /** What ended the trial, whatever the hand holds; NotRun: nothing did. */
 OutcomeReason FindBreakdown(const TrialFacts& facts) {
   if (!facts.not_seen.empty()) return {Outcome::kNotSeen, facts.not_seen};
+  if (!facts.policy_fault.empty()) return {Outcome::kWrongAnswer, facts.policy_fault};
   if (!facts.is_reachable) {
     return {Outcome::kUnreachable,
             "the palm or another link would meet the object before the fingertips hold it"};
@@ -128,7 +129,9 @@ bool IsHeld(const TrialFacts& facts) { return IsUp(facts) && facts.report.table_
 
 bool IsDecided(const TrialFacts& facts) {
   if (!facts.report.is_finite || facts.unconverged_time > kMaxUnconvergedTime) return true;
-  if (!facts.not_seen.empty() || IsUnreachable(facts) || IsArmOverloaded(facts)) return true;
+  if (!facts.not_seen.empty() || !facts.policy_fault.empty() || IsUnreachable(facts) ||
+      IsArmOverloaded(facts))
+    return true;
   const bool is_free = facts.time - facts.last_touch > kLostTime;
   switch (facts.phase) {
     case Phase::kPlacing:

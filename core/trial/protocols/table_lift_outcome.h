@@ -22,6 +22,7 @@ struct TrialFacts {
   double lift_distance = 0.0;  ///< by which the hand rises [m]
 
   std::string not_seen = {};      ///< why the camera did not find the object; empty: nobody asks
+  std::string policy_fault = {};  ///< what the controller answered wrongly; empty: nothing
   bool is_reachable = true;       ///< the placement reaches the object
   double start_gap = 0.0;         ///< of hand and object at the start; negative: inside it [m]
   StepReport report = {};         ///< of the last step

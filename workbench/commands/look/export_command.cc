@@ -54,7 +54,7 @@ void ExportMjcf(const ExportOptions& options, const Session& session) {
   MjcfExporter exporter;
   std::vector<std::string> scenes;
   for (const PlannedTrial& planned : trials) {
-    exporter.Export(ChooseGraspBySight(MakeTrialSetup(session.config, inputs, planned)),
+    exporter.Export(ChooseGraspBySight(MakeRecordedSetup(session, inputs, planned)),
                     staged.path() / planned.id);
     scenes.push_back((folder / planned.id / "scene.xml").string());
   }

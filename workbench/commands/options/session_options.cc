@@ -29,6 +29,8 @@ constexpr SettingOption kOptions[] = {
      [](const SessionConfig& given, SessionConfig& c) { c.grasps = given.grasps; }},
     {"--approach", "approach",
      [](const SessionConfig& given, SessionConfig& c) { c.approach = given.approach; }},
+    {"--policy", "policy.command",
+     [](const SessionConfig& given, SessionConfig& c) { c.policy.command = given.policy.command; }},
     {"--trials", "trials",
      [](const SessionConfig& given, SessionConfig& c) { c.trials = given.trials; }},
     {"--seed", "seed", [](const SessionConfig& given, SessionConfig& c) { c.seed = given.seed; }}};
@@ -55,6 +57,9 @@ void SessionOptions::AddTo(Command& command, const std::string& file_text) {
       .AddOption("--approach", given_.approach, "above or side, whatever objects and grasps say",
                  "FROM")
       ->ShowDefault();
+  command.AddOption("--policy", given_.policy.command,
+                    "shell command of a controller that closes the digits: 'python3 my.py'",
+                    "COMMAND");
   command.AddOption("--trials", given_.trials, "trials of each hand, object, grasp", "N")
       ->ShowDefault();
   AddSeedOption(command, given_.seed, "other variations");

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/base/text/text.h"
 #include "workbench/experiments/pool/worker_pool.h"
 
 namespace graspbench {
@@ -17,6 +18,29 @@ struct RunningTrial {
   TrialSetup setup;
   TrialRunner* runner = nullptr;  // the bench's
   TrialResult result;
+};
+
+/** Trials of which nothing is known, because their controllers were lost; noted by any worker. */
+class LostTrials {
+ public:
+  void Note(const PlannedTrial& planned, const std::string& reason) {
+    const std::lock_guard lock(mutex_);
+    if (num_++ == 0) first_ = DescribeTrial(planned) + ": " + reason;
+  }
+  int num() const {
+    const std::lock_guard lock(mutex_);
+    return num_;
+  }
+  std::string Describe() const {
+    const std::lock_guard lock(mutex_);
+    return "the controller was lost in " + FormatCount(num_, "trial") +
+           ", which stay unfinished and count in no rate; first in " + first_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  int num_ = 0;
+  std::string first_;
 };
 
 }  // namespace
@@ -70,11 +94,14 @@ TrialResult MakeEndlessResult(double time_limit) {
 }
 
 BatchWorker MakeTrialWorker(const SessionConfig& config, const SessionInputs& inputs,
-                            std::function<void(const TrialRecord&)> keep, CarryOut carry_out) {
+                            std::function<void(const TrialRecord&)> keep, CarryOut carry_out,
+                            FindPolicy find_policy) {
   const auto bench = std::make_shared<TrialBench>();
-  const auto prepare = [&config, &inputs, carry_out,
+  if (!find_policy) find_policy = MakeLivePolicies();
+  const auto prepare = [&config, &inputs, carry_out, find_policy,
                         bench](const PlannedTrial& planned) -> std::function<TrialResult()> {
     TrialSetup setup = MakeTrialSetup(config, inputs, planned);
+    setup.controller = find_policy(setup, planned);
     TrialRunner& runner = bench->Prepare(setup);
     return [bench, &runner, setup, carry_out] {
       return carry_out ? carry_out(runner, setup) : runner.Run(setup);
@@ -88,6 +115,7 @@ bool RunBatch(const Stage& stage, const std::vector<PlannedTrial>& trials, int n
   observer.BeginStage(stage);
   if (trials.empty()) return true;
   StatusBoard board(CalcNumWorkers(num_workers, trials.size()));
+  LostTrials lost;
   const auto make_runner = [&](int worker, const std::atomic<bool>&) -> TaskRunner {
     const auto tools = std::make_shared<BatchWorker>(make_worker(worker));
     const auto trial = std::make_shared<std::function<TrialResult()>>();
@@ -98,13 +126,23 @@ bool RunBatch(const Stage& stage, const std::vector<PlannedTrial>& trials, int n
       *trial = tools->prepare(record->plan);
       board.SetBusy(worker, record->plan);
     };
-    const RunTask run = [trial, record](size_t) {
-      record->result = (*trial)();
+    const auto num_lost = std::make_shared<int>(0);  // in a row
+    const RunTask run = [&lost, trial, record, num_lost](size_t) {
+      try {
+        record->result = (*trial)();
+        *num_lost = 0;
+      } catch (const PolicyLost& loss) {
+        record->result = {};
+        lost.Note(record->plan, loss.what());
+        if (++*num_lost == kMostLostInARow) throw Error(ErrorKind::kEnvironment, lost.Describe());
+      }
       *trial = nullptr;  // the next object's field would be a second one
     };
     const RunTask keep = [&board, worker, tools, record](size_t) {
-      tools->keep(*record);
-      board.Count(record->result.outcome);
+      if (record->result.outcome != Outcome::kNotRun) {
+        tools->keep(*record);
+        board.Count(record->result.outcome);
+      }
       board.SetBusy(worker, std::nullopt);
     };
     const RunTask give_up = [&board, &trials, worker, tools, time_limit](size_t task) {
@@ -118,6 +156,7 @@ bool RunBatch(const Stage& stage, const std::vector<PlannedTrial>& trials, int n
   const auto show = [&] { observer.ShowStatus(board.Read(), stage.num_trials); };
   const bool is_complete =
       RunTasks(trials.size(), num_workers, make_runner, show, observer.stop(), time_limit);
+  if (lost.num() > 0) throw Error(ErrorKind::kEnvironment, lost.Describe());
   observer.EndStage();
   return is_complete;
 }

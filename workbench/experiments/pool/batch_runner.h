@@ -16,6 +16,7 @@ is there. */
 #include "datasets/session/session_store.h"
 #include "objects/catalogue.h"
 #include "workbench/experiments/observer.h"
+#include "workbench/experiments/policies/live_policies.h"
 
 namespace graspbench {
 
@@ -33,10 +34,10 @@ struct BatchWorker {
 /** What a worker does with a trial that is ready. */
 using CarryOut = std::function<TrialResult(TrialRunner& runner, const TrialSetup& setup)>;
 /** A worker for trials of a session, with a simulated world of its own. @param carry_out  empty: it
-runs them. @pre config and inputs belong together and outlive the worker. */
+runs them.   @param find_policy  empty: controllers are started. @pre config and inputs belong together and outlive the worker. */
 BatchWorker MakeTrialWorker(const SessionConfig& config, const SessionInputs& inputs,
                             std::function<void(const TrialRecord&)> keep,
-                            CarryOut carry_out = nullptr);
+                            CarryOut carry_out = nullptr, FindPolicy find_policy = nullptr);
 
 /** Called in the worker's own thread. */
 using MakeBatchWorker = std::function<BatchWorker(int worker)>;
@@ -49,10 +50,14 @@ inline constexpr double kTrialTimeLimit = 1800.0;
 /** Of a trial that was given up after so long: a numerical failure that says so. */
 TrialResult MakeEndlessResult(double time_limit);
 
+/** In a row of a worker, without one that ended: its controller will not do it. */
+inline constexpr int kMostLostInARow = 3;
+
 /** Runs `trials`, a stage that the observer sees, until all are done or the observer asks to stop;
 a trial that has begun is finished and kept.
 @param time_limit  [s of processor time]: a trial that has not ended by then is kept as a numerical
-failure or given up, and the others go on.   @returns, @throws  as RunTasks of worker_pool.h. */
+failure or given up, and the others go on. A trial whose controller was lost is left out.
+@throws Error(kEnvironment) in the end, when controllers were lost.   @returns, @throws  as RunTasks of worker_pool.h. */
 bool RunBatch(const Stage& stage, const std::vector<PlannedTrial>& trials, int num_workers,
               const MakeBatchWorker& make_worker, Observer& observer,
               double time_limit = kNoTimeLimit);

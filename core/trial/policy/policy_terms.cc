@@ -1,0 +1,358 @@
+#include "core/trial/policy/policy_terms.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/config.h"
+#include "core/hand/hand.h"
+#include "core/hand/tactile.h"
+#include "core/trial/touch_sensors.h"
+#include "core/trial/trial_setup.h"
+
+namespace graspbench {
+namespace {
+
+using Values = std::vector<double>;
+
+bool IsAlwaysGiven(const PolicyView&) { return true; }
+bool HasSensors(const PolicyView& view) { return view.sensors != nullptr; }
+bool IsPoseGiven(const PolicyView& view) {
+  return view.setup.policy.object_pose != RowOf(kPolicyObjectPoses, PolicyObjectPose::kNone).name;
+}
+
+template <class Vector>
+void AppendVector(const Vector& vector, Values& values) {
+  for (Eigen::Index i = 0; i < vector.size(); ++i) values.push_back(vector[i]);
+}
+
+void AppendRotation(const Eigen::Matrix3d& R, Values& values) {
+  const Eigen::Quaterniond q(R);
+  values.insert(values.end(), {q.w(), q.x(), q.y(), q.z()});
+}
+
+Pose FindGivenPose(const PolicyView& view) {
+  const bool is_true =
+      view.setup.policy.object_pose == RowOf(kPolicyObjectPoses, PolicyObjectPose::kTrue).name;
+  return is_true ? view.world.CalcObjectPose() : view.believed_X_WO;
+}
+
+/** On the object, of each digit and of the rest of the hand behind them. */
+Values CalcPressing(const PolicyView& view) {
+  const Hand& hand = *view.setup.hand;
+  Values forces(hand.digits.size() + 1, 0.0);
+  if (view.sensors) {
+    for (size_t d = 0; d < hand.digits.size(); ++d) {
+      forces[d] = view.sensors->CalcFeltForce(static_cast<int>(d));
+    }
+    forces.back() = view.sensors->CalcFeltForce(-1);
+    return forces;
+  }
+  for (const HandContact& contact : view.contacts) {
+    const int digit = hand.FindDigitOfLink(contact.link);
+    forces[digit >= 0 ? static_cast<size_t>(digit) : hand.digits.size()] += contact.normal_force;
+  }
+  return forces;
+}
+
+void FindDigitForces(const PolicyView& view, Values& values) {
+  const Values forces = CalcPressing(view);
+  values.insert(values.end(), forces.begin(), forces.end() - 1);
+}
+
+void FindDigitTouches(const PolicyView& view, Values& values) {
+  const Hand& hand = *view.setup.hand;
+  for (size_t d = 0; d < hand.digits.size(); ++d) {
+    if (view.sensors) {
+      values.push_back(view.sensors->has_felt(static_cast<int>(d)) ? 1.0 : 0.0);
+      continue;
+    }
+    const std::vector<int>& links = hand.digits[d].links;
+    const bool touches = std::any_of(links.begin(), links.end(), [&](int link) {
+      const auto& all = view.report.link_touches_object;
+      return static_cast<size_t>(link) < all.size() && all[static_cast<size_t>(link)];
+    });
+    values.push_back(touches ? 1.0 : 0.0);
+  }
+}
+
+void FindDriveTorques(const PolicyView& view, Values& values) {
+  const Hand& hand = *view.setup.hand;
+  for (size_t i = 0; i < view.driven.size(); ++i) {
+    const int joint = view.driven[i];
+    const JointDrive& drive = hand.joints[static_cast<size_t>(joint)].drive;
+    const double error = view.targets[static_cast<Eigen::Index>(i)] -
+                         CalcDrivePosition(hand, view.world.state(), joint);
+    const double speed = view.world.state().u[view.world.dynamics().dof_of_joint(joint)];
+    values.push_back(std::clamp(drive.stiffness * error - drive.damping * speed,
+                                -drive.torque_limit, drive.torque_limit));
+  }
+}
+
+void FindJointSpeeds(const PolicyView& view, Values& values) {
+  for (int joint = 0; joint < view.setup.hand->num_joints(); ++joint) {
+    values.push_back(view.world.dynamics().CalcJointSpeed(joint, view.world.state().u));
+  }
+}
+
+template <class Take>
+Json ListOfDriven(const PolicyView& view, Take&& take) {
+  Json list = Json::array();
+  for (const int joint : view.driven) list.push_back(take(joint));
+  return list;
+}
+
+Json ListDrivenDigits(const PolicyView& view) {
+  const Hand& hand = *view.setup.hand;
+  return ListOfDriven(view, [&](int joint) {
+    const int digit = hand.FindDigitOfLink(hand.joints[static_cast<size_t>(joint)].link);
+    return digit < 0 ? std::string() : hand.digits[static_cast<size_t>(digit)].id;
+  });
+}
+
+template <class Take>
+Json ListOfElements(const PolicyView& view, Take&& take) {
+  if (!view.sensors) return Json();
+  Json list = Json::array();
+  for (const TactileElement& element : view.setup.hand->skin->elements) {
+    list.push_back(take(element));
+  }
+  return list;
+}
+
+/** delay and speed of each digit's closing. */
+Json ListClosing(const PolicyView& view) {
+  Json schedules = Json::object();
+  for (const std::string& digit : view.setup.grasp.digits) {
+    const auto found = view.setup.grasp.closing.find(digit);
+    const ClosingSchedule schedule =
+        found == view.setup.grasp.closing.end() ? ClosingSchedule() : found->second;
+    schedules[digit] = {schedule.delay, schedule.speed};
+  }
+  return schedules;
+}
+
+}  // namespace
+
+const std::vector<PolicyObservation>& ListPolicyObservations() {
+  static const std::vector<PolicyObservation> observations = {
+      {{"time", "s", "", "", "since control began"},
+       IsAlwaysGiven,
+       [](const PolicyView& view, Values& values) { values.push_back(view.time); },
+       true},
+      {{"phase", "", "", "",
+        "0: closure, until all grasping digits have touched or had the time to; 1: stabilisation"},
+       IsAlwaysGiven,
+       [](const PolicyView& view, Values& values) {
+         values.push_back(view.phase == Phase::kClosure ? 0.0 : 1.0);
+       },
+       true},
+      {{"time_in_phase", "s", "", "", "since the phase began"},
+       IsAlwaysGiven,
+       [](const PolicyView& view, Values& values) { values.push_back(view.time_in_phase); },
+       true},
+      {{"joint_positions", "rad, m", "m", "", "of all joints"},
+       IsAlwaysGiven,
+       [](const PolicyView& view, Values& values) { AppendVector(view.world.state().q, values); },
+       false,
+       &PolicyConfig::joint_noise},
+      {{"joint_speeds", "rad/s, m/s", "m", "", "of all joints"},
+       IsAlwaysGiven,
+       FindJointSpeeds,
+       false},
+      {{"targets", "rad, m", "n", "", "of the driven joints, the last that were asked for"},
+       IsAlwaysGiven,
+       [](const PolicyView& view, Values& values) { AppendVector(view.targets, values); },
+       false},
+      {{"drive_torques", "N m, N", "n", "",
+        "stiffness times the error of the joint, less damping, within the drive's limit"},
+       IsAlwaysGiven,
+       FindDriveTorques,
+       false},
+      {{"digit_forces", "N", "d", "",
+        "sum of the normal forces of a digit on the object; with touch: sensed, as its elements "
+        "feel it"},
+       IsAlwaysGiven,
+       FindDigitForces,
+       false,
+       &PolicyConfig::force_noise},
+      {{"palm_force", "N", "", "", "the same of the rest of the hand"},
+       IsAlwaysGiven,
+       [](const PolicyView& view, Values& values) { values.push_back(CalcPressing(view).back()); },
+       true,
+       &PolicyConfig::force_noise},
+      {{"grip_force", "N", "", "", "the same of the whole hand"},
+       IsAlwaysGiven,
+       [](const PolicyView& view, Values& values) {
+         values.push_back(view.sensors ? view.sensors->CalcFeltForce() : view.report.grip_force);
+       },
+       true,
+       &PolicyConfig::force_noise},
+      {{"digit_touches", "", "d", "",
+        "1: a link of the digit touches the object; with touch: sensed, has ever been felt to"},
+       IsAlwaysGiven,
+       FindDigitTouches,
+       false},
+      {{"taxels", "N", "k", "", "force on the cell of each tactile element; with touch: sensed"},
+       HasSensors,
+       [](const PolicyView& view, Values& values) {
+         const Values& forces = view.sensors->forces();
+         values.insert(values.end(), forces.begin(), forces.end());
+       },
+       false},
+      {{"hand_position", "m", "3", "W", "of the hand's base"},
+       IsAlwaysGiven,
+       [](const PolicyView& view, Values& values) {
+         AppendVector(view.world.state().X_WH.translation(), values);
+       },
+       false},
+      {{"hand_rotation", "", "4", "W", "of the hand's base, a quaternion"},
+       IsAlwaysGiven,
+       [](const PolicyView& view, Values& values) {
+         AppendRotation(view.world.state().X_WH.linear(), values);
+       },
+       false},
+      {{"hand_velocity", "m/s, rad/s", "6", "W", "of the hand's base: linear, then angular"},
+       IsAlwaysGiven,
+       [](const PolicyView& view, Values& values) {
+         AppendVector(view.world.state().v_WH, values);
+         AppendVector(view.world.state().w_WH, values);
+       },
+       false},
+      {{"object_position", "m", "3", "W", "of the object's frame; by policy.object_pose"},
+       IsPoseGiven,
+       [](const PolicyView& view, Values& values) {
+         AppendVector(FindGivenPose(view).translation(), values);
+       },
+       false},
+      {{"object_rotation", "", "4", "W", "of the object's frame, a quaternion; likewise"},
+       IsPoseGiven,
+       [](const PolicyView& view, Values& values) {
+         AppendRotation(FindGivenPose(view).linear(), values);
+       },
+       false}};
+  return observations;
+}
+
+const std::vector<PolicyTerm>& ListPolicyActions() {
+  static const std::vector<PolicyTerm> actions = {
+      {"targets", "rad, m", "n or rows x n", "",
+       "positions that the drives are asked for, a row per control period"},
+      {"increments", "rad, m", "n or rows x n", "",
+       "instead of targets: what each row adds to the targets before it"},
+      {"done", "", "", "",
+       "true: the hand is lifted after the first row, of an action without rows at once"},
+      {"error", "", "", "", "a text instead of all others: the controller gives up, and why"}};
+  return actions;
+}
+
+const std::vector<PolicyFact>& ListPolicyFacts() {
+  static const std::vector<PolicyFact> facts = {
+      {{"trial_id", "", "", "", "of the trial"},
+       [](const PolicyView& view) { return Json(view.setup.trial_id); }},
+      {{"seed", "", "", "", "whole number below 2^32, the same for every controller of a draw"},
+       [](const PolicyView& view) { return Json(view.setup.policy_seed); }},
+      {{"hand", "", "", "", "id"},
+       [](const PolicyView& view) { return Json(view.setup.hand->id); }},
+      {{"object", "", "", "", "id"},
+       [](const PolicyView& view) { return Json(view.setup.object->id); }},
+      {{"grasp", "", "", "", "id of the standard or optimised grasp, which places the hand"},
+       [](const PolicyView& view) { return Json(view.setup.grasp.id); }},
+      {{"joints", "", "m", "", "names of all joints"},
+       [](const PolicyView& view) {
+         Json names = Json::array();
+         for (const HandJoint& joint : view.setup.hand->joints) names.push_back(joint.name);
+         return names;
+       }},
+      {{"driven", "", "n", "", "names of the driven joints"},
+       [](const PolicyView& view) {
+         return ListOfDriven(view, [&](int joint) {
+           return view.setup.hand->joints[static_cast<size_t>(joint)].name;
+         });
+       }},
+      {{"driven_digits", "", "n", "", "id of the digit of each; empty: of the wrist"},
+       ListDrivenDigits},
+      {{"lower", "rad, m", "n", "", "limits of the driven joints"},
+       [](const PolicyView& view) {
+         return ListOfDriven(view, [&](int joint) {
+           return view.setup.hand->joints[static_cast<size_t>(joint)].lower;
+         });
+       }},
+      {{"upper", "rad, m", "n", "", "likewise"},
+       [](const PolicyView& view) {
+         return ListOfDriven(view, [&](int joint) {
+           return view.setup.hand->joints[static_cast<size_t>(joint)].upper;
+         });
+       }},
+      {{"open", "rad, m", "n", "", "pre-grasp posture of the grasp, in which control begins"},
+       [](const PolicyView& view) {
+         return ListOfDriven(view, [&](int joint) { return view.setup.grasp.q_pre[joint]; });
+       }},
+      {{"closed", "rad, m", "n", "", "target posture of the grasp"},
+       [](const PolicyView& view) {
+         return ListOfDriven(view, [&](int joint) { return view.setup.grasp.q_target[joint]; });
+       }},
+      {{"digits", "", "d", "", "ids of the hand's digits"},
+       [](const PolicyView& view) {
+         Json ids = Json::array();
+         for (const Digit& digit : view.setup.hand->digits) ids.push_back(digit.id);
+         return ids;
+       }},
+      {{"grasping", "s, -", "", "",
+        "ids of the digits that grasp, each with delay and relative speed of its closing"},
+       ListClosing},
+      {{"period", "s", "", "", "control period"},
+       [](const PolicyView& view) {
+         const double step = view.setup.sim.step;
+         return Json(step * std::max(1.0, std::round(view.setup.policy.period / step)));
+       }},
+      {{"execute_steps", "", "", "", "rows of an action that are used"},
+       [](const PolicyView& view) { return Json(view.setup.policy.execute_steps); }},
+      {{"time", "s", "", "", "longest time of control"},
+       [](const PolicyView& view) { return Json(view.setup.policy.time); }},
+      {{"strategy", "", "", "", "the session's keys of strategy, by name"},
+       [](const PolicyView& view) { return ConfigToJson(view.setup.strategy); }},
+      {{"weight", "N", "", "", "of the object"},
+       [](const PolicyView& view) {
+         return Json(view.setup.object->mass_properties.mass * view.setup.sim.gravity);
+       }},
+      {{"taxel_links", "", "k", "", "link of each tactile element; with touch: sensed"},
+       [](const PolicyView& view) {
+         return ListOfElements(view, [&](const TactileElement& element) {
+           return view.setup.hand->links[static_cast<size_t>(element.link)].name;
+         });
+       }},
+      {{"taxel_positions", "m", "k x 3", "L", "place of each; likewise"},
+       [](const PolicyView& view) {
+         return ListOfElements(view, [](const TactileElement& e) { return JsonVector(e.p_LE); });
+       }},
+      {{"taxel_normals", "", "k x 3", "L", "unit normal out of the hand of each; likewise"},
+       [](const PolicyView& view) {
+         return ListOfElements(view,
+                               [](const TactileElement& e) { return JsonVector(e.normal_L); });
+       }}};
+  return facts;
+}
+
+namespace {
+
+std::string FormatRow(const PolicyTerm& term) {
+  return std::string("| `") + term.name + "` | " + term.unit + " | " + term.shape + " | " +
+         term.frame + " | " + term.meaning + " |\n";
+}
+
+constexpr char kTermHead[] =
+    "| name | unit | shape | frame | meaning |\n| --- | --- | --- | --- | --- |\n";
+
+}  // namespace
+
+std::string FormatPolicyTerms() {
+  std::string text = std::string("### Observations\n\n") + kTermHead;
+  for (const PolicyObservation& row : ListPolicyObservations()) text += FormatRow(row.term);
+  text += std::string("\n### Actions\n\n") + kTermHead;
+  for (const PolicyTerm& term : ListPolicyActions()) text += FormatRow(term);
+  text += std::string("\n### Facts of a trial\n\n") + kTermHead;
+  for (const PolicyFact& row : ListPolicyFacts()) text += FormatRow(row.term);
+  return text;
+}
+
+}  // namespace graspbench

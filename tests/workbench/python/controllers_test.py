@@ -1,0 +1,258 @@
+"""Controllers of others against the built program.
+
+    controllers_test.py PROGRAM SOURCE [TEST..]
+
+The oracle of a right controller is the program's own strategy; wrong ones have their outcome by hand."""
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+EXAMPLES = SOURCE / "workbench/python/examples"
+PYTHON = sys.executable
+ENVIRONMENT = dict(os.environ, PYTHONPATH=str(SOURCE / "workbench/python"), NO_COLOR="1")
+SMALL = ["--hand", "tum", "--object", "golf_ball", "--trials", "2", "--jobs", "1"]
+
+# What each wrong controller writes to an observation; `a` writes an answer of this dict, `raw` bytes.
+HEAD = """
+import os, struct, sys, time
+import numpy as np
+from graspbench.messages import pack, unpack
+out = os.fdopen(1, "wb", buffering=0)
+source = os.fdopen(0, "rb")
+def raw(data): out.write(data)
+def a(answer):
+    data = pack(answer)
+    raw(struct.pack("<I", len(data)) + data)
+count = 0
+while True:
+    head = source.read(4)
+    if len(head) < 4: break
+    message = unpack(source.read(struct.unpack("<I", head)[0]))
+    n = message["number"]
+    if "reset" in message:
+        facts = message["reset"]
+        num = len(facts["driven"])
+        count = 0
+        RESET
+        continue
+    count += 1
+    good = {"number": n, "targets": np.array(facts["open"], float)}
+    BODY
+"""
+
+WRONG = {  # name: (body, part of the reason)
+    "wrong shape": ("a({'number': n, 'targets': np.zeros(num + 1)})", "has the shape"),
+    "matrix of the wrong width": ("a({'number': n, 'targets': np.zeros((2, 3, num))})", "has the shape"),
+    "not a number": ("a({'number': n, 'targets': np.full(num, np.nan)})", "holds NaN"),
+    "infinite": ("a({'number': n, 'increments': np.full(num, np.inf)})", "infinite number"),
+    "huge chunk": ("a({'number': n, 'targets': np.zeros((5000, num))})", "5000 rows"),
+    "texts": ("a({'number': n, 'targets': 'closed'})", "no array of numbers"),
+    "nothing": ("a({'number': n})", "no targets"),
+    "unknown key": ("a({**good, 'grip': 1})", 'has the key "grip"'),
+    "refuses": ("a({'number': n, 'error': 'I am lost'})", 'gave up: "I am lost"'),
+    "no number": ("a({'targets': np.zeros(num)})", "lacks the number"),
+    "garbage": ("raw(b'hello, world')", "does the controller print"),
+    "flood": ("raw(b'y\\n' * 5000000)", "does the controller print"),
+    "answers twice": ("a(good); a(good)", "when it was asked question"),
+    "wrong number": ("a({**good, 'number': n + 1})", "when it was asked question"),
+    "no MessagePack": ("raw(struct.pack('<I', 1) + b'\\xc1')", "no MessagePack"),
+    "wrong after a while": ("a(good) if count < 20 else a({'number': n, 'done': 'yes'})", "neither true nor false"),
+}
+LOST = {  # name: (body, part of the message)
+    "exits mid-trial": ("a(good) if count < 20 else sys.exit(7)", "exit status 7"),
+    "closed pipe": ("os.close(1); time.sleep(60)", "closed its standard output"),
+    "never answers": ("time.sleep(60)", "has not answered"),
+    "half an answer": ("raw(struct.pack('<I', 100) + b'x'); time.sleep(60)", "has not answered"),
+    "killed": ("os.kill(os.getpid(), 9)", "signal 9"),
+    "forks and leaves": ("os.fork() or (os.setsid(), time.sleep(600)); sys.exit(0)", "exit status 0"),
+}
+
+
+def run(folder, *options, policy=None, expect=0, timeout=600):
+    command = [PROGRAM, "run", *SMALL, "--out", str(folder), *options]
+    if policy is not None:
+        command += ["--policy", policy]
+    done = subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, timeout=timeout)
+    assert done.returncode == expect, (done.returncode, done.stdout, done.stderr)
+    return done.stdout + done.stderr
+
+
+def records(folder):
+    """By draw, as the journals have them."""
+    found = {}
+    for journal in sorted((pathlib.Path(folder) / "journal").glob("*.jsonl")):
+        for line in journal.read_text().splitlines():
+            record = json.loads(line)
+            found[record["hand"], record["object"], record["grasp"], record["trial"]] = record
+    return found
+
+
+def without(record, *keys):
+    if isinstance(record, dict):
+        return {key: without(value, *keys) for key, value in record.items() if key not in keys}
+    return record
+
+
+def find_marked():
+    """Processes that a controller's environment marks."""
+    found = []
+    for place in pathlib.Path("/proc").glob("[0-9]*/environ"):
+        try:
+            if b"GRASPBENCH_CONTROLLER=" in place.read_bytes():
+                found.append(place.parent.name)
+        except OSError:
+            pass
+    return found
+
+
+class Controllers(unittest.TestCase):
+    def setUp(self):
+        self.place = tempfile.TemporaryDirectory(prefix="graspbench_controllers_")
+        self.folder = pathlib.Path(self.place.name)
+
+    def tearDown(self):
+        self.place.cleanup()
+
+    def example(self, name):
+        return f"{PYTHON} {EXAMPLES / name}"
+
+    def write(self, body, reset="a({'number': n})"):
+        path = self.folder / "controller.py"
+        path.write_text(HEAD.replace("RESET", reset).replace("BODY", body))
+        return f"{PYTHON} {path}"
+
+    def test_the_strategy_as_a_controller_has_the_strategys_records(self):
+        more = ["--set", "strategy.grip=posture", "--hand", "tum,shadow", "--object", "golf_ball,can"]
+        run(self.folder / "own", *more)
+        run(self.folder / "policy", *more, "--set", "policy.period_s=0.002",
+            policy=self.example("strategy_policy.py"))
+        own, policy = records(self.folder / "own"), records(self.folder / "policy")
+        self.assertEqual(len(own), 8)
+        for draw, record in own.items():
+            self.assertEqual(without(record, "trial_id", "xxh64"), without(policy[draw], "trial_id", "xxh64", "policy"), draw)
+
+    def test_examples_run(self):
+        for name in ("do_nothing.py", "close_at_random.py", "grip_by_force.py"):
+            run(self.folder / name, policy=self.example(name))
+            for record in records(self.folder / name).values():
+                self.assertNotEqual(record["result"]["outcome"], "wrong answer", name)
+                self.assertIn("policy", record["result"])
+        outcomes = [r["result"]["outcome"] for r in records(self.folder / "do_nothing.py").values()]
+        self.assertEqual(outcomes, ["no contact"] * 2)
+
+    def test_wrong_answers_are_outcomes(self):
+        for name, (body, reason) in WRONG.items():
+            with self.subTest(name):
+                folder = self.folder / name.replace(" ", "_")
+                run(folder, policy=self.write(body))
+                found = records(folder)
+                self.assertEqual(len(found), 2)
+                for record in found.values():
+                    self.assertEqual(record["result"]["outcome"], "wrong answer")
+                    self.assertIn(reason, record["result"]["reason"])
+        self.assertEqual(find_marked(), [])
+
+    def test_lost_controllers_leave_trials_unfinished(self):
+        for name, (body, reason) in LOST.items():
+            with self.subTest(name):
+                folder = self.folder / name.replace(" ", "_")
+                text = run(folder, "--set", "policy.timeout_s=0.5", policy=self.write(body), expect=5)
+                self.assertIn(reason, text)
+                self.assertIn("lost in 2 trials", text)
+                self.assertEqual(records(folder), {})
+                self.assertEqual(find_marked(), [])
+
+    def test_a_trial_after_a_lost_one_gets_a_new_process(self):
+        once = self.folder / "once"
+        body = f"open({str(once)!r}, 'x').close() or sys.exit(1) if not os.path.exists({str(once)!r}) else a({{**good, 'done': True}})"
+        policy = self.write(body)
+        text = run(self.folder / "s", policy=policy, expect=5)
+        self.assertIn("lost in 1 trial,", text)
+        self.assertEqual(len(records(self.folder / "s")), 1)
+        done = subprocess.run([PROGRAM, "run", "--resume", "--out", str(self.folder / "s")], env=ENVIRONMENT,
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(len(records(self.folder / "s")), 2)
+
+    def test_late_answers_change_nothing(self):
+        run(self.folder / "prompt", policy=self.write("a({**good, 'done': count > 5})"))
+        run(self.folder / "late", policy=self.write("time.sleep(0.05); a({**good, 'done': count > 5})"))
+        self.assertEqual([without(r, "trial_id", "xxh64") for r in records(self.folder / "prompt").values()],
+                         [without(r, "trial_id", "xxh64") for r in records(self.folder / "late").values()])
+
+    def test_records_need_no_controller(self):
+        script = self.folder / "gone.py"
+        script.write_text((EXAMPLES / "close_at_random.py").read_text())
+        folder = self.folder / "s"
+        run(folder, policy=f"{PYTHON} {script}")
+        script.unlink()
+        first = next(iter(records(folder).values()))["trial_id"]
+        for command in (["replay", str(folder), "--all", "--verify"], ["trial", str(folder), first],
+                        ["judge", str(folder)], ["report", str(folder), "--out", str(self.folder / "r")],
+                        ["verify", str(folder)]):
+            done = subprocess.run([PROGRAM, *command], env=ENVIRONMENT, capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, (command, done.stdout, done.stderr))
+
+    def test_killed_and_resumed_the_same_bytes(self):
+        policy = self.example("close_at_random.py")
+        more = ["--trials", "4"]
+        run(self.folder / "whole", *more, policy=policy)
+        whole = records(self.folder / "whole")
+        folder = self.folder / "killed"
+        num_kills = int(os.environ.get("GRASPBENCH_NUM_KILLS", "2"))
+        for kill in range(num_kills):
+            command = [PROGRAM, "run", *SMALL, *more, "--policy", policy, "--out", str(folder)]
+            if kill:
+                command = [PROGRAM, "run", "--resume", "--out", str(folder), "--jobs", "1"]
+            process = subprocess.Popen(command, env=ENVIRONMENT, stdout=subprocess.DEVNULL,
+                                       stderr=subprocess.DEVNULL)
+            time.sleep(0.3 + 0.1 * kill)
+            process.send_signal(signal.SIGKILL)
+            process.wait()
+        if not (folder / "session.json").exists():
+            run(folder, *more, policy=policy)
+        else:
+            subprocess.run([PROGRAM, "run", "--resume", "--out", str(folder)], env=ENVIRONMENT, check=True,
+                           capture_output=True)
+        self.assertEqual(records(folder), whole)
+
+    def test_results_in_python(self):
+        sys.path.insert(0, ENVIRONMENT["PYTHONPATH"])
+        os.environ["GRASPBENCH"] = PROGRAM
+        import graspbench
+        try:
+            import h5py
+            import pandas
+        except ImportError as missing:
+            self.skipTest(f"Debian's package of {missing.name} is not installed")
+        folder = graspbench.run(self.folder / "s", *SMALL)
+        self.assertEqual(graspbench.run(folder), folder)
+        table = graspbench.load(folder)
+        whole = records(folder)
+        self.assertEqual(list(table["trial_id"]), [record["trial_id"] for record in whole.values()])
+        self.assertEqual(table.attrs["columns"]["weight_n"]["unit"], "N")
+        first = next(iter(whole.values()))
+        self.assertEqual(table["weight_n"][0], first["result"]["weight_n"])
+        trial = graspbench.trial(folder, first["trial_id"])
+        self.assertEqual(trial["attrs"]["outcome"], first["result"]["outcome"])
+        time_s = trial["states"]["time_s"]
+        self.assertAlmostEqual(time_s[-1], first["result"]["simulated_time_s"], places=9)
+        self.assertEqual(len(trial["actions"]["FFq1_rad"]), len(time_s))
+        with self.assertRaisesRegex(RuntimeError, "graspbench trial ended with"):
+            graspbench.trial(folder, "nothing")
+
+    def test_a_setting_without_a_controller_is_refused(self):
+        text = run(self.folder / "s", "--set", "policy.period_s=0.01", expect=2)
+        self.assertIn("policy.command is empty", text)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]], verbosity=2)
