@@ -368,7 +368,7 @@ std::vector<const RecordedPoint*> FindPositions(const Recording& recording) {
 /** A label must not break the table it names a column of, nor be run by a spreadsheet. */
 std::string CleanLabel(std::string label) {
   for (char& c : label) {
-    if (c == '\t' || c == ',' || c == '"' || c == '\n' || c == '\r') c = '_';
+    if (c == '\t' || c == ',' || c == ';' || c == '"' || c == '\n' || c == '\r') c = '_';
   }
   const std::string heading = label + "_x";  // "-5" alone is a number
   if (GuardCell(heading) != heading) label[0] = '_';

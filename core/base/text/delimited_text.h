@@ -16,7 +16,9 @@ namespace graspbench {
 /** Reads lines; strips a byte order mark and carriage returns. */
 class LineReader {
  public:
-  LineReader(std::istream& stream, std::string file) : stream_(stream), file_(std::move(file)) {}
+  /** @param line  so many lines stand before what is read. */
+  LineReader(std::istream& stream, std::string file, int line = 0)
+      : stream_(stream), file_(std::move(file)), line_(line) {}
 
   /** The next line, valid until the next call; false at the end. */
   bool Next(std::string_view& line);
@@ -30,7 +32,7 @@ class LineReader {
   std::istream& stream_;
   std::string file_;
   std::string buffer_;
-  int line_ = 0;
+  int line_;
 };
 
 using Cells = std::vector<std::string_view>;

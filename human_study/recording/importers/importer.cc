@@ -1,9 +1,7 @@
 #include "human_study/recording/importers/importer.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
+#include <memory>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
@@ -16,25 +14,6 @@ namespace {
 
 bool EndsWith(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-std::ifstream OpenFile(const fs::path& path) {
-  std::error_code status;
-  if (!fs::exists(path, status)) {
-    throw Error(ErrorKind::kNotFound, "no file \"" + path.string() + "\"");
-  }
-  if (fs::is_directory(path, status)) {
-    throw Error(ErrorKind::kIo, "\"" + path.string() + "\" is a folder; a recording was expected");
-  }
-  if (!fs::is_regular_file(path, status)) {
-    throw Error(ErrorKind::kIo, "\"" + path.string() +
-                                    "\" is a device, a pipe or a socket; a recording was expected");
-  }
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) {
-    throw Error(ErrorKind::kIo, "cannot read \"" + path.string() + "\": " + std::strerror(errno));
-  }
-  return stream;
 }
 
 std::string ReadHead(std::istream& stream) {
@@ -147,7 +126,8 @@ Recording ImportRecording(const Importer& importer, const ImportSource& source,
 }
 
 Recording LoadRecording(const fs::path& path, const ImportOptions& options) {
-  std::ifstream stream = OpenFile(path);
+  const std::unique_ptr<std::istream> file = OpenStream(path);
+  std::istream& stream = *file;
   // A mapping is only of use to the plain table.
   const std::string format =
       options.format.empty() && !options.mapping.empty() ? "table" : options.format;

@@ -20,6 +20,12 @@ Recording::findings, and throws Error(kFormat) with the byte or line of a fault 
 
 namespace graspbench {
 
+/** Where the rows of a trial stand in a plain table; rows of others may stand between them. */
+struct TableRows {
+  int64_t begin = 0;  ///< of the first one [bytes]
+  int first_line = 0, last_line = 0;
+};
+
 struct ImportOptions {
   std::string format;  ///< an importer's id; empty: found by content, then by extension
   std::string unit;    ///< length unit for a file that does not state one
@@ -30,6 +36,7 @@ struct ImportOptions {
   bool trust_residuals = false;
   std::filesystem::path mapping;  ///< YAML that names the columns of a plain table
   std::string trial;              ///< plain table: the trial to read when one file holds several
+  std::optional<TableRows> rows;  ///< plain table: nothing else is read; see FindTableTrials
 };
 
 /** What an importer reads from. */

@@ -4,10 +4,12 @@ its heading, or by their numbers. Tabs, semicolons, commas or blanks between the
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
+#include <limits>
+#include <memory>
 #include <optional>
-#include <unordered_set>
+#include <unordered_map>
 
+#include "core/base/files/files.h"
 #include "core/base/text/text.h"
 #include "core/base/text/yaml.h"
 #include "human_study/recording/importers/importer.h"
@@ -105,17 +107,24 @@ class Heading {
 };
 
 /** In the order of their first rows; a table may hold tens of thousands. */
-class TrialNames {
+class TrialList {
  public:
-  void Add(std::string_view trial) {
-    if (!names_.empty() && trial == names_.back()) return;  // most rows go on with a trial
-    if (known_.emplace(trial).second) names_.emplace_back(trial);
+  /** @param begin  of the row [bytes]; @param line  its number. */
+  void Add(std::string_view trial, int64_t begin, int line) {
+    if (trials_.empty() || trial != trials_[last_].name) {  // most rows go on with a trial
+      const auto [known, is_new] = known_.try_emplace(std::string(trial), trials_.size());
+      if (is_new) trials_.push_back({std::string(trial), {begin, line, line}});
+      last_ = known->second;
+    }
+    trials_[last_].rows.last_line = line;
   }
-  const std::vector<std::string>& names() const { return names_; }
+  const std::vector<TableTrial>& trials() const { return trials_; }
+  std::vector<TableTrial> Take() { return std::move(trials_); }
 
  private:
-  std::vector<std::string> names_;
-  std::unordered_set<std::string> known_;
+  std::vector<TableTrial> trials_;
+  std::unordered_map<std::string, size_t> known_;
+  size_t last_ = 0;
 };
 
 /** A glove's columns and the points that its angles make. */
@@ -222,17 +231,19 @@ void RefuseImageLandmarks(const ImportSource& source, const Recording& recording
 
 /** Exactly one of the table's trials was read. */
 void CheckTrial(const ImportSource& source, const ImportOptions& options,
-                const std::vector<std::string>& trials, const Recording& recording) {
+                const std::vector<TableTrial>& trials, const Recording& recording) {
   if (options.trial.empty() && trials.size() > 1) {
     throw Error(ErrorKind::kUsage, source.name + ": the table holds " +
                                        std::to_string(trials.size()) + " trials, \"" +
-                                       trials.front() + "\" to \"" + trials.back() +
+                                       trials.front().name + "\" to \"" + trials.back().name +
                                        "\"; name one (--trial of graspbench mocap, column "
                                        "table_trial of a study's trials.csv)");
   }
   if (!options.trial.empty() && recording.num_frames == 0) {
+    std::vector<std::string> names;
+    for (const TableTrial& trial : trials) names.push_back(trial.name);
     throw Error(ErrorKind::kNotFound, source.name + ": no trial \"" + options.trial + "\"" +
-                                          SuggestNames(options.trial, trials));
+                                          SuggestNames(options.trial, names));
   }
 }
 
@@ -251,6 +262,12 @@ LineReader OpenRows(std::istream& stream, const std::string& file, int num_headi
   while (reader.line() < num_heading_lines && reader.Next(line)) {
   }
   return reader;
+}
+
+LineReader OpenRows(std::istream& stream, const std::string& file, const TableRows& rows) {
+  stream.clear();
+  stream.seekg(rows.begin);
+  return LineReader(stream, file, rows.first_line - 1);
 }
 
 /** What a layout has and a mapping has not named. */
@@ -292,20 +309,22 @@ Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
   if (mapping.rate > 0) recording.rate = mapping.rate;
   CheckTrialIsNamed(mapping, options);
 
-  LineReader reader = OpenRows(source.stream, source.name, heading.num_lines());
+  LineReader reader = options.rows ? OpenRows(source.stream, source.name, *options.rows)
+                                   : OpenRows(source.stream, source.name, heading.num_lines());
+  const int last_line = options.rows ? options.rows->last_line : std::numeric_limits<int>::max();
   std::string_view line;
   Cells cells;
   std::vector<double> times;
-  TrialNames trials;
+  TrialList trials;
   OddSamples odd;
   size_t num_occluded = 0;
   int first_line = 0;
-  while (reader.Next(line)) {
+  while (reader.line() < last_line && reader.Next(line)) {
     SplitRow(line, heading.delimiter(), cells);
     if (IsBlank(cells)) continue;
     if (!HasAllColumns(cells, heading.size(), reader, options, recording)) break;
     if (trial != kNoColumn) {
-      trials.Add(cells[trial]);
+      trials.Add(cells[trial], 0, reader.line());
       if (!options.trial.empty() && cells[trial] != options.trial) continue;
     }
     if (recording.num_frames == 0) first_line = reader.line();
@@ -326,7 +345,7 @@ Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
     }
     ++recording.num_frames;
   }
-  CheckTrial(source, options, trials.names(), recording);
+  CheckTrial(source, options, trials.trials(), recording);
   ScaleLengths(mapping.scale, recording);
   NoteOdd(odd, recording);
   if (num_occluded > 0) {
@@ -479,23 +498,25 @@ TableMapping LoadTableMapping(const std::filesystem::path& path) {
   return mapping;
 }
 
-std::vector<std::string> FindTableTrials(const std::filesystem::path& table,
-                                         const TableMapping& mapping) {
-  std::ifstream stream(table, std::ios::binary);
-  if (!stream) throw Error(ErrorKind::kNotFound, "no file \"" + table.string() + "\"");
+std::vector<TableTrial> FindTableTrials(const std::filesystem::path& table,
+                                        const TableMapping& mapping) {
+  const std::unique_ptr<std::istream> file = OpenStream(table);
+  std::istream& stream = *file;
   LineReader reader(stream, table.string());
   Heading heading(reader, mapping);
   const size_t column = heading.Find(mapping.trial);
   heading.Check(reader);
-  TrialNames trials;
+  TrialList trials;
   LineReader rows = OpenRows(stream, table.string(), heading.num_lines());
   std::string_view line;
   Cells cells;
+  int64_t begin = stream.tellg();
   while (column != kNoColumn && rows.Next(line)) {
     SplitRow(line, heading.delimiter(), cells);
-    if (column < cells.size()) trials.Add(cells[column]);
+    if (column < cells.size()) trials.Add(cells[column], begin, rows.line());
+    begin = stream.tellg();
   }
-  return trials.names();
+  return trials.Take();
 }
 
 Importer MakeTableImporter() {

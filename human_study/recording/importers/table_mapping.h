@@ -25,8 +25,11 @@ Names the columns of a plain table, in YAML:
 #include <vector>
 
 #include "core/base/text/delimited_text.h"
+#include "human_study/recording/importers/importer.h"
 
 namespace graspbench {
+
+struct Hand;
 
 /** Joint angles of a data glove as fingertips, through the kinematics of a hand model (core/hand):
 the model's bones stand for the person's, so that places are as good as the two hands are alike.
@@ -101,9 +104,15 @@ struct TableMapping {
 /** @throws Error(kNotFound, kFormat) with file and line of every problem. */
 TableMapping LoadTableMapping(const std::filesystem::path& path);
 
-/** The trials a table holds, in their order. @throws as LoadRecording. */
-std::vector<std::string> FindTableTrials(const std::filesystem::path& table,
-                                         const TableMapping& mapping);
+struct TableTrial {
+  std::string name;
+  TableRows rows;
+};
+
+/** The trials a table holds, in the order of their first rows: whoever reads many of them finds each
+by its rows, so that the table is read twice and not once a trial. @throws as LoadRecording. */
+std::vector<TableTrial> FindTableTrials(const std::filesystem::path& table,
+                                        const TableMapping& mapping);
 
 /** Tables whose columns need no mapping one by one, because a tool always writes them alike
 (`layout`). Every point becomes three columns `<point>_x`, _y, _z.

@@ -10,6 +10,7 @@
 #include "human_study/recording/cleaning/gaps.h"
 #include "human_study/recording/cleaning/trajectory.h"
 #include "human_study/recording/importers/importer.h"
+#include "human_study/recording/importers/table_mapping.h"
 
 namespace graspbench {
 namespace {
@@ -186,7 +187,23 @@ std::vector<const Trajectory*> ListTracks(const PreparedRecording& prepared) {
 
 }  // namespace
 
-Recording LoadPlanned(const Study& study, const PlannedReach& planned) {
+std::optional<TableRows> StudyTables::Find(const Study& study, const PlannedReach& planned) {
+  const std::string& mapping = study.config.recording.mapping;
+  const std::string& format = study.config.recording.format;
+  const bool is_table = !mapping.empty() && (format.empty() || format == "table");
+  if (!is_table || planned.table_trial.empty()) return std::nullopt;
+  const auto [table, is_new] = tables_.try_emplace(planned.file);
+  if (is_new) {
+    for (const TableTrial& trial : FindTableTrials(study.recordings / planned.file,
+                                                   LoadTableMapping(study.folder / mapping))) {
+      table->second.emplace(trial.name, trial.rows);
+    }
+  }
+  const auto found = table->second.find(planned.table_trial);
+  return found == table->second.end() ? std::nullopt : std::optional(found->second);
+}
+
+Recording LoadPlanned(const Study& study, const PlannedReach& planned, StudyTables& tables) {
   const RecordingConfig& config = study.config.recording;
   ImportOptions options;
   options.format = config.format;
@@ -194,6 +211,7 @@ Recording LoadPlanned(const Study& study, const PlannedReach& planned) {
   options.accept_truncated = config.accept_truncated;
   if (!config.mapping.empty()) options.mapping = study.folder / config.mapping;
   options.trial = planned.table_trial;
+  options.rows = tables.Find(study, planned);
   return LoadRecording(study.recordings / planned.file, options);
 }
 

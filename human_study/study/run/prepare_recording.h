@@ -4,10 +4,14 @@ From a recording to trials: markers under the study's names, cleaned and on one 
 into reaches. */
 
 #include <cmath>
+#include <map>
+#include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "human_study/events/reach_trial.h"
+#include "human_study/recording/importers/importer.h"
 #include "human_study/recording/recording.h"
 #include "human_study/study/design/study_config.h"
 
@@ -33,8 +37,18 @@ struct PreparedRecording {
   std::vector<MissingMarker> missing;
 };
 
+/** Where the trials of a study's plain tables stand, found once a table. */
+class StudyTables {
+ public:
+  /** Of a row of trials.csv; nothing: it names no trial of a table, or none that is there. */
+  std::optional<TableRows> Find(const Study& study, const PlannedReach& planned);
+
+ private:
+  std::map<std::string, std::unordered_map<std::string, TableRows>> tables_;  // by file
+};
+
 /** The recording of a row of trials.csv, read as study.yaml says. @throws as LoadRecording. */
-Recording LoadPlanned(const Study& study, const PlannedReach& planned);
+Recording LoadPlanned(const Study& study, const PlannedReach& planned, StudyTables& tables);
 
 /** Renames, removes frozen samples, resamples an uneven clock at its median rate, fills short gaps.
 @throws Error(kFormat) when a marker has no length unit, the recording no clock or fewer

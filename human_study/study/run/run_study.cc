@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <sstream>
@@ -145,6 +146,11 @@ class Runner {
         return Add(trial);
       }
     } catch (const Error& error) {
+      // What the disk or the network did says nothing of the recording.
+      std::error_code status;
+      const bool is_file =
+          std::filesystem::is_regular_file(study_.recordings / planned.file, status) || status;
+      if (error.kind() == ErrorKind::kIo && is_file) throw;
       Remove({"unreadable", error.what()}, trial);
       loaded_.clear();
       return Add(trial);
@@ -184,7 +190,7 @@ class Runner {
     const std::string key = planned.file + "\n" + planned.table_trial + "\n" + planned.hand;
     if (loaded_ == key) return;
     loaded_.clear();
-    const Recording recording = LoadPlanned(study_, planned);
+    const Recording recording = LoadPlanned(study_, planned, tables_);
     for (ImportFinding finding : recording.findings) {
       finding.text = EscapeForTerminal(finding.text);
       result_.findings.push_back({planned.file, finding});
@@ -370,6 +376,7 @@ class Runner {
   StudyResult& result_;
   std::vector<TrialMeasure> measures_;  // that the study tests
   PreparedRecording prepared_;
+  StudyTables tables_;
   std::string loaded_;  // which recording `prepared_` is
   int num_read_ = 0;
   std::map<int, int> num_parts_;                 // by line of trials.csv

@@ -43,13 +43,14 @@ using Candidates = std::vector<Candidate>;
 
 Evidence LookAtMarkers(const Study& study) {
   Evidence evidence;
+  StudyTables tables;
   std::set<std::string> files;
   for (const PlannedReach& planned : study.trials) {
     if (files.size() == kMaxRecordings || !files.insert(planned.file).second) continue;
     try {
       StudyConfig own = study.config;
       own.markers = MarkersOfHand(own.markers, planned.hand);
-      const Recording recording = LoadPlanned(study, planned);
+      const Recording recording = LoadPlanned(study, planned, tables);
       const PreparedRecording prepared = PrepareRecording(recording, own);
       evidence.yield = std::max(evidence.yield, FindYield(prepared));
       if (planned.hand.empty()) {

@@ -183,12 +183,13 @@ TEST(KnownRecordings, OptotrakTableOf45Trials) {
       "time: globalTime\ntime_unit: ms\ntrial: trialN\noccluded: fingersOccluded\n");
   ImportOptions options;
   options.mapping = mapping;
-  const std::vector<std::string> trials = FindTableTrials(path, LoadTableMapping(mapping));
+  const std::vector<TableTrial> trials = FindTableTrials(path, LoadTableMapping(mapping));
   EXPECT_EQ(trials.size(), 45u);
   size_t num_samples = 0, num_occluded = 0;
   std::vector<double> intervals;
-  for (const std::string& trial : trials) {
-    options.trial = trial;
+  for (const TableTrial& trial : trials) {
+    options.trial = trial.name;
+    options.rows = trial.rows;
     const Recording recording = LoadRecording(path, options);
     num_samples += recording.num_frames;
     num_occluded += recording.points[0].CountStates(SampleState::kInvalid);

@@ -164,8 +164,48 @@ TEST(Table, AMappingNamesTheColumns) {
   EXPECT_EQ(read.points[0].states[1], SampleState::kInvalid) << "occluded";
   EXPECT_EQ(read.Time(1), 0.011);
   EXPECT_EQ(CountFindings(read, "irregular_times"), 1u);
-  EXPECT_EQ(FindTableTrials(WriteText("table.csv", kTable), LoadTableMapping(options.mapping)),
-            (std::vector<std::string>{"1", "2"}));
+  const std::filesystem::path path = WriteText("table.csv", kTable);
+  const std::vector<TableTrial> trials = FindTableTrials(path, LoadTableMapping(options.mapping));
+  ASSERT_EQ(trials.size(), 2u);
+  EXPECT_EQ(trials[0].name, "1");
+  EXPECT_EQ(trials[1].name, "2");
+  for (const TableTrial& trial : trials) {  // by its rows it is the same
+    options.trial = trial.name;
+    options.rows.reset();
+    const Recording whole = ImportBytes(kTable, "table", options);
+    options.rows = trial.rows;
+    const Recording rows = ImportBytes(kTable, "table", options);
+    EXPECT_EQ(rows.num_frames, whole.num_frames);
+    EXPECT_EQ(rows.points[0].xyz, whole.points[0].xyz);
+    EXPECT_EQ(rows.times, whole.times);
+    EXPECT_EQ(rows.findings.size(), whole.findings.size());
+  }
+}
+
+// Rows of trials may stand between each other, and a faulty row is named by its line.
+TEST(Table, ATrialIsReadByItsRows) {
+  ImportOptions options;
+  options.mapping = WriteText("mapping.yaml", kMapping);
+  const std::string table =
+      "n;t;a;b;c;o\n1;0;1;2;3;0\n2;0;4;5;6;0\n1;10;7;8;9;0\n2;10;1;1;1;0\n2;20;x;1;1;0\n";
+  const auto trials =
+      FindTableTrials(WriteText("mixed.csv", table), LoadTableMapping(options.mapping));
+  ASSERT_EQ(trials.size(), 2u);
+  EXPECT_EQ(trials[1].rows.first_line, 3);
+  EXPECT_EQ(trials[1].rows.last_line, 6);
+  options.trial = "1";
+  options.rows = trials[0].rows;
+  const Recording first = ImportBytes(table, "table", options);
+  EXPECT_EQ(first.num_frames, 2u);
+  EXPECT_EQ(first.points[0].xyz[3], 7.0f);
+  options.trial = "2";
+  options.rows = trials[1].rows;
+  try {
+    ImportBytes(table, "table", options);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find(":6: "), std::string::npos) << error.what();
+  }
 }
 
 TEST(Table, TimeIsLinearInItsTrials) {
