@@ -10,7 +10,7 @@
 #include "core/base/text/text.h"
 #include "datasets/campaign/campaign_store.h"
 #include "datasets/campaign/check_records.h"
-#include "datasets/journal/append_file.h"
+#include "datasets/journal/file_lock.h"
 #include "datasets/journal/read_journal.h"
 #include "datasets/journal/sealed_store.h"
 #include "datasets/shards/worker_log.h"
@@ -85,7 +85,7 @@ std::optional<double> FindIdleTime(const fs::path& folder, const std::string& su
   double age = std::numeric_limits<double>::infinity();
   for (const fs::path& journal : journals) {
     age = std::min(age, CalcAge(journal));
-    if (age < kQuiet || IsBeingWritten(journal)) return std::nullopt;
+    if (age < kQuiet || IsLocked(journal)) return std::nullopt;
   }
   return age;
 }
@@ -168,7 +168,8 @@ void AddSearch(const fs::path& folder, const SearchProgress& progress, const std
 
 FolderStatus ReadFolderStatus(const fs::path& folder, double stale_after, StatusLook look) {
   FolderStatus status;
-  status.is_checked = look == StatusLook::kChecked && CalcSize(folder) <= kMostChecked;
+  status.is_checked = look == StatusLook::kVerified ||
+                      (look == StatusLook::kQuick && CalcSize(folder) <= kMostChecked);
   const IndexUse index_use = status.is_checked ? IndexUse::kIgnore : IndexUse::kBelieve;
   const StoreKind* kind = FindStoreKind(folder);
   if (kind == &kCampaignStore) {
@@ -196,7 +197,7 @@ FolderStatus ReadFolderStatus(const fs::path& folder, double stale_after, Status
 }
 
 std::string DescribeUncheckedStatus(const fs::path& folder) {
-  return "counted, not checked: graspbench verify " + QuoteForShell(folder.string()) +
+  return "not verified: graspbench verify " + QuoteForShell(folder.string()) +
          " looks at every byte";
 }
 

@@ -23,17 +23,18 @@ struct FolderStatus {
 };
 
 enum class StatusLook {
-  kChecked,  ///< as `verify` does, up to kMostChecked; above that it counts
-  kCounted   ///< journals by their indices, files by their lengths
+  kVerified,  ///< as `verify` does
+  kQuick,     ///< the same up to kMostChecked; above that it counts
+  kCounted    ///< lines of journals, by their indices or by what is sealed; files by their lengths
 };
-/** A disk and a processor take some ten seconds for it [bytes]. */
-inline constexpr uintmax_t kMostChecked = 1'000'000'000;
+/** A processor takes some half a second for it [bytes]. */
+inline constexpr uintmax_t kMostChecked = 30'000'000;
 
 /** What is being written while it is looked at is looked at again, so that it is no damage.
 @param stale_after  as in ReadProgress. @throws Error(kNotFound, kFormat, kIo) when the folder holds
 none of these or cannot be read. */
 FolderStatus ReadFolderStatus(const std::filesystem::path& folder, double stale_after,
-                              StatusLook look = StatusLook::kChecked);
+                              StatusLook look = StatusLook::kQuick);
 
 /** What a person is told of a status that is not checked. */
 std::string DescribeUncheckedStatus(const std::filesystem::path& folder);

@@ -107,7 +107,6 @@ void AddCommands(Command& program) {
 }
 
 int RunProgram(int argc, const char* const* argv) {
-  WarnOfMissingLocks([](const std::string& text) { PrintMessage(text); });
   Command program;
   try {
     AddCommands(program);

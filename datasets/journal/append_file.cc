@@ -1,45 +1,23 @@
 #include "datasets/journal/append_file.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
+#include "datasets/journal/file_lock.h"
 
 namespace graspbench {
 
-namespace {
-
-std::atomic<void (*)(const std::string& text)> warn_once{nullptr};
-
-}  // namespace
-
-FileLock LockFile(int file, const std::filesystem::path& path) {
-  if (::flock(file, LOCK_EX | LOCK_NB) == 0) return FileLock::kHeld;
-  const int reason = errno;
-  if (reason == EWOULDBLOCK) return FileLock::kTaken;
-  if (reason != ENOLCK && reason != ENOSYS && reason != EOPNOTSUPP) {
-    throw Error(ErrorKind::kIo, "cannot lock \"" + path.string() + "\": " + std::strerror(reason));
-  }
-  if (const auto warn = warn_once.exchange(nullptr)) {
-    warn("warning: the file system of \"" + path.parent_path().string() + "\" has no file locks (" +
-         std::strerror(reason) +
-         "). Two programs could write there at once: run one at a time in a folder");
-  }
-  return FileLock::kMissing;
-}
-
-void WarnOfMissingLocks(void (*warn)(const std::string& text)) { warn_once = warn; }
-
 struct AppendFile::Impl {
   ~Impl() {
-    if (file >= 0) ::close(file);  // gives the lock back, too
+    lock.reset();
+    if (file >= 0) ::close(file);
   }
 
   [[noreturn]] void Fail(const std::string& what) const {
@@ -51,6 +29,7 @@ struct AppendFile::Impl {
 
   std::filesystem::path path;
   int file = -1;
+  std::optional<FileLock> lock;
   uintmax_t size = 0;
   bool ends_torn = false;  ///< the last line lacks its line break
 };
@@ -65,14 +44,6 @@ bool EndsInTornLine(const std::filesystem::path& path) {
   return is_read && last != '\n';
 }
 
-bool IsBeingWritten(const std::filesystem::path& path) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) return false;
-  const bool is_taken = ::flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-  ::close(file);
-  return is_taken;
-}
-
 AppendFile::AppendFile(const std::filesystem::path& path)
     : AppendFile(path, "\"" + path.string() +
                            "\" is being written by another process; wait until it is finished or "
@@ -83,7 +54,8 @@ AppendFile::AppendFile(const std::filesystem::path& path, const std::string& in_
   impl_->path = path;
   impl_->file = ::open(impl_->path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (impl_->file < 0) impl_->Fail("open");
-  if (LockFile(impl_->file, path) == FileLock::kTaken) throw Error(ErrorKind::kIo, in_use);
+  impl_->lock.emplace(impl_->file, path);
+  if (!impl_->lock->is_held()) throw Error(ErrorKind::kIo, in_use + impl_->lock->holder());
   struct stat status;
   if (::fstat(impl_->file, &status) != 0) impl_->Fail("read");
   char last = '\n';

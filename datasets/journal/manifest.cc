@@ -129,6 +129,7 @@ void AddDamage(const fs::path& folder, const ManifestFile& file, std::vector<Dam
       damages.push_back({file.path, 0, "its bytes have changed"});
     }
   } catch (const Error& e) {
+    RethrowUnlessDamage(folder / file.path);
     damages.push_back(
         {file.path, 0, e.kind() == ErrorKind::kNotFound ? "is missing" : std::string(e.what())});
   }
@@ -149,6 +150,17 @@ std::vector<std::string> ListDamage(const std::vector<Damage>& damages) {
 }
 
 }  // namespace
+
+void RethrowUnlessDamage(const fs::path& path) {
+  try {
+    throw;
+  } catch (const Error& error) {
+    std::error_code status;
+    const fs::file_status now = fs::status(path, status);
+    const bool is_replaced = !status && fs::exists(now) && !fs::is_regular_file(now);
+    if (error.kind() == ErrorKind::kIo && !is_replaced) throw;
+  }
+}
 
 std::string CalcJournalSha256(const fs::path& folder, const std::string& pattern) {
   std::set<std::string> digests;
@@ -272,6 +284,7 @@ std::optional<Manifest> FindManifest(const fs::path& folder) {
   try {
     if (HasManifest(folder)) return ParseManifest(ReadFile(folder / kManifestFile));
   } catch (const Error&) {
+    RethrowUnlessDamage(folder / kManifestFile);
   }
   return std::nullopt;
 }

@@ -112,6 +112,10 @@ Manifest LoadManifest(const std::filesystem::path& folder);
 /** The same manifest, the same bytes. @throws Error(kIo). */
 void WriteManifest(const std::filesystem::path& folder, const Manifest& manifest);
 
+/** In a handler of an Error about a file: rethrows it where the disk or the network failed
+(Error(kIo)), which is no damage of the file. A folder or a device in its place is. */
+void RethrowUnlessDamage(const std::filesystem::path& path);
+
 /** Everything in which the folder's files are not what the manifest says; in its order. Files that
 it does not name are not looked at. */
 [[nodiscard]] std::vector<Damage> FindDamage(const std::filesystem::path& folder,

@@ -11,6 +11,7 @@
 #include "core/base/text/text.h"
 #include "datasets/journal/append_file.h"
 #include "datasets/journal/checked_line.h"
+#include "datasets/journal/file_lock.h"
 #include "datasets/journal/read_journal.h"
 
 namespace graspbench {
@@ -97,6 +98,7 @@ StoreState CheckOwnFiles(const StoreKind& kind, const fs::path& folder,
       LoadVersions(kind, folder);
       state.damages.push_back({kManifestFile, 0, "is missing"});
     } catch (const Error&) {
+      RethrowUnlessDamage(folder / kind.file);
       state.damages.push_back({kind.file, 0, "is no configuration"});
     }
   } else {
@@ -113,6 +115,7 @@ StoreState CheckOwnFiles(const StoreKind& kind, const fs::path& folder,
         state.damages.push_back({kManifestFile, 0, "is that of a " + manifest.kind});
       }
     } catch (const Error&) {
+      RethrowUnlessDamage(folder / kManifestFile);
       state.damages.push_back({kManifestFile, 0, "its bytes have changed"});
     }
   }
@@ -237,6 +240,7 @@ std::vector<Damage> CheckOutput(const fs::path& output) {
   try {
     return FindDamage(output, LoadManifest(output));
   } catch (const Error&) {
+    RethrowUnlessDamage(output / kManifestFile);
     return {{kManifestFile, 0, "its bytes have changed"}};
   }
 }
@@ -304,6 +308,7 @@ StoreState Check(const fs::path& folder, OutputUse outputs) {
       state.damages = FindDamage(folder, manifest);
       if (outputs == OutputUse::kCheck) AddStale(folder, ".", state.stale);
     } catch (const Error&) {
+      RethrowUnlessDamage(folder / kManifestFile);
       state.kind = "result";
       state.damages.push_back({kManifestFile, 0, "its bytes have changed"});
     }
@@ -369,6 +374,7 @@ void WriteDerived(const StoreKind& kind, const fs::path& folder,
 void SealStore(const StoreKind& kind, const fs::path& folder, const std::string& inputs) {
   const Manifest before = FindManifest(folder).value_or(Manifest());
   Manifest manifest = MakeManifest(kind, folder);
+  for (const std::string& name : ListMatches(folder, kind.journals)) RemoveLeftOwner(folder / name);
   KeepFirstSeals(kind, before, manifest);
   manifest.versions = before.files.empty() ? LoadVersions(kind, folder) : before.versions;
   manifest.inputs = inputs.empty() ? before.inputs : inputs;

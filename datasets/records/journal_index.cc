@@ -80,20 +80,22 @@ std::string_view FindTrialId(std::string_view line) {
                                                             : std::string_view();
 }
 
-int ForEachTrialOf(const fs::path& journal, IndexUse index_use,
-                   const std::function<void(std::string_view trial_id)>& take) {
+int ForEachTrialOf(
+    const fs::path& journal, IndexUse index_use, uintmax_t sealed,
+    const std::function<void(std::string_view trial_id, std::string_view line)>& take) {
   const Index index = index_use == IndexUse::kBelieve ? LoadIndex(journal) : Index();
-  for (const std::string_view id : index.ids) take(id);
+  for (const std::string_view id : index.ids) take(id, {});
   int num_bad = 0;
   ForEachLineOfFile(
       journal,
       [&](const FileLine& line) {
         if (line.text.empty() || !line.is_whole) return;
         const std::string_view id = FindTrialId(line.text);
-        if (id.empty() || !IsCheckedLine(line.text)) {
+        const bool is_sealed = line.start + line.text.size() < sealed;
+        if (id.empty() || (!is_sealed && !IsCheckedLine(line.text))) {
           ++num_bad;
         } else {
-          take(id);
+          take(id, line.text);
         }
       },
       index.end);

@@ -11,6 +11,7 @@ read in the journal. It is believed as far as its last line is true of the journ
 journal was not written to after it. A byte that a disk changes inside a record is therefore not
 noticed here; `graspbench verify` looks at every byte. */
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -25,10 +26,15 @@ std::string_view FindTrialId(std::string_view line);
 
 enum class IndexUse { kBelieve, kIgnore };
 
-/** Calls `take` with the id of each whole record. @returns how many lines were none, among those
-that the index does not know. @throws Error(kNotFound, kIo). */
-int ForEachTrialOf(const std::filesystem::path& journal, IndexUse index_use,
-                   const std::function<void(std::string_view trial_id)>& take);
+/** Calls `take` with the id of each whole record and its line, which is empty where the index names
+it.
+@param sealed  so many bytes at the journal's beginning are sealed by a manifest: their lines are
+counted without a look at their checksums.
+@returns how many lines were none, among those that the index does not know.
+@throws Error(kNotFound, kIo). */
+int ForEachTrialOf(
+    const std::filesystem::path& journal, IndexUse index_use, uintmax_t sealed,
+    const std::function<void(std::string_view trial_id, std::string_view line)>& take);
 
 class JournalIndex {
  public:

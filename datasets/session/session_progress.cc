@@ -82,24 +82,50 @@ void AddShards(const Outline& outline, const Tasks& tasks, int num_shards, const
   shards.insert(shards.end(), of_deal.begin(), of_deal.end());
 }
 
-JudgeProgress ReadJudgeProgress(const fs::path& folder, const Outline& outline,
-                                const Workers& workers, double stale_after) {
-  const Session session = LoadSession(folder, OnDamage::kAccept, RecordParts::kBrief);
-  const size_t num_trials = outline.hashes.size();
-  Tasks tasks{std::vector<bool>(num_trials, false), std::vector<bool>(num_trials, false)};
-  JudgeProgress progress;
-  const auto count = [&](const PlannedTrial& planned, bool is_judged) {
-    const int place = outline.FindPlace(planned.id, 0);
-    if (place < 0) return;
-    tasks.planned[static_cast<size_t>(place)] = true;
-    tasks.finished[static_cast<size_t>(place)] = is_judged;
-    ++progress.num_held;
-    progress.num_judged += is_judged;
-  };
-  for (const PlannedTrial& planned : FindUnjudged(session)) count(planned, false);
-  for (const TrialRecord& record : session.records) {
-    if (record.judgement) count(record.plan, true);
+/** Of a trial's line: whether the object may be in the hand at the end, so that it can be judged;
+as FindUnjudged of judgement_store.h. */
+bool IsHeld(std::string_view line) {
+  constexpr std::string_view kOutcome = "\"result\":{\"outcome\":\"";
+  const size_t begin = line.find(kOutcome);
+  if (begin == line.npos || line.find("\"steady_penetration_m\":null", begin) != line.npos) {
+    return false;
   }
+  const std::string_view rest = line.substr(begin + kOutcome.size());
+  const std::string_view name = rest.substr(0, rest.find('"'));
+  const std::vector<Outcome>& outcomes = ListOutcomes();
+  return std::any_of(outcomes.begin(), outcomes.end(), [&](Outcome outcome) {
+    return MayBeInHand(outcome) && name == NameOf(outcome);
+  });
+}
+
+/** So many bytes of a journal are sealed. */
+uintmax_t FindSealed(const Manifest& manifest, const std::string& subfolder,
+                     const fs::path& journal) {
+  const ManifestFile* file = manifest.Find(subfolder + "/" + journal.filename().string());
+  return file ? file->bytes : 0;
+}
+
+/** @param held  by place in the plan. */
+JudgeProgress ReadJudgeProgress(const fs::path& folder, const Outline& outline,
+                                const std::vector<bool>& held, const Manifest& manifest,
+                                const Workers& workers, double stale_after) {
+  const size_t num_trials = outline.hashes.size();
+  Tasks tasks{held, std::vector<bool>(num_trials, false)};
+  for (const fs::path& path : ListJournals(folder, "judge")) {
+    int place = -1;
+    ForEachTrialOf(path, IndexUse::kIgnore, FindSealed(manifest, "judge", path),
+                   [&](std::string_view id, std::string_view) {
+                     place = outline.FindPlace(id, place + 1);
+                     if (place < 0) return;
+                     tasks.planned[static_cast<size_t>(place)] = true;
+                     tasks.finished[static_cast<size_t>(place)] = true;
+                   });
+  }
+  JudgeProgress progress;
+  progress.num_held =
+      static_cast<int>(std::count(tasks.planned.begin(), tasks.planned.end(), true));
+  progress.num_judged =
+      static_cast<int>(std::count(tasks.finished.begin(), tasks.finished.end(), true));
   for (const auto& [num_shards, deal] :
        FindDeals(folder, "judge", kJudgeLabel, workers, static_cast<int>(num_trials))) {
     AddShards(outline, tasks, num_shards, deal, stale_after, progress.shards);
@@ -165,18 +191,26 @@ SessionProgress ReadProgress(const fs::path& folder, double stale_after, IndexUs
   const Outline outline = LoadOutline(folder / "plan.jsonl");
   const size_t num_trials = outline.hashes.size();
   Tasks tasks{std::vector<bool>(num_trials, true), std::vector<bool>(num_trials, false)};
+  std::vector<bool> held(num_trials, false);
+  const bool is_believed = index_use == IndexUse::kBelieve;
+  const bool has_judge = HasBegunJudge(folder);  // then the lines say what was held
+  const Manifest manifest = is_believed ? FindManifest(folder).value_or(Manifest()) : Manifest();
   SessionProgress progress;
   progress.num_trials = static_cast<int>(num_trials);
   for (const fs::path& path : ListJournals(folder)) {
     int place = -1;
-    progress.num_bad_lines += ForEachTrialOf(path, index_use, [&](std::string_view id) {
-      place = outline.FindPlace(id, place + 1);
-      if (place < 0) {
-        ++progress.num_foreign_lines;
-      } else {
-        tasks.finished[static_cast<size_t>(place)] = true;
-      }
-    });
+    progress.num_bad_lines += ForEachTrialOf(path, has_judge ? IndexUse::kIgnore : index_use,
+                                             FindSealed(manifest, "journal", path),
+                                             [&](std::string_view id, std::string_view line) {
+                                               place = outline.FindPlace(id, place + 1);
+                                               if (place < 0) {
+                                                 ++progress.num_foreign_lines;
+                                               } else {
+                                                 tasks.finished[static_cast<size_t>(place)] = true;
+                                                 if (has_judge)
+                                                   held[static_cast<size_t>(place)] = IsHeld(line);
+                                               }
+                                             });
   }
   progress.num_finished =
       static_cast<int>(std::count(tasks.finished.begin(), tasks.finished.end(), true));
@@ -188,8 +222,8 @@ SessionProgress ReadProgress(const fs::path& folder, double stale_after, IndexUs
        FindDeals(folder, "journal", "", workers, progress.num_trials)) {
     AddShards(outline, tasks, num_shards, deal, stale_after, progress.shards);
   }
-  if (HasBegunJudge(folder)) {
-    progress.judge = ReadJudgeProgress(folder, outline, workers, stale_after);
+  if (has_judge) {
+    progress.judge = ReadJudgeProgress(folder, outline, held, manifest, workers, stale_after);
   }
   return progress;
 }

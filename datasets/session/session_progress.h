@@ -1,8 +1,9 @@
 #pragma once
 /** @file
 How far the shards of a session are, from plan and journals alone: no machine is asked. With the
-indices no record is read whose trial one of them names (journal_index.h), so that it takes a moment
-for a million trials, unless they are being judged; without them every line is looked at. */
+indices no record is read whose trial one of them names (journal_index.h), unless trials are being
+judged, and lines that the manifest seals are counted without a look at their checksums; without
+them every line is checked. */
 
 #include <filesystem>
 #include <map>

@@ -1,12 +1,13 @@
 /** @file
 What surrounds the program changes no byte of its results: another language, a calendar that leaps
 (tests/support/jump_clock.cc), a folder for temporary files that takes nothing, a second process on
-the same folder, a file system without locks. Signals that were ignored stay so; others end a
+the same folder, a file system without locks, a disk whose reads fail in passing, the longest names. Signals that were ignored stay so; others end a
 command with 75. A umask that forbids everything ends one with 5 and a sentence. */
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -127,30 +128,117 @@ TEST_F(Surroundings, NoPlaceForTemporaryFilesChangesNothing) {
   });
 }
 
-/** As on some clusters' file systems. */
-TEST_F(Surroundings, WithoutFileLocksResultsAreTheSameAfterAWarning) {
-  const auto take_locks = [](const char* reason) {
-    return [reason] {
+std::function<void()> WithLocks(const char* kind) {
+  return [kind] {
+    ::setenv("LD_PRELOAD", GRASPBENCH_FAIL_FILES, 1);
+    ::setenv("GRASPBENCH_FLOCK", kind, 1);
+  };
+}
+
+/** As on some clusters' file systems: no locks, or such as no other machine sees. */
+TEST_F(Surroundings, WithoutFileLocksResultsAreTheSame) {
+  ExpectAsAlways(WithLocks("ENOSYS"));
+  for (const char* kind : {"ENOSYS", "ENOLCK", "local"}) {
+    EXPECT_EQ(Run({"new", "study", kind}, WithLocks(kind)), 0) << Log();
+    EXPECT_EQ(Log().find("warning"), std::string::npos) << Log();
+  }
+  EXPECT_EQ(Run({"new", "study", "third"}, WithLocks("EIO")), 5) << Log();
+  for (const auto& entry : fs::recursive_directory_iterator(top_)) {
+    EXPECT_NE(entry.path().extension(), ".owner") << entry.path();
+  }
+}
+
+/** The owner file does alone what it does beside flock. */
+TEST_F(Surroundings, WithoutFileLocksASecondRunIsRefusedAndAKilledOneIsContinued) {
+  for (const char* kind : {"ENOLCK", "local"}) {
+    const std::string out = kind;
+    const fs::path owner = top_ / out / "journal" / "0.jsonl.owner";
+    const pid_t first = Begin({"run", "--hand", "tum", "--object", "golf_ball,can", "--trials", "2",
+                               "--jobs", "1", "--out", out},
+                              WithLocks(kind));
+    while (!fs::exists(owner) && !HasEnded(first)) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    ::kill(first, SIGSTOP);
+    ASSERT_FALSE(HasEnded(first)) << Log();
+    EXPECT_EQ(Run({"run", "--resume", "--out", out}, WithLocks(kind)), 5) << Log();
+    EXPECT_NE(Log().find("; process " + std::to_string(first) + " of host \""), std::string::npos)
+        << Log();
+    ::kill(first, SIGKILL);
+    EXPECT_EQ(WaitFor(first), -SIGKILL);
+    EXPECT_TRUE(fs::exists(owner));
+
+    // The process of another machine: nobody here knows.
+    const std::string left = ReadFile(owner);
+    std::string other = left;
+    other.replace(other.find("\"boot\":\"") + 8, 1, "x");
+    WriteFile(owner, other);
+    EXPECT_EQ(Run({"run", "--resume", "--out", out}, WithLocks(kind)), 5) << Log();
+    const size_t command = Log().find("rm \"");
+    ASSERT_NE(command, std::string::npos) << Log();
+    EXPECT_EQ(Run({"status", out}, WithLocks(kind)), 0) << Log();
+    EXPECT_EQ(Out().find("no process of this machine"), std::string::npos) << Out();
+    ASSERT_EQ(std::system(("cd '" + top_.string() + "' && " + Log().substr(command)).c_str()), 0);
+
+    WriteFile(owner, left);
+    EXPECT_EQ(Run({"run", "--resume", "--out", out}, WithLocks(kind)), 0) << Log();
+    EXPECT_FALSE(fs::exists(owner));
+    EXPECT_EQ(Run({"verify", out}), 0) << Out();
+  }
+}
+
+/** As disks over the network fail for a moment, and for good. */
+TEST_F(Surroundings, AReadThatFailsInPassingIsNoDamage) {
+  ASSERT_EQ(Run({"run", "--hand", "tum", "--object", "golf_ball", "--trials", "1", "--jobs", "1",
+                 "--out", "s"}),
+            0)
+      << Log();
+  const auto fail = [](const std::string& reason, int count, const char* file) {
+    return [=] {
       ::setenv("LD_PRELOAD", GRASPBENCH_FAIL_FILES, 1);
-      ::setenv("GRASPBENCH_FLOCK", reason, 1);
+      ::setenv("GRASPBENCH_READS", (reason + " " + std::to_string(count) + " " + file).c_str(), 1);
     };
   };
-  ExpectAsAlways(take_locks("ENOSYS"));
-  for (const char* reason : {"ENOSYS", "ENOLCK"}) {
-    EXPECT_EQ(Run({"new", "study", reason}, take_locks(reason)), 0) << Log();
-    const std::string begin =
-        "warning: the file system of \"" + top_.string() + "\" has no file locks";
-    EXPECT_EQ(Log().rfind(begin, 0), 0u) << Log();
-    EXPECT_EQ(Log().find("warning", 1), std::string::npos) << Log();
+  for (const std::string command : {"verify", "status", "trial"}) {
+    std::vector<std::string> line = {command, "s"};
+    if (command == "trial") line.emplace_back("tum-golf_ball-g3:0");
+    ASSERT_EQ(Run(line), 0) << Log();
+    const std::string undisturbed = Out();
+    for (const char* file : {"plan.jsonl", "manifest.json", "0.jsonl", "session.json"}) {
+      for (const char* reason : {"ESTALE", "EIO", "EINTR"}) {
+        EXPECT_EQ(Run(line, fail(reason, 2, file)), 0) << command << file << reason << Log();
+        EXPECT_EQ(Out(), undisturbed) << command << file << reason;
+      }
+      EXPECT_EQ(Run(line, fail("EIO", 1000000, file)), 5) << command << file << Out() << Log();
+      EXPECT_NE(Log().find("Input/output error"), std::string::npos) << Log();
+      for (const char* wrong : {"damaged", "brings back", "has changed"}) {
+        EXPECT_EQ((Out() + Log()).find(wrong), std::string::npos) << command << file << Out();
+      }
+    }
   }
-  // Nobody knows whether what another program began is abandoned.
-  fs::create_directory(top_ / ".again.part-1");
-  WriteFile(top_ / ".again.part-1" / ".lock", "");
-  EXPECT_EQ(Run({"new", "study", "again"}, take_locks("ENOSYS")), 0) << Log();
-  EXPECT_TRUE(fs::exists(top_ / ".again.part-1" / ".lock"));
-  EXPECT_EQ(Run({"new", "study", "third"}, take_locks("EIO")), 5) << Log();
 }
 #endif
+
+/** 255 bytes are what file systems take. */
+TEST_F(Surroundings, TheLongestNamesWork) {
+  const std::string longest(255, 'n');
+  const std::string letters = [] {  // of two bytes each
+    std::string text;
+    while (text.size() < 254) text += "\u00e4";
+    return text;
+  }();
+  for (const std::string& name : {longest, letters}) {
+    EXPECT_EQ(Run({"run", "--hand", "tum", "--object", "golf_ball", "--trials", "1", "--jobs", "1",
+                   "--out", name}),
+              0)
+        << Log();
+    EXPECT_EQ(Run({"verify", name}), 0) << Log();
+    EXPECT_EQ(Run({"report", name}), 0) << Log();
+    EXPECT_EQ(Run({"new", "study", "study/" + name}), 0) << Log();
+    EXPECT_EQ(Run({"render", "tum", "can", "g3", "--out", "x" + name.substr(5) + ".png"}), 0)
+        << Log();
+  }
+}
 
 // As nohup starts them, and a script whose commands run in the background.
 TEST_F(Surroundings, IgnoredSignalsStopNothing) {
@@ -172,17 +260,76 @@ TEST_F(Surroundings, AStudyEndsAtASignalAndLeavesNothing) {
   ASSERT_EQ(Run({"study", "demo", "--out", "demo"}), 0) << Log();
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const pid_t study = Begin({"study", "run", "demo/input/study.yaml", "--out", "out"});
-    const fs::path staged = top_ / (".out.part-" + std::to_string(study));
-    while (!fs::exists(staged) && !HasEnded(study)) {
+    const auto is_staged = [&] {
+      return std::any_of(fs::directory_iterator(top_), {}, [](const auto& entry) {
+        return entry.path().filename().string().rfind(".out.part-", 0) == 0;
+      });
+    };
+    while (!is_staged() && !HasEnded(study)) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     EXPECT_FALSE(HasEnded(study)) << Log();
     ::kill(study, signal);
     EXPECT_EQ(WaitFor(study), 75) << Log();
     EXPECT_EQ(Log(), "graspbench: stopped; nothing was written. The same command begins again\n");
-    EXPECT_FALSE(fs::exists(staged));
+    EXPECT_FALSE(is_staged());
     EXPECT_FALSE(fs::exists(top_ / "out"));
   }
+}
+
+// A stage that is asked to end before it can say how it does that was not at fault.
+TEST_F(Surroundings, APipelineEndsAtASignalAtAnyMoment) {
+  WriteFile(top_ / "t.yaml", "hands: [tum]\nobjects: [golf_ball]\ntrials: 2\n");
+  WriteFile(top_ / "p.yaml",
+            "stages:\n  first:\n    command: run\n    inputs: {session: t.yaml}\n");
+  for (int moment = 0; moment < 8; ++moment) {  // [ms], from the stage's start on
+    fs::remove_all(top_ / "results");
+    const pid_t pipeline = Begin({"pipeline", "run", "p.yaml"});
+    while (!fs::exists(top_ / "results/p/.begun-first") && !HasEnded(pipeline)) {
+      std::this_thread::sleep_for(std::chrono::microseconds(100));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(moment * moment));
+    ::kill(pipeline, SIGTERM);
+    EXPECT_EQ(WaitFor(pipeline), 75) << moment << Log();
+    EXPECT_NE(Log().find("the same command goes on"), std::string::npos) << Log();
+  }
+  EXPECT_EQ(Run({"pipeline", "run", "p.yaml"}), 0) << Log();
+}
+
+// The judge takes what is there when it starts; what a run adds meanwhile is said, and no fault.
+TEST_F(Surroundings, AJudgeBesideARunSaysWhatFinishedMeanwhile) {
+  const std::vector<std::string> line = {
+      "run",    "--hand", "tum",   "--object", "can,golf_ball,tea_light", "--trials", "4",
+      "--jobs", "1",      "--out", "s"};
+  const pid_t run = Begin(line);
+  const auto count = [&] { return CountLines(top_ / "s" / "journal"); };
+  while (count() < 4 && !HasEnded(run)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ::kill(run, SIGSTOP);
+  ASSERT_FALSE(HasEnded(run)) << Log();
+  const pid_t judge = Start({"judge", "s", "--jobs", "1"}, [&] {
+    if (::chdir(top_.c_str()) != 0) ::_exit(126);
+    std::freopen("judge_printed", "w", stdout);
+    std::freopen("judge_log", "w", stderr);
+  });
+  while (CountLines(top_ / "s" / "judge") < 1 && !HasEnded(judge)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  ::kill(judge, SIGSTOP);
+  ASSERT_FALSE(HasEnded(judge));
+  ::kill(run, SIGCONT);
+  EXPECT_EQ(WaitFor(run), 0) << Log();
+  ::kill(judge, SIGCONT);
+  EXPECT_EQ(WaitFor(judge), 0);
+  const std::string said = ReadFile(top_ / "judge_log");
+  EXPECT_NE(
+      said.find("of trials that finished meanwhile, not judged yet: graspbench judge s goes on "
+                "with them"),
+      std::string::npos)
+      << said;
+  EXPECT_EQ(said.find("had not ended after"), std::string::npos) << said;
+  EXPECT_EQ(Run({"judge", "s", "--jobs", "1"}), 0) << Log();
+  EXPECT_EQ(Log().find("meanwhile"), std::string::npos) << Log();
+  EXPECT_EQ(Run({"verify", "s"}), 0) << Out();
 }
 
 // As another user, because root may do everything.

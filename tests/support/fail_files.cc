@@ -4,7 +4,9 @@
 // written first), fsync, fdatasync, ftruncate, rename and close (the file is closed all the same).
 // GRASPBENCH_FAULTS="at N EIO|ENOSPC TEXT": the Nth of these operations fails with that reason, and
 // no other; GRASPBENCH_COUNT names a file for how many there were.
-// GRASPBENCH_FLOCK="ENOSYS|ENOLCK|EIO": every flock fails with that reason, whatever the file.
+// GRASPBENCH_FLOCK="ENOSYS|ENOLCK|EIO": every flock fails with that reason, whatever the file;
+// "local": each one is granted, as where machines do not tell each other.
+// GRASPBENCH_READS="ESTALE|EIO|EINTR N TEXT": the first N reads of such files fail with that reason.
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/syscall.h>
@@ -63,14 +65,38 @@ bool FailsName(const char* name) {
   return faults.reason != 0 ? ++num_operations == faults.only : Draw() < faults.probability;
 }
 
-bool FailsFile(int file) {
-  if (!Read().text[0]) return false;
-  char link[64], name[4096];
+/** Of an open file; false: it has none. */
+bool FindName(int file, char (&name)[4096]) {
+  char link[64];
   std::snprintf(link, sizeof link, "/proc/self/fd/%d", file);
   const ssize_t size = ::readlink(link, name, sizeof name - 1);
   if (size <= 0) return false;
   name[size] = '\0';
-  return FailsName(name);
+  return true;
+}
+
+bool FailsFile(int file) {
+  char name[4096];
+  return Read().text[0] && FindName(file, name) && FailsName(name);
+}
+
+/** 0, or why this read fails. */
+int FindReadFault(int file) {
+  static std::atomic<int> left{-1};
+  char reason[16], text[4096], name[4096];
+  int count = 0;
+  const char* setting = std::getenv("GRASPBENCH_READS");
+  if (!setting || std::sscanf(setting, "%15s %d %4095s", reason, &count, text) != 3) return 0;
+  if (!FindName(file, name) || !std::strstr(name, text)) return 0;
+  int none = -1;
+  left.compare_exchange_strong(none, count);
+  if (left-- <= 0) {
+    left = 0;
+    return 0;
+  }
+  return std::strcmp(reason, "ESTALE") == 0 ? ESTALE
+         : std::strcmp(reason, "EIO") == 0  ? EIO
+                                            : EINTR;
 }
 
 int Fail(int reason) {
@@ -122,6 +148,26 @@ ssize_t write(int file, const void* bytes, size_t size) {
   return ::syscall(SYS_write, file, bytes, size);
 }
 
+ssize_t read(int file, void* bytes, size_t size) {
+  if (const int reason = FindReadFault(file)) {
+    errno = reason;
+    return -1;
+  }
+  return ::syscall(SYS_read, file, bytes, size);
+}
+
+ssize_t pread(int file, void* bytes, size_t size, off_t start) {
+  if (const int reason = FindReadFault(file)) {
+    errno = reason;
+    return -1;
+  }
+  return ::syscall(SYS_pread64, file, bytes, size, start);
+}
+
+ssize_t pread64(int file, void* bytes, size_t size, off_t start) {
+  return pread(file, bytes, size, start);
+}
+
 int fsync(int file) {
   return FailsFile(file) ? Fail(EIO) : static_cast<int>(::syscall(SYS_fsync, file));
 }
@@ -137,6 +183,7 @@ int ftruncate(int file, off_t length) noexcept {
 int flock(int file, int operation) noexcept {
   const char* reason = std::getenv("GRASPBENCH_FLOCK");
   if (!reason) return static_cast<int>(::syscall(SYS_flock, file, operation));
+  if (std::strcmp(reason, "local") == 0) return 0;
   errno = std::strcmp(reason, "ENOSYS") == 0   ? ENOSYS
           : std::strcmp(reason, "ENOLCK") == 0 ? ENOLCK
                                                : EIO;

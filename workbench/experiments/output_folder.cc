@@ -13,7 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "core/base/version.h"
-#include "datasets/journal/append_file.h"
+#include "datasets/journal/file_lock.h"
 #include "datasets/journal/manifest.h"
 #include "datasets/journal/store_kind.h"
 #include "datasets/session/ro_crate.h"
@@ -24,6 +24,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr char kLock[] = ".lock";  // in a folder that is being filled
+const std::string kLockOwner = kLock + kOwnerEnding;
 constexpr char kAside[] = ".old";  // the older result while it changes places with the new one
 
 [[noreturn]] void Refuse(const fs::path& path, const std::string& text) {
@@ -110,7 +111,7 @@ namespace {
 std::vector<std::string> ListFiles(const fs::path& folder) {
   std::vector<std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.path() == folder / kLock) continue;
+    if (entry.path() == folder / kLock || entry.path() == folder / kLockOwner) continue;
     if (!entry.is_directory() || entry.is_symlink()) {
       files.push_back(entry.path().lexically_relative(folder).string());
     }
@@ -193,10 +194,13 @@ void RemoveStaged(const fs::path& folder) {
   fs::remove(folder, status);
 }
 
-/** Removes what killed programs left beside the target: nobody holds its lock any more. Without
-locks nobody knows, and it stays. */
+std::string NameStaged(const fs::path& target) {
+  return "." + ShortenName(target.filename().string()) + ".part-";
+}
+
+/** Removes what killed programs left beside the target: nobody holds its lock any more. */
 void RemoveAbandoned(const fs::path& target) {
-  const std::string head = "." + target.filename().string() + ".part-";
+  const std::string head = NameStaged(target);
   std::error_code status;
   std::vector<fs::path> staged;
   for (const auto& entry : fs::directory_iterator(target.parent_path(), status)) {
@@ -211,33 +215,9 @@ void RemoveAbandoned(const fs::path& target) {
       fs::remove(folder, status);  // where it is empty; any other without a lock is not ours
       continue;
     }
-    if (LockFile(lock, folder) == FileLock::kHeld) RemoveStaged(folder);
+    if (FileLock(lock, folder / kLock).is_held()) RemoveStaged(folder);
     ::close(lock);
   }
-}
-
-/** Makes the folder and returns its lock, or -1 where another program took it for abandoned before
-the lock was there. */
-int TryStage(const fs::path& folder) {
-  if (::mkdir(folder.c_str(), 0777) != 0) {
-    if (errno != EEXIST) FailOnSystem("cannot create", folder);
-    throw Error(ErrorKind::kIo, "\"" + folder.string() +
-                                    "\" is there already; wait for the program that fills it, or "
-                                    "remove it if none does");
-  }
-  const int lock = ::open((folder / kLock).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (lock < 0 && errno == ENOENT) return -1;
-  if (lock < 0) {
-    const int reason = errno;
-    ::rmdir(folder.c_str());
-    errno = reason;
-    FailOnSystem("cannot lock", folder);
-  }
-  const bool is_taken = LockFile(lock, folder) == FileLock::kTaken;
-  if (!is_taken && fs::exists(folder / kLock)) return lock;
-  ::close(lock);
-  RemoveStaged(folder);
-  return -1;
 }
 
 /** By its way from the result when both lie in one folder, else by its name: nothing says where a
@@ -320,14 +300,41 @@ StagedFolder::StagedFolder(OutputRequest request, Mark mark)
   target_ = FindPlace(request_.folder);
   MakeFolder(target_.parent_path());
   RemoveAbandoned(target_);
-  staged_ = target_.parent_path() /
-            ("." + target_.filename().string() + ".part-" + std::to_string(::getpid()));
-  while (lock_ < 0) lock_ = TryStage(staged_);
+  staged_ = target_.parent_path() / (NameStaged(target_) + MakeRandomName());
+  while (!TryStage()) {
+  }
 }
 
 StagedFolder::~StagedFolder() {
   if (!staged_.empty()) RemoveStaged(staged_);
-  if (lock_ >= 0) ::close(lock_);
+  lock_.reset();
+  if (lock_file_ >= 0) ::close(lock_file_);
+}
+
+bool StagedFolder::TryStage() {
+  if (::mkdir(staged_.c_str(), 0777) != 0) FailOnSystem("cannot create", staged_);
+  const fs::path path = staged_ / kLock;
+  lock_file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
+  if (lock_file_ < 0) {
+    if (errno == ENOENT) return false;
+    const int reason = errno;
+    ::rmdir(staged_.c_str());
+    errno = reason;
+    FailOnSystem("cannot lock", staged_);
+  }
+  try {
+    lock_.emplace(lock_file_, path);
+    if (lock_->is_held() && fs::exists(path)) return true;
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kIo || fs::exists(path)) {
+      RemoveStaged(staged_);
+      throw;
+    }
+  }
+  lock_.reset();
+  ::close(std::exchange(lock_file_, -1));
+  RemoveStaged(staged_);
+  return false;
 }
 
 void StagedFolder::Commit() {
@@ -352,6 +359,8 @@ void StagedFolder::Commit() {
     FailOnSystem("cannot move the results to", target_);
   }
   // Not before: without its lock, what a killed program leaves beside the target would stay there.
+  lock_.reset();
+  fs::remove(target_ / kLockOwner);  // its path has changed
   fs::remove(target_ / kLock);
   SyncFolder(target_.parent_path());
   if (is_swap) RemoveStaged(staged_);  // the older result

@@ -10,13 +10,16 @@ files are all listed and unchanged, but for those that its own scripts write. Ev
 refused and named: foreign or changed files, an existing file, an empty name, the home folder, a
 mount point, a folder that holds an input.
 
-A new folder is filled beside the target, in `.<name>.part-<process>`, and swapped in when it is
-complete, so that the target holds the old result, the new one, or nothing. What a killed program
-left there is removed by the next, but not on a file system without locks (append_file.h). */
+A new folder is filled beside the target, in `.<name>.part-<random>`, and swapped in when it is
+complete, so that the target holds the old result, the new one, or nothing. What a killed program of
+this machine left there is removed by the next (file_lock.h). */
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "datasets/journal/file_lock.h"
 
 namespace graspbench {
 
@@ -68,11 +71,15 @@ class StagedFolder {
   void Commit();
 
  private:
+  /** False where another program took the folder for abandoned before the lock was there. */
+  bool TryStage();
+
   OutputRequest request_;
   Mark mark_;
   std::filesystem::path target_;  // without links
   std::filesystem::path staged_;
-  int lock_ = -1;  // held as long as the program lives
+  int lock_file_ = -1;
+  std::optional<FileLock> lock_;  // held as long as the program lives
 };
 
 }  // namespace graspbench

@@ -13,6 +13,7 @@
 #include "core/base/text/json.h"
 #include "core/base/version.h"
 #include "datasets/journal/checked_line.h"
+#include "datasets/journal/manifest.h"
 
 namespace graspbench {
 
@@ -64,6 +65,7 @@ Json LoadRuns(const fs::path& folder) {
     const Json runs = Json::parse(ReadFile(folder / "run.json")).at("runs");
     if (runs.is_array()) return runs;
   } catch (const Error&) {
+    RethrowUnlessDamage(folder / "run.json");  // else the runs before this one would be lost
   } catch (const Json::exception&) {
   }
   return Json::array();

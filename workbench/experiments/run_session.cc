@@ -140,15 +140,19 @@ RunRecord RunRound(const RoundKind& kind, const PreparedSession& prepared, int n
   return recorder.Keep(is_complete);
 }
 
-bool JudgeSession(const fs::path& folder, int num_workers, Observer& observer, OnDamage on_damage,
-                  double trial_time_limit) {
+JudgeRound JudgeSession(const fs::path& folder, int num_workers, Observer& observer,
+                        OnDamage on_damage, double trial_time_limit) {
   PreparedSession finished;
   finished.session = LoadSession(folder, on_damage, RecordParts::kBrief);
   const Session& session = finished.session;
   finished.inputs = LoadSessionInputs(session.config, FieldUse::kLater, folder);
   CheckSameSession(session, session.config, MakePlan(session.config, finished.inputs));
-  return RunRound(kJudgeRound, finished, num_workers, observer, trial_time_limit).ending ==
-         RunEnding::kFinished;
+  JudgeRound round;
+  for (const PlannedTrial& trial : FindUnjudged(session)) round.asked.insert(trial.id);
+  round.is_complete =
+      RunRound(kJudgeRound, finished, num_workers, observer, trial_time_limit).ending ==
+      RunEnding::kFinished;
+  return round;
 }
 
 }  // namespace graspbench

@@ -12,6 +12,7 @@ on their draws, the benchmark of a campaign and the shards of all of them run th
 #include <atomic>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -80,13 +81,18 @@ Error(kIo); as RunTasks of worker_pool.h. */
 RunRecord RunRound(const RoundKind& kind, const PreparedSession& prepared, int num_workers,
                    Observer& observer, double trial_time_limit = kTrialTimeLimit);
 
-/** Breaks the held grasps of a finished session that are not judged yet.
+struct JudgeRound {
+  bool is_complete = true;      ///< false: stopped on request
+  std::set<std::string> asked;  ///< trials whose grasps were not judged at the start
+};
+
+/** Breaks the held grasps of a session that are not judged yet, as it is at the start: a run may add
+trials meanwhile.
 @param trial_time_limit  a grasp whose test has not ended by then stays unjudged.
-@returns whether no grasp is left but those.
 @throws Error(kVersion) when a trial gives another result than its record; Error(kUsage) when hands,
 objects or physics have changed since. */
-bool JudgeSession(const std::filesystem::path& folder, int num_workers, Observer& observer,
-                  OnDamage on_damage = OnDamage::kRefuse,
-                  double trial_time_limit = kTrialTimeLimit);
+JudgeRound JudgeSession(const std::filesystem::path& folder, int num_workers, Observer& observer,
+                        OnDamage on_damage = OnDamage::kRefuse,
+                        double trial_time_limit = kTrialTimeLimit);
 
 }  // namespace graspbench

@@ -171,7 +171,8 @@ bool RunExperiment(const PreparedSession& experiment, const ExperimentRequest& r
     now = &*next;
   }
   if (request.with_judge && !JudgeSession(experiment.folder, request.num_workers, observer,
-                                          request.on_damage, request.trial_time_limit)) {
+                                          request.on_damage, request.trial_time_limit)
+                                 .is_complete) {
     return false;
   }
   if (!request.thresholds) return true;

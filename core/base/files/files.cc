@@ -2,15 +2,19 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <charconv>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <thread>
 #include <utility>
 
 #include "core/base/error.h"
@@ -45,6 +49,8 @@ int Create(const fs::path& path) {
 constexpr size_t kPieceSize = 1 << 18;  // of reading [bytes]
 constexpr size_t kGathered = 1 << 16;   // pieces up to here are written together [bytes]
 constexpr char kPartSuffix[] = ".part";
+constexpr size_t kRandomSize = 16;    // of MakeRandomName
+constexpr size_t kLongestName = 200;  // that is not shortened [bytes]
 
 /** Names those processes whose ids this process can judge: those of this host and its process
 namespace. Another host that shares the disk has the same ids for other processes. */
@@ -70,24 +76,136 @@ bool HasEnded(pid_t process) {
 
 /** Processes that were killed while they wrote the file left their parts behind. */
 void RemoveLeftParts(const fs::path& path) {
-  const std::string suffix = "-" + FindProcessRealm();
-  const std::string prefix = path.filename().string() + kPartSuffix;
+  const std::string suffix = "-" + FindProcessRealm() + "-";
+  const std::string prefix = ShortenName(path.filename().string()) + kPartSuffix;
   std::error_code status;
   fs::directory_iterator entry(path.has_parent_path() ? path.parent_path() : fs::path("."), status);
   for (; !status && entry != fs::directory_iterator(); entry.increment(status)) {
     const std::string name = entry->path().filename().string();
-    if (name.size() <= prefix.size() + suffix.size()) continue;
     if (name.compare(0, prefix.size(), prefix) != 0) continue;
-    if (name.compare(name.size() - suffix.size(), suffix.size(), suffix) != 0) continue;
     pid_t writer = 0;
     const char* end = name.data() + name.size();
     const auto [rest, error] = std::from_chars(name.data() + prefix.size(), end, writer);
-    if (error != std::errc() || rest != name.data() + name.size() - suffix.size() || writer <= 0) {
+    const size_t id_end = static_cast<size_t>(rest - name.data());
+    if (error != std::errc() || writer <= 0 || name.compare(id_end, suffix.size(), suffix) != 0 ||
+        name.size() != id_end + suffix.size() + kRandomSize) {
       continue;
     }
     if (HasEnded(writer)) ::unlink(entry->path().c_str());
   }
 }
+
+/** What a disk over the network says in passing. */
+bool IsPassing(int reason) { return reason == ESTALE || reason == EIO || reason == EINTR; }
+
+/** Calls `work` until it gives no -1, or fails for good. */
+template <class Work>
+auto TryPatiently(const Work& work) {
+  using std::chrono::milliseconds;
+  for (const milliseconds wait : {milliseconds(10), milliseconds(90), milliseconds(400)}) {
+    const auto result = work();
+    if (result != -1 || !IsPassing(errno)) return result;
+    if (errno != EINTR) std::this_thread::sleep_for(wait);
+  }
+  return work();
+}
+
+/** A regular file that is open for reading. @throws Error(kNotFound, kIo). */
+class ReadableFile {
+ public:
+  explicit ReadableFile(const fs::path& path) : path_(path), file_{-1} {
+    if (TryPatiently([&] { return Open(); }) < 0) {
+      if (errno == ENOENT || errno == ENOTDIR || errno == ENAMETOOLONG || errno == ELOOP) {
+        throw Error(ErrorKind::kNotFound, "no file \"" + path.string() + "\"");
+      }
+      if (errno == ENXIO) RefuseDevice();
+      Fail("read", path);
+    }
+    struct stat properties = {};
+    if (TryPatiently([&] { return ::fstat(file_.id, &properties); }) != 0) Fail("read", path);
+    if (S_ISDIR(properties.st_mode)) {
+      throw Error(ErrorKind::kIo, "\"" + path.string() + "\" is a folder; a file was expected");
+    }
+    if (!S_ISREG(properties.st_mode)) RefuseDevice();
+    size_ = static_cast<uintmax_t>(properties.st_size);
+  }
+
+  /** When it was opened [bytes]. */
+  uintmax_t size() const { return size_; }
+
+  /** @returns how many bytes; 0: the end. */
+  size_t Read(uintmax_t start, char* data, size_t size) {
+    const ssize_t count = TryPatiently([&]() -> ssize_t {
+      const ssize_t read = ::pread(file_.id, data, size, static_cast<off_t>(start));
+      const int reason = errno;
+      if (read < 0 && reason != EINTR) Open();  // a stale handle stays stale
+      errno = reason;
+      return read;
+    });
+    if (count < 0) Fail("read", path_);
+    return static_cast<size_t>(count);
+  }
+
+ private:
+  int Open() {
+    const int file =
+        ::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);  // no wait for a FIFO
+    if (file < 0) return -1;
+    if (file_.id >= 0) ::close(file_.id);
+    return file_.id = file;
+  }
+  [[noreturn]] void RefuseDevice() const {
+    throw Error(ErrorKind::kIo,
+                "\"" + path_.string() + "\" is a device, a pipe or a socket; a file was expected");
+  }
+
+  fs::path path_;
+  OpenedFile file_;
+  uintmax_t size_ = 0;
+};
+
+class FileBuffer : public std::streambuf {
+ public:
+  explicit FileBuffer(const fs::path& path) : file_(path), piece_(kGathered, '\0') {}
+
+ protected:
+  int_type underflow() override {
+    const size_t count = file_.Read(end_, piece_.data(), piece_.size());
+    setg(piece_.data(), piece_.data(), piece_.data() + count);
+    end_ += count;
+    return count == 0 ? traits_type::eof() : traits_type::to_int_type(*gptr());
+  }
+  pos_type seekoff(off_type offset, std::ios_base::seekdir from, std::ios_base::openmode) override {
+    const off_type here = static_cast<off_type>(end_) - (egptr() - gptr());
+    const off_type start = from == std::ios_base::beg   ? 0
+                           : from == std::ios_base::cur ? here
+                                                        : static_cast<off_type>(file_.size());
+    if (start + offset < 0) return pos_type(off_type(-1));
+    if (start + offset == here) return here;
+    end_ = static_cast<uintmax_t>(start + offset);
+    setg(piece_.data(), piece_.data(), piece_.data());
+    return start + offset;
+  }
+  pos_type seekpos(pos_type position, std::ios_base::openmode mode) override {
+    return seekoff(off_type(position), std::ios_base::beg, mode);
+  }
+
+ private:
+  ReadableFile file_;
+  std::string piece_;
+  uintmax_t end_ = 0;  // of the piece, in the file
+};
+
+class FileStream : public std::istream {
+ public:
+  explicit FileStream(const fs::path& path) : std::istream(nullptr), buffer_(path) {
+    rdbuf(&buffer_);
+    exceptions(std::ios::badbit);  // so that a failed read is no end of the file
+  }
+
+ private:
+  FileBuffer buffer_;
+};
 
 /** False, and errno says why, when not all of it could be written. */
 [[nodiscard]] bool WriteAll(int file, std::string_view content) {
@@ -101,6 +219,28 @@ void RemoveLeftParts(const fs::path& path) {
 }
 
 }  // namespace
+
+std::string MakeRandomName() {
+  std::array<unsigned char, kRandomSize / 2> bytes{};
+  while (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
+    if (errno == EINTR) continue;
+    throw Error(ErrorKind::kEnvironment,
+                std::string("the system gives no random numbers: ") + std::strerror(errno));
+  }
+  std::string name;
+  for (const unsigned char byte : bytes) {
+    for (const int digit : {byte >> 4, byte & 15}) name += "0123456789abcdef"[digit];
+  }
+  return name;
+}
+
+std::string ShortenName(const std::string& name) {
+  if (name.size() <= kLongestName) return name;
+  const std::string hash = "~" + CalcHashHex(name).substr(0, 16);
+  size_t size = kLongestName - hash.size();
+  while (size > 0 && (static_cast<unsigned char>(name[size]) & 0xc0) == 0x80) --size;  // UTF-8
+  return name.substr(0, size) + hash;
+}
 
 fs::path FindDataRoot() {
   const char* home = std::getenv("GRASPBENCH_HOME");
@@ -145,29 +285,17 @@ std::string ReadFile(const fs::path& path) {
 
 void ReadPieces(const fs::path& path, const std::function<bool(std::string_view)>& take,
                 uintmax_t start) {
-  std::error_code status;
-  if (!fs::exists(path, status)) {
-    throw Error(ErrorKind::kNotFound, "no file \"" + path.string() + "\"");
-  }
-  if (fs::is_directory(path, status)) {
-    throw Error(ErrorKind::kIo, "\"" + path.string() + "\" is a folder; a file was expected");
-  }
-  // no wait for a FIFO
-  const OpenedFile file{::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)};
-  if (file.id < 0) Fail("read", path);
-  struct stat properties = {};
-  if (::fstat(file.id, &properties) != 0 || !S_ISREG(properties.st_mode)) {
-    throw Error(ErrorKind::kIo,
-                "\"" + path.string() + "\" is a device, a pipe or a socket; a file was expected");
-  }
-  if (start > 0 && ::lseek(file.id, static_cast<off_t>(start), SEEK_SET) < 0) Fail("read", path);
+  ReadableFile file(path);
   std::string piece(kPieceSize, '\0');
   while (true) {
-    const ssize_t count = ::read(file.id, piece.data(), piece.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) Fail("read", path);
-    if (count == 0 || !take(std::string_view(piece).substr(0, static_cast<size_t>(count)))) return;
+    const size_t count = file.Read(start, piece.data(), piece.size());
+    if (count == 0 || !take(std::string_view(piece).substr(0, count))) return;
+    start += count;
   }
+}
+
+std::unique_ptr<std::istream> OpenStream(const fs::path& path) {
+  return std::make_unique<FileStream>(path);
 }
 
 void MakeFolder(const fs::path& folder) {
@@ -215,10 +343,11 @@ void WriteFile(const fs::path& path, std::string_view content) {
 
 AtomicFile::AtomicFile(fs::path path)
     : path_(std::move(path)),
-      temporary_(path_.string() + kPartSuffix + std::to_string(::getpid()) + "-" +
-                 FindProcessRealm()) {
+      temporary_(path_.parent_path() /
+                 (ShortenName(path_.filename().string()) + kPartSuffix +
+                  std::to_string(::getpid()) + "-" + FindProcessRealm() + "-" + MakeRandomName())) {
   RemoveLeftParts(path_);
-  file_ = Create(temporary_);
+  file_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644);
   if (file_ < 0) Fail("create", path_);
 }
 

@@ -6,6 +6,8 @@ lie. */
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <istream>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -20,15 +22,27 @@ $HOME/.cache/graspbench, else a folder of this user's own in the system's tempor
 made; where that is somebody else's or a link, a place in which nothing can be made. */
 std::filesystem::path FindCacheRoot();
 
-/** Regular files only: a device or a pipe is refused, not waited for.
+/** 16 hexadecimal digits that nobody can foretell, for names of temporary files. Never in results. */
+std::string MakeRandomName();
+
+/** The name of a file, for one beside it: a long one ends in its hash, so that with an ending of up
+to 54 bytes it has at most 255, which is what file systems take. */
+std::string ShortenName(const std::string& name);
+
+/** Regular files only: a device or a pipe is refused, not waited for. A read that fails in passing
+(ESTALE, EIO, EINTR, as on disks over the network) is tried four times within a second.
 @throws Error(kNotFound, kIo) naming the file and the system's reason. */
 std::string ReadFile(const std::filesystem::path& path);
 
-/** Hands a file over piece by piece until `take` gives false. Regular files only: a device or a
-pipe is refused, not waited for. @param start  the first byte that is read.
+/** Hands a file over piece by piece until `take` gives false. Files and failures as in ReadFile.
+@param start  the first byte that is read.
 @throws Error(kNotFound, kIo) naming the file and the system's reason; what `take` throws. */
 void ReadPieces(const std::filesystem::path& path,
                 const std::function<bool(std::string_view)>& take, uintmax_t start = 0);
+
+/** A file as a stream. Files and failures as in ReadFile, also later, by what reads the stream.
+@throws Error(kNotFound, kIo). */
+std::unique_ptr<std::istream> OpenStream(const std::filesystem::path& path);
 
 /** Creates a folder and those above it; one that is there is fine.
 @throws Error(kIo) with the system's reason. */
@@ -61,7 +75,8 @@ void SyncFileSystem(const std::filesystem::path& folder);
 
 /** A file that is written piece by piece beside its target, synced and renamed by Commit: the target
 is the old or the new file, never half of one. Without Commit nothing is left. What killed processes
-of this host left beside the target is removed. */
+of this host left beside the target is removed. Nobody can prepare a file or a link in its place: the
+name is random and must be new. */
 class AtomicFile {
  public:
   /** @throws Error(kIo) with the system's reason (read-only, no such folder, ...). */

@@ -6,16 +6,20 @@
 namespace graspbench {
 namespace {
 
-/** Whether a spreadsheet would run what stands behind the apostrophes. */
-bool IsFormula(std::string_view text) {
-  if (text.empty()) return false;
-  const auto first = static_cast<unsigned char>(text.front());
-  return text.find_first_of("=+-@") == 0 || first < 0x20 || first == 0x7f;
-}
+/** Where a spreadsheet of some country begins a cell of its own, whatever is quoted: it knows quotes
+only where its own cells begin. */
+constexpr std::string_view kSeparators = ";\t\r\n";
 
-std::string_view SkipApostrophes(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of('\''), text.size()));
-  return text;
+/** Whether a spreadsheet would run what stands behind the apostrophes and quotes. */
+bool IsFormula(std::string_view part) {
+  part.remove_prefix(std::min(part.find_first_not_of("'\""), part.size()));
+  if (part.empty()) return false;
+  const auto first = static_cast<unsigned char>(part.front());
+  if (part.find_first_of("=+-@") == 0 || first < 0x20 || first == 0x7f) return true;
+  for (const char* wide : {"\uff1d", "\uff0b", "\uff0d", "\uff20"}) {  // of East Asia: = + - @
+    if (part.rfind(wide, 0) == 0) return true;
+  }
+  return false;
 }
 
 bool IsNumber(std::string_view text) {
@@ -28,20 +32,35 @@ bool IsNumber(std::string_view text) {
 }  // namespace
 
 std::string GuardCell(const std::string& text) {
-  if (!IsFormula(SkipApostrophes(text)) || IsNumber(text)) return text;
-  return "'" + text;
+  std::string guarded;
+  for (size_t begin = 0; begin <= text.size();) {
+    const size_t end = std::min(text.find_first_of(kSeparators, begin), text.size());
+    const std::string_view part = std::string_view(text).substr(begin, end + 1 - begin);
+    const bool is_number = begin == 0 && !text.empty() && IsNumber(text);
+    if (IsFormula(part) && !is_number) guarded += '\'';
+    guarded += part;
+    begin = end + 1;
+  }
+  return guarded;
 }
 
 std::string UnguardCell(const std::string& cell) {
-  return !cell.empty() && cell[0] == '\'' && IsFormula(SkipApostrophes(cell)) ? cell.substr(1)
-                                                                              : cell;
+  std::string text;
+  for (size_t begin = 0; begin <= cell.size();) {
+    const size_t end = std::min(cell.find_first_of(kSeparators, begin), cell.size());
+    std::string_view part = std::string_view(cell).substr(begin, end + 1 - begin);
+    if (!part.empty() && part[0] == '\'' && IsFormula(part)) part.remove_prefix(1);
+    text += part;
+    begin = end + 1;
+  }
+  return text;
 }
 
 std::string FormatCsvCell(const Json& value) {
   if (value.is_null()) return "";
   if (!value.is_string()) return FormatJson(value);
   const std::string text = GuardCell(value.str());
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  if (text.find_first_of(",;\t\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
   return quoted + "\"";

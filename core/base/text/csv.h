@@ -84,9 +84,11 @@ struct CsvColumn {
 be. */
 std::string FormatCsvCell(const Json& value);
 
-/** Spreadsheets run a text that begins with = + - @ or a control character as a formula. Such a
-text gets an apostrophe in front, unless it is a number; one that has apostrophes there already
-gets one more, so that UnguardCell gives every text back. */
+/** Spreadsheets run a text that begins with = + - @, their wide forms or a control character as a
+formula. In some countries cells end at semicolons or tabs, inside of quotes of ours, too. So a
+beginning of that kind, of the text or behind a semicolon, tab or line break, gets an apostrophe in
+front, unless the whole text is a number. What has apostrophes there already gets one more, so that
+UnguardCell gives every text back. */
 std::string GuardCell(const std::string& text);
 std::string UnguardCell(const std::string& cell);
 

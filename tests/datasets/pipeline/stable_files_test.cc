@@ -31,7 +31,7 @@ TEST_F(StableFiles, OfAPlainFolderEveryFileCounts) {
   MakeFolder(top_ / "a" / "progress");
   WriteFile(top_ / "a" / "run.json", "abc");
   WriteFile(top_ / "a" / "progress" / "x", "");
-  WriteFile(top_ / "a" / "x.part12-0123abcd", "left by a killed process");
+  WriteFile(top_ / "a" / "x.part12-0123abcd-0123456789abcdef", "left by a killed process");
   WriteFile(top_ / "a" / "x.part", "a file of this name");
   const auto files = ListStableFiles(top_ / "a");
   ASSERT_EQ(files.size(), 3u);

@@ -18,8 +18,9 @@ class JournalIndexTest : public testing::Test {
   }
   std::vector<std::string> Read(int* num_bad = nullptr) const {
     std::vector<std::string> ids;
-    const int count = ForEachTrialOf(journal_, IndexUse::kBelieve,
-                                     [&](std::string_view id) { ids.emplace_back(id); });
+    const int count =
+        ForEachTrialOf(journal_, IndexUse::kBelieve, 0,
+                       [&](std::string_view id, std::string_view) { ids.emplace_back(id); });
     if (num_bad) *num_bad = count;
     return ids;
   }
@@ -84,6 +85,23 @@ TEST_F(JournalIndexTest, TornLinesAreNoTrials) {
   int num_bad = 0;
   EXPECT_EQ(Read(&num_bad), Ids(0, 2));
   EXPECT_EQ(num_bad, 0);
+}
+
+// What a manifest seals is counted by its ids; behind it each line is checked.
+TEST_F(JournalIndexTest, ChecksWhatIsNotSealed) {
+  Write(0, 3);
+  std::string text = ReadFile(journal_);
+  const size_t first_end = text.find('\n') + 1;
+  text[text.find("lift_height") + 16] ^= 1;
+  WriteFile(journal_, text);
+  const auto count_bad = [&](uintmax_t sealed) {
+    std::string read;
+    return ForEachTrialOf(journal_, IndexUse::kIgnore, sealed,
+                          [&](std::string_view, std::string_view line) { read += line; });
+  };
+  EXPECT_EQ(count_bad(0), 1);
+  EXPECT_EQ(count_bad(first_end - 1), 1) << "not all of it";
+  EXPECT_EQ(count_bad(first_end), 0);
 }
 
 }  // namespace

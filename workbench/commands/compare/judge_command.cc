@@ -1,11 +1,13 @@
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "core/base/text/text.h"
 #include "datasets/analysis/judge_evidence.h"
 #include "datasets/session/judgement_store.h"
 #include "workbench/command.h"
+#include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/experiments/run_session.h"
 #include "workbench/result_page.h"
 #include "workbench/tables/text_table.h"
@@ -34,24 +36,38 @@ void PrintEvidence(const JudgeEvidence& evidence) {
   PrintResult(FormatCount(evidence.num_judged, "held grasp") + " judged\n\n" + table.Format());
 }
 
-/** Names the grasps whose test did not end in time. */
-ExitCode TellUnjudged(const Session& session, double trial_time_limit) {
-  const std::vector<PlannedTrial> unjudged = FindUnjudged(session);
-  for (const PlannedTrial& trial : unjudged) {
+/** Names the grasps whose test did not end in time, and those of trials that finished meanwhile.
+@param asked  trials whose grasps were to be judged. */
+ExitCode TellUnjudged(const Session& session, const std::set<std::string>& asked,
+                      const JudgeOptions& options) {
+  ExitCode code = kExitOk;
+  int num_new = 0;
+  for (const PlannedTrial& trial : FindUnjudged(session)) {
+    if (asked.count(trial.id) == 0) {
+      ++num_new;
+      continue;
+    }
+    code = kExitNumericalFailures;
     PrintMessage("trial " + trial.id + " (" + trial.hand + ", " + trial.object + ", " +
                  trial.grasp + ", number " + std::to_string(trial.trial) +
-                 ") stays unjudged: the judge had not ended after " + FormatJson(trial_time_limit) +
-                 " s");
+                 ") stays unjudged: the judge had not ended after " +
+                 FormatJson(options.trial_time_limit) + " s");
   }
-  return unjudged.empty() ? kExitOk : kExitNumericalFailures;
+  if (num_new > 0) {
+    PrintMessage(FormatCount(num_new, "held grasp is", "held grasps are") +
+                 " of trials that finished meanwhile, not judged yet: graspbench judge " +
+                 QuoteForShell(options.folder) + " goes on with them");
+  }
+  return code;
 }
 
 ExitCode Judge(const JudgeOptions& options) {
   const std::filesystem::path folder = options.folder;
   TerminalObserver observer(
       [&](const Stage& stage) { return options.folder + ": " + DescribeTasks(stage); });
-  if (!JudgeSession(folder, options.num_workers, observer, options.on_damage,
-                    options.trial_time_limit)) {
+  const JudgeRound round = JudgeSession(folder, options.num_workers, observer, options.on_damage,
+                                        options.trial_time_limit);
+  if (!round.is_complete) {
     throw Error(ErrorKind::kInterrupted,
                 "stopped; what was judged is kept. Continue with the same command");
   }
@@ -64,7 +80,7 @@ ExitCode Judge(const JudgeOptions& options) {
     PrintEvidence(evidence);
     PrintResult(FormatPlaces(report, folder / "export" / "trials.csv"));
   }
-  return TellUnjudged(session, options.trial_time_limit);
+  return TellUnjudged(session, round.asked, options);
 }
 
 }  // namespace

@@ -23,6 +23,7 @@
 #include "core/base/files/files.h"
 #include "core/base/text/text.h"
 #include "datasets/journal/append_file.h"
+#include "datasets/journal/file_lock.h"
 #include "datasets/journal/store_kind.h"
 #include "datasets/pipeline/stable_files.h"
 #include "workbench/experiments/machines/shell_quote.h"
@@ -155,7 +156,8 @@ bool IsNew(const fs::path& results) {
   return std::all_of(begin(entries), end(entries), [](const fs::directory_entry& entry) {
     const std::string name = entry.path().filename().string();
     const bool is_half = name.rfind(kPipelineLock, 0) == 0;  // written beside its place
-    return entry.is_regular_file() && (is_half || (name == kRunLock && entry.file_size() == 0));
+    const bool is_lock = name == kRunLock && entry.file_size() == 0;
+    return entry.is_regular_file() && (is_half || is_lock || name == kRunLock + kOwnerEnding);
   });
 }
 
@@ -344,11 +346,13 @@ class PipelineRunner {
 
   void FinishEnded() {
     for (size_t i = 0; i < running_.size();) {
-      const std::optional<int> code = running_[i].process->Poll();
+      std::optional<int> code = running_[i].process->Poll();
       if (!code) {
         ++i;
         continue;
       }
+      // It was asked to end before it could say how it does that.
+      if (is_interrupted_ && *code == 128 + SIGTERM) code = kExitInterrupted;
       const Running running = std::move(running_[i]);
       running_.erase(running_.begin() + static_cast<std::ptrdiff_t>(i));
       if (*code == kExitOk || *code == kExitNumericalFailures) {

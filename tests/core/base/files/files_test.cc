@@ -9,6 +9,9 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
+#include <memory>
+#include <set>
 
 #include "core/base/error.h"
 
@@ -46,7 +49,7 @@ TEST(Files, APartOfAKilledProcessIsRemovedAndThatOfALivingOneIsNot) {
   const std::string realm = left.substr(left.find(id) + id.size());
 
   const std::string busy = path + ".part" + std::to_string(::getppid()) + realm;
-  const std::string elsewhere = path + id + "-00000000";
+  const std::string elsewhere = path + id + "-00000000-0123456789abcdef";
   const std::string other = path + ".partial";
   for (const std::string& file : {busy, elsewhere, other}) WriteFile(file, "half");
   WriteFileAtomically(path, "whole");
@@ -54,6 +57,56 @@ TEST(Files, APartOfAKilledProcessIsRemovedAndThatOfALivingOneIsNot) {
   EXPECT_TRUE(std::filesystem::exists(busy));
   EXPECT_TRUE(std::filesystem::exists(elsewhere));
   EXPECT_TRUE(std::filesystem::exists(other));
+}
+
+// Who may write into the folder could put a link there, were the name known before.
+TEST(Files, NobodyKnowsTheNameOfATemporaryFileBefore) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "temporary";
+  std::set<std::string> names;
+  for (int i = 0; i < 3; ++i) {
+    std::filesystem::remove_all(folder);
+    MakeFolder(folder);
+    const AtomicFile file(folder / "results");
+    const auto entry = std::filesystem::directory_iterator(folder);
+    names.insert(entry->path().filename().string());
+    EXPECT_EQ(names.begin()->rfind("results.part", 0), 0u) << *names.begin();
+  }
+  EXPECT_EQ(names.size(), 3u);
+}
+
+TEST(Files, LongNamesAreShortenedToDifferentOnes) {
+  EXPECT_EQ(ShortenName(std::string(200, 'a')), std::string(200, 'a'));
+  const std::string a = ShortenName(std::string(254, 'a') + "b");
+  EXPECT_EQ(a.size(), 200u);
+  EXPECT_NE(a, ShortenName(std::string(254, 'a') + "c"));
+  std::string letters;  // of two bytes, at odd places
+  for (letters = "a"; letters.size() < 255;) letters += "\u00e4";
+  const std::string b = ShortenName(letters);
+  EXPECT_EQ(letters.compare(0, b.find('~'), b, 0, b.find('~')), 0);
+  EXPECT_EQ(b.find('~') % 2, 1u) << "no letter is cut";
+}
+
+TEST(Files, AStreamReadsWhatTheFileHolds) {
+  const std::string path = testing::TempDir() + "/stream";
+  std::string content;
+  for (int i = 0; i < 40000; ++i) content += std::to_string(i) + "\n";
+  WriteFile(path, content);
+  const std::unique_ptr<std::istream> stream = OpenStream(path);
+  std::string number;
+  stream->seekg(100000);
+  EXPECT_EQ(stream->get(), content[100000]);
+  EXPECT_EQ(stream->tellg(), std::streampos(100001));
+  stream->seekg(-6, std::ios::end);
+  *stream >> number;
+  EXPECT_EQ(number, "39999");
+  stream->seekg(0);
+  std::string all((std::istreambuf_iterator<char>(*stream)), {});
+  EXPECT_EQ(all, content);
+  EXPECT_EQ(stream->get(), EOF);
+  stream->clear();
+  stream->seekg(0, std::ios::end);
+  EXPECT_EQ(stream->tellg(), std::streampos(static_cast<std::streamoff>(content.size())));
+  EXPECT_THROW(OpenStream(testing::TempDir()), Error);
 }
 
 TEST(Files, AnUnwritablePlaceGivesTheSystemsReason) {

@@ -25,9 +25,58 @@ TEST(FormatCsv, QuotesOnlyWhatMustBeAndLeavesMissingEmpty) {
 TEST(FormatCsv, GuardsWhatASpreadsheetWouldRun) {
   const std::vector<Row> rows = {{"=1+1", -1.0}, {"@SUM(A1), x", -2.0}, {"\tgo", 0.0}};
   EXPECT_EQ(FormatCsv(ListColumns(), rows),
-            "text,number_s,is_long\n'=1+1,-1.0,0\n\"'@SUM(A1), x\",-2.0,0\n'\tgo,0.0,0\n");
+            "text,number_s,is_long\n'=1+1,-1.0,0\n\"'@SUM(A1), x\",-2.0,0\n\"'\tgo\",0.0,0\n");
   EXPECT_EQ(GuardCell("-12.5e3"), "-12.5e3") << "a number is no formula";
   EXPECT_EQ(GuardCell("-12.5e3x"), "'-12.5e3x");
+  EXPECT_EQ(GuardCell("\uff1d1+1"), "'\uff1d1+1") << "a wide equals sign";
+  EXPECT_EQ(GuardCell("-1,5"), "'-1,5") << "of no country that this file is written for";
+}
+
+/** The cells of a line as a spreadsheet sees them whose cells end at `separator`: a quote counts where
+a cell begins, and nowhere else. */
+std::vector<std::string> SplitAsSpreadsheet(const std::string& text, char separator) {
+  std::vector<std::string> cells(1);
+  bool is_quoted = false, is_begin = true;
+  for (size_t i = 0; i < text.size(); ++i) {
+    if (is_begin && text[i] == '"') {
+      is_quoted = true;
+    } else if (is_quoted && text[i] == '"') {
+      is_quoted = text.substr(i + 1, 1) == "\"";
+      if (is_quoted) cells.back() += text[++i];
+    } else if (!is_quoted && (text[i] == separator || text[i] == '\n' || text[i] == '\r')) {
+      cells.emplace_back();
+      is_begin = true;
+      continue;
+    } else {
+      cells.back() += text[i];
+    }
+    is_begin = false;
+  }
+  return cells;
+}
+
+TEST(FormatCsv, RunsNothingInSpreadsheetsOfAnyCountry) {
+  const std::string letters = "=-'\";,\t\nx";
+  for (const char a : letters) {
+    for (const char b : letters) {
+      for (const char c : letters) {
+        for (const char d : letters) {
+          const std::string text = {a, b, c, d};
+          const std::string line = FormatCsvLine({"name", text, text, "end"});
+          for (const char separator : {',', ';', '\t'}) {
+            for (const std::string& cell : SplitAsSpreadsheet(line, separator)) {
+              const std::string& bare =
+                  cell.substr(std::min(cell.find_first_not_of('"'), cell.size()));
+              EXPECT_TRUE(bare.empty() || (bare[0] != '=' && bare[0] != '-')) << text << "\n"
+                                                                              << line;
+            }
+          }
+          EXPECT_EQ(SplitAsSpreadsheet(line, ',').at(1), GuardCell(text)) << line;
+          EXPECT_EQ(UnguardCell(GuardCell(text)), text);
+        }
+      }
+    }
+  }
 }
 
 TEST(GuardCell, IsUndoneForEveryText) {
