@@ -29,7 +29,9 @@ directions; the relaxation takes more in any cycle that is shorter than a minute
 
 Limits: balls are pressed into something flat within their patch; along the surface nothing gives
 way (a skin of paper or foil); the table meets a rigid body of its size at rest; mass and inertia
-stay those at rest; a body that is pressed on one side does not swell on another. The distance
+stay those at rest; a body that is pressed on one side does not swell on another. K follows n: a
+contact that rolls to a stiffer place gains up to 2/3 F times the change of d(n) without work; one
+that slides there loses more by friction, where mu times the path is longer than that. The distance
 field's gradient turns at the middle of a body. kLeastSizeOfGrasp keeps the deepest point of a hand
 at two fifths of a side at most, before that middle. */
 
