@@ -4,14 +4,18 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
+#include "core/base/files/kept.h"
 #include "core/base/hash.h"
 #include "core/base/text/yaml.h"
 #include "core/base/units.h"
+#include "core/base/version.h"
 #include "core/shape/repair/mesh_repair.h"
 #include "core/shape/resting_pose.h"
 #include "objects/load_mesh.h"
@@ -69,6 +73,51 @@ void CheckSize(const GraspObject& object, const ObjectFile& file, const fs::path
                                       "; correct " + key + " or mesh_unit");
 }
 
+struct Solid {
+  TriMesh mesh;  ///< as drawn, or mended
+  Overlap overlap;
+};
+
+using PackedOverlap = std::array<double, 15>;
+
+PackedOverlap Pack(const Overlap& overlap) {
+  PackedOverlap packed = {overlap.volume, overlap.absolute_volume, overlap.inverted_volume};
+  Eigen::Map<Eigen::Vector3d>(packed.data() + 3) = overlap.first;
+  Eigen::Map<Eigen::Matrix3d>(packed.data() + 6) = overlap.second;
+  return packed;
+}
+
+Overlap Unpack(const PackedOverlap& packed) {
+  Overlap overlap = {packed[0], packed[1], packed[2]};
+  overlap.first = Eigen::Map<const Eigen::Vector3d>(packed.data() + 3);
+  overlap.second = Eigen::Map<const Eigen::Matrix3d>(packed.data() + 6);
+  return overlap;
+}
+
+/** The mesh as simulation can use it. That one is usable as it is drawn is kept between runs.
+@param name  of the mesh, as it begins the message.  @throws Error(kFormat) listing its problems. */
+Solid MakeSolid(TriMesh drawn, PartsApart parts_apart, const std::string& name) {
+  constexpr char kKind[] = "gbmesh01";
+  const uint64_t key = CalcHash64(
+      fmt::format("{} {}", program_sources(), static_cast<int>(parts_apart)), CalcMeshHash(drawn));
+  const fs::path path = FindCacheRoot() / "meshes" / fmt::format("{:016x}", key);
+  PackedOverlap packed;
+  if (const auto kept = ReadKept(path, kKind, key); kept && kept->size() == sizeof packed) {
+    std::memcpy(packed.data(), kept->data(), sizeof packed);
+    return {std::move(drawn), Unpack(packed)};
+  }
+  UsableMesh usable = MakeUsable(drawn, parts_apart);
+  if (!usable.report.problems.empty()) {
+    throw Error(ErrorKind::kFormat,
+                "the mesh " + name + " cannot be used:\n" + FormatProblems(usable.report));
+  }
+  if (usable.actions.empty()) {
+    packed = Pack(usable.report.overlap);
+    Keep(path, kKind, key, {reinterpret_cast<const char*>(packed.data()), sizeof packed});
+  }
+  return {std::move(usable.mesh), usable.report.overlap};
+}
+
 std::shared_ptr<const GraspObject> LoadFolder(const fs::path& folder, const std::string& id,
                                               FieldUse field_use) {
   const fs::path path = folder / "object.yaml";
@@ -76,14 +125,11 @@ std::shared_ptr<const GraspObject> LoadFolder(const fs::path& folder, const std:
   auto object = std::make_shared<GraspObject>();
   object->id = id;
   object->name = file.name;
-  UsableMesh usable = MakeUsable(LoadMesh(folder / file.mesh, file.mesh_unit), PartsApartOf(file));
-  if (!usable.report.problems.empty()) {
-    throw Error(ErrorKind::kFormat, "the mesh \"" + (folder / file.mesh).string() + "\" (unit " +
-                                        NameOf(file.mesh_unit) + ") cannot be used:\n" +
-                                        FormatProblems(usable.report));
-  }
-  object->mesh = std::move(usable.mesh);
-  const Overlap& overlap = usable.report.overlap;
+  const fs::path mesh = folder / file.mesh;
+  Solid solid = MakeSolid(LoadMesh(mesh, file.mesh_unit), PartsApartOf(file),
+                          fmt::format("\"{}\" (unit {})", mesh.string(), NameOf(file.mesh_unit)));
+  object->mesh = std::move(solid.mesh);
+  const Overlap& overlap = solid.overlap;
 
   const Eigen::AlignedBox3d box = CalcBounds(object->mesh);
   for (Eigen::Vector3d& p : object->mesh.vertices) p -= box.center();
@@ -171,17 +217,12 @@ std::shared_ptr<const GraspObject> LoadMeshObject(const fs::path& path, double s
   constexpr double kDensity = 1000.0;  // [kg/m^3]
   TriMesh drawn = LoadMesh(path, LengthUnit::kM);
   for (Eigen::Vector3d& p : drawn.vertices) p *= scale;
-  UsableMesh usable = MakeUsable(drawn, PartsApart::kMeant);
-  if (!usable.report.problems.empty()) {
-    throw Error(
-        ErrorKind::kFormat,
-        fmt::format("the mesh \"{}\" (in m, times {:g}) cannot be used:\n", path.string(), scale) +
-            FormatProblems(usable.report));
-  }
+  Solid solid = MakeSolid(std::move(drawn), PartsApart::kMeant,
+                          fmt::format("\"{}\" (in m, times {:g})", path.string(), scale));
   auto object = std::make_shared<GraspObject>();
   object->id = object->name = path.stem().string();
-  object->mesh = std::move(usable.mesh);
-  const Overlap& overlap = usable.report.overlap;
+  object->mesh = std::move(solid.mesh);
+  const Overlap& overlap = solid.overlap;
   object->mass_properties = CalcSolidMassProperties(
       object->mesh, kDensity * (CalcVolume(object->mesh) - overlap.volume), overlap);
   object->size = CalcBounds(object->mesh).sizes();

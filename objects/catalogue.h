@@ -42,14 +42,14 @@ enum class FieldUse {
 
 /** Loads a catalogue object by its id, or a user's object by the path of its folder (object.yaml
 and a mesh, see object_file.h) or of its object.yaml. The mesh is checked (mesh_check.h); the
-distance field comes from the cache when it is there.
+check's result and the distance field are kept between runs (core/base/files/kept.h).
 @throws Error(kNotFound) with suggestions; Error(kFormat) listing every problem. */
 std::shared_ptr<const GraspObject> LoadObject(const std::string& id_or_path,
                                               FieldUse field_use = FieldUse::kNow);
 
 /** A mesh alone as a thing to grasp, for those who state mass and friction themselves: O is the
 frame in which it is drawn, in metres times `scale`; it is homogeneous, of 1000 kg/m^3, without
-friction, and may consist of bodies apart. Mended and cached as others.
+friction, and may consist of bodies apart. Mended and kept as others.
 @throws as LoadMesh(); Error(kFormat) listing what makes it unusable. */
 std::shared_ptr<const GraspObject> LoadMeshObject(const std::filesystem::path& mesh, double scale);
 

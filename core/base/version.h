@@ -11,4 +11,9 @@ const char* program_version();
 "unknown" when the source was no clone. */
 const char* program_commit();
 
+/** Hash of the sources from which fitted grasps and mesh checks follow (core/base, core/shape,
+core/hand, core/grasp, objects), and of the compiler: a result that is kept between runs is keyed by
+it, so that no change of a rule meets an old one. */
+const char* program_sources();
+
 }  // namespace graspbench

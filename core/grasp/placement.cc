@@ -304,8 +304,8 @@ Placement MovePlacement(const Hand& hand, const Grasp& grasp, const GraspObject&
       placement);
 }
 
-double CalcReachMiss(const Hand& hand, const Grasp& grasp, const GraspObject& object) {
-  const Placement placement = CalcPlacement(hand, grasp, object);
+double CalcReachMiss(const Hand& hand, const Grasp& grasp, const GraspObject& object,
+                     const Placement& placement) {
   return placement.reaches_object ? 0.0 : CalcShortfall(hand, grasp, object, placement);
 }
 

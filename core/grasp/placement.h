@@ -71,9 +71,10 @@ raised off the table and stopped before the object by the rules above. @pre the 
 Placement MovePlacement(const Hand& hand, const Grasp& grasp, const GraspObject& object,
                         const Eigen::Vector3d& shift_W, const Eigen::Vector3d& turn_W);
 
-/** How far the pads stay short of where they would hold the object [m]; 0: its placement reaches
-it. */
-double CalcReachMiss(const Hand& hand, const Grasp& grasp, const GraspObject& object);
+/** How far the pads stay short of where they would hold the object [m]; 0: the placement reaches it.
+@param placement  of CalcPlacement. */
+double CalcReachMiss(const Hand& hand, const Grasp& grasp, const GraspObject& object,
+                     const Placement& placement);
 
 /** Signed distance of a point in O from a box of this size about O [m]. */
 double CalcBoxDistance(const Eigen::Vector3d& size, const Eigen::Vector3d& p_O);

@@ -198,7 +198,7 @@ std::optional<Grasp> OpenUntilClear(const Hand& hand, const Grasp& grasp,
 GraspPrediction PredictGrasp(const Hand& hand, const Grasp& grasp, const GraspObject& object) {
   GraspPrediction prediction;
   const Placement placement = CalcPlacement(hand, grasp, object);
-  prediction.reach_miss = CalcReachMiss(hand, grasp, object);
+  prediction.reach_miss = CalcReachMiss(hand, grasp, object, placement);
   prediction.room = CalcRoom(hand, grasp, object, placement, MakeObstacle(object));
   prediction.needed_room = CalcNeededRoom(hand, grasp);
   prediction.num_digits = static_cast<int>(grasp.digits.size());

@@ -10,8 +10,7 @@
 #include <cstring>
 
 #include "core/base/error.h"
-#include "core/base/files/files.h"
-#include "core/base/hash.h"
+#include "core/base/files/kept.h"
 #include "core/shape/line_crossings.h"
 #include "core/shape/tri_mesh.h"
 #include "core/shape/triangle_tree.h"
@@ -94,7 +93,7 @@ TriMesh FindExposedSurface(const TriMesh& mesh, double resolution) {
 namespace {
 
 // Raise when the stored layout or the rule that fills it changes.
-constexpr char kCacheMagic[8] = {'g', 'b', 's', 'd', 'f', '0', '0', '2'};
+constexpr char kCacheKind[] = "gbsdf002";
 
 // Columns are looked at this far beside the nodes, where no edge of a drawn mesh lies.
 const Eigen::Vector2d kBeside(1.0e-9, 1.6180339887e-9);  // [m]
@@ -133,27 +132,14 @@ class InsideFinder {
   bool has_overlap_ = false;
 };
 
-uint64_t CalcMeshHash(const TriMesh& mesh) {
-  static_assert(sizeof(Eigen::Vector3d) == 24 && sizeof(Eigen::Vector3i) == 12);
-  const std::string_view vertices(reinterpret_cast<const char*>(mesh.vertices.data()),
-                                  mesh.vertices.size() * sizeof(Eigen::Vector3d));
-  const std::string_view triangles(reinterpret_cast<const char*>(mesh.triangles.data()),
-                                   mesh.triangles.size() * sizeof(Eigen::Vector3i));
-  return CalcHash64(triangles, CalcHash64(vertices, mesh.vertices.size()));
-}
-
 // What stands before the values in a cache file.
 struct CacheHeader {
-  char magic[8];
-  uint64_t content_hash;  // of all that follows: the rest of the header and the values
-  uint64_t mesh_hash;
   double lower[3];
   double cell;
   int32_t num_nodes[3];
   int32_t padding;
 };
-static_assert(sizeof(CacheHeader) == 72);
-constexpr size_t kHashedFrom = 16;
+static_assert(sizeof(CacheHeader) == 48);
 
 std::filesystem::path FindCacheFile(const std::filesystem::path& folder, uint64_t mesh_hash) {
   return folder / fmt::format("{:016x}.sdf", mesh_hash);
@@ -209,29 +195,20 @@ void SignedDistanceField::CalcValues(const TriMesh& mesh, const std::vector<bool
   }
 }
 
-std::string SignedDistanceField::FormatCache(uint64_t mesh_hash) const {
+std::string SignedDistanceField::FormatCache() const {
   CacheHeader header = {};
-  std::memcpy(header.magic, kCacheMagic, sizeof kCacheMagic);
-  header.mesh_hash = mesh_hash;
   Eigen::Map<Eigen::Vector3d>(header.lower) = lower_;
   header.cell = cell_;
   Eigen::Map<Eigen::Vector3i>(header.num_nodes) = num_nodes_;
   std::string bytes(reinterpret_cast<const char*>(&header), sizeof header);
   bytes.append(reinterpret_cast<const char*>(values_.data()), values_.size() * sizeof(float));
-  header.content_hash = CalcHash64(std::string_view(bytes).substr(kHashedFrom));
-  std::memcpy(bytes.data(), &header, sizeof header);
   return bytes;
 }
 
-bool SignedDistanceField::ParseCache(const std::string& bytes, uint64_t mesh_hash) {
+bool SignedDistanceField::ParseCache(const std::string& bytes) {
   CacheHeader header;
   if (bytes.size() < sizeof header) return false;
   std::memcpy(&header, bytes.data(), sizeof header);
-  if (std::memcmp(header.magic, kCacheMagic, sizeof kCacheMagic) != 0 ||
-      header.mesh_hash != mesh_hash ||
-      header.content_hash != CalcHash64(std::string_view(bytes).substr(kHashedFrom))) {
-    return false;
-  }
   lower_ = Eigen::Map<const Eigen::Vector3d>(header.lower);
   cell_ = header.cell;
   num_nodes_ = Eigen::Map<const Eigen::Vector3i>(header.num_nodes);
@@ -249,32 +226,17 @@ bool SignedDistanceField::ParseCache(const std::string& bytes, uint64_t mesh_has
 std::shared_ptr<const SignedDistanceField> SignedDistanceField::LoadCached(
     const TriMesh& mesh, const std::filesystem::path& cache_folder) {
   const uint64_t mesh_hash = CalcMeshHash(mesh);
-  const std::filesystem::path path = FindCacheFile(cache_folder, mesh_hash);
-  std::error_code status;
-  if (!IsPrivateFolder(cache_folder) ||
-      !std::filesystem::is_regular_file(std::filesystem::symlink_status(path, status))) {
-    return nullptr;
-  }
-  try {
-    auto field = std::make_shared<SignedDistanceField>();
-    if (field->ParseCache(ReadFile(path), mesh_hash)) return field;
-  } catch (const Error&) {
-    // Unreadable: as good as absent.
-  }
-  return nullptr;
+  const auto kept = ReadKept(FindCacheFile(cache_folder, mesh_hash), kCacheKind, mesh_hash);
+  auto field = std::make_shared<SignedDistanceField>();
+  return kept && field->ParseCache(*kept) ? field : nullptr;
 }
 
 std::shared_ptr<const SignedDistanceField> SignedDistanceField::LoadOrBuild(
     const TriMesh& mesh, const std::filesystem::path& cache_folder) {
   if (auto cached = LoadCached(mesh, cache_folder)) return cached;
   auto field = std::make_shared<const SignedDistanceField>(Build(mesh));
-  try {
-    MakePrivateFolder(cache_folder);
-    const uint64_t mesh_hash = CalcMeshHash(mesh);
-    WriteFileAtomically(FindCacheFile(cache_folder, mesh_hash), field->FormatCache(mesh_hash));
-  } catch (const Error&) {
-    // A read-only, full or foreign folder costs the next start some seconds, nothing else.
-  }
+  const uint64_t mesh_hash = CalcMeshHash(mesh);
+  Keep(FindCacheFile(cache_folder, mesh_hash), kCacheKind, mesh_hash, field->FormatCache());
   return field;
 }
 

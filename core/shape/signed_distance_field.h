@@ -33,10 +33,8 @@ class SignedDistanceField {
   Cells are cubes. Costs about half a second for 5,000 triangles. */
   static SignedDistanceField Build(const TriMesh& mesh);
 
-  /** Build, or read what an earlier call stored under the mesh's hash in `cache_folder`. The file
-  carries a hash of all its content; a damaged or foreign one is rebuilt. The folder is made
-  readable for its owner alone; one that is not private, or cannot be written, is done without. The
-  result is the same bits either way. */
+  /** Build, or read what an earlier call kept (core/base/files/kept.h) under the mesh's hash in
+  `cache_folder`. The result is the same bits either way. */
   static std::shared_ptr<const SignedDistanceField> LoadOrBuild(
       const TriMesh& mesh, const std::filesystem::path& cache_folder);
 
@@ -74,9 +72,9 @@ class SignedDistanceField {
     return node.x() + num_nodes_.x() * (node.y() + static_cast<size_t>(num_nodes_.y()) * node.z());
   }
   void CalcValues(const TriMesh& mesh, const std::vector<bool>& is_inside, bool only_inside);
-  std::string FormatCache(uint64_t mesh_hash) const;
-  // False, and the field is of no use, when the bytes are not those of a whole cache file.
-  bool ParseCache(const std::string& bytes, uint64_t mesh_hash);
+  std::string FormatCache() const;
+  // False, and the field is of no use, when the bytes are not those of a whole field.
+  bool ParseCache(const std::string& bytes);
   double Interpolate(const Eigen::Vector3i& node, const Eigen::Vector3d& share) const;
 
   Eigen::Vector3d lower_ = Eigen::Vector3d::Zero();

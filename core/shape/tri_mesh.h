@@ -4,7 +4,11 @@ Triangle mesh as plain data, in metres, counter-clockwise seen from outside. */
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <cstdint>
+#include <string_view>
 #include <vector>
+
+#include "core/base/hash.h"
 
 namespace graspbench {
 
@@ -22,6 +26,16 @@ inline Eigen::AlignedBox3d CalcBounds(const TriMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : mesh.vertices) box.extend(p);
   return box;
+}
+
+/** Of all its numbers, to the bit. */
+inline uint64_t CalcMeshHash(const TriMesh& mesh) {
+  static_assert(sizeof(Eigen::Vector3d) == 24 && sizeof(Eigen::Vector3i) == 12);
+  const std::string_view vertices(reinterpret_cast<const char*>(mesh.vertices.data()),
+                                  mesh.vertices.size() * sizeof(Eigen::Vector3d));
+  const std::string_view triangles(reinterpret_cast<const char*>(mesh.triangles.data()),
+                                   mesh.triangles.size() * sizeof(Eigen::Vector3i));
+  return CalcHash64(triangles, CalcHash64(vertices, mesh.vertices.size()));
 }
 
 }  // namespace graspbench

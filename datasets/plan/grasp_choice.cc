@@ -8,7 +8,6 @@
 #include "core/base/units.h"
 #include "core/grasp/placement.h"
 #include "core/trial/trial_setup.h"
-#include "objects/catalogue.h"
 
 namespace graspbench {
 
@@ -18,21 +17,10 @@ bool NamesBySight(const std::vector<std::string>& names) {
   return std::find(names.begin(), names.end(), kBySight) != names.end();
 }
 
-/** Found once, and with the prediction. */
-const FittedGrasp& FitOnce(const SessionInputs& inputs, const SessionHand& hand, const Grasp& grasp,
-                           const std::shared_ptr<const GraspObject>& object) {
-  return inputs.fitted->Find({hand.hand, object, grasp.id}, [&] {
-    const auto complete = CompleteObject(object);
-    FittedGrasp fitted{FitGrasp(*hand.hand, grasp, *complete), {}};
-    fitted.prediction = PredictGrasp(*hand.hand, fitted.grasp, *complete);
-    return fitted;
-  });
-}
-
 bool CanTake(const SessionInputs& inputs, const SessionHand& hand, const Grasp& grasp,
              const std::shared_ptr<const GraspObject>& object) {
   if (grasp.placement) return true;
-  const GraspPrediction& prediction = FitOnce(inputs, hand, grasp, object).prediction;
+  const GraspPrediction& prediction = inputs.fitted->Find(hand.hand, grasp, object).prediction;
   return prediction.reaches() && prediction.is_clear() && prediction.meets();
 }
 
@@ -74,7 +62,8 @@ const Grasp& ChooseBestGrasp(const SessionInputs& inputs, const SessionHand& han
     const Grasp* grasp = FindGrasp(hand, *object, id);
     if (!grasp) continue;
     if (grasp->placement) return *grasp;
-    const GraspRank rank = RankGrasp(*grasp, FitOnce(inputs, hand, *grasp, object).prediction);
+    const GraspRank rank =
+        RankGrasp(*grasp, inputs.fitted->Find(hand.hand, *grasp, object).prediction);
     if (!(rank > best_rank)) continue;
     best = grasp;
     best_rank = rank;
@@ -150,7 +139,7 @@ std::vector<UnreachedObject> FindUnreached(const SessionConfig& config,
         unreached.object = object->id;
         unreached.width = std::min(object->size.x(), object->size.y());
         for (const Grasp* grasp : tried) {
-          const auto& [fitted, prediction] = FitOnce(inputs, hand, *grasp, object);
+          const auto& [fitted, prediction] = inputs.fitted->Find(hand.hand, *grasp, object);
           const double miss = prediction.reach_miss;
           const double lacking = std::max(0.0, prediction.needed_room - prediction.room);
           if (unreached.tried.empty() ||
@@ -225,7 +214,7 @@ Grasp FindFitted(const SessionInputs& inputs, const SessionHand& hand, const Gra
   const bool is_named = named != object->best_grasp.end() && named->second == grasp.id;
   if (is_named || grasp.placement || !grasp.object.empty()) return grasp;
   if (!grasp.palm_may_touch && ClearsBoundingBox(*hand.hand, grasp, *object)) return grasp;
-  return FitOnce(inputs, hand, grasp, object).grasp;
+  return inputs.fitted->Find(hand.hand, grasp, object).grasp;
 }
 
 std::string ResolveGraspName(const SessionInputs& inputs, const std::string& name) {

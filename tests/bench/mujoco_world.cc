@@ -429,7 +429,7 @@ StepReport MujocoWorld::Impl::TakeContacts(size_t num_links) {
     touch.normal_force = force[0];
     touch.friction_W =
         sign * (force[1] * frame.row(1).transpose() + force[2] * frame.row(2).transpose());
-    touch.mu = contact.friction[0];
+    touch.mu = touch.mu_dynamic = contact.friction[0];
     touch.torsion_radius = contact.dim > 3 ? contact.friction[2] / contact.friction[0] : 0.0;
     touches.push_back(touch);
     report.grip_force += force[0];
@@ -464,6 +464,8 @@ StepReport MujocoWorld::Step(const WorldCommand& command) {
   link_blocks_ = report.link_touches_object;
   return report;
 }
+
+void MujocoWorld::UpdateDynamics() { dynamics_.UpdatePositions(state_.X_WH, state_.q); }
 
 void MujocoWorld::FindHandContacts(std::vector<HandContact>& contacts) const {
   contacts = impl_->touches;

@@ -56,6 +56,10 @@ class MujocoWorld : public World {
   void FindHandContacts(std::vector<HandContact>& contacts) const override;
   double CalcEnergyResidual() override;  ///< NaN: not known
 
+  /** Brings dynamics() to the state, as a regulated grip needs it after each step. MuJoCo does not
+  need it, so that it is no part of a step. */
+  void UpdateDynamics();
+
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;

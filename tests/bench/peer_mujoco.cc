@@ -1,8 +1,8 @@
 // The same trials in our engine and in MuJoCo: processor time of stepping per simulated second,
 // creep during the hold and penetration side by side. Arguments: pairs of runs (default 10).
 //   build/release/tests/bench/peer_mujoco
-// Both sides run the same course of a trial (core/trial/protocols/table_lift.h) without variation
-// and are judged by the same rules. Then the commands of that trial are repeated in a plain loop of
+// Both sides run the same course of a trial (core/trial/protocols/table_lift.h) without variation,
+// with the grip of a session's default, and are judged by the same rules. Then the commands of that trial are repeated in a plain loop of
 // steps, which is what is timed, ours and MuJoCo's in turns. What is equal and what is not:
 // mujoco_world.h.
 
@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "core/base/text/text.h"
@@ -22,6 +23,7 @@
 #include "core/physics/implicit_world.h"
 #include "core/statistics/summary.h"
 #include "core/trial/protocols/table_lift.h"
+#include "datasets/plan/session_config.h"
 #include "objects/catalogue.h"
 #include "tests/bench/mujoco_world.h"
 
@@ -49,7 +51,9 @@ class Recorded : public AnyWorld {
   }
   StepReport Step(const WorldCommand& command) override {
     commands_.push_back(command);
-    return AnyWorld::Step(command);
+    const StepReport report = AnyWorld::Step(command);
+    if constexpr (std::is_same_v<AnyWorld, MujocoWorld>) AnyWorld::UpdateDynamics();
+    return report;
   }
 
   /** Processor time of the same steps once more [s]. */
@@ -97,6 +101,7 @@ void RunScene(const std::shared_ptr<const Hand>& hand, const PeerScene& scene, i
   for (const Grasp& grasp : LoadStandardGrasps(*hand)) {
     if (grasp.id == grasp_id) setup.grasp = grasp;
   }
+  setup.strategy = MakePeopleGrip();
   setup.draw.joint_error = Eigen::VectorXd::Zero(hand->num_joints());
   const Placement placement = CalcPlacement(*hand, setup.grasp, *setup.object);
 

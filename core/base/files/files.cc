@@ -46,8 +46,9 @@ int Create(const fs::path& path) {
   throw Error(ErrorKind::kIo, "cannot " + task + " \"" + path.string() + "\": " + reason);
 }
 
-constexpr size_t kPieceSize = 1 << 18;  // of reading [bytes]
-constexpr size_t kGathered = 1 << 16;   // pieces up to here are written together [bytes]
+constexpr size_t kPieceSize = 1 << 18;     // of reading [bytes]
+constexpr size_t kMostReserved = 1 << 26;  // for a file that says it is larger [bytes]
+constexpr size_t kGathered = 1 << 16;      // pieces up to here are written together [bytes]
 constexpr char kPartSuffix[] = ".part";
 constexpr size_t kRandomSize = 16;    // of MakeRandomName
 constexpr size_t kLongestName = 200;  // that is not shortened [bytes]
@@ -276,6 +277,9 @@ fs::path FindCacheRoot() {
 
 std::string ReadFile(const fs::path& path) {
   std::string content;
+  std::error_code status;
+  const auto size = fs::file_size(path, status);
+  if (!status) content.reserve(std::min<uintmax_t>(size, kMostReserved));
   ReadPieces(path, [&](std::string_view piece) {
     content += piece;
     return true;

@@ -70,7 +70,7 @@ TEST(GraspChoice, TheMissIsThatOfThePads) {
       height += 0.5 * (digit.is_thumb ? z : z / num_fingers);
     }
     const double miss = height - (slab->size.z() - 0.003);
-    EXPECT_NEAR(CalcReachMiss(hand, grasp, *slab), miss, 1e-9) << id;
+    EXPECT_NEAR(CalcReachMiss(hand, grasp, *slab, placement), miss, 1e-9) << id;
     nearest = std::min(nearest, miss);
   }
   EXPECT_TRUE(Has(Warn(inputs), "stop " + FormatFixed(MmFromM(nearest), 1) + " mm short"));

@@ -1,0 +1,12 @@
+# Writes OUTPUT, a header with the hash of all sources in the FOLDERS of SOURCE, and of COMPILER.
+set(content "${COMPILER}\n")
+foreach(folder IN LISTS FOLDERS)
+  file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/${folder}/*.h ${SOURCE}/${folder}/*.cc)
+  list(SORT files)
+  foreach(name IN LISTS files)
+    file(SHA256 ${SOURCE}/${name} hash)
+    string(APPEND content "${name} ${hash}\n")
+  endforeach()
+endforeach()
+string(SHA256 hash "${content}")
+file(WRITE ${OUTPUT} "#pragma once\n\nnamespace graspbench {\ninline constexpr char kSources[] = \"${hash}\";\n}\n")
