@@ -24,10 +24,12 @@ it for any practical purpose. */
 constexpr double kWeightValue = 1e3;
 /** Of all normal force beside F, so that free digits press no harder than they must. */
 constexpr double kFreeCost = 1e-3;
-/** Of a moment that is left over, divided by the radius: what contacts balance for less, they do. */
+/** Of a moment that is left over, over the radius: what contacts balance for less, they do. */
 constexpr double kMomentCost = 20.0;
 constexpr double kCarried = 1.0 - 1e-6;
-constexpr double kGap = 3e-4;  // from the optimum, relative, at which the search ends
+/** From the optimum at which the search ends, relative. That of a grip is smaller, because where
+balance and the price of a moment weigh the same F changes faster than the optimum. */
+constexpr double kPullGap = 3e-4, kGripGap = 1e-5;
 constexpr double kLeastForce =
     1e-2;  // in the program's unit, to which the gap is relative at least
 constexpr int kMostRounds = 50;
@@ -53,21 +55,21 @@ struct GraspCones {
   std::vector<WrenchCone> cones;
 };
 
-/** One program, over the generators that it has so far. Rows: balance of forces and moments (6, both
-ways), the tolerance, the carried share of the weight, digits. Variables: that share, the force that
-is looked for, weights of the generators. */
+/** One program, over the generators that it has so far. Rows: balance of forces and moments (6,
+both ways), the tolerance, the carried share of the weight, digits. Variables: that share, the force
+that is looked for, weights of the generators. */
 class BalanceProgram {
  public:
   static constexpr Index kTolerance = 12, kShare = 13, kDigits = 14;
 
   /** @param weight  in the program's unit. @param b  of the rows. @param force  column of the force
-  that is looked for. @param gain  what a unit of it is worth. */
+  that is looked for. @param gain  what a unit of it is worth. @param gap  from the optimum. */
   BalanceProgram(const GraspCones& grasp, const Vector3d& weight, const VectorXd& b,
-                 const VectorXd& force, double gain);
+                 const VectorXd& force, double gain, double gap);
 
   /** Adds the generators that gain most by the prices of the last solution, and solves again. */
   void Improve();
-  /** No generator gains more than the gap. */
+  /** No generator gains more than the gap, or rounding allows no better solution. */
   bool is_closed() const { return is_closed_; }
   double value() const { return result_.value; }
   double share() const { return result_.x[0]; }
@@ -75,10 +77,10 @@ class BalanceProgram {
 
  private:
   void Add(const WrenchCone& cone, const Vector3d& e);
-  void Solve();
 
   const std::vector<WrenchCone>& cones_;
   LinearProgram program_;
+  double gap_;
   Index num_rows_;
   LinearProgramResult result_;
   int num_rounds_ = 0;
@@ -121,8 +123,8 @@ Index GraspCones::FindRow(int digit) const {
 }
 
 BalanceProgram::BalanceProgram(const GraspCones& grasp, const Vector3d& weight, const VectorXd& b,
-                               const VectorXd& force, double gain)
-    : cones_(grasp.cones), program_(b), num_rows_(b.size()) {
+                               const VectorXd& force, double gain, double gap)
+    : cones_(grasp.cones), program_(b), gap_(gap), num_rows_(b.size()) {
   VectorXd share = VectorXd::Zero(num_rows_);
   share.head<3>() = weight;
   share.segment<3>(6) = -weight;
@@ -136,7 +138,13 @@ BalanceProgram::BalanceProgram(const GraspCones& grasp, const Vector3d& weight, 
       for (const double sign : {1.0, -1.0}) Add(cone, sign * Vector3d::Unit(axis));
     }
   }
-  Solve();
+  result_ = program_.Solve();
+  if (result_.end == LinearProgramEnd::kOptimum) return;
+  throw Error(
+      ErrorKind::kRange,
+      fmt::format("the balance of {} contacts is lost to rounding: their places, normals or "
+                  "friction are too far apart",
+                  cones_.size() - 1));
 }
 
 void BalanceProgram::Add(const WrenchCone& cone, const Vector3d& e) {
@@ -148,22 +156,12 @@ void BalanceProgram::Add(const WrenchCone& cone, const Vector3d& e) {
   program_.AddVariable(column, -cone.cost);
 }
 
-void BalanceProgram::Solve() {
-  result_ = program_.Solve();
-  if (result_.end == LinearProgramEnd::kOptimum) return;
-  throw Error(
-      ErrorKind::kRange,
-      fmt::format("the balance of {} contacts is lost to rounding: their places, normals or "
-                  "friction are too far apart",
-                  cones_.size() - 1));
-}
-
 void BalanceProgram::Improve() {
   // With the prices l of balance W (1, e) is worth v_0 + (v_1, v_2, v_3).e, v = W'l: most along v.
   const VectorXd& prices = result_.prices;
   const Eigen::Matrix<double, 6, 1> l = prices.segment<6>(6) - prices.head<6>();
   const double total = std::max(1.0, result_.x.tail(result_.x.size() - 2).sum());
-  const double enough = kGap * std::max(kLeastForce, std::abs(force())) / total;
+  const double enough = gap_ * std::max(kLeastForce, std::abs(force())) / total;
   double most = 0.0;
   bool has_added = false;
   for (const WrenchCone& cone : cones_) {
@@ -176,10 +174,13 @@ void BalanceProgram::Improve() {
     Add(cone, v.tail<3>() / length);
     has_added = true;
   }
-  // Nor where what is missing of the weight cannot be carried, whatever is added.
-  const bool is_lost = kWeightValue * (1.0 - share()) > 2.0 * most * total + 1.0;
+  // Nor where forces of a thousand weights could not carry what is missing.
+  const bool is_lost = most < 1.0 - share();
   is_closed_ = !has_added || is_lost || ++num_rounds_ == kMostRounds;
-  if (!is_closed_) Solve();
+  if (is_closed_) return;
+  const LinearProgramResult next = program_.Solve();
+  is_closed_ = next.end != LinearProgramEnd::kOptimum;  // rounding: the last solution stands
+  if (!is_closed_) result_ = next;
 }
 
 /** What measured contacts hold against pulls, in units of the sum of their normal forces. */
@@ -197,7 +198,7 @@ class Pulls {
     for (const Vector3d& direction : directions) {
       pull.head<3>() = direction;
       pull.segment<3>(6) = -direction;
-      programs_.emplace_back(cones_, grasp.weight / unit_, b, pull, 1.0);
+      programs_.emplace_back(cones_, grasp.weight / unit_, b, pull, 1.0, kPullGap);
     }
   }
   std::deque<BalanceProgram>& programs() { return programs_; }
@@ -254,7 +255,7 @@ std::optional<double> CalcSmallestGrip(const LoadedGrasp& grasp, const std::vect
   VectorXd b = VectorXd::Zero(cones.num_rows()), grip = b;
   b[BalanceProgram::kShare] = 1.0;
   grip.tail(cones.num_rows() - BalanceProgram::kDigits).setConstant(-1.0);
-  BalanceProgram program(cones, grasp.weight / weight, b, grip, -1.0);
+  BalanceProgram program(cones, grasp.weight / weight, b, grip, -1.0, kGripGap);
   while (!program.is_closed()) program.Improve();
   if (program.share() < kCarried) return std::nullopt;
   return weight * program.force();

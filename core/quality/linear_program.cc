@@ -19,16 +19,17 @@ constexpr double kRelief = 1e-8;           // of the largest bound, see Relieve
 
 constexpr double kViolation = 1e-7;  // of rows and prices; more is no optimum
 
-/** Columns: right-hand side, slacks, variables. The last row holds minus the gains. A pivot works on
-whole rows, so they lie in one piece. */
+/** Columns: right-hand side, slacks, variables. The last row holds minus the gains. A pivot works
+on whole rows, so they lie in one piece. */
 struct Simplex {
   Eigen::Index num_rows, num_columns;  // in use, without the last row
+  bool has_pivoted = false;
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> values;
   std::vector<Eigen::Index> basis;  // the column each row stands for
 };
 
 Simplex MakeSimplex(const Eigen::VectorXd& b) {
-  Simplex tableau{b.size(), b.size() + 1, {}, {}};
+  Simplex tableau{b.size(), b.size() + 1, false, {}, {}};
   tableau.values = Eigen::MatrixXd::Zero(b.size() + 1, 4 * (b.size() + 1));
   tableau.values.col(0).head(b.size()) = b;
   tableau.values.block(0, 1, b.size(), b.size()).setIdentity();
@@ -42,7 +43,11 @@ void AddColumn(const Eigen::Ref<const Eigen::VectorXd>& column, double gain, Sim
   if (tableau.num_columns == values.cols()) {
     values.conservativeResize(Eigen::NoChange, 2 * values.cols());
   }
-  values.col(tableau.num_columns) = values.middleCols(1, tableau.num_rows) * column;
+  if (tableau.has_pivoted) {
+    values.col(tableau.num_columns) = values.middleCols(1, tableau.num_rows) * column;
+  } else {  // the slacks' columns are those of the unit matrix
+    values.col(tableau.num_columns) << column, 0.0;
+  }
   values(tableau.num_rows, tableau.num_columns++) -= gain;
 }
 
@@ -78,6 +83,7 @@ void Pivot(Eigen::Index enter, Eigen::Index leave, Simplex& tableau) {
     values.row(row).head(tableau.num_columns) -= factor * pivot_row;
   }
   tableau.basis[leave] = enter;
+  tableau.has_pivoted = true;
 }
 
 /** The variable that gains most for its share; -1 when none gains (Dantzig's rule: fewer pivots). */

@@ -1,5 +1,6 @@
 // Epsilon of random grasps (eight edges): the expanding polytope against the whole hull by Qhull,
-// and the largest force along a direction. Argument: contacts. Target: ten contacts in at most 3
+// the largest force along a direction, the smallest grip of four digits and the least of six pulls,
+// with the exact cones. Argument: contacts. Target: ten contacts in at most 3
 // ms.
 //   build/release/tests/bench/quality_bench --validation workbench/manual/validation/physics.yaml
 
@@ -13,6 +14,7 @@
 
 #include "core/quality/epsilon_fast.h"
 #include "core/quality/grasp_quality.h"
+#include "core/quality/holding_force.h"
 #include "core/quality/wrench_hull.h"
 #include "core/statistics/summary.h"
 #include "tests/bench/validation_main.h"
@@ -78,9 +80,48 @@ void BM_TaskForce(benchmark::State& state) {
   }
 }
 
+/** Digits in turn, digit 0 free; 1 N at each contact, a weight of 1 N. */
+std::vector<LoadedGrasp> MakeLoadedGrasps(int num_contacts) {
+  RandomStream stream("quality bench loaded", std::to_string(num_contacts));
+  std::vector<LoadedGrasp> grasps(kNumGrasps);
+  for (LoadedGrasp& grasp : grasps) {
+    grasp.contacts = MakeRandomGrasp(stream, num_contacts);
+    grasp.normal_forces.assign(grasp.contacts.size(), 1.0);
+    for (int i = 0; i < num_contacts; ++i) grasp.digits.push_back(i % 4);
+    grasp.weight = MakeRandomDirection(stream);
+    grasp.radius = 1.0;
+  }
+  return grasps;
+}
+
+void BM_SmallestGrip(benchmark::State& state) {
+  const std::vector<LoadedGrasp> grasps = MakeLoadedGrasps(state.range(0));
+  std::vector<bool> is_free;
+  for (const int digit : grasps.front().digits) is_free.push_back(digit == 0);
+  size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(CalcSmallestGrip(grasps[i++ % kNumGrasps], is_free));
+  }
+}
+
+void BM_WeakestOfSixPulls(benchmark::State& state) {
+  const std::vector<LoadedGrasp> grasps = MakeLoadedGrasps(state.range(0));
+  std::vector<Eigen::Vector3d> directions;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : {1.0, -1.0})
+      directions.emplace_back(sign * Eigen::Vector3d::Unit(axis));
+  }
+  size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(CalcWeakestHoldingForce(grasps[i++ % kNumGrasps], directions));
+  }
+}
+
 BENCHMARK(BM_EpsilonFast)->Arg(3)->Arg(5)->Arg(10)->Arg(20)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_EpsilonHull)->Arg(3)->Arg(5)->Arg(10)->Arg(20)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_TaskForce)->Arg(3)->Arg(5)->Arg(10)->Arg(20)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_SmallestGrip)->Arg(4)->Arg(8)->Arg(16)->Arg(32)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_WeakestOfSixPulls)->Arg(4)->Arg(8)->Arg(16)->Arg(32)->Unit(benchmark::kMicrosecond);
 
 std::vector<ValidationRow> MakeRows(const BenchmarkRuns& all) {
   const auto runs = all.by_name.find("BM_EpsilonFast/10");

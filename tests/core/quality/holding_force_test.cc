@@ -184,8 +184,8 @@ TEST(SmallestGrip, IsProportionalToTheWeightAndKnowsNoFrame) {
   EXPECT_NEAR(Calc(grasp), 7.0 * before, 1e-6 * 7.0 * before);
 }
 
-/** A block between two hard fingers on its middle, their line inclined by `tilt`, the lower one free
-or the upper one. */
+/** A block between two hard fingers on its middle, their line inclined by `tilt`: digit 0 below,
+digit 1 above. */
 LoadedGrasp MakeTiltedPinch(double tilt, double mu, double weight) {
   LoadedGrasp grasp;
   grasp.radius = std::sqrt(3.0) * kArm;
@@ -213,9 +213,10 @@ TEST(SmallestGrip, TiltedPinchInClosedForm) {
   }
 }
 
-// Pinched beside the centre of mass, at the distance e across the line: soft fingers bear the moment
-// w e about it, friction and moment together by the ellipsoid: F = w / (2 mu) sqrt(1 + (e / r)^2).
-// What hard ones cannot bear their patches do, up to 3 % of 2 F radius.
+// Pinched beside the centre of mass, at the distance e across the line: soft fingers bear the
+// moment w e about it, friction and moment together by the ellipsoid:
+// F = w / (2 mu) sqrt(1 + (e / r)^2). What hard ones cannot bear their patches do, up to 3 % of
+// 2 F radius.
 TEST(SmallestGrip, SoftPinchBesideTheCentreOfMass) {
   LoadedGrasp grasp = MakeGrasp({0.0});
   const double r = 0.004;
@@ -249,8 +250,8 @@ TEST(SmallestGrip, ThreeFingersAroundACylinder) {
               kWeight / (3.0 * kMu), 1e-3 * kWeight);
 }
 
-/** The same program by many generators spread over each cone, those of friction at `num` angles, and
-by the simplex method alone: a lower bound of what the contacts can do. */
+/** The same program by many generators spread over each cone, those of friction at `num` angles,
+and by the simplex method alone: a lower bound of what the contacts can do. */
 double CalcGripByManyGenerators(const LoadedGrasp& grasp, const std::vector<bool>& is_free,
                                 int num) {
   const double weight = grasp.weight.norm();
