@@ -159,7 +159,7 @@ std::shared_ptr<HandPolicy> FindRecordedPolicy(const Session& session,
 TrialSetup MakeRecordedSetup(const Session& session, const SessionInputs& inputs,
                              const PlannedTrial& planned) {
   TrialSetup setup = MakeTrialSetup(session.config, inputs, planned);
-  setup.controller = FindRecordedPolicy(session, planned);
+  if (!setup.policy.command.empty()) setup.controller = FindRecordedPolicy(session, planned);
   return setup;
 }
 

@@ -17,7 +17,9 @@ import unittest
 PROGRAM, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
 EXAMPLES = SOURCE / "workbench/python/examples"
 PYTHON = sys.executable
-ENVIRONMENT = dict(os.environ, PYTHONPATH=str(SOURCE / "workbench/python"), NO_COLOR="1")
+MARK = f"CONTROLLERS_TEST={os.getpid()}"  # of all that this test starts
+ENVIRONMENT = dict(os.environ, PYTHONPATH=str(SOURCE / "workbench/python"), NO_COLOR="1",
+                   **dict([MARK.split("=")]))
 SMALL = ["--hand", "tum", "--object", "golf_ball", "--trials", "2", "--jobs", "1"]
 
 # What each wrong controller writes to an observation; `a` writes an answer of this dict, `raw` bytes.
@@ -102,11 +104,13 @@ def without(record, *keys):
 
 
 def find_marked():
-    """Processes that a controller's environment marks."""
+    """Controllers of this test, and what they started, that still run."""
     found = []
     for place in pathlib.Path("/proc").glob("[0-9]*/environ"):
         try:
-            if b"GRASPBENCH_CONTROLLER=" in place.read_bytes():
+            environment = place.read_bytes().split(b"\0")
+            is_controller = any(text.startswith(b"GRASPBENCH_CONTROLLER=") for text in environment)
+            if is_controller and MARK.encode() in environment:
                 found.append(place.parent.name)
         except OSError:
             pass
@@ -164,7 +168,8 @@ class Controllers(unittest.TestCase):
         for name, (body, reason) in LOST.items():
             with self.subTest(name):
                 folder = self.folder / name.replace(" ", "_")
-                text = run(folder, "--set", "policy.timeout_s=0.5", policy=self.write(body), expect=5)
+                patience = 5 if reason == "has not answered" else 60
+                text = run(folder, "--set", f"policy.timeout_s={patience}", policy=self.write(body), expect=5)
                 self.assertIn(reason, text)
                 self.assertIn("lost in 2 trials", text)
                 self.assertEqual(records(folder), {})
@@ -250,7 +255,7 @@ class Controllers(unittest.TestCase):
             graspbench.trial(folder, "nothing")
 
     def test_a_setting_without_a_controller_is_refused(self):
-        text = run(self.folder / "s", "--set", "policy.period_s=0.01", expect=2)
+        text = run(self.folder / "s", "--set", "policy.period_s=0.01", expect=3)
         self.assertIn("policy.command is empty", text)
 
 

@@ -2,8 +2,8 @@
 
 #include <map>
 #include <string>
+#include <unordered_map>
 
-#include "datasets/session/find_trial.h"
 #include "workbench/experiments/policies/child_policy.h"
 
 namespace graspbench {
@@ -20,8 +20,15 @@ FindPolicy MakeLivePolicies() {
 }
 
 FindPolicy MakeRecordedPolicies(const Session& session) {
-  return [&session](const TrialSetup&, const PlannedTrial& planned) {
-    return FindRecordedPolicy(session, planned);
+  const auto records = std::make_shared<std::unordered_map<std::string, const TrialRecord*>>();
+  for (const TrialRecord& record : session.records) {
+    if (record.result.policy) records->emplace(record.plan.id, &record);
+  }
+  return [&session, records](const TrialSetup&,
+                             const PlannedTrial& planned) -> std::shared_ptr<HandPolicy> {
+    const auto found = records->find(planned.id);
+    if (found == records->end()) return nullptr;
+    return MakeRecordedPolicy(*LoadWhole(session, *found->second).result.policy);
   };
 }
 

@@ -115,7 +115,7 @@ bool RunBatch(const Stage& stage, const std::vector<PlannedTrial>& trials, int n
   observer.BeginStage(stage);
   if (trials.empty()) return true;
   StatusBoard board(CalcNumWorkers(num_workers, trials.size()));
-  LostTrials lost;
+  const auto lost = std::make_shared<LostTrials>();  // also of a thread that is given up
   const auto make_runner = [&](int worker, const std::atomic<bool>&) -> TaskRunner {
     const auto tools = std::make_shared<BatchWorker>(make_worker(worker));
     const auto trial = std::make_shared<std::function<TrialResult()>>();
@@ -127,14 +127,14 @@ bool RunBatch(const Stage& stage, const std::vector<PlannedTrial>& trials, int n
       board.SetBusy(worker, record->plan);
     };
     const auto num_lost = std::make_shared<int>(0);  // in a row
-    const RunTask run = [&lost, trial, record, num_lost](size_t) {
+    const RunTask run = [lost, trial, record, num_lost](size_t) {
       try {
         record->result = (*trial)();
         *num_lost = 0;
       } catch (const PolicyLost& loss) {
         record->result = {};
-        lost.Note(record->plan, loss.what());
-        if (++*num_lost == kMostLostInARow) throw Error(ErrorKind::kEnvironment, lost.Describe());
+        lost->Note(record->plan, loss.what());
+        if (++*num_lost == kMostLostInARow) throw Error(ErrorKind::kEnvironment, lost->Describe());
       }
       *trial = nullptr;  // the next object's field would be a second one
     };
@@ -156,7 +156,7 @@ bool RunBatch(const Stage& stage, const std::vector<PlannedTrial>& trials, int n
   const auto show = [&] { observer.ShowStatus(board.Read(), stage.num_trials); };
   const bool is_complete =
       RunTasks(trials.size(), num_workers, make_runner, show, observer.stop(), time_limit);
-  if (lost.num() > 0) throw Error(ErrorKind::kEnvironment, lost.Describe());
+  if (lost->num() > 0) throw Error(ErrorKind::kEnvironment, lost->Describe());
   observer.EndStage();
   return is_complete;
 }
