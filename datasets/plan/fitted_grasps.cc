@@ -82,7 +82,7 @@ void AddGrasp(const Grasp& grasp, ByteWriter& out) {
 }
 
 void AddObject(const GraspObject& object, ByteWriter& out) {
-  out.Add(CalcMeshHash(object.mesh), object.content_hash, object.size, object.size_of_sight,
+  out.Add(CalcMeshHash(object.mesh), object.content_hash, object.size,
           object.mass_properties.p_OOcm, object.surface.friction_static, object.approach);
 }
 
