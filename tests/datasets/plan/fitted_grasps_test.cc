@@ -83,7 +83,7 @@ TEST_F(FittedGraspsTest, TheSecondRunReadsTheSameBits) {
 TEST_F(FittedGraspsTest, WhatAChangedNumberGivesIsNotThatOfTheOldOne) {
   const std::vector<std::function<void()>> changes = {
       [&] { hand_.joint_accuracy *= 2.0; },
-      [&] { hand_.coupling = CouplingRule::kEven; },
+      [&] { hand_.coupling = CouplingRule::kFixed; },
       [&] { hand_.joints[1].upper -= 0.01; },
       [&] { hand_.links[2].X_PJ.translation().x() += 1e-4; },
       [&] { hand_.contact_spheres[3].radius *= 1.01; },
