@@ -40,7 +40,7 @@ object.yaml: what is known of a thing to grasp beside its mesh.
 
 namespace graspbench {
 
-/** How fingertips compress a thing, as `compressible` states it. At rest it has ObjectFile::size. */
+/** How fingertips compress a thing that has ObjectFile::size at rest. */
 struct Compression {
   double force = 0.0;                                                 ///< of each [N]
   Eigen::Vector3d size_of_grasp = Eigen::Vector3d::Constant(kUnset);  ///< under the force [m]

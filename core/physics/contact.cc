@@ -112,8 +112,8 @@ PadCompression CalcCompression(const ContactPoint& contact, double x) {
     state.surface = surface.depth;
     return state;
   }
-  // With w the root of the force: w / sqrt(c) + pad w^(4/3) + w^2 / k = x. Convex: from above Newton
-  // only falls.
+  // With w the root of the force: w / sqrt(c) + pad w^(4/3) + w^2 / k = x.
+  // Convex: from above Newton only falls.
   const double across = 1.0 / std::sqrt(surface.factor);
   const double at_pad_end = pad > 0.0 ? std::pow(pad_depth / pad, 0.75) : 0.0;
   const bool is_pad_full =

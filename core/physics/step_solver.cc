@@ -144,7 +144,7 @@ constexpr double kLimitForce = 1e-6;  ///< [N]
 constexpr double kMostMixing = 10.0;
 /** Nor below this share of what the pass gave. */
 constexpr double kLeastShare = 0.5;
-/** The factor serves on while the gains of a pad or of a surface that yields change by less than this share. */
+/** The factor serves on while the gains of a pad or of a surface that yields change by less. */
 constexpr double kPadGainShare = 1e-3;
 /** A factor of an earlier step that leaves more of the residual is of no more use. */
 constexpr double kStaleShare = 0.01;

@@ -259,8 +259,8 @@ TEST(SoftSurface, GapsAreThoseAtRest) {
   EXPECT_NEAR(gap, -0.005, 1e-4);
 }
 
-// Balls press to different depths and release in another order, so that their shares change on a path
-// that encloses an area. By the law alone the cycle returns what it took; in a world damping takes
+// Balls press to different depths and release in another order, so that their shares change on a
+// path that encloses an area. By the law alone the cycle returns what it took; in a world damping takes
 // more than the rest (ABounceLosesEnergy).
 TEST(SoftSurface, PressingAndReleasingGainsNothing) {
   constexpr int kNumSteps = 1600;
