@@ -45,8 +45,6 @@ from a tracker on the back of the hand:
       base_quaternion: [qx, qy, qz, qw]  # columns: laboratory from root
 
 Points are `<digit>_tip`, the middle of the digit's pad, and wrist, the root. */
-struct Hand;
-
 struct GloveMapping {
   std::string hand;
   bool is_in_degrees = true;

@@ -98,10 +98,10 @@ class OpeningDesign {
   std::vector<Entry> entries_;
 };
 
-enum class Hand { kOpen, kBoth };
+enum class HandState { kOpen, kBoth };
 
 /** Standard deviation within persons and conditions, pooled; NaN when nobody repeats a condition. */
-double CalcSpread(const TrialsByPerson& trials, const Members& members, Hand hand) {
+double CalcSpread(const TrialsByPerson& trials, const Members& members, HandState hand) {
   double sum_of_squares = 0.0, df = 0.0;
   const auto add = [&](const std::vector<OpeningTrial>& person, double OpeningTrial::*field) {
     std::map<size_t, std::vector<double>> cells;
@@ -113,7 +113,7 @@ double CalcSpread(const TrialsByPerson& trials, const Members& members, Hand han
   };
   for (const size_t member : members) {
     add(trials[member], &OpeningTrial::open);
-    if (hand == Hand::kBoth) add(trials[member], &OpeningTrial::closed);
+    if (hand == HandState::kBoth) add(trials[member], &OpeningTrial::closed);
   }
   return df > 0.0 && sum_of_squares > 0.0 ? std::sqrt(sum_of_squares / df) : std::nan("");
 }
@@ -160,7 +160,7 @@ double CalcDPrime(const TrialsByPerson& trials, const Members& members) {
     for (const OpeningTrial& trial : trials[member]) difference += trial.open - trial.closed;
     sum += difference / static_cast<double>(trials[member].size());
   }
-  return sum / static_cast<double>(members.size()) / CalcSpread(trials, members, Hand::kBoth);
+  return sum / static_cast<double>(members.size()) / CalcSpread(trials, members, HandState::kBoth);
 }
 
 /** Slopes of the members who met two levels. */
@@ -179,7 +179,7 @@ std::vector<double> ListSlopes(const TrialsByPerson& trials, const Members& memb
 }
 
 double CalcSlope(const TrialsByPerson& trials, const Members& members) {
-  return CalcMean(ListSlopes(trials, members)) / CalcSpread(trials, members, Hand::kOpen);
+  return CalcMean(ListSlopes(trials, members)) / CalcSpread(trials, members, HandState::kOpen);
 }
 
 using Calc = double (*)(const TrialsByPerson&, const Members&);
@@ -264,7 +264,7 @@ OpeningReliability CalcOwn(const OpeningDesign& design, size_t opening, size_t n
     all.insert(all.end(), values.begin(), values.end());
   }
   row.open = CalcSummary(all);
-  row.within_person_sd = CalcSpread(trials, ListMembers(trials), Hand::kOpen);
+  row.within_person_sd = CalcSpread(trials, ListMembers(trials), HandState::kOpen);
   row.minimal_detectable_change = CalcMinimalDetectableChange(row.within_person_sd);
   row.reliability = CalcReliability(persons);
   row.kept_without = CalcKept(design, opening, num_digits);
