@@ -10,6 +10,7 @@
 #include "core/base/files/files.h"
 #include "core/base/hash.h"
 #include "datasets/journal/checked_line.h"
+#include "datasets/journal/file_lock.h"
 #include "datasets/plan/frozen_folder.h"
 #include "datasets/shards/worker_log.h"
 
@@ -70,6 +71,7 @@ bool AddJournal(const fs::path& here, const fs::path& there, Copies& copies) {
 }
 
 void AddScene(const fs::path& here, const fs::path& there, Copies& copies) {
+  RemoveLeftOwner(here / "journal.jsonl");  // nobody opens that of a finished scene again
   AddJournal(here / "journal.jsonl", there / "journal.jsonl", copies);
   if (!HasSceneResult(there)) return;
   if (HasSceneResult(here)) {

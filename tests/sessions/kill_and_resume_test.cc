@@ -114,9 +114,10 @@ TEST(KilledJudge, IsNamedByAWatch) {
 TEST(Terminate, EndsInTenSecondsEvenIfATrialDoesNot) {
   const TestFolder own("terminate");
   const fs::path& folder = own.path();
-  const pid_t child = Start({"run", "--hand", "shadow", "--object", "golf_ball", "--trials", "2",
-                             "--jobs", "2", "--set", "strategy.hold_time_s=60", "--set",
-                             "sim.step_s=0.0001", "--out", folder.string()});
+  const pid_t child =
+      Start({"run", "--hand", "shadow", "--object", "golf_ball", "--trials", "2", "--jobs", "2",
+             "--set", "strategy.hold_time_s=60", "--set", "sim.step_s=0.0001", "--set",
+             "sim.steady_step_factor=1", "--out", folder.string()});
   while (!fs::exists(folder / "session.json") && !HasEnded(child)) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }

@@ -174,11 +174,12 @@ TEST_F(Surroundings, WithoutFileLocksASecondRunIsRefusedAndAKilledOneIsContinued
     other.replace(other.find("\"boot\":\"") + 8, 1, "x");
     WriteFile(owner, other);
     EXPECT_EQ(Run({"run", "--resume", "--out", out}, WithLocks(kind)), 5) << Log();
-    const size_t command = Log().find("rm \"");
-    ASSERT_NE(command, std::string::npos) << Log();
+    const std::string refused = Log();
+    const size_t command = refused.find("rm \"");
+    ASSERT_NE(command, std::string::npos) << refused;
     EXPECT_EQ(Run({"status", out}, WithLocks(kind)), 0) << Log();
     EXPECT_EQ(Out().find("no process of this machine"), std::string::npos) << Out();
-    ASSERT_EQ(std::system(("cd '" + top_.string() + "' && " + Log().substr(command)).c_str()), 0);
+    ASSERT_EQ(std::system(("cd '" + top_.string() + "' && " + refused.substr(command)).c_str()), 0);
 
     WriteFile(owner, left);
     EXPECT_EQ(Run({"run", "--resume", "--out", out}, WithLocks(kind)), 0) << Log();
@@ -189,8 +190,8 @@ TEST_F(Surroundings, WithoutFileLocksASecondRunIsRefusedAndAKilledOneIsContinued
 
 /** As disks over the network fail for a moment, and for good. */
 TEST_F(Surroundings, AReadThatFailsInPassingIsNoDamage) {
-  ASSERT_EQ(Run({"run", "--hand", "tum", "--object", "golf_ball", "--trials", "1", "--jobs", "1",
-                 "--out", "s"}),
+  ASSERT_EQ(Run({"run", "--hand", "tum", "--object", "golf_ball", "--grasp", "g3", "--trials", "1",
+                 "--jobs", "1", "--out", "s"}),
             0)
       << Log();
   const auto fail = [](const std::string& reason, int count, const char* file) {
@@ -299,7 +300,7 @@ TEST_F(Surroundings, APipelineEndsAtASignalAtAnyMoment) {
 // The judge takes what is there when it starts; what a run adds meanwhile is said, and no fault.
 TEST_F(Surroundings, AJudgeBesideARunSaysWhatFinishedMeanwhile) {
   const std::vector<std::string> line = {
-      "run",    "--hand", "tum",   "--object", "can,golf_ball,tea_light", "--trials", "4",
+      "run",    "--hand", "tum",   "--object", "cup,toy_cube,tea_light", "--trials", "4",
       "--jobs", "1",      "--out", "s"};
   const pid_t run = Begin(line);
   const auto count = [&] { return CountLines(top_ / "s" / "journal"); };

@@ -12,8 +12,6 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "core/base/error.h"
-#include "core/base/files/files.h"
 #include "workbench/terminal/terminal.h"
 
 namespace graspbench {
@@ -98,20 +96,13 @@ void LineEditor::Impl::SaveHistory() {
   if (history_file.empty()) return;
   std::error_code status;
   std::filesystem::create_directories(history_file.parent_path(), status);
-  char* text = nullptr;
-  size_t size = 0;
-  std::FILE* const stream = ::open_memstream(&text, &size);
-  if (stream == nullptr) return;
+  const std::string part = history_file.string() + ".part-" + std::to_string(::getpid());
   HistEvent event;
-  const bool is_written = ::history(history, &event, H_SAVE_FP, stream) >= 0;
-  std::fclose(stream);
   const mode_t mask = ::umask(S_IRWXG | S_IRWXO);
-  try {
-    if (is_written) WriteFileAtomically(history_file, {text, size});
-  } catch (const Error&) {  // the next session goes without
-  }
+  const bool is_written = ::history(history, &event, H_SAVE, part.c_str()) >= 0;
   ::umask(mask);
-  std::free(text);
+  if (is_written) std::filesystem::rename(part, history_file, status);
+  if (!is_written || status) std::filesystem::remove(part, status);
 }
 
 std::filesystem::path FindHistoryFile() {

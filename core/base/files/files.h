@@ -22,7 +22,7 @@ $HOME/.cache/graspbench, else a folder of this user's own in the system's tempor
 made; where that is somebody else's or a link, a place in which nothing can be made. */
 std::filesystem::path FindCacheRoot();
 
-/** 16 hexadecimal digits that nobody can foretell, for names of temporary files. Never in results. */
+/** 16 hexadecimal digits that nobody can predict, for names of temporary files. Never in results. */
 std::string MakeRandomName();
 
 /** The name of a file, for one beside it: a long one ends in its hash, so that with an ending of up

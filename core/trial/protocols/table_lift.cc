@@ -420,11 +420,13 @@ StrategyObservation TableLift::FindObservation() {
   return observation;
 }
 
-/** Sensors and a person's drives ask for something in every step. */
+/** Sensors and a person's drives ask for something in every step. Simbody's integrator fails at the
+jumps of a grip that is regulated in long steps. */
 int TableLift::ChooseNumSteps() const {
   const Phase phase = notes_.strategy.phase();
   const bool is_lifted = phase == Phase::kLiftOff || phase == Phase::kHold;
-  if (!is_lifted || !notes_.steady.are_steady() || notes_.sensors || !setup_.drives.empty()) {
+  if (!is_lifted || !notes_.steady.are_steady() || notes_.sensors || !setup_.drives.empty() ||
+      (setup_.is_compliant && notes_.grip.is_regulated())) {
     return 1;
   }
   const int num_steps = CalcSteadySteps(setup_.sim);

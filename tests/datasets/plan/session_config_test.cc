@@ -37,7 +37,7 @@ std::string FindProblems(const std::string& text) {
 TEST(SessionConfig, NoKeyLacksItsMeaning) {
   for (const FileKey& row : ListSessionKeys()) {
     EXPECT_NE(row.meaning, "") << row.key;
-    EXPECT_EQ(row.fallback.empty(), row.key == "preset") << row.key;
+    EXPECT_EQ(row.fallback.empty(), row.key == "preset" || row.key == "policy.command") << row.key;
   }
   const FileKey* step = FindFileKey(ListSessionKeys(), "sim.step_s");
   ASSERT_NE(step, nullptr);
@@ -85,8 +85,9 @@ TEST(SessionConfig, TellsEveryProblemWithItsLine) {
 TEST(SessionConfig, EveryNumberHasARange) {
   for (const std::string& key : ListConfigKeys(SessionConfig())) {
     if (key == "hands" || key == "objects" || key == "grasps") continue;
-    if (key == "camera.shadows") continue;  // no number
+    if (key == "camera.shadows" || key == "policy.command") continue;  // no number
     SessionConfig config;
+    config.policy.command = "x";
     ApplySetting(key + "=-1", config);
     const auto problems = Validate(config);
     ASSERT_FALSE(problems.empty()) << key << " has no range in datasets/plan/session_config.cc";
@@ -117,6 +118,7 @@ TEST(SessionConfig, TheFrozenConfigurationIsCompleteAndReadsBack) {
   config.approach = "side";
   config.positioning = "camera";
   config.touch = "sensed";
+  config.policy.command = "x";
   config.imperfections.stick_slip = 0.1;
   config.strategy.grip = "margin";  // what a firm grip does not say is not frozen (grip_check.h)
   config.strategy.drive_law = "saturating";
@@ -255,7 +257,7 @@ TEST(SessionConfig, TellsEveryProblemOfAFrozenConfiguration) {
             "x/session.json: error: sim.: expected an object of keys and values\n"
             "x/session.json: error: more: unknown key. Known: hands, objects, grasps, "
             "trials, seed, variation, strategy, sim, model, approach, positioning, camera, "
-            "touch, sensors, imperfections");
+            "touch, sensors, imperfections, policy");
 }
 
 TEST(ImperfectionConfigTest, EachOptionChangesItsNumbersAlone) {

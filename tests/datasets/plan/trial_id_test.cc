@@ -39,15 +39,19 @@ TEST(TrialId, KnownConfigurationsKeepTheirIds) {
 }
 
 TEST(TrialId, EverySettingOfATrialChangesIt) {
-  SessionConfig base;
+  SessionConfig of_strategy;
   for (const char* setting : {"positioning=camera", "touch=sensed", "imperfections.stick_slip=0.1"})
-    ApplySetting(setting, base);
-  const std::string id = CalcIdOf(base);
-  for (const FileKey& key : DescribeConfig(base)) {
+    ApplySetting(setting, of_strategy);
+  SessionConfig of_policy = of_strategy;  // which uses no grip
+  ApplySetting("policy.command=x", of_policy);
+  for (const FileKey& key : DescribeConfig(of_strategy)) {
     if (key.key.find('.') == key.key.npos || key.type != KeyType::kNumber) continue;
+    const SessionConfig& base = key.key.rfind("policy.", 0) == 0 ? of_policy : of_strategy;
     SessionConfig changed = base;
-    ApplySetting(key.key + "=" + (key.key == "sim.steady_step_factor" ? "3" : "0.123"), changed);
-    EXPECT_NE(CalcIdOf(changed), id) << key.key;
+    const bool is_whole = key.key == "sim.steady_step_factor" || key.key == "policy.execute_steps";
+    ApplySetting(key.key + "=" + (is_whole ? "3" : "0.123"), changed);
+    const bool is_of_real_time = key.key == "policy.timeout_s";
+    EXPECT_EQ(CalcIdOf(changed) == CalcIdOf(base), is_of_real_time) << key.key;
   }
 }
 

@@ -15,7 +15,15 @@ SessionHand MakeFakeHand(const std::string& id, int num_joints, double joint_acc
   hand->content_hash = "content of " + id;
   hand->joint_accuracy = joint_accuracy;
   hand->joints.resize(static_cast<size_t>(num_joints));
-  hand->links.resize(1);
+  HandLink link;
+  link.mass = 0.1;
+  link.I_LLcm = 1e-4 * Eigen::Matrix3d::Identity();
+  hand->links.push_back(link);
+  link.parent = 0;
+  for (link.joint = 0; link.joint < num_joints; ++link.joint) {
+    hand->joints[static_cast<size_t>(link.joint)].link = static_cast<int>(hand->links.size());
+    hand->links.push_back(link);
+  }
   for (const double x : {-0.05, 0.05}) {  // pads 100 mm apart
     Digit digit;
     digit.id = x < 0.0 ? "TH" : "FF";

@@ -61,7 +61,7 @@ TEST_F(ScheduleSessionTest, PlantedSharesComeBackAndSimultaneousDigitsTouchToget
   const People people = MakePeople(planted, kObject);
   const PreparedSession schedules = PrepareSchedules(request_, people);
   EXPECT_EQ(schedules.session.plan.size(), 6u);
-  request_.thresholds = &kThresholdScales[0];
+  request_.thresholds = &kThresholdScales[1];
   ASSERT_TRUE(RunExperiment(schedules, request_, observer_));
   const std::vector<ScheduleComparison> found = LoadSchedules(before);
   ASSERT_EQ(found.size(), 1u);

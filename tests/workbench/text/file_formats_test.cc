@@ -62,7 +62,7 @@ TEST(FileFormatsTest, ANameFitsTheWordInCapitals) {
 
 TEST(FileFormatsTest, ObjectsAreReadByTheirRows) {
   KeyRecorder recorder;
-  EXPECT_THROW(ParseObjectFile("best_grasp: {}\n", "object.yaml"), Error);
+  EXPECT_THROW(ParseObjectFile("best_grasp: {}\ncompressible: {}\n", "object.yaml"), Error);
   ExpectSameKeys(recorder.keys(), FindKeys("object.yaml"));
 }
 

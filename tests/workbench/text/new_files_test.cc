@@ -33,7 +33,7 @@ TEST(NewSessionTest, HoldsEveryDefault) {
   const std::string text = MakeNewFiles("session")[0].second;
   EXPECT_EQ(ToJson(ParseSessionConfig(text, "session.yaml")), ToJson(SessionConfig()));
   for (const std::string& key : ListConfigKeys(SessionConfig())) {
-    EXPECT_NE(text.find(key.substr(key.rfind('.') + 1) + ": "), std::string::npos) << key;
+    EXPECT_NE(text.find(key.substr(key.rfind('.') + 1) + ":"), std::string::npos) << key;
   }
 }
 

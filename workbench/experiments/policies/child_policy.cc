@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <thread>
 #include <vector>
 
@@ -240,8 +241,13 @@ class ControllerProcess {
 
   std::string QuoteErrors() {
     for (int i = 0; i < 16 && errors_.number() >= 0; ++i) ReadErrors();
-    if (last_words_.empty()) return "";
-    return "; its standard error ends with: " + EscapeForTerminal(last_words_, LineFeeds::kEscape);
+    std::string lines;  // of a text whose beginning may be missing
+    std::istringstream words(last_words_);
+    for (std::string line; std::getline(words, line);) {
+      if (!line.empty()) lines += (lines.empty() ? "" : " / ") + line;
+    }
+    if (lines.empty()) return "";
+    return "; its standard error ends with: " + EscapeForTerminal(lines, LineFeeds::kEscape);
   }
 
   std::string mark_;

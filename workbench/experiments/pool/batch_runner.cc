@@ -34,7 +34,7 @@ class LostTrials {
   std::string Describe() const {
     const std::lock_guard lock(mutex_);
     return "the controller was lost in " + FormatCount(num_, "trial") +
-           ", which stay unfinished and count in no rate; first in " + first_;
+           ", left unfinished and counted in no rate; first in " + first_;
   }
 
  private:

@@ -70,13 +70,14 @@ TEST(Stability, APinchByHand) {
 TEST(Stability, SigmaIsThePullThatTakesTheObjectOut) {
   const double expected = 2.0 * kMu * 2.0 - kWeight;
   EXPECT_NEAR(CalcStabilityPart({MakePinch()}).sigma, expected, 1e-9);
-  // A palm turned about the contacts' line pulls at the octagon's first side, y + z tan 22.5 <= mu
-  // F.
+  // A palm turned about the contacts' line by a: |W + s| <= 2 mu F, s the pull at the angle a to the
+  // weight.
   GraspInstant turned = MakePinch();
   const double angle = 0.5;
   turned.R_OPalm = MakeRotationRpy(angle, 0.0, 0.0);
+  const double friction = 2.0 * kMu * 2.0, across = kWeight * std::sin(angle);
   EXPECT_NEAR(CalcStabilityPart({turned}).sigma,
-              expected / (std::cos(angle) + std::tan(kPi / 8.0) * std::sin(angle)), 1e-9);
+              std::sqrt(friction * friction - across * across) - kWeight * std::cos(angle), 3e-4);
 }
 
 TEST(Stability, SlipAndMissingOppositionLowerIt) {

@@ -176,7 +176,8 @@ TEST(Table, AMappingNamesTheColumns) {
     options.rows = trial.rows;
     const Recording rows = ImportBytes(kTable, "table", options);
     EXPECT_EQ(rows.num_frames, whole.num_frames);
-    EXPECT_EQ(rows.points[0].xyz, whole.points[0].xyz);
+    EXPECT_EQ(testing::PrintToString(rows.points[0].xyz),  // with what is not a number
+              testing::PrintToString(whole.points[0].xyz));
     EXPECT_EQ(rows.times, whole.times);
     EXPECT_EQ(rows.findings.size(), whole.findings.size());
   }
