@@ -16,7 +16,8 @@ bool EndsInTornLine(const std::filesystem::path& path);
 
 class AppendFile {
  public:
-  /** Locks it (file_lock.h). @throws Error(kIo) when it cannot be written or another process writes it. */
+  /** Locks it (file_lock.h). @throws Error(kIo) when it cannot be written or another process writes
+  it. */
   explicit AppendFile(const std::filesystem::path& path);
   /** @param in_use  what to say when another process writes it. */
   AppendFile(const std::filesystem::path& path, const std::string& in_use);

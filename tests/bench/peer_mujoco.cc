@@ -2,9 +2,9 @@
 // creep during the hold and penetration side by side. Arguments: pairs of runs (default 10).
 //   build/release/tests/bench/peer_mujoco
 // Both sides run the same course of a trial (core/trial/protocols/table_lift.h) without variation,
-// with the grip of a session's default, and are judged by the same rules. Then the commands of that trial are repeated in a plain loop of
-// steps, which is what is timed, ours and MuJoCo's in turns. What is equal and what is not:
-// mujoco_world.h.
+// with the grip of a session's default, and are judged by the same rules. Then the commands of that
+// trial are repeated in a plain loop of steps, which is what is timed, ours and MuJoCo's in turns.
+// What is equal and what is not: mujoco_world.h.
 
 #include <mujoco/mujoco.h>
 #include <time.h>

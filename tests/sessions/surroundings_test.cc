@@ -1,8 +1,8 @@
 /** @file
 What surrounds the program changes no byte of its results: another language, a calendar that leaps
 (tests/support/jump_clock.cc), a folder for temporary files that takes nothing, a second process on
-the same folder, a file system without locks, a disk whose reads fail in passing, the longest names. Signals that were ignored stay so; others end a
-command with 75. A umask that forbids everything ends one with 5 and a sentence. */
+the same folder, a file system without locks, a disk whose reads fail in passing, the longest names.
+Signals that were ignored stay so; others end a command with 75. A umask that forbids everything ends one with 5 and a sentence. */
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -179,7 +179,8 @@ TEST_F(Surroundings, WithoutFileLocksASecondRunIsRefusedAndAKilledOneIsContinued
     ASSERT_NE(command, std::string::npos) << refused;
     EXPECT_EQ(Run({"status", out}, WithLocks(kind)), 0) << Log();
     EXPECT_EQ(Out().find("no process of this machine"), std::string::npos) << Out();
-    ASSERT_EQ(std::system(("cd '" + top_.string() + "' && " + refused.substr(command)).c_str()), 0);
+    const std::string take_over = refused.substr(command, refused.find('\n', command) - command);
+    ASSERT_EQ(std::system(("cd '" + top_.string() + "' && " + take_over).c_str()), 0);
 
     WriteFile(owner, left);
     EXPECT_EQ(Run({"run", "--resume", "--out", out}, WithLocks(kind)), 0) << Log();

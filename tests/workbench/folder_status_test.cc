@@ -72,7 +72,7 @@ TEST(FolderStatus, SaysWhenNobodyWorksOnAnUnfinishedSession) {
 TEST(FolderStatus, SaysWhatJudgesOnWhenNobodyDoes) {
   const TemporaryFolder folder;
   const std::filesystem::path session = folder.path() / "s";
-  const std::vector<PlannedTrial> plan = CreateFakeSession(session, 2);
+  const std::vector<PlannedTrial> plan = CreateFakeSession(session, 4);
   {
     JournalWriter journal(session, 0);
     for (const PlannedTrial& planned : plan) journal.Append(MakeFakeRecord(planned));

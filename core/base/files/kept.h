@@ -23,8 +23,8 @@ inline constexpr size_t kKeptKindSize = 8;
 std::optional<std::string> ReadKept(const std::filesystem::path& path, std::string_view kind,
                                     uint64_t key);
 
-/** Makes the folder, and replaces the file. A folder that is read-only, full or somebody else's costs
-the next run the computation, and nothing else. */
+/** Makes the folder, and replaces the file. A folder that is read-only, full or somebody else's
+costs the next run the computation, and nothing else. */
 void Keep(const std::filesystem::path& path, std::string_view kind, uint64_t key,
           std::string_view content);
 

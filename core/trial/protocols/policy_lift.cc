@@ -3,8 +3,8 @@ The trial of table_lift whose digits a controller closes: the hand is placed by 
 pre-grasp posture control begins. From the start of closure the controller is asked every control
 period; when it says done, or after policy.time_s, the hand is lifted as in table_lift. Closure ends
 for the record as there; the drives hold what was asked for last. Answers take effect after the
-latency of the settings, and may be lost; both are drawn from the trial's stream. The drives' errors of the draw are
-added to what the controller asks for, as to the strategy's commands. */
+latency of the settings, and may be lost; both are drawn from the trial's stream. The drives' errors
+of the draw are added to what the controller asks for, as to the strategy's commands. */
 
 #include <cmath>
 #include <deque>

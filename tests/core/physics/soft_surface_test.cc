@@ -260,8 +260,8 @@ TEST(SoftSurface, GapsAreThoseAtRest) {
 }
 
 // Balls press to different depths and release in another order, so that their shares change on a
-// path that encloses an area. By the law alone the cycle returns what it took; in a world damping takes
-// more than the rest (ABounceLosesEnergy).
+// path that encloses an area. By the law alone the cycle returns what it took; in a world damping
+// takes more than the rest (ABounceLosesEnergy).
 TEST(SoftSurface, PressingAndReleasingGainsNothing) {
   constexpr int kNumSteps = 1600;
   for (const double yield : {0.00075, 0.005}) {

@@ -115,8 +115,8 @@ TEST(RestPoseTest, ScansStayWhereTheyAreSetDown) {
   EXPECT_EQ(num_turned, 8);
 }
 
-// The middle of each of two balls lies beside that of the spot it stands on: it rolls, and is then at
-// rest.
+// The middle of each of two balls lies beside that of the spot it stands on: it rolls, and is then
+// at rest.
 TEST(RestPoseTest, TheCatalogueLiesAsItRestsButForTwoBalls) {
   for (const std::string& id : ListObjects()) {
     const auto object = LoadObject(id);

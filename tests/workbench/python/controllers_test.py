@@ -20,7 +20,7 @@ PYTHON = sys.executable
 MARK = f"CONTROLLERS_TEST={os.getpid()}"  # of all that this test starts
 ENVIRONMENT = dict(os.environ, PYTHONPATH=str(SOURCE / "workbench/python"), NO_COLOR="1",
                    **dict([MARK.split("=")]))
-SMALL = ["--hand", "tum", "--object", "golf_ball", "--trials", "2", "--jobs", "1"]
+SMALL = {"--hand": "tum", "--object": "golf_ball", "--trials": "2", "--jobs": "1"}
 
 # What each wrong controller writes to an observation; `a` writes an answer of this dict, `raw` bytes.
 HEAD = """
@@ -78,8 +78,14 @@ LOST = {  # name: (body, part of the message)
 }
 
 
+def make_command(folder, *options):
+    """A small session, but for what the options say."""
+    small = [word for pair in SMALL.items() if pair[0] not in options for word in pair]
+    return [PROGRAM, "run", *small, "--out", str(folder), *options]
+
+
 def run(folder, *options, policy=None, expect=0, timeout=600):
-    command = [PROGRAM, "run", *SMALL, "--out", str(folder), *options]
+    command = make_command(folder, *options)
     if policy is not None:
         command += ["--policy", policy]
     done = subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, timeout=timeout)
@@ -134,8 +140,8 @@ class Controllers(unittest.TestCase):
         return f"{PYTHON} {path}"
 
     def test_the_strategy_as_a_controller_has_the_strategys_records(self):
-        more = ["--set", "strategy.grip=posture", "--hand", "tum,shadow", "--object", "golf_ball,can"]
-        run(self.folder / "own", *more)
+        more = ["--hand", "tum,shadow", "--object", "golf_ball,can"]
+        run(self.folder / "own", *more, "--set", "strategy.grip=posture", "--set", "strategy.touch_speed=1")
         run(self.folder / "policy", *more, "--set", "policy.period_s=0.002",
             policy=self.example("strategy_policy.py"))
         own, policy = records(self.folder / "own"), records(self.folder / "policy")
@@ -214,7 +220,7 @@ class Controllers(unittest.TestCase):
         folder = self.folder / "killed"
         num_kills = int(os.environ.get("GRASPBENCH_NUM_KILLS", "2"))
         for kill in range(num_kills):
-            command = [PROGRAM, "run", *SMALL, *more, "--policy", policy, "--out", str(folder)]
+            command = make_command(folder, *more, "--policy", policy)
             if kill:
                 command = [PROGRAM, "run", "--resume", "--out", str(folder), "--jobs", "1"]
             process = subprocess.Popen(command, env=ENVIRONMENT, stdout=subprocess.DEVNULL,
@@ -238,7 +244,7 @@ class Controllers(unittest.TestCase):
             import pandas
         except ImportError as missing:
             self.skipTest(f"Debian's package of {missing.name} is not installed")
-        folder = graspbench.run(self.folder / "s", *SMALL)
+        folder = graspbench.run(self.folder / "s", *make_command("")[2:-2])
         self.assertEqual(graspbench.run(folder), folder)
         table = graspbench.load(folder)
         whole = records(folder)

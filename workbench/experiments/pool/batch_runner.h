@@ -33,8 +33,10 @@ struct BatchWorker {
 
 /** What a worker does with a trial that is ready. */
 using CarryOut = std::function<TrialResult(TrialRunner& runner, const TrialSetup& setup)>;
-/** A worker for trials of a session, with a simulated world of its own. @param carry_out  empty: it
-runs them.   @param find_policy  empty: controllers are started. @pre config and inputs belong together and outlive the worker. */
+/** A worker for trials of a session, with a simulated world of its own.
+@param carry_out  empty: it runs them.
+@param find_policy  empty: controllers are started.
+@pre config and inputs belong together and outlive the worker. */
 BatchWorker MakeTrialWorker(const SessionConfig& config, const SessionInputs& inputs,
                             std::function<void(const TrialRecord&)> keep,
                             CarryOut carry_out = nullptr, FindPolicy find_policy = nullptr);
@@ -57,7 +59,8 @@ inline constexpr int kMostLostInARow = 3;
 a trial that has begun is finished and kept.
 @param time_limit  [s of processor time]: a trial that has not ended by then is kept as a numerical
 failure or given up, and the others go on. A trial whose controller was lost is left out.
-@throws Error(kEnvironment) in the end, when controllers were lost.   @returns, @throws  as RunTasks of worker_pool.h. */
+@throws Error(kEnvironment) in the end, when controllers were lost.
+@returns, @throws  as RunTasks of worker_pool.h. */
 bool RunBatch(const Stage& stage, const std::vector<PlannedTrial>& trials, int num_workers,
               const MakeBatchWorker& make_worker, Observer& observer,
               double time_limit = kNoTimeLimit);

@@ -32,8 +32,8 @@ TEST(FormatCsv, GuardsWhatASpreadsheetWouldRun) {
   EXPECT_EQ(GuardCell("-1,5"), "'-1,5") << "of no country that this file is written for";
 }
 
-/** The cells of a line as a spreadsheet sees them whose cells end at `separator`: a quote counts where
-a cell begins, and nowhere else. */
+/** The cells of a line as a spreadsheet sees them whose cells end at `separator`: a quote counts
+where a cell begins, and nowhere else. */
 std::vector<std::string> SplitAsSpreadsheet(const std::string& text, char separator) {
   std::vector<std::string> cells(1);
   bool is_quoted = false, is_begin = true;

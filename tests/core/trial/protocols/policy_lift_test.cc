@@ -1,5 +1,5 @@
-// The digits in the hands of a controller. The oracle is table_lift: a controller that asks for what the
-// strategy asks for has its trial, to the last byte.
+// The digits in the hands of a controller. The oracle is table_lift: a controller that asks for what
+// the strategy asks for has its trial, to the last byte.
 
 #include <gtest/gtest.h>
 
