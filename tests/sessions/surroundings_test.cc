@@ -2,7 +2,8 @@
 What surrounds the program changes no byte of its results: another language, a calendar that leaps
 (tests/support/jump_clock.cc), a folder for temporary files that takes nothing, a second process on
 the same folder, a file system without locks, a disk whose reads fail in passing, the longest names.
-Signals that were ignored stay so; others end a command with 75. A umask that forbids everything ends one with 5 and a sentence. */
+Signals that were ignored stay so; others end a command with 75. A umask that forbids everything
+ends one with 5 and a sentence. */
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

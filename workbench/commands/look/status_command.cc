@@ -23,6 +23,8 @@ struct StatusOptions {
   double interval = 1.0;       // [s], of a watch
   bool verify = false;
   bool json = false;
+
+  StatusLook look() const { return verify ? StatusLook::kVerified : StatusLook::kQuick; }
 };
 
 ExitCode EndOf(const FolderStatus& status, const StatusOptions& options) {
@@ -30,13 +32,8 @@ ExitCode EndOf(const FolderStatus& status, const StatusOptions& options) {
   return kExitOk;
 }
 
-StatusLook LookOf(const StatusOptions& options) {
-  return options.verify ? StatusLook::kVerified : StatusLook::kQuick;
-}
-
 ExitCode ShowStatus(const StatusOptions& options) {
-  const FolderStatus status =
-      ReadFolderStatus(options.folder, options.stale_after, LookOf(options));
+  const FolderStatus status = ReadFolderStatus(options.folder, options.stale_after, options.look());
   if (options.json) {
     PrintJson(status.json);
   } else {
@@ -75,7 +72,7 @@ class Looks {
  private:
   FolderStatus Check() {
     const auto start = Clock::now();
-    FolderStatus status = ReadFolderStatus(options_.folder, options_.stale_after, LookOf(options_));
+    FolderStatus status = ReadFolderStatus(options_.folder, options_.stale_after, options_.look());
     next_check_ = Clock::now() + 10 * (Clock::now() - start);
     return status;
   }
