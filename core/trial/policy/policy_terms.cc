@@ -224,7 +224,8 @@ const std::vector<PolicyObservation>& ListPolicyObservations() {
          AppendVector(FindGivenPose(view).translation(), values);
        },
        false},
-      {{"object_rotation", "", "4", "W", "of the object's frame, a quaternion; likewise"},
+      {{"object_rotation", "", "4", "W",
+        "of the object's frame, a quaternion; by policy.object_pose"},
        IsPoseGiven,
        [](const PolicyView& view, Values& values) {
          AppendRotation(FindGivenPose(view).linear(), values);
@@ -271,13 +272,13 @@ const std::vector<PolicyFact>& ListPolicyFacts() {
        }},
       {{"driven_digits", "", "n", "", "id of the digit of each; empty: of the wrist"},
        ListDrivenDigits},
-      {{"lower", "rad, m", "n", "", "limits of the driven joints"},
+      {{"lower", "rad, m", "n", "", "lower limits of the driven joints"},
        [](const PolicyView& view) {
          return ListOfDriven(view, [&](int joint) {
            return view.setup.hand->joints[static_cast<size_t>(joint)].lower;
          });
        }},
-      {{"upper", "rad, m", "n", "", "likewise"},
+      {{"upper", "rad, m", "n", "", "upper limits of the driven joints"},
        [](const PolicyView& view) {
          return ListOfDriven(view, [&](int joint) {
            return view.setup.hand->joints[static_cast<size_t>(joint)].upper;
@@ -321,11 +322,12 @@ const std::vector<PolicyFact>& ListPolicyFacts() {
            return view.setup.hand->links[static_cast<size_t>(element.link)].name;
          });
        }},
-      {{"taxel_positions", "m", "k x 3", "L", "place of each; likewise"},
+      {{"taxel_positions", "m", "k x 3", "L", "place of each tactile element; with touch: sensed"},
        [](const PolicyView& view) {
          return ListOfElements(view, [](const TactileElement& e) { return JsonVector(e.p_LE); });
        }},
-      {{"taxel_normals", "", "k x 3", "L", "unit normal out of the hand of each; likewise"},
+      {{"taxel_normals", "", "k x 3", "L",
+        "unit normal of each tactile element, out of the hand; with touch: sensed"},
        [](const PolicyView& view) {
          return ListOfElements(view,
                                [](const TactileElement& e) { return JsonVector(e.normal_L); });
