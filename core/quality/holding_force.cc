@@ -213,12 +213,17 @@ class Pulls {
   std::deque<BalanceProgram> programs_;
 };
 
+bool IsPressed(const LoadedGrasp& grasp) {
+  return std::any_of(grasp.normal_forces.begin(), grasp.normal_forces.end(),
+                     [](double force) { return force > 0.0; });
+}
+
 }  // namespace
 
 std::vector<double> CalcHoldingForces(const LoadedGrasp& grasp,
                                       const std::vector<Vector3d>& directions) {
   std::vector<double> holding(directions.size(), 0.0);
-  if (grasp.contacts.empty()) return holding;
+  if (!IsPressed(grasp)) return holding;
   Pulls pulls(grasp, directions);
   for (size_t k = 0; k < directions.size(); ++k) {
     BalanceProgram& program = pulls.programs()[k];
@@ -229,7 +234,7 @@ std::vector<double> CalcHoldingForces(const LoadedGrasp& grasp,
 }
 
 double CalcWeakestHoldingForce(const LoadedGrasp& grasp, const std::vector<Vector3d>& directions) {
-  if (grasp.contacts.empty()) return 0.0;
+  if (!IsPressed(grasp)) return 0.0;
   Pulls pulls(grasp, directions);
   auto& programs = pulls.programs();
   // Values only rise: the lowest, once closed, is the least of all.

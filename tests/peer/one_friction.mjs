@@ -1,5 +1,5 @@
-// Copies objects with the static coefficient of friction as the sliding one, too: MuJoCo has one
-// coefficient, and engines are compared on what both can express.
+// Copies objects with the static coefficient of friction as the sliding one, too, and with a rigid surface:
+// MuJoCo has one coefficient and no compressible surface. Engines are compared on what both can express.
 //
 //   node tests/peer/one_friction.mjs objects/catalogue OUT
 //   graspbench run --object $(ls -d OUT/* | paste -sd,) --out DIR
@@ -17,5 +17,6 @@ for (const id of readdirSync(from).filter(name => existsSync(join(from, name, 'o
   const file = join(out, id, 'object.yaml'), text = readFileSync(file, 'utf8');
   const given = text.match(/^friction_static: *(\S+)/m);
   if (!given) throw new Error(`${file}: no friction_static; expected "friction_static: NUMBER"`);
-  writeFileSync(file, text.replace(/^friction_dynamic:.*$/m, `friction_dynamic: ${given[1]}`));
+  writeFileSync(file, text.replace(/^friction_dynamic:.*$/m, `friction_dynamic: ${given[1]}`)
+                          .replace(/^compressible:.*\n(?: .*\n)*/m, ''));
 }

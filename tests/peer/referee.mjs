@@ -29,7 +29,7 @@ const mujoco = await loadMujoco();
 if (!mujoco) process.exit(0);
 
 const halved = options['half-step'] ?
-    new Map(readRecords(options['half-step']).map(record => [nameOf(record), record.result.outcome])) : null;
+    new Map(readRecords(graspbench, options['half-step']).map(record => [nameOf(record), record.result.outcome])) : null;
 const chosen = options.held || options.failed ?
     chooseTrials(graspbench, folder, Number(options.held ?? 0), Number(options.failed ?? 0)) : null;
 const records = exportSession(graspbench, folder, record =>

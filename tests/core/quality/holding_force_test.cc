@@ -64,6 +64,14 @@ TEST(HoldingForce, TheWeightIsPartOfTheLoad) {
 // Pulled along the contacts' line, the digit in front carries the weight too, with its friction;
 // the moment of that, weight * arm, must stay below the tolerance 0.03 * 2 F * radius, or the digit
 // behind takes its share.
+TEST(HoldingForce, ContactsThatPressWithNothingHoldNothing) {
+  LoadedGrasp grasp = MakeLoadedPinch();
+  grasp.weight = Vector3d(0, 0, -1);
+  grasp.normal_forces = {0.0, 0.0};
+  EXPECT_EQ(CalcHoldingForce(grasp, Vector3d::UnitZ()), 0.0);
+  EXPECT_EQ(CalcWeakestHoldingForce(grasp, {Vector3d::UnitZ(), Vector3d::UnitX()}), 0.0);
+}
+
 TEST(HoldingForce, MomentsAreBalancedButForTheTolerance) {
   LoadedGrasp grasp = MakeLoadedPinch();
   const double tolerated = 0.03 * 2.0 * kForce;
@@ -182,6 +190,35 @@ TEST(SmallestGrip, IsProportionalToTheWeightAndKnowsNoFrame) {
   }
   grasp.weight = R * grasp.weight;
   EXPECT_NEAR(Calc(grasp), 7.0 * before, 1e-6 * 7.0 * before);
+}
+
+// Neither the numbering of contacts, nor left and right, nor the length of everything changes a force:
+// at lambda times the size, moments grow with the size and the same forces bear the same weight.
+TEST(SmallestGrip, MirroredPermutedAndScaledScenesNeedTheSame) {
+  LoadedGrasp grasp = MakeGrasp({0.012, -0.005});
+  grasp.contacts[1].nhat_O = Vector3d(-1.0, 0.2, 0.1).normalized();
+  for (GraspContact& contact : grasp.contacts) {
+    contact.torsion = kMu * 0.003;
+    contact.first_edge_O.reset();
+  }
+  grasp.normal_forces = {4.0, 2.0, 2.0};
+  const double before = Calc(grasp), pull = CalcHoldingForce(grasp, Vector3d::UnitZ());
+  ASSERT_GT(before, 0.0);
+  LoadedGrasp mirrored = grasp, permuted = grasp, scaled = grasp;
+  for (GraspContact& contact : mirrored.contacts) {
+    contact.p_OC.y() *= -1.0;
+    contact.nhat_O.y() *= -1.0;
+  }
+  EXPECT_NEAR(Calc(mirrored), before, 1e-4 * before);
+  std::reverse(permuted.contacts.begin() + 1, permuted.contacts.end());
+  EXPECT_NEAR(Calc(permuted), before, 1e-4 * before);
+  scaled.radius *= 3.0;
+  for (GraspContact& contact : scaled.contacts) {
+    contact.p_OC *= 3.0;
+    contact.torsion *= 3.0;
+  }
+  EXPECT_NEAR(Calc(scaled), before, 1e-4 * before);
+  EXPECT_NEAR(CalcHoldingForce(scaled, Vector3d::UnitZ()), pull, 1e-3 * pull + 1e-9);
 }
 
 /** A block between two hard fingers on its middle, their line inclined by `tilt`: digit 0 below,
