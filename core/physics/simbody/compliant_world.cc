@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <optional>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/physics/contact.h"
@@ -371,7 +373,16 @@ StepReport CompliantWorld::Step(const WorldCommand& command) {
 
   // The integrator must not look beyond what has been commanded.
   const double end = course_.start + course_.length;
-  while (model.integrator->getTime() < end - 1e-9) model.integrator->stepTo(end, end);
+  // Where its corrector gives up, it starts again once from where it is, at its lowest order.
+  bool has_started_again = false;
+  while (model.integrator->getTime() < end - 1e-9) {
+    try {
+      model.integrator->stepTo(end, end);
+    } catch (const std::exception&) {
+      if (std::exchange(has_started_again, true)) throw;
+      model.StartFrom(SimTK::State(model.integrator->getState()));
+    }
+  }
   TakeState(command);
   StepReport report = TakeContacts();
   link_blocks_ = report.link_touches_object;
