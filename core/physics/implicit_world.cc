@@ -149,10 +149,11 @@ void ImplicitWorld::AddDrives(const WorldCommand& command) {
     const double limit = command.torque_limit.size() > 0
                              ? std::min(drive.torque_limit, command.torque_limit[joint])
                              : drive.torque_limit;
+    const double stiffness =
+        command.stiffness.size() > 0 ? command.stiffness[joint] * drive.stiffness : drive.stiffness;
     // The mean angle is that of the middle and h (v - u) / 4.
-    const double mean_gain = 0.25 * drive.stiffness * h;
-    problem_.scalars.push_back({dof,
-                                drive.stiffness * (followed - theta) + mean_gain * problem_.u[dof],
+    const double mean_gain = 0.25 * stiffness * h;
+    problem_.scalars.push_back({dof, stiffness * (followed - theta) + mean_gain * problem_.u[dof],
                                 mean_gain + drive.damping, -limit, limit});
   }
   first_friction_ = static_cast<int>(problem_.scalars.size());
@@ -259,8 +260,12 @@ void ImplicitWorld::UpdateDynamics() {
 }
 
 bool ImplicitWorld::IsAsBefore(const WorldCommand& command) const {
+  const auto are_equal = [](const VectorXd& a, const VectorXd& b) {
+    return a.size() == b.size() && a == b;
+  };
   return step_number_ > 0 && command.q == last_command_.q &&
-         command.torque_limit == last_command_.torque_limit &&
+         are_equal(command.torque_limit, last_command_.torque_limit) &&
+         are_equal(command.stiffness, last_command_.stiffness) &&
          command.num_steps == last_command_.num_steps &&
          command.X_WH.matrix() == last_command_.X_WH.matrix() && command.v_WH.isZero(0.0) &&
          last_command_.v_WH.isZero(0.0) && command.w_WH.isZero(0.0) &&

@@ -54,6 +54,9 @@ struct WorldCommand {
   Eigen::Vector3d w_WH = Eigen::Vector3d::Zero();
   /** Of the drives, where below their own (num_joints) [N m]; empty: their own. */
   Eigen::VectorXd torque_limit = {};
+  /** Of the drives, as a share of their own (num_joints), at least 0; empty: their own. A backend
+  without (compliant_world.h) takes their own. */
+  Eigen::VectorXd stiffness = {};
   int num_steps = 1;  ///< of the settings' length that are taken as one
 };
 

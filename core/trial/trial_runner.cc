@@ -75,7 +75,12 @@ struct TrialRunner::Impl {
 };
 
 WristCamera* TrialRunner::Impl::FindCamera(const TrialSetup& setup) {
-  if (setup.positioning != Positioning::kCamera && setup.sight_grasps.empty()) return nullptr;
+  const bool tells =
+      setup.controller &&
+      setup.policy.object_pose == RowOf(kPolicyObjectPoses, PolicyObjectPose::kCamera).name;
+  if (setup.positioning != Positioning::kCamera && setup.sight_grasps.empty() && !tells) {
+    return nullptr;
+  }
   if (!camera || !HaveEqualValues(setup.camera, camera_config)) {
     camera_config = setup.camera;
     camera = std::make_unique<WristCamera>(hand, object, camera_config);

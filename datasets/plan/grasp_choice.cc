@@ -192,6 +192,12 @@ bool NeedsCamera(const SessionConfig& config) {
          NamesBySight(config.grasps);
 }
 
+bool ShowsCamera(const PolicyConfig& policy) {
+  return !policy.command.empty() &&
+         (policy.picture > 0 ||
+          policy.object_pose == RowOf(kPolicyObjectPoses, PolicyObjectPose::kCamera).name);
+}
+
 bool HasGraspBySight(const SessionConfig& config) {
   return NamesBySight(config.grasps) ||
          std::any_of(config.conditions.begin(), config.conditions.end(),

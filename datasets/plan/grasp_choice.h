@@ -18,6 +18,8 @@ inline constexpr const char* kBySight = "by-sight";
 
 /** Whether the hand looks in the trials, conditions left aside: to be positioned or to choose. */
 bool NeedsCamera(const SessionConfig& config);
+/** A controller gets the pictures of the hand's camera, or the object's pose that it finds. */
+bool ShowsCamera(const PolicyConfig& policy);
 
 /** Whether a grasp is chosen by sight in any trial, conditions included. */
 bool HasGraspBySight(const SessionConfig& config);

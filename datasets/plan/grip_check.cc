@@ -136,7 +136,12 @@ void RefuseUnusedGrip(const std::string& assignment, const StrategyConfig& strat
 StrategyConfig FindUsedStrategy(const SessionConfig& config) {
   StrategyConfig strategy = config.strategy;
   if (config.policy.command.empty()) return strategy;
+  // Until it touches: then its grip is regulated.
+  if (config.policy.moves == RowOf(kPolicyMoves, PolicyMoves::kUntilTouch).name) return strategy;
   const StrategyConfig firm = MakeFirmStrategy();
+  if (config.policy.moves == RowOf(kPolicyMoves, PolicyMoves::kHandAndDigits).name) {
+    strategy.closure_lead = firm.closure_lead;  // it begins when the hand stands
+  }
   strategy.grip = firm.grip;
   strategy.drive_law = firm.drive_law;
   strategy.touch_speed = firm.touch_speed;

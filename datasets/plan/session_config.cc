@@ -81,7 +81,8 @@ void CheckUnused(const std::string& name, const Group& group, const std::string&
 }
 
 void CheckSensors(const SessionConfig& config, std::vector<ConfigProblem>& problems) {
-  if (FindRow(kPositionings, config.positioning) && !NeedsCamera(config)) {
+  if (FindRow(kPositionings, config.positioning) && !NeedsCamera(config) &&
+      !ShowsCamera(config.policy)) {
     CheckUnused(
         "camera", config.camera,
         "positioning is " + config.positioning + "; set positioning: camera or leave it out",
@@ -134,7 +135,18 @@ void CheckPolicy(const SessionConfig& config, std::vector<ConfigProblem>& proble
   } else if (!IsUtf8(policy.command)) {
     problems.push_back({"policy.command", "is not UTF-8"});
   }
+  CheckRow(kPolicyMoves, "policy.moves", "moves", policy.moves, problems);
   CheckRow(kPolicyObjectPoses, "policy.object_pose", "object pose", policy.object_pose, problems);
+  for (const auto& [key, value, usual] :
+       {std::tuple("policy.hand_speed_m_per_s", policy.hand_speed, PolicyConfig().hand_speed),
+        std::tuple("policy.hand_turn_rate_rad_per_s", policy.hand_turn_rate,
+                   PolicyConfig().hand_turn_rate)}) {
+    if (value == usual || policy.moves == RowOf(kPolicyMoves, PolicyMoves::kHandAndDigits).name) {
+      continue;
+    }
+    problems.push_back({key, "changes nothing while policy.moves is " + policy.moves +
+                                 "; set hand-and-digits or leave the key out"});
+  }
 }
 
 /** What a session has written: a complete configuration, alone or in its session.json. */
@@ -359,7 +371,7 @@ Json ToJson(const SessionConfig& config) {
   const SessionConfig defaults;
   json["strategy"] = StrategyToJson(config.strategy);
   if (config.approach == defaults.approach) json.erase("approach");
-  if (!NeedsCamera(config)) json.erase("camera");
+  if (!NeedsCamera(config) && !ShowsCamera(config.policy)) json.erase("camera");
   if (config.positioning == defaults.positioning) json.erase("positioning");
   if (config.touch == defaults.touch) {
     json.erase("touch");

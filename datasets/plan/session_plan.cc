@@ -82,14 +82,16 @@ void CheckNamesDiffer(const char* what, const std::vector<std::string>& names) {
 }
 
 void CheckCamerasExist(const SessionConfig& config, const SessionInputs& inputs) {
-  if (!NeedsCamera(config)) return;
+  if (!NeedsCamera(config) && !ShowsCamera(config.policy)) return;
   const bool is_positioned = config.positioning == RowOf(kPositionings, Positioning::kCamera).name;
   for (const SessionHand& hand : inputs.hands) {
     if (hand.hand->camera) continue;
     throw Error(ErrorKind::kUsage,
                 "the hand \"" + hand.hand->id + "\" has no camera to " +
-                    (is_positioned ? "position it; choose another positioning"
-                                   : "choose its grasp by sight; name a grasp") +
+                    (is_positioned         ? "position it; choose another positioning"
+                     : NeedsCamera(config) ? "choose its grasp by sight; name a grasp"
+                                           : "show to the controller; choose another "
+                                             "policy.object_pose, and no policy.picture_px") +
                     ", or add a camera to its hand.yaml (graspbench help hand.yaml)");
   }
 }

@@ -5,6 +5,7 @@
 #include "core/hand/tactile.h"
 #include "core/physics/sim_config.h"
 #include "core/trial/trial_setup.h"
+#include "datasets/plan/grasp_choice.h"
 #include "datasets/plan/grip_check.h"
 
 namespace graspbench {
@@ -92,7 +93,8 @@ std::string CalcTrialId(const SessionConfig& config, const Hand& hand, const Gra
   if (config.positioning != SessionConfig().positioning) {
     content["positioning"] = config.positioning;
   }
-  if (config.positioning == RowOf(kPositionings, Positioning::kCamera).name || grasp.is_array()) {
+  if (config.positioning == RowOf(kPositionings, Positioning::kCamera).name || grasp.is_array() ||
+      ShowsCamera(config.policy)) {
     content["camera"] = TakeHashed("camera", ConfigToJson(config.camera), defaults);
     content["mount"] = ToJson(*hand.camera);
   }

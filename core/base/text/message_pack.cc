@@ -275,13 +275,22 @@ void MessagePackWriter::Number(double value) {
 void MessagePackWriter::Array(const double* values, const std::vector<size_t>& shape) {
   size_t num_values = 1;
   for (const size_t size : shape) num_values *= size;
+  Array({reinterpret_cast<const char*>(values), num_values * sizeof(double)}, "<f8", shape);
+}
+
+void MessagePackWriter::ByteArray(std::string_view values, const std::vector<size_t>& shape) {
+  Array(values, "|u1", shape);
+}
+
+void MessagePackWriter::Array(std::string_view bytes, const char* dtype,
+                              const std::vector<size_t>& shape) {
   Map(4);
   Bytes("__ndarray__");
   Bool(true);
   Bytes("data");
-  Bytes({reinterpret_cast<const char*>(values), num_values * sizeof(double)});
+  Bytes(bytes);
   Bytes("dtype");
-  Text("<f8");
+  Text(dtype);
   Bytes("shape");
   List(shape.size());
   for (const size_t size : shape) Integer(size);

@@ -44,6 +44,8 @@ class MessagePackWriter {
   void Number(double value);
   /** @pre as many values as the shape has places. */
   void Array(const double* values, const std::vector<size_t>& shape);
+  /** Of 8 bits each. @pre likewise. */
+  void ByteArray(std::string_view values, const std::vector<size_t>& shape);
   void Array(const std::vector<double>& values) { Array(values.data(), {values.size()}); }
   void Texts(const std::vector<std::string>& texts);
 
@@ -52,6 +54,7 @@ class MessagePackWriter {
  private:
   void Head(size_t count, uint8_t small, size_t most_small, uint8_t wide);
   void Bytes(std::string_view bytes);
+  void Array(std::string_view bytes, const char* dtype, const std::vector<size_t>& shape);
   template <class T>
   void BigEndian(T value);
 

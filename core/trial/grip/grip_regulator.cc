@@ -87,15 +87,53 @@ void GripRegulator::FollowTouches(const World& world, const std::vector<HandCont
 /** While it moved, its drive's spring was ahead of it by what damping asks for; blocked, that would
 be force. */
 void GripRegulator::TakeBack(DigitGrip& digit, const World& world) const {
+  const double closing = FindClosing(digit, [&](int joint) {
+    return CalcDrivePosition(*setup_->hand, world.state(), joint) - setup_->draw.joint_error[joint];
+  });
+  if (!std::isnan(closing)) digit.law.MoveTo(std::min(digit.law.closing(), closing));
+}
+
+template <class Q>
+double GripRegulator::FindClosing(const DigitGrip& digit, Q q) const {
   double along = 0.0, length = 0.0;
   for (const int joint : digit.joints) {
     const double stiffness = setup_->hand->joints[static_cast<size_t>(joint)].drive.stiffness;
-    const double moved = CalcDrivePosition(*setup_->hand, world.state(), joint) -
-                         setup_->grasp.q_pre[joint] - setup_->draw.joint_error[joint];
+    double moved = q(joint) - setup_->grasp.q_pre[joint];
+    if (offset_.size() > 0) moved -= offset_[joint];
     along += stiffness * way_[joint] * moved;
     length += stiffness * way_[joint] * way_[joint];
   }
-  if (length > 0.0) digit.law.MoveTo(std::min(digit.law.closing(), along / length));
+  return length > 0.0 ? along / length : kUnset;
+}
+
+GripRegulator GripRegulator::TakeOver(GripMode mode, const Eigen::VectorXd& asked) const {
+  GripRegulator made = *this;
+  TrialSetup setup = *setup_;
+  setup.strategy.grip = RowOf(kGripModes, mode).name;
+  made.mode_ = mode;
+  made.is_saturating_ = setup.strategy.drive_law == RowOf(kDriveLaws, DriveLaw::kSaturating).name;
+  made.setup_ = std::make_shared<TrialSetup>(std::move(setup));
+  made.offset_ = Eigen::VectorXd::Zero(asked.size());
+  for (DigitGrip& digit : made.digits_) {
+    const double closing = FindClosing(digit, [&](int joint) { return asked[joint]; });
+    if (std::isnan(closing)) continue;
+    digit.law.MoveTo(closing);
+    digit.beyond = std::clamp(closing - 1.0, 0.0, most_closing_ - 1.0);
+    for (const int joint : digit.joints) {
+      made.offset_[joint] =
+          asked[joint] - setup_->grasp.q_pre[joint] -
+          digit.CalcClosing() * (setup_->grasp.q_target[joint] - setup_->grasp.q_pre[joint]);
+    }
+  }
+  return made;
+}
+
+double GripRegulator::CalcCommand(const DigitGrip& digit, int joint) const {
+  const double own =
+      setup_->grasp.q_pre[joint] +
+      digit.CalcClosing() * (setup_->grasp.q_target[joint] - setup_->grasp.q_pre[joint]) +
+      setup_->draw.joint_error[joint];
+  return offset_.size() > 0 ? own + offset_[joint] : own;
 }
 
 void GripRegulator::FindSmallest(const World& world, const std::vector<HandContact>& contacts) {
@@ -254,9 +292,7 @@ void GripRegulator::NoteHold(Phase phase, double duration) {
 bool GripRegulator::IsAtLimit(const DigitGrip& digit, int joint, double share) const {
   if (drive_positions_.size() == 0 || way_[joint] == 0.0) return false;
   const JointDrive& drive = setup_->hand->joints[static_cast<size_t>(joint)].drive;
-  const double asked = setup_->grasp.q_pre[joint] + digit.CalcClosing() * way_[joint] +
-                       setup_->draw.joint_error[joint];
-  const double torque = drive.stiffness * (asked - drive_positions_[joint]);
+  const double torque = drive.stiffness * (CalcCommand(digit, joint) - drive_positions_[joint]);
   return torque * (way_[joint] > 0.0 ? 1.0 : -1.0) >= share * drive.torque_limit;
 }
 
@@ -335,10 +371,7 @@ void GripRegulator::Command(WorldCommand& command) const {
   }
   for (const DigitGrip& digit : digits_) {
     for (const int joint : digit.joints) {
-      command.q[joint] =
-          setup_->grasp.q_pre[joint] +
-          digit.CalcClosing() * (setup_->grasp.q_target[joint] - setup_->grasp.q_pre[joint]) +
-          setup_->draw.joint_error[joint];
+      command.q[joint] = CalcCommand(digit, joint);
       if (!is_saturating_ || !digit.has_touched || digit.torque.size() == 0) continue;
       command.torque_limit[joint] = CalcSharedTorque(digit, joint);
     }

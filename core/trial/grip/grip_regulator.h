@@ -48,6 +48,11 @@ class GripRegulator {
   /** @param digits  those that grasp, indices into Hand::digits. */
   GripRegulator(const TrialSetup& setup, const std::vector<int>& digits);
 
+  /** Of a firm grip in the midst of a closure: one that regulates from here on. Its digits go on from
+  where they are asked to be, each by its part of the way from pre-grasp to target posture.
+  @param asked  of the drives, without their errors (num_joints). */
+  GripRegulator TakeOver(GripMode mode, const Eigen::VectorXd& asked) const;
+
   /** After a step. @param phase  it was in.  @param sensors  null: it feels the contacts.
   @param duration  of the step [s]. */
   void Observe(Phase phase, World& world, const std::vector<HandContact>& contacts,
@@ -99,6 +104,10 @@ class GripRegulator {
   void FindSmallest(const World& world, const std::vector<HandContact>& contacts);
   void ShareForce(const std::vector<PartLoad>& loads, double duration);
   void ShareWithinSide(double duration);
+  /** Of a posture the part of a digit's way [s]. @param q  by joint (num_joints). */
+  template <class Q>
+  double FindClosing(const DigitGrip& digit, Q q) const;
+  double CalcCommand(const DigitGrip& digit, int joint) const;
   void TakeBack(DigitGrip& digit, const World& world) const;
   bool IsAtLimit(const DigitGrip& digit, int joint, double share) const;
   bool IsAtLimit(const DigitGrip& digit) const;
@@ -115,6 +124,7 @@ class GripRegulator {
   bool is_saturating_;
   double most_closing_;     // s of a digit that presses
   Eigen::VectorXd way_;     // q_target - q_pre
+  Eigen::VectorXd offset_;  // of a posture beside that way; empty: none
   std::vector<int> parts_;  // of each link: a digit's place in digits_, or the rest's
   std::vector<DigitGrip> digits_;
   double rest_force_ = 0.0, rest_asked_ = 0.0;  // of the rest of the hand, filtered [N]

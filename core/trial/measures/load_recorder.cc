@@ -37,8 +37,9 @@ int LoadRecorder::FindFullDrive(size_t part, const World& world,
     if (!(limit > 0.0)) continue;
     if (command.torque_limit.size() > 0 && command.torque_limit[joint] < kShareOfLimit * limit)
       continue;
-    const double torque =
-        one.drive.stiffness * (command.q[joint] - CalcDrivePosition(*hand_, world.state(), joint));
+    const double share = command.stiffness.size() > 0 ? command.stiffness[joint] : 1.0;
+    const double torque = share * one.drive.stiffness *
+                          (command.q[joint] - CalcDrivePosition(*hand_, world.state(), joint));
     if (std::abs(torque) < kShareOfLimit * limit) continue;
     const double q = world.state().q[joint];
     if (torque > 0.0 ? q < one.upper - kStopWidth : q > one.lower + kStopWidth) return joint;

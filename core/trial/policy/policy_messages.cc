@@ -76,7 +76,8 @@ void CheckKeys(const PackedValue& answer) {
                                                         });
     if (!is_known) {
       throw PolicyFault("the answer has the key " + Quote(key) +
-                        "; expected targets or increments, and done");
+                        "; expected targets or increments, done, and what else the manual's page "
+                        "controllers lists");
     }
   }
 }
@@ -87,15 +88,14 @@ std::string FormatShape(const std::vector<size_t>& shape) {
   return text + (shape.size() == 1 ? ",)" : ")");
 }
 
-Eigen::MatrixXd ReadRows(const PackedValue& value, const std::string& name,
-                         Eigen::Index num_driven) {
+/** A row or several. @param columns  of each. */
+Eigen::MatrixXd ReadRows(const PackedValue& value, const std::string& name, size_t columns) {
   PackedArray array;
   try {
     array = ReadPackedArray(value, name);
   } catch (const Error& error) {
     throw PolicyFault(error.what());
   }
-  const auto columns = static_cast<size_t>(num_driven);
   const bool is_row = array.shape.size() == 1 && array.shape[0] == columns;
   const bool is_table = array.shape.size() == 2 && array.shape[1] == columns && array.shape[0] > 0;
   if (!is_row && !is_table) {
@@ -115,7 +115,69 @@ Eigen::MatrixXd ReadRows(const PackedValue& value, const std::string& name,
   }
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   return Eigen::Map<const RowMajor>(array.values.data(), static_cast<Eigen::Index>(num_rows),
-                                    num_driven);
+                                    static_cast<Eigen::Index>(columns));
+}
+
+/** Of an answer; one row is that of all. @throws PolicyFault for other numbers of rows. */
+class ActionReader {
+ public:
+  explicit ActionReader(const PackedValue& answer) : answer_(answer) {}
+
+  /** Without rows: there is no such key. */
+  Eigen::MatrixXd Read(const char* name, size_t columns) {
+    const PackedValue* value = answer_.Find(name);
+    if (!value) return {};
+    Eigen::MatrixXd rows = ReadRows(*value, name, columns);
+    if (num_rows_ > 1 && rows.rows() > 1 && rows.rows() != num_rows_) {
+      throw PolicyFault(fmt::format("{} has {} rows; expected {}, as {} has, or one", name,
+                                    rows.rows(), num_rows_, longest_));
+    }
+    if (rows.rows() > num_rows_) {
+      num_rows_ = rows.rows();
+      longest_ = name;
+    }
+    return rows;
+  }
+  void Fill(Eigen::MatrixXd& rows) const {
+    if (rows.rows() == 1) rows = Eigen::MatrixXd(rows.replicate(num_rows_, 1));
+  }
+  Eigen::Index num_rows() const { return num_rows_; }
+  /** One of two keys, or neither. */
+  void CheckOne(const char* a, const char* b) const {
+    if (answer_.Find(a) && answer_.Find(b)) {
+      throw PolicyFault(fmt::format("the answer has {} and {}; give one", a, b));
+    }
+  }
+
+ private:
+  const PackedValue& answer_;
+  Eigen::Index num_rows_ = 0;
+  const char* longest_ = "";
+};
+
+std::vector<Pose> ReadPoses(const Eigen::MatrixXd& rows) {
+  constexpr double kNotUnit = 0.01;
+  std::vector<Pose> poses;
+  for (Eigen::Index row = 0; row < rows.rows(); ++row) {
+    const Eigen::Quaterniond q(rows(row, 3), rows(row, 4), rows(row, 5), rows(row, 6));
+    if (std::abs(q.norm() - 1.0) > kNotUnit) {
+      throw PolicyFault(fmt::format(
+          "the quaternion of hand_pose in row {} has the length {:g}; expected 1", row, q.norm()));
+    }
+    poses.push_back(MakePose(q.normalized().toRotationMatrix(), rows.row(row).head<3>()));
+  }
+  return poses;
+}
+
+std::optional<GripMode> ReadHold(const PackedValue& answer) {
+  const PackedValue* hold = answer.Find("hold");
+  if (!hold) return std::nullopt;
+  const std::string name = hold->text() ? *hold->text() : std::string();
+  for (const GripMode mode : {GripMode::kForce, GripMode::kMargin}) {
+    if (name == RowOf(kGripModes, mode).name) return mode;
+  }
+  throw PolicyFault("hold is " + (hold->text() ? Quote(name) : std::string("no text")) +
+                    "; expected force or margin");
 }
 
 }  // namespace
@@ -155,7 +217,10 @@ std::string FormatPolicyQuestion(uint64_t number, const PolicyView& view) {
       for (double& value : values) value += view.setup.policy.*one.noise * noise.NextNormal();
     }
     writer.Text(one.term.name);
-    if (one.is_number) {
+    if (one.is_picture) {
+      const auto side = static_cast<size_t>(view.setup.policy.picture);
+      writer.ByteArray(std::string(values.begin(), values.end()), {side, side, 3});
+    } else if (one.is_number) {
       writer.Number(values.front());
     } else {
       writer.Array(values);
@@ -183,16 +248,23 @@ PolicyAction ReadPolicyAction(std::string_view answer, Eigen::Index num_driven) 
     if (!is_done) throw PolicyFault("done is neither true nor false");
     action.is_done = *is_done;
   }
-  const PackedValue* targets = value.Find("targets");
-  const PackedValue* increments = value.Find("increments");
-  if (targets && increments) throw PolicyFault("the answer has targets and increments; give one");
-  if (!targets && !increments) {
-    if (!action.is_done) throw PolicyFault("the answer has no targets, no increments and no done");
-    return action;
+  action.hold = ReadHold(value);
+  ActionReader reader(value);
+  reader.CheckOne("targets", "increments");
+  reader.CheckOne("hand_pose", "hand_twist");
+  action.are_increments = value.Find("increments") != nullptr;
+  const auto columns = static_cast<size_t>(num_driven);
+  action.rows = reader.Read(action.are_increments ? "increments" : "targets", columns);
+  action.stiffness = reader.Read("stiffness", columns);
+  Eigen::MatrixXd poses = reader.Read("hand_pose", 7), twists = reader.Read("hand_twist", 6);
+  if (reader.num_rows() == 0 && !action.is_done && !action.hold) {
+    throw PolicyFault("the answer has no targets, no increments and no done");
   }
-  action.are_increments = increments != nullptr;
-  action.rows = targets ? ReadRows(*targets, "targets", num_driven)
-                        : ReadRows(*increments, "increments", num_driven);
+  for (Eigen::MatrixXd* rows : {&action.rows, &action.stiffness, &poses, &twists}) {
+    reader.Fill(*rows);
+  }
+  action.poses = ReadPoses(poses);
+  if (twists.rows() > 0) action.twists = twists;
   return action;
 }
 

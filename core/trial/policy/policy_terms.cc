@@ -6,6 +6,7 @@
 #include "core/base/config.h"
 #include "core/hand/hand.h"
 #include "core/hand/tactile.h"
+#include "core/render/scene.h"
 #include "core/trial/touch_sensors.h"
 #include "core/trial/trial_setup.h"
 
@@ -16,6 +17,7 @@ using Values = std::vector<double>;
 
 bool IsAlwaysGiven(const PolicyView&) { return true; }
 bool HasSensors(const PolicyView& view) { return view.sensors != nullptr; }
+bool HasPicture(const PolicyView& view) { return static_cast<bool>(view.take_picture); }
 bool IsPoseGiven(const PolicyView& view) {
   return view.setup.policy.object_pose != RowOf(kPolicyObjectPoses, PolicyObjectPose::kNone).name;
 }
@@ -33,7 +35,7 @@ void AppendRotation(const Eigen::Matrix3d& R, Values& values) {
 Pose FindGivenPose(const PolicyView& view) {
   const bool is_true =
       view.setup.policy.object_pose == RowOf(kPolicyObjectPoses, PolicyObjectPose::kTrue).name;
-  return is_true ? view.world.CalcObjectPose() : view.believed_X_WO;
+  return is_true ? view.world.CalcObjectPose() : view.told_X_WO;
 }
 
 /** On the object, of each digit and of the rest of the hand behind them. */
@@ -83,7 +85,9 @@ void FindDriveTorques(const PolicyView& view, Values& values) {
     const double error = view.targets[static_cast<Eigen::Index>(i)] -
                          CalcDrivePosition(hand, view.world.state(), joint);
     const double speed = view.world.state().u[view.world.dynamics().dof_of_joint(joint)];
-    values.push_back(std::clamp(drive.stiffness * error - drive.damping * speed,
+    const double share =
+        view.stiffness.size() > 0 ? view.stiffness[static_cast<Eigen::Index>(i)] : 1.0;
+    values.push_back(std::clamp(share * drive.stiffness * error - drive.damping * speed,
                                 -drive.torque_limit, drive.torque_limit));
   }
 }
@@ -92,6 +96,17 @@ void FindJointSpeeds(const PolicyView& view, Values& values) {
   for (int joint = 0; joint < view.setup.hand->num_joints(); ++joint) {
     values.push_back(view.world.dynamics().CalcJointSpeed(joint, view.world.state().u));
   }
+}
+
+void FindPicture(const PolicyView& view, Values& values) {
+  const Image image = view.take_picture();
+  values.insert(values.end(), image.rgb.begin(), image.rgb.end());
+}
+
+Json JsonRotation(const Eigen::Matrix3d& R) {
+  Values values;
+  AppendRotation(R, values);
+  return values;
 }
 
 template <class Take>
@@ -230,7 +245,14 @@ const std::vector<PolicyObservation>& ListPolicyObservations() {
        [](const PolicyView& view, Values& values) {
          AppendRotation(FindGivenPose(view).linear(), values);
        },
-       false}};
+       false},
+      {{"picture", "", "s x s x 3", "",
+        "of the hand's camera, 8-bit RGB, rows from the top; with policy.picture_px"},
+       HasPicture,
+       FindPicture,
+       false,
+       nullptr,
+       true}};
   return observations;
 }
 
@@ -239,7 +261,19 @@ const std::vector<PolicyTerm>& ListPolicyActions() {
       {"targets", "rad, m", "n or rows x n", "",
        "positions that the drives are asked for, a row per control period"},
       {"increments", "rad, m", "n or rows x n", "",
-       "instead of targets: what each row adds to the targets before it"},
+       "instead of targets: what each row adds to the targets before it; without either the digits "
+       "stay"},
+      {"stiffness", "", "n or rows x n", "",
+       "share of the drives' own stiffness, 0 to 1, until another is asked for"},
+      {"hand_pose", "m, -", "7 or rows x 7", "W",
+       "of the hand's base, to be reached within a period: position, quaternion; with "
+       "policy.moves: "
+       "hand-and-digits"},
+      {"hand_twist", "m/s, rad/s", "6 or rows x 6", "W",
+       "instead of hand_pose: of the hand's base, for a period: linear, then angular"},
+      {"hold", "", "", "",
+       "force or margin: after the first row the regulator has the grip, and lifts; with "
+       "policy.moves: digits-until-touch"},
       {"done", "", "", "",
        "true: the hand is lifted after the first row, of an action without rows at once"},
       {"error", "", "", "", "a text instead of all others: the controller gives up, and why"}};
@@ -301,6 +335,24 @@ const std::vector<PolicyFact>& ListPolicyFacts() {
       {{"grasping", "s, -", "", "",
         "ids of the digits that grasp, each with delay and relative speed of its closing"},
        ListClosing},
+      {{"moves", "", "", "", "policy.moves"},
+       [](const PolicyView& view) { return Json(view.setup.policy.moves); }},
+      {{"hand_limits", "m/s, rad/s", "2", "",
+        "largest speed and turn rate of the hand; with policy.moves: hand-and-digits"},
+       [](const PolicyView& view) {
+         const PolicyConfig& policy = view.setup.policy;
+         const bool moves = policy.moves == RowOf(kPolicyMoves, PolicyMoves::kHandAndDigits).name;
+         return moves ? Json(Values{policy.hand_speed, policy.hand_turn_rate}) : Json();
+       }},
+      {{"grasp_position", "m", "3", "W",
+        "where the grasp places the hand's base; with policy.object_pose other than none"},
+       [](const PolicyView& view) {
+         return IsPoseGiven(view) ? JsonVector(view.placed_X_WH.translation()) : Json();
+       }},
+      {{"grasp_rotation", "", "4", "W", "the same as a quaternion"},
+       [](const PolicyView& view) {
+         return IsPoseGiven(view) ? JsonRotation(view.placed_X_WH.linear()) : Json();
+       }},
       {{"period", "s", "", "", "control period"},
        [](const PolicyView& view) {
          const double step = view.setup.sim.step;

@@ -5,7 +5,7 @@ shape, frame and meaning. Adapters write and read by these tables, and the manua
 against them.
 
 Shapes: n, joints with a drive of their own; m, all joints; d, digits of the hand; k, its tactile
-elements; rows, of an action. Frames: W world, z up; L the link. Quaternions are w, x, y, z. */
+elements; s, the side of the picture; rows, of an action. Frames: W world, z up; L the link. Quaternions are w, x, y, z. */
 
 #include <string>
 #include <vector>
@@ -32,6 +32,7 @@ struct PolicyObservation {
   void (*find)(const PolicyView& view, std::vector<double>& values);
   bool is_number;                         ///< else a vector
   double PolicyConfig::*noise = nullptr;  ///< standard deviation; null: it has none
+  bool is_picture = false;                ///< whole numbers from 0 to 255, sent as bytes
 };
 const std::vector<PolicyObservation>& ListPolicyObservations();
 

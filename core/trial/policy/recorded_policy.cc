@@ -21,11 +21,21 @@ class RecordedPolicy : public HandPolicy {
     while (end < rows.size() && !rows[end].begins) ++end;
     PolicyAction action;
     action.rows.resize(static_cast<Eigen::Index>(end - next_), view.targets.size());
+    if (rows[next_].stiffness.size() > 0) action.stiffness.resizeLike(action.rows);
     for (size_t row = next_; row < end; ++row) {
-      if (rows[row].targets.size() != view.targets.size()) {
+      const PolicyRow& one = rows[row];
+      const auto at = static_cast<Eigen::Index>(row - next_);
+      if (one.targets.size() != view.targets.size() ||
+          (action.stiffness.rows() > 0 && one.stiffness.size() != view.targets.size())) {
         throw PolicyFault("the record holds actions of another hand");
       }
-      action.rows.row(static_cast<Eigen::Index>(row - next_)) = rows[row].targets.transpose();
+      action.rows.row(at) = one.targets.transpose();
+      if (action.stiffness.rows() > 0) action.stiffness.row(at) = one.stiffness.transpose();
+      if (one.hand) action.poses.push_back(*one.hand);
+      if (one.hold) action.hold = RowFromName(kGripModes, *one.hold, "grip").value;
+    }
+    if (!action.poses.empty() && action.poses.size() != end - next_) {
+      throw PolicyFault("the record lacks poses of the hand");
     }
     next_ = end;
     action.is_done = record_.said_done && end == rows.size();

@@ -44,13 +44,13 @@ GripRegulator MakeRegulator(const TrialSetup& setup, const std::vector<int>& dig
 TableLift::TableLift(std::unique_ptr<World> world, const TrialSetup& setup, WristCamera* camera)
     : TrialCourse(std::move(world)),
       setup_(setup),
+      placement_(CalcPlacement(*setup.hand, setup.grasp, *setup.object)),
       digits_(ListGraspingDigits(*setup.hand, setup.grasp)),
       notes_{GraspStrategy(setup.strategy, setup.grasp.approach_distance), StabilityMeter(setup),
              ContactEventRecorder(*setup.hand), LoadRecorder(setup_, digits_),
              MakeRegulator(setup_, digits_)},
       hand_(*setup.hand),
-      object_radius_(CalcObjectRadius(*setup.object)),
-      placement_(CalcPlacement(hand_, setup.grasp, *setup.object)) {
+      object_radius_(CalcObjectRadius(*setup.object)) {
   for (const int digit : digits_) {
     const bool opposes = digit == FindOpposingDigit(hand_, setup.grasp);
     notes_.result.contacts.push_back(

@@ -110,17 +110,19 @@ class TableLift : public TrialCourse {
   virtual WorldCommand MakeCommand(const StrategyCommand& command) const;
   /** s of the closing law of a grasping digit, by its place in `digits_`. */
   virtual double FindClosing(size_t digit) const { return notes_.grip.closing(digit); }
+  /** X_WO at rest. */
+  Pose CalcRestPose(double x, double y, double yaw) const;
   /** X_WO at rest, where the hand takes the object to be. */
   Pose CalcBelievedPose() const;
 
   const TrialSetup& setup_;
+  Placement placement_;                     // where the hand believes it
   std::vector<int> digits_;                 // grasping digits, indices into hand_.digits
   std::vector<HandContact> hand_contacts_;  // of the last step; kept for its memory
   TrialNotes notes_;
 
  private:
   Pose CalcStartPose() const;
-  Pose CalcRestPose(double x, double y, double yaw) const;
   Eigen::VectorXd CalcStartPosture() const;
   /** Moves the placement to where the hand believes the object. */
   void Position(WristCamera* camera);
@@ -149,7 +151,6 @@ class TableLift : public TrialCourse {
 
   const Hand& hand_;
   double object_radius_;  // about its centre of mass [m]
-  Placement placement_;
 };
 
 }  // namespace graspbench

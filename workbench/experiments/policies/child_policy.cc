@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <poll.h>
 #include <spawn.h>
+#include <sys/pidfd.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -128,7 +129,7 @@ class ControllerProcess {
     while (true) {
       std::string answer;
       if (TakeAnswer(answer)) return answer;
-      if (is_closed_) {
+      if (is_closed_ || (Reap() && !CanRead())) {
         throw PolicyLost("the controller " + DescribeEnd() + " without an answer" + QuoteErrors());
       }
       const double left = std::chrono::duration<double>(end - Clock::now()).count();
@@ -167,6 +168,7 @@ class ControllerProcess {
     ::posix_spawnattr_destroy(&attributes);
     ::posix_spawn_file_actions_destroy(&files);
     if (error != 0) FailToStart(error);
+    end_.Take(::pidfd_open(process_, 0));  // -1: the time limit alone finds its end
   }
 
   bool Reap() {
@@ -176,15 +178,21 @@ class ControllerProcess {
 
   /** Moves what can be moved, once. */
   void Wait(int milliseconds) {
-    std::array<pollfd, 3> files = {{{out_.number(), POLLIN, 0},
+    std::array<pollfd, 4> files = {{{out_.number(), POLLIN, 0},
                                     {errors_.number(), POLLIN, 0},
-                                    {outbox_.empty() ? -1 : in_.number(), POLLOUT, 0}}};
+                                    {outbox_.empty() ? -1 : in_.number(), POLLOUT, 0},
+                                    {has_ended_ ? -1 : end_.number(), POLLIN, 0}}};
     if (::poll(files.data(), files.size(), milliseconds) <= 0) return;
     if (files[2].revents) Write();
     if (files[1].revents) {
       ReadErrors();
     }
     if (files[0].revents) Read();
+  }
+
+  bool CanRead() const {
+    pollfd file = {out_.number(), POLLIN, 0};
+    return ::poll(&file, 1, 0) > 0;
   }
 
   void Write() {
@@ -252,6 +260,7 @@ class ControllerProcess {
 
   std::string mark_;
   OwnedFile in_, out_, errors_;  // ours; in_ is its standard input
+  OwnedFile end_;                // readable once the process has ended, whatever it has started
   pid_t process_ = -1;
   int status_ = 0;
   bool has_ended_ = false, is_closed_ = false;

@@ -32,6 +32,55 @@ TEST(PolicyMessages, TakesOneRowOrSeveral) {
   EXPECT_EQ(ReadPolicyAnswerNumber(MakeAnswer("targets", {1}, {1})), 3u);
 }
 
+/** An answer of several arrays. */
+std::string MakeAnswer(
+    const std::vector<std::pair<std::string, std::vector<std::vector<double>>>>& values) {
+  MessagePackWriter writer;
+  writer.Map(values.size());
+  for (const auto& [key, rows] : values) {
+    writer.Text(key);
+    std::vector<double> flat;
+    for (const auto& row : rows) flat.insert(flat.end(), row.begin(), row.end());
+    writer.Array(flat.data(), {rows.size(), rows.at(0).size()});
+  }
+  return writer.bytes();
+}
+
+TEST(PolicyMessages, OneRowIsThatOfAll) {
+  const PolicyAction action =
+      ReadPolicyAction(MakeAnswer({{"hand_twist", {{1, 2, 3, 4, 5, 6}, {7, 8, 9, 10, 11, 12}}},
+                                   {"targets", {{1, 2}}},
+                                   {"stiffness", {{0.5, 1}}}}),
+                       2);
+  EXPECT_EQ(action.rows.rows(), 2);
+  EXPECT_EQ(action.rows(1, 1), 2.0);
+  EXPECT_EQ(action.stiffness(1, 0), 0.5);
+  EXPECT_EQ(action.twists(1, 5), 12.0);
+}
+
+TEST(PolicyMessages, APoseIsAPositionAndAQuaternion) {
+  const double half = std::sqrt(0.5);
+  const PolicyAction action =
+      ReadPolicyAction(MakeAnswer({{"hand_pose", {{1, 2, 3, half, 0, 0, half}}}}), 2);
+  ASSERT_EQ(action.poses.size(), 1u);
+  EXPECT_EQ(action.rows.rows(), 0);
+  const Eigen::Vector3d p = action.poses[0] * Eigen::Vector3d(1, 0, 0);
+  EXPECT_NEAR((p - Eigen::Vector3d(1, 3, 3)).norm(), 0.0, 1e-12) << "a quarter turn about z";
+}
+
+TEST(PolicyMessages, HoldNamesAGrip) {
+  const auto make = [](const char* grip) {
+    MessagePackWriter writer;
+    writer.Map(1);
+    writer.Text("hold");
+    writer.Text(grip);
+    return writer.bytes();
+  };
+  EXPECT_EQ(ReadPolicyAction(make("margin"), 2).hold, GripMode::kMargin);
+  EXPECT_EQ(ReadPolicyAction(make("force"), 2).hold, GripMode::kForce);
+  EXPECT_THROW(ReadPolicyAction(make("posture"), 2), PolicyFault);
+}
+
 TEST(PolicyMessages, SaysWhatIsWrongWithAnAnswer) {
   const double nan = std::nan("");
   const std::pair<std::string, std::string> cases[] = {
@@ -56,7 +105,15 @@ TEST(PolicyMessages, SaysWhatIsWrongWithAnAnswer) {
       {MakeAnswer("targets", {}, {0, 2}), "(0, 2); expected"},
       {MakeAnswer("targets", {1, nan}, {2}), "NaN in row 0, column 1"},
       {MakeAnswer("increments", {1, 2, INFINITY, 4}, {2, 2}), "infinite number in row 1, column 0"},
-      {MakeAnswer("targets", std::vector<double>(2002), {1001, 2}), "1001 rows; at most 1000"}};
+      {MakeAnswer("targets", std::vector<double>(2002), {1001, 2}), "1001 rows; at most 1000"},
+      {MakeAnswer("hand_pose", {0, 0, 0, 0, 0, 0, 0}, {7}), "in row 0 has the length 0"},
+      {MakeAnswer("hand_twist", {0, 0, 0}, {3}), "(3,); expected (6,) or (rows, 6)"},
+      {MakeAnswer({{"targets", {{1, 2}, {3, 4}}}, {"stiffness", {{1, 1}, {1, 1}, {1, 1}}}}),
+       "stiffness has 3 rows; expected 2, as targets has, or one"},
+      {MakeAnswer({{"hand_pose", {{0, 0, 0, 1, 0, 0, 0}}}, {"hand_twist", {{0, 0, 0, 0, 0, 0}}}}),
+       "hand_pose and hand_twist; give one"},
+      {MakeAnswer({{"targets", {{1, 2}}}, {"increments", {{1, 2}}}}),
+       "targets and increments; give one"}};
   for (const auto& [answer, expected] : cases) {
     try {
       ReadPolicyAction(answer, 2);

@@ -5,7 +5,9 @@
 
 #include <cmath>
 #include <functional>
+#include <optional>
 
+#include "core/render/scene.h"
 #include "core/trial/policy/hand_policy.h"
 #include "core/trial/protocols/protocol.h"
 #include "tests/core/trial/trial_setups.h"
@@ -176,6 +178,253 @@ TEST_P(PolicyLiftTest, AWrongAnswerIsAnOutcomeAndALostControllerNone) {
   EXPECT_THROW(RunSetup(setup), PolicyLost);
   setup.controller = nullptr;
   EXPECT_THROW(RunSetup(setup), PolicyLost);
+}
+
+/** Of the hand: asked to move as a test wants it; then it says done. */
+struct MovedHand {
+  std::vector<Pose> X_WH;  // at each question
+  TrialResult result;
+
+  Eigen::Vector3d CalcShift() const { return X_WH.back().translation() - X_WH[0].translation(); }
+};
+
+MovedHand MoveHand(const char* hand, int num_questions,
+                   const std::function<PolicyAction(const PolicyView&)>& act) {
+  const auto controller = std::make_shared<FixedAnswer>();
+  MovedHand moved;
+  controller->answer = [&](const PolicyView& view) {
+    moved.X_WH.push_back(view.world.state().X_WH);
+    PolicyAction action = act(view);
+    action.is_done = static_cast<int>(moved.X_WH.size()) == num_questions;
+    return action;
+  };
+  TrialSetup setup = MakePolicySetup(hand, controller);
+  setup.policy.moves = "hand-and-digits";
+  moved.result = RunSetup(setup);
+  setup.controller = MakeRecordedPolicy(*moved.result.policy);
+  EXPECT_EQ(ToJson(RunSetup(setup)), ToJson(moved.result));
+  ExpectSurvivesItsRecord(moved.result);
+  return moved;
+}
+
+constexpr double kArmLag = 2e-4;  // of the arm's springs [m], [rad]
+
+TEST_P(PolicyLiftTest, TheHandStaysBeforeTheGraspWhereNothingIsAsked) {
+  std::optional<Pose> placed;
+  const MovedHand moved = MoveHand(GetParam(), 11, [&](const PolicyView& view) {
+    placed = view.placed_X_WH;
+    return PolicyAction();
+  });
+  EXPECT_LT(moved.CalcShift().norm(), kArmLag);
+  const double away = (moved.X_WH[0].translation() - placed->translation()).norm();
+  EXPECT_NEAR(away, MakePolicySetup(GetParam(), nullptr).grasp.approach_distance, kArmLag);
+  EXPECT_EQ(moved.result.outcome, Outcome::kNoContact) << moved.result.reason;
+  EXPECT_EQ(*moved.result.policy->num_hand_cut, 0);
+}
+
+TEST_P(PolicyLiftTest, ATwistMovesTheHandAsFarAsSpeedTimesTime) {
+  const MovedHand moved = MoveHand(GetParam(), 21, [](const PolicyView&) {
+    PolicyAction action;
+    action.twists.resize(1, 6);
+    action.twists << 0.1, -0.05, 0.02, 0.0, 0.0, 0.5;
+    return action;
+  });
+  EXPECT_LT((moved.CalcShift() - 0.4 * Eigen::Vector3d(0.1, -0.05, 0.02)).norm(), kArmLag);
+  const Eigen::AngleAxisd turn(
+      Eigen::Matrix3d(moved.X_WH.back().linear() * moved.X_WH[0].linear().transpose()));
+  EXPECT_NEAR(turn.angle() * turn.axis().z(), 0.4 * 0.5, 10 * kArmLag);
+  EXPECT_EQ(*moved.result.policy->num_hand_cut, 0);
+}
+
+TEST_P(PolicyLiftTest, AFarPoseIsNearedAtTheLargestSpeed) {
+  std::optional<Pose> start;
+  const MovedHand moved = MoveHand(GetParam(), 11, [&](const PolicyView& view) {
+    if (!start) start = view.world.state().X_WH;
+    PolicyAction action;
+    action.poses = {*start};
+    action.poses[0].translation().z() += 1.0;
+    return action;
+  });
+  EXPECT_NEAR(moved.CalcShift().z(), 0.2 * 0.5, kArmLag);
+  EXPECT_EQ(*moved.result.policy->num_hand_cut, 11);
+}
+
+TEST_P(PolicyLiftTest, TheHandIsKeptAboveTheTable) {
+  double lowest = INFINITY;
+  const MovedHand moved = MoveHand(GetParam(), 60, [&](const PolicyView& view) {
+    const std::vector<Pose> X_HL = CalcLinkPoses(*view.setup.hand, view.world.state().q);
+    for (const ContactSphere& sphere : view.setup.hand->contact_spheres) {
+      const Eigen::Vector3d p_WS =
+          view.world.state().X_WH * (X_HL[static_cast<size_t>(sphere.link)] * sphere.p_LS);
+      lowest = std::min(lowest, p_WS.z() - sphere.radius);
+    }
+    PolicyAction action;
+    action.twists.setZero(1, 6);
+    action.twists.col(2).setConstant(-0.4);
+    action.twists.col(0).setConstant(-0.2);  // beside the object
+    return action;
+  });
+  EXPECT_GT(lowest, -1e-3);
+  EXPECT_LT(lowest, 2e-3);
+  EXPECT_GT(*moved.result.policy->num_hand_cut, 10);
+}
+
+TEST_P(PolicyLiftTest, AHandThatIsMovedToTheGraspHolds) {
+  EvenClosing closing(1000);
+  int num_asked = 0;
+  const MovedHand moved = MoveHand(GetParam(), 110, [&](const PolicyView& view) {
+    PolicyAction action;
+    if (++num_asked == 1) closing.Begin(view);
+    if (num_asked > 20) action = closing.Answer(view);
+    action.poses = {view.placed_X_WH};
+    return action;
+  });
+  EXPECT_TRUE(IsSuccess(moved.result.outcome)) << moved.result.reason;
+}
+
+TEST_P(PolicyLiftTest, TheRegulatorTakesTheGripOver) {
+  const auto controller = std::make_shared<FixedAnswer>();
+  EvenClosing closing(1000);
+  int num_asked = 0;
+  controller->answer = [&](const PolicyView& view) {
+    if (++num_asked == 1) closing.Begin(view);
+    PolicyAction action = closing.Answer(view);
+    if (view.report.grip_force > 0.0) action.hold = GripMode::kForce;
+    return action;
+  };
+  TrialSetup setup = MakePolicySetup(GetParam(), controller);
+  setup.policy.moves = "digits-until-touch";
+  setup.strategy.grip_force = 1.5;
+  const TrialResult result = RunSetup(setup);
+  EXPECT_TRUE(IsSuccess(result.outcome)) << result.reason;
+  ASSERT_TRUE(result.grip);
+  for (const DigitGripRecord& digit : result.grip->digits) {
+    if (digit.opposes) continue;
+    EXPECT_NEAR(digit.asked, 1.5, 1e-6);
+  }
+  EXPECT_NEAR(result.grip->held / result.grip->asked, 1.0, 0.1);
+  EXPECT_EQ(result.policy->rows.back().hold, "force");
+  ExpectSurvivesItsRecord(result);
+  setup.controller = MakeRecordedPolicy(*result.policy);
+  EXPECT_EQ(ToJson(RunSetup(setup)), ToJson(result));
+}
+
+TEST_P(PolicyLiftTest, WhatItsMovesDoNotHaveIsAWrongAnswer) {
+  const auto controller = std::make_shared<FixedAnswer>();
+  TrialSetup setup = MakePolicySetup(GetParam(), controller);
+  const auto expect_reason = [&](const char* part) {
+    const TrialResult result = RunSetup(setup);
+    EXPECT_EQ(result.outcome, Outcome::kWrongAnswer);
+    EXPECT_NE(result.reason.find(part), std::string::npos) << result.reason;
+  };
+  controller->answer = [](const PolicyView& view) {
+    PolicyAction action;
+    action.poses = {view.placed_X_WH};
+    return action;
+  };
+  expect_reason("expected hand-and-digits");
+  controller->answer = [](const PolicyView&) {
+    PolicyAction action;
+    action.hold = GripMode::kMargin;
+    return action;
+  };
+  expect_reason("expected digits-until-touch");
+}
+
+// A finger hangs on its drives' springs: half the stiffness, twice the error.
+TEST_P(PolicyLiftTest, HalfTheStiffnessGivesWayTwiceAsFar) {
+  const auto hang = [&](double share) {
+    Eigen::VectorXd error;
+    const MovedHand moved = MoveHand(GetParam(), 60, [&](const PolicyView& view) {
+      error = view.targets;
+      for (size_t i = 0; i < view.driven.size(); ++i) {
+        const HandJoint& joint = view.setup.hand->joints[static_cast<size_t>(view.driven[i])];
+        const double q = view.world.state().q[view.driven[i]];
+        const bool is_at_stop = q < joint.lower + 1e-3 || q > joint.upper - 1e-3;
+        error[static_cast<Eigen::Index>(i)] -=
+            is_at_stop ? view.targets[static_cast<Eigen::Index>(i)]
+                       : CalcDrivePosition(*view.setup.hand, view.world.state(), view.driven[i]);
+      }
+      PolicyAction action;
+      action.stiffness = Eigen::MatrixXd::Constant(1, view.targets.size(), share);
+      return action;
+    });
+    return std::make_pair(error, moved.result.policy->num_cut);
+  };
+  const auto [own, none_cut] = hang(1.0);
+  const auto [half, none_cut_either] = hang(0.5);
+  const auto [more, num_cut] = hang(1.5);
+  int num_hanging = 0;
+  for (Eigen::Index i = 0; i < own.size(); ++i) {
+    if (std::abs(own[i]) < 2e-4) continue;
+    ++num_hanging;
+    EXPECT_NEAR(half[i] / own[i], 2.0, 0.04) << "of drive " << i;
+  }
+  EXPECT_GT(num_hanging, 0);
+  EXPECT_EQ(none_cut + none_cut_either, 0);
+  EXPECT_EQ(more, own) << "what is above 1 is cut";
+  EXPECT_EQ(num_cut, 60 * static_cast<int>(own.size()));
+}
+
+TEST_P(PolicyLiftTest, IsToldOfTheObjectsPoseAsTheSettingSays) {
+  const auto controller = std::make_shared<FixedAnswer>();
+  Pose told;
+  controller->answer = [&](const PolicyView& view) {
+    told = view.told_X_WO;
+    PolicyAction action;
+    action.is_done = true;
+    return action;
+  };
+  TrialSetup setup = MakePolicySetup(GetParam(), controller);
+  setup.draw.offset_x = 0.012;
+  setup.draw.offset_y = -0.008;
+  setup.positioning = Positioning::kTrue;
+  const auto ask = [&](const char* choice) {
+    setup.policy.object_pose = choice;
+    const TrialResult result = RunSetup(setup);
+    EXPECT_EQ(result.policy->object_pose, choice);
+    ExpectSurvivesItsRecord(result);
+    return result.policy->told_X_WO;
+  };
+  EXPECT_FALSE(ask("none"));
+  EXPECT_FALSE(ask("true")) << "it is in the trial's trajectory";
+  EXPECT_NEAR(ask("nominal")->translation().head<2>().norm(), 0.0, 1e-12);
+  EXPECT_TRUE(told.isApprox(*ask("believed")));
+  EXPECT_NEAR((told.translation().head<2>() - Eigen::Vector2d(0.012, -0.008)).norm(), 0.0, 1e-12);
+  ASSERT_TRUE(setup.hand->camera);
+  const std::optional<Pose> seen = ask("camera");
+  ASSERT_TRUE(seen);
+  EXPECT_NEAR((seen->translation().head<2>() - Eigen::Vector2d(0.012, -0.008)).norm(), 0.0, 2e-3);
+}
+
+TEST_P(PolicyLiftTest, APictureShowsWhatTheHandsCameraSees) {
+  const auto controller = std::make_shared<FixedAnswer>();
+  std::vector<Image> pictures;
+  controller->answer = [&](const PolicyView& view) {
+    pictures.push_back(view.take_picture());
+    EXPECT_EQ(view.take_picture().rgb, pictures.back().rgb) << "of one question";
+    PolicyAction action;
+    action.twists.setZero(1, 6);
+    action.twists(0, 2) = 0.5;
+    action.is_done = pictures.size() == 6;
+    return action;
+  };
+  TrialSetup setup = MakePolicySetup(GetParam(), controller);
+  setup.policy.moves = "hand-and-digits";
+  setup.policy.picture = 64;
+  setup.camera.noise = setup.camera.blur = 0.0;
+  RunSetup(setup);
+  ASSERT_EQ(pictures.size(), 6u);
+  EXPECT_EQ(pictures[0].rgb.size(), 64u * 64u * 3u);
+  const auto count_table = [](const Image& image) {  // pixels of about its magenta
+    int count = 0;
+    for (size_t i = 0; i < image.rgb.size(); i += 3) {
+      count += image.rgb[i] > 150 && image.rgb[i + 1] < 110 && image.rgb[i + 2] > 120;
+    }
+    return count;
+  };
+  EXPECT_GT(count_table(pictures[0]), 100);
+  EXPECT_NE(pictures[0].rgb, pictures[5].rgb);
 }
 
 }  // namespace

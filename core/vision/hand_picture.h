@@ -1,0 +1,26 @@
+#pragma once
+/** @file
+What the camera of a hand shows while the hand moves: the square in the middle of its lens, scaled,
+without the lens's distortion, with the noise, blur and exposure of the session's camera. */
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+
+#include "core/base/pose.h"
+#include "core/hand/hand.h"
+#include "core/render/scene.h"
+#include "core/shape/grasp_object.h"
+#include "core/vision/camera_config.h"
+
+namespace graspbench {
+
+/** @param size  of the picture's sides [pixel].  @param q  of the hand's joints (num_joints) [rad].
+@throws Error(kEnvironment) where no picture can be made. @pre the hand has a camera, and the
+configuration's colour is one. */
+Image TakeHandPicture(const std::shared_ptr<const Hand>& hand,
+                      const std::shared_ptr<const GraspObject>& object, const CameraConfig& config,
+                      int size, const Pose& X_WH, const Eigen::VectorXd& q, const Pose& X_WO,
+                      uint64_t noise_seed);
+
+}  // namespace graspbench
