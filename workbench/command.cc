@@ -9,6 +9,7 @@
 #include "core/base/enum_table.h"
 #include "core/base/text/text.h"
 #include "workbench/experiments/machines/shell_quote.h"
+#include "workbench/experiments/policies/websocket_policy.h"
 #include "workbench/experiments/run_record.h"
 #include "workbench/experiments/session_experiment.h"
 #include "workbench/pictures/scene_view.h"
@@ -160,6 +161,9 @@ void AddRunOptions(Command& command, RunOptions& options, const std::string& wha
   AddPlanOnlyOption(command, options.plan_only);
   AddAcceptDamageOption(command, options.on_damage);
   AddTrialTimeoutOption(command, options.trial_time_limit);
+  command.AddFlag(
+      "--allow-remote", [] { AllowRemotePolicies(); },
+      "a policy server may be on another machine, which then gets the observations");
   AddJsonOption(command, options.json, "print the summary as one JSON object");
 }
 

@@ -46,7 +46,8 @@ struct RunOptions {
   double trial_time_limit = kTrialTimeLimit;
   int num_workers = 1;
 };
-/** "--jobs", "--out", "--resume", "--plan-only", "--accept-damage", "--trial-timeout", "--json".
+/** "--jobs", "--out", "--resume", "--plan-only", "--accept-damage", "--trial-timeout",
+"--allow-remote", "--json".
 @param what  "session", "sweep". */
 void AddRunOptions(Command& command, RunOptions& options, const std::string& what,
                    const std::string& usual_folder);

@@ -32,6 +32,7 @@
 #include "human_study/study/synthetic/synthetic_study.h"
 #include "objects/object_file.h"
 #include "reports/study/trial_figures.h"
+#include "workbench/experiments/policies/policy_server.h"
 #include "workbench/tables/grasp_tables.h"
 
 namespace graspbench {
@@ -248,6 +249,8 @@ const std::vector<FileFormat>& ListFileFormats() {
          ListProfileKeys()},
         {"pipeline.yaml", "stages that make results, for graspbench pipeline run",
          ListPipelineKeys()},
+        {"policy.yaml", "what a policy server is told, for graspbench run --policy FILE",
+         ListPolicyServerKeys()},
         {"scene.json", "settings of graspbench optimise, written into its folder",
          DescribeConfig(SceneConfig()), true},
         {"campaign.json", "settings of graspbench campaign, written into its folder",

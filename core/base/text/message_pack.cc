@@ -68,6 +68,10 @@ PackedArray MakePackedArray(const PackedValue& map, bool is_scalar) {
   const PackedValue* data = map.Find("data");
   const PackedValue* dtype = map.Find("dtype");
   const PackedValue* shape = map.Find("shape");
+  if (is_scalar && data) {
+    if (const auto* number = std::get_if<double>(&data->value)) return {{}, {*number}};
+    if (const auto* truth = std::get_if<bool>(&data->value)) return {{}, {*truth ? 1.0 : 0.0}};
+  }
   if (!data || !data->text() || !dtype || !dtype->text() || (!is_scalar && !shape)) {
     FailPacked("an array without data, dtype or shape");
   }
@@ -275,25 +279,44 @@ void MessagePackWriter::Number(double value) {
 void MessagePackWriter::Array(const double* values, const std::vector<size_t>& shape) {
   size_t num_values = 1;
   for (const size_t size : shape) num_values *= size;
-  Array({reinterpret_cast<const char*>(values), num_values * sizeof(double)}, "<f8", shape);
+  RawArray({reinterpret_cast<const char*>(values), num_values * sizeof(double)}, "<f8", shape);
 }
 
-void MessagePackWriter::ByteArray(std::string_view values, const std::vector<size_t>& shape) {
-  Array(values, "|u1", shape);
-}
-
-void MessagePackWriter::Array(std::string_view bytes, const char* dtype,
-                              const std::vector<size_t>& shape) {
+void MessagePackWriter::RawArray(std::string_view data, const char* dtype,
+                                 const std::vector<size_t>& shape) {
   Map(4);
   Bytes("__ndarray__");
   Bool(true);
   Bytes("data");
-  Bytes(bytes);
+  Bytes(data);
   Bytes("dtype");
   Text(dtype);
   Bytes("shape");
   List(shape.size());
   for (const size_t size : shape) Integer(size);
+}
+
+void MessagePackWriter::Value(const PackedValue& value) {
+  if (const auto* truth = std::get_if<bool>(&value.value)) return Bool(*truth);
+  if (const auto* number = std::get_if<double>(&value.value)) return Number(*number);
+  if (const std::string* text = value.text()) return Text(*text);
+  if (const auto* array = std::get_if<PackedArray>(&value.value)) {
+    return Array(array->values.data(), array->shape);
+  }
+  if (const auto* list = std::get_if<PackedValue::List>(&value.value)) {
+    List(list->size());
+    for (const PackedValue& item : *list) Value(item);
+    return;
+  }
+  if (const auto* map = std::get_if<PackedValue::Map>(&value.value)) {
+    Map(map->size());
+    for (const auto& [key, item] : *map) {
+      Text(key);
+      Value(item);
+    }
+    return;
+  }
+  bytes_.push_back(static_cast<char>(0xc0));
 }
 
 void MessagePackWriter::Texts(const std::vector<std::string>& texts) {

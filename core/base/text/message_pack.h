@@ -4,7 +4,7 @@ Values as MessagePack (msgpack.org, specification of 2017), the part of it that 
 speak: nil, truth values, numbers, texts, bytes, lists, maps; no extension types. An array of numbers
 is a map with the keys `__ndarray__` (true), `data` (raw bytes), `dtype` (numpy's, as "<f8") and
 `shape`; keys are written as bytes and read as bytes or text. Such a map is read as an array, and one
-with `__npgeneric__` as a scalar. */
+with `__npgeneric__`, whose `data` are raw bytes or a number, as a scalar. */
 
 #include <cstddef>
 #include <cstdint>
@@ -44,9 +44,11 @@ class MessagePackWriter {
   void Number(double value);
   /** @pre as many values as the shape has places. */
   void Array(const double* values, const std::vector<size_t>& shape);
-  /** Of 8 bits each. @pre likewise. */
-  void ByteArray(std::string_view values, const std::vector<size_t>& shape);
   void Array(const std::vector<double>& values) { Array(values.data(), {values.size()}); }
+  /** @param data  of an array of that type of numpy, little endian: "<f4", "|u1". */
+  void RawArray(std::string_view data, const char* dtype, const std::vector<size_t>& shape);
+  /** What was read, with arrays of float64. */
+  void Value(const PackedValue& value);
   void Texts(const std::vector<std::string>& texts);
 
   const std::string& bytes() const { return bytes_; }
@@ -54,7 +56,6 @@ class MessagePackWriter {
  private:
   void Head(size_t count, uint8_t small, size_t most_small, uint8_t wide);
   void Bytes(std::string_view bytes);
-  void Array(std::string_view bytes, const char* dtype, const std::vector<size_t>& shape);
   template <class T>
   void BigEndian(T value);
 

@@ -219,7 +219,7 @@ std::string FormatPolicyQuestion(uint64_t number, const PolicyView& view) {
     writer.Text(one.term.name);
     if (one.is_picture) {
       const auto side = static_cast<size_t>(view.setup.policy.picture);
-      writer.ByteArray(std::string(values.begin(), values.end()), {side, side, 3});
+      writer.RawArray(std::string(values.begin(), values.end()), "|u1", {side, side, 3});
     } else if (one.is_number) {
       writer.Number(values.front());
     } else {

@@ -13,6 +13,7 @@
 #include "core/hand/tactile.h"
 #include "datasets/pipeline/pipeline_file.h"
 #include "objects/object_file.h"
+#include "workbench/experiments/policies/policy_server.h"
 #include "workbench/text/new_files.h"
 
 namespace graspbench {
@@ -100,6 +101,14 @@ TEST(FileFormatsTest, GraspsAreReadByTheirRows) {
       ParseGraspFile("digits: [TH]\nclosing: {TH: {}}\nplacement: {}\n", "grasp.yaml", {&hand}),
       Error);
   ExpectSameKeys(recorder.keys(), FindKeys("grasp.yaml"));
+}
+
+TEST(FileFormatsTest, PolicyServersAreReadByTheirRows) {
+  const std::string path = (std::filesystem::path(testing::TempDir()) / "rows.yaml").string();
+  WriteFile(path, "observation: {a: {}}\nactions: {}\n");
+  KeyRecorder recorder;
+  EXPECT_THROW(LoadPolicyServer(path), Error);
+  ExpectSameKeys(recorder.keys(), FindKeys("policy.yaml"));
 }
 
 TEST(FileFormatsTest, PipelinesAreReadByTheirRows) {

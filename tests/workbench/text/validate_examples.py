@@ -21,6 +21,7 @@ EXAMPLES = {
     "session.yaml": "datasets/presets/*.yaml",
     "study.yaml": "human_study/examples/*/study.yaml",
     "profile.yaml": "datasets/profiles/*.yaml",
+    "policy.yaml": "workbench/python/examples/*.yaml",
     "pipeline.yaml": "datasets/pipelines/*[!n].yaml",  # but for small_session.yaml
 }
 # PyYAML knows YAML 1.1, in which 1.1e6 is a text.

@@ -58,8 +58,9 @@ void SessionOptions::AddTo(Command& command, const std::string& file_text) {
                  "FROM")
       ->ShowDefault();
   command.AddOption("--policy", given_.policy.command,
-                    "shell command of a controller that closes the digits: 'python3 my.py'",
-                    "COMMAND");
+                    "a controller that closes the digits: a shell command ('python3 my.py'), the "
+                    "address of a policy server (ws://127.0.0.1:8000) or a policy.yaml",
+                    "POLICY");
   command.AddOption("--trials", given_.trials, "trials of each hand, object, grasp", "N")
       ->ShowDefault();
   AddSeedOption(command, given_.seed, "other variations");

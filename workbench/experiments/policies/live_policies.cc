@@ -5,8 +5,18 @@
 #include <unordered_map>
 
 #include "workbench/experiments/policies/child_policy.h"
+#include "workbench/experiments/policies/policy_server.h"
+#include "workbench/experiments/policies/websocket_policy.h"
 
 namespace graspbench {
+namespace {
+
+std::unique_ptr<HandPolicy> MakeLivePolicy(const std::string& command) {
+  if (IsPolicyServer(command)) return MakeWebsocketPolicy(LoadPolicyServer(command));
+  return MakeChildPolicy(command);
+}
+
+}  // namespace
 
 FindPolicy MakeLivePolicies() {
   const auto known = std::make_shared<std::map<std::string, std::shared_ptr<HandPolicy>>>();
@@ -14,7 +24,7 @@ FindPolicy MakeLivePolicies() {
     const std::string& command = setup.policy.command;
     if (command.empty()) return nullptr;
     std::shared_ptr<HandPolicy>& policy = (*known)[command];
-    if (!policy) policy = MakeChildPolicy(command);
+    if (!policy) policy = MakeLivePolicy(command);
     return policy;
   };
 }

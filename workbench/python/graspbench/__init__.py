@@ -1,4 +1,4 @@
-"""Controllers of robot hands for graspbench's trials, and their results: run, load, trial.
+"""Controllers of robot hands for graspbench's trials, and their results: run, load, trial; Env for those who learn.
 
 A controller is a class with two methods. `reset(facts)` is called when a trial begins; `act(observation)`
 is called every control period, and returns a dict: targets or increments of the driven joints, done.
@@ -19,7 +19,9 @@ Run it with `graspbench run --policy 'python3 close.py'`. What facts, observatio
 stands in the manual, page "Controllers".
 """
 
+from .demonstrations import collect, read_demonstrations, write_demonstrations
+from .env import Env
 from .results import load, run, trial
 from .serving import serve
 
-__all__ = ["load", "run", "serve", "trial"]
+__all__ = ["Env", "collect", "load", "read_demonstrations", "run", "serve", "trial", "write_demonstrations"]

@@ -1,0 +1,33 @@
+// Any bytes as a policy server's answer: refused as a wrong answer, or an action of finite numbers.
+// The same bytes as an observation, to be sent on: what is written is MessagePack.
+
+#include "tests/fuzz/fuzz_target.h"
+#include "workbench/experiments/policies/policy_server.h"
+
+namespace graspbench {
+
+void FuzzInput(const std::string& bytes) {
+  const PackedValue names = {PackedValue::List{{std::string("a")}, {std::string("b")}}};
+  const PackedValue facts = {PackedValue::Map{{"driven", names}, {"joints", names}}};
+  const PackedValue observation = {PackedValue::Map{{"targets", {PackedArray{{2}, {0.0, 1.0}}}}}};
+  PolicyServer server;
+  for (const bool is_mapped : {false, true}) {
+    server.is_mapped = is_mapped;
+    if (is_mapped) server.actions.columns = {"b", "done"};
+    try {
+      const PolicyAction action = ReadServerAnswer(server, facts, observation, bytes);
+      GRASPBENCH_DEMAND(action.rows.allFinite() && action.rows.rows() <= 1000, "an action");
+      GRASPBENCH_DEMAND(action.is_done || action.rows.cols() == 2, "an action without rows");
+    } catch (const PolicyFault&) {
+    }
+  }
+  try {
+    const PackedValue given = {PackedValue::Map{{"time", ParseMessagePack(bytes)}}};
+    server.observation = {{"x", "", {"time"}, {}, "", {}, ""},
+                          {"y", "m", {"time"}, {"b"}, "uint8", {2, 3}, ""}};
+    ParseMessagePack(FormatServerQuestion(server, facts, given, true));
+  } catch (const Error&) {
+  }
+}
+
+}  // namespace graspbench

@@ -1,0 +1,216 @@
+// What policy.yaml maps, and the weights of a picture's filter, by hand.
+
+#include "workbench/experiments/policies/policy_server.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/sessions/test_folder.h"
+#include "workbench/experiments/policies/resize_picture.h"
+
+namespace graspbench {
+namespace {
+
+using Names = std::vector<std::string>;
+
+PackedValue MakeNames(const Names& names) {
+  PackedValue::List list;
+  for (const std::string& name : names) list.push_back({name});
+  return {list};
+}
+
+PackedValue MakeFacts() {
+  return {PackedValue::Map{{"object", {std::string("can")}},
+                           {"joints", MakeNames({"a", "b", "c"})},
+                           {"driven", MakeNames({"a", "c"})}}};
+}
+
+PackedValue MakeObservation() {
+  const PackedArray picture = {{1, 2, 3}, {10, 20, 30, 40, 50, 60.4}};
+  return {PackedValue::Map{{"time", {0.5}},
+                           {"joint_positions", {PackedArray{{3}, {1, 2, 3}}}},
+                           {"targets", {PackedArray{{2}, {0.25, 0.75}}}},
+                           {"camera", {picture}}}};
+}
+
+PolicyServer MakeMapped() {
+  PolicyServer server;
+  server.source = "policy.yaml";
+  server.is_mapped = true;
+  return server;
+}
+
+PackedValue Ask(const PolicyServer& server, bool is_first = false) {
+  return ParseMessagePack(FormatServerQuestion(server, MakeFacts(), MakeObservation(), is_first));
+}
+
+PolicyAction Read(const PolicyServer& server, const PackedValue& answer) {
+  MessagePackWriter writer;
+  writer.Value(answer);
+  return ReadServerAnswer(server, MakeFacts(), MakeObservation(), writer.bytes());
+}
+
+PackedValue MakeRows(std::vector<size_t> shape, std::vector<double> values) {
+  return {PackedValue::Map{{"actions", {PackedArray{std::move(shape), std::move(values)}}},
+                           {"server_timing", {PackedValue::Map{{"infer_ms", {1.0}}}}}}};
+}
+
+std::vector<double> ListNumbers(const PackedValue* value) {
+  return value ? ReadPackedArray(*value, "value").values : std::vector<double>();
+}
+
+TEST(PolicyServer, PutsObservationsUnderTheServersKeys) {
+  PolicyServer server = MakeMapped();
+  server.observation = {{"observation/state", "", {"joint_positions"}, {"c", "a"}, "", {}, ""},
+                        {"prompt", "", {}, {}, "", {}, "grasp the {object}"},
+                        {"cam", "images", {"camera"}, {}, "", {}, ""},
+                        {"two", "", {"time", "targets"}, {}, "float64", {}, ""}};
+  const PackedValue question = Ask(server);
+  EXPECT_EQ(ListNumbers(question.Find("observation/state")), (std::vector<double>{3, 1}));
+  EXPECT_EQ(ListNumbers(question.Find("two")), (std::vector<double>{0.5, 0.25, 0.75}));
+  EXPECT_EQ(*question.Find("prompt")->text(), "grasp the can");
+  const PackedValue* picture = question.Find("images")->Find("cam");
+  EXPECT_EQ(ListNumbers(picture), (std::vector<double>{10, 20, 30, 40, 50, 60}));
+  EXPECT_EQ(std::get<PackedArray>(picture->value).shape, (std::vector<size_t>{1, 2, 3}));
+}
+
+TEST(PolicyServer, AnAddressAloneKeepsTheNamesAndGivesTheFactsOnce) {
+  PolicyServer server;
+  const PackedValue first = Ask(server, true);
+  EXPECT_EQ(*first.Find("reset")->Find("object")->text(), "can");
+  EXPECT_EQ(ListNumbers(first.Find("targets")), (std::vector<double>{0.25, 0.75}));
+  EXPECT_EQ(Ask(server).Find("reset"), nullptr);
+  EXPECT_TRUE(Read(server, {PackedValue::Map{{"done", {true}}, {"policy_timing", {1.0}}}}).is_done);
+  EXPECT_EQ(Read(server, MakeRows({2, 2}, {1, 2, 3, 4})).rows(1, 0), 3.0);
+}
+
+TEST(PolicyServer, ReadsColumnsByName) {
+  PolicyServer server = MakeMapped();
+  server.actions.columns = {"c", "-", "done"};
+  PolicyAction action = Read(server, MakeRows({2, 3}, {0.5, 9, 0, 0.6, 9, 1}));
+  EXPECT_FALSE(action.is_done);  // the second row says it: the next answer comes before
+  ASSERT_EQ(action.rows.rows(), 1);
+  EXPECT_EQ(action.rows(0, 0), 0.25);  // no column: as it was asked for last
+  EXPECT_EQ(action.rows(0, 1), 0.5);
+  action = Read(server, MakeRows({3}, {0.5, 9, 1}));
+  EXPECT_TRUE(action.is_done);
+  server.actions.are_increments = true;
+  EXPECT_EQ(Read(server, MakeRows({3}, {0.5, 9, 0})).rows(0, 0), 0.0);
+}
+
+TEST(PolicyServer, WrongAnswersAreFaults) {
+  const PolicyServer server = MakeMapped();
+  const std::pair<PackedValue, std::string> cases[] = {
+      {MakeRows({1, 3}, {1, 2, 3}), "has the shape (1, 3); expected rows of 2"},
+      {MakeRows({1, 1, 2}, {1, 2}), "has the shape"},
+      {MakeRows({2}, {1, std::nan("")}), "holds NaN"},
+      {{PackedValue::Map{{"action", {1.0}}}}, "has no actions"},
+      {{PackedValue::Map{{"actions", {std::string("left")}}}}, "no array of numbers"},
+      {{1.0}, "has no actions"}};
+  for (const auto& [answer, reason] : cases) {
+    try {
+      Read(server, answer);
+      ADD_FAILURE() << reason;
+    } catch (const PolicyFault& fault) {
+      EXPECT_NE(std::string(fault.what()).find(reason), std::string::npos) << fault.what();
+    }
+  }
+  EXPECT_THROW(ReadServerAnswer(server, MakeFacts(), MakeObservation(), "\xc1"), PolicyFault);
+}
+
+TEST(PolicyServer, WhatTheTrialDoesNotGiveIsNoOutcome) {
+  const ServerValue values[] = {{"x", "", {"taxels"}, {}, "", {}, ""},
+                                {"x", "", {"joint_positions"}, {"d"}, "", {}, ""},
+                                {"x", "", {"time"}, {}, "", {8, 8}, ""},
+                                {"x", "", {}, {}, "", {}, "grasp {it}"}};
+  for (const ServerValue& value : values) {
+    PolicyServer server = MakeMapped();
+    server.observation = {value};
+    try {
+      Ask(server);
+      ADD_FAILURE();
+    } catch (const PolicyLost& error) {
+      EXPECT_EQ(std::string(error.what()).find("policy.yaml: observation, x"), 0u) << error.what();
+    }
+  }
+}
+
+PolicyServer Load(const std::string& text) {
+  const TestFolder folder("policy_server");
+  const std::string path = (folder.path() / "policy.yaml").string();
+  std::ofstream(path) << text;
+  return LoadPolicyServer(path);
+}
+
+TEST(PolicyServer, ReadsAFile) {
+  const PolicyServer server = Load(
+      "server: ws://localhost:8000\n"
+      "observation:\n"
+      "  observation/state: {from: joint_positions, dtype: float64}\n"
+      "  cam: {from: [time, targets], under: images}\n"
+      "  prompt: {text: hold it}\n"
+      "actions: {as: increments, columns: [FFJ3, done]}\n");
+  EXPECT_EQ(server.address.host, "localhost");
+  EXPECT_EQ(server.address.port, "8000");
+  ASSERT_EQ(server.observation.size(), 3u);
+  EXPECT_EQ(server.observation[1].under, "images");
+  EXPECT_EQ(server.observation[1].from, (Names{"time", "targets"}));
+  EXPECT_TRUE(server.actions.are_increments);
+  EXPECT_EQ(server.actions.columns, (Names{"FFJ3", "done"}));
+}
+
+TEST(PolicyServer, ReportsAllThatIsWrongInAFile) {
+  try {
+    Load(
+        "server: http://here\n"
+        "observation:\n"
+        "  a: {from: joint_position}\n"
+        "  b: {from: time, text: x}\n"
+        "  c: {from: time, dtype: int3, size: [0, 3]}\n"
+        "  d: {fron: time}\n"
+        "actions: {as: angles}\n");
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    for (const char* part :
+         {"policy.yaml:1", "did you mean \"joint_positions\"", "either from or text", "\"int3\"",
+          "[height, width]", "did you mean \"from\"", "targets or increments"}) {
+      EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+    }
+  }
+}
+
+TEST(PolicyServer, KnowsItsAddresses) {
+  for (const char* text : {"ws://127.0.0.1:8000", "ws://[::1]:80/infer", "wss://a", "dir/p.yaml"}) {
+    EXPECT_TRUE(IsPolicyServer(text)) << text;
+  }
+  for (const char* text : {"python3 p.py", "python3 p.py c.yaml", "./serve", ".yaml"}) {
+    EXPECT_FALSE(IsPolicyServer(text)) << text;
+  }
+  const ServerAddress address = LoadPolicyServer("ws://[::1]:81/infer").address;
+  EXPECT_EQ(address.host + " " + address.port + " " + address.path, "::1 81 /infer");
+  EXPECT_EQ(LoadPolicyServer("ws://a").address.port, "80");
+  for (const char* text :
+       {"wss://a:1", "ws://", "ws://:8000", "ws://a:b", "ws://a:99999", "ws://a b", "ws://u@a"}) {
+    EXPECT_THROW(LoadPolicyServer(text), Error) << text;
+  }
+}
+
+TEST(ResizePicture, KeepsTheWholePictureInTheMiddle) {
+  // 2 x 4 of one colour in 4 x 4: half the height, rows of black above and below.
+  BytePicture picture = {2, 4, std::vector<uint8_t>(24, 200)};
+  const BytePicture same = ResizeWithPadding(picture, 4, 4);
+  for (size_t i = 0; i < same.rgb.size(); ++i) {
+    const size_t row = i / 12;
+    EXPECT_EQ(same.rgb[i], row == 1 || row == 2 ? 200 : 0) << i;
+  }
+  // A row of 4 in 2: weights 3/8, 3/8, 1/8 and what stands beyond the edge left out (3, 3, 1 of 7).
+  picture = {1, 4, {0, 0, 0, 70, 70, 70, 140, 140, 140, 210, 210, 210}};
+  const BytePicture half = ResizeWithPadding(picture, 1, 2);
+  EXPECT_EQ(half.rgb[0], 50);   // (3 x 0 + 3 x 70 + 140) / 7
+  EXPECT_EQ(half.rgb[3], 160);  // (70 + 3 x 140 + 3 x 210) / 7
+}
+
+}  // namespace
+}  // namespace graspbench
