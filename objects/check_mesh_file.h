@@ -9,7 +9,7 @@ What `graspbench object check` does with a mesh file. */
 
 #include "core/base/text/json.h"
 #include "core/shape/repair/mesh_check.h"
-#include "objects/mesh_reader_protocol.h"
+#include "objects/mesh_limits.h"
 
 namespace graspbench {
 

@@ -3,16 +3,16 @@
 Mesh files: OBJ, STL (binary and ASCII), PLY, GLB and glTF, chosen by the ending of the name. All
 parts of a file become one mesh, with the transforms of its scene applied.
 
-OBJ is read here (core/shape/obj_file.h). The others are read by assimp in a process of its own with
-limits of memory and time, and from nowhere but the mesh's own folder (mesh_reader.cc): a file from
-elsewhere may be damaged or malicious. COLLADA is left out for things to grasp because damaged files
+They are read behind the fence (core/fence/fence.h), OBJ by core/shape/obj_file.h, the others by
+assimp (read_foreign_mesh.h); a glTF has its parts from nowhere but the mesh's own folder: a file
+from elsewhere may be damaged or malicious. COLLADA is left out for things to grasp because damaged files
 crash its importer, 3DS and DXF because theirs swaps axes. */
 
 #include <filesystem>
 #include <string>
 
 #include "core/shape/tri_mesh.h"
-#include "objects/mesh_reader_protocol.h"
+#include "objects/mesh_limits.h"
 
 namespace graspbench {
 
@@ -33,13 +33,14 @@ TriMesh LoadPictureMesh(const std::filesystem::path& path);
 /** The same from the content of a file that stands alone; `name` gives the format by its ending. */
 TriMesh ParseMesh(const std::string& bytes, const std::string& name, LengthUnit unit);
 
-/** Runs graspbench-mesh-reader (mesh_reader.cc) on the bytes of one file. Coordinates as in the
-file, every part of it; not welded, perhaps not finite. @param bytes   the file's content.
-@param format  stl, ply, glb, gltf or dae.
+/** Reads the bytes of one file behind the fence. Coordinates as in the file, every part of it; not
+welded, perhaps not finite. @param bytes   the file's content.
+@param format  obj, stl, ply, glb, gltf or dae.
 @param folder  where the files lie that a glTF names; empty: nowhere.
 @param name    of the file, for messages.
-@throws Error(kFormat) when it is no such file, or reading it took more time or memory than allowed,
-or crashed; Error(kEnvironment) when the reader cannot be started. Safe with threads. */
+@throws Error(kFormat) when it is no such file, or reading it took more memory than allowed, or
+crashed; Error(kEnvironment) when the reader cannot be started or took too long. Safe with
+threads. */
 TriMesh RunMeshReader(const std::string& bytes, const std::string& format,
                       const std::filesystem::path& folder, const std::string& name);
 

@@ -36,7 +36,7 @@ object.yaml: what is known of a thing to grasp beside its mesh.
 #include "core/shape/grasp_object.h"
 #include "core/shape/repair/mesh_check.h"
 #include "core/shape/surface_material.h"
-#include "objects/mesh_reader_protocol.h"
+#include "objects/mesh_limits.h"
 
 namespace graspbench {
 

@@ -1,7 +1,5 @@
 #include "core/render/gl_context.h"
 
-// Keep this order: OSMesa brings the old GL header, which must find the types already there.
-#include <GL/osmesa.h>
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -22,16 +20,36 @@ namespace {
 
 constexpr int kDummySize = 16;  // OSMesa wants a window; the pictures go to framebuffer objects
 
-template <class Function>
-Function FindSymbol(void* handle, const char* name, const std::string& library) {
-  void* symbol = dlsym(handle, name);
-  if (symbol == nullptr) {
-    throw Error(ErrorKind::kEnvironment, "\"" + library + "\" has no function " + name +
-                                             "; expected OSMesa 22 of the Debian package "
-                                             "libosmesa6");
+constexpr char kAdvice[] =
+    "check the environment variables GALLIUM_DRIVER (llvmpipe or softpipe) and "
+    "MESA_GL_VERSION_OVERRIDE (unset)";
+
+/** A library that is loaded at first use and never closed: Mesa's threads and exit handlers live as
+long as the program. */
+class LoadedLibrary {
+ public:
+  explicit LoadedLibrary(const std::string& name)
+      : name_(name), handle_(::dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL)) {
+    if (handle_ == nullptr) reason_ = ::dlerror();
   }
-  return reinterpret_cast<Function>(symbol);
-}
+  /** Empty: it is loaded. */
+  const std::string& reason() const { return reason_; }
+
+  template <class Function>
+  void Find(const char* name, Function& function) const {
+    function = reinterpret_cast<Function>(::dlsym(handle_, name));
+    if (function == nullptr) {
+      throw Error(ErrorKind::kEnvironment,
+                  "\"" + name_ + "\" has no function " + name +
+                      "; expected that of the Debian package libosmesa6 or libegl1");
+    }
+  }
+
+ private:
+  std::string name_;
+  void* handle_;
+  std::string reason_;
+};
 
 /** Mesa maps the index of its shaders without allocating it, so that on a full disk the first look
 at it would end the program with SIGBUS. @returns whether the disk has room for it. */
@@ -81,60 +99,127 @@ void DemandMemory(size_t size) {
 
 void CompileShadersQuickly() { setenv("GALLIVM_PERF", "nopt", /*overwrite=*/0); }
 
-struct GlContext::Library {
-  decltype(&::OSMesaMakeCurrent) make_current = nullptr;
-  decltype(&::OSMesaDestroyContext) destroy_context = nullptr;
-  OSMesaContext context = nullptr;
-  std::array<uint32_t, kDummySize * kDummySize> window{};
-
-  ~Library() {
-    if (context != nullptr) destroy_context(context);
-  }
+struct GlContext::Maker {
+  virtual ~Maker() = default;
+  virtual void* Find(const char* function) const = 0;
+  virtual bool MakeCurrent() = 0;
 };
 
-GlContext::GlContext(const std::string& library) : library_(std::make_unique<Library>()) {
+namespace {
+
+/** Constants and functions are those of the header of OSMesa, which newer systems do not have. */
+class OsmesaMaker : public GlContext::Maker {
+ public:
+  explicit OsmesaMaker(const LoadedLibrary& library) {
+    void* (*create)(const int*, void*) = nullptr;
+    library.Find("OSMesaCreateContextAttribs", create);
+    library.Find("OSMesaGetProcAddress", find_);
+    library.Find("OSMesaMakeCurrent", make_current_);
+    library.Find("OSMesaDestroyContext", destroy_);
+    constexpr int kFormat = 0x22, kRgba = 0x1908, kProfile = 0x33, kCoreProfile = 0x34,
+                  kMajorVersion = 0x36, kMinorVersion = 0x37;
+    const std::array<int, 9> attributes = {
+        kFormat, kRgba, kProfile, kCoreProfile, kMajorVersion, 3, kMinorVersion, 3, 0};
+    context_ = create(attributes.data(), nullptr);
+    if (context_ == nullptr) {
+      throw Error(ErrorKind::kEnvironment,
+                  std::string("OSMesa cannot make an OpenGL 3.3 core context; ") + kAdvice);
+    }
+  }
+  ~OsmesaMaker() override {
+    if (context_ != nullptr) destroy_(context_);
+  }
+  void* Find(const char* function) const override {
+    return reinterpret_cast<void*>(find_(function));
+  }
+  bool MakeCurrent() override {
+    return make_current_(context_, window_.data(), GL_UNSIGNED_BYTE, kDummySize, kDummySize) != 0;
+  }
+
+ private:
+  void (*(*find_)(const char*))() = nullptr;
+  unsigned char (*make_current_)(void*, void*, unsigned, int, int) = nullptr;
+  void (*destroy_)(void*) = nullptr;
+  void* context_ = nullptr;
+  std::array<uint32_t, kDummySize * kDummySize> window_{};
+};
+
+/** Mesa's software renderer by EGL without a surface (EGL_MESA_platform_surfaceless); constants and
+functions are those of the headers of EGL. */
+class EglMaker : public GlContext::Maker {
+ public:
+  explicit EglMaker(const LoadedLibrary& library) {
+    ::setenv("LIBGL_ALWAYS_SOFTWARE", "true", /*overwrite=*/0);  // the same pictures everywhere
+    library.Find("eglGetProcAddress", find_);
+    library.Find("eglMakeCurrent", make_current_);
+    library.Find("eglDestroyContext", destroy_);
+    void* (*get_display)(unsigned, void*, const intptr_t*) = nullptr;
+    unsigned (*initialize)(void*, int*, int*) = nullptr;
+    unsigned (*bind)(unsigned) = nullptr;
+    void* (*create)(void*, void*, void*, const int*) = nullptr;
+    library.Find("eglGetPlatformDisplay", get_display);
+    library.Find("eglInitialize", initialize);
+    library.Find("eglBindAPI", bind);
+    library.Find("eglCreateContext", create);
+    constexpr unsigned kSurfaceless = 0x31DD, kOpenGl = 0x30A2;
+    constexpr int kMajorVersion = 0x3098, kMinorVersion = 0x30FB, kProfile = 0x30FD, kCore = 1,
+                  kNone = 0x3038;
+    const std::array<int, 7> attributes = {kMajorVersion, 3,     kMinorVersion, 3,
+                                           kProfile,      kCore, kNone};
+    display_ = get_display(kSurfaceless, nullptr, nullptr);
+    if (display_ != nullptr && initialize(display_, nullptr, nullptr) && bind(kOpenGl)) {
+      context_ = create(display_, nullptr, nullptr, attributes.data());
+    }
+    if (context_ == nullptr) {
+      throw Error(ErrorKind::kEnvironment,
+                  std::string("EGL cannot make an OpenGL 3.3 core context without a surface; it "
+                              "needs Mesa (Debian package libegl-mesa0); ") +
+                      kAdvice);
+    }
+  }
+  ~EglMaker() override {
+    if (context_ == nullptr) return;
+    make_current_(display_, nullptr, nullptr, nullptr);
+    destroy_(display_, context_);
+  }
+  void* Find(const char* function) const override {
+    return reinterpret_cast<void*>(find_(function));
+  }
+  bool MakeCurrent() override { return make_current_(display_, nullptr, nullptr, context_) != 0; }
+
+ private:
+  void (*(*find_)(const char*))() = nullptr;
+  unsigned (*make_current_)(void*, void*, void*, void*) = nullptr;
+  unsigned (*destroy_)(void*, void*) = nullptr;
+  void* display_ = nullptr;
+  void* context_ = nullptr;
+};
+
+std::unique_ptr<GlContext::Maker> LoadMaker(const std::string& osmesa, const std::string& egl) {
+  const LoadedLibrary first(osmesa);
+  if (first.reason().empty()) return std::make_unique<OsmesaMaker>(first);
+  const LoadedLibrary second(egl);
+  if (second.reason().empty()) return std::make_unique<EglMaker>(second);
+  throw Error(ErrorKind::kEnvironment,
+              "pictures need the off-screen renderer of Mesa, which cannot be loaded (" +
+                  first.reason() + "; " + second.reason() +
+                  "); install the Debian package libosmesa6 or libegl1");
+}
+
+}  // namespace
+
+GlContext::GlContext(const std::string& osmesa, const std::string& egl) {
   static std::once_flag once;
   std::call_once(once, KeepShaders);
-
-  // Never closed: Mesa's threads and exit handlers live as long as the program.
-  void* handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (handle == nullptr) {
-    throw Error(ErrorKind::kEnvironment,
-                "pictures need the off-screen renderer OSMesa, which cannot be loaded (" +
-                    std::string(dlerror()) + "); install the Debian package libosmesa6");
-  }
-  const auto create_context = FindSymbol<decltype(&::OSMesaCreateContextAttribs)>(
-      handle, "OSMesaCreateContextAttribs", library);
-  const auto find_function =
-      FindSymbol<decltype(&::OSMesaGetProcAddress)>(handle, "OSMesaGetProcAddress", library);
-  library_->make_current =
-      FindSymbol<decltype(&::OSMesaMakeCurrent)>(handle, "OSMesaMakeCurrent", library);
-  library_->destroy_context =
-      FindSymbol<decltype(&::OSMesaDestroyContext)>(handle, "OSMesaDestroyContext", library);
-
-  const std::array<int, 9> attributes = {OSMESA_FORMAT,
-                                         OSMESA_RGBA,
-                                         OSMESA_PROFILE,
-                                         OSMESA_CORE_PROFILE,
-                                         OSMESA_CONTEXT_MAJOR_VERSION,
-                                         3,
-                                         OSMESA_CONTEXT_MINOR_VERSION,
-                                         3,
-                                         0};
-  library_->context = create_context(attributes.data(), nullptr);
-  if (library_->context == nullptr) {
-    throw Error(ErrorKind::kEnvironment,
-                "OSMesa cannot make an OpenGL 3.3 core context; check the environment variables "
-                "GALLIUM_DRIVER (llvmpipe or softpipe) and MESA_GL_VERSION_OVERRIDE (unset)");
-  }
+  maker_ = LoadMaker(osmesa, egl);
   MakeCurrent();
 #define GRASPBENCH_LOAD(name) \
-  functions_.name = reinterpret_cast<decltype(functions_.name)>(find_function("gl" #name));
+  functions_.name = reinterpret_cast<decltype(functions_.name)>(maker_->Find("gl" #name));
   GRASPBENCH_FOR_EACH_GL_FUNCTION(GRASPBENCH_LOAD)
 #undef GRASPBENCH_LOAD
 #define GRASPBENCH_CHECK(name)                                                           \
   if (functions_.name == nullptr) {                                                      \
-    throw Error(ErrorKind::kEnvironment, "OSMesa has no function gl" #name               \
+    throw Error(ErrorKind::kEnvironment, "Mesa has no function gl" #name                 \
                                          "; expected "                                   \
                                          "OpenGL 3.3 of the Debian package libosmesa6"); \
   }
@@ -145,9 +230,8 @@ GlContext::GlContext(const std::string& library) : library_(std::make_unique<Lib
 GlContext::~GlContext() = default;
 
 void GlContext::MakeCurrent() {
-  if (!library_->make_current(library_->context, library_->window.data(), GL_UNSIGNED_BYTE,
-                              kDummySize, kDummySize)) {
-    throw Error(ErrorKind::kEnvironment, "OSMesa refuses to make its context current");
+  if (!maker_->MakeCurrent()) {
+    throw Error(ErrorKind::kEnvironment, "Mesa refuses to make its context current");
   }
 }
 

@@ -2,11 +2,10 @@
 /** @file
 An off-screen OpenGL 3.3 core context and its functions.
 
-OSMesa (Mesa's software renderer, no display, no GPU) is loaded when the first context is made, and
-every function comes from its own loader. Calling a linked gl* symbol instead would reach libGL if
-that comes first, and every picture would be black without any error; so nothing here is linked.
-
-Mesa 25.1 dropped OSMesa. A successor (EGL without a surface) replaces gl_context.cc alone. */
+Mesa's software renderer (no display, no GPU) is loaded when the first context is made, as OSMesa, or
+where that is missing (Mesa 25.1 dropped it) as EGL without a surface. Every function comes from the
+library's own loader: calling a linked gl* symbol instead would reach libGL if that comes first, and
+every picture would be black without any error; so nothing here is linked. */
 
 #define GL_GLEXT_PROTOTYPES  // for the types only
 #include <GL/glcorearb.h>
@@ -89,9 +88,11 @@ void DemandMemory(size_t size);
 
 class GlContext {
  public:
-  /** @throws Error(kEnvironment) when the library or one of its functions is missing, or it cannot
-  make a 3.3 core context. */
-  explicit GlContext(const std::string& library = "libOSMesa.so.8");
+  /** Of OSMesa, and where that library is missing of EGL.
+  @throws Error(kEnvironment) when both, or a function, are missing, or no 3.3 core context can be
+  made. */
+  explicit GlContext(const std::string& osmesa = "libOSMesa.so.8",
+                     const std::string& egl = "libEGL.so.1");
   ~GlContext();
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
@@ -100,9 +101,11 @@ class GlContext {
   void MakeCurrent();
   const GlFunctions& functions() const { return functions_; }
 
+  /** How a library makes contexts. */
+  struct Maker;
+
  private:
-  struct Library;
-  std::unique_ptr<Library> library_;
+  std::unique_ptr<Maker> maker_;
   GlFunctions functions_;
 };
 

@@ -203,7 +203,7 @@ struct Renderer::Impl {
     gl.DrawBuffer(buffer);
     gl.ReadBuffer(buffer);
     if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-      throw Error(ErrorKind::kEnvironment, "OSMesa refuses a picture of " + std::to_string(w) +
+      throw Error(ErrorKind::kEnvironment, "Mesa refuses a picture of " + std::to_string(w) +
                                                " x " + std::to_string(h) +
                                                " pixels; is memory scarce (ulimit -v)?");
     }

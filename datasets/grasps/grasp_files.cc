@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
+#include "core/fence/fence.h"
 
 namespace graspbench {
 namespace {
@@ -99,9 +100,46 @@ std::vector<ForeignGrasp> ParseGrasps(std::string_view bytes, const std::string&
   return grasps;
 }
 
+template <class Values>
+void CrossMembers(Values& values, GraspStage& stage) {
+  Cross(values, stage.name, stage.X_OR, stage.joints);
+}
+
+template <class Values>
+void CrossMembers(Values& values, ForeignGrasp& grasp) {
+  Cross(values, grasp.source, grasp.index, grasp.format, grasp.hand, grasp.root_link,
+        grasp.joint_names, grasp.object, grasp.scale, grasp.X_WO, grasp.stages, grasp.label,
+        grasp.assumptions);
+  if constexpr (Values::kIsIncoming) {
+    values.Check(!grasp.stages.empty());
+    for (const GraspStage& stage : grasp.stages) {
+      values.Check(stage.joints.size() == grasp.joint_names.size());
+    }
+  }
+}
+
+template <class Values>
+void CrossMembers(Values& values, GraspReadOptions& options) {
+  Cross(values, options.hand_frame, options.object_frame, options.joint_names, options.scale,
+        options.open_joints);
+}
+
+FencedReader MakeGraspReader() {
+  return {"grasps",
+          [](const FencedInput& input, IncomingValues& arguments, OutgoingValues& answer) {
+            std::string format;
+            GraspReadOptions options;
+            Cross(arguments, format, options);
+            std::vector<ForeignGrasp> grasps =
+                ParseGrasps(ReadFile(input.path()), input.name(), format, options);
+            Cross(answer, grasps);
+          }};
+}
+
 std::vector<ForeignGrasp> ReadGrasps(const std::string& path, const std::string& format,
                                      const GraspReadOptions& options) {
-  return ParseGrasps(ReadFile(path), path, format, options);
+  return Fence::Shared().Read<std::vector<ForeignGrasp>>(
+      "grasps", FencedFile(std::filesystem::path(path)), nullptr, kReaderSeconds, format, options);
 }
 
 GraspCollection ReadGraspCollection(const std::vector<std::string>& paths,
@@ -121,6 +159,7 @@ GraspCollection ReadGraspCollection(const std::vector<std::string>& paths,
           collection.grasps.push_back(std::move(grasp));
         }
       } catch (const Error& error) {
+        if (error.kind() == ErrorKind::kEnvironment) throw;  // it says nothing of the file
         collection.unread.push_back({name, NameInside(error.what(), file, name)});
         if (error.kind() == ErrorKind::kUsage && !missing_option) missing_option = error;
       }

@@ -15,6 +15,7 @@ scaling). Nothing here is converted to a hand of graspbench; map_to_hand.h does 
 #include <vector>
 
 #include "core/base/pose.h"
+#include "core/fence/serve_fence.h"
 
 namespace graspbench {
 
@@ -73,9 +74,13 @@ const std::vector<GraspFormat>& ListGraspFormats();
 std::vector<ForeignGrasp> ParseGrasps(std::string_view bytes, const std::string& file,
                                       const std::string& format, const GraspReadOptions& options);
 
-/** @throws Error(kNotFound, kIo) and as ParseGrasps. */
+/** Reads behind the fence (core/fence/fence.h), with its limits.
+@throws Error(kNotFound, kIo, kEnvironment) and as ParseGrasps. */
 std::vector<ForeignGrasp> ReadGrasps(const std::string& path, const std::string& format,
                                      const GraspReadOptions& options = {});
+
+/** Of graspbench-reader: what ReadGrasps does there. */
+FencedReader MakeGraspReader();
 
 /** A file that could not be read, and why. */
 struct UnreadFile {
@@ -92,8 +97,8 @@ struct GraspCollection {
 /** All grasps of files and folders. ForeignGrasp::source of a file below a folder is its path from
 there: two folders may each have a 0.npy. Files whose name begins with a point are no grasps.
 @throws Error(kNotFound) for a path that is not there or a folder without files, Error(kIo) for a
-folder that cannot be listed, Error(kUsage) for an unknown format, and for a missing option where
-that leaves no grasp at all. */
+folder that cannot be listed, Error(kEnvironment) as ReadGrasps, Error(kUsage) for an unknown
+format, and for a missing option where that leaves no grasp at all. */
 GraspCollection ReadGraspCollection(const std::vector<std::string>& paths,
                                     const std::string& format,
                                     const GraspReadOptions& options = {});

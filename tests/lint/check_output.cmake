@@ -10,8 +10,7 @@ set(allowed
   core/base/error.cc                          # ends the program; escapes what it shows
   core/hand/generate/generate_hand_visuals.cc # tools of the build, not of the program
   core/hand/generate/generate_tactile.cc
-  objects/generate/main.cc
-  objects/mesh_reader.cc)                     # a process of its own: its stdout is a pipe to the program
+  objects/generate/main.cc)
 
 set(offences "")
 find_cxx_files(files ${ROOMS})

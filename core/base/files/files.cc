@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/files/open_file.h"
 #include "core/base/hash.h"
 
 namespace graspbench {
@@ -133,6 +134,8 @@ class ReadableFile {
 
   /** When it was opened [bytes]. */
   uintmax_t size() const { return size_; }
+  /** The open file, which is the caller's from now on. */
+  int Release() { return std::exchange(file_.id, -1); }
 
   /** @returns how many bytes; 0: the end. */
   size_t Read(uintmax_t start, char* data, size_t size) {
@@ -274,6 +277,8 @@ fs::path FindCacheRoot() {
   }
   return folder;
 }
+
+int OpenRegularFile(const fs::path& path) { return ReadableFile(path).Release(); }
 
 std::string ReadFile(const fs::path& path) {
   std::string content;

@@ -7,6 +7,8 @@
 #include "core/base/files/files.h"
 #include "core/base/text/delimited_text.h"
 #include "core/base/text/text.h"
+#include "core/fence/fence.h"
+#include "human_study/recording/importers/cross_recording.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -125,34 +127,87 @@ Recording ImportRecording(const Importer& importer, const ImportSource& source,
   return recording;
 }
 
-Recording LoadRecording(const fs::path& path, const ImportOptions& options) {
-  const std::unique_ptr<std::istream> file = OpenStream(path);
-  std::istream& stream = *file;
-  // A mapping is only of use to the plain table.
-  const std::string format =
-      options.format.empty() && !options.mapping.empty() ? "table" : options.format;
-  const Importer& importer = FindImporter(format, ReadHead(stream), path);
-  const auto read_sibling = [&](const std::string& name) -> std::optional<std::string> {
+namespace {
+
+/** A file that the recording's file names, in its folder. */
+FindBeside FindSibling(const fs::path& path) {
+  return [path](const std::string& name) -> std::optional<fs::path> {
     const fs::path sibling = path.parent_path() / name;
     std::error_code status;
     if (!fs::is_regular_file(sibling, status)) return std::nullopt;
-    return ReadFile(sibling);
+    return sibling;
   };
-  return ImportRecording(importer, {stream, path.string(), read_sibling}, options);
 }
 
-std::vector<PersonalField> RedactRecording(const fs::path& in, const fs::path& out) {
-  std::string bytes = ReadFile(in);
-  const Importer& importer = FindImporter("", std::string_view(bytes).substr(0, 4096), in);
+void ReadRecording(const FencedInput& input, IncomingValues& arguments, OutgoingValues& answer) {
+  ImportOptions options;
+  Cross(arguments, options);
+  const std::unique_ptr<std::istream> stream = OpenStream(input.path());
+  // A mapping is only of use to the plain table.
+  const std::string format =
+      options.format.empty() && !options.mapping.empty() ? "table" : options.format;
+  const Importer& importer = FindImporter(format, ReadHead(*stream), input.name());
+  Recording recording = ImportRecording(
+      importer,
+      {*stream, input.name(), [&](const std::string& name) { return input.ReadBeside(name); }},
+      options);
+  Cross(answer, recording);
+}
+
+struct Redacted {
+  std::string bytes;
+  std::vector<PersonalField> fields;
+};
+template <class Values>
+void CrossMembers(Values& values, Redacted& redacted) {
+  Cross(values, redacted.bytes, redacted.fields);
+}
+
+void ReadRedacted(const FencedInput& input, IncomingValues&, OutgoingValues& answer) {
+  Redacted redacted{ReadFile(input.path()), {}};
+  const Importer& importer =
+      FindImporter("", std::string_view(redacted.bytes).substr(0, 4096), input.name());
   if (importer.redact == nullptr) {
-    throw Error(ErrorKind::kUnsupported, in.string() + ": " + importer.title +
+    throw Error(ErrorKind::kUnsupported, input.name() + ": " + importer.title +
                                              " has no known places for personal data; look at the "
                                              "file yourself before sharing it");
   }
-  std::vector<PersonalField> fields = importer.redact(bytes, in.string());
-  for (PersonalField& field : fields) CleanText(field.text);
-  WriteFileAtomically(out, bytes);
-  return fields;
+  redacted.fields = importer.redact(redacted.bytes, input.name());
+  for (PersonalField& field : redacted.fields) CleanText(field.text);
+  Cross(answer, redacted);
+}
+
+void ReadTableTrials(const FencedInput& input, IncomingValues& arguments, OutgoingValues& answer) {
+  TableMapping mapping;
+  Cross(arguments, mapping);
+  std::vector<TableTrial> trials =
+      ListTableTrials(*OpenStream(input.path()), input.name(), mapping);
+  Cross(answer, trials);
+}
+
+}  // namespace
+
+std::vector<FencedReader> MakeRecordingReaders() {
+  return {{"recording", &ReadRecording},
+          {"redacted_recording", &ReadRedacted},
+          {"table_trials", &ReadTableTrials}};
+}
+
+Recording LoadRecording(const fs::path& path, const ImportOptions& options) {
+  return Fence::Shared().Read<Recording>("recording", FencedFile(path), FindSibling(path),
+                                         kReaderSeconds, options);
+}
+
+std::vector<TableTrial> FindTableTrials(const fs::path& table, const TableMapping& mapping) {
+  return Fence::Shared().Read<std::vector<TableTrial>>("table_trials", FencedFile(table), nullptr,
+                                                       kReaderSeconds, mapping);
+}
+
+std::vector<PersonalField> RedactRecording(const fs::path& in, const fs::path& out) {
+  Redacted redacted =
+      Fence::Shared().Read<Redacted>("redacted_recording", FencedFile(in), nullptr, kReaderSeconds);
+  WriteFileAtomically(out, redacted.bytes);
+  return std::move(redacted.fields);
 }
 
 }  // namespace graspbench

@@ -16,6 +16,7 @@ Recording::findings, and throws Error(kFormat) with the byte or line of a fault 
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/fence/serve_fence.h"
 #include "human_study/recording/recording.h"
 
 namespace graspbench {
@@ -79,13 +80,17 @@ read as Latin-1) without control characters. @throws as LoadRecording. */
 Recording ImportRecording(const Importer& importer, const ImportSource& source,
                           const ImportOptions& options);
 
-/** @throws Error(kNotFound, kIo, kFormat, kUnsupported). */
+/** Reads behind the fence (core/fence/fence.h), with its limits.
+@throws Error(kNotFound, kIo, kFormat, kUnsupported); Error(kEnvironment) where it took too long. */
 Recording LoadRecording(const std::filesystem::path& path, const ImportOptions& options = {});
 
 /** Writes a copy of `in` with personal data blanked; measurements keep every bit.
-@throws Error(kNotFound, kIo, kFormat, kUnsupported). */
+@throws as LoadRecording. */
 std::vector<PersonalField> RedactRecording(const std::filesystem::path& in,
                                            const std::filesystem::path& out);
+
+/** Of graspbench-reader: what the functions with a path do there. */
+std::vector<FencedReader> MakeRecordingReaders();
 
 // How importers place a fault: by byte in binary files, by line in texts.
 [[noreturn]] inline void FailAtByte(const std::string& file, uint64_t byte,

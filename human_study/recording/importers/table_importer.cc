@@ -498,16 +498,14 @@ TableMapping LoadTableMapping(const std::filesystem::path& path) {
   return mapping;
 }
 
-std::vector<TableTrial> FindTableTrials(const std::filesystem::path& table,
+std::vector<TableTrial> ListTableTrials(std::istream& stream, const std::string& name,
                                         const TableMapping& mapping) {
-  const std::unique_ptr<std::istream> file = OpenStream(table);
-  std::istream& stream = *file;
-  LineReader reader(stream, table.string());
+  LineReader reader(stream, name);
   Heading heading(reader, mapping);
   const size_t column = heading.Find(mapping.trial);
   heading.Check(reader);
   TrialList trials;
-  LineReader rows = OpenRows(stream, table.string(), heading.num_lines());
+  LineReader rows = OpenRows(stream, name, heading.num_lines());
   std::string_view line;
   Cells cells;
   int64_t begin = stream.tellg();

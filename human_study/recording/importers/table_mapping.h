@@ -112,6 +112,10 @@ by its rows, so that the table is read twice and not once a trial. @throws as Lo
 std::vector<TableTrial> FindTableTrials(const std::filesystem::path& table,
                                         const TableMapping& mapping);
 
+/** The same in process, of a table that is open at its start. */
+std::vector<TableTrial> ListTableTrials(std::istream& stream, const std::string& name,
+                                        const TableMapping& mapping);
+
 /** Tables whose columns need no mapping one by one, because a tool always writes them alike
 (`layout`). Every point becomes three columns `<point>_x`, _y, _z.
 

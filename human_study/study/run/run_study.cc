@@ -151,6 +151,7 @@ class Runner {
       const bool is_file =
           std::filesystem::is_regular_file(study_.recordings / planned.file, status) || status;
       if (error.kind() == ErrorKind::kIo && is_file) throw;
+      if (error.kind() == ErrorKind::kEnvironment) throw;
       Remove({"unreadable", error.what()}, trial);
       loaded_.clear();
       return Add(trial);

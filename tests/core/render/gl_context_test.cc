@@ -1,8 +1,10 @@
 #include "core/render/gl_context.h"
 
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <iterator>
@@ -13,21 +15,55 @@
 namespace graspbench {
 namespace {
 
-std::string FindMessage(const std::string& library) {
+TEST(GlContextTest, NamesThePackagesOfMissingLibraries) {
   try {
-    GlContext context(library);
+    const GlContext context("libNoSuchMesa.so.8", "libNoSuchEgl.so.1");
+    ADD_FAILURE();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::kEnvironment);
-    return error.what();
+    EXPECT_STREQ(error.what(),
+                 "pictures need the off-screen renderer of Mesa, which cannot be loaded "
+                 "(libNoSuchMesa.so.8: cannot open shared object file: No such file or directory; "
+                 "libNoSuchEgl.so.1: cannot open shared object file: No such file or directory); "
+                 "install the Debian package libosmesa6 or libegl1");
   }
-  return "no error";
 }
 
-TEST(GlContextTest, NamesThePackageOfAMissingLibrary) {
-  EXPECT_EQ(FindMessage("libNoSuchMesa.so.8"),
-            "pictures need the off-screen renderer OSMesa, which cannot be loaded "
-            "(libNoSuchMesa.so.8: cannot open shared object file: No such file or directory); "
-            "install the Debian package libosmesa6");
+/** The colour that a cleared picture has. */
+std::array<uint8_t, 4> ClearAndRead(const GlContext& context) {
+  const GlFunctions& gl = context.functions();
+  GLuint texture = 0, target = 0;
+  gl.GenTextures(1, &texture);
+  gl.BindTexture(GL_TEXTURE_2D, texture);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  gl.GenFramebuffers(1, &target);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, target);
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+  EXPECT_EQ(gl.CheckFramebufferStatus(GL_FRAMEBUFFER), GLenum{GL_FRAMEBUFFER_COMPLETE});
+  gl.ClearColor(1.0F, 0.2F, 0.4F, 0.6F);
+  gl.Clear(GL_COLOR_BUFFER_BIT);
+  std::array<uint8_t, 4> pixel{};
+  gl.ReadPixels(2, 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());
+  EXPECT_EQ(gl.GetError(), GLenum{GL_NO_ERROR});
+  return pixel;
+}
+
+// In a process of its own: two builds of Mesa do not meet.
+TEST(GlContextTest, WithoutOsmesaEglDraws) {
+  if (::dlopen("libEGL_mesa.so.0", RTLD_NOW | RTLD_LOCAL) == nullptr) {
+    GTEST_SKIP() << "Debian's package libegl-mesa0 is not installed";
+  }
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto draw = [] {
+    GlContext context("libNoSuchMesa.so.8");
+    GlContext other("libNoSuchMesa.so.8");
+    const std::array<uint8_t, 4> right = {255, 51, 102, 153};
+    context.MakeCurrent();
+    const bool is_right = ClearAndRead(context) == right;
+    other.MakeCurrent();
+    std::exit(is_right && ClearAndRead(other) == right ? 0 : 1);
+  };
+  EXPECT_EXIT(draw(), testing::ExitedWithCode(0), "");
 }
 
 // In a process of its own: Mesa looks for its folder once.

@@ -4,9 +4,8 @@
 
 #include "core/base/files/files.h"
 #include "core/base/text/text.h"
-#include "core/hand/import/import_hand.h"
+#include "core/hand/import/fenced_import.h"
 #include "core/hand/load_hand.h"
-#include "objects/load_mesh.h"
 #include "workbench/command.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/tables/hand_tables.h"
@@ -40,7 +39,6 @@ ExitCode ImportHandCommand(const HandImportOptions& options, bool json) {
   source.file = options.file;
   source.folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   source.package_path.assign(options.package_path.begin(), options.package_path.end());
-  source.load_mesh = &LoadPictureMesh;
   source.unit = ParseUnit(options.unit);
   source.mesh_unit = ParseUnit(options.mesh_unit);
   if (!options.palm_normal.empty()) {
@@ -52,7 +50,7 @@ ExitCode ImportHandCommand(const HandImportOptions& options, bool json) {
   }
   if (!options.angle.empty()) source.in_degrees = options.angle == "deg";
   Diagnostics problems;
-  const ImportedFiles imported = ImportHand(ReadFile(file), source, options.palm, problems);
+  const ImportedFiles imported = ImportHandFile(source, options.palm, problems);
   for (const auto& [name, content] : imported.files) {
     MakeFolder((staged.path() / name).parent_path());
     WriteFile(staged.path() / name, content);

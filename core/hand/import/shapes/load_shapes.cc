@@ -122,6 +122,7 @@ TriMesh ShapeLoader::ReadFile(const std::filesystem::path& path, int line, const
                  (is_finite ? "\" has no triangle" : "\" has infinite coordinates"));
     }
   } catch (const Error& error) {
+    if (error.kind() == ErrorKind::kEnvironment) throw;  // it says nothing of the mesh
     Report(severity, line, where + ": " + error.what());
   }
   meshes_.emplace(path, mesh);

@@ -1,0 +1,229 @@
+#include "core/fence/fence.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <utility>
+
+#include "core/base/files/open_file.h"
+#include "core/fence/serve_fence.h"
+
+namespace graspbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kWallPerProcessorTime = 6;  // where the machine is busy or its disk slow
+constexpr char kProgram[] = "graspbench-reader";
+
+[[noreturn]] void FailEnvironment(const std::string& what) {
+  throw Error(ErrorKind::kEnvironment, "no " + what + ": " + std::strerror(errno));
+}
+
+int MakeMemoryFile() {
+  const int file = ::memfd_create("fence", MFD_CLOEXEC | MFD_ALLOW_SEALING);
+  if (file < 0) FailEnvironment("memory for a foreign file");
+  return file;
+}
+
+void WriteMemoryFile(int file, std::string_view bytes) {
+  for (size_t written = 0; written < bytes.size();) {
+    const ssize_t count =
+        ::pwrite(file, bytes.data() + written, bytes.size() - written, static_cast<off_t>(written));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) FailEnvironment("memory for a foreign file");
+    written += static_cast<size_t>(count);
+  }
+}
+
+// Beside the program, as installed; else where it was built.
+fs::path FindProgram() {
+  std::error_code status;
+  const fs::path beside = fs::read_symlink("/proc/self/exe", status).parent_path() / kProgram;
+  for (const fs::path& path : {beside, fs::path(GRASPBENCH_READER)}) {
+    if (::access(path.c_str(), X_OK) == 0) return path;
+  }
+  throw Error(ErrorKind::kEnvironment, std::string("the program ") + kProgram +
+                                           " is missing; it belongs at \"" + beside.string() +
+                                           "\"; build or install graspbench again");
+}
+
+// What ended a reader, from the status that waitpid gives.
+[[noreturn]] void FailEnded(int status, const std::string& name, int seconds) {
+  const std::string subject = "\"" + name + "\" cannot be read (";
+  if (WIFEXITED(status) && WEXITSTATUS(status) != kFenceNoMemory) {
+    throw Error(ErrorKind::kEnvironment,
+                subject + std::string(kProgram) + " ended with exit code " +
+                    std::to_string(WEXITSTATUS(status)) +
+                    "): a fault of the reader, not of the file; build or install graspbench again, "
+                    "and report the file if that does not help");
+  }
+  const int signal = WIFEXITED(status) ? 0 : WTERMSIG(status);
+  if (signal == SIGPROF) {
+    throw Error(ErrorKind::kEnvironment, subject + "reading it takes more than " +
+                                             std::to_string(seconds) +
+                                             " s of processor time); leave the file out, or cut it "
+                                             "into smaller ones");
+  }
+  if (signal == SIGKILL || signal == SIGBUS || signal == SIGTERM) {
+    throw Error(ErrorKind::kEnvironment,
+                subject + "its reader was ended by signal " + std::to_string(signal) +
+                    "); the machine may lack memory, or the disk fail: try again");
+  }
+  throw Error(ErrorKind::kFormat,
+              subject +
+                  (signal == 0 ? "reading it takes too much memory"
+                               : "reading it failed with signal " + std::to_string(signal) +
+                                     ", perhaps for lack of memory") +
+                  "); the file may be cut off or damaged, export it again from its program");
+}
+
+}  // namespace
+
+FencedFile::FencedFile(const fs::path& path) : id_(OpenRegularFile(path)), name_(path.string()) {}
+
+FencedFile::FencedFile(std::string_view bytes, std::string name)
+    : id_(MakeMemoryFile()), name_(std::move(name)) {
+  WriteMemoryFile(id_, bytes);
+}
+
+FencedFile::~FencedFile() { ::close(id_); }
+
+FencedAnswer::FencedAnswer(int file) {
+  struct stat properties = {};
+  // The reader can change it no more.
+  const int seals = F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE;
+  if (::fcntl(file, F_ADD_SEALS, seals) != 0 || ::fstat(file, &properties) != 0) return;
+  const auto size = static_cast<size_t>(properties.st_size);
+  if (size == 0) return;
+  void* const begin = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0);
+  if (begin == MAP_FAILED) FailEnvironment("memory for what a foreign file holds");
+  bytes_ = {static_cast<const char*>(begin), size};
+}
+
+FencedAnswer::~FencedAnswer() {
+  if (!bytes_.empty()) ::munmap(const_cast<char*>(bytes_.data()), bytes_.size());
+}
+
+// One process. Ends it: idle it ends by itself when its socket closes.
+struct Fence::Reader {
+  ~Reader() {
+    if (socket >= 0) ::close(socket);
+    if (process > 0) Wait();
+  }
+  int Wait() {
+    int status = 0;
+    while (::waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
+    process = 0;
+    return status;
+  }
+  // What it says next; nothing: it has ended, and is ended here where it took too long.
+  std::optional<FencePacket> Receive(int seconds) {
+    pollfd waiting = {socket, POLLIN, 0};
+    int count = -1;
+    while ((count = ::poll(&waiting, 1, 1000 * seconds)) < 0 && errno == EINTR) continue;
+    if (count <= 0) ::kill(process, SIGPROF);  // as when it has used up its time
+    return count <= 0 ? std::nullopt : ReceiveFencePacket(socket);
+  }
+
+  pid_t process = 0;
+  int socket = -1;
+};
+
+Fence::Fence(fs::path program) : program_(std::move(program)) {}
+
+Fence::~Fence() = default;
+
+Fence& Fence::Shared() {
+  static Fence fence(FindProgram());
+  return fence;
+}
+
+std::unique_ptr<Fence::Reader> Fence::Start() const {
+  int pair[2];
+  if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, pair) != 0) {
+    FailEnvironment(std::string("socket for ") + kProgram);
+  }
+  auto reader = std::make_unique<Reader>();
+  reader->socket = pair[0];
+  const std::string program = program_.string();
+  char* const arguments[] = {const_cast<char*>(program.c_str()), nullptr};
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_adddup2(&actions, pair[1], STDIN_FILENO);
+  for (const int file : {STDOUT_FILENO, STDERR_FILENO}) {  // what is written there is lost
+    ::posix_spawn_file_actions_addopen(&actions, file, "/dev/null", O_RDONLY, 0);
+  }
+  const int failure =
+      ::posix_spawn(&reader->process, program.c_str(), &actions, nullptr, arguments, environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  ::close(pair[1]);
+  if (failure != 0) {
+    reader->process = 0;
+    errno = failure;
+    FailEnvironment(std::string("process for ") + kProgram);
+  }
+  return reader;
+}
+
+std::unique_ptr<FencedAnswer> Fence::Run(const std::string& reader, const FencedFile& file,
+                                         const FindBeside& find_beside, int seconds,
+                                         const std::string& arguments) {
+  std::unique_ptr<Reader> process;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!idle_.empty()) {
+      process = std::move(idle_.back());
+      idle_.pop_back();
+    }
+  }
+  OutgoingValues values;
+  std::string asked = reader, name = file.name(), sent = arguments;
+  Cross(values, asked, name, seconds, sent);
+  const FencedFile request(values.bytes(), "");
+  const FencedFile output(std::string_view(), "");
+  const std::vector<int> files = {request.id(), file.id(), output.id()};
+  if (!process || !SendFencePacket(process->socket, std::string(1, kRequest), files)) {
+    process = Start();  // the idle one may have been ended by somebody
+    SendFencePacket(process->socket, std::string(1, kRequest), files);
+  }
+  for (;;) {
+    const std::optional<FencePacket> packet = process->Receive(kWallPerProcessorTime * seconds);
+    if (!packet || packet->text.empty()) FailEnded(process->Wait(), file.name(), seconds);
+    for (const int extra : packet->files) ::close(extra);  // it has none to give
+    if (packet->text[0] == kDone) break;
+    std::optional<FencedFile> beside;
+    try {
+      const auto path =
+          find_beside ? find_beside(packet->text.substr(1)) : std::optional<fs::path>();
+      if (path) beside.emplace(*path);
+    } catch (const Error& error) {  // it is not there; else the reader goes, and so does the read
+      if (error.kind() != ErrorKind::kNotFound) throw;
+    }
+    SendFencePacket(process->socket, std::string(1, kBeside),
+                    beside ? std::vector<int>{beside->id()} : std::vector<int>());
+  }
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    idle_.push_back(std::move(process));
+  }
+  auto answer = std::make_unique<FencedAnswer>(output.id());
+  if (answer->bytes().empty()) throw Error(ErrorKind::kFormat, "an answer that is none");
+  if (answer->bytes()[0] == kIsRead) return answer;
+  IncomingValues refusal(answer->bytes().substr(1));
+  ErrorKind kind = ErrorKind::kFormat;
+  std::string message;
+  Cross(refusal, kind, message);
+  throw Error(kind, message);
+}
+
+}  // namespace graspbench

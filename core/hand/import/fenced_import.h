@@ -1,0 +1,23 @@
+#pragma once
+/** @file
+ImportHand behind the fence (core/fence/fence.h): a description from elsewhere may be damaged or
+malicious. Its meshes are read by readers that graspbench-reader starts. */
+
+#include <string>
+
+#include "core/fence/serve_fence.h"
+#include "core/hand/import/import_hand.h"
+
+namespace graspbench {
+
+inline constexpr int kHandImportSeconds = 300;  // of processor time: shapes are fitted to meshes
+
+/** As ImportHand, of the file `source.file`; `source.load_mesh` is not used.
+@throws Error(kNotFound, kIo, kFormat, kEnvironment) as Fence::Read. */
+ImportedFiles ImportHandFile(const HandSource& source, const std::string& palm,
+                             Diagnostics& problems);
+
+/** Of graspbench-reader. @param load_mesh  of the description's meshes. */
+FencedReader MakeHandReader(MeshLoader load_mesh);
+
+}  // namespace graspbench
