@@ -105,14 +105,54 @@ void CheckPly(const std::string& bytes, const std::string& name) {
   }
 }
 
+constexpr size_t kStlHead = 84, kStlTriangle = 50;  // bytes
+
+// assimp wants an ASCII file in small letters and a binary one without a byte too many; the format
+// does not. Only what it would refuse is changed.
+std::string TidyStl(const std::string& bytes) {
+  if (bytes.size() > kStlHead) {
+    uint32_t num_triangles = 0;
+    std::memcpy(&num_triangles, bytes.data() + kStlHead - sizeof num_triangles,
+                sizeof num_triangles);
+    const size_t size = kStlHead + kStlTriangle * static_cast<size_t>(num_triangles);
+    // Text read as a count is larger than any such file: four printable bytes are 5e8 triangles.
+    if (num_triangles > 0 && size == bytes.size()) return bytes;
+    if (num_triangles > 0 && size < bytes.size()) return bytes.substr(0, size);
+  }
+  std::string head = bytes.substr(0, 5);
+  const auto lower = [](unsigned char c) { return static_cast<char>(std::tolower(c)); };
+  std::transform(head.begin(), head.end(), head.begin(), lower);
+  if (head != "solid") return bytes;
+  std::string text = bytes;
+  std::transform(text.begin(), text.end(), text.begin(), lower);
+  return text;
+}
+
+// What a glTF file must be read with and is not.
+void CheckGltf(const std::string& bytes, const std::string& name) {
+  const size_t begin = bytes.find("\"extensionsRequired\"");
+  if (begin == std::string::npos) return;
+  const std::string required = bytes.substr(begin, bytes.find(']', begin) - begin);
+  for (const char* extension :
+       {"KHR_mesh_quantization", "EXT_meshopt_compression", "KHR_draco_mesh_compression"}) {
+    if (required.find(extension) == std::string::npos) continue;
+    Fail(name, std::string(" requires the glTF extension ") + extension +
+                   ", which is not read; export it without");
+  }
+}
+
 TriMesh ReadMesh(const std::string& bytes, const std::string& name, const std::string& format,
                  const fs::path& folder, LengthUnit unit) {
   if (bytes.empty()) Fail(name, " is empty (0 bytes); export it again from its program");
   if (static_cast<int64_t>(bytes.size()) > kMaxMeshFileBytes) {
     Fail(name, " is larger than 256 MB; simplify it");
   }
+  if (bytes.rfind("version https://git-lfs", 0) == 0) {
+    Fail(name, " is a Git LFS pointer, not the mesh itself; get it with: git lfs pull");
+  }
   if (format == "ply") CheckPly(bytes, name);
-  TriMesh mesh = RunMeshReader(bytes, format, folder, name);
+  if (format == "gltf" || format == "glb") CheckGltf(bytes, name);
+  TriMesh mesh = RunMeshReader(format == "stl" ? TidyStl(bytes) : bytes, format, folder, name);
   double largest = 0.0;
   bool is_finite = true;
   for (Eigen::Vector3d& p : mesh.vertices) {

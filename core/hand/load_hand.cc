@@ -104,7 +104,8 @@ class HandBuilder {
     if (joint) AddJoint(*joint, index);
     for (const UrdfShape& collision : link.collisions) {
       AddCollision(collision, index);
-      if (!has_visuals_ && !shapes_.back().is_cover) AddVisual(collision, true, index);
+      if (!has_visuals_ && !shapes_.back().is_cover && !shapes_.back().is_self_contact)
+        AddVisual(collision, true, index);
     }
     for (const UrdfShape& visual : link.visuals) AddVisual(visual, false, index);
     for (const auto& [name, next] : below_[urdf_index]) AddLink(next->child, next, index);
@@ -130,6 +131,7 @@ class HandBuilder {
     shape.X_LS = collision.X_LS;
     shape.size = collision.size;
     shape.is_cover = collision.name == "cover";
+    shape.is_self_contact = collision.name == "self_contact";
     shape.kind = collision.kind == UrdfShape::Kind::kSphere     ? CollisionShape::Kind::kSphere
                  : collision.kind == UrdfShape::Kind::kCylinder ? CollisionShape::Kind::kCylinder
                                                                 : CollisionShape::Kind::kBox;

@@ -5,7 +5,8 @@ Reads a hand: `hand.urdf` (kinematics, inertia, collision and visual shapes, lim
 
 Collision shapes become contact: a sphere stays one; a cylinder is taken as the capsule of the same
 axis and radius and is sampled by spheres; a box is filled by rows of capsules of its half
-thickness (contact_shape.h). One that is named "cover" is met by objects and the table alone. */
+thickness (contact_shape.h). One that is named "cover" is met by objects and the table
+alone, one that is named "self_contact" by other links of the hand alone. */
 
 #include <filesystem>
 #include <string>

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 
 #include "core/base/error.h"
@@ -12,10 +13,27 @@
 
 namespace graspbench {
 
+std::string NameOtherText(const std::string& text) {
+  const std::string head = text.substr(0, 4);
+  const bool is_utf16 = head.size() == 4 &&
+                        (head.substr(0, 2) == "\xff\xfe" || head.substr(0, 2) == "\xfe\xff" ||
+                         head == std::string("<\0", 2) + head.substr(2, 1) + std::string(1, '\0') ||
+                         head == std::string("\0<\0", 3) + head.substr(3, 1));
+  if (is_utf16) return "the text is UTF-16; expected UTF-8, so save it as that";
+  if (text.rfind("version https://git-lfs", 0) == 0) {
+    return "a Git LFS pointer, not the file itself; get it with: git lfs pull";
+  }
+  return "";
+}
+
 tinyxml2::XMLElement* UrdfElements::FindRobot(tinyxml2::XMLDocument& document,
                                               const std::string& text) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
     problems_.Fail(file_, 0, "the file is empty");
+    return nullptr;
+  }
+  if (const std::string other = NameOtherText(text); !other.empty()) {
+    problems_.Fail(file_, 0, other);
     return nullptr;
   }
   if (const tinyxml2::XMLError error = document.Parse(text.data(), text.size());
@@ -46,6 +64,12 @@ tinyxml2::XMLElement* UrdfElements::FindRobot(tinyxml2::XMLDocument& document,
                  "> is a macro: expand the file first (xacro FILE.xacro > FILE.urdf)");
     return nullptr;
   }
+  if (!is_own_ && !robot->FirstChildElement("link") &&
+      (robot->FirstChildElement("palm") || robot->FirstChildElement("chain"))) {
+    Fail(*robot,
+         "a robot of GraspIt (<palm>, <chain>), not a URDF; give a URDF or MJCF of the hand");
+    return nullptr;
+  }
   size_t num_links = 0, num_joints = 0;
   for (XMLElement* e = robot->FirstChildElement(); e; e = e->NextSiblingElement()) {
     num_links += std::strcmp(e->Name(), "link") == 0;
@@ -66,7 +90,8 @@ tinyxml2::XMLElement* UrdfElements::Only(XMLElement& parent, const char* name,
     return nullptr;
   }
   XMLElement* second = child->NextSiblingElement(name);
-  if (second && (is_own_ || std::strcmp(name, "origin") == 0)) {
+  // Readers take the first or the last of two; only of a colour it makes no difference.
+  if (second && (is_own_ || std::strcmp(name, "material") != 0)) {
     Fail(*second, where + ": a second <" + name + ">; one is allowed");
   }
   return child;
@@ -93,6 +118,7 @@ std::vector<double> UrdfElements::ReadNumbers(XMLElement* element, const char* a
   if (numbers && numbers->size() == count && is_separated) return *numbers;
   const std::string fault = where + ", <" + element->Name() + "> " + attribute + ": expected " +
                             FormatCount(static_cast<int64_t>(count), "finite number") +
+                            (numbers || !IsTooLarge(text) ? "" : " below 1e9 in size") +
                             ", found \"" + text + "\"";
   if (std::strstr(text, "${")) {
     Fail(*element, fault + ", a macro: expand the file first (xacro FILE.xacro > FILE.urdf)");
@@ -134,6 +160,21 @@ std::optional<std::vector<double>> ParseNumbers(const char* text) {
     numbers.push_back(number);
     at = next;
   }
+}
+
+bool IsTooLarge(const char* text) {
+  for (const char* at = text; *at;) {
+    char* next = nullptr;
+    const double number = std::strtod(at, &next);
+    if (next == at) {
+      ++at;
+      continue;
+    }
+    if (std::isfinite(number) ? std::abs(number) >= 1e9 : std::isdigit(*(next - 1)) != 0)
+      return true;
+    at = next;
+  }
+  return false;
 }
 
 std::string JoinSome(const std::vector<std::string>& names) {

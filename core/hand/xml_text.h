@@ -18,6 +18,12 @@ namespace graspbench {
 there. */
 std::optional<std::vector<double>> ParseNumbers(const char* text);
 
+/** True when a number in the text is 1e9 or larger, which ParseNumbers refuses. */
+bool IsTooLarge(const char* text);
+
+/** What a file is that holds no XML in UTF-8: UTF-16, a Git LFS pointer. Empty: neither. */
+std::string NameOtherText(const std::string& text);
+
 /** The first three in quotes, "a", "b", "c" and 4 more. */
 std::string JoinSome(const std::vector<std::string>& names);
 

@@ -108,6 +108,8 @@ void ReadIsaacGrasp(const YAML::Node& node, const std::string& file, const std::
   YamlMap map(node, file, where, problems);
   double confidence = 1.0;
   map.Read("confidence", confidence, Needed::kNo);
+  Eigen::Vector3d bite_point = Eigen::Vector3d::Zero();  // where jaws would meet: not used
+  map.Read("bite_point", bite_point, Needed::kNo);
   const std::optional<Pose> X_OR = ReadPose(map, file, where, problems);
   std::vector<double> positions;
   const YAML::Node joints = map.Child("cspace_position");

@@ -79,6 +79,31 @@ TEST(LoadMeshTest, StlCornersAreWelded) {
   EXPECT_EQ(FormatProblems(CheckMesh(read)), "");
 }
 
+TEST(LoadMeshTest, StlWithTrailingBytesOrInCapitalsIsRead) {
+  const TriMesh box = MakeBox();
+  const TriMesh trailed =
+      ParseMesh(FormatBinaryStl(box) + std::string(37, '\0'), "b.stl", LengthUnit::kM);
+  EXPECT_NEAR(CalcVolume(trailed), CalcVolume(box), 1e-6 * CalcVolume(box));
+  std::ostringstream text;
+  text << "SOLID box\n";
+  for (const Eigen::Vector3i& t : box.triangles) {
+    text << "FACET NORMAL 0 0 0\nOUTER LOOP\n" << std::uppercase << std::scientific;
+    for (int k = 0; k < 3; ++k) text << "VERTEX " << box.vertices[t[k]].transpose() << "\n";
+    text << "ENDLOOP\nENDFACET\n";
+  }
+  text << "ENDSOLID box\n";
+  const TriMesh capitals = ParseMesh(text.str(), "b.STL", LengthUnit::kM);
+  EXPECT_NEAR(CalcVolume(capitals), CalcVolume(box), 1e-5 * CalcVolume(box));
+}
+
+TEST(LoadMeshTest, WhatIsNoMeshOrNeedsAnExtensionIsNamed) {
+  EXPECT_EQ(FindMessage("version https://git-lfs.github.com/spec/v1\noid sha256:1\n", "a.obj"),
+            "mesh \"a.obj\" is a Git LFS pointer, not the mesh itself; get it with: git lfs pull");
+  EXPECT_EQ(FindMessage(R"({"extensionsRequired": ["KHR_mesh_quantization"]})", "q.gltf"),
+            "mesh \"q.gltf\" requires the glTF extension KHR_mesh_quantization, which is not read; "
+            "export it without");
+}
+
 TEST(LoadMeshTest, QuadsAndSeveralPartsBecomeOneTriangleMesh) {
   std::string text;
   int first = 1;

@@ -248,36 +248,52 @@ std::string FormatHand(const Hand& hand) {
   return text + table.Format();
 }
 
-Json MakeProtrusionJson(const std::vector<LinkProtrusion>& protrusions) {
+Json MakeContactJson(const std::vector<ContactFit>& fits) {
   Json list = Json::array();
-  for (const auto& [link, protrusion] : protrusions) {
-    list.push_back({{"link", link}, {"outside_hull_mm", std::round(protrusion * 1e5) / 1e2}});
+  const auto round = [](const ContactError& error) {
+    return Json{{"at_95_mm", std::round(error.at_95 * 1e5) / 1e2},
+                {"most_mm", std::round(error.most * 1e5) / 1e2}};
+  };
+  for (const ContactFit& fit : fits) {
+    list.push_back({{"link", fit.link},
+                    {"balls", fit.num_balls},
+                    {"out", round(fit.out)},
+                    {"sink", round(fit.sink)},
+                    {"palmar_out", round(fit.palmar_out)},
+                    {"palmar_sink", round(fit.palmar_sink)}});
   }
   return list;
 }
 
-std::string FormatProtrusions(const std::vector<LinkProtrusion>& protrusions,
-                              const std::string& of) {
-  if (protrusions.empty()) return "";
-  TextTable table({"link", "[mm]"});
-  for (const auto& [link, protrusion] : protrusions) {
-    table.AddRow({link, FormatFixed(MmFromM(protrusion), 1)});
+std::string FormatContact(const std::vector<ContactFit>& fits) {
+  if (fits.empty()) return "";
+  TextTable table({"link", "balls", "out [mm]", "palmar", "sink [mm]", "palmar"});
+  const auto format = [](const ContactError& error) {
+    return FormatFixed(MmFromM(error.at_95), 1) + " / " + FormatFixed(MmFromM(error.most), 1);
+  };
+  for (const ContactFit& fit : fits) {
+    table.AddRow({fit.link, std::to_string(fit.num_balls), format(fit.out), format(fit.palmar_out),
+                  format(fit.sink), format(fit.palmar_sink)});
   }
-  return "\ncontact outside the convex hull of each " + of + "\n" + table.Format();
+  return "\ncontact against the surface of each link, at 95 of 100 points / at most: how far balls "
+         "stick out,\nhow far a ball of 5 mm sinks in; all around and on the palmar side\n" +
+         table.Format();
 }
 
-std::string DescribeFarOut(const std::vector<LinkProtrusion>& protrusions) {
+std::string DescribeCoarseContact(const std::vector<ContactFit>& fits) {
   int64_t num_links = 0;
-  LinkProtrusion most;
-  for (const LinkProtrusion& one : protrusions) {
-    num_links += one.protrusion > kMostProtrusion;
-    if (one.protrusion > most.protrusion) most = one;
+  const ContactFit* worst = nullptr;
+  double most = kFairContactError;
+  for (const ContactFit& fit : fits) {
+    const double error = std::max(fit.out.most, fit.sink.at_95);
+    num_links += error > kFairContactError;
+    if (error <= most) continue;
+    most = error;
+    worst = &fit;
   }
-  if (num_links == 0) return "";
-  return "contact shapes of " + FormatCount(num_links, "link") +
-         " stick out of the convex hull of the link's picture by more than 5 mm, those of \"" +
-         most.link + "\" by " + FormatFixed(MmFromM(most.protrusion), 1) +
-         " mm; outside the neighbouring links, objects are touched there where nothing is seen";
+  if (!worst) return "";
+  return "contact differs from the picture by more than 1 mm on " + FormatCount(num_links, "link") +
+         ", most on \"" + worst->link + "\": " + DescribeContactError(*worst);
 }
 
 }  // namespace graspbench

@@ -6,7 +6,7 @@ Hands for a person and for a program. */
 #include <vector>
 
 #include "core/base/text/json.h"
-#include "core/hand/contact_shape.h"
+#include "core/hand/contact_fit.h"
 #include "core/hand/hand.h"
 #include "core/shape/grasp_object.h"
 #include "objects/check_mesh_file.h"
@@ -25,14 +25,12 @@ Json MakeHandJson(const Hand& hand);
 /** The same as text with a table of the joints. */
 std::string FormatHand(const Hand& hand);
 
-/** How far contact sticks out of the convex hull of each link, in millimetres. */
+/** How well contact covers the links (core/hand/contact_fit.h), in millimetres. */
 ///@{
-Json MakeProtrusionJson(const std::vector<LinkProtrusion>& protrusions);
-/** @param of  whose hull it is, for the heading: "link's picture". */
-std::string FormatProtrusions(const std::vector<LinkProtrusion>& protrusions,
-                              const std::string& of);
-/** Of a hand against its pictures: the links above 5 mm, for a warning; empty: none is. */
-std::string DescribeFarOut(const std::vector<LinkProtrusion>& protrusions);
+Json MakeContactJson(const std::vector<ContactFit>& fits);
+std::string FormatContact(const std::vector<ContactFit>& fits);
+/** Of a hand against its pictures: the links above 1 mm, for a warning; empty: none is. */
+std::string DescribeCoarseContact(const std::vector<ContactFit>& fits);
 ///@}
 
 /** Things to grasp and checked meshes for a person and for a program. */

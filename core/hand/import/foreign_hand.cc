@@ -1,6 +1,7 @@
 #include "core/hand/import/foreign_hand.h"
 
-#include <Eigen/Geometry>
+#include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -83,6 +84,17 @@ void ResolveMimics(const std::vector<NamedMimic>& mimics, const std::string& wha
       hand.joints[mimic.joint].mimic = resolved;
     }
   }
+}
+
+void RaiseToBounds(const ForeignHand& hand, ForeignLink& link) {
+  const bool is_world = hand.world >= 0 && &link == &hand.links[static_cast<size_t>(hand.world)];
+  if (is_world || !link.inertia || (hand.least_mass == 0.0 && hand.least_moment == 0.0)) return;
+  link.inertia->mass = std::max(link.inertia->mass, hand.least_mass);
+  if (!link.inertia->I_I.allFinite()) return;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(link.inertia->I_I);
+  const Eigen::Matrix3d R = principal.eigenvectors();
+  const Eigen::Vector3d moments = principal.eigenvalues().cwiseMax(hand.least_moment);
+  link.inertia->I_I = R * moments.asDiagonal() * R.transpose();
 }
 
 void FixJoint(ForeignHand& hand, int index, double q) {

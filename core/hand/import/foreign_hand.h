@@ -3,6 +3,7 @@
 A hand as somebody else describes it: read (read_foreign_urdf.h), not yet judged. SI units. */
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@ A hand as somebody else describes it: read (read_foreign_urdf.h), not yet judged
 #include "core/base/pose.h"
 #include "core/hand/read_urdf.h"
 #include "core/hand/xml_text.h"
+#include "core/shape/tri_mesh.h"
 
 namespace graspbench {
 
@@ -22,6 +24,8 @@ struct ForeignShape : UrdfShape {
     double density = 0.0;        ///< where there is no mass [kg/m^3]
   };
   std::optional<Weight> weight = {};
+  /** A mesh that stands in the description itself (MJCF), before its scale; `mesh` is its name. */
+  std::shared_ptr<const TriMesh> inline_mesh = {};
 };
 
 struct ForeignInertia : UrdfInertia {
@@ -78,12 +82,18 @@ struct ForeignHand {
   std::vector<ForeignLink> links;
   std::vector<ForeignJoint> joints;
   std::vector<std::string> included;  ///< paths of further files that it was read from
+  double least_mass = 0.0;            ///< of a body, by the compiler of MJCF (boundmass) [kg]
+  double least_moment = 0.0;          ///< of a principal moment, likewise [kg m^2]
   int world = -1;  ///< link that stands for the world of a scene; -1: the format has none
 };
 
 /** A foreign joint held for good. Puts a joint at a position [rad], [m] for good; those that follow
 it, too. */
 void FixJoint(ForeignHand& hand, int index, double q);
+
+/** Raises mass and principal moments of a link that has an inertia to the bounds of the hand's
+format, as MuJoCo's compiler does; not those of the world. */
+void RaiseToBounds(const ForeignHand& hand, ForeignLink& link);
 
 /** What the readers of foreign descriptions have in common. q = offset + ratio q_other, the other
 joint by its name. */

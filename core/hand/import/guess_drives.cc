@@ -19,8 +19,10 @@ constexpr double kMostForce = 200.0;  // [N] of a slide's drive, the same
 100 N; pneumatic grippers with less than 1 kN for a kilogram of their mass. */
 constexpr double kMostTipForce = 250.0, kMostFingerForce = 100.0, kMostForceByMass = 1000.0,
                  kMostForceOfAny = 5000.0;
-/** Published stiffness within these holds a finger; [N m/rad], [N/m], of the stiffest. */
-constexpr double kStiffest = 50.0, kStiffestSlide = 50000.0, kSoftest = 0.005;
+/** Published stiffness up to here is a finger's; [N m/rad], [N/m]. */
+constexpr double kStiffest = 50.0, kStiffestSlide = 50000.0;
+/** A softer drive sags farther than this under the links that it moves [rad], [m]. */
+constexpr double kMostSag = 0.25, kMostSlideSag = 0.005;
 /** Damping over stiffness [s]: no less, or the finger swings; no more, or it crawls. */
 constexpr double kDampingTime = 0.02, kMostDampingTime = 0.1;
 constexpr int kMostEqual = 3;       // drives of one round effort, or it is a placeholder
@@ -42,19 +44,27 @@ class DriveGuesser {
 
  private:
   /** What a joint without a published value gets: no more than the weakest of its digit has. */
-  double GuessDrive(int joint, double ForeignDrive::*value, double least, double most,
-                    double otherwise) const {
+  template <class IsBelieved>
+  double GuessDrive(int joint, double ForeignDrive::*value, double otherwise,
+                    IsBelieved&& is_believed) const {
     const HandJoint& own = hand_.joints[joint];
     for (int k = 0; k < hand_.num_joints(); ++k) {
       const HandJoint& other = hand_.joints[k];
-      const double published = imported_.drives[static_cast<size_t>(k)].*value;
       const bool is_neighbour =
           other.coupled_to < 0 && other.is_prismatic == own.is_prismatic &&
           hand_.FindDigitOfLink(other.link) == hand_.FindDigitOfLink(own.link);
-      if (!is_neighbour || published <= least || published > most) continue;
-      otherwise = std::min(otherwise, published);
+      if (!is_neighbour || !is_believed(k)) continue;
+      otherwise = std::min(otherwise, imported_.drives[static_cast<size_t>(k)].*value);
     }
     return otherwise;
+  }
+
+  /** The hand still moves with it. */
+  bool IsStiffnessBelieved(int joint) const {
+    const double stiffness = imported_.drives[static_cast<size_t>(joint)].stiffness;
+    const bool slides = hand_.joints[joint].is_prismatic;
+    return stiffness > 0.0 && stiffness <= (slides ? kStiffestSlide : kStiffest) &&
+           stiffness * (slides ? kMostSlideSag : kMostSag) >= CalcLoad(joint);
   }
 
   /** [N m], [N] */
@@ -146,8 +156,8 @@ class DriveGuesser {
         file_, 0,
         "the stiffness of " + FormatCount(static_cast<int64_t>(told.size()), "drive") + " (" +
             JoinSome(told) +
-            ") is not that of a finger's, 0.25 to 50 N m/rad or 250 to 50000 N/m; guessed "
-            "instead");
+            ") is not that of a finger's: above 50 N m/rad (50000 N/m), or the links that it moves "
+            "sag by more than 0.25 rad (5 mm); guessed instead");
   }
 
   /** Of the drives that would crawl, and so get less damping than is published. */
@@ -173,18 +183,19 @@ class DriveGuesser {
     for (int j = 0; j < hand_.num_joints(); ++j) {
       HandJoint& joint = hand_.joints[j];
       const ForeignDrive& drive = imported_.drives[static_cast<size_t>(j)];
+      const auto is_effort_known = [&](int k) {
+        const double effort = imported_.drives[static_cast<size_t>(k)].effort;
+        return effort > 0.0 && effort <= (joint.is_prismatic ? kMostForce : kMostEffort);
+      };
       joint.drive.torque_limit = IsEffortBelieved(j)
                                      ? drive.effort
-                                     : GuessDrive(j, &ForeignDrive::effort, 0.0,
-                                                  joint.is_prismatic ? kMostForce : kMostEffort,
-                                                  joint.is_prismatic ? 40.0 : 1.0);
-      const double stiffest = joint.is_prismatic ? kStiffestSlide : kStiffest;
-      const bool is_published =
-          drive.stiffness >= kSoftest * stiffest && drive.stiffness <= stiffest;
-      joint.drive.stiffness = is_published
-                                  ? drive.stiffness
-                                  : GuessDrive(j, &ForeignDrive::stiffness, kSoftest * stiffest,
-                                               stiffest, joint.is_prismatic ? 3000.0 : 3.0);
+                                     : GuessDrive(j, &ForeignDrive::effort,
+                                                  joint.is_prismatic ? 40.0 : 1.0, is_effort_known);
+      const bool is_published = IsStiffnessBelieved(j);
+      joint.drive.stiffness =
+          is_published ? drive.stiffness
+                       : GuessDrive(j, &ForeignDrive::stiffness, joint.is_prismatic ? 3000.0 : 3.0,
+                                    [this](int k) { return IsStiffnessBelieved(k); });
       const double damping = kDampingTime * joint.drive.stiffness;
       joint.drive.damping = is_published ? std::clamp(drive.damping, damping,
                                                       kMostDampingTime * joint.drive.stiffness)

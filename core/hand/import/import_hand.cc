@@ -8,6 +8,7 @@
 #include "core/hand/import/guess_hand.h"
 #include "core/hand/import/link_contact.h"
 #include "core/hand/import/read_foreign_urdf.h"
+#include "core/hand/import/select_hand.h"
 #include "core/hand/import/write_hand.h"
 
 namespace graspbench {
@@ -22,26 +23,33 @@ ImportedFiles ImportInOrder(const std::string& text, const HandSource& source,
   if (has_failed()) return {};
   SetLengthUnit(source.unit, source.file, problems, foreign);
   if (has_failed()) return {};
-  FindDecoration(source.file, problems, foreign);
   ShapeLoader loader(source, problems);
+  const auto lacks_mesh = [&](const ForeignLink& link) { return loader.LacksMesh(link); };
+  const int palm_link = SelectHand(palm, lacks_mesh, source.file, problems, foreign);
+  if (has_failed()) return {};
+  FindDecoration(source.file, problems, foreign);
   if (!loader.CheckMeshes(foreign)) return {};
   loader.InferMeshUnit(foreign);
   std::vector<LoadedShapes> shapes;
   for (ForeignLink& link : foreign.links) {
     shapes.push_back(loader.Load(link));
     loader.Weigh(link);
+    RaiseToBounds(foreign, link);
   }
   std::set<std::filesystem::path> read = loader.ListFiles();
   read.insert(foreign.included.begin(), foreign.included.end());
   if (has_failed()) return {};
-  ImportedHand imported = WeldLinks(foreign, shapes, palm, source.file, problems);
+  ImportedHand imported = WeldLinks(foreign, palm_link, shapes, source.file, problems);
   if (has_failed()) return {};
   imported.hand.name = foreign.name;
   GuessHand(source.file, source.palm_normal, imported, problems);
   if (has_failed()) return {};
-  FreeJoints(source.file, imported, problems);
-  CoverLinks(source.file, source.num_cover_points, imported, problems);
   FindImplausible(source.file, imported, problems);
+  if (has_failed()) return {};
+  const bool is_covered = source.num_cover_points > 0;
+  if (is_covered) CoverLinks(source.num_cover_points, imported);
+  FreeJoints(source.file, imported, problems);
+  if (is_covered) MeasureLinks(source.file, source.accepts_coarse_contact, imported, problems);
 
   ImportedFiles result;
   const Hand& hand = imported.hand;
@@ -51,7 +59,7 @@ ImportedFiles ImportInOrder(const std::string& text, const HandSource& source,
       static_cast<int>(std::count_if(hand.joints.begin(), hand.joints.end(),
                                      [](const HandJoint& joint) { return joint.coupled_to < 0; }));
   const std::string name = std::filesystem::path(source.file).filename().string();
-  result.protrusions = imported.protrusions;
+  result.fits = imported.fits;
   result.files = FormatHandFiles(imported, name, problems);
   result.files["import.json"] =
       FormatImportRecord(text, read, source, palm, imported, problems, result.files);

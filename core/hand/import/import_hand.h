@@ -23,7 +23,7 @@ namespace graspbench {
 struct ImportedFiles {
   std::map<std::string, std::string> files;  ///< name below the hand's folder -> content
   int num_digits = 0, num_joints = 0, num_driven = 0;
-  std::vector<LinkProtrusion> protrusions;  ///< as ImportedHand::protrusions
+  std::vector<ContactFit> fits;  ///< as ImportedHand::fits
 };
 
 /** @param text  of the description; `source` says where it lies and reads its meshes.

@@ -7,9 +7,10 @@
 
 #include "core/base/text/text.h"
 #include "core/base/units.h"
+#include "core/hand/contact_fit.h"
 #include "core/hand/contact_shape.h"
 #include "core/hand/hand.h"
-#include "core/hand/import/shapes/cover_surface.h"
+#include "core/hand/import/shapes/pack_balls.h"
 
 namespace graspbench {
 namespace {
@@ -98,31 +99,68 @@ std::vector<ContactSphere> MakeBalls(const ImportedHand& imported, int link, boo
 
 }  // namespace
 
-void CoverLinks(const std::string& file, int num_points, ImportedHand& imported,
-                Diagnostics& problems) {
+void CoverLinks(int num_points, ImportedHand& imported) {
   const Hand& hand = imported.hand;
-  for (const Digit& digit : hand.digits) {
-    for (const int link : digit.links) {
-      const std::vector<TriMesh>& solids = imported.solids[static_cast<size_t>(link)];
-      if (solids.empty()) continue;
-      const SurfaceCover cover =
-          CoverSurface(solids, MakeBalls(imported, link, link == digit.distal_link), num_points);
-      for (const SurfaceCover::Ball& ball : cover.balls) {
-        CollisionShape& shape = imported.shapes.emplace_back();
-        shape.link = link;
-        shape.X_LS = MakePose(ball.centre);
-        shape.size.setConstant(2.0 * ball.radius);
-        shape.is_cover = true;
-      }
-      const std::string& name = hand.links[link].name;
-      const std::string told = FormatFixed(MmFromM(cover.uncovered), 2) +
-                               " mm of its surface stay uncovered at 95 of 100 points";
-      std::string& note = imported.notes[static_cast<size_t>(link)];
-      note += (note.empty() ? "" : "\n") + name + ": " +
-              FormatCount(static_cast<int64_t>(cover.balls.size()), "ball") +
-              " more at edges and ends; " + told;
-      if (cover.uncovered <= kMostUncovered) continue;
-      problems.Warn(file, 0, "link \"" + name + "\": " + told + ": what it grasps there sinks in");
+  for (int link = 0; link < static_cast<int>(hand.links.size()); ++link) {
+    const std::vector<TriMesh>& solids = imported.solids[static_cast<size_t>(link)];
+    if (solids.empty()) continue;
+    const LinkSolid solid(solids);
+    if (solid.boundary().empty()) continue;
+    const auto is_fitted = [&](const CollisionShape& shape) {
+      return shape.link == link && shape.is_fitted;
+    };
+    auto& shapes = imported.shapes;
+    const auto fitted = std::find_if(shapes.begin(), shapes.end(), is_fitted);
+    std::vector<FittedCapsule> capsules;
+    if (fitted != shapes.end()) {
+      shapes.erase(std::remove_if(fitted, shapes.end(), is_fitted), shapes.end());
+      capsules = InscribeCapsules(solid);
+    }
+    const bool is_tip = std::any_of(hand.digits.begin(), hand.digits.end(),
+                                    [&](const Digit& d) { return d.distal_link == link; });
+    const std::vector<Ball> balls = PackBalls(solid, MakeBalls(imported, link, is_tip),
+                                              is_tip ? kSmallestPadBall : 0.0, num_points);
+    for (const FittedCapsule& capsule : capsules) {
+      CollisionShape& shape = shapes.emplace_back(MakeCapsuleShape(capsule));
+      shape.link = link;
+      shape.is_self_contact = true;
+    }
+    for (const Ball& ball : balls) {
+      CollisionShape& shape = shapes.emplace_back();
+      shape.link = link;
+      shape.X_LS = MakePose(ball.centre);
+      shape.size.setConstant(2.0 * ball.radius);
+      shape.is_cover = true;
+    }
+    std::string& note = imported.notes[static_cast<size_t>(link)];
+    note += (note.empty() ? "" : "\n") + hand.links[static_cast<size_t>(link)].name + ": " +
+            FormatCount(static_cast<int64_t>(balls.size()), "ball") + " inside its surface, " +
+            FormatCount(static_cast<int64_t>(capsules.size()), "capsule") +
+            " for contact with the hand itself";
+  }
+}
+
+void MeasureLinks(const std::string& file, bool accepts_coarse, ImportedHand& imported,
+                  Diagnostics& problems) {
+  Hand hand = imported.hand;
+  for (const CollisionShape& shape : imported.shapes) {
+    AddContact(shape, false, hand);
+  }
+  imported.fits = MeasureContact(hand, imported.solids);
+  for (const ContactFit& fit : imported.fits) {
+    const int link = hand.FindLink(fit.link);
+    const bool is_tip = std::any_of(hand.digits.begin(), hand.digits.end(),
+                                    [&](const Digit& d) { return d.distal_link == link; });
+    const double all = std::max(fit.out.most, fit.sink.at_95);
+    const double palmar = std::max(fit.palmar_out.most, fit.palmar_sink.at_95);
+    const std::string told = "link \"" + fit.link + "\": " + DescribeContactError(fit);
+    if ((is_tip ? all : palmar) > kMostContactError && !accepts_coarse) {
+      problems.Fail(file, 0,
+                    told +
+                        "; expected 5 mm at most on the palmar side and on tips. Is its mesh "
+                        "whole? --coarse-contact takes it as it is");
+    } else if (all > kFairContactError) {
+      problems.Warn(file, 0, told);
     }
   }
 }

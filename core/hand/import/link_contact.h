@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-Covers every link of a digit: what its contact shapes leave out of the description's surface gets
-balls of its own (cover_surface.h), which objects and the table meet (CollisionShape::is_cover). */
+What the links of an imported hand touch with: packed balls for objects and the table
+(CollisionShape::is_cover), inscribed capsules for the hand itself (is_self_contact). */
 
 #include <string>
 
@@ -10,10 +10,16 @@ balls of its own (cover_surface.h), which objects and the table meet (CollisionS
 
 namespace graspbench {
 
-/** Notes how much was added, and warns of a link of which more than 1.5 mm stays uncovered at 95 of
-100 points. @param num_points  on a link. @pre the digits are known. */
-void CoverLinks(const std::string& file, int num_points, ImportedHand& imported,
-                Diagnostics& problems);
+/** Packs balls into every link with a solid (pack_balls.h) where its spheres, capsules and boxes do
+not reach its surface; what stood for meshes and discs is replaced. @param num_points  on a link.
+@pre the digits are known. */
+void CoverLinks(int num_points, ImportedHand& imported);
+
+/** Measures what the links touch with against their solids (contact_fit.h) into `imported.fits`. A
+warning above 1 mm; above 5 mm on the palmar side or a tip an error, a warning where
+`accepts_coarse`. */
+void MeasureLinks(const std::string& file, bool accepts_coarse, ImportedHand& imported,
+                  Diagnostics& problems);
 
 /** Frees joints at the palm that their own contact shapes would block: a finger's first link that
 sits in the palm's housing meets it, as balls and capsules, within the limits that the description

@@ -8,6 +8,7 @@
 #include "core/base/units.h"
 #include "core/hand/import/checks/find_hand.h"
 #include "core/hand/import/foreign_hand.h"
+#include "core/hand/import/select_hand.h"
 #include "core/hand/import/shapes/shape_distance.h"
 
 namespace graspbench {
@@ -23,9 +24,7 @@ constexpr double kFoam = 40.0;           // [kg/m^3]
 constexpr double kHeaviestFrame = 20.0;  // [kg] of a link without extent
 constexpr double kBallRadius = 0.005;    // [m] of a link between two axes
 constexpr double kBallMass = 0.004;      // [kg]
-constexpr int kMostWristJoints = 2;
-constexpr double kHeaviestHand = 10.0;  // [kg]
-constexpr double kFarthestFrame = 2.0;  // [m] along an axis, as hand.yaml has it
+constexpr double kFarthestFrame = 2.0;   // [m] along an axis, as hand.yaml has it
 
 bool Moves(const ForeignJoint& joint) { return joint.kind != ForeignJoint::Kind::kFixed; }
 
@@ -56,83 +55,27 @@ class Welder {
         shapes_(shapes),
         file_(file),
         problems_(problems),
-        tree_(MakeForeignTree(foreign)) {}
+        tree_(MakeForeignTree(foreign)),
+        body_of_(foreign.links.size(), 0),
+        X_BM_(foreign.links.size(), Pose::Identity()) {}
 
-  /** Moving links at the end of a chain with neither shape nor mass: frames for programs. */
-  void FixEmptyEnds() {
-    has_body_.assign(foreign_.links.size(), false);
-    const auto is_followed = [&](int joint) {
-      return std::any_of(foreign_.joints.begin(), foreign_.joints.end(),
-                         [&](const ForeignJoint& j) { return j.mimic && j.mimic->joint == joint; });
-    };
-    for (size_t i = tree_.order.size(); i-- > 0;) {
-      const int link = tree_.order[i];
-      if (!shapes_[link].collisions.empty()) has_body_[link] = true;
-      const int joint = tree_.joint_of[link];
-      if (joint < 0) continue;
-      if (has_body_[link]) {
-        has_body_[foreign_.joints[joint].parent] = true;
-      } else if (Moves(foreign_.joints[joint]) && !is_followed(joint)) {
-        WarnAt(foreign_.joints[joint].line, "joint \"" + foreign_.joints[joint].name +
-                                                "\" moves nothing that could touch; fixed");
-        FixJoint(foreign_, joint, 0.0);
-      }
+  /** False, with an error: what is left of the hand has nothing to touch with. */
+  bool CheckDigits() {
+    const size_t before = CountMoving();
+    std::vector<bool> touches;
+    for (const LoadedShapes& shapes : shapes_) touches.push_back(!shapes.collisions.empty());
+    const std::vector<bool> has_body = FixEmptyEnds(touches, tree_, file_, problems_, foreign_);
+    if (CountMoving() == before) return true;
+    Diagnostics found;
+    FindHand(foreign_, tree_, has_body, "", file_, found);
+    for (const Diagnostic& entry : found.entries()) {
+      if (entry.severity == Severity::kError) problems_.Fail(file_, entry.line, entry.text);
     }
-  }
-
-  HandCandidate FindHandPlace(const std::string& palm) const {
-    return FindHand(foreign_, tree_, has_body_, palm, file_, problems_);
-  }
-
-  void LeaveOutOthers(const HandCandidate& place) {
-    left_out_ = place.left_out;
-    if (place.carrier >= 0) {
-      root_ = place.root;
-      WarnAt(foreign_.links[place.carrier].line,
-             "\"" + foreign_.links[place.carrier].name + "\" carries the palm \"" +
-                 foreign_.links[place.palm].name + "\"; left out with all above it");
-      return;
-    }
-    int num_joints = 0, below = place.palm;
-    for (int link = place.palm; link != place.top && tree_.joint_of[link] >= 0;) {
-      const ForeignJoint& joint = foreign_.joints[tree_.joint_of[link]];
-      num_joints += Moves(joint);
-      if (!Moves(joint) && num_joints == 0) below = joint.parent;
-      link = joint.parent;
-    }
-    if (num_joints <= kMostWristJoints) {
-      if (place.top != tree_.order.front()) root_ = place.top;
-      return;
-    }
-    root_ = below;
-    WarnAt(foreign_.links[below].line,
-           "the " + std::to_string(num_joints) + " joints above \"" + foreign_.links[below].name +
-               "\" are taken as an arm and left out: the arm of an experiment carries the palm");
-  }
-
-  /** False, with an error: no hand is as heavy as what is left. */
-  bool CheckMass() {
-    double mass = 0.0, most = 0.0;
-    int heaviest = -1;
-    for (const int link : tree_.order) {
-      if (IsLeftOut(link)) continue;
-      const auto& inertia = foreign_.links[link].inertia;
-      if (!inertia) continue;
-      mass += std::max(0.0, inertia->mass);
-      if (inertia->mass <= most) continue;
-      most = inertia->mass;
-      heaviest = link;
-    }
-    if (mass <= kHeaviestHand) return true;
-    problems_.Fail(file_, foreign_.links[heaviest].inertia->line,
-                   "its links weigh " + FormatSignificant(mass, 3) + " kg in all, \"" +
-                       foreign_.links[heaviest].name + "\" alone " + FormatSignificant(most, 3) +
-                       " kg; a hand weighs 10 kg at most. Are these grams, or parts of a scene? "
-                       "Give kilograms, or name the palm with --palm");
-    return false;
+    return found.num_errors() == 0;
   }
 
   ImportedHand Weld(int palm) {
+    JudgeBodies();
     ImportedHand imported;
     Hand& hand = imported.hand;
     std::vector<int> link_of(foreign_.links.size(), -1);              // foreign -> welded
@@ -141,8 +84,7 @@ class Welder {
     bool is_root_named = false;
     Pose X_RootNamed = Pose::Identity();  // the frame of the part that names the root
     for (const int member : tree_.order) {
-      if (IsLeftOut(member)) continue;
-      const int j = member == root_ ? -1 : tree_.joint_of[member];
+      const int j = tree_.joint_of[member];
       if (j >= 0 && !Moves(foreign_.joints[j])) {
         const int parent = foreign_.joints[j].parent;
         link_of[member] = link_of[parent];
@@ -195,7 +137,6 @@ class Welder {
       for (const std::string& fitted : shapes.notes) {
         note += (note.empty() ? "" : "; ") + fitted;
       }
-      if (!shapes.collisions.empty()) note += "; " + MeasureProtrusion(member, imported);
       if (!note.empty()) {
         imported.notes[index] +=
             (imported.notes[index].empty() ? "" : "\n") + foreign_.links[member].name + ": " + note;
@@ -222,16 +163,9 @@ class Welder {
   }
 
  private:
-  bool IsBelow(int link, int ancestor) const {
-    while (link != ancestor && tree_.joint_of[link] >= 0) {
-      link = foreign_.joints[tree_.joint_of[link]].parent;
-    }
-    return link == ancestor;
-  }
-  bool IsLeftOut(int link) const {
-    return (root_ >= 0 && !IsBelow(link, root_)) ||
-           std::any_of(left_out_.begin(), left_out_.end(),
-                       [&](int other) { return IsBelow(link, other); });
+  size_t CountMoving() const {
+    return static_cast<size_t>(
+        std::count_if(foreign_.joints.begin(), foreign_.joints.end(), &Moves));
   }
 
   MassProperties CalcMass(int link, std::string& note) {
@@ -248,6 +182,10 @@ class Welder {
       return mass;
     }
     const auto& shapes = shapes_[link].collisions;
+    if (BodyOf(link).is_believed && (!published || published->mass == 0.0)) {
+      note = "no mass of its own: that of the parts it is fixed to is published";
+      return {};
+    }
     if (shapes.empty()) {
       const bool is_decoration = foreign_.links[link].is_decoration;
       if (published && published->mass > (is_decoration ? 0.0 : kHeaviestFrame)) {
@@ -289,7 +227,8 @@ class Welder {
       return "a principal moment larger than the sum of the others, which no body has";
     }
     const auto& shapes = shapes_[link].collisions;
-    const double density = CalcLeastDensity(link);
+    const Body& body = BodyOf(link);
+    const double density = body.is_believed ? 0.0 : CalcLeastDensity(link);
     if (density > kHeaviest) {
       return "a mass of " + FormatSignificant(inertia->mass, 3) + " kg in bounds of " +
              FormatSignificant(1e6 * inertia->mass / density, 3) +
@@ -300,18 +239,19 @@ class Welder {
              FormatSignificant(GFromKg(inertia->mass), 3) +
              " g, less than a ball of the densest metal has";
     }
-    if (shapes.empty()) {
+    if (shapes.empty() && !body.is_believed) {
       if (inertia->mass > kHeaviestFrame) {
         return "a mass of " + FormatSignificant(inertia->mass, 3) + " kg without extent";
       }
       return moments[2] * scale > inertia->mass ? "an inertia too large for its mass" : "";
     }
-    if (inertia->mass < kFoam * CalcUnionMass(shapes, 1.0).mass) {
+    if (!body.is_believed && inertia->mass < kFoam * CalcUnionMass(shapes, 1.0).mass) {
       return "a mass of " + FormatSignificant(GFromKg(inertia->mass), 3) +
              " g, lighter than any foam of its size; is it in another unit?";
     }
-    const Eigen::AlignedBox3d bounds = CalcOwnBounds(link);
-    const Vector3d p_com = inertia->X_LI.translation();
+    const Eigen::AlignedBox3d bounds = body.is_believed ? body.bounds : CalcOwnBounds(link);
+    const Vector3d p_com =
+        (body.is_believed ? X_BM_[link] : Pose::Identity()) * inertia->X_LI.translation();
     if (bounds.exteriorDistance(p_com) > 0.005 + 0.2 * bounds.sizes().norm()) {
       return "a centre of mass " + FormatFixed(MmFromM(bounds.exteriorDistance(p_com)), 0) +
              " mm outside its shapes";
@@ -320,6 +260,46 @@ class Welder {
       return "an inertia too large for its mass and size";
     }
     return "";
+  }
+
+  /** Parts that are fixed to each other. A file may give the mass of all to one of them, so it is
+  judged by the extent of all. */
+  struct Body {
+    std::vector<int> members;
+    Eigen::AlignedBox3d bounds;  // in the frame of the first
+    bool is_believed = false;    // its parts' masses fit its extent; false of a single part
+  };
+  const Body& BodyOf(int link) const { return bodies_[body_of_[link]]; }
+
+  void JudgeBodies() {
+    for (const int link : tree_.order) {
+      const int j = tree_.joint_of[link];
+      if (j < 0 || Moves(foreign_.joints[j])) {
+        body_of_[link] = bodies_.size();
+        bodies_.emplace_back();
+      } else {
+        body_of_[link] = body_of_[foreign_.joints[j].parent];
+        X_BM_[link] = X_BM_[foreign_.joints[j].parent] * foreign_.joints[j].X_PJ;
+      }
+      bodies_[body_of_[link]].members.push_back(link);
+    }
+    for (Body& body : bodies_) {
+      double mass = 0.0;
+      std::vector<CollisionShape> shapes;
+      for (const int link : body.members) {
+        const auto& inertia = foreign_.links[link].inertia;
+        if (inertia) mass += std::max(0.0, inertia->mass);
+        const Eigen::AlignedBox3d own = CalcOwnBounds(link);
+        if (!own.isEmpty()) body.bounds.extend(own.transformed(X_BM_[link]));
+        for (CollisionShape shape : shapes_[link].collisions) {
+          shape.X_LS = X_BM_[link] * shape.X_LS;
+          shapes.push_back(shape);
+        }
+      }
+      if (body.members.size() < 2 || mass == 0.0 || shapes.empty()) continue;
+      body.is_believed = mass <= kHeaviest * std::max(body.bounds.volume(), 1e-9) &&
+                         mass >= kFoam * CalcUnionMass(shapes, 1.0).mass;
+    }
   }
 
   /** Of all that is seen or touched. */
@@ -360,21 +340,6 @@ class Welder {
       visual.solid.X_LS = X_NR * visual.solid.X_LS;
       for (Vector3d& p : visual.mesh.vertices) p = X_NR * p;
     }
-  }
-
-  /** Of a link of the description with contact; reported above 5 mm. */
-  std::string MeasureProtrusion(int member, ImportedHand& imported) {
-    const std::string& name = foreign_.links[member].name;
-    const double protrusion =
-        CalcContactProtrusion(shapes_[member].collisions, shapes_[member].solids);
-    imported.protrusions.push_back({name, protrusion});
-    const std::string told = FormatFixed(MmFromM(protrusion), 1) + " mm";
-    if (protrusion > kMostProtrusion) {
-      WarnAt(foreign_.links[member].line,
-             "link \"" + name + "\": its contact shapes stick out of its convex hull by up to " +
-                 told + "; there objects are touched where the link is not");
-    }
-    return "contact up to " + told + " outside its convex hull";
   }
 
   /** @param joint_of  of the foreign joints in the hand; -1: none. */
@@ -465,22 +430,18 @@ class Welder {
   std::string file_;
   Diagnostics& problems_;
   ForeignTree tree_;
-  std::vector<bool> has_body_;  // by link: it or what hangs on it has a shape
-  int root_ = -1;               // -1: the tree's
-  std::vector<int> left_out_;   // links: with all below them
+  std::vector<Body> bodies_;
+  std::vector<size_t> body_of_;  // by link
+  std::vector<Pose> X_BM_;       // by link, in its body's first part
 };
 
 }  // namespace
 
-ImportedHand WeldLinks(ForeignHand foreign, const std::vector<LoadedShapes>& shapes,
-                       const std::string& palm, const std::string& file, Diagnostics& problems) {
+ImportedHand WeldLinks(ForeignHand foreign, int palm, const std::vector<LoadedShapes>& shapes,
+                       const std::string& file, Diagnostics& problems) {
   Welder welder(foreign, shapes, file, problems);
-  welder.FixEmptyEnds();
-  const HandCandidate place = welder.FindHandPlace(palm);
-  if (place.palm < 0) return {};
-  welder.LeaveOutOthers(place);
-  if (!welder.CheckMass()) return {};
-  return welder.Weld(place.palm);
+  if (!welder.CheckDigits()) return {};
+  return welder.Weld(palm);
 }
 
 }  // namespace graspbench

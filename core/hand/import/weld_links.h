@@ -3,6 +3,9 @@
 The moving links of a foreign hand: what hangs together by fixed joints becomes one, with the mass
 of its parts.
 
+Masses are judged by the body that the parts make together: a file may give the mass of all of them
+to one. Where the body can have it, a part without mass weighs nothing.
+
 A published inertia is kept when a body of the link's size can have it: positive mass, moments that
 fulfil the triangle inequality, centre of mass within the bounds of the shapes, no larger than the
 shapes' farthest point allows, no smaller than those of a ball of that mass as dense as the densest
@@ -13,6 +16,7 @@ metal with hollows. Weightless links between two joint axes get a small ball. */
 #include <string>
 #include <vector>
 
+#include "core/hand/contact_fit.h"
 #include "core/hand/contact_shape.h"
 #include "core/hand/hand.h"
 #include "core/hand/import/shapes/load_shapes.h"
@@ -32,16 +36,12 @@ struct ImportedHand {
   std::vector<Visual> visuals;
   std::vector<std::string> notes;    ///< by link: where its mass and its contact come from
   std::vector<ForeignDrive> drives;  ///< by joint, as published
-  /** How far contact sticks out of each link of the description that has some, parents first. */
-  std::vector<LinkProtrusion> protrusions;
+  std::vector<ContactFit> fits;      ///< by link with contact (MeasureLinks)
 };
 
-/** Kept of a link's shapes, by foreign link. Every link of the description whose frame is not that
-of a link of the hand becomes one of Hand::frames.
-@param palm  name of the palm's link; empty: guessed from the tree: where the digits part. Of a
-scene the one part that has two digits is taken (find_hand.h); links above the palm are left out
-when more than two joints, an arm, lead to them. Errors: no hand or several; more than 10 kg. */
-ImportedHand WeldLinks(ForeignHand foreign, const std::vector<LoadedShapes>& shapes,
-                       const std::string& palm, const std::string& file, Diagnostics& problems);
+/** @param palm  index of the palm's link (SelectHand). @param shapes  by foreign link. Every link of
+the description whose frame is not that of a link of the hand becomes one of Hand::frames. */
+ImportedHand WeldLinks(ForeignHand foreign, int palm, const std::vector<LoadedShapes>& shapes,
+                       const std::string& file, Diagnostics& problems);
 
 }  // namespace graspbench

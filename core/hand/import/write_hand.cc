@@ -60,10 +60,19 @@ Json DescribeGuesses(const Hand& hand) {
           {"drives", drives}};
 }
 
-Json ListProtrusions(const std::vector<LinkProtrusion>& protrusions) {
+Json ListFits(const std::vector<ContactFit>& fits) {
   Json list = Json::array();
-  for (const auto& [link, protrusion] : protrusions) {
-    list.push_back({{"link", link}, {"outside_hull_mm", std::round(protrusion * 1e5) / 1e2}});
+  const auto round = [](const ContactError& error) {
+    return Json{{"at_95_mm", std::round(error.at_95 * 1e5) / 1e2},
+                {"most_mm", std::round(error.most * 1e5) / 1e2}};
+  };
+  for (const ContactFit& fit : fits) {
+    list.push_back({{"link", fit.link},
+                    {"balls", fit.num_balls},
+                    {"out", round(fit.out)},
+                    {"sink", round(fit.sink)},
+                    {"palmar_out", round(fit.palmar_out)},
+                    {"palmar_sink", round(fit.palmar_sink)}});
   }
   return list;
 }
@@ -122,7 +131,7 @@ std::string FormatImportRecord(const std::string& text, const std::set<std::file
                   : *source.in_degrees ? "deg"
                                        : "rad"}}},
       {"repairs", repairs},
-      {"protrusion", ListProtrusions(imported.protrusions)},
+      {"contact", ListFits(imported.fits)},
       {"guesses", DescribeGuesses(imported.hand)},
       {"files", hashes}};
   return FormatJson(record, 2) + "\n";
@@ -203,7 +212,10 @@ class UrdfWriter {
       }
       for (const CollisionShape& shape : imported_.shapes) {
         if (shape.link != index) continue;
-        Add("collision", shape.is_cover ? Attributes{{"name", "cover"}} : Attributes(), [&] {
+        const Attributes name = shape.is_cover          ? Attributes{{"name", "cover"}}
+                                : shape.is_self_contact ? Attributes{{"name", "self_contact"}}
+                                                        : Attributes();
+        Add("collision", name, [&] {
           AddOrigin(shape.X_LS);
           AddSolid(shape);
         });

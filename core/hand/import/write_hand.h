@@ -28,12 +28,13 @@ compared.
      "options": {"palm": "", "palm_normal": null, "unit_m": 0, "mesh_unit_m": 0, "package_path": [],
                  "angle": ""},
      "repairs": [{"line": 12, "text": ".."}],
-     "protrusion": [{"link": "palm", "outside_hull_mm": 1.23}, ..],
+     "contact": [{"link": "palm", "balls": 140, "out": {"at_95_mm": 0.3, "most_mm": 0.5},
+                  "sink": {..}, "palmar_out": {..}, "palmar_sink": {..}}, ..],
      "guesses": {"palm": {..}, "digits": [..], ..},
      "files": {"hand.urdf": "sha256..", ..}}
 
-`protrusion` is how far contact sticks out of the convex hull of a link of the description, rounded
-to 10 micrometres (core/hand/contact_shape.h). `read` is what the description refers to, meshes
+`contact` is how far balls stick out of a link, and a probe ball of 5 mm sinks into it, at 95 of 100
+points and at most, rounded to 10 micrometres (core/hand/contact_fit.h). `read` is what the description refers to, meshes
 and included files. `unit_m` 0: inferred. Paths are names without their folder; of two files of one
 name the second is "palm.stl (2)". Folders of `package_path` are relative to that of the
 description.

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "core/hand/import/read_foreign_urdf.h"
+#include "core/hand/import/select_hand.h"
 #include "core/hand/import/weld_links.h"
 #include "datasets/mjcf/mjcf_export.h"
 #include "tests/datasets/mjcf/best_grasp_setup.h"
@@ -18,12 +19,13 @@ ImportedHand ExportAndImport(const char* hand_id) {
   part.vertices = {Eigen::Vector3d::Zero()};
   const std::string text = FormatMjcf(setup, RecordMotion(setup).start, {part});
   Diagnostics problems;
-  const ForeignHand foreign = ReadForeignMjcf(text, "scene.xml", ".", problems);
+  ForeignHand foreign = ReadForeignMjcf(text, "scene.xml", ".", problems);
+  const int palm_link = SelectHand("", {}, "scene.xml", problems, foreign);
   HandSource source;
   ShapeLoader loader(source, problems);
   std::vector<LoadedShapes> shapes;
   for (const ForeignLink& link : foreign.links) shapes.push_back(loader.Load(link));
-  ImportedHand imported = WeldLinks(foreign, shapes, "", "scene.xml", problems);
+  ImportedHand imported = WeldLinks(foreign, palm_link, shapes, "scene.xml", problems);
   EXPECT_EQ(problems.num_errors(), 0) << problems.Format();
   return imported;
 }

@@ -25,19 +25,18 @@ ExitCode CheckHandCommand(const std::string& path, bool json) {
       problems.Fail(path, 0, error.what());
     }
   }
-  std::vector<LinkProtrusion> protrusions;
-  if (problems.num_errors() == 0) protrusions = CalcContactProtrusions(hand);
-  const std::string far_out = DescribeFarOut(protrusions);
-  if (!far_out.empty()) problems.Warn(path, 0, far_out);
+  std::vector<ContactFit> fits;
+  if (problems.num_errors() == 0) fits = MeasureContact(hand);
+  const std::string coarse = DescribeCoarseContact(fits);
+  if (!coarse.empty()) problems.Warn(path, 0, coarse);
   if (json) {
     PrintJson({{"usable", problems.num_errors() == 0},
                {"problems", MakeJson(problems)},
-               {"protrusion", MakeProtrusionJson(protrusions)}});
+               {"contact", MakeContactJson(fits)}});
   } else {
     PrintFindings(problems);
     PrintResult(path + ": " + (problems.num_errors() == 0 ? "can be used" : "cannot be used") +
-                FormatFindingCounts(problems) + "\n" +
-                FormatProtrusions(protrusions, "link's picture"));
+                FormatFindingCounts(problems) + "\n" + FormatContact(fits));
   }
   return problems.num_errors() == 0 ? kExitOk : kExitBadInput;
 }
@@ -104,7 +103,7 @@ void AddHandCommand(Command& program) {
   });
 
   Command* check =
-      add("check", "Read a hand; list problems with file and line, and contact outside each link.",
+      add("check", "Read a hand; list problems with file and line, and how contact fits each link.",
           "  graspbench hand check my_hand/\n"
           "  graspbench hand check my_hand/ --json");
   add_hand(check);

@@ -18,6 +18,7 @@ struct HandImportOptions {
   std::string file, out, palm, unit, mesh_unit, angle;
   std::vector<double> palm_normal;
   std::vector<std::string> package_path;
+  bool coarse_contact = false;
   bool replace = false;
 };
 
@@ -48,6 +49,7 @@ ExitCode ImportHandCommand(const HandImportOptions& options, bool json) {
                   "--palm-normal has no direction; expected three finite numbers X,Y,Z, not all 0");
     }
   }
+  source.accepts_coarse_contact = options.coarse_contact;
   if (!options.angle.empty()) source.in_degrees = options.angle == "deg";
   Diagnostics problems;
   const ImportedFiles imported = ImportHandFile(source, options.palm, problems);
@@ -55,7 +57,18 @@ ExitCode ImportHandCommand(const HandImportOptions& options, bool json) {
     MakeFolder((staged.path() / name).parent_path());
     WriteFile(staged.path() / name, content);
   }
-  if (problems.num_errors() == 0) CheckHand(staged.path().string(), problems);
+  if (problems.num_errors() == 0) {
+    Diagnostics found;
+    const std::string folder = staged.path().string();
+    CheckHand(folder, found);
+    for (const Diagnostic& entry : found.entries()) {  // by the folder that the user named
+      const bool is_within = entry.file.rfind(folder, 0) == 0;
+      const std::string at =
+          is_within ? options.out + entry.file.substr(folder.size()) : entry.file;
+      entry.severity == Severity::kError ? problems.Fail(at, entry.line, entry.text)
+                                         : problems.Warn(at, entry.line, entry.text);
+    }
+  }
   const bool is_usable = problems.num_errors() == 0;
   if (is_usable) staged.Commit();
   if (json) {
@@ -64,7 +77,7 @@ ExitCode ImportHandCommand(const HandImportOptions& options, bool json) {
                {"digits", imported.num_digits},
                {"joints", imported.num_joints},
                {"driven", imported.num_driven},
-               {"protrusion", MakeProtrusionJson(imported.protrusions)}});
+               {"contact", MakeContactJson(imported.fits)}});
   } else {
     PrintFindings(problems);
     PrintResult(options.file + ": " + (is_usable ? "imported" : "cannot be imported") +
@@ -74,7 +87,7 @@ ExitCode ImportHandCommand(const HandImportOptions& options, bool json) {
                   FormatCount(imported.num_joints, "joint") + ", " +
                   std::to_string(imported.num_driven) +
                   " driven; look at the lines with \"guess\" in hand.yaml\n" +
-                  FormatProtrusions(imported.protrusions, "link of the description"));
+                  FormatContact(imported.fits));
     }
   }
   return is_usable ? kExitOk : kExitBadInput;
@@ -87,7 +100,7 @@ void AddHandImportCommand(Command& program) {
   const auto json = std::make_shared<bool>(false);
   Command& command = AddSubcommand(
       program.Subcommand("hand"), "import",
-      "Import a hand from a URDF or MJCF; report repairs, assumptions, contact outside each link.",
+      "Import a hand from a URDF or MJCF; report repairs, assumptions, fit of contact.",
       "  graspbench hand import allegro_hand_right.urdf --out allegro\n"
       "  graspbench hand import urdf/svh.urdf --package-path ~/ros/src --out svh\n"
       "  graspbench hand import shadow_hand/right_hand.xml --out shadow-mjcf");
@@ -115,6 +128,8 @@ void AddHandImportCommand(Command& program) {
                  "direction out of the palm in its frame, where it is not found", "X,Y,Z")
       ->NumValues(3, 3)
       ->SplitAtCommas();
+  command.AddFlag("--coarse-contact", import->coarse_contact,
+                  "import although contact is more than 5 mm off on the palmar side or a tip");
   AddReplaceOption(command, import->replace);
   AddJsonOption(command, *json);
   command.SetAction([import, json] { return ImportHandCommand(*import, *json); });

@@ -199,6 +199,19 @@ void MjcfDocument::ReadSettings() {
       Warn(*compiler, "<compiler settotalmass=\"" + std::string(mass) +
                           "\">: not applied; masses are those of the bodies");
     }
+    const auto read_bound = [&](const char* name, double& bound) {
+      const char* text = compiler->Attribute(name);
+      if (!text) return;
+      const auto numbers = ParseNumbers(text);
+      if (numbers && numbers->size() == 1 && (*numbers)[0] >= 0.0) {
+        bound = (*numbers)[0];
+      } else {
+        Fail(*compiler,
+             std::string(name) + ": expected a number of at least 0, found \"" + text + "\"");
+      }
+    };
+    read_bound("boundmass", settings_.least_mass);
+    read_bound("boundinertia", settings_.least_moment);
     if (const char* folder = compiler->Attribute("meshdir")) mesh_folder = folder;
     if (const char* strips = compiler->Attribute("strippath")) {
       settings_.strips_paths = std::strcmp(strips, "true") == 0;
@@ -339,6 +352,7 @@ std::optional<std::vector<double>> MjcfDocument::FindNumbers(const MjcfNode& nod
   std::string expected = FormatCount(static_cast<int64_t>(least), "finite number");
   if (most > least)
     expected = std::to_string(least) + " to " + std::to_string(most) + " finite numbers";
+  if (!numbers && IsTooLarge(text)) expected += " below 1e9 in size";
   const std::string fault =
       where + ": " + attribute + ": expected " + expected + ", found \"" + text + "\"";
   if (is_needed) {

@@ -48,6 +48,7 @@ struct MjcfSettings {
   enum class GeomInertia { kNever, kWhereMissing, kAlways };
   GeomInertia inertia_from_geom = GeomInertia::kWhereMissing;
   int first_inertia_group = 0, last_inertia_group = 5;  ///< of the geoms that weigh
+  double least_mass = 0.0, least_moment = 0.0;          ///< boundmass [kg], boundinertia [kg m^2]
   bool strips_paths = false;
   std::string mesh_folder;  ///< "assets/"; empty: the model's
   std::string euler_order = "xyz";

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <set>
 
 #include "core/base/text/text.h"
@@ -13,6 +14,7 @@
 #include "core/hand/import/mjcf/mjcf_couplings.h"
 #include "core/hand/import/mjcf/mjcf_document.h"
 #include "core/hand/import/read_foreign_urdf.h"
+#include "core/shape/convex_hull.h"
 
 namespace graspbench {
 namespace {
@@ -60,6 +62,8 @@ class MjcfReader {
     if (!doubt.empty() && !is_angle_told_) problems_.Warn(file_, angles_.first_line, doubt);
     ReadMjcfCouplings(document_, bodies_, file_, problems_, hand_);
     hand_.included = document_.ListIncluded();
+    hand_.least_mass = document_.settings().least_mass;
+    hand_.least_moment = document_.settings().least_moment;
     return std::move(hand_);
   }
 
@@ -103,12 +107,12 @@ class MjcfReader {
     std::filesystem::path file = address ? address : "";
     const std::string name = own ? own : file.stem().string();
     const std::string where = "mesh \"" + name + "\"";
+    Mesh mesh;
     if (!address || !*address) {
-      document_.Warn(element, where + " has no file; left out");
-      return;
+      mesh.solid = ReadInlineMesh(node, where);
+      if (!mesh.solid) return;
     }
     if (document_.settings().strips_paths) file = file.filename();
-    Mesh mesh;
     mesh.address = (std::filesystem::path(document_.settings().mesh_folder) / file)
                        .lexically_normal()
                        .string();
@@ -132,6 +136,38 @@ class MjcfReader {
     }
     mesh.X_GM = MakePose(R.transpose(), -mesh.scale.cwiseProduct(R.transpose() * p));
     meshes_.emplace(name, mesh);
+  }
+
+  /** Vertices that stand in the model, with faces or as the corners of their convex hull. */
+  std::shared_ptr<const TriMesh> ReadInlineMesh(const MjcfNode& node, const std::string& where) {
+    const auto leave_out = [&](const std::string& why) {
+      document_.Warn(*node.xml, where + " " + why + "; left out");
+      return nullptr;
+    };
+    if (!document_.Find(node, "vertex")) {
+      return leave_out(document_.Find(node, "builtin") ? "is built in (builtin), which is not read"
+                                                       : "has no file and no vertices");
+    }
+    constexpr size_t kMostNumbers = 30000;
+    const auto numbers = document_.FindNumbers(node, "vertex", 12, kMostNumbers, where);
+    if (!numbers || numbers->size() % 3 != 0) return leave_out("has no 4 vertices of 3 numbers");
+    const auto mesh = std::make_shared<TriMesh>();
+    for (size_t i = 0; i < numbers->size(); i += 3) {
+      mesh->vertices.emplace_back((*numbers)[i], (*numbers)[i + 1], (*numbers)[i + 2]);
+    }
+    if (const auto corners = document_.FindNumbers(node, "face", 3, kMostNumbers, where)) {
+      for (size_t i = 0; i + 2 < corners->size(); i += 3) {
+        const Vector3d triangle((*corners)[i], (*corners)[i + 1], (*corners)[i + 2]);
+        if (triangle.minCoeff() < 0.0 || triangle.maxCoeff() >= mesh->num_vertices()) {
+          return leave_out("has a face of vertices that it lacks");
+        }
+        mesh->triangles.push_back(triangle.cast<int>());
+      }
+    } else {
+      *mesh = MakeConvexHull(mesh->vertices);
+    }
+    if (mesh->triangles.empty()) return leave_out("has vertices that enclose nothing");
+    return mesh;
   }
 
   void ReadWorld() {
@@ -194,6 +230,11 @@ class MjcfReader {
         } else if (told_.insert("world's geoms").second) {
           document_.Warn(*element, "shapes of the world belong to the scene; left out");
         }
+      } else if (kind == "replicate" || kind == "attach" || kind == "composite" ||
+                 kind == "flexcomp") {
+        document_.Fail(*element, "<" + kind +
+                                     "> makes bodies and is not read; save the compiled model with "
+                                     "MuJoCo (mj_saveLastXML) and give that");
       } else if (kind == "inertial") {
         ReadInertial({element, nullptr}, place);
       } else if (kind != "joint" && kind != "freejoint" && ListSilentElements().count(kind) == 0) {
@@ -217,6 +258,11 @@ class MjcfReader {
     // Shapes that touch are seen, too, unless there is a picture.
     ForeignLink& own = hand_.links[static_cast<size_t>(link)];
     if (own.inertia) own.weights.clear();
+    const MjcfSettings& settings = document_.settings();
+    if (!own.inertia && own.weights.empty() && settings.least_mass > 0.0) {
+      own.inertia.emplace().line = own.line;  // MuJoCo gives it the bounds (RaiseToBounds)
+      own.inertia->X_LI = place.X_LB;
+    }
     if (!has_picture_[static_cast<size_t>(link)]) return;
     const auto is_plain = [](const ForeignShape& shape) {
       return shape.kind != ForeignShape::Kind::kMesh && shape.also_touches;
@@ -403,12 +449,13 @@ class MjcfReader {
       std::vector<std::string> known;
       for (const auto& [known_name, unused] : meshes_) known.push_back(known_name);
       document_.Warn(*node.xml, where + ": no mesh \"" + std::string(name ? name : "") +
-                                    "\" with a file" + SuggestNames(name ? name : "", known) +
+                                    "\" that is read" + SuggestNames(name ? name : "", known) +
                                     "; left out");
       return false;
     }
     shape.kind = ForeignShape::Kind::kMesh;
-    shape.mesh = mesh->second.address;
+    shape.mesh = mesh->second.solid ? mesh->first : mesh->second.address;
+    shape.inline_mesh = mesh->second.solid;
     shape.scale = mesh->second.scale;
     shape.X_LS = shape.X_LS * mesh->second.X_GM;
     return true;
@@ -446,6 +493,7 @@ class MjcfReader {
 
   struct Mesh {
     std::string address;
+    std::shared_ptr<const TriMesh> solid;  // of a mesh without file
     Vector3d scale = Vector3d::Ones();
     Pose X_GM = Pose::Identity();  // of the scaled vertices in the geom's frame
   };

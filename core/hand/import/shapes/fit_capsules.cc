@@ -341,4 +341,17 @@ CapsuleFit FitCapsules(const TriMesh& mesh, double tolerance, int most_capsules)
   return fit;
 }
 
+CollisionShape MakeCapsuleShape(const FittedCapsule& capsule) {
+  CollisionShape shape;
+  const Vector3d axis = capsule.p_B - capsule.p_A;
+  shape.X_LS.translation() = 0.5 * (capsule.p_A + capsule.p_B);
+  shape.size.setConstant(2.0 * capsule.radius);
+  if (axis.norm() == 0.0) return shape;
+  shape.kind = CollisionShape::Kind::kCylinder;
+  shape.size.z() += axis.norm();
+  shape.X_LS.linear() =
+      Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), axis).toRotationMatrix();
+  return shape;
+}
+
 }  // namespace graspbench

@@ -1,6 +1,7 @@
 #pragma once
 /** @file
-Balls and capsules in the place of a mesh, for contact.
+Balls and capsules in the place of a mesh, for the checks of an import: volume, bounds, places. What
+the hand touches with is fitted in pack_balls.h.
 
 The mesh need not be closed: what a flood from outside does not reach, on a grid of cells, is solid.
 The solid is cut in two repeatedly, along one of the principal axes of the piece that fits
@@ -16,6 +17,7 @@ against the union of the capsules, so a gap between two of them counts. */
 #include <Eigen/Core>
 #include <vector>
 
+#include "core/hand/contact_shape.h"
 #include "core/shape/tri_mesh.h"
 
 namespace graspbench {
@@ -36,5 +38,8 @@ struct CapsuleFit {
 @pre the mesh has a triangle, valid indices and finite vertices within 10 m. Up to some seconds for
 a million triangles. */
 CapsuleFit FitCapsules(const TriMesh& mesh, double tolerance, int most_capsules);
+
+/** A cylinder between its round ends, or a ball, of link -1. */
+CollisionShape MakeCapsuleShape(const FittedCapsule& capsule);
 
 }  // namespace graspbench

@@ -2,7 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "core/base/text/text.h"
@@ -83,19 +85,6 @@ TriMesh MakeSolid(ForeignShape::Kind kind, const CollisionShape& solid) {
   return mesh;
 }
 
-CollisionShape MakeCapsuleShape(const FittedCapsule& capsule) {
-  CollisionShape shape;
-  const Vector3d axis = capsule.p_B - capsule.p_A;
-  shape.X_LS.translation() = 0.5 * (capsule.p_A + capsule.p_B);
-  shape.size.setConstant(2.0 * capsule.radius);
-  if (axis.norm() == 0.0) return shape;
-  shape.kind = CollisionShape::Kind::kCylinder;
-  shape.size.z() += axis.norm();
-  shape.X_LS.linear() =
-      Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), axis).toRotationMatrix();
-  return shape;
-}
-
 }  // namespace
 
 void ShapeLoader::Report(Severity severity, int line, const std::string& text) {
@@ -129,9 +118,14 @@ TriMesh ShapeLoader::ReadFile(const std::filesystem::path& path, int line, const
   return mesh;
 }
 
+FoundMesh ShapeLoader::Find(const ForeignShape& shape) const {
+  if (shape.inline_mesh) return {source_.file, false, {}};
+  return FindMesh(shape.mesh, source_.folder, source_.package_path, kMeshEndings);
+}
+
 TriMesh ShapeLoader::LoadMesh(const ForeignShape& shape, const std::string& where,
                               Severity severity) {
-  const FoundMesh found = FindMesh(shape.mesh, source_.folder, source_.package_path, kMeshEndings);
+  const FoundMesh found = Find(shape);
   if (found.path.empty()) {
     if (are_all_missing_) return {};
     Report(severity, shape.line,
@@ -144,8 +138,9 @@ TriMesh ShapeLoader::LoadMesh(const ForeignShape& shape, const std::string& wher
         source_.file, shape.line,
         where + ": mesh \"" + shape.mesh + "\" not found; taken instead: " + found.path.string());
   }
-  const bool was_read = meshes_.count(found.path) > 0;
-  TriMesh mesh = ReadFile(found.path, shape.line, where, severity);
+  const bool was_read = !shape.inline_mesh && meshes_.count(found.path) > 0;
+  TriMesh mesh =
+      shape.inline_mesh ? *shape.inline_mesh : ReadFile(found.path, shape.line, where, severity);
   if (mesh.triangles.empty()) {
     if (severity == Severity::kError && was_read) {  // told of a picture, as a warning
       Report(severity, shape.line,
@@ -165,8 +160,9 @@ TriMesh ShapeLoader::LoadMesh(const ForeignShape& shape, const std::string& wher
   for (Vector3d& p : mesh.vertices) p = p.cwiseProduct(scale);
   const double extent = CalcLargestExtent(mesh);
   double unit = source_.mesh_unit > 0.0 ? source_.mesh_unit : 1.0;
-  if (source_.mesh_unit == 0.0 && typical_unit_ != 1.0) {
-    unit = typical_unit_;
+  const double typical_unit = FindTypicalUnit(found.path);
+  if (source_.mesh_unit == 0.0 && typical_unit != 1.0) {
+    unit = typical_unit;
   } else if (source_.mesh_unit == 0.0) {
     if (extent > kLargestPart && extent <= kLargestPart / large_unit_) unit = large_unit_;
     if (extent < kSmallestPart) unit = MmFromM(1.0);
@@ -181,7 +177,7 @@ TriMesh ShapeLoader::LoadMesh(const ForeignShape& shape, const std::string& wher
                                           "with --mesh-unit"));
     return {};
   }
-  if (unit != 1.0 && unit != typical_unit_ && source_.mesh_unit == 0.0) {
+  if (unit != 1.0 && unit != typical_unit && source_.mesh_unit == 0.0) {
     const std::string told = unit > 1.0     ? "scale counts twice"
                              : unit == 0.01 ? "unit is the centimetre"
                              : unit > 0.01  ? "unit is the inch"
@@ -203,7 +199,10 @@ TriMesh ShapeLoader::LoadMesh(const ForeignShape& shape, const std::string& wher
 told when it is loaded. */
 double ShapeLoader::CalcMeshExtent(const ForeignShape& shape) {
   if (shape.kind != ForeignShape::Kind::kMesh) return 0.0;
-  const FoundMesh found = FindMesh(shape.mesh, source_.folder, source_.package_path, kMeshEndings);
+  if (shape.inline_mesh) {
+    return shape.scale.cwiseAbs().maxCoeff() * CalcLargestExtent(*shape.inline_mesh);
+  }
+  const FoundMesh found = Find(shape);
   if (found.path.empty()) return 0.0;
   if (meshes_.count(found.path) == 0) {
     Diagnostics unread;
@@ -214,6 +213,12 @@ double ShapeLoader::CalcMeshExtent(const ForeignShape& shape) {
   }
   const TriMesh& mesh = meshes_.at(found.path);
   return FindUsefulScale(shape.scale, mesh).cwiseAbs().maxCoeff() * CalcLargestExtent(mesh);
+}
+
+bool ShapeLoader::LacksMesh(const ForeignLink& link) const {
+  return std::any_of(link.collisions.begin(), link.collisions.end(), [&](const auto& shape) {
+    return shape.kind == ForeignShape::Kind::kMesh && Find(shape).path.empty();
+  });
 }
 
 bool ShapeLoader::CheckMeshes(const ForeignHand& hand) {
@@ -227,8 +232,7 @@ bool ShapeLoader::CheckMeshes(const ForeignHand& hand) {
         const bool is_mesh = shape.kind == ForeignShape::Kind::kMesh;
         touches = touches || (shapes == &link.collisions && !is_mesh);
         if (!is_mesh) continue;
-        if (!FindMesh(shape.mesh, source_.folder, source_.package_path, kMeshEndings).path.empty())
-          return true;
+        if (!Find(shape).path.empty()) return true;
         if (!first) first = &shape;
         addresses.insert(shape.mesh);
         is_needed = is_needed || !touches;
@@ -244,44 +248,84 @@ bool ShapeLoader::CheckMeshes(const ForeignHand& hand) {
   return !is_needed;
 }
 
+namespace {
+
+double FindMedian(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+std::string FindEnding(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending;
+}
+
+}  // namespace
+
+double ShapeLoader::FindTypicalUnit(const std::filesystem::path& path) const {
+  const auto found = typical_units_.find(FindEnding(path));
+  return found == typical_units_.end() ? 1.0 : found->second;
+}
+
 void ShapeLoader::InferMeshUnit(const ForeignHand& hand) {
   if (source_.mesh_unit > 0.0) return;
-  struct LinkRatio {
-    const ForeignLink* link = nullptr;
-    double extent = 0.0, ratio = 0.0;
-    double density = 0.0;  // mass by the cube of the extent [kg/m^3]; 0: it has none
-    double outlier = kOutlier;
-  };
   const std::vector<double> lengths = CalcLinkLengths(hand);
-  std::vector<LinkRatio> rows;
-  bool has_large = false;
+  std::vector<LinkRatio> all;
+  std::map<std::string, std::vector<LinkRatio>> by_format;
   for (size_t i = 0; i < hand.links.size(); ++i) {
-    double largest = 0.0;
+    std::map<std::string, double> largest;  // by format
     for (const auto* shapes : {&hand.links[i].visuals, &hand.links[i].collisions}) {
-      for (const ForeignShape& shape : *shapes) largest = std::max(largest, CalcMeshExtent(shape));
+      for (const ForeignShape& shape : *shapes) {
+        const double extent = CalcMeshExtent(shape);
+        if (extent == 0.0) continue;
+        double& of_format = largest[FindEnding(Find(shape).path)];
+        of_format = std::max(of_format, extent);
+      }
     }
-    if (largest == 0.0 || lengths[i] < kShortestLink || hand.links[i].is_decoration) continue;
+    if (largest.empty() || lengths[i] < kShortestLink || hand.links[i].is_decoration) continue;
     const auto& inertia = hand.links[i].inertia;
     const double mass = inertia ? std::max(0.0, inertia->mass) : 0.0;
     const auto num_joints =
         std::count_if(hand.joints.begin(), hand.joints.end(), [&](const ForeignJoint& joint) {
           return joint.parent == static_cast<int>(i) && joint.kind != ForeignJoint::Kind::kFixed;
         });
-    rows.push_back({&hand.links[i], largest, largest / lengths[i], mass / std::pow(largest, 3),
-                    num_joints > 1 ? kPalmOutlier : kOutlier});
-    has_large = has_large || largest > kLargestPart;
-  }
-  const auto calc_median = [&](const auto& value_of) {
-    std::vector<double> ratios;
-    for (const LinkRatio& row : rows) {
-      if (const double value = value_of(row); value > 0.0) ratios.push_back(value);
+    double most = 0.0;
+    const auto make_row = [&](double extent) {
+      return LinkRatio{&hand.links[i], extent, extent / lengths[i], mass / std::pow(extent, 3),
+                       num_joints > 1 ? kPalmOutlier : kOutlier};
+    };
+    for (const auto& [format, extent] : largest) {
+      by_format[format].push_back(make_row(extent));
+      most = std::max(most, extent);
     }
-    if (ratios.empty()) return 0.0;
-    std::nth_element(ratios.begin(),
-                     ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2), ratios.end());
-    return ratios[ratios.size() / 2];
-  };
+    all.push_back(make_row(most));
+  }
+  // Exporters write one format in millimetres and another in metres.
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  for (const auto& [format, rows] : by_format) {
+    std::vector<double> ratios;
+    for (const LinkRatio& row : rows) ratios.push_back(row.ratio);
+    least = std::min(least, FindMedian(ratios));
+    most = std::max(most, FindMedian(ratios));
+  }
+  if (most <= kClearRatio * least) return InferUnitOf(all, "");
+  for (const auto& [format, rows] : by_format) InferUnitOf(rows, format);
+}
+
+void ShapeLoader::InferUnitOf(const std::vector<LinkRatio>& rows, const std::string& format) {
   if (rows.empty()) return;
+  const bool has_large = std::any_of(rows.begin(), rows.end(),
+                                     [](const auto& row) { return row.extent > kLargestPart; });
+  const auto calc_median = [&](const auto& value_of) {
+    std::vector<double> values;
+    for (const LinkRatio& row : rows) {
+      if (const double value = value_of(row); value > 0.0) values.push_back(value);
+    }
+    return FindMedian(values);
+  };
   // A few parts too large are reported one by one; when all are too long it is one unit.
   const bool are_all_long =
       rows.size() >= 3 && std::all_of(rows.begin(), rows.end(),
@@ -297,7 +341,8 @@ void ShapeLoader::InferMeshUnit(const ForeignHand& hand) {
   if (rows.size() < 3) return;
   const double ratio = calc_median([](const LinkRatio& row) { return row.ratio; });
   const LinkRatio& first = rows.front();
-  const std::string told = "the meshes are typically " + FormatSignificant(ratio, 2) +
+  const std::string told = (format.empty() ? "the meshes are" : "the " + format + " meshes are") +
+                           std::string(" typically ") + FormatSignificant(ratio, 2) +
                            " times as long as the links between the joints (median of " +
                            FormatCount(static_cast<int64_t>(rows.size()), "link") + ")";
   for (const auto& [unit, name] : {std::pair{0.1, "decimetres"},
@@ -308,7 +353,9 @@ void ShapeLoader::InferMeshUnit(const ForeignHand& hand) {
         ratio * unit > 1.6 * kTypicalRatio) {
       continue;
     }
-    typical_unit_ = unit;
+    for (const std::string& ending : format.empty() ? kMeshEndings : std::vector{format}) {
+      typical_units_[ending] = unit;
+    }
     problems_.Warn(source_.file, first.link->line,
                    told + "; taken to be in " + name + ", a factor of " +
                        FormatSignificant(unit, 3) + "; --mesh-unit says otherwise");
@@ -345,24 +392,12 @@ void ShapeLoader::InferMeshUnit(const ForeignHand& hand) {
   }
 }
 
-void ShapeLoader::AddMesh(const TriMesh& mesh, const std::string& where, int line,
-                          LoadedShapes& loaded) {
-  const double extent = CalcLargestExtent(mesh);
-  const double tolerance = std::max(kLeastTolerance, kRelativeTolerance * extent);
-  const CapsuleFit fit = FitCapsules(mesh, tolerance, kMostCapsules);
+void ShapeLoader::AddMesh(const TriMesh& mesh, LoadedShapes& loaded) {
+  const double tolerance = std::max(kLeastTolerance, kRelativeTolerance * CalcLargestExtent(mesh));
   loaded.solids.push_back(mesh);
-  for (const FittedCapsule& capsule : fit.capsules) {
+  for (const FittedCapsule& capsule : FitCapsules(mesh, tolerance, kMostCapsules).capsules) {
     loaded.collisions.push_back(MakeCapsuleShape(capsule));
-  }
-  loaded.notes.push_back(FormatCount(static_cast<int64_t>(fit.capsules.size()), "ball or capsule",
-                                     "balls and capsules") +
-                         " for a mesh of " + FormatFixed(MmFromM(extent), 1) +
-                         " mm: " + FormatFixed(MmFromM(fit.rms_error), 2) +
-                         " mm root mean square from its surface");
-  if (fit.largest_error > 2.0 * tolerance) {
-    problems_.Warn(source_.file, line,
-                   where + ": " + loaded.notes.back() + ", one point in twenty farther than " +
-                       FormatFixed(MmFromM(fit.largest_error), 2) + " mm; look at it");
+    loaded.collisions.back().is_fitted = true;
   }
 }
 
@@ -400,6 +435,9 @@ void ShapeLoader::AddSolid(const ForeignShape& shape, const std::string& where,
     return;
   }
   solid.size = Thicken(solid.size, source_.file, shape.line, where, problems_);
+  // Contact takes a disc for a box.
+  solid.is_fitted =
+      solid.kind == CollisionShape::Kind::kCylinder && solid.size.z() < solid.size.x();
   loaded.solids.push_back(MakeSolid(shape.kind, solid));
 }
 
@@ -417,11 +455,14 @@ LoadedShapes ShapeLoader::Load(const ForeignLink& link) {
   LoadedShapes loaded;
   std::vector<TriMesh> seen;  // surfaces of the visuals
   const std::string where = "link \"" + link.name + "\"";
+  // A picture may be missing unless the link touches with it.
+  const bool must_be_seen = link.collisions.empty() && !link.is_decoration;
   for (const ForeignShape& shape : link.visuals) {
     ImportedVisual visual;
     if (shape.colour) visual.colour = *shape.colour;
     if (shape.kind == ForeignShape::Kind::kMesh) {
-      visual.mesh = LoadMesh(shape, where + ", visual", Severity::kWarning);
+      visual.mesh =
+          LoadMesh(shape, where + ", visual", must_be_seen ? Severity::kError : Severity::kWarning);
       if (visual.mesh.triangles.empty()) continue;
       std::string address = shape.mesh;
       std::replace(address.begin(), address.end(), '\\', '/');
@@ -445,7 +486,7 @@ LoadedShapes ShapeLoader::Load(const ForeignLink& link) {
     if (shape.kind == ForeignShape::Kind::kEllipsoid) {
       ForeignShape solid = shape;
       solid.size = Thicken(shape.size, source_.file, shape.line, where + ", collision", problems_);
-      AddMesh(MakeEllipsoid(solid), where + ", collision", shape.line, loaded);
+      AddMesh(MakeEllipsoid(solid), loaded);
       continue;
     }
     if (shape.kind != ForeignShape::Kind::kMesh) {
@@ -453,7 +494,7 @@ LoadedShapes ShapeLoader::Load(const ForeignLink& link) {
       continue;
     }
     const TriMesh mesh = LoadMesh(shape, where + ", collision", severity);
-    if (!mesh.triangles.empty()) AddMesh(mesh, where + ", collision", shape.line, loaded);
+    if (!mesh.triangles.empty()) AddMesh(mesh, loaded);
   }
   if (!loaded.collisions.empty() || loaded.visuals.empty() || link.is_decoration) return loaded;
   loaded.notes.push_back("guess: it touches with its picture");
@@ -465,7 +506,7 @@ LoadedShapes ShapeLoader::Load(const ForeignLink& link) {
       loaded.collisions.push_back(visual.solid);
       loaded.solids.push_back(seen[k]);
     } else {
-      AddMesh(visual.mesh, where + ", visual", link.line, loaded);
+      AddMesh(visual.mesh, loaded);
     }
   }
   return loaded;
@@ -482,7 +523,7 @@ void ShapeLoader::Weigh(ForeignLink& link) {
   Diagnostics told;  // when the shapes were loaded
   ShapeLoader quiet(source_, told);
   quiet.large_unit_ = large_unit_;
-  quiet.typical_unit_ = typical_unit_;
+  quiet.typical_units_ = typical_units_;
   quiet.meshes_.swap(meshes_);
   MassProperties sum;
   for (const ForeignShape& shape : link.weights) {

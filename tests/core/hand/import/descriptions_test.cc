@@ -39,6 +39,7 @@ ImportedFiles ImportDescription(const fs::path& file, const std::string& option,
   const std::vector<std::string> parts = SplitAt(option, "=");
   const std::string palm = parts[0] == "palm" ? parts[1] : "";
   HandSource source = MakeFileSource(file);
+  source.num_cover_points = 0;  // judged before it is covered
   if (parts[0] == "normal") {
     const std::vector<std::string> numbers = SplitAt(parts[1], ",");
     source.palm_normal =

@@ -55,6 +55,19 @@ TEST(GuessDrivesTest, AnEffortThatAFingerCanHaveIsTaken) {
   EXPECT_EQ(imported.hand.joints[0].drive.torque_limit, 5.0);
 }
 
+// 0.0167 N m of weight bend a drive of 0.21 N m/rad by 0.08 rad, one of 0.05 by 0.33 rad.
+TEST(GuessDrivesTest, APublishedStiffnessThatBearsTheFingerIsKept) {
+  ImportedHand imported = MakeDriven(1.0);
+  for (ForeignDrive& drive : imported.drives) drive.stiffness = 0.21;
+  EXPECT_EQ(TellDrives(imported), "");
+  EXPECT_EQ(imported.hand.joints[0].drive.stiffness, 0.21);
+  imported.drives[0].stiffness = 0.05;
+  EXPECT_NE(TellDrives(imported).find("the stiffness of 1 drive (\"left_near_bend 0.05\")"),
+            std::string::npos)
+      << TellDrives(imported);
+  EXPECT_EQ(imported.hand.joints[0].drive.stiffness, 0.21);  // of its digit
+}
+
 TEST(GuessDrivesTest, DampingThatCrawlsIsTold) {
   ImportedHand imported = MakeDriven(1.0);
   for (ForeignDrive& drive : imported.drives) {

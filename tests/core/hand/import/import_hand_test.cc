@@ -69,11 +69,11 @@ double CalcMass(const Hand& hand) {
 
 class StrangersHandTest : public testing::Test {
  protected:
-  bool Import(const char* name) {
+  bool Import(const char* name, const std::string& palm = "") {
     const fs::path file = FindSharedData() / "strangers" / "hands" / name;
     if (!fs::exists(file)) return false;
     Diagnostics problems;
-    imported_ = ImportHand(ReadFile(file), MakeFileSource(file), "", problems);
+    imported_ = ImportHand(ReadFile(file), MakeFileSource(file), palm, problems);
     told_ = problems.Format();
     hand_ = WriteAndLoad(imported_);
     return true;
@@ -102,19 +102,45 @@ TEST_F(StrangersHandTest, DrawnAxesNeitherTouchNorWeigh) {
   }
 }
 
-// One capsule of the tube's radius of 42 mm about its axis, which lies in the open side.
-TEST_F(StrangersHandTest, ACapsuleInHalfATubeSticksOutByItsRadius) {
+// Half a tube of R 42 mm, a wall of 2 mm. Its open side is as the description has it.
+TEST_F(StrangersHandTest, BallsStayInTheWallOfHalfATube) {
   if (!Import("cover_palm.urdf")) GTEST_SKIP() << "not on this machine";
-  ASSERT_EQ(imported_.protrusions[0].link, "palm");
-  EXPECT_NEAR(imported_.protrusions[0].protrusion, 0.042, 0.0005);
-  EXPECT_NE(told_.find("link \"palm\": its contact shapes stick out of its convex hull by up to 4"),
-            told_.npos)
-      << told_;
-  EXPECT_EQ(imported_.files.at("README.md").find("95 % within"), std::string::npos);
-  // Balls within boxes.
-  for (size_t k = 1; k < imported_.protrusions.size(); ++k) {
-    EXPECT_LT(imported_.protrusions[k].protrusion, 1e-6) << imported_.protrusions[k].link;
+  ASSERT_EQ(imported_.fits[0].link, "palm");
+  for (const ContactFit& fit : imported_.fits) {
+    EXPECT_LE(fit.out.most, 0.001) << fit.link;
+    EXPECT_LE(fit.sink.at_95, 0.0015) << fit.link;
+    EXPECT_LE(fit.num_balls, 620) << fit.link;
   }
+  for (const ContactSphere& ball : hand_.contact_spheres) {
+    EXPECT_LT(ball.radius, ball.link == hand_.palm_link ? 0.002 : 0.02);
+  }
+  EXPECT_EQ(told_.find("enter the palm"), told_.npos) << told_;
+}
+
+// The leg above the palm has a mesh that is nowhere; a palm of 0.35 and eight links of 0.03 kg.
+TEST_F(StrangersHandTest, WhatANamedPalmLeavesOutNeedNotExist) {
+  if (!Import("missing_above.urdf", "palm")) GTEST_SKIP() << "not on this machine";
+  EXPECT_NEAR(CalcMass(hand_), 0.59, 1e-9);
+  EXPECT_EQ(hand_.num_joints(), 8);
+}
+
+// A palm of 0.35 kg, eight bodies of 0.03 kg that MuJoCo raises to 0.05 kg and 1e-5 kg m^2.
+TEST_F(StrangersHandTest, BoundsOfMassAndInertiaAreApplied) {
+  if (!Import("boundmass.xml")) GTEST_SKIP() << "not on this machine";
+  EXPECT_NEAR(CalcMass(hand_), 0.75, 1e-9);
+  const Eigen::Matrix3d I = hand_.links[static_cast<size_t>(hand_.FindLink("ff2"))].I_LLcm;
+  EXPECT_LT((I - 1e-5 * Eigen::Matrix3d::Identity()).norm(), 1e-12) << I;
+}
+
+// Bars of 16 x 14 x 42 mm by their eight corners.
+TEST_F(StrangersHandTest, AMeshOfVerticesIsTheirHull) {
+  if (!Import("vertex_mesh.xml")) GTEST_SKIP() << "not on this machine";
+  EXPECT_NEAR(CalcMass(hand_), 0.59, 1e-9);
+  Eigen::AlignedBox3d box;
+  for (const LinkVisual& visual : hand_.visuals) {
+    if (visual.link == hand_.FindLink("ff2")) box.extend(CalcBounds(visual.mesh));
+  }
+  EXPECT_LT((box.sizes() - Eigen::Vector3d(0.016, 0.014, 0.042)).norm(), 1e-6);
 }
 
 std::string ErrorOf(const std::string& urdf) {
@@ -182,6 +208,42 @@ TEST(ImportHandTest, AMissingCollisionMeshIsRefusedByName) {
   EXPECT_EQ(told.substr(0, 76),
             "link \"the hand\", collision: mesh not found: \"package://g/palm.stl\"; give the")
       << told;
+}
+
+TEST(ImportHandTest, AMissingPictureThatTheLinkTouchesWithIsRefused) {
+  std::string pictured = ReplaceOnce(kSmallGripper, "<collision>", "<visual>");
+  pictured = ReplaceOnce(pictured, "</collision>", "</visual>");
+  pictured = ReplaceOnce(pictured, "<box size=\"0.06 0.2 0.06\"/>", "<mesh filename=\"p.stl\"/>");
+  EXPECT_EQ(ErrorOf(pictured).substr(0, 51),
+            "link \"the hand\", visual: mesh not found: \"p.stl\"; g");
+}
+
+TEST(ImportHandTest, OtherFilesAreNamed) {
+  EXPECT_EQ(ErrorOf(std::string("\xff\xfe<\0r\0", 6)),
+            "the text is UTF-16; expected UTF-8, so save it as that");
+  EXPECT_EQ(ErrorOf("version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\n"),
+            "a Git LFS pointer, not the file itself; get it with: git lfs pull");
+  EXPECT_EQ(ErrorOf("<robot type=\"Hand\"><palm>palm.xml</palm><chain/></robot>"),
+            "a robot of GraspIt (<palm>, <chain>), not a URDF; give a URDF or MJCF of the hand");
+}
+
+// 0.7 kg of the palm lumped into a bone of 8 mm that is fixed to it: 130 g/cm^3 of its own bounds,
+// 1 g/cm^3 of both.
+TEST(ImportHandTest, AMassIsJudgedByAllPartsThatAreFixedTogether) {
+  std::string urdf = ReplaceOnce(kSmallGripper, "<link name=\"world\"/>",
+                                 R"(<link name="world"><inertial><mass value="0.7"/>
+    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.0025" iyz="0" izz="0.0017"/></inertial>
+    <collision><geometry><box size="0.008 0.008 0.008"/></geometry></collision></link>)");
+  urdf = ReplaceOnce(urdf, "<origin xyz=\"0 0 1\"", "<origin xyz=\"0 0 0.05\"");
+  const size_t begin = urdf.find("<inertial>", urdf.find("<link name=\"the hand\">"));
+  urdf.erase(begin, urdf.find("</inertial>", begin) + 11 - begin);
+  Diagnostics problems, of_loading;
+  const ImportedFiles imported = ImportHand(urdf, MakeSourceWithoutMeshes(), "", problems);
+  ASSERT_EQ(problems.num_errors(), 0) << problems.Format();
+  const Hand hand =
+      ParseHand(imported.files.at("hand.urdf"), imported.files.at("hand.yaml"), ".", of_loading);
+  EXPECT_NEAR(hand.links[0].mass, 0.7, 1e-12);
+  EXPECT_EQ(problems.Format().find("denser"), std::string::npos) << problems.Format();
 }
 
 TEST(ImportHandTest, TheGripperImports) {

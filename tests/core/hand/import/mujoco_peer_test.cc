@@ -9,6 +9,7 @@
 #include "core/base/units.h"
 #include "core/hand/hand.h"
 #include "core/hand/import/read_foreign_urdf.h"
+#include "core/hand/import/select_hand.h"
 #include "core/hand/import/weld_links.h"
 #include "tests/core/hand/import/import_file.h"
 #include "tests/core/hand/import/small_claw.h"
@@ -54,13 +55,14 @@ class MujocoPeerTest : public testing::Test {
     const HandSource source = MakeFileSource(folder_ / "model.xml");
     Diagnostics problems;
     ForeignHand foreign = ReadForeignMjcf(text, source.file, folder_, problems);
+    const int palm_link = SelectHand("", {}, source.file, problems, foreign);
     ShapeLoader loader(source, problems);
     std::vector<LoadedShapes> shapes;
     for (ForeignLink& link : foreign.links) {
       shapes.push_back(loader.Load(link));
       loader.Weigh(link);
     }
-    imported_ = WeldLinks(foreign, shapes, "", source.file, problems);
+    imported_ = WeldLinks(foreign, palm_link, shapes, source.file, problems);
     ASSERT_EQ(problems.num_errors(), 0) << problems.Format();
   }
 

@@ -4,18 +4,22 @@
 
 #include "core/hand/import/checks/find_hand.h"
 #include "core/hand/import/read_foreign_urdf.h"
+#include "core/hand/import/select_hand.h"
 #include "tests/core/hand/import/small_gripper.h"
 
 namespace graspbench {
 namespace {
 
 ImportedHand Weld(const std::string& urdf, Diagnostics& problems, const std::string& palm = "") {
-  const ForeignHand foreign = ReadForeignUrdf(urdf, "g.urdf", problems);
+  ForeignHand foreign = ReadForeignUrdf(urdf, "g.urdf", problems);
+  const int palm_link = SelectHand(
+      palm, [](const ForeignLink&) { return false; }, "g.urdf", problems, foreign);
+  if (palm_link < 0) return {};
   const HandSource source = MakeSourceWithoutMeshes();
   ShapeLoader loader(source, problems);
   std::vector<LoadedShapes> shapes;
   for (const ForeignLink& link : foreign.links) shapes.push_back(loader.Load(link));
-  return WeldLinks(foreign, shapes, palm, "g.urdf", problems);
+  return WeldLinks(foreign, palm_link, shapes, "g.urdf", problems);
 }
 
 TEST(WeldLinksTest, FixedPartsBecomeOneLinkNamedAfterItsBody) {

@@ -8,6 +8,7 @@
 #include "core/hand/hand.h"
 #include "core/hand/import/guess_hand.h"
 #include "core/hand/import/read_foreign_urdf.h"
+#include "core/hand/import/select_hand.h"
 #include "core/hand/load_hand.h"
 #include "tests/core/hand/import/small_gripper.h"
 
@@ -21,12 +22,13 @@ TEST(WriteHandTest, WhatIsWrittenIsTheHand) {
   urdf = ReplaceOnce(urdf, "xyz=\"0 0 0.06\"", "xyz=\"0.001 0.002 0.06\" rpy=\"0.1 -0.2 0.3\"");
   urdf = ReplaceOnce(urdf, "<mimic joint=\"slide_left\"/>",
                      "<mimic joint=\"slide_left\" multiplier=\"0.5\" offset=\"0.002\"/>");
-  const ForeignHand foreign = ReadForeignUrdf(urdf, "g.urdf", problems);
+  ForeignHand foreign = ReadForeignUrdf(urdf, "g.urdf", problems);
+  const int palm_link = SelectHand("", {}, "g.urdf", problems, foreign);
   const HandSource source = MakeSourceWithoutMeshes();
   ShapeLoader loader(source, problems);
   std::vector<LoadedShapes> shapes;
   for (const ForeignLink& link : foreign.links) shapes.push_back(loader.Load(link));
-  ImportedHand imported = WeldLinks(foreign, shapes, "", "g.urdf", problems);
+  ImportedHand imported = WeldLinks(foreign, palm_link, shapes, "g.urdf", problems);
   imported.hand.name = foreign.name;
   GuessHand("g.urdf", {}, imported, problems);
   ASSERT_EQ(problems.num_errors(), 0) << problems.Format();
@@ -85,7 +87,11 @@ TEST(ImportRecordTest, SaysWhatWasReadWithWhatAndWhatWasRepaired) {
   Hand& hand = imported.hand;
   hand.links.resize(1);
   hand.links[0].name = "palm";
-  imported.protrusions = {{"palm", 0.0123456}};
+  ContactFit fit;
+  fit.link = "palm";
+  fit.num_balls = 12;
+  fit.out = {0.0003, 0.0123456};
+  imported.fits = {fit};
   Diagnostics problems;
   problems.Warn("claw.urdf", 12, "a limit is reversed; exchanged");
   const std::filesystem::path folder = testing::TempDir();
@@ -111,7 +117,8 @@ TEST(ImportRecordTest, SaysWhatWasReadWithWhatAndWhatWasRepaired) {
   EXPECT_EQ(record["repairs"][0]["line"], 12);
   EXPECT_EQ(record["repairs"][0]["text"], "a limit is reversed; exchanged");
   EXPECT_EQ(record["guesses"]["palm"]["link"], "palm");
-  EXPECT_EQ(record["protrusion"], Json::parse(R"([{"link": "palm", "outside_hull_mm": 12.35}])"));
+  EXPECT_EQ(record["contact"][0]["balls"], 12);
+  EXPECT_EQ(record["contact"][0]["out"], Json::parse(R"({"at_95_mm": 0.3, "most_mm": 12.35})"));
 }
 
 TEST(ImportRecordTest, OfAnImportHasEveryRepairAndNoPath) {

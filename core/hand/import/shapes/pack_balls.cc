@@ -1,0 +1,235 @@
+#include "core/hand/import/shapes/pack_balls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <utility>
+
+#include "core/base/units.h"
+#include "core/hand/contact_fit.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+using BoundaryPoint = LinkSolid::BoundaryPoint;
+
+constexpr size_t kMostBalls = 600;
+constexpr double kSlack = 0.00015, kOut = 0.00035;      // [m]
+constexpr double kLargestBall = 0.03;                   // [m]
+constexpr double kThinnest = 0.0001;                    // [m], of a ball in a sheet
+constexpr double kNearSink = 0.0007, kFarSink = 0.003;  // [m]
+constexpr double kLeftOver = 0.02;                      // of the points, by the near sink
+
+/** Inside the solid, at the point; without what it may stick out. */
+Ball FindLargest(const LinkSolid& solid, const BoundaryPoint& point) {
+  double rho = kLargestBall;
+  for (const BoundaryPoint& other : solid.boundary()) {
+    const Vector3d d = point.p - other.p;
+    const double along = d.dot(point.nhat) - kSlack;
+    if (along <= 0.0) continue;
+    rho = std::min(rho, std::max(0.0, d.squaredNorm() - kSlack * kSlack) / (2.0 * along));
+  }
+  while (rho > kThinnest && solid.IsOutside(point.p - rho * point.nhat)) rho *= 0.7;
+  rho = std::max(rho, kThinnest);
+  return {point.p - rho * point.nhat, rho};
+}
+
+std::vector<Vector3d> SpreadDirections() {
+  constexpr int kNumDirections = 60;
+  const double golden = kPi * (3.0 - std::sqrt(5.0));
+  std::vector<Vector3d> directions;
+  for (int i = 0; i < kNumDirections; ++i) {
+    const double z = (2.0 * i + 1.0) / kNumDirections - 1.0, across = std::sqrt(1.0 - z * z);
+    directions.emplace_back(across * std::cos(golden * i), across * std::sin(golden * i), z);
+  }
+  return directions;
+}
+
+class GreedyCover {
+ public:
+  GreedyCover(const LinkSolid& solid, const std::vector<BoundaryPoint>& points,
+              std::vector<Ball> candidates)
+      : solid_(solid),
+        points_(points),
+        candidates_(std::move(candidates)),
+        is_trimmed_(candidates_.size(), false),
+        sinks_(points.size(), 1.0) {}
+
+  void Add(const Ball& ball) {
+    for (size_t k = 0; k < points_.size(); ++k) {
+      sinks_[k] =
+          std::min(sinks_[k], CalcSink(points_[k].p, points_[k].nhat, ball.centre, ball.radius));
+    }
+  }
+
+  /** Takes candidates until all but a share of the points are within `sink`. */
+  void Cover(double sink, double left_over, double smallest, std::vector<Ball>& taken) {
+    const auto most_open = static_cast<size_t>(left_over * static_cast<double>(points_.size()));
+    std::vector<std::vector<int>> covers(candidates_.size());
+    std::priority_queue<std::pair<size_t, int>> queue;  // by the last known gain
+    for (size_t c = 0; c < candidates_.size(); ++c) {
+      if (candidates_[c].radius < smallest) continue;
+      covers[c] = ListCovered(c, sink);
+      if (!covers[c].empty()) queue.emplace(covers[c].size(), -static_cast<int>(c));
+    }
+    const auto count_open = [&](const std::vector<int>& of) {
+      return static_cast<size_t>(std::count_if(
+          of.begin(), of.end(), [&](int k) { return sinks_[static_cast<size_t>(k)] > sink; }));
+    };
+    size_t num_open = static_cast<size_t>(
+        std::count_if(sinks_.begin(), sinks_.end(), [&](double s) { return s > sink; }));
+    while (taken.size() < kMostBalls && num_open > most_open && !queue.empty()) {
+      const auto [gain, minus_c] = queue.top();
+      queue.pop();
+      const auto c = static_cast<size_t>(-minus_c);
+      if (!is_trimmed_[c] && Trim(c)) covers[c] = ListCovered(c, sink);
+      const size_t now = candidates_[c].radius < smallest ? 0 : count_open(covers[c]);
+      if (now < gain) {
+        if (now > 0) queue.emplace(now, minus_c);
+        continue;
+      }
+      taken.push_back(candidates_[c]);
+      Add(candidates_[c]);
+      num_open -= now;
+    }
+  }
+
+ private:
+  std::vector<int> ListCovered(size_t c, double sink) const {
+    const Ball& ball = candidates_[c];
+    std::vector<int> covered;
+    for (size_t k = 0; k < points_.size(); ++k) {
+      if (sinks_[k] <= sink) continue;
+      if (CalcSink(points_[k].p, points_[k].nhat, ball.centre, ball.radius) <= sink) {
+        covered.push_back(static_cast<int>(k));
+      }
+    }
+    return covered;
+  }
+  /** Takes off a ball what sticks out too far between two points of the boundary. */
+  bool Trim(size_t c) {
+    is_trimmed_[c] = true;
+    Ball& ball = candidates_[c];
+    double most = 0.0;
+    for (const Vector3d& direction : directions_) {
+      most = std::max(most, solid_.CalcOutside(ball.centre + ball.radius * direction));
+    }
+    if (most <= kSlack + kOut) return false;
+    ball.radius = std::max(ball.radius - (most - kSlack - kOut), kOut);
+    return true;
+  }
+
+  const LinkSolid& solid_;
+  const std::vector<BoundaryPoint>& points_;
+  std::vector<Ball> candidates_;
+  std::vector<bool> is_trimmed_;
+  const std::vector<Vector3d> directions_ = SpreadDirections();
+  std::vector<double> sinks_;
+};
+
+}  // namespace
+
+std::vector<Ball> PackBalls(const LinkSolid& solid, const std::vector<ContactSphere>& present,
+                            double smallest, int num_points) {
+  const std::vector<BoundaryPoint> points = solid.ListSpread(static_cast<size_t>(num_points));
+  std::vector<Ball> candidates;
+  for (size_t k = 0; k < points.size(); k += 2) {
+    Ball ball = FindLargest(solid, points[k]);
+    ball.radius += kOut;
+    candidates.push_back(ball);
+  }
+  GreedyCover cover(solid, points, std::move(candidates));
+  for (const ContactSphere& ball : present) cover.Add({ball.p_LS, ball.radius});
+  std::vector<Ball> taken;
+  cover.Cover(kNearSink, kLeftOver, smallest, taken);
+  cover.Cover(kNearSink, kLeftOver, 0.0, taken);
+  cover.Cover(kFarSink, 0.0, 0.0, taken);
+  return taken;
+}
+
+namespace {
+
+constexpr size_t kNumEnds = 30, kMostSelfCapsules = 8;
+constexpr double kNearCapsule = 0.002;  // [m] of a point that it stands for
+constexpr double kEnough = 0.9;         // of the points
+
+double CalcDistance(const FittedCapsule& capsule, const Vector3d& p) {
+  const Vector3d axis = capsule.p_B - capsule.p_A;
+  const double square = axis.squaredNorm();
+  const double t = square > 0.0 ? std::clamp((p - capsule.p_A).dot(axis) / square, 0.0, 1.0) : 0.0;
+  return (p - capsule.p_A - t * axis).norm();
+}
+
+/** Balls far from each other, the largest first. */
+std::vector<Ball> ChooseEnds(std::vector<Ball> balls) {
+  std::stable_sort(balls.begin(), balls.end(),
+                   [](const Ball& a, const Ball& b) { return a.radius > b.radius; });
+  std::vector<Ball> ends;
+  std::vector<double> apart(balls.size(), 1.0);
+  while (ends.size() < std::min(kNumEnds, balls.size())) {
+    size_t best = 0;
+    for (size_t k = 1; k < balls.size(); ++k) {
+      // Half as far apart counts as much as twice as thick.
+      if (apart[k] * balls[k].radius > apart[best] * balls[best].radius) best = k;
+    }
+    if (apart[best] <= 0.0) break;
+    ends.push_back(balls[best]);
+    for (size_t k = 0; k < balls.size(); ++k) {
+      apart[k] = std::min(apart[k], (balls[k].centre - ends.back().centre).norm());
+    }
+  }
+  return ends;
+}
+
+}  // namespace
+
+std::vector<FittedCapsule> InscribeCapsules(const LinkSolid& solid) {
+  const std::vector<BoundaryPoint> points = solid.ListSpread(600);
+  const std::vector<BoundaryPoint> walls = solid.ListSpread(4000);
+  std::vector<Ball> balls;
+  for (const BoundaryPoint& point : points) balls.push_back(FindLargest(solid, point));
+  const std::vector<Ball> ends = ChooseEnds(balls);
+  std::vector<FittedCapsule> candidates;
+  for (size_t a = 0; a < ends.size(); ++a) {
+    for (size_t b = a; b < ends.size(); ++b) {
+      const double least = 0.5 * std::min(ends[a].radius, ends[b].radius);
+      FittedCapsule capsule{ends[a].centre, ends[b].centre, kLargestBall};
+      for (size_t k = 0; k < walls.size() && capsule.radius > least; ++k) {
+        capsule.radius = std::min(capsule.radius, CalcDistance(capsule, walls[k].p));
+      }
+      if (capsule.radius > least) candidates.push_back(capsule);
+    }
+  }
+  std::vector<FittedCapsule> taken;
+  std::vector<bool> is_open(points.size(), true);
+  size_t num_open = points.size();
+  const auto is_near = [&](const FittedCapsule& capsule, size_t k) {
+    return CalcDistance(capsule, points[k].p) - capsule.radius <= kNearCapsule;
+  };
+  while (taken.size() < kMostSelfCapsules &&
+         static_cast<double>(num_open) > (1.0 - kEnough) * static_cast<double>(points.size())) {
+    const FittedCapsule* best = nullptr;
+    size_t most = 0;
+    for (const FittedCapsule& candidate : candidates) {
+      size_t gain = 0;
+      for (size_t k = 0; k < points.size(); ++k) gain += is_open[k] && is_near(candidate, k);
+      if (gain <= most) continue;
+      most = gain;
+      best = &candidate;
+    }
+    if (!best || (!taken.empty() && most < points.size() / 50)) break;
+    taken.push_back(*best);
+    for (size_t k = 0; k < points.size(); ++k) {
+      if (!is_open[k] || !is_near(*best, k)) continue;
+      is_open[k] = false;
+      --num_open;
+    }
+  }
+  if (taken.empty() && !ends.empty())
+    taken.push_back({ends[0].centre, ends[0].centre, ends[0].radius});
+  return taken;
+}
+
+}  // namespace graspbench

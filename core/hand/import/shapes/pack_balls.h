@@ -1,0 +1,42 @@
+#pragma once
+/** @file
+Balls and capsules inside the solid of a link (core/hand/link_solid.h).
+
+Balls, for objects and the table: at every second of some boundary points p with outward normal n the
+largest ball that stays inside touches p,
+
+    c = p - rho n,  rho the largest with  |c - s| >= rho - 0.15 mm  for all boundary points s,
+
+and counts with the radius rho + 0.35 mm, less what sticks out more than 0.5 mm. The one that stops a
+probe ball of 5 mm (CalcSink) within 0.7 mm of most of the points where none does so yet is taken,
+repeatedly (greedy set cover), until 98 of 100 points are covered; then likewise within 3 mm, until
+all are. At most 600.
+
+Capsules, for the hand against itself: inscribed, between centres of such balls; the one that is
+within 2 mm of most of the points is taken, repeatedly, at most 8. */
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/hand/contact_shape.h"
+#include "core/hand/hand.h"
+#include "core/hand/import/shapes/fit_capsules.h"
+#include "core/hand/link_solid.h"
+
+namespace graspbench {
+
+/** Boundary points that are to be covered. */
+constexpr int kNumCoverPoints = 7000;
+
+/** A soft pad has no smaller ones where larger ones fit [m]. */
+constexpr double kSmallestPadBall = 0.001;
+
+/** @param present  balls that are there already, of this link. @param smallest  radius [m]; smaller
+ones only where no other comes near. */
+std::vector<Ball> PackBalls(const LinkSolid& solid, const std::vector<ContactSphere>& present,
+                            double smallest, int num_points = kNumCoverPoints);
+
+/** At least one where the solid has a boundary. */
+std::vector<FittedCapsule> InscribeCapsules(const LinkSolid& solid);
+
+}  // namespace graspbench

@@ -1,0 +1,66 @@
+#include "core/hand/import/shapes/pack_balls.h"
+
+#include <gtest/gtest.h>
+
+#include "core/hand/contact_fit.h"
+#include "core/shape/primitives.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+
+/** A box of `size` with packed balls, measured. */
+ContactFit Pack(const Vector3d& size, double smallest = 0.0) {
+  const TriMesh box = MakeRoundedBox(size, 0.0);
+  Hand hand;
+  hand.links.emplace_back().name = "box";
+  hand.palm_link = 0;
+  for (const Ball& ball : PackBalls(LinkSolid({box}), {}, smallest)) {
+    hand.contact_spheres.push_back({0, ball.centre, ball.radius});
+    EXPECT_GE(ball.radius, smallest);
+    // The exact bound of a box: no ball reaches farther than 0.5 mm over a face.
+    const Vector3d reach = ball.centre.cwiseAbs() + Vector3d::Constant(ball.radius);
+    EXPECT_LE((reach - 0.5 * size).maxCoeff(), 0.00062);
+  }
+  return MeasureContact(hand, {{box}}).at(0);
+}
+
+TEST(PackBallsTest, CoversBarsPalmsAndPlates) {
+  for (const Vector3d& size :
+       {Vector3d(0.016, 0.014, 0.042), Vector3d(0.08, 0.03, 0.09), Vector3d(0.06, 0.002, 0.08)}) {
+    const ContactFit fit = Pack(size);
+    EXPECT_LE(fit.out.most, 0.0006) << size.transpose();
+    EXPECT_LE(fit.sink.at_95, 0.001) << size.transpose();
+    EXPECT_LE(fit.sink.most, 0.005) << size.transpose();
+    EXPECT_LE(fit.num_balls, 250) << size.transpose();
+  }
+}
+
+TEST(PackBallsTest, APadHasNoBallBelow1Mm) {
+  EXPECT_LE(Pack({0.016, 0.014, 0.042}, kSmallestPadBall).sink.at_95, 0.0015);
+}
+
+TEST(PackBallsTest, WhatIsCoveredNeedsNone) {
+  const LinkSolid solid({MakeSphere(0.01, 48)});
+  EXPECT_TRUE(PackBalls(solid, {{0, Vector3d::Zero(), 0.01}}, 0.0).empty());
+  EXPECT_LE(PackBalls(solid, {}, 0.0).size(), 3u);
+}
+
+TEST(InscribeCapsulesTest, LieWithinABarAndReachItsEnds) {
+  const Vector3d half(0.008, 0.007, 0.021);
+  Eigen::AlignedBox3d bounds;
+  for (const FittedCapsule& capsule :
+       InscribeCapsules(LinkSolid({MakeRoundedBox(2 * half, 0.0)}))) {
+    for (const Vector3d& end : {capsule.p_A, capsule.p_B}) {
+      const Vector3d reach = end.cwiseAbs() + Vector3d::Constant(capsule.radius);
+      EXPECT_LE((reach - half).maxCoeff(), 0.0003);
+      bounds.extend(end + Vector3d::Constant(capsule.radius));
+      bounds.extend(end - Vector3d::Constant(capsule.radius));
+    }
+  }
+  EXPECT_GT(bounds.sizes().z(), 0.036);
+}
+
+}  // namespace
+}  // namespace graspbench
