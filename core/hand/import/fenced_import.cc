@@ -18,18 +18,24 @@ struct ImportOutcome {
 template <class Values>
 void CrossMembers(Values& values, HandSource& source) {
   Cross(values, source.file, source.folder, source.package_path, source.palm_normal, source.unit,
-        source.mesh_unit, source.in_degrees, source.num_cover_points);
+        source.mesh_unit, source.accepts_coarse_contact, source.in_degrees,
+        source.num_cover_points);
 }
 
 template <class Values>
-void CrossMembers(Values& values, LinkProtrusion& link) {
-  Cross(values, link.link, link.protrusion);
+void CrossMembers(Values& values, ContactError& error) {
+  Cross(values, error.at_95, error.most);
+}
+
+template <class Values>
+void CrossMembers(Values& values, ContactFit& fit) {
+  Cross(values, fit.link, fit.num_balls, fit.out, fit.sink, fit.palmar_out, fit.palmar_sink);
 }
 
 template <class Values>
 void CrossMembers(Values& values, ImportedFiles& imported) {
   Cross(values, imported.files, imported.num_digits, imported.num_joints, imported.num_driven,
-        imported.protrusions);
+        imported.fits);
 }
 
 template <class Values>
