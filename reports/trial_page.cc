@@ -6,12 +6,15 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/base/version.h"
+#include "core/hand/tactile.h"
+#include "core/trial/taxel_forces.h"
 #include "objects/catalogue.h"
 #include "reports/page/layout.h"
 #include "reports/page/models.h"
 #include "reports/plots/trial_plots.h"
 #include "reports/scenes/cell_pictures.h"
 #include "reports/scenes/scene_3d.h"
+#include "reports/scenes/sight_picture.h"
 
 namespace graspbench {
 namespace {
@@ -31,6 +34,41 @@ std::string NameOfScene(const TrialPageData& data) {
   return data.setup.hand->name + ", " + data.setup.object->name + ", " + NameOfDone(data.record);
 }
 
+Html DrawController(const DrawnTrial& data) {
+  if (!data.record.result.policy) return Html();
+  const PolicyRecord& policy = *data.record.result.policy;
+  const std::string hand =
+      policy.num_hand_cut ? ", " + FormatCount(*policy.num_hand_cut, "pose") + " of the hand" : "";
+  return MakeParagraph("A controller moved " + data.setup.policy.moves +
+                       "; object pose it was told: " + policy.object_pose + ". It was asked " +
+                       FormatCount(policy.num_questions, "time") +
+                       "; cut to limits: " + FormatCount(policy.num_cut, "target") + hand + ".");
+}
+
+/** What presses on the tactile elements before the lift, else at the end. */
+Html DrawTaxels(const DrawnTrial& data) {
+  const Hand& hand = *data.setup.hand;
+  if (!data.traced || data.traced->trace.empty() || !hand.skin || hand.skin->elements.empty()) {
+    return Html();
+  }
+  const std::vector<const TraceInstant*> ends = ListPhaseEnds(data.traced->trace);
+  const auto closed = std::find_if(ends.begin(), ends.end(), [](const TraceInstant* instant) {
+    return instant->phase == Phase::kStabilisation;
+  });
+  const TraceInstant& instant = closed == ends.end() ? *ends.back() : **closed;
+  const std::vector<double> forces =
+      CalcTaxelForces(hand, data.setup.sensors, instant.X_WH, instant.q, instant.contacts);
+  const std::string most = FormatFixed(*std::max_element(forces.begin(), forces.end()), 2);
+  PlotText text;
+  text.title = closed == ends.end() ? "Force on each tactile element at the end"
+                                    : "Force on each tactile element before the lift";
+  text.description = "At most " + most + " N.";
+  return MakeFigure(text.title + ".",
+                    "the darkest element bears " + most +
+                        " N, an empty one nothing; seen from the palm's side, the hand stretched.",
+                    MakeScroll(text.title, DrawHandMap(hand, forces, text)));
+}
+
 Html DrawResult(const DrawnTrial& data) {
   const TrialResult& result = data.record.result;
   const std::string reason = result.reason.empty() ? "." : ": " + result.reason + ".";
@@ -43,7 +81,7 @@ Html DrawResult(const DrawnTrial& data) {
                        (result.opposition ? std::string(" Opposition: ") +
                                                 RowOf(kOppositions, *result.opposition).name + "."
                                           : "")) +
-         diagnosis;
+         diagnosis + DrawController(data);
 }
 
 Html DrawMeasures(const DrawnTrial& data) {
@@ -90,8 +128,9 @@ Html DrawContacts(const DrawnTrial& data) {
   models.hands[data.setup.hand->id] = data.setup.hand;
   models.objects[data.setup.object->id] = data.setup.object;
   const Html strip = DrawContactStrip(data.record, NameOfScene(data), models);
-  return strip.empty() ? Element("p", {{"class", "missing"}}, "Nothing touched the object.")
-                       : strip;
+  return (strip.empty() ? Element("p", {{"class", "missing"}}, "Nothing touched the object.")
+                        : strip) +
+         DrawTaxels(data);
 }
 
 Html DrawCourse(const DrawnTrial& data) {

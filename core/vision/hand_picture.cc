@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/error.h"
 #include "core/render/hand_scene.h"
 #include "core/vision/picture_tools.h"
 
@@ -28,6 +29,11 @@ Image TakeHandPicture(const std::shared_ptr<const Hand>& hand,
                       const std::shared_ptr<const GraspObject>& object, const CameraConfig& config,
                       int size, const Pose& X_WH, const Eigen::VectorXd& q, const Pose& X_WO,
                       uint64_t noise_seed) {
+  if (!hand->camera) {
+    throw Error(ErrorKind::kUnsupported, "the hand \"" + hand->id +
+                                             "\" has no camera; leave out policy.picture_px, or "
+                                             "add a camera to its hand.yaml");
+  }
   const HandCamera& camera = *hand->camera;
   PinholeCamera pinhole;
   pinhole.X_WK = X_WH * CalcLinkPose(*hand, q, camera.link) * camera.X_LK;

@@ -16,8 +16,8 @@ without the lens's distortion, with the noise, blur and exposure of the session'
 namespace graspbench {
 
 /** @param size  of the picture's sides [pixel].  @param q  of the hand's joints (num_joints) [rad].
-@throws Error(kEnvironment) where no picture can be made. @pre the hand has a camera, and the
-configuration's colour is one. */
+@throws Error(kEnvironment) where no picture can be made, Error(kUnsupported) for a hand without a
+camera. @pre the configuration's colour is one. */
 Image TakeHandPicture(const std::shared_ptr<const Hand>& hand,
                       const std::shared_ptr<const GraspObject>& object, const CameraConfig& config,
                       int size, const Pose& X_WH, const Eigen::VectorXd& q, const Pose& X_WO,

@@ -124,6 +124,7 @@ class SceneWriter {
   void WriteCarriedWeight();
   void WriteJoint(const HandLink& link);
   void WriteSurface(int link);
+  void WriteTaxels(int link);
   void WriteObject();
   void WriteExcludes();
   void WriteLock(int joint, bool is_active);
@@ -191,6 +192,7 @@ void SceneWriter::WriteLink(int link) {
   if (link == 0) WriteArmJoints(X_PJ);
   if (data.joint >= 0) WriteJoint(data);
   WriteSurface(link);
+  WriteTaxels(link);
   if (link == 0) WriteCarriedWeight();
   for (int child = 0; child < static_cast<int>(hand_.links.size()); ++child) {
     if (hand_.links[child].parent == link) WriteLink(child);
@@ -285,6 +287,20 @@ void SceneWriter::WriteSurface(int link) {
     Set("contype", "0");
     Set("conaffinity", "0");
     Close();
+  }
+}
+
+/** A site for each tactile element, its z axis out of the hand. */
+void SceneWriter::WriteTaxels(int link) {
+  if (!hand_.skin) return;
+  for (size_t i = 0; i < hand_.skin->elements.size(); ++i) {
+    const TactileElement& element = hand_.skin->elements[i];
+    if (element.link != link) continue;
+    Add("site", {{"name", "taxel/" + std::to_string(i)},
+                 {"pos", element.p_LE},
+                 {"zaxis", element.normal_L},
+                 {"size", std::sqrt(element.area / kPi)},
+                 {"group", "4"}});
   }
 }
 
@@ -431,7 +447,11 @@ std::string FormatMjcf(const TrialSetup& setup, const WorldState& start,
 CommandedMotion RecordMotion(const TrialSetup& recorded) {
   TrialSetup setup = recorded;
   setup.sim.steady_step_factor = 1;  // a row for every step
-  TableLift course(std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim), setup);
+  const std::unique_ptr<TrialCourse> made =
+      FindProtocol(setup.protocol)
+          .make_course(std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim),
+                       setup, nullptr);
+  auto& course = dynamic_cast<TableLift&>(*made);  // trials of sessions are
   CommandedMotion motion;
   motion.step = setup.sim.step;
   course.Begin();
@@ -439,6 +459,15 @@ CommandedMotion RecordMotion(const TrialSetup& recorded) {
   while (course.Advance()) motion.steps.push_back({course.phase(), course.last_command()});
   while (const std::optional<WorldCommand> command = course.ComputeOpenLoopCommand()) {
     motion.steps.push_back({course.phase(), *command});
+  }
+  for (const MotionStep& step : motion.steps) {
+    if (step.command.stiffness.size() == 0 &&
+        step.command.X_WH.linear().isApprox(motion.start.X_WH.linear(), 1e-9)) {
+      continue;
+    }
+    throw Error(ErrorKind::kUnsupported,
+                "the trial's controller turns the hand or scales the stiffness of its drives, and "
+                "the scene has no drives for that; choose another trial");
   }
   return motion;
 }

@@ -49,7 +49,8 @@ struct CommandedMotion {
   std::vector<MotionStep> steps;  ///< the first ends at `step`
 };
 
-/** Carries out the trial. @throws Error(kRange) when its start is not finite. */
+/** Carries out the trial. @throws Error(kRange) when its start is not finite, Error(kUnsupported)
+for a controller that turns the hand or scales its drives' stiffness. */
 CommandedMotion RecordMotion(const TrialSetup& setup);
 
 /** One row a step, the start first: time_s, phase, arm_x_m .. arm_z_m and arm_x_m_per_s .. of the

@@ -232,6 +232,30 @@ void AddSightColumn(const SessionConfig& config, std::vector<TrialColumn>& colum
                      }});
 }
 
+/** Of records in which a controller has a part. */
+void AddPolicyColumns(const std::vector<TrialRecord>& records, std::vector<TrialColumn>& columns) {
+  if (std::none_of(records.begin(), records.end(),
+                   [](const TrialRecord& record) { return record.result.policy.has_value(); })) {
+    return;
+  }
+  const auto add = [&](const char* name, const char* type, const char* meaning, auto take) {
+    columns.push_back({name, type, "", meaning, [take](const TrialRecord& record) {
+                         return record.result.policy ? take(*record.result.policy) : Json();
+                       }});
+  };
+  add("policy_told_pose", "string",
+      "what the controller was told of the object's pose: none, nominal, believed, camera or true",
+      [](const PolicyRecord& policy) { return Json(policy.object_pose); });
+  add("policy_questions", "integer", "how often the controller was asked",
+      [](const PolicyRecord& policy) { return Json(policy.num_questions); });
+  add("policy_cut", "integer", "its targets and stiffness beyond limits, which were cut",
+      [](const PolicyRecord& policy) { return Json(policy.num_cut); });
+  add("policy_hand_cut", "integer", "its poses of the hand that were cut; missing: it moved none",
+      [](const PolicyRecord& policy) {
+        return policy.num_hand_cut ? Json(*policy.num_hand_cut) : Json();
+      });
+}
+
 void AddDrawColumns(const SessionConfig& config, std::vector<TrialColumn>& columns) {
   const auto add = [&](const char* name, const char* unit, const char* meaning,
                        double TrialDraw::*part) {
@@ -285,6 +309,7 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
   AddFieldColumns<PlannedTrial>(
       [](const TrialRecord& record) -> const PlannedTrial& { return record.plan; }, columns);
   AddSightColumn(config, columns);
+  AddPolicyColumns(records, columns);
   AddConditionColumns(config, columns);
   const std::vector<TrialColumn> outcome_columns = {
       {"outcome", "", "how the trial ended",

@@ -31,15 +31,39 @@ std::vector<CsvColumn<TrajectoryEvent>> ListTrajectoryEventColumns() {
           {"impulse_ns", "N s", "normal impulse of the touch that was lost", &Event::impulse}};
 }
 
+struct TaxelInstant {
+  double time;
+  std::vector<double> forces;
+};
+
+/** The elements' forces, a column each. */
+std::string FormatTaxelForces(const TrialTrajectory& trajectory) {
+  using Row = TaxelInstant;
+  std::vector<CsvColumn<Row>> columns = {{"time_s", "s", "since the start of placing", &Row::time}};
+  for (const TrajectoryTaxel& taxel : ListTaxels(*trajectory.hand)) {
+    columns.push_back({"element_" + std::to_string(taxel.index) + "_n", "N", "on its cell",
+                       [i = taxel.index](const Row& row) { return row.forces[i]; }});
+  }
+  std::vector<Row> rows;
+  for (const TraceInstant& instant : trajectory.traced.trace) {
+    rows.push_back({instant.time, CalcTaxelForces(trajectory, instant)});
+  }
+  return FormatCsv(columns, rows);
+}
+
 std::vector<TrajectoryFile> MakeCsvFiles(const TrialTrajectory& trajectory) {
   std::vector<TrajectoryContact> contacts;
   for (const TraceInstant& instant : trajectory.traced.trace) {
     for (const HandContact& contact : instant.contacts) contacts.push_back({&instant, &contact});
   }
-  return {
+  std::vector<TrajectoryFile> files = {
       {".csv", FormatCsv(ListTraceColumns(*trajectory.hand), trajectory.traced.trace)},
       {".contacts.csv", FormatCsv(ListTrajectoryContactColumns(*trajectory.hand), contacts)},
       {".events.csv", FormatCsv(ListTrajectoryEventColumns(), ListTrajectoryEvents(trajectory))}};
+  if (!trajectory.hand->skin) return files;
+  files.push_back({".taxels.csv", FormatTaxelForces(trajectory)});
+  files.push_back({".elements.csv", FormatCsv(ListTaxelColumns(), ListTaxels(*trajectory.hand))});
+  return files;
 }
 
 }  // namespace
@@ -50,8 +74,11 @@ Json MakeTrajectoryContactSchema(const Hand& hand) {
 
 Json MakeTrajectoryEventSchema() { return MakeTableSchema(ListTrajectoryEventColumns(), ""); }
 
+Json MakeTrajectoryTaxelSchema() { return MakeTableSchema(ListTaxelColumns(), ""); }
+
 TrajectoryForm MakeCsvTrajectoryForm() {
-  return {"csv", "three tables: instants, contacts, events", &MakeCsvFiles, nullptr};
+  return {"csv", "tables: instants, contacts, events; of tactile elements forces and places",
+          &MakeCsvFiles, nullptr};
 }
 
 }  // namespace graspbench

@@ -189,6 +189,37 @@ H5Table MakeContactTable(const TrialTrajectory& trajectory) {
   return table;
 }
 
+/** The force on each tactile element's cell, a row an instant. */
+H5Table MakeTaxelTable(const TrialTrajectory& trajectory) {
+  H5Table table;
+  for (const TrajectoryTaxel& taxel : ListTaxels(*trajectory.hand)) {
+    table.columns.push_back("element_" + std::to_string(taxel.index) + "_n");
+  }
+  for (const TraceInstant& instant : trajectory.traced.trace) {
+    const std::vector<double> forces = CalcTaxelForces(trajectory, instant);
+    table.values.insert(table.values.end(), forces.begin(), forces.end());
+  }
+  return table;
+}
+
+/** A row an element; `link` is a number in the links' names, `digit` in the digits', -1: the palm. */
+H5Table MakeTaxelPlaces(const Hand& hand) {
+  H5Table table;
+  table.columns = {"link", "digit"};
+  std::vector<CsvColumn<TrajectoryTaxel>> numbers;
+  for (const auto& column : ListTaxelColumns()) {
+    if (column.type == "number") numbers.push_back(column);
+  }
+  for (const auto& number : numbers) table.columns.push_back(number.name);
+  for (const TrajectoryTaxel& taxel : ListTaxels(hand)) {
+    const int link = taxel.element().link;
+    table.values.insert(table.values.end(), {static_cast<double>(link),
+                                             static_cast<double>(hand.FindDigitOfLink(link))});
+    for (const auto& number : numbers) table.values.push_back(number.value(taxel).get<double>());
+  }
+  return table;
+}
+
 std::string FormatEvents(const TrialTrajectory& trajectory) {
   Json events = Json::array();
   for (const TrajectoryEvent& event : ListTrajectoryEvents(trajectory)) {
@@ -237,6 +268,13 @@ class H5Collection : public TrajectoryCollection {
     WriteTable(demo, "states", MakeStates(trajectory));
     WriteTable(demo, "actions", MakeActions(trajectory));
     WriteTable(demo, "contacts", MakeContactTable(trajectory));
+    if (trajectory.hand->skin) {
+      std::vector<std::string> digits;
+      for (const Digit& digit : trajectory.hand->digits) digits.push_back(digit.id);
+      SetTexts(demo, "digits", digits, true);
+      WriteTable(demo, "taxels", MakeTaxelTable(trajectory));
+      WriteTable(demo, "taxel_elements", MakeTaxelPlaces(*trajectory.hand));
+    }
     for (const TraceInstant& instant : trajectory.traced.trace) {
       phases.push_back(NameOf(instant.next_phase));
     }

@@ -158,6 +158,31 @@ messages::ContactSample MakeContacts(const Hand& hand, const TraceInstant& insta
   return message;
 }
 
+messages::TaxelLayout MakeTaxelLayout(const Hand& hand, double time) {
+  messages::TaxelLayout message;
+  SetTime(time, *message.mutable_timestamp());
+  for (const TrajectoryTaxel& taxel : ListTaxels(hand)) {
+    messages::TaxelLayout::Element& element = *message.add_elements();
+    const TactileElement& of = taxel.element();
+    const int digit = hand.FindDigitOfLink(of.link);
+    element.set_link(hand.links[static_cast<size_t>(of.link)].name);
+    element.set_digit(digit < 0 ? "palm" : hand.digits[static_cast<size_t>(digit)].id);
+    SetVector(of.p_LE, *element.mutable_position());
+    SetVector(of.normal_L, *element.mutable_normal());
+    element.set_area(of.area);
+  }
+  return message;
+}
+
+messages::TaxelSample MakeTaxels(const TrialTrajectory& trajectory, const TraceInstant& instant) {
+  messages::TaxelSample message;
+  SetTime(instant.time, *message.mutable_timestamp());
+  for (const double force : CalcTaxelForces(trajectory, instant)) {
+    message.add_forces(RoundOff(force));
+  }
+  return message;
+}
+
 /** The forces of the hand on the object as arrows; red where a contact slides. */
 foxglove::SceneUpdate MakeArrows(const TraceInstant& instant) {
   foxglove::SceneUpdate message;
@@ -219,6 +244,11 @@ std::vector<TrajectoryFile> MakeMcapFiles(const TrialTrajectory& trajectory) {
   const uint16_t contacts = AddMessageChannel<messages::ContactSample>("/contacts", file);
   const uint16_t arrows = AddMessageChannel<foxglove::SceneUpdate>("/contact_forces", file);
   const uint16_t events = AddMessageChannel<messages::Event>("/events", file);
+  const bool has_skin = trajectory.hand->skin != nullptr;
+  const uint16_t layout =
+      has_skin ? AddMessageChannel<messages::TaxelLayout>("/taxel_layout", file) : uint16_t{0};
+  const uint16_t taxels =
+      has_skin ? AddMessageChannel<messages::TaxelSample>("/taxels", file) : uint16_t{0};
   file.AddMetadata("trial", DescribeOrigin(trajectory));
   const FrameTree tree(trajectory);
   const std::vector<TrajectoryEvent> list = ListTrajectoryEvents(trajectory);
@@ -235,6 +265,13 @@ std::vector<TrajectoryFile> MakeMcapFiles(const TrialTrajectory& trajectory) {
     file.AddMessage(frames, time, tree.Make(instant, is_first).SerializeAsString());
     file.AddMessage(joints, time, MakeJoints(*trajectory.hand, instant).SerializeAsString());
     file.AddMessage(contacts, time, MakeContacts(*trajectory.hand, instant).SerializeAsString());
+    if (has_skin && is_first) {
+      file.AddMessage(layout, time,
+                      MakeTaxelLayout(*trajectory.hand, instant.time).SerializeAsString());
+    }
+    if (has_skin) {
+      file.AddMessage(taxels, time, MakeTaxels(trajectory, instant).SerializeAsString());
+    }
     file.AddMessage(arrows, time, MakeArrows(instant).SerializeAsString());
   }
   add_events_until(std::numeric_limits<double>::infinity());

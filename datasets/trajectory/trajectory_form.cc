@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/trial/taxel_forces.h"
 #include "datasets/records/trial_record.h"
 
 namespace graspbench {
@@ -39,6 +40,7 @@ TrialTrajectory MakeTrajectory(const PlannedTrial& planned, const TrialSetup& se
       planned, CalcRecordSha256(planned, traced.result), setup.hand, setup.object, rate, {}};
   trajectory.traced.result = traced.result;
   trajectory.traced.closure_start = traced.closure_start;
+  trajectory.sensors = setup.sensors;
   std::vector<TraceInstant>& kept = trajectory.traced.trace;
   int num_regular = 0;
   for (const TraceInstant& instant : traced.trace) {
@@ -86,6 +88,47 @@ std::vector<CsvColumn<TrajectoryContact>> ListContactNumbers() {
   columns.push_back({"mu", "", "coefficient of friction in this state",
                      [](const TrajectoryContact& row) { return row.contact->mu; }});
   return columns;
+}
+
+std::vector<CsvColumn<TrajectoryTaxel>> ListTaxelColumns() {
+  using Row = TrajectoryTaxel;
+  std::vector<CsvColumn<Row>> columns = {
+      {"element", "integer", "", "number of the tactile element, from 0",
+       [](const Row& row) { return Json(row.index); }},
+      {"link", "string", "", "link of the hand",
+       [](const Row& row) {
+         return Json(row.hand->links[static_cast<size_t>(row.element().link)].name);
+       }},
+      {"digit", "string", "", "digit of that link; palm: none", [](const Row& row) {
+         const int digit = row.hand->FindDigitOfLink(row.element().link);
+         return Json(digit < 0 ? "palm" : row.hand->digits[static_cast<size_t>(digit)].id);
+       }}};
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string letter(1, "xyz"[axis]);
+    columns.push_back({"p_" + letter + "_m", "m", letter + " of its place in the link's frame",
+                       [axis](const Row& row) { return row.element().p_LE[axis]; }});
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string letter(1, "xyz"[axis]);
+    columns.push_back({"n_" + letter, "",
+                       letter + " of its unit normal out of the hand, in the link's frame",
+                       [axis](const Row& row) { return row.element().normal_L[axis]; }});
+  }
+  columns.push_back(
+      {"area_m2", "m2", "of its cell", [](const Row& row) { return row.element().area; }});
+  return columns;
+}
+
+std::vector<TrajectoryTaxel> ListTaxels(const Hand& hand) {
+  std::vector<TrajectoryTaxel> taxels;
+  for (size_t i = 0; hand.skin && i < hand.skin->elements.size(); ++i) taxels.push_back({&hand, i});
+  return taxels;
+}
+
+std::vector<double> CalcTaxelForces(const TrialTrajectory& trajectory,
+                                    const TraceInstant& instant) {
+  return CalcTaxelForces(*trajectory.hand, trajectory.sensors, instant.X_WH, instant.q,
+                         instant.contacts);
 }
 
 const std::vector<TrajectoryForm>& ListTrajectoryForms() {

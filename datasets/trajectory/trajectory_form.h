@@ -9,6 +9,7 @@ trajectory_form_list.inc each. Equal trajectories give equal bytes. */
 
 #include "core/base/text/csv.h"
 #include "core/hand/hand.h"
+#include "core/hand/tactile.h"
 #include "core/shape/grasp_object.h"
 #include "core/trial/trial_trace.h"
 #include "datasets/plan/session_plan.h"
@@ -25,6 +26,7 @@ struct TrialTrajectory {
   std::shared_ptr<const GraspObject> object;
   double rate = kTrajectoryRate;  ///< [1/s]
   TracedTrial traced;             ///< its trace: the instants that are kept
+  SensorConfig sensors = {};      ///< of the trial
 };
 
 /** SHA-256 of a trial's record: its journal line without the checksum, which is its line of
@@ -56,6 +58,20 @@ struct TrajectoryContact {
   const HandContact* contact;
 };
 std::vector<CsvColumn<TrajectoryContact>> ListContactNumbers();
+
+/** A tactile element of a hand, as tables have it. */
+struct TrajectoryTaxel {
+  const Hand* hand;
+  size_t index;  ///< into the elements of its skin
+
+  const TactileElement& element() const { return hand->skin->elements[index]; }
+};
+/** Its number, link, digit, place, normal and area. */
+std::vector<CsvColumn<TrajectoryTaxel>> ListTaxelColumns();
+/** Empty for a hand without. */
+std::vector<TrajectoryTaxel> ListTaxels(const Hand& hand);
+/** On the cell of each at an instant (core/trial/taxel_forces.h) [N]. */
+std::vector<double> CalcTaxelForces(const TrialTrajectory& trajectory, const TraceInstant& instant);
 
 struct TrajectoryFile {
   std::string ending;  ///< behind the trial's or the person's name: ".csv", ".contacts.csv"
@@ -91,10 +107,11 @@ const TrajectoryForm& FindTrajectoryForm(const std::string& name);
 std::vector<TrajectoryFile> MakeTrajectoryFiles(const TrajectoryForm& form,
                                                 const TrialTrajectory& trajectory);
 
-/** The data dictionaries of the form csv: contacts, events; instants are of ListTraceColumns(). */
+/** The data dictionaries of the form csv: contacts, events, tactile elements; instants are of ListTraceColumns(). */
 ///@{
 Json MakeTrajectoryContactSchema(const Hand& hand);
 Json MakeTrajectoryEventSchema();
+Json MakeTrajectoryTaxelSchema();
 ///@}
 
 #define GRASPBENCH_TRAJECTORY_FORM(Name) TrajectoryForm Make##Name##TrajectoryForm();

@@ -191,6 +191,11 @@ std::vector<TableSource> ListTrialTables() {
        MakeTrajectoryContactSchema(hand)},
       {"TRIAL.events.csv", "replay --trajectory csv: one row per event of a trial",
        MakeTrajectoryEventSchema()},
+      {"TRIAL.elements.csv",
+       "replay --trajectory csv: one row per tactile element; the force on its cell at each "
+       "instant "
+       "is column element_<number>_n of TRIAL.taxels.csv [N]",
+       MakeTrajectoryTaxelSchema()},
       {"motion.csv", "export --mjcf: one row per step, what the hand is asked for",
        MakeMotionSchema(hand)},
       {"GRASPS.csv", "hand show --grasps --csv: one row per number of a grasp",

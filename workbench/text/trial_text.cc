@@ -112,6 +112,19 @@ std::string FormatSight(const TrialResult& result) {
   return "grasp    " + text + "\n";
 }
 
+/** Nothing without a controller. */
+std::string FormatController(const TrialResult& result) {
+  if (!result.policy) return "";
+  const PolicyRecord& policy = *result.policy;
+  const std::string hand =
+      policy.num_hand_cut
+          ? fmt::format(", {} of the hand", FormatCount(*policy.num_hand_cut, "pose"))
+          : "";
+  return fmt::format("control  asked {}; object pose told: {}; cut to limits: {}{}\n",
+                     FormatCount(policy.num_questions, "time"), policy.object_pose,
+                     FormatCount(policy.num_cut, "target"), hand);
+}
+
 std::string FormatJointErrors(const TrialSetup& setup) {
   const Eigen::VectorXd& error = setup.draw.joint_error;
   Eigen::Index worst = -1;
@@ -338,9 +351,10 @@ std::string FormatTrial(const ExaminedTrial& trial, const std::string& folder) {
   std::string text =
       fmt::format("trial    {} ({}): {}, {}, {}\n", trial.planned.id, NameTrial(trial.planned),
                   trial.setup.hand->name, trial.setup.object->name, trial.planned.grasp) +
-      FormatCompression(*trial.setup.object) + FormatSight(result) + FormatOutcome(result) +
-      "draw     " + FormatObjectDraw(trial.setup.draw) + FormatJointErrors(trial.setup) + "\n" +
-      "phases   " + FormatPhases(trial.traced, trial.setup.strategy) + "\n";
+      FormatCompression(*trial.setup.object) + FormatSight(result) + FormatController(result) +
+      FormatOutcome(result) + "draw     " + FormatObjectDraw(trial.setup.draw) +
+      FormatJointErrors(trial.setup) + "\n" + "phases   " +
+      FormatPhases(trial.traced, trial.setup.strategy) + "\n";
   if (!result.contacts.empty()) text += FormatDigits(trial);
   text += FormatSeat(result) + FormatGrip(result);
   if (result.diagnosis) text += "why      " + result.diagnosis->text + "\n";

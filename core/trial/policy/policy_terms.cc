@@ -292,6 +292,9 @@ const std::vector<PolicyFact>& ListPolicyFacts() {
        [](const PolicyView& view) { return Json(view.setup.object->id); }},
       {{"grasp", "", "", "", "id of the standard or optimised grasp, which places the hand"},
        [](const PolicyView& view) { return Json(view.setup.grasp.id); }},
+      {{"grasp_type", "", "", "",
+        "all finger precision, two finger precision, power or two finger pinch"},
+       [](const PolicyView& view) { return Json(NameOf(view.setup.grasp.type)); }},
       {{"joints", "", "m", "", "names of all joints"},
        [](const PolicyView& view) {
          Json names = Json::array();
@@ -368,6 +371,9 @@ const std::vector<PolicyFact>& ListPolicyFacts() {
        [](const PolicyView& view) {
          return Json(view.setup.object->mass_properties.mass * view.setup.sim.gravity);
        }},
+      {{"friction", "", "", "",
+        "dynamic, of the object, as the regulator of the strategy knows it"},
+       [](const PolicyView& view) { return Json(view.setup.object->surface.friction_dynamic); }},
       {{"taxel_links", "", "k", "", "link of each tactile element; with touch: sensed"},
        [](const PolicyView& view) {
          return ListOfElements(view, [&](const TactileElement& element) {

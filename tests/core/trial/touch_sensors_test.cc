@@ -6,6 +6,8 @@
 #include <numeric>
 
 #include "core/base/random.h"
+#include "core/trial/protocols/protocol.h"
+#include "core/trial/taxel_forces.h"
 #include "objects/catalogue.h"
 #include "tests/core/trial/trial_setups.h"
 
@@ -117,6 +119,31 @@ TEST(SensedTouchTest, AGraspIsFeltAndRecorded) {
     EXPECT_GT(*std::max_element(result.touch->peak.begin(), result.touch->peak.end()), 0.1);
     ExpectSurvivesItsRecord(result);
     EXPECT_EQ(ToJson(RunSetup(setup)), ToJson(result));
+  }
+}
+
+// The other way to the same forces: sensors that follow the trial with the hand's dynamics.
+TEST(SensedTouchTest, ForcesOfAnInstantAreThoseThatTheSensorsHave) {
+  for (const char* hand : {"shadow", "tum"}) {
+    const TrialSetup setup = MakeSensed(hand);
+    TouchSensors sensors(*setup.hand, setup.sensors, "any");
+    double sum = 0.0;
+    TrialRunner(setup.hand, setup.object).Run(setup, [&](TrialCourse& course) {
+      std::vector<HandContact> contacts;
+      course.world().FindHandContacts(contacts);
+      course.world().dynamics().UpdatePositions(course.world().state().X_WH,
+                                                course.world().state().q);
+      sensors.Observe(course.time(), contacts, course.world().dynamics());
+      const std::vector<double> forces =
+          CalcTaxelForces(*setup.hand, setup.sensors, course.world().state().X_WH,
+                          course.world().state().q, contacts);
+      ASSERT_EQ(forces.size(), sensors.forces().size());
+      for (size_t i = 0; i < forces.size(); ++i) {
+        ASSERT_NEAR(forces[i], sensors.forces()[i], 1e-6) << i << " at " << course.time();
+      }
+      sum = std::max(sum, Sum(forces));
+    });
+    EXPECT_GT(sum, 0.5) << hand;
   }
 }
 

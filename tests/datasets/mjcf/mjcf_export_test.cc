@@ -89,6 +89,9 @@ TEST(MjcfScene, HoldsTheWholeHandAndAStateOfItsSize) {
     const std::string text = FormatMjcf(setup, motion.start, parts);
     tinyxml2::XMLDocument document;
     ASSERT_EQ(document.Parse(text.c_str()), tinyxml2::XML_SUCCESS) << document.ErrorStr();
+    size_t num_sites = 0;
+    for (size_t at = 0; (at = text.find("<site name=\"taxel/", at)) != text.npos; ++at) ++num_sites;
+    EXPECT_EQ(num_sites, setup.hand->skin->elements.size());
     double mass = 0.0;
     int num_bodies = 0, num_joints = 0, num_drives = 0;
     std::string qpos;

@@ -52,6 +52,8 @@ class Csv:
         self.instants = pandas.read_csv(file)
         self.contacts = pandas.read_csv(file.with_suffix(".contacts.csv"))
         self.happened = pandas.read_csv(file.with_suffix(".events.csv"), keep_default_na=False)
+        self.pressed = pandas.read_csv(file.with_suffix(".taxels.csv"))
+        self.elements = pandas.read_csv(file.with_suffix(".elements.csv"))
 
     def row(self, time):
         return self.instants.iloc[(self.instants.time_s - time).abs().idxmin()]
@@ -70,6 +72,9 @@ class Csv:
 
     def events(self):
         return list(zip(self.happened.time_s, self.happened.kind))
+
+    def taxels(self):
+        return self.pressed.to_numpy()[:, 1:], self.elements[["p_x_m", "p_y_m", "p_z_m", "n_x", "n_y", "n_z"]].to_numpy()
 
 
 class H5:
@@ -100,6 +105,11 @@ class H5:
 
     def events(self):
         return [(e["time_s"], e["kind"]) for e in json.loads(self.demo.attrs["events"])]
+
+    def taxels(self):
+        columns = list(self.demo["taxel_elements"].attrs["columns"])
+        first = columns.index("p_x_m")
+        return self.demo["taxels"][:], self.demo["taxel_elements"][:, first:first + 6]
 
 
 class Mcap:
@@ -176,6 +186,12 @@ class Mcap:
     def events(self):
         return [(time, m.kind) for topic, time, m in self.messages if topic == "/events"]
 
+    def taxels(self):
+        layout, = (m for topic, _, m in self.messages if topic == "/taxel_layout")
+        places = [[e.position.x, e.position.y, e.position.z, e.normal.x, e.normal.y, e.normal.z] for e in layout.elements]
+        return (np.array([list(m.forces) for topic, _, m in self.messages if topic == "/taxels"]),
+                np.array(places))
+
 
 # --- The comparison -------------------------------------------------------------------------------
 
@@ -223,9 +239,14 @@ def main():
             assert mcap.metadata["record_sha256"] == demo.attrs["record_sha256"]
             split = "success" if record["result"]["outcome"] == "success" else "failed"
             assert f"demo_{i}" in [text.decode() for text in demos[f"mask/{split}"][:]]
-            for form, read in (("csv", Csv(folder / "csv" / (name + ".csv"))),
-                               ("mcap", mcap), ("h5", H5(demo))):
+            forms = (("csv", Csv(folder / "csv" / (name + ".csv"))), ("mcap", mcap), ("h5", H5(demo)))
+            for form, read in forms:
                 compare(record, joints, demo.attrs["closure_start_s"], read, form)
+            forces, places = forms[0][1].taxels()
+            assert forces.max() > 0.1, name
+            for form, read in forms[1:]:
+                assert np.abs(read.taxels()[0] - forces).max() < TOLERANCE, (form, "taxels")
+                assert np.abs(read.taxels()[1] - places).max() < TOLERANCE, (form, "elements")
         print(f"{len(records)} trials in 3 forms: the same numbers")
 
 

@@ -76,7 +76,7 @@ std::vector<std::vector<std::string>> ReadCsv(const std::string& text) {
 TEST(TrajectoryForm, TablesHoldInstantsContactsAndEvents) {
   const TrialTrajectory& trajectory = GetTrajectory();
   const auto files = MakeTrajectoryFiles(FindTrajectoryForm("csv"), trajectory);
-  ASSERT_EQ(files.size(), 3u);
+  ASSERT_EQ(files.size(), 5u);
   const auto instants = ReadCsv(files[0].bytes), contacts = ReadCsv(files[1].bytes),
              events = ReadCsv(files[2].bytes);
   EXPECT_EQ(instants.size(), trajectory.traced.trace.size() + 1);
@@ -92,6 +92,33 @@ TEST(TrajectoryForm, TablesHoldInstantsContactsAndEvents) {
     }
     EXPECT_NEAR(sum, instant.grip_force, 1e-9) << instant.time;
   }
+}
+
+TEST(TrajectoryForm, TablesHoldEveryTactileElement) {
+  const TrialTrajectory& trajectory = GetTrajectory();
+  const auto files = MakeTrajectoryFiles(FindTrajectoryForm("csv"), trajectory);
+  const auto taxels = ReadCsv(files[3].bytes), elements = ReadCsv(files[4].bytes);
+  const std::vector<TactileElement>& skin = trajectory.hand->skin->elements;
+  ASSERT_EQ(elements.size(), skin.size() + 1);
+  ASSERT_EQ(taxels.size(), trajectory.traced.trace.size() + 1);
+  ASSERT_EQ(taxels[0].size(), skin.size() + 1);
+  for (size_t i = 0; i < skin.size(); ++i) {
+    EXPECT_EQ(elements[i + 1][1], trajectory.hand->links[static_cast<size_t>(skin[i].link)].name);
+    for (size_t axis = 0; axis < 3; ++axis) {
+      const auto at = static_cast<Eigen::Index>(axis);
+      EXPECT_EQ(std::stod(elements[i + 1][3 + axis]), skin[i].p_LE[at]);
+      EXPECT_EQ(std::stod(elements[i + 1][6 + axis]), skin[i].normal_L[at]);
+    }
+  }
+  // Elements bear what presses on sensed surface: never more than the grip.
+  double most = 0.0;
+  for (size_t row = 1; row < taxels.size(); ++row) {
+    double sum = 0.0;
+    for (size_t i = 1; i < taxels[row].size(); ++i) sum += std::stod(taxels[row][i]);
+    EXPECT_LE(sum, trajectory.traced.trace[row - 1].grip_force + 1e-9);
+    most = std::max(most, sum);
+  }
+  EXPECT_GT(most, 0.1);
 }
 
 TEST(TrajectoryForm, ACollectionHoldsSeveralTrials) {

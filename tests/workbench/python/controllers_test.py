@@ -66,6 +66,12 @@ WRONG = {  # name: (body, part of the reason)
     "answers twice": ("a(good); a(good)", "when it was asked question"),
     "wrong number": ("a({**good, 'number': n + 1})", "when it was asked question"),
     "no MessagePack": ("raw(struct.pack('<I', 1) + b'\\xc1')", "no MessagePack"),
+    "a flood of errors": ("os.write(2, b'x' * 1000000); a({'number': n, 'error': 'enough'})", 'gave up: "enough"'),
+    "ragged rows": ("a({'number': n, 'targets': np.zeros((2, num)), 'stiffness': np.ones((3, num))})", "stiffness has 3 rows"),
+    "moves a hand that is placed": ("a({'number': n, 'hand_pose': [0, 0, 1, 1, 0, 0, 0]})", "expected hand-and-digits"),
+    "no unit quaternion": ("a({'number': n, 'hand_pose': np.zeros(7)})", "has the length 0"),
+    "hands over what is its own": ("a({'number': n, 'hold': 'margin'})", "expected digits-until-touch"),
+    "an unknown grip": ("a({'number': n, 'hold': 'tight'})", "expected force or margin"),
     "wrong after a while": ("a(good) if count < 20 else a({'number': n, 'done': 'yes'})", "neither true nor false"),
 }
 LOST = {  # name: (body, part of the message)
@@ -74,7 +80,9 @@ LOST = {  # name: (body, part of the message)
     "never answers": ("time.sleep(60)", "has not answered"),
     "half an answer": ("raw(struct.pack('<I', 100) + b'x'); time.sleep(60)", "has not answered"),
     "killed": ("os.kill(os.getpid(), 9)", "signal 9|exit status 137"),
-    "forks and leaves": ("os.fork() or (os.setsid(), time.sleep(600)); sys.exit(0)", "has not answered"),  # its child keeps the output open
+    # Its child keeps the output open.
+    "forks and leaves": ("os.fork() or (os.setsid(), time.sleep(600)); sys.exit(0)", "exit status 0"),
+    "killed below a shell": ("os.fork() or time.sleep(600); os.kill(os.getpid(), 9)", "signal 9|exit status 137"),
 }
 
 
@@ -181,6 +189,53 @@ class Controllers(unittest.TestCase):
                 self.assertEqual(records(folder), {})
                 self.assertEqual(find_marked(), [])
 
+    def test_a_controller_that_ended_is_found_at_once_whatever_it_started(self):
+        policy = self.write("os.fork() or time.sleep(600); sys.exit(3)")
+        begun = time.monotonic()
+        text = run(self.folder / "s", "--set", "policy.timeout_s=300", policy=policy + "; exit 4", expect=5)
+        self.assertIn("exit status 4", text)
+        self.assertLess(time.monotonic() - begun, 100)
+        self.assertEqual(find_marked(), [])
+
+    def test_the_hand_moves_and_is_told_what_the_record_says(self):
+        body = """
+    o = message["observation"]
+    if count == 1:
+        goal = np.concatenate([facts["grasp_position"], facts["grasp_rotation"]])
+    way = facts["closed"]
+    answer = {"number": n, "hand_pose": goal, "done": count > 90}
+    if count > 15: answer["targets"] = np.array(facts["open"]) + min(1.0, 0.02 * (count - 15)) * (np.array(way) - np.array(facts["open"]))
+    a(answer)
+"""
+        folder = self.folder / "moves"
+        run(folder, "--set", "policy.moves=hand-and-digits", "--set", "policy.object_pose=camera",
+            policy=self.write(body.strip("\n").lstrip()))
+        for record in records(folder).values():
+            self.assertEqual(record["result"]["outcome"], "success", record["result"]["reason"])
+            self.assertEqual(record["result"]["policy"]["object_pose"], "camera")
+            self.assertIn("told_X_WO", record["result"]["policy"])
+        done = subprocess.run([PROGRAM, "replay", str(folder), "--all", "--verify"], env=ENVIRONMENT, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_the_program_takes_the_grip_over(self):
+        folder = self.folder / "until"
+        body = ("t = np.array(facts['open']) + min(1.0, 0.02 * count) * (np.array(facts['closed']) - np.array(facts['open'])); "
+                "touches = any(message['observation']['digit_touches']); "
+                "a({'number': n, 'targets': t, **({'hold': 'margin'} if touches else {})})")
+        run(folder, "--set", "policy.moves=digits-until-touch", policy=self.write(body))
+        for record in records(folder).values():
+            self.assertEqual(record["result"]["outcome"], "success", record["result"]["reason"])
+            self.assertIn("grip", record["result"])
+            self.assertEqual(record["result"]["policy"]["rows"][-1]["hold"], "margin")
+
+    def test_pictures_are_bytes_of_their_size(self):
+        folder = self.folder / "pictures"
+        body = ("p = message['observation']['picture']; "
+                "a({**good, 'done': True} if p.dtype == np.uint8 and p.shape == (96, 96, 3) and p.std() > 5 else {'number': n, 'error': str(p.shape)})")
+        run(folder, "--set", "policy.picture_px=96", policy=self.write(body))
+        for record in records(folder).values():
+            self.assertEqual(record["result"]["outcome"], "no contact", record["result"]["reason"])
+
     def test_a_trial_after_a_lost_one_gets_a_new_process(self):
         once = self.folder / "once"
         body = f"open({str(once)!r}, 'x').close() or sys.exit(1) if not os.path.exists({str(once)!r}) else a({{**good, 'done': True}})"
@@ -214,18 +269,18 @@ class Controllers(unittest.TestCase):
 
     def test_killed_and_resumed_the_same_bytes(self):
         policy = self.example("close_at_random.py")
-        more = ["--trials", "4"]
+        num_kills = int(os.environ.get("GRASPBENCH_NUM_KILLS", "2"))
+        more = ["--trials", str(2 + num_kills * num_kills // 8)]  # so that there is something left to kill
         run(self.folder / "whole", *more, policy=policy)
         whole = records(self.folder / "whole")
         folder = self.folder / "killed"
-        num_kills = int(os.environ.get("GRASPBENCH_NUM_KILLS", "2"))
         for kill in range(num_kills):
             command = make_command(folder, *more, "--policy", policy)
             if kill:
                 command = [PROGRAM, "run", "--resume", "--out", str(folder), "--jobs", "1"]
             process = subprocess.Popen(command, env=ENVIRONMENT, stdout=subprocess.DEVNULL,
                                        stderr=subprocess.DEVNULL)
-            time.sleep(0.3 + 0.1 * kill)
+            time.sleep(0.3 + 0.1 * (kill % 5))
             process.send_signal(signal.SIGKILL)
             process.wait()
         if not (folder / "session.json").exists():
@@ -263,6 +318,12 @@ class Controllers(unittest.TestCase):
     def test_a_setting_without_a_controller_is_refused(self):
         text = run(self.folder / "s", "--set", "policy.period_s=0.01", expect=3)
         self.assertIn("policy.command is empty", text)
+        for setting, part in (("policy.moves=feet", 'no moves "feet"'),
+                              ("policy.hand_speed_m_per_s=0.2", "changes nothing while policy.moves is digits"),
+                              ("policy.object_pose=far", 'no object pose "far"')):
+            self.assertIn(part, run(self.folder / "s", "--set", setting, policy="true", expect=3))
+        text = run(self.folder / "s", "--hand", "tum-original", "--set", "policy.picture_px=64", policy="true", expect=2)
+        self.assertIn("has no camera to show to the controller", text)
 
 
 if __name__ == "__main__":
