@@ -6,6 +6,7 @@ std::vector<double> CalcTaxelForces(const Hand& hand, const SensorConfig& config
                                     const Eigen::VectorXd& q,
                                     const std::vector<HandContact>& contacts) {
   std::vector<double> forces(hand.skin->elements.size(), 0.0);
+  if (contacts.empty()) return forces;
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, q);
   for (const HandContact& contact : contacts) {
     const SensedSurface* surface = hand.skin->FindSurface(contact.link);
