@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 #include <poll.h>
 #include <spawn.h>
-#include <sys/pidfd.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -21,6 +20,10 @@
 #include <sstream>
 #include <thread>
 #include <vector>
+
+extern "C" {  // the header of glibc 2.36 does not say so itself
+#include <sys/pidfd.h>
+}
 
 #include "core/base/text/text.h"
 #include "core/trial/policy/policy_messages.h"
