@@ -88,17 +88,18 @@ void GripRegulator::FollowTouches(const World& world, const std::vector<HandCont
 be force. */
 void GripRegulator::TakeBack(DigitGrip& digit, const World& world) const {
   const double closing = FindClosing(digit, [&](int joint) {
-    return CalcDrivePosition(*setup_->hand, world.state(), joint) - setup_->draw.joint_error[joint];
+    return CalcDrivePosition(*setup_->hand, world.state(), joint) - setup_->grasp.q_pre[joint] -
+           setup_->draw.joint_error[joint];
   });
   if (!std::isnan(closing)) digit.law.MoveTo(std::min(digit.law.closing(), closing));
 }
 
-template <class Q>
-double GripRegulator::FindClosing(const DigitGrip& digit, Q q) const {
+template <class Way>
+double GripRegulator::FindClosing(const DigitGrip& digit, Way way) const {
   double along = 0.0, length = 0.0;
   for (const int joint : digit.joints) {
     const double stiffness = setup_->hand->joints[static_cast<size_t>(joint)].drive.stiffness;
-    double moved = q(joint) - setup_->grasp.q_pre[joint];
+    double moved = way(joint);
     if (offset_.size() > 0) moved -= offset_[joint];
     along += stiffness * way_[joint] * moved;
     length += stiffness * way_[joint] * way_[joint];
@@ -115,7 +116,8 @@ GripRegulator GripRegulator::TakeOver(GripMode mode, const Eigen::VectorXd& aske
   made.setup_ = std::make_shared<TrialSetup>(std::move(setup));
   made.offset_ = Eigen::VectorXd::Zero(asked.size());
   for (DigitGrip& digit : made.digits_) {
-    const double closing = FindClosing(digit, [&](int joint) { return asked[joint]; });
+    const double closing =
+        FindClosing(digit, [&](int joint) { return asked[joint] - setup_->grasp.q_pre[joint]; });
     if (std::isnan(closing)) continue;
     digit.law.MoveTo(closing);
     digit.beyond = std::clamp(closing - 1.0, 0.0, most_closing_ - 1.0);

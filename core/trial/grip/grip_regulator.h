@@ -104,9 +104,9 @@ class GripRegulator {
   void FindSmallest(const World& world, const std::vector<HandContact>& contacts);
   void ShareForce(const std::vector<PartLoad>& loads, double duration);
   void ShareWithinSide(double duration);
-  /** Of a posture the part of a digit's way [s]. @param q  by joint (num_joints). */
-  template <class Q>
-  double FindClosing(const DigitGrip& digit, Q q) const;
+  /** Of a posture the part of a digit's way [s]. @param way  of a joint, from the pre-grasp. */
+  template <class Way>
+  double FindClosing(const DigitGrip& digit, Way way) const;
   double CalcCommand(const DigitGrip& digit, int joint) const;
   void TakeBack(DigitGrip& digit, const World& world) const;
   bool IsAtLimit(const DigitGrip& digit, int joint, double share) const;
