@@ -75,17 +75,18 @@ TouchSensors::TouchSensors(const Hand& hand, const SensorConfig& config, const s
   record_.peak = forces_;
 }
 
-void TouchSensors::Press(const HandContact& contact, const HandDynamics& dynamics) {
+bool TouchSensors::Press(const HandContact& contact, const HandDynamics& dynamics) {
   const auto link = static_cast<size_t>(contact.link);
   if (const SensedSurface* surface = skin_->FindSurface(contact.link)) {
     const Vector3d p_L = ProjectOntoSurface(*hand_, contact.link,
                                             dynamics.X_WL(contact.link).inverse() * contact.p_WC);
     if (SpreadForce(*surface, p_L, contact.normal_force, config_.patch_radius, forces_)) {
       sensed_[link] += contact.normal_force;
-      return;
+      return true;
     }
   }
   elsewhere_[link] += contact.normal_force;
+  return false;
 }
 
 void TouchSensors::Sample() {
@@ -135,7 +136,8 @@ void TouchSensors::Observe(double time, const std::vector<HandContact>& contacts
   for (std::vector<double>* of : {&forces_, &sensed_, &elsewhere_}) {
     std::fill(of->begin(), of->end(), 0.0);
   }
-  for (const HandContact& contact : contacts) Press(contact, dynamics);
+  on_elements_.clear();
+  for (const HandContact& contact : contacts) on_elements_.push_back(Press(contact, dynamics));
   for (size_t i = 0; i < forces_.size(); ++i) {
     record_.peak[i] = std::max(record_.peak[i], std::round(kRoundPeak * forces_[i]) / kRoundPeak);
   }
@@ -146,14 +148,33 @@ void TouchSensors::Observe(double time, const std::vector<HandContact>& contacts
   FollowTouches(time);
 }
 
+double TouchSensors::CalcElementForce(size_t element) const {
+  const double reading = readings_[element];
+  return reading > config_.threshold ? CalcForce(skin_->response, config_, reading) : 0.0;
+}
+
 double TouchSensors::CalcFeltForce(std::optional<int> digit) const {
   double sum = 0.0;
   for (size_t i = 0; i < readings_.size(); ++i) {
-    if (readings_[i] <= config_.threshold) continue;
     if (digit && hand_->FindDigitOfLink(skin_->elements[i].link) != *digit) continue;
-    sum += CalcForce(skin_->response, config_, readings_[i]);
+    sum += CalcElementForce(i);
   }
   return sum;
+}
+
+double TouchSensors::CalcLinkForce(int link) const {
+  double sum = 0.0;
+  for (size_t i = 0; i < readings_.size(); ++i) {
+    if (skin_->elements[i].link == link) sum += CalcElementForce(i);
+  }
+  return sum;
+}
+
+bool TouchSensors::IsSaturated(int link) const {
+  for (size_t i = 0; i < readings_.size(); ++i) {
+    if (skin_->elements[i].link == link && readings_[i] >= 1.0) return true;
+  }
+  return false;
 }
 
 }  // namespace graspbench

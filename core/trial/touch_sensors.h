@@ -115,6 +115,12 @@ class TouchSensors {
   /** Sum over the elements, of the last sample [N]. @param digit  -1: the rest of the hand; unset:
   all. */
   double CalcFeltForce(std::optional<int> digit = std::nullopt) const;
+  /** The same of one link. */
+  double CalcLinkForce(int link) const;
+  /** An element of the link reads as much as it can, so that the force may be larger. */
+  bool IsSaturated(int link) const;
+  /** Whether a contact of the last step lies on a sensed surface, by its place among them. */
+  bool is_on_elements(size_t contact) const { return on_elements_[contact]; }
   /** On each cell, before any response [N]. */
   const std::vector<double>& forces() const { return forces_; }
   const TouchRecord& record() const { return record_; }
@@ -124,10 +130,11 @@ class TouchSensors {
     bool is_touching = false, is_elsewhere = false;
     double waits_since = kUnset;  // not felt yet since then [s]
   };
-  void Press(const HandContact& contact, const HandDynamics& dynamics);
+  bool Press(const HandContact& contact, const HandDynamics& dynamics);
   void Sample();
   void FollowTouches(double time);
   bool IsFelt(int link) const;
+  double CalcElementForce(size_t element) const;
 
   const Hand* hand_;
   std::shared_ptr<const TactileSkin> skin_;
@@ -137,6 +144,7 @@ class TouchSensors {
   std::vector<double> forces_;                 // [N]
   std::vector<double> remembered_, readings_;  // by element
   std::vector<double> sensed_, elsewhere_;     // by link, of the last step [N]
+  std::vector<bool> on_elements_;              // by contact, likewise
   std::vector<LinkTouch> touches_;             // by link
   std::vector<bool> has_felt_;                 // by digit
   TouchRecord record_;

@@ -110,7 +110,7 @@ Json ToJson(const std::vector<SeatSummary>& seats) {
 
 namespace {
 
-constexpr double kExcess = 2.0;  // in truth over asked, by sensed touch, which is said
+constexpr double kExcess = 1.5;  // in truth over asked, by sensed touch, which is said
 
 }  // namespace
 
@@ -196,9 +196,9 @@ GripShortfall FindShortfall(const SessionSummary& summary) {
 std::string DescribeExcess(const GripShortfall& shortfall) {
   if (shortfall.pressed.n == 0) return "";
   return fmt::format(
-      "grip     {} of {} pressed more than twice as hard as asked, beside what feels: "
-      "asked {} N, in truth {} N (sums, medians)",
-      shortfall.pressed.n, FormatCount(shortfall.num_closed, "trial"),
+      "grip     {} of {} pressed more than {} times as hard as asked: asked {} N, in truth {} N "
+      "(sums, medians)",
+      shortfall.pressed.n, FormatCount(shortfall.num_closed, "trial"), kExcess,
       FormatFixed(shortfall.asked_of_excess.median, 2), FormatFixed(shortfall.pressed.median, 2));
 }
 

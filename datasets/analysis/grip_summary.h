@@ -25,7 +25,7 @@ struct GripSummary {
   Spread asked, held;    ///< sums over the hand, of the trials that reached the hold [N]
   Spread pressed;        ///< the true sum of these trials, felt or not [N]
   int num_within = 0;    ///< of them, whose sum is within kGripTolerance
-  bool is_felt = false;  ///< by sensed touch: held is what the elements feel
+  bool is_felt = false;  ///< by sensed touch: held is what the hand estimates
   std::vector<GripFaultCount> faults;  ///< by digit, then by reason
 };
 
@@ -41,14 +41,14 @@ struct GripShortfall {
   int num = 0, num_closed = 0;      ///< of those whose grip had closed
   Spread asked, reached;            ///< of these trials [N]
   std::string reason;               ///< most frequent of their digits; empty: none is known
-  Spread asked_of_excess, pressed;  ///< of trials by sensed touch that press twice as hard [N]
+  Spread asked_of_excess, pressed;  ///< by sensed touch, above 1.5 times asked [N]
 };
 GripShortfall FindShortfall(const SessionSummary& summary);
 
 /** "grip     3 of 4 trials did not reach what was asked: ..."; empty where all did. */
 std::string DescribeShortfall(const GripShortfall& shortfall);
 
-/** "grip     2 of 4 trials pressed more than twice as hard as asked, ..."; empty where none did. */
+/** "grip     2 of 4 trials pressed more than 1.5 times as hard as asked: ..."; empty: none did. */
 std::string DescribeExcess(const GripShortfall& shortfall);
 
 /* What held grasps of a condition are like, seat by seat (object_in_hand.h): grip force,

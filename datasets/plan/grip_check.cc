@@ -92,7 +92,7 @@ void WarnOfFeeling(const SessionConfig& config, const Hand& hand,
   if (asked > config.sensors.saturation) {
     warnings.push_back(fmt::format(
         "strategy.grip_force_n is {:.2f} N, and an element of the hand \"{}\" feels at most {:.2f} "
-        "N (sensors.saturation_n): where few are pressed, digits press on without feeling it",
+        "N (sensors.saturation_n): where few are pressed, the drives' torques alone say the rest",
         asked, hand.id, config.sensors.saturation));
   }
   if (asked > 0.0 && asked <= felt_from) {

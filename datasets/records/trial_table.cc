@@ -90,7 +90,7 @@ void AddGripColumns(std::vector<CsvColumn<TrialRecord>>& columns) {
   columns.push_back(
       {"grip_held_n", "N",
        "filtered sum of normal forces that it had of them, mean of the hold: the true "
-       "one with touch exact, that which the elements feel with touch sensed",
+       "one with touch exact, with touch sensed that of elements and drive torques",
        take(&GripRecord::held)});
   columns.push_back(
       {"grip_faults", "string", "",
@@ -98,6 +98,17 @@ void AddGripColumns(std::vector<CsvColumn<TrialRecord>>& columns) {
        "and the joint that it means",
        [](const TrialRecord& record) {
          return record.result.grip ? Json(DescribeGripFaults(*record.result.grip)) : Json();
+       }});
+  columns.push_back(
+      {"grip_excess", "",
+       "with touch sensed: hold_force_n over grip_asked_n; above 1.5 the hand pressed "
+       "where its elements and drives say too little, and grip_faults names the digits",
+       [](const TrialRecord& record) {
+         const TrialResult& result = record.result;
+         if (!result.touch || !result.grip || !(result.grip->asked > 0.0)) {
+           return kUnset;
+         }
+         return result.stability.hold.normal_force / result.grip->asked;
        }});
 }
 

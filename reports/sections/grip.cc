@@ -25,9 +25,9 @@ Html DrawGrip(const ReportData& data) {
               {"Condition",
                {"Trials", "that reached the hold"},
                {"Asked [N]", "sum over the hand"},
-               {"Held [N]", is_felt ? "sum over the hand as its elements feel it, mean of the hold"
+               {"Held [N]", is_felt ? "sum over the hand as it estimates it, mean of the hold"
                                     : "sum over the hand, mean of the hold"},
-               {"In truth [N]", "the true sum, felt or not"},
+               {"In truth [N]", "the true sum"},
                {"Within 20 %", "trials whose held sum is"},
                {"Digits without their force",
                 "more than a fifth off, with the reason and in how many of these trials"}});
@@ -50,9 +50,12 @@ Html DrawGrip(const ReportData& data) {
              "the sum. \"Posture ends\": the digit is closed as far as it goes; \"limit\": one of "
              "its drives gives all it can; \"joint stop\", \"coupling\": a driven or a coupled "
              "joint is at its stop; \"balance\": statics give the force to others; \"no touch\", "
-             "\"not felt\": it never touched, or has nothing to feel by." +
-             std::string(is_felt ? " Forces here are those that the elements feel; elsewhere on "
-                                   "this page forces are the true ones."
+             "\"not felt\": it never touched, or neither its elements nor its drives' torques say "
+             "what it "
+             "presses with." +
+             std::string(is_felt ? " Forces here are those that the hand estimates from elements "
+                                   "and drive torques; elsewhere on this page forces are the true "
+                                   "ones."
                                  : "")) +
          MakeParagraph("The sum is within 20 % of what was asked in " + std::to_string(num_within) +
                        " of " + FormatCount(num_held, "trial") + " that reached the hold" +

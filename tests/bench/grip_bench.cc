@@ -29,6 +29,8 @@ force, and prints the median of each hand and object, with those that are not mo
 namespace graspbench {
 namespace {
 
+constexpr double kExcess = 1.5;  // of the true sum over that asked
+
 struct Share {
   int num = 0, of = 0;
   void Add(bool is_in) {
@@ -48,9 +50,10 @@ void PrintTrial(const PlannedTrial& planned, const TrialResult& result) {
   std::string text = DescribeTrial(planned) + ": " + NameOf(result.outcome);
   if (result.grip) {
     const GripRecord& grip = *result.grip;
-    text += fmt::format(", asked {:.2f} closed {:.2f} held {:.2f} peak {:.2f} smallest {:.2f}{}",
-                        grip.asked, grip.closed, grip.held, grip.peak, grip.smallest,
-                        grip.was_in_band ? "" : ", not in band");
+    text += fmt::format(
+        ", asked {:.2f} closed {:.2f} held {:.2f} true {:.2f} peak {:.2f} smallest {:.2f}{}",
+        grip.asked, grip.closed, grip.held, result.stability.hold.normal_force, grip.peak,
+        grip.smallest, grip.was_in_band ? "" : ", not in band");
     for (const DigitGripRecord& digit : grip.digits) {
       text += fmt::format("; {} {:.2f}/{:.2f} s {:.2f} {}", digit.digit, digit.held, digit.asked,
                           digit.closing, NameOf(digit.fault));
@@ -84,7 +87,7 @@ struct GripShares {
 bool IsFelt(const DigitGripRecord& digit) { return digit.fault != GripFault::kNotFelt; }
 
 void PrintShares(const std::vector<TrialResult>& results, double band) {
-  Share success;
+  Share success, excess;
   GripShares all, felt;
   std::map<std::string, int> faults;
   for (const TrialResult& result : results) {
@@ -92,6 +95,7 @@ void PrintShares(const std::vector<TrialResult>& results, double band) {
     if (!result.grip || !IsSuccess(result.outcome)) continue;
     const GripRecord& grip = *result.grip;
     all.AddTrial(grip, band);
+    excess.Add(result.stability.hold.normal_force > kExcess * grip.asked);
     if (std::all_of(grip.digits.begin(), grip.digits.end(), IsFelt)) felt.AddTrial(grip, band);
     for (const DigitGripRecord& digit : grip.digits) {
       all.AddDigit(grip, digit, band);
@@ -101,6 +105,7 @@ void PrintShares(const std::vector<TrialResult>& results, double band) {
   }
   fmt::print("success {}\n", success.Format());
   all.Print("held trials");
+  fmt::print("true sum above {} times what was asked: {}\n", kExcess, excess.Format());
   if (felt.sum.of < all.sum.of) felt.Print("those whose digits all feel what they press");
   for (const auto& [fault, number] : faults) fmt::print("{}: {}\n", fault, number);
 }

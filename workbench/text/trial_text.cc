@@ -236,11 +236,19 @@ std::string DescribeFault(const DigitGripRecord& digit) {
   return NameOf(digit.fault) + (digit.joint ? " (" + *digit.joint + ")" : "");
 }
 
+/** By sensed touch: what the hand pressed with beside what it was asked for. */
+std::string DescribeTruth(const TrialResult& result) {
+  const double truth = result.stability.hold.normal_force;
+  if (!result.touch || !(result.grip->asked > 0.0) || std::isnan(truth)) return "";
+  return fmt::format("the hand pressed with {} N in the hold, {} times what was asked\n",
+                     FormatFixed(truth, 2), FormatFixed(truth / result.grip->asked, 2));
+}
+
 /** What a regulated grip asked and reached. */
 std::string FormatGrip(const TrialResult& result) {
   if (!result.grip) return "";
   const GripRecord& grip = *result.grip;
-  const std::string felt = result.touch ? "felt " : "";
+  const std::string felt = result.touch ? "estimated " : "";
   std::string text = fmt::format(
       "grip     asked {} N in sum, {}{} N in the hold, peak of the filtered "
       "{}sum {} N{}\n",
@@ -257,7 +265,7 @@ std::string FormatGrip(const TrialResult& result) {
     table.AddRow({"rest of the hand", FormatFixed(grip.rest_asked, 2), "",
                   FormatFixed(grip.rest_held, 2), "", ""});
   }
-  return text + table.Format() + DescribeMargin(grip);
+  return text + table.Format() + DescribeMargin(grip) + DescribeTruth(result);
 }
 
 /** This trial and the nearest success beside each other. */

@@ -18,7 +18,7 @@ namespace graspbench {
 enum class GripFault {
   kNone,
   kNoTouch,   ///< it never touched
-  kNotFelt,   ///< it has no elements to feel by, or presses where it has none
+  kNotFelt,   ///< neither elements nor drives say its force, or say it wrongly by so much
   kPosture,   ///< it is at its target posture
   kLimit,     ///< a drive of it is at its torque limit
   kStop,      ///< a driven joint of it is at its stop, which bears what its drive gives

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/quality/holding_force.h"
+#include "core/trial/grip/unfelt_force.h"
 #include "core/trial/measures/stability.h"
 
 namespace graspbench {
@@ -26,6 +27,8 @@ constexpr double kMostTorqueShare = 4.0;  // c, and its inverse the least
 /** Of a drive's torque limit: it bears its finger whatever the grip. */
 constexpr double kLeastTorque = 0.02;
 constexpr double kMostShift = 1.0;   // rate of s over that of the closure
+constexpr double kKnownTouch = 0.2;  // of a digit that its elements do not feel, a touch [N]
+constexpr double kTrace = 1e-6;      // of a contact of which only the place is known [N]
 constexpr double kLeastRest = 5e-3;  // mean of the hold below which nothing else presses [N]
 
 }  // namespace
@@ -51,12 +54,7 @@ GripRegulator::GripRegulator(const TrialSetup& setup, const std::vector<int>& di
     }
     const double late = setup.lateness.empty() ? 0.0 : setup.lateness[static_cast<size_t>(index)];
     schedule.delay += late;
-    const bool is_felt = setup.touch == TouchSense::kExact ||
-                         std::any_of(hand.skin->elements.begin(), hand.skin->elements.end(),
-                                     [&](const auto& element) {
-                                       return hand.FindDigitOfLink(element.link) == index;
-                                     });
-    digits_.push_back({index, index == opposing, is_felt, late > 0.0, FindDrivenJoints(hand, digit),
+    digits_.push_back({index, index == opposing, late > 0.0, FindDrivenJoints(hand, digit),
                        ClosingLaw(schedule)});
   }
 }
@@ -77,7 +75,8 @@ void GripRegulator::FollowTouches(const World& world, const std::vector<HandCont
   }
   for (size_t d = 0; d < digits_.size(); ++d) {
     DigitGrip& digit = digits_[d];
-    const bool has_touched = sensors ? sensors->has_felt(digit.digit) : touches[d];
+    const bool has_touched =
+        sensors ? sensors->has_felt(digit.digit) || digit.force > kKnownTouch : touches[d];
     if (!has_touched || digit.has_touched) continue;
     digit.has_touched = true;
     if (is_regulated()) TakeBack(digit, world);
@@ -195,7 +194,7 @@ void GripRegulator::ShareForce(const std::vector<PartLoad>& loads, double durati
   for (size_t d = 0; d < digits_.size(); ++d) {
     DigitGrip& digit = digits_[d];
     digit.asked += (digit.asked == 0.0 ? 1.0 : weight) * (asked[d] - digit.asked);
-    if (!digit.is_felt) continue;
+    if (!digit.is_known) continue;
     asked_ += digit.asked;
     sum_ += digit.force;
   }
@@ -204,8 +203,26 @@ void GripRegulator::ShareForce(const std::vector<PartLoad>& loads, double durati
   sum_ += rest_force_;
 }
 
-void GripRegulator::Observe(Phase phase, World& world, const std::vector<HandContact>& contacts,
-                            const TouchSensors* sensors, double duration) {
+/** The contacts as a hand by sensed touch takes them to press; a trace where it knows nothing,
+since the way they push counts. */
+std::vector<HandContact> GripRegulator::EstimateForces(World& world, const WorldCommand& command,
+                                                       const std::vector<HandContact>& contacts,
+                                                       const TouchSensors& sensors) {
+  std::vector<HandContact> estimated = EstimateContacts(
+      contacts, sensors, world.dynamics(), CalcContactTorques(*setup_->hand, world, command));
+  for (DigitGrip& digit : digits_) digit.is_known = true;
+  for (HandContact& contact : estimated) {
+    if (!std::isnan(contact.normal_force)) continue;
+    contact.normal_force = kTrace;
+    const auto part = static_cast<size_t>(parts_[static_cast<size_t>(contact.link)]);
+    if (part < digits_.size()) digits_[part].is_known = false;
+  }
+  return estimated;
+}
+
+void GripRegulator::Observe(Phase phase, World& world, const WorldCommand& command,
+                            const std::vector<HandContact>& contacts, const TouchSensors* sensors,
+                            double duration) {
   time_ += duration;
   if (phase == Phase::kLiftOff && phase_ != Phase::kLiftOff) {
     was_in_band_ = is_in_band();
@@ -218,22 +235,30 @@ void GripRegulator::Observe(Phase phase, World& world, const std::vector<HandCon
   phase_ = phase;
   FollowTouches(world, contacts, sensors);
   if (!is_regulated()) return;
+  const auto load = [&](const std::vector<HandContact>& pressing) {
+    return CalcPartLoads(pressing, parts_, static_cast<int>(digits_.size()) + 1, world.dynamics(),
+                         world.state().gravity_W);
+  };
+  const std::vector<PartLoad> truth = load(contacts);
   const std::vector<PartLoad> loads =
-      CalcPartLoads(contacts, parts_, static_cast<int>(digits_.size()) + 1, world.dynamics(),
-                    world.state().gravity_W);
+      sensors ? load(EstimateForces(world, command, contacts, *sensors)) : truth;
+  std::vector<double> forces;
+  for (const PartLoad& part : loads) forces.push_back(part.force);
+  // No drive holds the palm: it bears what the digits press it with.
+  if (sensors && forces.back() > 0.0) {
+    BalanceForces(loads, {static_cast<int>(digits_.size())}, forces);
+  }
   const double weight = duration / (kFilterTime + duration);
   for (size_t d = 0; d < digits_.size(); ++d) {
     DigitGrip& digit = digits_[d];
-    const double force = sensors ? sensors->CalcFeltForce(digit.digit) : loads[d].force;
-    digit.force += weight * (force - digit.force);
-    digit.pressed += weight * (loads[d].force - digit.pressed);
+    digit.force += weight * (forces[d] - digit.force);
+    digit.pressed += weight * (truth[d].force - digit.pressed);
     if (loads[d].force > 0.0) {
       digit.torque = loads[d].torque;
       digit.stiffness = CalcClosingStiffness(*setup_->hand, world.dynamics(), loads[d], way_);
     }
   }
-  const double rest = sensors ? sensors->CalcFeltForce(-1) : loads.back().force;
-  rest_force_ += weight * (rest - rest_force_);
+  rest_force_ += weight * (forces.back() - rest_force_);
   ShareForce(loads, duration);
   peak_ = std::max(peak_, sum_);
 
@@ -314,7 +339,7 @@ void GripRegulator::ShareWithinSide(double duration) {
   if (digits_.size() != 3) return;
   std::vector<DigitGrip*> side;
   for (DigitGrip& digit : digits_) {
-    if (!digit.opposes && digit.is_felt && digit.has_touched) side.push_back(&digit);
+    if (!digit.opposes && digit.is_known && digit.has_touched) side.push_back(&digit);
   }
   if (side.size() != 2) return;
   const double difference = side[1]->force / side[1]->asked - side[0]->force / side[0]->asked;
@@ -341,7 +366,7 @@ void GripRegulator::Advance(Phase phase, double duration) {
     }
     const double most = kMostShift * duration / strategy.closure_time;
     for (DigitGrip& digit : digits_) {
-      if (is_saturating_ || !digit.has_touched || !digit.is_felt) continue;
+      if (is_saturating_ || !digit.has_touched || !digit.is_known) continue;
       const double shift =
           std::clamp(digit.asked / digit.stiffness * error * duration / kShiftTime, -most, most);
       if (shift > 0.0 && IsAtLimit(digit)) continue;
@@ -404,9 +429,9 @@ int GripRegulator::FindFullDrive(const DigitGrip& digit) const {
 
 std::pair<GripFault, int> GripRegulator::FindFault(const DigitGrip& digit, double asked,
                                                    double reached, double pressed) const {
-  // By sensed touch: much of what it presses with falls where it has no elements.
+  // By sensed touch: what it presses with is not what the hand takes it for.
   const bool misses_much = std::abs(pressed - reached) > kGripTolerance * std::max(asked, reached);
-  if (!digit.is_felt || misses_much) return {GripFault::kNotFelt, -1};
+  if (!digit.is_known || misses_much) return {GripFault::kNotFelt, -1};
   if (!digit.has_touched) return {GripFault::kNoTouch, -1};
   if (std::abs(reached - asked) <= kGripTolerance * asked) return {GripFault::kNone, -1};
   if (reached > asked) return {GripFault::kBalance, -1};

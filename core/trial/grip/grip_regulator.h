@@ -1,7 +1,9 @@
 #pragma once
 /** @file
 A hand that regulates its grip (StrategyConfig::grip, force and margin). After every step it knows
-the normal force F_d of each digit, exactly or as its elements feel it, filtered with kFilterTime.
+the normal force F_d of each digit, filtered with kFilterTime: exactly, or by sensed touch as its
+elements feel it and, beside them, as its drives' torques say (unfelt_force.h). A digit of which
+neither says anything is closed by posture, and is no part of the sums.
 
 Closing: at its first touch a digit takes back what its command was ahead of it, then goes on with
 touch_speed while F_d is below its share a_d. Once closure has ended and every digit has its share
@@ -27,8 +29,11 @@ Shares: each digit that does not oppose the others is asked for the force F; the
 the rest of the hand where it touches, for what balances them (grip_statics.h). F is grip_force;
 under margin grip_margin times the smallest force with which the contacts bear the weight
 (holding_force.h), and at least grip_force; before that is known, the same of two opposed sides, m g
-/ (2 mu). The hand is told the object's weight and dynamic friction, and where its contacts are. */
+/ (2 mu). The hand is told the object's weight and dynamic friction, and where its contacts are. By
+sensed touch it is told nothing of their forces: which way its parts push is that of their normals,
+and the palm has what balances the digits. */
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -53,15 +58,20 @@ class GripRegulator {
   @param asked  of the drives, without their errors (num_joints). */
   GripRegulator TakeOver(GripMode mode, const Eigen::VectorXd& asked) const;
 
-  /** After a step. @param phase  it was in.  @param sensors  null: it feels the contacts.
-  @param duration  of the step [s]. */
-  void Observe(Phase phase, World& world, const std::vector<HandContact>& contacts,
-               const TouchSensors* sensors, double duration);
+  /** After a step. @param phase  it was in.  @param command  its own.
+  @param sensors  null: it feels the contacts.  @param duration  of the step [s]. */
+  void Observe(Phase phase, World& world, const WorldCommand& command,
+               const std::vector<HandContact>& contacts, const TouchSensors* sensors,
+               double duration);
   /** The next command. @param phase  in which the step begins.  @param duration  of the step [s]. */
   void Advance(Phase phase, double duration);
   /** Puts the digits' part into a command for a common closing. */
   void Command(WorldCommand& command) const;
 
+  /** As far as the hand knows. */
+  bool have_all_touched() const {
+    return std::all_of(digits_.begin(), digits_.end(), [](const auto& d) { return d.has_touched; });
+  }
   double closing(size_t digit) const { return digits_[digit].CalcClosing(); }
   bool is_regulated() const { return mode_ != GripMode::kPosture; }
   bool is_in_band() const { return in_band_since_ <= time_ - kBandTime; }
@@ -78,12 +88,13 @@ class GripRegulator {
 
   struct DigitGrip {
     int digit;
-    bool opposes, is_felt;
+    bool opposes;
     bool is_late;  // against its schedule: it closes on whatever the phase
     std::vector<int> joints;
     ClosingLaw law;
     double beyond = 0.0;  // the target posture, in s
     bool has_touched = false;
+    bool is_known = true;             // its force: else it is closed by posture
     double force = 0.0, asked = 0.0;  // filtered [N]
     double stiffness = kLeastStiffness;
     Eigen::VectorXd torque = {};  // that holds a unit of force (num_dofs)
@@ -101,6 +112,9 @@ class GripRegulator {
 
   void FollowTouches(const World& world, const std::vector<HandContact>& contacts,
                      const TouchSensors* sensors);
+  std::vector<HandContact> EstimateForces(World& world, const WorldCommand& command,
+                                          const std::vector<HandContact>& contacts,
+                                          const TouchSensors& sensors);
   void FindSmallest(const World& world, const std::vector<HandContact>& contacts);
   void ShareForce(const std::vector<PartLoad>& loads, double duration);
   void ShareWithinSide(double duration);

@@ -186,7 +186,7 @@ Pose HeldObject::CalcObjectInPalm() const {
 void HeldObject::Regulate() {
   world_->FindHandContacts(contacts_);
   if (sensors_) sensors_->Observe(sensors_->time() + step_, contacts_, world_->dynamics());
-  grip_.Observe(Phase::kHold, *world_, contacts_, sensors_ ? &*sensors_ : nullptr, step_);
+  grip_.Observe(Phase::kHold, *world_, command_, contacts_, sensors_ ? &*sensors_ : nullptr, step_);
   grip_.Advance(Phase::kHold, step_);
   grip_.Command(command_);
 }

@@ -7,6 +7,7 @@
 #include "core/hand/hand.h"
 #include "core/hand/tactile.h"
 #include "core/render/scene.h"
+#include "core/trial/grip/unfelt_force.h"
 #include "core/trial/touch_sensors.h"
 #include "core/trial/trial_setup.h"
 
@@ -78,17 +79,12 @@ void FindDigitTouches(const PolicyView& view, Values& values) {
 }
 
 void FindDriveTorques(const PolicyView& view, Values& values) {
-  const Hand& hand = *view.setup.hand;
   for (size_t i = 0; i < view.driven.size(); ++i) {
-    const int joint = view.driven[i];
-    const JointDrive& drive = hand.joints[static_cast<size_t>(joint)].drive;
-    const double error = view.targets[static_cast<Eigen::Index>(i)] -
-                         CalcDrivePosition(hand, view.world.state(), joint);
-    const double speed = view.world.state().u[view.world.dynamics().dof_of_joint(joint)];
     const double share =
         view.stiffness.size() > 0 ? view.stiffness[static_cast<Eigen::Index>(i)] : 1.0;
-    values.push_back(std::clamp(share * drive.stiffness * error - drive.damping * speed,
-                                -drive.torque_limit, drive.torque_limit));
+    values.push_back(CalcDriveTorque(*view.setup.hand, view.world.dynamics(), view.world.state(),
+                                     view.driven[i], view.targets[static_cast<Eigen::Index>(i)],
+                                     share));
   }
 }
 

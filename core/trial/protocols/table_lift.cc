@@ -250,7 +250,7 @@ void TableLift::Observe(const StepReport& report) {
   notes_.loads.Observe(notes_.time, duration, *world_, notes_.command, report, hand_contacts_,
                        notes_.grip);
   if (notes_.sensors) notes_.sensors->Observe(notes_.time, hand_contacts_, world_->dynamics());
-  notes_.grip.Observe(notes_.strategy.phase(), *world_, hand_contacts_,
+  notes_.grip.Observe(notes_.strategy.phase(), *world_, notes_.command, hand_contacts_,
                       notes_.sensors ? &*notes_.sensors : nullptr, duration);
   notes_.stability.Observe(*world_, notes_.strategy.phase(), notes_.strategy.time_in_phase(),
                            notes_.command.num_steps);
@@ -409,8 +409,7 @@ StrategyObservation TableLift::FindObservation() {
   observation.is_closing = notes_.grip.is_closing();
   if (notes_.sensors) {
     observation.grip_force = notes_.sensors->CalcFeltForce();
-    observation.all_digits_touched = std::all_of(
-        digits_.begin(), digits_.end(), [&](int digit) { return notes_.sensors->has_felt(digit); });
+    observation.all_digits_touched = notes_.grip.have_all_touched();
     return observation;
   }
   observation.grip_force = notes_.report.grip_force;

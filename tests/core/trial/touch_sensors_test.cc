@@ -164,6 +164,27 @@ TEST(SensedTouchTest, PerfectElementsEndTheClosureWhenTheContactsDo) {
   }
 }
 
+// The TUM Hand holds these beside its fingertips. By what its elements feel alone it pressed four
+// to ten times as hard as it was asked to.
+TEST(SensedTouchTest, PressesBesideItsElementsAsHardAsItIsAsked) {
+  for (const char* object : {"cup", "tennis_ball"}) {
+    TrialSetup setup = MakeSetup("tum", "g3", LoadObject(object));
+    setup.touch = TouchSense::kSensed;
+    setup.strategy.grip = "margin";
+    setup.strategy.grip_margin = 2.0;
+    setup.strategy.grip_force = 0.7;
+    setup.strategy.touch_speed = 0.25;
+    const TrialResult result = RunSetup(setup);
+    ASSERT_TRUE(result.grip) << object;
+    ASSERT_EQ(result.outcome, Outcome::kSuccess) << object << ": " << result.reason;
+    EXPECT_GT(result.touch->num_elsewhere, 0) << object;
+    const double asked = result.grip->asked, truth = result.stability.hold.normal_force;
+    EXPECT_LE(truth, 1.5 * asked) << object;
+    EXPECT_GE(truth, asked / 1.5) << object;
+    EXPECT_NEAR(result.grip->held, truth, kGripTolerance * truth) << object;
+  }
+}
+
 // Elements that feel nothing: closure and stabilisation end by their time-outs.
 TEST(SensedTouchTest, WhoFeelsNothingWaitsForTheTimeOuts) {
   TrialSetup setup = MakeSensed("tum");

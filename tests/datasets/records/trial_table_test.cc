@@ -217,16 +217,16 @@ TEST(TrialTable, OtherDigitsGetColumnsByName) {
   records[0].result.touches.resize(5);
   const auto columns = ListTrialColumns(records);
   std::vector<std::string> tail;
-  for (size_t i = columns.size() - 25; i < columns.size(); ++i) tail.push_back(columns[i].name);
-  EXPECT_EQ(tail, (std::vector<std::string>{
-                      "t_LF_s",       "closing_LF",   "gap_LF_m",        "t_A_s",
-                      "closing_A",    "gap_A_m",      "t_Z_s",           "closing_Z",
-                      "gap_Z_m",      "palm_touches", "opposition_type", "hold_force_n",
-                      "grip_asked_n", "grip_held_n",  "grip_faults",     "seat",
-                      "caged",        "draw_x_m",     "draw_y_m",        "draw_yaw_rad",
-                      "reason",       "cause",        "cause_digit",     "cause_time_s",
-                      "diagnosis"}));
-  EXPECT_EQ(columns[columns.size() - 19].value(records[0]), 0.25);
+  for (size_t i = columns.size() - 26; i < columns.size(); ++i) tail.push_back(columns[i].name);
+  EXPECT_EQ(tail,
+            (std::vector<std::string>{
+                "t_LF_s",          "closing_LF",   "gap_LF_m",     "t_A_s",       "closing_A",
+                "gap_A_m",         "t_Z_s",        "closing_Z",    "gap_Z_m",     "palm_touches",
+                "opposition_type", "hold_force_n", "grip_asked_n", "grip_held_n", "grip_faults",
+                "grip_excess",     "seat",         "caged",        "draw_x_m",    "draw_y_m",
+                "draw_yaw_rad",    "reason",       "cause",        "cause_digit", "cause_time_s",
+                "diagnosis"}));
+  EXPECT_EQ(columns[columns.size() - 20].value(records[0]), 0.25);
 }
 
 TEST(TrialTable, SchemaDescribesEveryColumn) {

@@ -90,10 +90,13 @@ TEST_F(TrialTextTest, ForcesSayWhetherTheyAreFeltOrTrueAndReasonsWhichJoint) {
   EXPECT_FALSE(says("felt"));
   result.grip->closed = 1.9;
   EXPECT_TRUE(says("2.40 N; not in its band when it was lifted\n"));
+  EXPECT_FALSE(says("times what was asked"));
   result.touch = TouchRecord();
-  EXPECT_TRUE(says("felt 1.90 N in the hold, peak of the filtered felt sum 2.40 N"));
+  result.stability.hold.normal_force = 2.5;
+  EXPECT_TRUE(says("the hand pressed with 2.50 N in the hold, 1.25 times what was asked\n"));
+  EXPECT_TRUE(says("estimated 1.90 N in the hold, peak of the filtered estimated sum 2.40 N"));
   EXPECT_TRUE(says("largest true force [N]"));
-  EXPECT_TRUE(says("felt in the hold [N]"));
+  EXPECT_TRUE(says("estimated in the hold [N]"));
 }
 
 TEST_F(TrialTextTest, ATouchAfterLiftOffIsNoNever) {
