@@ -59,7 +59,7 @@ TEST(TrialTable, HasTheColumnsThatProgramsRelyOn) {
       "score_multigrippergrasp verdict_nist_pull score_nist_pull t_TH_s closing_TH gap_TH_m "
       "t_FF_s closing_FF gap_FF_m t_MF_s closing_MF gap_MF_m t_RF_s closing_RF gap_RF_m "
       "t_LF_s closing_LF gap_LF_m palm_touches opposition_type hold_force_n grip_asked_n "
-      "grip_held_n grip_faults seat caged draw_x_m draw_y_m draw_yaw_rad reason cause "
+      "grip_held_n grip_faults grip_excess seat caged draw_x_m draw_y_m draw_yaw_rad reason cause "
       "cause_digit cause_time_s diagnosis ");
 }
 
