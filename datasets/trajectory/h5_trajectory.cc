@@ -202,7 +202,7 @@ H5Table MakeTaxelTable(const TrialTrajectory& trajectory) {
   return table;
 }
 
-/** A row an element; `link` is a number in the links' names, `digit` in the digits', -1: the palm. */
+/** A row an element; `link` is a number in the links' names, `digit` in the digits': -1 the palm. */
 H5Table MakeTaxelPlaces(const Hand& hand) {
   H5Table table;
   table.columns = {"link", "digit"};

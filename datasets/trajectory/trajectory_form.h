@@ -107,7 +107,8 @@ const TrajectoryForm& FindTrajectoryForm(const std::string& name);
 std::vector<TrajectoryFile> MakeTrajectoryFiles(const TrajectoryForm& form,
                                                 const TrialTrajectory& trajectory);
 
-/** The data dictionaries of the form csv: contacts, events, tactile elements; instants are of ListTraceColumns(). */
+/** The data dictionaries of the form csv: contacts, events, tactile elements; instants are of
+ListTraceColumns(). */
 ///@{
 Json MakeTrajectoryContactSchema(const Hand& hand);
 Json MakeTrajectoryEventSchema();

@@ -1,8 +1,8 @@
 #pragma once
 /** @file
 Who controls the digits, and as policy.moves says the hand, in a trial of the protocol policy_lift:
-a controller of somebody else. It gets an observation every control period and gives an action; simulated time waits for it. What it
-may know and ask for is in one table each (policy_terms.h).
+a controller of somebody else. It gets an observation every control period and gives an action;
+simulated time waits for it. What it may know and ask for is in one table each (policy_terms.h).
 
 Two things can go wrong. A controller that answers wrongly (PolicyFault) ends its trial with an
 outcome. One that is lost or silent (PolicyLost) leaves the trial without any result. */

@@ -5,7 +5,8 @@ shape, frame and meaning. Adapters write and read by these tables, and the manua
 against them.
 
 Shapes: n, joints with a drive of their own; m, all joints; d, digits of the hand; k, its tactile
-elements; s, the side of the picture; rows, of an action. Frames: W world, z up; L the link. Quaternions are w, x, y, z. */
+elements; s, the side of the picture; rows, of an action. Frames: W world, z up; L the link.
+Quaternions are w, x, y, z. */
 
 #include <string>
 #include <vector>
