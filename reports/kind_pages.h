@@ -14,6 +14,7 @@ header and a row of kKindPages (session_report.cc). */
 #include "core/trial/protocols/free_space.h"
 #include "datasets/analysis/conditions/basin_summary.h"
 #include "datasets/analysis/conditions/sweep_summary.h"
+#include "datasets/analysis/controller_comparison.h"
 #include "datasets/analysis/development_summary.h"
 #include "datasets/analysis/map/map_result.h"
 #include "datasets/judged_grasps/grasp_store.h"
@@ -76,5 +77,8 @@ struct PosturePageData {
 /** On a machine that cannot draw it says so in the
 place of pictures. @pre a grasp's digits and postures fit the hand. */
 std::string MakePosturePage(const PosturePageData& data);
+
+/** Success over sessions that followed each other: a curve and a table. */
+std::string MakeLearningPage(const std::vector<LearningPoint>& points);
 
 }  // namespace graspbench

@@ -1,5 +1,7 @@
 #include "reports/session_report.h"
 
+#include <algorithm>
+
 #include "core/base/hash.h"
 #include "core/base/text/text.h"
 #include "datasets/plan/map_design.h"
@@ -28,7 +30,15 @@ std::string MakeSessionReport(const ReportData& data) {
       {"Hash of the configuration", CalcHashHex(FormatJson(ToJson(session.config)))},
       {"Clock, machine and run time", "not in this page; run.json in the session's folder"}};
   frame.references = {"roethling2007", "sherman2011", "wilson1927", "ferrari1992", "efron1987"};
-  return AddScript(MakeSectionedPage(frame, ListSections(), data), data.views.script);
+  std::vector<Section> sections = ListSections();
+  if (session.config.policy.command.empty()) {
+    sections.erase(std::remove_if(sections.begin(), sections.end(),
+                                  [](const Section& section) {
+                                    return section.anchor == std::string("controller");
+                                  }),
+                   sections.end());
+  }
+  return AddScript(MakeSectionedPage(frame, sections, data), data.views.script);
 }
 
 namespace {

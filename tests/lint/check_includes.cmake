@@ -22,9 +22,9 @@ function(find_library_of path result)
 endfunction()
 
 set(owned_headers "Simbody.h|SimTK" "assimp/" "sqlite3.h" "GL/" "CLI/" "kainjow/" "libqhull"
-  "boost/" "opencv2/")
+  "boost/math" "opencv2/" "boost/(asio|beast)")
 set(owners core_physics objects datasets_session core_render workbench/terminal/command_line.cc reports core_quality
-  core_statistics core_vision)
+  core_statistics core_vision workbench/experiments/policies/websocket_policy.cc)
 # The JSON library's values are behind ours in one file; in tests, too.
 set(json_file core/base/text/json.cc)
 

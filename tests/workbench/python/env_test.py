@@ -128,6 +128,20 @@ class Envs(unittest.TestCase):
                 env.step(np.zeros(2))
             self.assertEqual(roll(env, Close(), 1)[1]["outcome"], "success")
 
+    def test_a_table_is_that_of_its_dictionary(self):
+        try:
+            import pandas  # noqa: F401
+        except ImportError:
+            self.skipTest("Debian's package python3-pandas is not installed")
+        with tempfile.TemporaryDirectory() as place:
+            folder = graspbench.run(f"{place}/s", *SCENE, "--trials", "1")
+            table = graspbench.load(folder)
+            self.assertEqual(table.attrs["columns"]["grip_force_n"]["unit"], "N")
+            path = folder / "export/trials.csv"
+            path.write_text(path.read_text().replace("grip_force_n", "grip_force_lb", 1))
+            with self.assertRaisesRegex(ValueError, "other columns than trials.schema.json"):
+                graspbench.load(folder)
+
     def test_demonstrations_come_back_and_do_the_same_again(self):
         try:
             import h5py

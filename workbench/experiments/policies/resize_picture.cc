@@ -6,10 +6,12 @@
 namespace graspbench {
 namespace {
 
+constexpr int kBits = 22;  // of PIL's weights
+
 /** What one place of the result takes of the source. */
 struct Share {
   size_t first;
-  std::vector<double> weights;  // their sum is 1
+  std::vector<int> weights;  // their sum is 2^kBits, but for rounding
 };
 
 std::vector<Share> CalcShares(size_t from, size_t to) {
@@ -20,25 +22,28 @@ std::vector<Share> CalcShares(size_t from, size_t to) {
     const double centre = (static_cast<double>(i) + 0.5) * scale;
     const auto first = static_cast<size_t>(std::max(centre - reach + 0.5, 0.0));
     const auto end = std::min(static_cast<size_t>(centre + reach + 0.5), from);
+    std::vector<double> weights;
     double sum = 0.0;
     for (size_t k = first; k < end; ++k) {
       const double distance = std::abs(static_cast<double>(k) + 0.5 - centre) / reach;
-      shares[i].weights.push_back(std::max(0.0, 1.0 - distance));
-      sum += shares[i].weights.back();
+      weights.push_back(std::max(0.0, 1.0 - distance));
+      sum += weights.back();
     }
     shares[i].first = first;
-    for (double& weight : shares[i].weights) weight /= sum;
+    for (const double weight : weights) {
+      shares[i].weights.push_back(static_cast<int>(weight / sum * (1 << kBits) + 0.5));
+    }
   }
   return shares;
 }
 
 /** Of numbers that stand `stride` apart. */
 uint8_t CalcSum(const Share& share, const uint8_t* start, size_t stride) {
-  double sum = 0.0;
+  int sum = 1 << (kBits - 1);
   for (size_t k = 0; k < share.weights.size(); ++k) {
     sum += share.weights[k] * start[(share.first + k) * stride];
   }
-  return static_cast<uint8_t>(std::clamp(sum + 0.5, 0.0, 255.0));
+  return static_cast<uint8_t>(std::clamp(sum >> kBits, 0, 255));
 }
 
 BytePicture Resize(const BytePicture& picture, size_t height, size_t width) {

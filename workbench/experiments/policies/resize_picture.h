@@ -1,8 +1,8 @@
 #pragma once
 /** @file
 Pictures of another size, as policy servers expect them: the whole picture in the middle of a black
-one. The filter is a triangle as wide as a pixel of the smaller picture, columns first, both times
-rounded to whole numbers: that of PIL's BILINEAR, which openpi's clients use. */
+one. The filter is a triangle as wide as a pixel of the smaller picture, columns first, with whole
+numbers: that of PIL's BILINEAR, which openpi's clients use, to the byte. */
 
 #include <cstddef>
 #include <cstdint>

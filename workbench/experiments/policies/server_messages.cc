@@ -4,6 +4,7 @@
 
 #include "core/base/text/text.h"
 #include "core/trial/policy/policy_messages.h"
+#include "core/trial/policy/policy_terms.h"
 #include "workbench/experiments/policies/policy_server.h"
 #include "workbench/experiments/policies/resize_picture.h"
 
@@ -261,9 +262,9 @@ PolicyAction ReadServerAnswer(const PolicyServer& server, const PackedValue& fac
       return ReadPolicyAction(ours, num_driven);
     }
     PackedValue::Map known;  // what servers add beside our names is theirs
-    for (const std::string name : {"actions", "targets", "increments", "done", "error"}) {
-      const PackedValue* found = value.Find(name);
-      if (found) known.emplace_back(name == "actions" ? "targets" : name, *found);
+    if (const PackedValue* rows = value.Find("actions")) known.emplace_back("targets", *rows);
+    for (const PolicyTerm& term : ListPolicyActions()) {
+      if (const PackedValue* found = value.Find(term.name)) known.emplace_back(term.name, *found);
     }
     MessagePackWriter writer;
     writer.Value({known});

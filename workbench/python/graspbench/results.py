@@ -25,13 +25,16 @@ def run(out, *options):
 
 def load(folder):
     """A row per trial, as the session's export/trials.csv has it. `attrs["columns"]` of the table says unit and
-    meaning of each column. Needs pandas."""
+    meaning of each column. Needs pandas. Raises ValueError where the table and its dictionary differ."""
     import pandas
 
     export = pathlib.Path(folder) / "export"
     schema = json.loads((export / "trials.schema.json").read_text())
     texts = {field["name"]: str for field in schema["fields"] if field["type"] == "string"}
     table = pandas.read_csv(export / "trials.csv", dtype=texts, keep_default_na=False, na_values=[""])
+    if list(table.columns) != [field["name"] for field in schema["fields"]]:
+        raise ValueError(f"{export / 'trials.csv'} has other columns than trials.schema.json; "
+                         f"graspbench export {folder} writes both again")
     table.attrs["columns"] = {field["name"]: field for field in schema["fields"]}
     return table
 

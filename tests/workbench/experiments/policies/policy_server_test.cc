@@ -1,4 +1,4 @@
-// What policy.yaml maps, and the weights of a picture's filter, by hand.
+// What policy.yaml maps, by hand; pictures as PIL resizes them.
 
 #include "workbench/experiments/policies/policy_server.h"
 
@@ -210,6 +210,43 @@ TEST(ResizePicture, KeepsTheWholePictureInTheMiddle) {
   const BytePicture half = ResizeWithPadding(picture, 1, 2);
   EXPECT_EQ(half.rgb[0], 50);   // (3 x 0 + 3 x 70 + 140) / 7
   EXPECT_EQ(half.rgb[3], 160);  // (70 + 3 x 140 + 3 x 210) / 7
+}
+
+// Of PIL 9.4, resize(.., BILINEAR), pasted as openpi's resize_with_pad does: the red channel, and the
+// sum of all.
+TEST(ResizePicture, GivesTheBytesOfPil) {
+  BytePicture picture = {5, 7, {}};
+  for (int row = 0; row < 5; ++row) {
+    for (int column = 0; column < 7; ++column) {
+      for (int colour = 0; colour < 3; ++colour) {
+        picture.rgb.push_back(static_cast<uint8_t>((37 * row + 91 * column + 53 * colour) % 256));
+      }
+    }
+  }
+  const auto list_red = [](const BytePicture& resized, size_t row) {
+    std::vector<int> values;
+    for (size_t i = 0; i < resized.width; ++i) {
+      values.push_back(resized.rgb[3 * (row * resized.width + i)]);
+    }
+    return values;
+  };
+  const auto sum_up = [](const BytePicture& resized) {
+    int sum = 0;
+    for (const uint8_t value : resized.rgb) sum += value;
+    return sum;
+  };
+  const BytePicture small = ResizeWithPadding(picture, 4, 4);
+  EXPECT_EQ(list_red(small, 0), (std::vector<int>{0, 0, 0, 0}));
+  EXPECT_EQ(list_red(small, 1), (std::vector<int>{81, 118, 124, 115}));
+  EXPECT_EQ(list_red(small, 2), (std::vector<int>{147, 101, 121, 111}));
+  EXPECT_EQ(sum_up(small), 3114);
+  const BytePicture large = ResizeWithPadding(picture, 9, 12);
+  EXPECT_EQ(list_red(large, 0),
+            (std::vector<int>{0, 34, 87, 140, 161, 65, 44, 97, 150, 192, 96, 34}));
+  EXPECT_EQ(list_red(large, 4),
+            (std::vector<int>{86, 120, 173, 88, 23, 76, 130, 183, 118, 33, 86, 120}));
+  EXPECT_EQ(list_red(large, 8), std::vector<int>(12, 0));
+  EXPECT_EQ(sum_up(large), 37380);
 }
 
 }  // namespace
