@@ -12,8 +12,8 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 /** The straight index of the TUM Hand, pressed from its palm's side: by 2 N 30 mm beyond the joint
-of its proximal link, by 4 N 20 mm beyond that of its middle link, 51 mm further out, and by 3 N on its
-fingertip, whose joint lies 30 mm beyond and turns with the middle one. */
+of its proximal link, by 4 N 20 mm beyond that of its middle link, 51 mm further out, and by 3 N on
+its fingertip, whose joint lies 30 mm beyond and turns with the middle one. */
 class PressedFinger : public testing::Test {
  protected:
   PressedFinger() : hand_(LoadHand("tum")), dynamics_(hand_), sensors_(hand_, MakePerfect(), "a") {
