@@ -5,8 +5,8 @@ parts of a file become one mesh, with the transforms of its scene applied.
 
 They are read behind the fence (core/fence/fence.h), OBJ by core/shape/obj_file.h, the others by
 assimp (read_foreign_mesh.h); a glTF has its parts from nowhere but the mesh's own folder: a file
-from elsewhere may be damaged or malicious. COLLADA is left out for things to grasp because damaged files
-crash its importer, 3DS and DXF because theirs swaps axes. */
+from elsewhere may be damaged or malicious. COLLADA is left out for things to grasp because damaged
+files crash its importer, 3DS and DXF because theirs swaps axes. */
 
 #include <filesystem>
 #include <string>

@@ -6,11 +6,16 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
+#include <cctype>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <map>
 #include <new>
+#include <regex>
 #include <stdexcept>
 #include <vector>
 
@@ -169,6 +174,83 @@ TriMesh ReadObj(const std::string& bytes, const std::string& name) {
   return mesh;
 }
 
+[[noreturn]] void FailDamaged(const std::string& name, const std::string& what) {
+  throw Error(ErrorKind::kFormat, "mesh \"" + name + "\": " + what +
+                                      "; the file is cut off or damaged, export it again from its "
+                                      "program");
+}
+
+// The text before the data of a PLY file. assimp 5.2 reads for ever in a header that is cut off or
+// damaged, so every line must be one that the format knows, and in the lines of an ASCII file that
+// is cut off, so all of them must be there.
+void CheckPly(const std::string& bytes, const std::string& name) {
+  static const std::regex kLine(
+      "ply|format (ascii|binary_little_endian|binary_big_endian) 1\\.0|(comment|obj_info)[ -~]*|"
+      "element \\w+ (\\d{1,9})|property (list \\w+ )?\\w+ \\w+|end_header");
+  bool is_ascii = false;
+  int64_t num_elements = 0;
+  size_t begin = 0;
+  std::string line;
+  for (int line_number = 1; line != "end_header"; ++line_number) {
+    const size_t end = bytes.find('\n', begin);
+    if (end == std::string::npos) FailDamaged(name, "its PLY header has no end_header");
+    line = bytes.substr(begin, std::min<size_t>(end - begin, 256));
+    while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
+    std::smatch match;
+    if (!std::regex_match(line, match, kLine)) {
+      FailDamaged(name, "line " + std::to_string(line_number) +
+                            " is not of a PLY header, or says more than 999999999 of something");
+    }
+    if (match[1] == "ascii") is_ascii = true;
+    if (match[3].matched) num_elements += std::stoll(match[3]);
+    begin = end + 1;
+  }
+  if (!is_ascii) return;
+  int64_t num_lines =
+      std::count(bytes.begin() + static_cast<std::ptrdiff_t>(begin), bytes.end(), '\n');
+  if (bytes.back() != '\n') ++num_lines;
+  if (num_lines < num_elements) {
+    FailDamaged(name, "it has " + std::to_string(num_lines) + " of " +
+                          std::to_string(num_elements) + " lines after its PLY header");
+  }
+}
+
+constexpr size_t kStlHead = 84, kStlTriangle = 50;  // bytes
+
+// assimp wants an ASCII file in small letters and a binary one without a byte too many; the format
+// does not. Only what it would refuse is changed.
+std::string TidyStl(const std::string& bytes) {
+  if (bytes.size() > kStlHead) {
+    uint32_t num_triangles = 0;
+    std::memcpy(&num_triangles, bytes.data() + kStlHead - sizeof num_triangles,
+                sizeof num_triangles);
+    const size_t size = kStlHead + kStlTriangle * static_cast<size_t>(num_triangles);
+    // Text read as a count is larger than any such file: four printable bytes are 5e8 triangles.
+    if (num_triangles > 0 && size == bytes.size()) return bytes;
+    if (num_triangles > 0 && size < bytes.size()) return bytes.substr(0, size);
+  }
+  std::string head = bytes.substr(0, 5);
+  const auto lower = [](unsigned char c) { return static_cast<char>(std::tolower(c)); };
+  std::transform(head.begin(), head.end(), head.begin(), lower);
+  if (head != "solid") return bytes;
+  std::string text = bytes;
+  std::transform(text.begin(), text.end(), text.begin(), lower);
+  return text;
+}
+
+// What a glTF file must be read with and is not.
+void CheckGltf(const std::string& bytes, const std::string& name) {
+  const size_t begin = bytes.find("\"extensionsRequired\"");
+  if (begin == std::string::npos) return;
+  const std::string required = bytes.substr(begin, bytes.find(']', begin) - begin);
+  for (const char* extension :
+       {"KHR_mesh_quantization", "EXT_meshopt_compression", "KHR_draco_mesh_compression"}) {
+    if (required.find(extension) == std::string::npos) continue;
+    throw Error(ErrorKind::kFormat, "mesh \"" + name + "\" requires the glTF extension " +
+                                        extension + ", which is not read; export it without");
+  }
+}
+
 void ReadBehindFence(const FencedInput& input, IncomingValues& arguments, OutgoingValues& answer) {
   std::string format;
   Cross(arguments, format);
@@ -181,9 +263,16 @@ void ReadBehindFence(const FencedInput& input, IncomingValues& arguments, Outgoi
 
 TriMesh ReadForeignMesh(const std::string& bytes, const std::string& format,
                         const std::string& name, const ReadBeside& read_beside) {
+  if (bytes.rfind("version https://git-lfs", 0) == 0) {
+    throw Error(ErrorKind::kFormat, "mesh \"" + name +
+                                        "\" is a Git LFS pointer, not the mesh itself; get it "
+                                        "with: git lfs pull");
+  }
   if (format == "obj") return ReadObj(bytes, name);
+  if (format == "ply") CheckPly(bytes, name);
+  if (format == "gltf" || format == "glb") CheckGltf(bytes, name);
   try {
-    return ReadWithAssimp(bytes, format, read_beside);
+    return ReadWithAssimp(format == "stl" ? TidyStl(bytes) : bytes, format, read_beside);
   } catch (const std::runtime_error& fault) {
     throw Error(ErrorKind::kFormat, "mesh \"" + name + "\" cannot be read (" +
                                         MakePrintable(fault.what()) +

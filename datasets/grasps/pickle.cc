@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text/text.h"
+#include "core/base/whole_number.h"
 
 namespace graspbench {
 namespace {
@@ -213,7 +214,7 @@ class PickleMachine {
       if (size->kind != Kind::kInteger || !(size->number >= 0) || size->number > 1e12) {
         Fail("the shape of an array is not of whole numbers");
       }
-      sizes.push_back(static_cast<int64_t>(size->number));
+      sizes.push_back(ToWhole<int64_t>(size->number));
     }
     return sizes;
   }

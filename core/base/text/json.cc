@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "core/base/whole_number.h"
+
 namespace graspbench {
 namespace {
 
@@ -253,7 +255,10 @@ template <class T>
 T Json::GetNumber() const {
   if (type_ == Type::kInteger) return static_cast<T>(integer_);
   if (type_ == Type::kUnsigned) return static_cast<T>(unsigned_);
-  if (type_ == Type::kFloat) return static_cast<T>(float_);
+  if (type_ == Type::kFloat) {
+    if constexpr (std::is_floating_point_v<T>) return float_;
+    if constexpr (!std::is_floating_point_v<T>) return ToWhole<T>(float_);
+  }
   FailType("number");
 }
 

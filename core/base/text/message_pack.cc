@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text/text.h"
+#include "core/base/whole_number.h"
 
 namespace graspbench {
 namespace {
@@ -86,7 +87,7 @@ PackedArray MakePackedArray(const PackedValue& map, bool is_scalar) {
       if (!number || !(*number >= 0.0) || *number > 1e9 || *number != std::floor(*number)) {
         FailPacked("the shape of an array holds something else than sizes");
       }
-      array.shape.push_back(static_cast<size_t>(*number));
+      array.shape.push_back(ToWhole<size_t>(*number));
       num_values *= array.shape.back();
       if (num_values > data->text()->size()) break;
     }

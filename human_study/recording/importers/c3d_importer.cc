@@ -7,6 +7,7 @@ C3D, all processors, integer and floating point. The format's rules: c3d.org use
 #include <cmath>
 #include <set>
 
+#include "core/base/whole_number.h"
 #include "human_study/recording/importers/c3d_parameters.h"
 #include "human_study/recording/importers/importer.h"
 
@@ -44,7 +45,7 @@ float DecodeResidual(float word, ResidualCounts& counts) {
     ++counts.fractional;
     return word;
   }
-  return static_cast<float>(static_cast<uint32_t>(std::min(word, 65535.0f)) & 0xff);
+  return static_cast<float>(ToWhole<uint32_t>(std::min(word, 65535.0f)) & 0xff);
 }
 
 template <C3dProcessor processor, bool is_float>

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/base/text/text.h"
+#include "core/base/whole_number.h"
 #include "human_study/recording/importers/c3d_parameters.h"
 #include "human_study/recording/importers/importer.h"
 
@@ -11,7 +12,7 @@ namespace {
 
 constexpr double kMaxFrames = 2147483647.0;
 
-std::string FormatWhole(double value) { return std::to_string(static_cast<int64_t>(value)); }
+std::string FormatWhole(double value) { return std::to_string(ToWhole<int64_t>(value)); }
 
 /** A whole number in [0, max], or NaN. */
 double RoundCount(double value, double max) {
@@ -48,7 +49,7 @@ void FindPointCount(const C3dHead& head, const C3dParameters& parameters, C3dLay
                    "says " + FormatWhole(used) + " points, the header " + FormatWhole(in_header) +
                        "; the parameter is taken");
   }
-  layout.num_points = static_cast<size_t>(std::isnan(used) ? in_header : used);
+  layout.num_points = ToWhole<size_t>(std::isnan(used) ? in_header : used);
 }
 
 void FindAnalogCount(const C3dHead& head, const C3dParameters& parameters, C3dLayout& layout,
@@ -66,7 +67,7 @@ void FindAnalogCount(const C3dHead& head, const C3dParameters& parameters, C3dLa
                          " channels are taken");
     }
   } else {
-    layout.num_channels = static_cast<size_t>(used);
+    layout.num_channels = ToWhole<size_t>(used);
     layout.samples_per_frame = samples;
     if (layout.num_channels == 0) layout.samples_per_frame = 0;
     if (layout.num_analog() != per_frame) {
@@ -155,7 +156,7 @@ void FindDataPosition(const C3dHead& head, const C3dParameters& parameters, cons
                    "says block " + FormatWhole(parameter) + ", the header " +
                        FormatWhole(in_header) + "; " + FormatWhole(taken) + " is taken");
   }
-  layout.data_position = (static_cast<uint64_t>(taken) - 1) * kC3dBlock;
+  layout.data_position = (ToWhole<uint64_t>(taken) - 1) * kC3dBlock;
 }
 
 struct FrameCount {
@@ -242,8 +243,8 @@ void FindFrames(const C3dHead& head, const C3dParameters& parameters, const Impo
                    "says " + FormatWhole(c.count) + " frames, " + taken->where + " " +
                        FormatWhole(taken->count) + ", which is taken by the size of the file");
   }
-  layout.num_frames = static_cast<size_t>(taken->count);
-  layout.first_frame = static_cast<int>(taken->first);
+  layout.num_frames = ToWhole<size_t>(taken->count);
+  layout.first_frame = ToWhole<int>(taken->first);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <map>
 #include <sstream>
 
+#include "core/base/whole_number.h"
 #include "human_study/recording/importers/importer.h"
 
 namespace graspbench {
@@ -99,7 +100,7 @@ bool IsAnyOf(std::string_view name, std::initializer_list<std::string_view> name
 std::optional<size_t> FindCount(double value, double max) {
   const double whole = std::round(value);
   if (!(whole >= 0.0 && whole <= max)) return std::nullopt;
-  return static_cast<size_t>(whole);
+  return ToWhole<size_t>(whole);
 }
 
 C3dHead ReadC3dHead(std::istream& stream, const std::string& file) {

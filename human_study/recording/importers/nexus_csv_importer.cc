@@ -8,6 +8,7 @@ skipped and noted. */
 #include <cmath>
 
 #include "core/base/text/text.h"
+#include "core/base/whole_number.h"
 #include "human_study/recording/importers/importer.h"
 #include "human_study/recording/importers/text_rows.h"
 
@@ -66,7 +67,7 @@ void ReadTrajectories(LineReader& reader, char delimiter, const ImportOptions& o
   while (NextRow(reader, delimiter, cells)) {
     if (!HasAllColumns(cells, 2 + 3 * num_points, reader, options, recording)) break;
     const double frame = ParseHeaderNumber(cells[0], "the frame's number", -1e9, 1e9, reader);
-    if (recording.num_frames == 0) recording.first_frame = static_cast<int>(frame);
+    if (recording.num_frames == 0) recording.first_frame = ToWhole<int>(frame);
     if (frame != recording.first_frame + static_cast<double>(recording.num_frames)) {
       reader.Fail(
           "frame " + std::string(cells[0]) + " follows frame " +

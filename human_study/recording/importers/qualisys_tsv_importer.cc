@@ -8,6 +8,7 @@ empty, "nan" or 0 0 0. */
 #include <map>
 
 #include "core/base/text/text.h"
+#include "core/base/whole_number.h"
 #include "human_study/recording/importers/importer.h"
 #include "human_study/recording/importers/text_rows.h"
 
@@ -62,7 +63,7 @@ std::vector<std::string> FindLabels(const QualisysHeader& header, const LineRead
                                     Recording& recording) {
   std::vector<std::string> labels = header.labels;
   if (labels.empty() && header.num_markers > 0) {
-    labels.resize(static_cast<size_t>(header.num_markers));
+    labels.resize(ToWhole<size_t>(header.num_markers));
   }
   if (labels.empty()) reader.Fail("neither MARKER_NAMES nor NO_OF_MARKERS name any marker");
   if (static_cast<double>(labels.size()) != header.num_markers) {
@@ -134,8 +135,8 @@ Recording ImportQualisysTsv(const ImportSource& source, const ImportOptions& opt
   std::vector<double> times;
   OddSamples odd;
   if (has_times) {
-    recording.first_frame = static_cast<int>(
-        ParseHeaderNumber(cells[0], "the first frame's number", -1e9, 1e9, reader));
+    recording.first_frame =
+        ToWhole<int>(ParseHeaderNumber(cells[0], "the first frame's number", -1e9, 1e9, reader));
   }
   do {
     if (IsBlank(cells)) break;

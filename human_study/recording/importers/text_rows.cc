@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/text/text.h"
+#include "core/base/whole_number.h"
 #include "core/statistics/summary.h"
 #include "human_study/recording/importers/importer.h"
 
@@ -142,8 +143,8 @@ FrameRows ReadFrameRows(LineReader& reader, char delimiter, const std::vector<si
     if (!HasAllColumns(cells, width, reader, options, recording)) break;
     if (recording.num_frames == 0) {
       rows.first_line = reader.line();
-      recording.first_frame = static_cast<int>(
-          ParseHeaderNumber(cells[0], "the first frame's number", -1e9, 1e9, reader));
+      recording.first_frame =
+          ToWhole<int>(ParseHeaderNumber(cells[0], "the first frame's number", -1e9, 1e9, reader));
     }
     rows.times.push_back(ParseNumber(cells, 1, reader));
     for (size_t i = 0; i < columns.size(); ++i) {

@@ -6,6 +6,7 @@ header, a row of labels over three columns each, a row X1 Y1 Z1 .., and one row 
 #include <cmath>
 
 #include "core/base/text/text.h"
+#include "core/base/whole_number.h"
 #include "human_study/recording/importers/importer.h"
 #include "human_study/recording/importers/text_rows.h"
 
@@ -59,7 +60,7 @@ Recording ImportTrc(const ImportSource& source, const ImportOptions& options) {
   std::string unit(FindValue(names, values, "units"));
   if (unit.empty()) unit = options.unit;
 
-  const auto num_points = static_cast<size_t>(num_markers);
+  const auto num_points = ToWhole<size_t>(num_markers);
   ReadLabels(reader, delimiter, num_points, unit, recording);
   reader.Require("the row X1 Y1 Z1");
 

@@ -466,8 +466,10 @@ def write(folder, name, content):
     return path
 
 
-KINDS = {'c3d': (c3d, ['mocap', 'info', '--json']), 'table': (table, ['mocap', 'info', '--json']), 'npy': (npy, ['grasps', 'info', '--json']),
-         'json': (json_grasps, ['grasps', 'info', '--json']), 'yaml': (yaml, ['grasps', 'info', '--json']), 'gltf': (gltf, ['object', 'check', '--json']),
+# What files may leave out is said, so that nothing else is missing.
+GRASPS = ['grasps', 'info', '--json', '--hand-frame', 'palm', '--object-frame', 'mesh', '--joint-names', 'a,b', '--scale', '1']
+KINDS = {'c3d': (c3d, ['mocap', 'info', '--json']), 'table': (table, ['mocap', 'info', '--json']), 'npy': (npy, GRASPS),
+         'json': (json_grasps, GRASPS), 'yaml': (yaml, GRASPS), 'gltf': (gltf, ['object', 'check', '--json']),
          'mesh': (mesh, ['object', 'check', '--json']), 'urdf': (urdf, ['hand', 'import', '--out', 'OUT']), 'mjcf': (mjcf, ['hand', 'import', '--out', 'OUT']),
          'collada': (collada, ['hand', 'import', '--out', 'OUT'])}
 

@@ -9,6 +9,7 @@
 #include "core/base/files/files.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
+#include "core/base/whole_number.h"
 #include "core/hand/import/foreign_hand.h"
 
 namespace graspbench {
@@ -225,8 +226,8 @@ void MjcfDocument::ReadSettings() {
     const char* groups = compiler->Attribute("inertiagrouprange");
     const auto range = groups ? ParseNumbers(groups) : std::nullopt;
     if (range && range->size() == 2) {
-      settings_.first_inertia_group = static_cast<int>(std::clamp((*range)[0], 0.0, 5.0));
-      settings_.last_inertia_group = static_cast<int>(std::clamp((*range)[1], 0.0, 5.0));
+      settings_.first_inertia_group = ToWhole<int>(std::clamp((*range)[0], 0.0, 5.0));
+      settings_.last_inertia_group = ToWhole<int>(std::clamp((*range)[1], 0.0, 5.0));
     }
     if (const char* order = compiler->Attribute("eulerseq")) {
       const std::string text = order;
