@@ -100,7 +100,7 @@ are first seen and kept as long as somebody owns them, so a filmstrip costs litt
 pixels. @pre a mesh is not changed once it was drawn. */
 class Renderer {
  public:
-  /** @throws Error(kEnvironment) when OSMesa cannot be loaded, saying which package is missing;
+  /** @throws Error(kEnvironment) when neither OSMesa nor EGL can be loaded, saying what to install;
   Error(kRange) for sides outside 1 to 4096 pixels. */
   Renderer(int width, int height, RenderQuality quality = RenderQuality::kFull);
   ~Renderer();
