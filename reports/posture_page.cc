@@ -142,7 +142,7 @@ bool HasPictures(const Hand& hand) {
 std::string DescribeColours(const Hand& hand) {
   return std::string("The hand as it comes from above. Red arrows show where the pads face. ") +
          (HasPictures(hand) ? "The hand has its own colours; how it touches is drawn by hand show "
-                              "--collision."
+                              "--shapes."
                             : "The description has no pictures, so what touches is drawn: blue "
                               "balls of the pads, orange ones of other links, grey capsules.");
 }

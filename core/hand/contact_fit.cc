@@ -5,7 +5,6 @@
 
 #include "core/base/text/text.h"
 #include "core/base/units.h"
-#include "core/hand/link_solid.h"
 
 namespace graspbench {
 namespace {
@@ -14,7 +13,6 @@ using Eigen::Vector3d;
 
 constexpr double kNotMet = 0.01;  // [m]
 constexpr double kPalmarCosine = 0.5;
-constexpr int kPointsByBall = 60;
 
 struct PlacedBall {
   int link = -1;
@@ -28,47 +26,45 @@ ContactError Summarise(std::vector<double>& values) {
   return {values[(values.size() - 1) * 95 / 100], values.back()};
 }
 
-std::vector<Vector3d> SpreadOnSphere() {
+}  // namespace
+
+std::vector<Vector3d> SpreadOnSphere(double radius) {
+  constexpr double kApart = 0.0015;
   const double golden = kPi * (3.0 - std::sqrt(5.0));
+  const int count =
+      static_cast<int>(std::clamp(4.0 * kPi * radius * radius / (kApart * kApart), 60.0, 2000.0));
   std::vector<Vector3d> points;
-  for (int i = 0; i < kPointsByBall; ++i) {
-    const double z = (2.0 * i + 1.0) / kPointsByBall - 1.0, across = std::sqrt(1.0 - z * z);
+  for (int i = 0; i < count; ++i) {
+    const double z = (2.0 * i + 1.0) / count - 1.0, across = std::sqrt(1.0 - z * z);
     points.emplace_back(across * std::cos(golden * i), across * std::sin(golden * i), z);
   }
   return points;
 }
 
-}  // namespace
-
 double CalcSink(const Vector3d& p, const Vector3d& nhat, const Vector3d& c, double r) {
   const Vector3d v = p + kProbeRadius * nhat - c;
   const double along = v.dot(nhat);
   const double square = along * along - v.squaredNorm() + (kProbeRadius + r) * (kProbeRadius + r);
-  return square < 0.0 ? kNotMet : std::min(kNotMet, along - std::sqrt(square));
+  const bool is_ahead = along <= 0.0 && v.norm() > kProbeRadius + r;  // it comes from there
+  return square < 0.0 || is_ahead ? kNotMet : std::min(kNotMet, along - std::sqrt(square));
 }
 
-std::vector<ContactFit> MeasureContact(const Hand& hand,
-                                       const std::vector<std::vector<TriMesh>>& solids,
-                                       int num_points) {
+std::vector<ContactFit> MeasureContact(const Hand& hand, const LinkSolids& solids, int num_points) {
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, Eigen::VectorXd::Zero(hand.num_joints()));
   std::vector<PlacedBall> balls;
   for (const ContactSphere& ball : hand.contact_spheres) {
     balls.push_back({ball.link, X_HL[static_cast<size_t>(ball.link)] * ball.p_LS, ball.radius});
   }
-  const std::vector<Vector3d> directions = SpreadOnSphere();
   std::vector<ContactFit> fits;
   for (size_t link = 0; link < hand.links.size(); ++link) {
-    const bool has_triangle =
-        std::any_of(solids[link].begin(), solids[link].end(),
-                    [](const TriMesh& mesh) { return !mesh.triangles.empty(); });
     ContactFit fit;
     fit.link = hand.links[link].name;
     std::vector<PlacedBall> own, near;  // those of the link; of others that can hide its points
     for (const PlacedBall& ball : balls)
       (ball.link == static_cast<int>(link) ? own : near).push_back(ball);
     fit.num_balls = static_cast<int>(own.size());
-    if (!has_triangle || own.empty()) continue;
-    const LinkSolid solid(solids[link]);
+    if (!solids[link] || own.empty()) continue;
+    const LinkSolid& solid = *solids[link];
     Eigen::AlignedBox3d box;
     for (const auto& point : solid.boundary()) box.extend(X_HL[link] * point.p);
     near.erase(std::remove_if(near.begin(), near.end(),
@@ -85,14 +81,14 @@ std::vector<ContactFit> MeasureContact(const Hand& hand,
     std::vector<double> out, palmar_out, sink, palmar_sink;
     const Pose X_LH = X_HL[link].inverse();
     for (size_t k = 0; k < own.size(); ++k) {
-      for (const Vector3d& direction : directions) {
+      for (const Vector3d& direction : SpreadOnSphere(own[k].r)) {
         const Vector3d p = own[k].c + own[k].r * direction;
         if (is_held(own, p, k) || is_held(near, p, near.size())) continue;
         out.push_back(solid.CalcOutside(X_LH * p));
         if (direction.dot(hand.palm_normal) > kPalmarCosine) palmar_out.push_back(out.back());
       }
     }
-    for (const auto& point : solid.ListSpread(static_cast<size_t>(num_points))) {
+    for (const auto& point : solid.ListOpen(static_cast<size_t>(num_points))) {
       const Vector3d p = X_HL[link] * point.p, nhat = X_HL[link].linear() * point.nhat;
       if (is_held(near, p + 0.001 * nhat, near.size())) continue;
       double least = kNotMet;
@@ -112,11 +108,11 @@ std::vector<ContactFit> MeasureContact(const Hand& hand,
 }
 
 std::vector<ContactFit> MeasureContact(const Hand& hand) {
-  std::vector<std::vector<TriMesh>> solids(hand.links.size());
+  std::vector<std::vector<TriMesh>> meshes(hand.links.size());
   for (const LinkVisual& visual : hand.visuals) {
-    solids[static_cast<size_t>(visual.link)].push_back(visual.mesh);
+    meshes[static_cast<size_t>(visual.link)].push_back(visual.mesh);
   }
-  return MeasureContact(hand, solids);
+  return MeasureContact(hand, MakeLinkSolids(meshes));
 }
 
 std::string DescribeContactError(const ContactFit& fit) {

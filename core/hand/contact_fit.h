@@ -20,11 +20,10 @@ within 60 deg of the palm's, all joints at zero. */
 #include <vector>
 
 #include "core/hand/hand.h"
-#include "core/shape/tri_mesh.h"
+#include "core/hand/link_solid.h"
 
 namespace graspbench {
 
-inline constexpr double kProbeRadius = 0.005;  ///< [m]
 /** Farther out or in at the palmar side or a tip, a hand is not believed; a warning from the second
 on [m]. */
 inline constexpr double kMostContactError = 0.005, kFairContactError = 0.001;
@@ -45,10 +44,11 @@ the ball is not met [m]. */
 double CalcSink(const Eigen::Vector3d& p, const Eigen::Vector3d& nhat, const Eigen::Vector3d& c,
                 double r);
 
-/** Of the links that have both balls and a mesh. @param solids  by link, in its frame.
-@param num_points  on a link. Some 0.2 s for a link of 100 mm. */
-std::vector<ContactFit> MeasureContact(const Hand& hand,
-                                       const std::vector<std::vector<TriMesh>>& solids,
+/** Unit vectors to points 1.5 mm apart on a sphere, at least 60 and at most 2000 (a spiral). */
+std::vector<Eigen::Vector3d> SpreadOnSphere(double radius);
+
+/** Of the links that have both balls and a solid. @param num_points  on a link. */
+std::vector<ContactFit> MeasureContact(const Hand& hand, const LinkSolids& solids,
                                        int num_points = 2000);
 
 /** Of a hand against its pictures. */

@@ -1,11 +1,8 @@
 #include "core/hand/link_solid.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-
-#include "core/shape/line_crossings.h"
 
 namespace graspbench {
 namespace {
@@ -13,12 +10,13 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3i;
 
-constexpr double kClosingBall = 0.003;                           // [m]
-constexpr double kMostCells = 120.0;                             // along the longest side
-constexpr double kSmallestCell = 0.0006, kLargestCell = 0.0015;  // [m]
-constexpr double kNumMeshPoints = 8000.0;
+constexpr double kClosingBall = 0.0015;   // [m]
+constexpr double kMostCells = 200.0;      // along the longest side
+constexpr double kSmallestCell = 0.0007;  // [m]
+constexpr double kNumMeshPoints = 4000.0, kMostMeshPoints = 6e4;
 constexpr double kNearestPoints = 0.0005, kFarthestPoints = 0.001;  // [m] from each other
-constexpr int kCellsByBin = 4;
+constexpr double kBeside = 0.0002;                                  // [m] off a mesh
+constexpr double kInTheWay = 0.0005;  // [m] of another surface into the probe
 constexpr float kFar = 1e12f;
 
 /** Squared distances from the cells of value 0, in cells, along one axis (Felzenszwalb and
@@ -103,21 +101,22 @@ const std::array<Vector3i, 6>& ListSides() {
 LinkSolid::LinkSolid(const std::vector<TriMesh>& meshes) {
   Eigen::AlignedBox3d box;
   for (const TriMesh& mesh : meshes) {
+    if (!mesh.triangles.empty()) meshes_.push_back(mesh);
     for (const Vector3i& t : mesh.triangles) {
       for (int k = 0; k < 3; ++k) box.extend(mesh.vertices[t[k]]);
     }
   }
-  size_ = std::clamp(box.sizes().maxCoeff() / kMostCells, kSmallestCell, kLargestCell);
-  const double margin = kClosingBall + 3.0 * size_;
+  for (const TriMesh& mesh : meshes_) {
+    trees_.emplace_back(mesh);
+    lines_.push_back({LineCrossings(mesh, 0), LineCrossings(mesh, 1), LineCrossings(mesh, 2)});
+  }
+  size_ = std::max(kSmallestCell, box.sizes().maxCoeff() / kMostCells);
+  const double margin = kProbeRadius + 3.0 * size_;
   lower_ = box.min() - Vector3d::Constant(margin);
   num_ = ((box.sizes() + Vector3d::Constant(2.0 * margin)) / size_).cast<int>() + Vector3i::Ones();
-  for (const TriMesh& mesh : meshes) {
-    if (!mesh.triangles.empty()) trees_.emplace_back(mesh);
-  }
-  FindOutside(meshes);
-  AddMeshPoints(meshes);
+  FindOutside();
+  AddMeshPoints();
   AddMembrane();
-  SortIntoBins();
 }
 
 Vector3i LinkSolid::FindCell(const Vector3d& p) const {
@@ -140,21 +139,46 @@ bool LinkSolid::IsOutside(const Vector3d& p) const {
   return !Holds(cell) || is_outside_[IndexOf(cell)] != 0;
 }
 
-void LinkSolid::FindOutside(const std::vector<TriMesh>& meshes) {
-  const size_t count = static_cast<size_t>(num_.cast<int64_t>().prod());
-  from_mesh_.assign(count, kFar);
-  for (const TriMesh& mesh : meshes) {
-    for (const Vector3i& t : mesh.triangles) {
-      VisitPoints(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]], 0.7 * size_,
-                  [&](const Vector3d& p) { from_mesh_[IndexOf(FindCell(p))] = 0.0f; });
+bool LinkSolid::IsEnclosed(const Vector3d& p) const {
+  std::vector<LineCrossings::Crossing> crossings;
+  for (const auto& lines : lines_) {
+    int votes = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      crossings.clear();
+      lines[static_cast<size_t>(axis)].Find(p[(axis + 1) % 3], p[(axis + 2) % 3], crossings);
+      int all = 0, below = 0;
+      for (const auto& crossing : crossings) {
+        all += crossing.winding;
+        if (crossing.at < p[axis]) below += crossing.winding;
+      }
+      votes += all == 0 && below != 0;
     }
+    if (votes >= 2) return true;
   }
-  SpreadDistances(num_, from_mesh_);
+  return false;
+}
 
-  const double reach = kClosingBall / size_;
-  std::vector<float> from_free(count, kFar);
+/** Within the closing ball of a free centre, or within a cell of that. */
+bool LinkSolid::IsNearFree(const Vector3d& p) const {
+  const Vector3i cell = FindCell(p);
+  const double reach = kClosingBall / size_ + 1.0;
+  return !Holds(cell) || from_free_[IndexOf(cell)] < reach * reach;
+}
+
+double LinkSolid::CalcMeshDistance(const Vector3d& p) const {
+  double square = std::numeric_limits<double>::infinity();
+  for (const TriangleTree& tree : trees_) {
+    square = std::min(square, tree.FindNearest(p).squared_distance);
+  }
+  return std::sqrt(square);
+}
+
+/** The cells that the centre of a ball from far away gets to. */
+std::vector<uint8_t> LinkSolid::FindReached(double radius) const {
+  const double reach = std::max(1.0, radius / size_);
+  std::vector<uint8_t> is_reached(from_mesh_.size(), 0);
   std::vector<Vector3i> open = {Vector3i::Zero()};
-  from_free[0] = 0.0f;
+  is_reached[0] = 1;
   while (!open.empty()) {
     const Vector3i cell = open.back();
     open.pop_back();
@@ -162,20 +186,30 @@ void LinkSolid::FindOutside(const std::vector<TriMesh>& meshes) {
       const Vector3i next = cell + side;
       if (!Holds(next)) continue;
       const size_t index = IndexOf(next);
-      if (from_free[index] == 0.0f || from_mesh_[index] < reach * reach) continue;
-      from_free[index] = 0.0f;
+      if (is_reached[index] || from_mesh_[index] < reach * reach) continue;
+      is_reached[index] = 1;
       open.push_back(next);
     }
   }
-  SpreadDistances(num_, from_free);
+  return is_reached;
+}
 
-  std::vector<uint8_t> votes(count, 0);
+void LinkSolid::FindOutside() {
+  const size_t count = static_cast<size_t>(num_.cast<int64_t>().prod());
+  from_mesh_.assign(count, kFar);
+  for (const TriMesh& mesh : meshes_) {
+    for (const Vector3i& t : mesh.triangles) {
+      VisitPoints(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]], 0.7 * size_,
+                  [&](const Vector3d& p) { from_mesh_[IndexOf(FindCell(p))] = 0.0f; });
+    }
+  }
+  SpreadDistances(num_, from_mesh_);
+
+  std::vector<uint8_t> is_enclosed(count, 0);
   std::vector<LineCrossings::Crossing> crossings;
-  for (const TriMesh& mesh : meshes) {
-    if (mesh.triangles.empty()) continue;
-    std::vector<uint8_t> own(count, 0);
+  for (const auto& lines : lines_) {
+    std::vector<uint8_t> votes(count, 0);
     for (int axis = 0; axis < 3; ++axis) {
-      const LineCrossings lines(mesh, axis);
       const int u_axis = (axis + 1) % 3, v_axis = (axis + 2) % 3;
       for (int u = 0; u < num_[u_axis]; ++u) {
         for (int v = 0; v < num_[v_axis]; ++v) {
@@ -184,7 +218,7 @@ void LinkSolid::FindOutside(const std::vector<TriMesh>& meshes) {
           cell[v_axis] = v;
           const Vector3d start = CentreOf(cell);
           crossings.clear();
-          lines.Find(start[u_axis], start[v_axis], crossings);
+          lines[static_cast<size_t>(axis)].Find(start[u_axis], start[v_axis], crossings);
           int all = 0;
           for (const auto& crossing : crossings) all += crossing.winding;
           if (crossings.empty() || all != 0) continue;
@@ -195,22 +229,31 @@ void LinkSolid::FindOutside(const std::vector<TriMesh>& meshes) {
             for (; next < crossings.size() && crossings[next].at < at; ++next) {
               winding += crossings[next].winding;
             }
-            if (winding != 0) ++own[IndexOf(cell)];
+            if (winding != 0) ++votes[IndexOf(cell)];
           }
         }
       }
     }
-    for (size_t i = 0; i < count; ++i) votes[i] |= own[i] >= 2;
+    for (size_t i = 0; i < count; ++i) is_enclosed[i] |= votes[i] >= 2;
   }
+
+  // A probe that rests on a mesh is within a cell of those that do not touch it.
+  is_probe_ = FindReached(kProbeRadius - 1.5 * size_);
+  const std::vector<uint8_t> is_free = FindReached(kClosingBall - 0.5 * size_);
+  from_free_.resize(count);
+  for (size_t i = 0; i < count; ++i) from_free_[i] = is_free[i] && !is_enclosed[i] ? 0.0f : kFar;
+  SpreadDistances(num_, from_free_);
+  const double reach = std::max(1.0, kClosingBall / size_);
   is_outside_.resize(count);
   for (size_t i = 0; i < count; ++i) {
-    is_outside_[i] = votes[i] == 0 && from_free[i] < reach * reach;
+    is_outside_[i] = !is_enclosed[i] && from_free_[i] < reach * reach;
+    is_probe_[i] = is_probe_[i] && !is_enclosed[i];
   }
 }
 
-void LinkSolid::AddMeshPoints(const std::vector<TriMesh>& meshes) {
+void LinkSolid::AddMeshPoints() {
   double area = 0.0;
-  for (const TriMesh& mesh : meshes) {
+  for (const TriMesh& mesh : meshes_) {
     for (const Vector3i& t : mesh.triangles) {
       area += 0.5 * (mesh.vertices[t[1]] - mesh.vertices[t[0]])
                         .cross(mesh.vertices[t[2]] - mesh.vertices[t[0]])
@@ -218,11 +261,12 @@ void LinkSolid::AddMeshPoints(const std::vector<TriMesh>& meshes) {
     }
   }
   const double spacing =
-      std::clamp(std::sqrt(area / kNumMeshPoints), kNearestPoints, kFarthestPoints);
+      std::max(std::clamp(std::sqrt(area / kNumMeshPoints), kNearestPoints, kFarthestPoints),
+               std::sqrt(area / kMostMeshPoints));
   // Evenly by area: every share along the triangles, within one by a Kronecker sequence.
   const double share = spacing * spacing;
   double until = 0.5 * share, so_far = 0.0, u = 0.0, v = 0.0;
-  for (const TriMesh& mesh : meshes) {
+  for (const TriMesh& mesh : meshes_) {
     for (const Vector3i& t : mesh.triangles) {
       const Vector3d a = mesh.vertices[t[0]], ab = mesh.vertices[t[1]] - a,
                      ac = mesh.vertices[t[2]] - a;
@@ -235,7 +279,9 @@ void LinkSolid::AddMeshPoints(const std::vector<TriMesh>& meshes) {
         const Vector3d p = a + (is_beyond ? 1.0 - u : u) * ab + (is_beyond ? 1.0 - v : v) * ac;
         for (const double sign : {1.0, -1.0}) {
           const Vector3d nhat = sign * normal.normalized();
-          if (IsOutside(p + 1.5 * size_ * nhat)) boundary_.push_back({p, nhat, false});
+          if (!IsEnclosed(p + kBeside * nhat) && IsNearFree(p + size_ * nhat)) {
+            boundary_.push_back({p, nhat, false});
+          }
         }
       }
     }
@@ -257,64 +303,55 @@ void LinkSolid::AddMembrane() {
         if (out.norm() == 0.0) continue;
         const Vector3d nhat = out.normalized();
         boundary_.push_back({CentreOf(cell) + 0.5 * size_ * nhat, nhat, true});
+        membrane_.push_back(boundary_.back().p);
       }
     }
   }
 }
 
-void LinkSolid::SortIntoBins() {
-  num_bins_ = num_ / kCellsByBin + Vector3i::Ones();
-  bins_.resize(static_cast<size_t>(num_bins_.prod()));
-  for (size_t k = 0; k < boundary_.size(); ++k) {
-    const Vector3i bin = FindCell(boundary_[k].p) / kCellsByBin;
-    bins_[static_cast<size_t>(bin.x() + num_bins_.x() * (bin.y() + num_bins_.y() * bin.z()))]
-        .push_back(static_cast<int>(k));
+/** A probe rests on it: nothing else is in its way by more than half a millimetre. */
+bool LinkSolid::IsOpen(const BoundaryPoint& point) const {
+  const Vector3d centre = point.p + kProbeRadius * point.nhat;
+  const Vector3i middle = FindCell(centre);
+  bool is_reached = !Holds(middle);
+  for (int z = -1; z <= 1 && !is_reached; ++z) {
+    for (int y = -1; y <= 1 && !is_reached; ++y) {
+      for (int x = -1; x <= 1 && !is_reached; ++x) {
+        const Vector3i cell = middle + Vector3i(x, y, z);
+        is_reached = !Holds(cell) || is_probe_[IndexOf(cell)];
+      }
+    }
   }
+  return is_reached && CalcMeshDistance(centre) > kProbeRadius - kInTheWay;
 }
 
-std::vector<LinkSolid::BoundaryPoint> LinkSolid::ListSpread(size_t num_points) const {
-  std::vector<BoundaryPoint> spread;
+std::vector<LinkSolid::BoundaryPoint> LinkSolid::ListOpen(size_t num_points) const {
+  std::vector<BoundaryPoint> open;
   const double step = std::max(1.0, static_cast<double>(boundary_.size()) /
                                         static_cast<double>(std::max<size_t>(1, num_points)));
   for (double k = 0.5 * step; k < static_cast<double>(boundary_.size()); k += step) {
-    spread.push_back(boundary_[static_cast<size_t>(k)]);
+    const BoundaryPoint& point = boundary_[static_cast<size_t>(k)];
+    if (IsOpen(point)) open.push_back(point);
   }
-  return spread;
+  return open;
 }
 
 double LinkSolid::CalcOutside(const Vector3d& p) const {
-  if (boundary_.empty()) return 0.0;
-  const Vector3i middle =
-      (FindCell(p) / kCellsByBin).cwiseMax(Vector3i::Zero()).cwiseMin(num_bins_ - Vector3i::Ones());
-  const double bin_size = kCellsByBin * size_;
-  int nearest = -1;
-  double least = std::numeric_limits<double>::infinity();
-  for (int ring = 0; ring <= num_bins_.maxCoeff(); ++ring) {
-    if (nearest >= 0 && (ring - 1) * bin_size > least) break;
-    const Vector3i from = (middle - Vector3i::Constant(ring)).cwiseMax(Vector3i::Zero());
-    const Vector3i to = (middle + Vector3i::Constant(ring)).cwiseMin(num_bins_ - Vector3i::Ones());
-    for (int z = from.z(); z <= to.z(); ++z) {
-      for (int y = from.y(); y <= to.y(); ++y) {
-        for (int x = from.x(); x <= to.x(); ++x) {
-          if ((Vector3i(x, y, z) - middle).cwiseAbs().maxCoeff() != ring) continue;
-          for (const int k :
-               bins_[static_cast<size_t>(x + num_bins_.x() * (y + num_bins_.y() * z))]) {
-            const double distance = (boundary_[static_cast<size_t>(k)].p - p).norm();
-            if (distance >= least) continue;
-            least = distance;
-            nearest = k;
-          }
-        }
-      }
-    }
-  }
-  const BoundaryPoint& point = boundary_[static_cast<size_t>(nearest)];
-  if ((p - point.p).dot(point.nhat) <= 0.0) return 0.0;
-  double distance = point.is_membrane ? (p - point.p).dot(point.nhat) : least;
-  for (const TriangleTree& tree : trees_) {
-    distance = std::min(distance, std::sqrt(tree.FindNearest(p).squared_distance));
-  }
+  if (IsEnclosed(p) || !IsNearFree(p)) return 0.0;
+  double distance = CalcMeshDistance(p);
+  for (const Vector3d& other : membrane_) distance = std::min(distance, (other - p).norm());
   return distance;
+}
+
+LinkSolids MakeLinkSolids(const std::vector<std::vector<TriMesh>>& meshes) {
+  LinkSolids solids;
+  for (const std::vector<TriMesh>& of_link : meshes) {
+    const bool has_triangle = std::any_of(of_link.begin(), of_link.end(), [](const TriMesh& mesh) {
+      return !mesh.triangles.empty();
+    });
+    solids.push_back(has_triangle ? std::make_unique<LinkSolid>(of_link) : nullptr);
+  }
+  return solids;
 }
 
 }  // namespace graspbench

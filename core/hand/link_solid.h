@@ -2,28 +2,34 @@
 /** @file
 The solid that the meshes of a link stand for, open or overlapping ones too, as a boundary of points.
 
-On a grid of cells of size h, with a closing ball of radius 3 mm:
+On a grid of cells of size h:
 
-- free: centres of balls that come from far away and touch no mesh;
-- outside: nearer than 3 mm to a free centre, and not enclosed;
-- enclosed: two of the three lines along the axes through the cell wind around it (a winding number
-  other than 0, and 0 in all, so a line through an opening does not count).
+- free: centres of balls of 1.5 mm that come from far away and touch no mesh;
+- enclosed: two of the three lines along the axes through a point wind around it (a winding number
+  other than 0, and 0 in all, so a line through an opening does not count);
+- outside: nearer than 1.5 mm to a free centre, and not enclosed.
 
 The rest is the solid. Its boundary is the part of the meshes with the outside on one side of it, and
-a membrane where the closing ball spans a hole.
+a membrane where the solid ends away from the meshes. A boundary point is open where a probe of 5 mm
+that comes from far away rests on it.
 
-h is a 120th of the longest side, within 0.6 and 1.5 mm; points of the meshes lie 0.5 to 1.2 mm
-apart and on the meshes, those of a membrane within h. */
+h is a 200th of the longest side, at least 0.6 mm; points of the meshes lie 0.5 to 1 mm apart and on
+the meshes, those of a membrane within h. */
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "core/shape/line_crossings.h"
 #include "core/shape/tri_mesh.h"
 #include "core/shape/triangle_tree.h"
 
 namespace graspbench {
+
+inline constexpr double kProbeRadius = 0.005;  ///< [m]
 
 class LinkSolid {
  public:
@@ -36,20 +42,27 @@ class LinkSolid {
   /** @param meshes  of one link in its frame [m]. @pre one has a triangle; valid indices, finite
   vertices within 2 m. */
   explicit LinkSolid(const std::vector<TriMesh>& meshes);
+  LinkSolid(const LinkSolid&) = delete;
+  LinkSolid& operator=(const LinkSolid&) = delete;
 
   const std::vector<BoundaryPoint>& boundary() const { return boundary_; }
-  /** Every k-th point of the boundary, about as many as asked for. */
-  std::vector<BoundaryPoint> ListSpread(size_t num_points) const;
+  /** Every k-th open point of the boundary, about as many as asked for. */
+  std::vector<BoundaryPoint> ListOpen(size_t num_points) const;
+  /** Of the cell that holds the point. */
   bool IsOutside(const Eigen::Vector3d& p) const;
-  /** How far a point lies outside: its distance from the meshes or the membrane, 0 behind the nearest
-  boundary point [m]. */
+  /** How far a point lies outside: its distance from the meshes or the membrane; 0 in the solid [m].
+  Exact but for what the closing ball fills: within 1.5 mm of two meshes. */
   double CalcOutside(const Eigen::Vector3d& p) const;
 
  private:
-  void FindOutside(const std::vector<TriMesh>& meshes);
-  void AddMeshPoints(const std::vector<TriMesh>& meshes);
+  bool IsEnclosed(const Eigen::Vector3d& p) const;
+  double CalcMeshDistance(const Eigen::Vector3d& p) const;
+  bool IsNearFree(const Eigen::Vector3d& p) const;
+  bool IsOpen(const BoundaryPoint& point) const;
+  void FindOutside();
+  std::vector<uint8_t> FindReached(double radius) const;
+  void AddMeshPoints();
   void AddMembrane();
-  void SortIntoBins();
   Eigen::Vector3i FindCell(const Eigen::Vector3d& p) const;
   size_t IndexOf(const Eigen::Vector3i& cell) const;
   bool Holds(const Eigen::Vector3i& cell) const;
@@ -58,12 +71,18 @@ class LinkSolid {
   double size_ = 0.0;  // h
   Eigen::Vector3d lower_ = Eigen::Vector3d::Zero();
   Eigen::Vector3i num_ = Eigen::Vector3i::Zero();
-  std::vector<uint8_t> is_outside_;  // by cell
-  std::vector<float> from_mesh_;     // by cell, squared, in cells
-  std::vector<TriangleTree> trees_;  // of the meshes
+  // By cell; distances are squared, in cells.
+  std::vector<uint8_t> is_outside_, is_probe_;
+  std::vector<float> from_mesh_, from_free_;
+  std::vector<TriMesh> meshes_;  // with a triangle
+  std::vector<TriangleTree> trees_;
+  std::vector<std::array<LineCrossings, 3>> lines_;  // along each axis
   std::vector<BoundaryPoint> boundary_;
-  Eigen::Vector3i num_bins_ = Eigen::Vector3i::Zero();
-  std::vector<std::vector<int>> bins_;  // of boundary points
+  std::vector<Eigen::Vector3d> membrane_;
 };
+
+/** By link; nullptr: it has no triangle. */
+using LinkSolids = std::vector<std::unique_ptr<LinkSolid>>;
+LinkSolids MakeLinkSolids(const std::vector<std::vector<TriMesh>>& meshes);
 
 }  // namespace graspbench

@@ -22,6 +22,7 @@ constexpr double kHeadRadius = 0.0026;    // [m]
 constexpr double kHeadLength = 0.0070;    // [m]
 constexpr double kConeLength = 0.018;     // [m]
 constexpr double kWireRadius = 0.0004;    // [m]
+constexpr double kAxisLength = 0.024;     // [m], half of it before the joint
 constexpr int kNumSpokes = 10;
 constexpr int kNumSegments = 8;  // around a wire
 
@@ -152,6 +153,21 @@ void AddContactShapes(const Hand& hand, const Eigen::VectorXd& q, const Pose& X_
       scene->drawables.push_back(drawable);
     }
   }
+}
+
+void AddJointAxes(const Hand& hand, const Eigen::VectorXd& q, const Pose& X_WH, Scene* scene) {
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand, q);
+  MarkMesh driven, coupled;
+  for (const HandJoint& joint : hand.joints) {
+    const size_t link = static_cast<size_t>(joint.link);
+    const Pose X_WL = X_WH * X_HL[link];
+    const Vector3d axis_W = X_WL.linear() * hand.links[link].axis;
+    (joint.coupled_to < 0 ? driven : coupled)
+        .Add(MakeArrow(kAxisLength),
+             MakeAxisPose(axis_W, X_WL.translation() + 0.5 * kAxisLength * axis_W));
+  }
+  driven.MoveTo(scene, kForceColour);
+  coupled.MoveTo(scene, kDynamicColour);
 }
 
 }  // namespace graspbench

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-Contacts in a scene: marks over a picture, and what of a hand can touch.
+Contacts and joints in a scene: marks over a picture, and what of a hand can touch.
 
 A mark is a point where hand and object touch, an arrow for the force on the
 object that ends there, and the friction cone that the arrow may not leave, green where the contact
@@ -36,5 +36,10 @@ another colour, and the capsules by which links meet each other inside them.
 Adds them to a scene; a capsule is drawn a little thinner than it is, so that balls of the same
 radius show. @pre q has num_joints positions [rad], [m]. */
 void AddContactShapes(const Hand& hand, const Eigen::VectorXd& q, const Pose& X_WH, Scene* scene);
+
+/** Arrows along the axes of the joints, over all that is no mark: those with a drive of their own
+red, those that follow another blue. A joint turns right-handed about its arrow, or slides along it.
+@pre q has num_joints positions [rad], [m]. */
+void AddJointAxes(const Hand& hand, const Eigen::VectorXd& q, const Pose& X_WH, Scene* scene);
 
 }  // namespace graspbench

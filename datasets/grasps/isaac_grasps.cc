@@ -1,6 +1,7 @@
 // isaac_grasp 1.0: YAML of one gripper and one object. Sources: the documentation of Isaac Sim's
 // grasp editor (object_frame_link, gripper_frame_link) and of Isaac ROS (object_frame,
-// gripper_frame), which warns against relying on the frames.
+// gripper_frame), which warns against relying on the frames; later writers add object_file,
+// object_scale and bite_point, and leave out the joints of a hand that a profile closes.
 
 #include <cmath>
 #include <set>
@@ -112,21 +113,25 @@ void ReadIsaacGrasp(const YAML::Node& node, const std::string& file, const std::
   map.Read("bite_point", bite_point, Needed::kNo);
   const std::optional<Pose> X_OR = ReadPose(map, file, where, problems);
   std::vector<double> positions;
-  const YAML::Node joints = map.Child("cspace_position");
-  // A key without a value is there, but no map of joints.
-  const bool has_joints =
-      map.Has("cspace_position") &&
-      ReadJoints(joints, file, where + ", cspace_position", problems, grasp.joint_names, positions);
+  const YAML::Node joints = map.Child("cspace_position", Needed::kNo);
   const YAML::Node pregrasp = map.Child("pregrasp_cspace_position", Needed::kNo);
   map.FinishKnownKeys();
-  if (!X_OR || !has_joints) return;
-  if (map.Has("pregrasp_cspace_position")) {
+  // A key without a value is there, but no map of joints.
+  const bool has_joints = map.Has("cspace_position"),
+             has_pregrasp = map.Has("pregrasp_cspace_position");
+  if (has_joints && !ReadJoints(joints, file, where + ", cspace_position", problems,
+                                grasp.joint_names, positions)) {
+    return;
+  }
+  if (!X_OR) return;
+  if (has_pregrasp) {
     std::vector<std::string> names;
     std::vector<double> unsorted;
     if (!ReadJoints(pregrasp, file, where + ", pregrasp_cspace_position", problems, names,
                     unsorted)) {
       return;
     }
+    if (!has_joints) grasp.joint_names = names;
     const auto sorted = SortLike(grasp.joint_names, names, unsorted);
     if (!sorted) {
       problems.Fail(file, LineOf(pregrasp),
@@ -135,7 +140,8 @@ void ReadIsaacGrasp(const YAML::Node& node, const std::string& file, const std::
     }
     grasp.stages.push_back({"pregrasp", *X_OR, *sorted});
   }
-  grasp.stages.push_back({"grasp", *X_OR, positions});
+  if (has_joints) grasp.stages.push_back({"grasp", *X_OR, positions});
+  if (!has_joints && !has_pregrasp) grasp.stages.push_back({"pregrasp", *X_OR, {}});
 }
 
 std::vector<ForeignGrasp> ReadIsaac(std::string_view bytes, const std::string& file,
@@ -153,6 +159,14 @@ std::vector<ForeignGrasp> ReadIsaac(std::string_view bytes, const std::string& f
   }
   const std::string hand_frame = ReadFrame(map, "gripper_frame");
   const std::string object_frame = ReadFrame(map, "object_frame");
+  std::string object_file;
+  double object_scale = 1.0;
+  map.Read("object_file", object_file, Needed::kNo);
+  map.Read("object_scale", object_scale, Needed::kNo);
+  if (!(object_scale > 0.0 && std::isfinite(object_scale))) {
+    map.Fail("object_scale", "expected a number above 0");
+  }
+  const bool has_scale = options.scale || map.Has("object_scale");
   const YAML::Node grasps = map.Child("grasps");
   std::vector<ForeignGrasp> made;
   std::set<std::string> names;
@@ -161,9 +175,9 @@ std::vector<ForeignGrasp> ReadIsaac(std::string_view bytes, const std::string& f
     for (const auto& entry : grasps) {
       ForeignGrasp grasp;
       grasp.root_link = options.hand_frame;
-      grasp.object = object_frame;
-      grasp.scale = options.scale.value_or(1.0);
-      if (!options.scale) grasp.assumptions.push_back("the mesh is drawn in metres, scale 1");
+      grasp.object = object_file.empty() ? object_frame : object_file;
+      grasp.scale = options.scale.value_or(object_scale);
+      if (!has_scale) grasp.assumptions.push_back("the mesh is drawn in metres, scale 1");
       grasp.assumptions.push_back("poses are given in the frame of the mesh");
       const std::string name = entry.first.IsScalar() ? entry.first.Scalar() : "?";
       if (!names.insert(name).second) {

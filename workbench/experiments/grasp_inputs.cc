@@ -33,7 +33,8 @@ fs::path FindMeshAt(const fs::path& folder, const fs::path& end) {
   for (const char* ending : {".obj", ".stl", ".ply", ".glb", ".gltf"}) {
     candidates.push_back(end.string() + ending);
   }
-  for (const char* inside : {"mesh/simplified.obj", "simplified.obj", "mesh.obj"}) {
+  for (const char* inside :
+       {"mesh/simplified.obj", "simplified.obj", "mesh.obj", "coacd/decomposed.obj"}) {
     candidates.push_back(end / inside);
   }
   std::vector<fs::path> found;

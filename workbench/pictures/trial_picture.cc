@@ -59,13 +59,21 @@ void Paste(const Image& part, int column, int row, Image& whole) {
 
 }  // namespace
 
-std::string DescribeHandShapes() {
-  return "left the hand as it looks, right what of it touches, between them both; balls that "
-         "touch: "
-         "blue of the pads, orange of other links; grey: capsules that keep links apart\n";
+std::string DescribeHandPicture(const HandPictureParts& parts) {
+  std::string told = "left the hand as it looks";
+  if (parts.has_shapes) {
+    told +=
+        ", then with what of it touches, and that alone; balls that touch: blue of the pads, "
+        "orange "
+        "of other links; grey: capsules that keep links apart";
+  }
+  if (parts.has_axes) {
+    told += "; right axes of its joints: red driven, blue coupled";
+  }
+  return told + "\n";
 }
 
-Image DrawHandShapes(const std::shared_ptr<const Hand>& hand) {
+Image DrawHand(const std::shared_ptr<const Hand>& hand, const HandPictureParts& parts) {
   Eigen::VectorXd q(hand->num_joints());
   for (int j = 0; j < hand->num_joints(); ++j) {
     const HandJoint& joint = hand->joints[static_cast<size_t>(j)];
@@ -81,19 +89,31 @@ Image DrawHandShapes(const std::shared_ptr<const Hand>& hand) {
   if (shapes.drawables.empty()) {
     throw Error(ErrorKind::kUnsupported, "\"" + hand->id + "\" has no collision shapes to draw");
   }
+  Scene axes, pictures_and_axes = pictures;
+  axes.has_table = false;
+  AddJointAxes(*hand, q, X_WH, &axes);
+  AddJointAxes(*hand, q, X_WH, &pictures_and_axes);
 
   Renderer renderer(kSide, kSide);
   Image whole;
-  whole.width = 3 * kSide;
+  whole.width = (1 + 2 * parts.has_shapes + parts.has_axes) * kSide;
   whole.height = 2 * kSide;
   whole.rgb.resize(static_cast<size_t>(3 * whole.width * whole.height));
   const Vector3d to_eyes[] = {{0.25, -1.0, 0.2}, {1.0, -0.15, 0.2}};
   for (int row = 0; row < 2; ++row) {
     const Camera camera = FrameScenes({pictures, shapes}, to_eyes[row], 1.0);
-    const Image seen = renderer.Render(pictures, camera), touched = renderer.Render(shapes, camera);
-    Paste(seen, 0, row, whole);
-    Paste(Blend(seen, touched), 1, row, whole);
-    Paste(touched, 2, row, whole);
+    const Image seen = renderer.Render(pictures, camera);
+    int column = 0;
+    Paste(seen, column++, row, whole);
+    if (parts.has_shapes) {
+      const Image touched = renderer.Render(shapes, camera);
+      Paste(Blend(seen, touched), column++, row, whole);
+      Paste(touched, column++, row, whole);
+    }
+    if (parts.has_axes) {  // full arrows in half links
+      const Image arrows = renderer.Render(axes, camera);
+      Paste(Blend(renderer.Render(pictures_and_axes, camera), arrows), column, row, whole);
+    }
   }
   return whole;
 }

@@ -36,14 +36,19 @@ Image DrawTrial(const TrialSetup& setup, const TracedTrial& traced, const TraceI
 std::string FilmTrial(const TrialSetup& setup, const TracedTrial& traced, const SceneView& view,
                       const PictureSize& size);
 
-/** A hand as it is seen and as it touches, beside each other.
-Three columns: the pictures of its links, pictures and contact shapes through each other, the
-contact shapes alone (core/render/contact_marks.h). Two rows: against the palm, and from the side.
-All joints at zero, or at the limit nearest to it. @throws Error(kEnvironment) when the machine
-cannot draw. */
-Image DrawHandShapes(const std::shared_ptr<const Hand>& hand);
+/** What a picture of a hand shows beside the pictures of its links. */
+struct HandPictureParts {
+  bool has_shapes = false;  ///< what touches, through the links and alone
+  bool has_axes = false;    ///< axes of the joints, through the links
+};
+
+/** A hand in columns: the pictures of its links, and what else is asked for
+(core/render/contact_marks.h). Two rows: against the palm, and from the side. All joints at zero, or
+at the limit nearest to it. @throws Error(kEnvironment) when the machine cannot draw;
+Error(kUnsupported): nothing of the hand touches. */
+Image DrawHand(const std::shared_ptr<const Hand>& hand, const HandPictureParts& parts);
 
 /** What its columns and colours are, a line. */
-std::string DescribeHandShapes();
+std::string DescribeHandPicture(const HandPictureParts& parts);
 
 }  // namespace graspbench

@@ -31,8 +31,9 @@ ImportedFiles ImportInOrder(const std::string& text, const HandSource& source,
   if (!loader.CheckMeshes(foreign)) return {};
   loader.InferMeshUnit(foreign);
   std::vector<LoadedShapes> shapes;
-  for (ForeignLink& link : foreign.links) {
-    shapes.push_back(loader.Load(link));
+  for (size_t i = 0; i < foreign.links.size(); ++i) {
+    ForeignLink& link = foreign.links[i];
+    shapes.push_back(loader.Load(link, static_cast<int>(i) == palm_link));
     loader.Weigh(link);
     RaiseToBounds(foreign, link);
   }
@@ -47,9 +48,12 @@ ImportedFiles ImportInOrder(const std::string& text, const HandSource& source,
   FindImplausible(source.file, imported, problems);
   if (has_failed()) return {};
   const bool is_covered = source.num_cover_points > 0;
-  if (is_covered) CoverLinks(source.num_cover_points, imported);
+  const LinkSolids solids = is_covered ? MakeLinkSolids(imported.solids) : LinkSolids();
+  if (is_covered) CoverLinks(solids, source.num_cover_points, imported);
   FreeJoints(source.file, imported, problems);
-  if (is_covered) MeasureLinks(source.file, source.accepts_coarse_contact, imported, problems);
+  if (is_covered) {
+    MeasureLinks(source.file, source.accepts_coarse_contact, solids, imported, problems);
+  }
 
   ImportedFiles result;
   const Hand& hand = imported.hand;

@@ -99,12 +99,11 @@ std::vector<ContactSphere> MakeBalls(const ImportedHand& imported, int link, boo
 
 }  // namespace
 
-void CoverLinks(int num_points, ImportedHand& imported) {
+void CoverLinks(const LinkSolids& solids, int num_points, ImportedHand& imported) {
   const Hand& hand = imported.hand;
   for (int link = 0; link < static_cast<int>(hand.links.size()); ++link) {
-    const std::vector<TriMesh>& solids = imported.solids[static_cast<size_t>(link)];
-    if (solids.empty()) continue;
-    const LinkSolid solid(solids);
+    if (!solids[static_cast<size_t>(link)]) continue;
+    const LinkSolid& solid = *solids[static_cast<size_t>(link)];
     if (solid.boundary().empty()) continue;
     const auto is_fitted = [&](const CollisionShape& shape) {
       return shape.link == link && shape.is_fitted;
@@ -140,13 +139,13 @@ void CoverLinks(int num_points, ImportedHand& imported) {
   }
 }
 
-void MeasureLinks(const std::string& file, bool accepts_coarse, ImportedHand& imported,
-                  Diagnostics& problems) {
+void MeasureLinks(const std::string& file, bool accepts_coarse, const LinkSolids& solids,
+                  ImportedHand& imported, Diagnostics& problems) {
   Hand hand = imported.hand;
   for (const CollisionShape& shape : imported.shapes) {
     AddContact(shape, false, hand);
   }
-  imported.fits = MeasureContact(hand, imported.solids);
+  imported.fits = MeasureContact(hand, solids);
   for (const ContactFit& fit : imported.fits) {
     const int link = hand.FindLink(fit.link);
     const bool is_tip = std::any_of(hand.digits.begin(), hand.digits.end(),

@@ -7,19 +7,20 @@ What the links of an imported hand touch with: packed balls for objects and the 
 
 #include "core/base/error.h"
 #include "core/hand/import/weld_links.h"
+#include "core/hand/link_solid.h"
 
 namespace graspbench {
 
 /** Packs balls into every link with a solid (pack_balls.h) where its spheres, capsules and boxes do
 not reach its surface; what stood for meshes and discs is replaced. @param num_points  on a link.
 @pre the digits are known. */
-void CoverLinks(int num_points, ImportedHand& imported);
+void CoverLinks(const LinkSolids& solids, int num_points, ImportedHand& imported);
 
 /** Measures what the links touch with against their solids (contact_fit.h) into `imported.fits`. A
 warning above 1 mm; above 5 mm on the palmar side or a tip an error, a warning where
 `accepts_coarse`. */
-void MeasureLinks(const std::string& file, bool accepts_coarse, ImportedHand& imported,
-                  Diagnostics& problems);
+void MeasureLinks(const std::string& file, bool accepts_coarse, const LinkSolids& solids,
+                  ImportedHand& imported, Diagnostics& problems);
 
 /** Frees joints at the palm that their own contact shapes would block: a finger's first link that
 sits in the palm's housing meets it, as balls and capsules, within the limits that the description

@@ -239,7 +239,7 @@ class Welder {
              FormatSignificant(GFromKg(inertia->mass), 3) +
              " g, less than a ball of the densest metal has";
     }
-    if (shapes.empty() && !body.is_believed) {
+    if (shapes.empty()) {
       if (inertia->mass > kHeaviestFrame) {
         return "a mass of " + FormatSignificant(inertia->mass, 3) + " kg without extent";
       }

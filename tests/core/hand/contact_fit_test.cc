@@ -25,7 +25,7 @@ ContactFit MeasureBallInCube(double radius) {
   hand.palm_link = 0;
   hand.palm_normal = Vector3d::UnitZ();
   hand.contact_spheres = {{0, Vector3d::Zero(), radius}};
-  return MeasureContact(hand, {{MakeRoundedBox({0.04, 0.04, 0.04}, 0.0)}}).at(0);
+  return MeasureContact(hand, MakeLinkSolids({{MakeRoundedBox({0.04, 0.04, 0.04}, 0.0)}})).at(0);
 }
 
 TEST(ContactFitTest, OfABallInACube) {
@@ -45,7 +45,8 @@ TEST(ContactFitTest, WhatANeighbourHoldsDoesNotCount) {
   hand.links[1].parent = 0;
   hand.palm_link = 0;
   hand.contact_spheres = {{0, Vector3d::Zero(), 0.0005}, {1, Vector3d::Zero(), 0.05}};
-  const auto fits = MeasureContact(hand, {{MakeRoundedBox({0.04, 0.04, 0.04}, 0.0)}, {}});
+  const auto fits =
+      MeasureContact(hand, MakeLinkSolids({{MakeRoundedBox({0.04, 0.04, 0.04}, 0.0)}, {}}));
   ASSERT_EQ(fits.size(), 1u);
   EXPECT_EQ(fits[0].sink.most, 0.0);
 }

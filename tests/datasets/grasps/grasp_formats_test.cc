@@ -76,6 +76,22 @@ TEST(GraspFormats, IsaacInBothSpellings) {
   }
 }
 
+TEST(GraspFormats, IsaacWithoutJointsIsAnOpenHand) {
+  GraspReadOptions options = MakeFrames();
+  options.open_joints = {{"finger_joint1", 0.05}};
+  const std::vector<ForeignGrasp> grasps = ReadGraspCase("isaac", "good_2025.yaml", options);
+  ASSERT_EQ(grasps.size(), 2u);
+  EXPECT_EQ(grasps[0].object, "meshes/can.obj");
+  EXPECT_EQ(grasps[0].scale, 0.5);
+  ASSERT_EQ(grasps[0].stages.size(), 1u);
+  EXPECT_EQ(grasps[0].stages[0].name, "pregrasp");
+  EXPECT_EQ(grasps[0].joint_names, std::vector<std::string>{"finger_joint1"});
+  EXPECT_EQ(grasps[0].stages[0].joints, std::vector<double>{0.05});
+  ASSERT_EQ(grasps[1].stages.size(), 1u);
+  EXPECT_EQ(grasps[1].joint_names, (std::vector<std::string>{"finger_joint2", "finger_joint1"}));
+  EXPECT_EQ(grasps[1].stages[0].joints, (std::vector<double>{0.04, 0.03}));
+}
+
 TEST(GraspFormats, Multigripper) {
   GraspReadOptions options = MakeFrames();
   options.joint_names = {"left", "right"};

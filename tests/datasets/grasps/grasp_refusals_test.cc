@@ -92,7 +92,7 @@ TEST(GraspRefusals, Isaac) {
        {"bad_nan.yaml", ":10: error: grasp grasp_0, position: expected"},
        {"bad_null_joints.yaml", "grasp grasp_1, cspace_position: expected a map of joints"},
        {"bad_null_pregrasp.yaml", "grasp_0, pregrasp_cspace_position: expected a map of joints"},
-       {"bad_no_joints.yaml", "the key \"cspace_position\" is missing"},
+       {"bad_scale.yaml", ":5: error: isaac_grasp, object_scale: expected a number above 0"},
        {"bad_position.yaml", ":20: error: grasp grasp_1, position: expected"},
        {"bad_twice.yaml", ":18: error: grasp grasp_0 is there twice"},
        {"bad_no_grasps.yaml", "the key \"grasps\" is missing"},

@@ -27,6 +27,10 @@ TEST(GraspInputs, AMeshIsFoundByAnyEndOfItsPath) {
   EXPECT_EQ(FindObjectMesh(folder.path(), "cube"), folder.path() / "cube.obj");
   EXPECT_EQ(FindObjectMesh(folder.path(), "../cube.obj"), folder.path() / "cube.obj");
   EXPECT_EQ(FindObjectMesh(folder.path(), "mug"), fs::path());
+  const fs::path parts = folder.path() / "core-bottle-1a7" / "coacd" / "decomposed.obj";
+  MakeFolder(parts.parent_path());
+  WriteFile(parts, "");
+  EXPECT_EQ(FindObjectMesh(folder.path(), "core-bottle-1a7"), parts);  // of DexGraspNet
   EXPECT_EQ(FindObjectMesh(folder.path(), ""), fs::path());
   // Which of two is meant, nobody can say.
   WriteFile(folder.path() / "core_mug.stl", "");

@@ -89,7 +89,7 @@ double CalcCover(const Image& image, int column, int row) {
 // Pictures and contact shapes of a hand of the project cover each other, so both panels are filled
 // alike and their union little more.
 TEST(HandPictureTest, WhatTouchesIsWhereTheHandIsSeen) {
-  const Image image = DrawHandShapes(std::make_shared<const Hand>(LoadHand("tum")));
+  const Image image = DrawHand(std::make_shared<const Hand>(LoadHand("tum")), {true, false});
   ASSERT_EQ(image.width * 2, image.height * 3);
   for (int row = 0; row < 2; ++row) {
     const double seen = CalcCover(image, 0, row), both = CalcCover(image, 1, row),
@@ -117,7 +117,7 @@ bool HasFreeRim(const Image& image, int column, int row) {
 // The Shadow Hand has a forearm.
 TEST(HandPictureTest, TheWholeHandIsInThePicture) {
   for (const char* id : {"tum", "shadow"}) {
-    const Image image = DrawHandShapes(std::make_shared<const Hand>(LoadHand(id)));
+    const Image image = DrawHand(std::make_shared<const Hand>(LoadHand(id)), {true, false});
     for (int panel = 0; panel < 6; ++panel) {
       EXPECT_TRUE(HasFreeRim(image, panel % 3, panel / 3)) << id << ", panel " << panel;
     }

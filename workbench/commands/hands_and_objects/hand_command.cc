@@ -76,14 +76,20 @@ void AddHandCommand(Command& program) {
 
   Command* show = add("show", "Show joints, limits, drives and grasps of a hand.",
                       "  graspbench hand show shadow\n"
-                      "  graspbench hand show my_hand/ --collision my_hand.png\n"
+                      "  graspbench hand show my_hand/ --render my_hand.png --shapes --axes\n"
                       "  graspbench hand show tum --grasps --csv grasps.csv\n"
                       "  graspbench hand show my_hand/ --json");
   add_hand(show);
-  const auto collision = std::make_shared<std::string>();
-  show->AddOption("--collision", *collision,
-                  "also draw what of the hand touches beside its pictures, into a new file",
-                  "FILE");
+  const auto picture = std::make_shared<std::string>();
+  const auto parts = std::make_shared<HandPictureParts>();
+  Option* render =
+      show->AddOption("--render", *picture, "also draw the hand into a new PNG file", "FILE");
+  show->AddFlag("--shapes", parts->has_shapes,
+                "with it: also what touches, through transparent links and alone")
+      ->Needs(render);
+  show->AddFlag("--axes", parts->has_axes,
+                "with it: also axes of the joints as arrows in transparent links")
+      ->Needs(render);
   const auto grasps = std::make_shared<bool>(false);
   const auto csv = std::make_shared<std::string>();
   Option* show_grasps = show->AddFlag(
@@ -91,14 +97,14 @@ void AddHandCommand(Command& program) {
   show->AddOption("--csv", *csv, "also write those numbers into a new file", "FILE")
       ->Needs(show_grasps);
   show_grasps->Excludes("--json");
-  show->SetAction([id, collision, grasps, csv, json] {
+  show->SetAction([id, picture, parts, grasps, csv, json] {
     const auto hand = std::make_shared<const Hand>(LoadHand(*id));
     if (*grasps) return ShowGrasps(*hand, *csv);
-    if (!collision->empty()) CheckOutputFile(*collision);
-    if (!collision->empty()) WriteFileAtomically(*collision, EncodePng(DrawHandShapes(hand)));
+    if (!picture->empty()) CheckOutputFile(*picture);
+    if (!picture->empty()) WriteFileAtomically(*picture, EncodePng(DrawHand(hand, *parts)));
     *json ? PrintJson(MakeHandJson(*hand)) : PrintResult(FormatHand(*hand));
-    if (!*json && !collision->empty()) {
-      PrintResult("\n" + *collision + ": " + DescribeHandShapes());
+    if (!*json && !picture->empty()) {
+      PrintResult("\n" + *picture + ": " + DescribeHandPicture(*parts));
     }
   });
 

@@ -451,12 +451,12 @@ TriMesh MakeEllipsoid(const ForeignShape& shape) {
 
 }  // namespace
 
-LoadedShapes ShapeLoader::Load(const ForeignLink& link) {
+LoadedShapes ShapeLoader::Load(const ForeignLink& link, bool is_palm) {
   LoadedShapes loaded;
   std::vector<TriMesh> seen;  // surfaces of the visuals
   const std::string where = "link \"" + link.name + "\"";
-  // A picture may be missing unless the link touches with it.
-  const bool must_be_seen = link.collisions.empty() && !link.is_decoration;
+  // A picture may be missing unless the palm touches with it.
+  const bool must_be_seen = is_palm && link.collisions.empty() && !link.is_decoration;
   for (const ForeignShape& shape : link.visuals) {
     ImportedVisual visual;
     if (shape.colour) visual.colour = *shape.colour;

@@ -71,8 +71,9 @@ class ShapeLoader {
   some longer than 2 m, and no unit fits. Call before Load. */
   void InferMeshUnit(const ForeignHand& hand);
   /** A collision mesh gets capsules for the checks (fit_capsules.h); a link that has only pictures
-  gets them from those, unless it is decoration. */
-  LoadedShapes Load(const ForeignLink& link);
+  gets them from those, unless it is decoration. @param is_palm  it must have something to touch
+  with. */
+  LoadedShapes Load(const ForeignLink& link, bool is_palm = false);
   /** The inertia of a link that has none, of its shapes that weigh. */
   void Weigh(ForeignLink& link);
   /** Paths of the meshes it has read. */

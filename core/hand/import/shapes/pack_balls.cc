@@ -6,7 +6,6 @@
 #include <queue>
 #include <utility>
 
-#include "core/base/units.h"
 #include "core/hand/contact_fit.h"
 
 namespace graspbench {
@@ -15,11 +14,12 @@ namespace {
 using Eigen::Vector3d;
 using BoundaryPoint = LinkSolid::BoundaryPoint;
 
-constexpr size_t kMostBalls = 600;
+constexpr size_t kMostBalls = 600, kMostNearBalls = 590;
+constexpr size_t kMostCandidates = 3500;
 constexpr double kSlack = 0.00015, kOut = 0.00035;      // [m]
 constexpr double kLargestBall = 0.03;                   // [m]
 constexpr double kThinnest = 0.0001;                    // [m], of a ball in a sheet
-constexpr double kNearSink = 0.0007, kFarSink = 0.003;  // [m]
+constexpr double kNearSink = 0.00065, kFarSink = 0.003;  // [m]
 constexpr double kLeftOver = 0.02;                      // of the points, by the near sink
 
 /** Inside the solid, at the point; without what it may stick out. */
@@ -36,24 +36,14 @@ Ball FindLargest(const LinkSolid& solid, const BoundaryPoint& point) {
   return {point.p - rho * point.nhat, rho};
 }
 
-std::vector<Vector3d> SpreadDirections() {
-  constexpr int kNumDirections = 60;
-  const double golden = kPi * (3.0 - std::sqrt(5.0));
-  std::vector<Vector3d> directions;
-  for (int i = 0; i < kNumDirections; ++i) {
-    const double z = (2.0 * i + 1.0) / kNumDirections - 1.0, across = std::sqrt(1.0 - z * z);
-    directions.emplace_back(across * std::cos(golden * i), across * std::sin(golden * i), z);
-  }
-  return directions;
-}
-
 class GreedyCover {
  public:
   GreedyCover(const LinkSolid& solid, const std::vector<BoundaryPoint>& points,
-              std::vector<Ball> candidates)
+              std::vector<Ball> candidates, size_t points_by_candidate)
       : solid_(solid),
         points_(points),
         candidates_(std::move(candidates)),
+        points_by_candidate_(points_by_candidate),
         is_trimmed_(candidates_.size(), false),
         sinks_(points.size(), 1.0) {}
 
@@ -65,7 +55,8 @@ class GreedyCover {
   }
 
   /** Takes candidates until all but a share of the points are within `sink`. */
-  void Cover(double sink, double left_over, double smallest, std::vector<Ball>& taken) {
+  void Cover(double sink, double left_over, double smallest, size_t most_balls,
+             std::vector<Ball>& taken) {
     const auto most_open = static_cast<size_t>(left_over * static_cast<double>(points_.size()));
     std::vector<std::vector<int>> covers(candidates_.size());
     std::priority_queue<std::pair<size_t, int>> queue;  // by the last known gain
@@ -80,7 +71,7 @@ class GreedyCover {
     };
     size_t num_open = static_cast<size_t>(
         std::count_if(sinks_.begin(), sinks_.end(), [&](double s) { return s > sink; }));
-    while (taken.size() < kMostBalls && num_open > most_open && !queue.empty()) {
+    while (taken.size() < most_balls && num_open > most_open && !queue.empty()) {
       const auto [gain, minus_c] = queue.top();
       queue.pop();
       const auto c = static_cast<size_t>(-minus_c);
@@ -108,24 +99,29 @@ class GreedyCover {
     }
     return covered;
   }
-  /** Takes off a ball what sticks out too far between two points of the boundary. */
+  /** A smaller ball at the same point where it sticks out too far between points of the boundary. */
   bool Trim(size_t c) {
     is_trimmed_[c] = true;
     Ball& ball = candidates_[c];
-    double most = 0.0;
-    for (const Vector3d& direction : directions_) {
-      most = std::max(most, solid_.CalcOutside(ball.centre + ball.radius * direction));
+    const BoundaryPoint& point = points_[points_by_candidate_ * c];
+    bool is_smaller = false;
+    for (double rho = ball.radius - kOut; rho > kThinnest; is_smaller = true) {
+      double most = 0.0;
+      for (const Vector3d& direction : SpreadOnSphere(0.6 * ball.radius)) {
+        most = std::max(most, solid_.CalcOutside(ball.centre + ball.radius * direction));
+      }
+      if (most <= kSlack + kOut) break;
+      rho = std::max(kThinnest, 0.8 * rho);
+      ball = {point.p - rho * point.nhat, rho + kOut};
     }
-    if (most <= kSlack + kOut) return false;
-    ball.radius = std::max(ball.radius - (most - kSlack - kOut), kOut);
-    return true;
+    return is_smaller;
   }
 
   const LinkSolid& solid_;
   const std::vector<BoundaryPoint>& points_;
   std::vector<Ball> candidates_;
+  size_t points_by_candidate_;
   std::vector<bool> is_trimmed_;
-  const std::vector<Vector3d> directions_ = SpreadDirections();
   std::vector<double> sinks_;
 };
 
@@ -133,19 +129,20 @@ class GreedyCover {
 
 std::vector<Ball> PackBalls(const LinkSolid& solid, const std::vector<ContactSphere>& present,
                             double smallest, int num_points) {
-  const std::vector<BoundaryPoint> points = solid.ListSpread(static_cast<size_t>(num_points));
+  const std::vector<BoundaryPoint> points = solid.ListOpen(static_cast<size_t>(num_points));
   std::vector<Ball> candidates;
-  for (size_t k = 0; k < points.size(); k += 2) {
+  const size_t step = std::max<size_t>(2, points.size() / kMostCandidates);
+  for (size_t k = 0; k < points.size(); k += step) {
     Ball ball = FindLargest(solid, points[k]);
     ball.radius += kOut;
     candidates.push_back(ball);
   }
-  GreedyCover cover(solid, points, std::move(candidates));
+  GreedyCover cover(solid, points, std::move(candidates), step);
   for (const ContactSphere& ball : present) cover.Add({ball.p_LS, ball.radius});
   std::vector<Ball> taken;
-  cover.Cover(kNearSink, kLeftOver, smallest, taken);
-  cover.Cover(kNearSink, kLeftOver, 0.0, taken);
-  cover.Cover(kFarSink, 0.0, 0.0, taken);
+  cover.Cover(kNearSink, kLeftOver, smallest, kMostNearBalls, taken);
+  cover.Cover(kNearSink, kLeftOver, 0.0, kMostNearBalls, taken);
+  cover.Cover(kFarSink, 0.0, 0.0, kMostBalls, taken);
   return taken;
 }
 
@@ -154,6 +151,7 @@ namespace {
 constexpr size_t kNumEnds = 30, kMostSelfCapsules = 8;
 constexpr double kNearCapsule = 0.002;  // [m] of a point that it stands for
 constexpr double kEnough = 0.9;         // of the points
+constexpr double kMostSlender = 40.0;   // length by radius; the loader takes 58
 
 double CalcDistance(const FittedCapsule& capsule, const Vector3d& p) {
   const Vector3d axis = capsule.p_B - capsule.p_A;
@@ -186,18 +184,20 @@ std::vector<Ball> ChooseEnds(std::vector<Ball> balls) {
 }  // namespace
 
 std::vector<FittedCapsule> InscribeCapsules(const LinkSolid& solid) {
-  const std::vector<BoundaryPoint> points = solid.ListSpread(600);
-  const std::vector<BoundaryPoint> walls = solid.ListSpread(4000);
+  const std::vector<BoundaryPoint> points = solid.ListOpen(600);
   std::vector<Ball> balls;
   for (const BoundaryPoint& point : points) balls.push_back(FindLargest(solid, point));
   const std::vector<Ball> ends = ChooseEnds(balls);
   std::vector<FittedCapsule> candidates;
   for (size_t a = 0; a < ends.size(); ++a) {
     for (size_t b = a; b < ends.size(); ++b) {
-      const double least = 0.5 * std::min(ends[a].radius, ends[b].radius);
+      const double length = (ends[a].centre - ends[b].centre).norm();
+      const double least =
+          std::max(0.5 * std::min(ends[a].radius, ends[b].radius), length / kMostSlender);
       FittedCapsule capsule{ends[a].centre, ends[b].centre, kLargestBall};
-      for (size_t k = 0; k < walls.size() && capsule.radius > least; ++k) {
-        capsule.radius = std::min(capsule.radius, CalcDistance(capsule, walls[k].p));
+      for (const BoundaryPoint& wall : solid.boundary()) {
+        if (capsule.radius <= least) break;
+        capsule.radius = std::min(capsule.radius, CalcDistance(capsule, wall.p));
       }
       if (capsule.radius > least) candidates.push_back(capsule);
     }

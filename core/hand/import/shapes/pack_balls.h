@@ -2,15 +2,15 @@
 /** @file
 Balls and capsules inside the solid of a link (core/hand/link_solid.h).
 
-Balls, for objects and the table: at every second of some boundary points p with outward normal n the
-largest ball that stays inside touches p,
+Balls, for objects and the table: at some open boundary points p (a probe of 5 mm gets there) with
+outward normal n the largest ball that stays inside touches p,
 
     c = p - rho n,  rho the largest with  |c - s| >= rho - 0.15 mm  for all boundary points s,
 
-and counts with the radius rho + 0.35 mm, less what sticks out more than 0.5 mm. The one that stops a
-probe ball of 5 mm (CalcSink) within 0.7 mm of most of the points where none does so yet is taken,
-repeatedly (greedy set cover), until 98 of 100 points are covered; then likewise within 3 mm, until
-all are. At most 600.
+and counts with the radius rho + 0.35 mm; rho shrinks until no more than 0.5 mm sticks out at points
+some 2 mm apart. The one that stops a probe ball of 5 mm (CalcSink) within 0.65 mm of most of the
+points where none does so yet is taken, repeatedly (greedy set cover), until 98 of 100 points are
+covered, with 590 at most; then likewise within 3 mm, until all are. At most 600.
 
 Capsules, for the hand against itself: inscribed, between centres of such balls; the one that is
 within 2 mm of most of the points is taken, repeatedly, at most 8. */
@@ -25,8 +25,8 @@ within 2 mm of most of the points is taken, repeatedly, at most 8. */
 
 namespace graspbench {
 
-/** Boundary points that are to be covered. */
-constexpr int kNumCoverPoints = 7000;
+/** Boundary points that are to be covered, where they are open. */
+constexpr int kNumCoverPoints = 16000;
 
 /** A soft pad has no smaller ones where larger ones fit [m]. */
 constexpr double kSmallestPadBall = 0.001;

@@ -97,7 +97,7 @@ struct Imported {
 
 Imported ImportAndLoad(const fs::path& file) {
   Diagnostics problems;
-  const ImportedFiles files = ImportHand(ReadFile(file), MakeFileSource(file), "", problems);
+  const ImportedFiles files = ImportHand(ReadFile(file), MakeFileSource(file, true), "", problems);
   EXPECT_EQ(problems.num_errors(), 0) << problems.Format();
   Imported imported;
   imported.hand = WriteAndLoad(files);

@@ -33,13 +33,14 @@ std::vector<std::vector<std::string>> ReadCases(const std::string& folder) {
   return rows;
 }
 
-/** @param option  "palm=LINK", "normal=X,Y,Z" or nothing. */
+/** @param option  "palm=LINK", "normal=X,Y,Z" or nothing. What is wrong is found before links are
+covered. */
 ImportedFiles ImportDescription(const fs::path& file, const std::string& option,
-                                Diagnostics& problems) {
+                                Diagnostics& problems, int num_cover_points = 0) {
   const std::vector<std::string> parts = SplitAt(option, "=");
   const std::string palm = parts[0] == "palm" ? parts[1] : "";
   HandSource source = MakeFileSource(file);
-  source.num_cover_points = 0;  // judged before it is covered
+  source.num_cover_points = num_cover_points;
   if (parts[0] == "normal") {
     const std::vector<std::string> numbers = SplitAt(parts[1], ",");
     source.palm_normal =
@@ -84,8 +85,9 @@ TEST_P(RightDescriptionTest, IsImportedWithoutDoubtAndLoads) {
   const std::vector<std::string>& row = GetParam();
   ASSERT_EQ(row.size(), 3u);
   Diagnostics problems;
-  const ImportedFiles imported = ImportDescription(
-      fs::path(IMPORT_TEST_DATA_DIR) / "right" / row[0], row[1] == "-" ? "" : row[1], problems);
+  const ImportedFiles imported =
+      ImportDescription(fs::path(IMPORT_TEST_DATA_DIR) / "right" / row[0],
+                        row[1] == "-" ? "" : row[1], problems, 1500);
   ASSERT_EQ(problems.num_errors(), 0) << row[2] << "\n" << problems.Format();
   WriteAndLoad(imported);
   // What is right must not be drowned in doubts of unit, scale, axis or mass either.

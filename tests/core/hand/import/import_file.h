@@ -24,9 +24,10 @@ inline std::filesystem::path FindDescription(const std::string& name) {
              : FindSharedData() / "hands" / name;
 }
 
-/** Meshes are OBJ files. */
-inline HandSource MakeFileSource(const std::filesystem::path& file) {
+/** Meshes are OBJ files. @param covers  packs the links with balls, in a second or so each. */
+inline HandSource MakeFileSource(const std::filesystem::path& file, bool covers = false) {
   HandSource source;
+  if (!covers) source.num_cover_points = 0;
   source.file = file.string();
   source.folder = file.parent_path();
   source.load_mesh = [](const std::filesystem::path& path) {

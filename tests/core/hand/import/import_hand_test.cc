@@ -69,11 +69,11 @@ double CalcMass(const Hand& hand) {
 
 class StrangersHandTest : public testing::Test {
  protected:
-  bool Import(const char* name, const std::string& palm = "") {
+  bool Import(const char* name, const std::string& palm = "", bool covers = false) {
     const fs::path file = FindSharedData() / "strangers" / "hands" / name;
     if (!fs::exists(file)) return false;
     Diagnostics problems;
-    imported_ = ImportHand(ReadFile(file), MakeFileSource(file), palm, problems);
+    imported_ = ImportHand(ReadFile(file), MakeFileSource(file, covers), palm, problems);
     told_ = problems.Format();
     hand_ = WriteAndLoad(imported_);
     return true;
@@ -92,24 +92,25 @@ TEST_F(StrangersHandTest, LongJawsStayAsDrawn) {
 
 // A palm of 0.35 kg, eight links of 0.03 kg, and a frame of 1 mg whose axes are only drawn.
 TEST_F(StrangersHandTest, DrawnAxesNeitherTouchNorWeigh) {
-  if (!Import("axes.urdf")) GTEST_SKIP() << "not on this machine";
+  if (!Import("axes.urdf", "", true)) GTEST_SKIP() << "not on this machine";
   EXPECT_NE(told_.find("link \"base\" has a picture and no collision shape"), told_.npos) << told_;
   EXPECT_NEAR(CalcMass(hand_), 0.59 + 1e-6, 1e-9);
   for (const ContactSphere& ball : hand_.contact_spheres) {
     if (ball.link != hand_.palm_link) continue;
     EXPECT_LT((ball.p_LS.cwiseAbs().array() + ball.radius).maxCoeff(),
-              0.0451);  // of the palm's box
+              0.046);  // of the palm's box and 1 mm
   }
 }
 
 // Half a tube of R 42 mm, a wall of 2 mm. Its open side is as the description has it.
 TEST_F(StrangersHandTest, BallsStayInTheWallOfHalfATube) {
-  if (!Import("cover_palm.urdf")) GTEST_SKIP() << "not on this machine";
+  if (!Import("cover_palm.urdf", "", true)) GTEST_SKIP() << "not on this machine";
   ASSERT_EQ(imported_.fits[0].link, "palm");
   for (const ContactFit& fit : imported_.fits) {
     EXPECT_LE(fit.out.most, 0.001) << fit.link;
-    EXPECT_LE(fit.sink.at_95, 0.0015) << fit.link;
-    EXPECT_LE(fit.num_balls, 620) << fit.link;
+    EXPECT_LE(fit.sink.at_95, 0.001) << fit.link;
+    EXPECT_LE(fit.sink.most, 0.005) << fit.link;
+    EXPECT_LE(fit.num_balls, 600) << fit.link;
   }
   for (const ContactSphere& ball : hand_.contact_spheres) {
     EXPECT_LT(ball.radius, ball.link == hand_.palm_link ? 0.002 : 0.02);

@@ -34,7 +34,7 @@ ImportedHand MakeImported() {
 
 TEST(CoverLinksTest, EveryLinkGetsBallsThatOtherLinksDoNotMeet) {
   ImportedHand imported = MakeImported();
-  CoverLinks(kNumCoverPoints, imported);
+  CoverLinks(MakeLinkSolids(imported.solids), kNumCoverPoints, imported);
   int num_of_palm = 0;
   for (size_t k = 2; k < imported.shapes.size(); ++k) {
     EXPECT_TRUE(imported.shapes[k].is_cover);
@@ -47,7 +47,7 @@ TEST(CoverLinksTest, EveryLinkGetsBallsThatOtherLinksDoNotMeet) {
 TEST(CoverLinksTest, WhatStoodForAMeshIsReplacedByCapsulesForTheHandItself) {
   ImportedHand imported = MakeImported();
   imported.shapes[0].is_fitted = true;
-  CoverLinks(kNumCoverPoints, imported);
+  CoverLinks(MakeLinkSolids(imported.solids), kNumCoverPoints, imported);
   int num_capsules = 0;
   for (const CollisionShape& shape : imported.shapes) {
     EXPECT_FALSE(shape.is_fitted);
@@ -61,15 +61,18 @@ TEST(CoverLinksTest, WhatStoodForAMeshIsReplacedByCapsulesForTheHandItself) {
 TEST(MeasureLinksTest, MoreThan5MmOnATipIsRefusedUnlessAccepted) {
   for (const bool accepts : {false, true}) {
     ImportedHand imported = MakeImported();
-    imported.shapes[1].kind = CollisionShape::Kind::kSphere;
-    imported.shapes[1].size.setConstant(0.04);
+    const LinkSolids solids = MakeLinkSolids(imported.solids);
+    CoverLinks(solids, kNumCoverPoints, imported);
+    CollisionShape& ball = imported.shapes[1];
+    ball.kind = CollisionShape::Kind::kSphere;
+    ball.size.setConstant(0.04);
     Diagnostics problems;
-    MeasureLinks("hand.urdf", accepts, imported, problems);
-    EXPECT_EQ(problems.num_errors(), accepts ? 0 : 1);
-    EXPECT_NE(problems.Format().find("link \"finger\": its 1 ball stick out of its surface by up "
-                                     "to 9.9 mm"),
-              std::string::npos)
-        << problems.Format();
+    MeasureLinks("hand.urdf", accepts, solids, imported, problems);
+    EXPECT_EQ(problems.num_errors(), accepts ? 0 : 1) << problems.Format();
+    ASSERT_EQ(imported.fits.size(), 2u);
+    EXPECT_LE(imported.fits[0].out.most, 0.001);
+    EXPECT_NEAR(imported.fits[1].out.most, 0.010, 0.0001);
+    EXPECT_NE(problems.Format().find("link \"finger\": its "), std::string::npos);
   }
 }
 

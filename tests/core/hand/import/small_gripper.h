@@ -56,6 +56,7 @@ inline const char* const kSmallGripper = R"(<?xml version="1.0"?>
 /** Refuses every mesh. */
 inline HandSource MakeSourceWithoutMeshes() {
   HandSource source;
+  source.num_cover_points = 0;
   source.file = "gripper.urdf";
   source.folder = "no-such-folder";
   source.load_mesh = [](const std::filesystem::path&) -> TriMesh {
