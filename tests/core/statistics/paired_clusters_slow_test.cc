@@ -1,9 +1,9 @@
 // Planted: how often two controllers are called different, by simulation.
 //
-// Each of 21 objects has success probabilities of its own (first controller: 0.4 to 0.8, evenly), and
-// a pair shares its draw: both succeed where one even number is below both probabilities, so that
-// only draws between the two, and a share that chance turns over, differ. The difference of an object
-// is 10 points (0 for equals), give or take a normal deviate of 5 points.
+// Each of 21 objects has success probabilities of its own (first controller: 0.4 to 0.8, evenly). A
+// pair shares its draw: both succeed where one even number is below both probabilities. So only
+// draws between the two, and a share that chance turns over, differ. The difference of an object is
+// 10 points (0 for equals), give or take a normal deviate of 5 points.
 
 #include <gtest/gtest.h>
 

@@ -208,6 +208,20 @@ actions: {{as: increments, columns: [{first}, {second}, done]}}
         run(self.folder / "whole", self.start(Close()).address)
         self.assertEqual(records(self.folder / "split"), records(self.folder / "whole"))
 
+    def test_killed_and_resumed_the_same_records(self):
+        server = self.start(Close())
+        run(self.folder / "whole", server.address)
+        folder = self.folder / "killed"
+        process = subprocess.Popen([PROGRAM, "run", "--hand", "tum", "--object", "golf_ball", "--trials", "2", "--jobs", "1",
+                                    "--out", str(folder), "--policy", server.address], env=ENVIRONMENT,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        while process.poll() is None and server.num_connections < 4:  # two of the first run
+            time.sleep(0.002)
+        process.kill()
+        process.wait()
+        subprocess.run([PROGRAM, "run", "--resume", "--out", str(folder)], env=ENVIRONMENT, check=True, capture_output=True)
+        self.assertEqual(records(folder), records(self.folder / "whole"))
+
     def test_only_this_machine_is_asked(self):
         text = run(self.folder / "far", "ws://192.0.2.1:8000", expect=2)
         self.assertIn("--allow-remote", text)

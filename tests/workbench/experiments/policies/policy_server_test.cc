@@ -212,8 +212,8 @@ TEST(ResizePicture, KeepsTheWholePictureInTheMiddle) {
   EXPECT_EQ(half.rgb[3], 160);  // (70 + 3 x 140 + 3 x 210) / 7
 }
 
-// Of PIL 9.4, resize(.., BILINEAR), pasted as openpi's resize_with_pad does: the red channel, and the
-// sum of all.
+// Of PIL 9.4, resize(.., BILINEAR), pasted as openpi's resize_with_pad does: the red channel, and
+// the sum of all.
 TEST(ResizePicture, GivesTheBytesOfPil) {
   BytePicture picture = {5, 7, {}};
   for (int row = 0; row < 5; ++row) {
