@@ -133,7 +133,25 @@ actions: {{as: increments, columns: [{first}, {second}, done]}}
             rows = np.array([row["targets_rad"] for row in taken["rows"]])
             moved = np.abs(rows - rows[0]).max(axis=0) > 0
             self.assertEqual(list(np.flatnonzero(moved)), [1])
-            self.assertEqual([row["begins"] for row in taken["rows"]][:6], [True] + 4 * [False] + [True])
+            self.assertEqual(taken["num_questions"], -(-len(rows) // 5))
+
+    def test_a_picture_has_the_size_of_the_file(self):
+        def infer(observation):
+            picture = observation["observation/wrist_image"]
+            self.assertEqual((picture.dtype, picture.shape), (np.dtype("u1"), (48, 64, 3)))
+            self.assertTrue((picture[:, :8] == 0).all() and (picture[:, 56:] == 0).all())  # a square in the middle
+            self.assertGreater(int(picture[:, 8:56].max()) - int(picture[:, 8:56].min()), 50)
+            return {"actions": np.zeros((20, 9), np.float32)}
+
+        server = self.start(infer)
+        policy = self.write(f"server: {server.address}\n"
+                            "observation: {observation/wrist_image: {from: picture, size: [48, 64]}}\n"
+                            "actions: {as: increments}\n")
+        run(self.folder / "s", policy, "--set", "policy.picture_px=96", "--set", "policy.execute_steps=20",
+            "--set", "policy.time_s=0.5")
+        self.assertGreater(len(server.observations), 0)
+        for record in records(self.folder / "s"):
+            self.assertNotEqual(record["result"]["outcome"], "wrong answer", record["result"].get("reason"))
 
     def find_facts(self):
         found = {}
