@@ -73,7 +73,7 @@ TEST_F(TrajectoryOutputTest, CollectsInTheOrderOfThePlan) {
 TEST_F(TrajectoryOutputTest, WritesOneTrialUnderTheNameThatWasGiven) {
   TrajectoryOutput output({(place_ / "x.csv").string(), "", false, 60.0, ""}, 1);
   output.Take(0, Plan(0), setup_, traced_);
-  EXPECT_EQ(output.Commit().size(), 3u);
+  EXPECT_EQ(output.Commit().size(), 5u);  // with the places of tactile elements and their forces
   EXPECT_FALSE(ReadFile(place_ / "x.events.csv").empty());
   EXPECT_NE(FindUsageError((place_ / "x.csv").string(), "", 1).find("already there"),
             std::string::npos);

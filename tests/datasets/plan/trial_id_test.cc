@@ -48,7 +48,8 @@ TEST(TrialId, EverySettingOfATrialChangesIt) {
     if (key.key.find('.') == key.key.npos || key.type != KeyType::kNumber) continue;
     const SessionConfig& base = key.key.rfind("policy.", 0) == 0 ? of_policy : of_strategy;
     SessionConfig changed = base;
-    const bool is_whole = key.key == "sim.steady_step_factor" || key.key == "policy.execute_steps";
+    const bool is_whole = key.key == "sim.steady_step_factor" ||
+                          key.key == "policy.execute_steps" || key.key == "policy.picture_px";
     ApplySetting(key.key + "=" + (is_whole ? "3" : "0.123"), changed);
     const bool is_of_real_time = key.key == "policy.timeout_s";
     EXPECT_EQ(CalcIdOf(changed) == CalcIdOf(base), is_of_real_time) << key.key;
