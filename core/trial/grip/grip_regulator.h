@@ -53,8 +53,8 @@ class GripRegulator {
   /** @param digits  those that grasp, indices into Hand::digits. */
   GripRegulator(const TrialSetup& setup, const std::vector<int>& digits);
 
-  /** Of a firm grip in the midst of a closure: one that regulates from here on. Its digits go on from
-  where they are asked to be, each by its part of the way from pre-grasp to target posture.
+  /** Of a firm grip in the midst of a closure: one that regulates from here on. Its digits go on
+  from where they are asked to be, each by its part of the way from pre-grasp to target posture.
   @param asked  of the drives, without their errors (num_joints). */
   GripRegulator TakeOver(GripMode mode, const Eigen::VectorXd& asked) const;
 
