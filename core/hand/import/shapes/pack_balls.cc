@@ -16,11 +16,11 @@ using BoundaryPoint = LinkSolid::BoundaryPoint;
 
 constexpr size_t kMostBalls = 600, kMostNearBalls = 590;
 constexpr size_t kMostCandidates = 3500;
-constexpr double kSlack = 0.00015, kOut = 0.00035;      // [m]
-constexpr double kLargestBall = 0.03;                   // [m]
-constexpr double kThinnest = 0.0001;                    // [m], of a ball in a sheet
+constexpr double kSlack = 0.00015, kOut = 0.00035;       // [m]
+constexpr double kLargestBall = 0.03;                    // [m]
+constexpr double kThinnest = 0.0001;                     // [m], of a ball in a sheet
 constexpr double kNearSink = 0.00065, kFarSink = 0.003;  // [m]
-constexpr double kLeftOver = 0.02;                      // of the points, by the near sink
+constexpr double kLeftOver = 0.02;                       // of the points, by the near sink
 
 /** Inside the solid, at the point; without what it may stick out. */
 Ball FindLargest(const LinkSolid& solid, const BoundaryPoint& point) {
