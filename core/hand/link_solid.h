@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-The solid that the meshes of a link stand for, open or overlapping ones too, as a boundary of points.
+The solid that the meshes of a link stand for, open or overlapping ones too, as boundary points.
 
 On a grid of cells of size h:
 
@@ -9,8 +9,8 @@ On a grid of cells of size h:
   other than 0, and 0 in all, so a line through an opening does not count);
 - outside: nearer than 1.5 mm to a free centre, and not enclosed.
 
-The rest is the solid. Its boundary is the part of the meshes with the outside on one side of it, and
-a membrane where the solid ends away from the meshes. A boundary point is open where a probe of 5 mm
+The rest is the solid. Its boundary is the part of the meshes with the outside on one side of it,
+and a membrane where the solid ends away from the meshes. A boundary point is open where a probe of 5 mm
 that comes from far away rests on it.
 
 h is a 200th of the longest side, at least 0.6 mm; points of the meshes lie 0.5 to 1 mm apart and on
@@ -50,8 +50,8 @@ class LinkSolid {
   std::vector<BoundaryPoint> ListOpen(size_t num_points) const;
   /** Of the cell that holds the point. */
   bool IsOutside(const Eigen::Vector3d& p) const;
-  /** How far a point lies outside: its distance from the meshes or the membrane; 0 in the solid [m].
-  Exact but for what the closing ball fills: within 1.5 mm of two meshes. */
+  /** How far a point lies outside: its distance from the meshes or the membrane; 0 in the solid
+  [m]. Exact but for what the closing ball fills: within 1.5 mm of two meshes. */
   double CalcOutside(const Eigen::Vector3d& p) const;
 
  private:

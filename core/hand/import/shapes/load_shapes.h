@@ -33,8 +33,8 @@ struct HandSource {
   double mesh_unit = 0.0;                      ///< of its mesh files [m]; 0: inferred
   bool accepts_coarse_contact = false;  ///< also where contact is 5 mm off at the palm or a tip
   std::optional<bool> in_degrees;       ///< limits of a URDF, angles of a MuJoCo model
-  /** Points on a link that balls are to cover; fewer cover it coarser and sooner. 0: contact stays as
-  the checks have it (fit_capsules.h), unmeasured. */
+  /** Points on a link that balls are to cover; fewer cover it coarser and sooner. 0: contact stays
+  as the checks have it (fit_capsules.h), unmeasured. */
   int num_cover_points = kNumCoverPoints;
 };
 

@@ -99,7 +99,7 @@ class GreedyCover {
     }
     return covered;
   }
-  /** A smaller ball at the same point where it sticks out too far between points of the boundary. */
+  /** A smaller ball at the same point where it sticks out too far between boundary points. */
   bool Trim(size_t c) {
     is_trimmed_[c] = true;
     Ball& ball = candidates_[c];
