@@ -10,8 +10,8 @@ On a grid of cells of size h:
 - outside: nearer than 1.5 mm to a free centre, and not enclosed.
 
 The rest is the solid. Its boundary is the part of the meshes with the outside on one side of it,
-and a membrane where the solid ends away from the meshes. A boundary point is open where a probe of 5 mm
-that comes from far away rests on it.
+and a membrane where the solid ends away from the meshes. A boundary point is open where
+a probe of 5 mm that comes from far away rests on it.
 
 h is a 200th of the longest side, at least 0.6 mm; points of the meshes lie 0.5 to 1 mm apart and on
 the meshes, those of a membrane within h. */

@@ -34,8 +34,8 @@ compared.
      "files": {"hand.urdf": "sha256..", ..}}
 
 `contact` is how far balls stick out of a link, and a probe ball of 5 mm sinks into it, at 95 of 100
-points and at most, rounded to 10 micrometres (core/hand/contact_fit.h). `read` is what the description refers to, meshes
-and included files. `unit_m` 0: inferred. Paths are names without their folder; of two files of one
+points and at most, rounded to 10 micrometres (core/hand/contact_fit.h). `read` is what the
+description refers to, meshes and included files. `unit_m` 0: inferred. Paths are names without their folder; of two files of one
 name the second is "palm.stl (2)". Folders of `package_path` are relative to that of the
 description.
 

@@ -192,8 +192,8 @@ TEST(SmallestGrip, IsProportionalToTheWeightAndKnowsNoFrame) {
   EXPECT_NEAR(Calc(grasp), 7.0 * before, 1e-6 * 7.0 * before);
 }
 
-// Neither the numbering of contacts, nor left and right, nor the length of everything changes a force:
-// at lambda times the size, moments grow with the size and the same forces bear the same weight.
+// Neither the numbering of contacts, nor left and right, nor the length of everything changes a
+// force: moments grow with the size, and the same forces bear the same weight.
 TEST(SmallestGrip, MirroredPermutedAndScaledScenesNeedTheSame) {
   LoadedGrasp grasp = MakeGrasp({0.012, -0.005});
   grasp.contacts[1].nhat_O = Vector3d(-1.0, 0.2, 0.1).normalized();
