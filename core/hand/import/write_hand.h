@@ -35,9 +35,9 @@ compared.
 
 `contact` is how far balls stick out of a link, and a probe ball of 5 mm sinks into it, at 95 of 100
 points and at most, rounded to 10 micrometres (core/hand/contact_fit.h). `read` is what the
-description refers to, meshes and included files. `unit_m` 0: inferred. Paths are names without their folder; of two files of one
-name the second is "palm.stl (2)". Folders of `package_path` are relative to that of the
-description.
+description refers to, meshes and included files. `unit_m` 0: inferred. Paths are names without
+their folder; of two files of one name the second is "palm.stl (2)". Folders of `package_path` are
+relative to that of the description.
 
 @param text  of the description. @param read  paths of what it refers to.
 @param palm  as asked for. @param files  of the hand, by name. */
