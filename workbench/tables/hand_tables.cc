@@ -248,23 +248,6 @@ std::string FormatHand(const Hand& hand) {
   return text + table.Format();
 }
 
-Json MakeContactJson(const std::vector<ContactFit>& fits) {
-  Json list = Json::array();
-  const auto round = [](const ContactError& error) {
-    return Json{{"at_95_mm", std::round(error.at_95 * 1e5) / 1e2},
-                {"most_mm", std::round(error.most * 1e5) / 1e2}};
-  };
-  for (const ContactFit& fit : fits) {
-    list.push_back({{"link", fit.link},
-                    {"balls", fit.num_balls},
-                    {"out", round(fit.out)},
-                    {"sink", round(fit.sink)},
-                    {"palmar_out", round(fit.palmar_out)},
-                    {"palmar_sink", round(fit.palmar_sink)}});
-  }
-  return list;
-}
-
 std::string FormatContact(const std::vector<ContactFit>& fits) {
   if (fits.empty()) return "";
   TextTable table({"link", "balls", "out [mm]", "palmar", "sink [mm]", "palmar"});

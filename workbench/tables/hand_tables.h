@@ -26,12 +26,9 @@ Json MakeHandJson(const Hand& hand);
 std::string FormatHand(const Hand& hand);
 
 /** How well contact covers the links (core/hand/contact_fit.h), in millimetres. */
-///@{
-Json MakeContactJson(const std::vector<ContactFit>& fits);
 std::string FormatContact(const std::vector<ContactFit>& fits);
 /** Of a hand against its pictures: the links above 1 mm, for a warning; empty: none is. */
 std::string DescribeCoarseContact(const std::vector<ContactFit>& fits);
-///@}
 
 /** Things to grasp and checked meshes for a person and for a program. */
 struct DescribedObjects {

@@ -60,23 +60,6 @@ Json DescribeGuesses(const Hand& hand) {
           {"drives", drives}};
 }
 
-Json ListFits(const std::vector<ContactFit>& fits) {
-  Json list = Json::array();
-  const auto round = [](const ContactError& error) {
-    return Json{{"at_95_mm", std::round(error.at_95 * 1e5) / 1e2},
-                {"most_mm", std::round(error.most * 1e5) / 1e2}};
-  };
-  for (const ContactFit& fit : fits) {
-    list.push_back({{"link", fit.link},
-                    {"balls", fit.num_balls},
-                    {"out", round(fit.out)},
-                    {"sink", round(fit.sink)},
-                    {"palmar_out", round(fit.palmar_out)},
-                    {"palmar_sink", round(fit.palmar_sink)}});
-  }
-  return list;
-}
-
 /** As one would give them in the description's folder. */
 Json ListPackagePath(const HandSource& source) {
   Json paths = Json::array();
@@ -103,6 +86,23 @@ Json HashFiles(const std::set<std::filesystem::path>& paths) {
 }
 
 }  // namespace
+
+Json MakeContactJson(const std::vector<ContactFit>& fits) {
+  Json list = Json::array();
+  const auto round = [](const ContactError& error) {
+    return Json{{"at_95_mm", std::round(error.at_95 * 1e5) / 1e2},
+                {"most_mm", std::round(error.most * 1e5) / 1e2}};
+  };
+  for (const ContactFit& fit : fits) {
+    list.push_back({{"link", fit.link},
+                    {"balls", fit.num_balls},
+                    {"out", round(fit.out)},
+                    {"sink", round(fit.sink)},
+                    {"palmar_out", round(fit.palmar_out)},
+                    {"palmar_sink", round(fit.palmar_sink)}});
+  }
+  return list;
+}
 
 std::string FormatImportRecord(const std::string& text, const std::set<std::filesystem::path>& read,
                                const HandSource& source, const std::string& palm,
@@ -131,7 +131,7 @@ std::string FormatImportRecord(const std::string& text, const std::set<std::file
                   : *source.in_degrees ? "deg"
                                        : "rad"}}},
       {"repairs", repairs},
-      {"contact", ListFits(imported.fits)},
+      {"contact", MakeContactJson(imported.fits)},
       {"guesses", DescribeGuesses(imported.hand)},
       {"files", hashes}};
   return FormatJson(record, 2) + "\n";

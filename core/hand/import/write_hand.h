@@ -6,8 +6,10 @@ An imported hand as files of the project's own form. */
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "core/base/error.h"
+#include "core/base/text/json.h"
 #include "core/hand/import/shapes/load_shapes.h"
 #include "core/hand/import/weld_links.h"
 
@@ -45,5 +47,8 @@ std::string FormatImportRecord(const std::string& text, const std::set<std::file
                                const HandSource& source, const std::string& palm,
                                const ImportedHand& imported, const Diagnostics& problems,
                                const std::map<std::string, std::string>& files);
+
+/** The list `contact` above. */
+Json MakeContactJson(const std::vector<ContactFit>& fits);
 
 }  // namespace graspbench

@@ -4,6 +4,7 @@
 
 #include "core/base/files/files.h"
 #include "core/grasp/standard_grasp.h"
+#include "core/hand/import/write_hand.h"
 #include "core/hand/load_hand.h"
 #include "workbench/command.h"
 #include "workbench/experiments/output_folder.h"

@@ -5,6 +5,7 @@
 #include "core/base/files/files.h"
 #include "core/base/text/text.h"
 #include "core/hand/import/fenced_import.h"
+#include "core/hand/import/write_hand.h"
 #include "core/hand/load_hand.h"
 #include "workbench/command.h"
 #include "workbench/experiments/output_folder.h"
