@@ -151,7 +151,7 @@ std::string MakeTrialTrajectory(const TrialFileOptions&, const ExaminedTrial& tr
       MakeTrajectory(trial.planned, trial.setup, trial.traced, kTrajectoryRate);
   return MakeTrajectoryFiles(FindTrajectoryForm(kForm), trajectory).front().bytes;
 }
-constexpr char kMcap[] = "mcap", kH5[] = "h5";
+constexpr char kMcap[] = "mcap", kH5[] = "h5", kNpz[] = "npz";
 
 std::string MakeWholePage(const TrialFileOptions& options, const ExaminedTrial& trial) {
   TrialPageData data;
@@ -176,12 +176,14 @@ const std::vector<TrialFile>& ListTrialFiles() {
       {"--render", ".png", "FILE.png", "draw an instant with its forces", false, &MakeTrialPicture},
       {"--film", ".webp", "FILE.webp", "draw the whole trial as a moving picture, in real time",
        false, &MakeTrialFilm},
-      {"--trajectory", ".glb", "FILE.glb|.mcap|.h5",
-       "write the whole trial as a moving 3-D model (glTF), as messages (MCAP) or tables (HDF5); "
+      {"--trajectory", ".glb", "FILE.glb|.mcap|.h5|.npz",
+       "write the whole trial as a moving 3-D model (glTF), as messages (MCAP) or arrays (HDF5, "
+       "NumPy); "
        "graspbench replay writes many",
        false, &MakeTrialModel},
       {"--trajectory", ".mcap", "", "", true, &MakeTrialTrajectory<kMcap>},
       {"--trajectory", ".h5", "", "", true, &MakeTrialTrajectory<kH5>},
+      {"--trajectory", ".npz", "", "", true, &MakeTrialTrajectory<kNpz>},
       {"--page", ".html", "FILE.html", "write a page with pictures, curves and a 3-D view", false,
        &MakeWholePage}};
   return files;

@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/version.h"
 #include "datasets/session/find_trial.h"
-#include "datasets/trajectory/trajectory_form.h"
+#include "datasets/trajectory/trajectory_arrays.h"
 
 namespace graspbench {
 namespace {
@@ -33,12 +33,6 @@ class H5Handle {
 void Check(herr_t status) {
   if (status < 0) throw Error(ErrorKind::kEnvironment, "the HDF5 library refuses to go on");
 }
-
-/** A table of numbers, row after row. */
-struct H5Table {
-  std::vector<std::string> columns;
-  std::vector<double> values;
-};
 
 hid_t MakeTextType() {
   const hid_t type = H5Tcopy(H5T_C_S1);
@@ -83,7 +77,7 @@ hid_t MakePlainSettings() {
   return settings;
 }
 
-void WriteTable(hid_t group, const char* name, const H5Table& table) {
+void WriteTable(hid_t group, const TrajectoryArray& table) {
   const hsize_t num_columns = table.columns.size();
   const hsize_t sizes[] = {table.values.size() / num_columns, num_columns};
   const H5Handle space(H5Screate_simple(2, sizes, nullptr), &H5Sclose);
@@ -93,9 +87,9 @@ void WriteTable(hid_t group, const char* name, const H5Table& table) {
     H5Pset_shuffle(settings);
     H5Pset_deflate(settings, 4);
   }
-  const H5Handle data(
-      H5Dcreate2(group, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, settings, H5P_DEFAULT),
-      &H5Dclose);
+  const H5Handle data(H5Dcreate2(group, table.name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT,
+                                 settings, H5P_DEFAULT),
+                      &H5Dclose);
   if (sizes[0] > 0) {
     Check(H5Dwrite(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, table.values.data()));
   }
@@ -116,121 +110,6 @@ void WriteTexts(hid_t group, const char* name, const std::vector<std::string>& t
 
 hid_t MakeGroup(hid_t where, const char* name) {
   return H5Gcreate2(where, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-}
-
-void AddPose(const Pose& pose, std::vector<double>& values) {
-  for (double part : pose.translation()) values.push_back(part);
-  const Eigen::Quaterniond turn(pose.linear());
-  for (double part : turn.coeffs()) values.push_back(part);
-}
-
-void NamePose(const std::string& of, std::vector<std::string>& columns) {
-  for (const char* part : {"_x_m", "_y_m", "_z_m", "_qx", "_qy", "_qz", "_qw"}) {
-    columns.push_back(of + part);
-  }
-}
-
-std::string NameJoint(const HandJoint& joint) {
-  return joint.name + (joint.is_prismatic ? "_m" : "_rad");
-}
-
-H5Table MakeStates(const TrialTrajectory& trajectory) {
-  H5Table table;
-  table.columns = {"time_s", "grip_force_n", "table_force_n"};
-  NamePose("hand", table.columns);
-  NamePose("object", table.columns);
-  for (const HandJoint& joint : trajectory.hand->joints) {
-    table.columns.push_back(NameJoint(joint));
-  }
-  for (const TraceInstant& instant : trajectory.traced.trace) {
-    for (double v : {instant.time, instant.grip_force, instant.table_force}) {
-      table.values.push_back(v);
-    }
-    AddPose(instant.X_WH, table.values);
-    AddPose(instant.X_WO, table.values);
-    table.values.insert(table.values.end(), instant.q.begin(), instant.q.end());
-  }
-  return table;
-}
-
-/** What each drive was asked for; not a number before the first step. */
-H5Table MakeActions(const TrialTrajectory& trajectory) {
-  H5Table table;
-  const std::vector<HandJoint>& joints = trajectory.hand->joints;
-  for (const HandJoint& joint : joints) {
-    if (joint.coupled_to < 0) table.columns.push_back(NameJoint(joint));
-  }
-  for (const TraceInstant& instant : trajectory.traced.trace) {
-    for (size_t j = 0; j < joints.size(); ++j) {
-      if (joints[j].coupled_to >= 0) continue;
-      const bool is_asked = instant.q_asked.size() > 0;
-      table.values.push_back(is_asked ? instant.q_asked[static_cast<Eigen::Index>(j)] : kUnset);
-    }
-  }
-  return table;
-}
-
-/** One row a contact; `instant` is the row of the states, `link` a number in the links' names. */
-H5Table MakeContactTable(const TrialTrajectory& trajectory) {
-  const auto numbers = ListContactNumbers();
-  H5Table table;
-  table.columns = {"instant", "link"};
-  for (const auto& number : numbers) table.columns.push_back(number.name);
-  double row = 0.0;
-  for (const TraceInstant& instant : trajectory.traced.trace) {
-    for (const HandContact& contact : instant.contacts) {
-      table.values.insert(table.values.end(), {row, static_cast<double>(contact.link)});
-      for (const auto& number : numbers) {
-        table.values.push_back(number.value({&instant, &contact}).get<double>());
-      }
-    }
-    row += 1.0;
-  }
-  return table;
-}
-
-/** The force on each tactile element's cell, a row an instant. */
-H5Table MakeTaxelTable(const TrialTrajectory& trajectory) {
-  H5Table table;
-  for (const TrajectoryTaxel& taxel : ListTaxels(*trajectory.hand)) {
-    table.columns.push_back("element_" + std::to_string(taxel.index) + "_n");
-  }
-  for (const TraceInstant& instant : trajectory.traced.trace) {
-    const std::vector<double> forces = CalcTaxelForces(trajectory, instant);
-    table.values.insert(table.values.end(), forces.begin(), forces.end());
-  }
-  return table;
-}
-
-/** A row an element; `link` is a number in the links' names, `digit` in the digits': -1 the palm. */
-H5Table MakeTaxelPlaces(const Hand& hand) {
-  H5Table table;
-  table.columns = {"link", "digit"};
-  std::vector<CsvColumn<TrajectoryTaxel>> numbers;
-  for (const auto& column : ListTaxelColumns()) {
-    if (column.type == "number") numbers.push_back(column);
-  }
-  for (const auto& number : numbers) table.columns.push_back(number.name);
-  for (const TrajectoryTaxel& taxel : ListTaxels(hand)) {
-    const int link = taxel.element().link;
-    table.values.insert(table.values.end(), {static_cast<double>(link),
-                                             static_cast<double>(hand.FindDigitOfLink(link))});
-    for (const auto& number : numbers) table.values.push_back(number.value(taxel).get<double>());
-  }
-  return table;
-}
-
-std::string FormatEvents(const TrialTrajectory& trajectory) {
-  Json events = Json::array();
-  for (const TrajectoryEvent& event : ListTrajectoryEvents(trajectory)) {
-    Json json = {{"time_s", JsonNumber(event.time)}, {"kind", event.kind}};
-    if (!event.phase.empty()) json["phase"] = event.phase;
-    if (!event.link.empty()) json["digit"] = event.digit;
-    if (!event.link.empty()) json["link"] = event.link;
-    if (std::isfinite(event.impulse)) json["impulse_ns"] = event.impulse;
-    events.push_back(std::move(json));
-  }
-  return FormatJson(events);
 }
 
 /** data/demo_<i> and mask/, as robomimic's files have them. */
@@ -261,19 +140,15 @@ class H5Collection : public TrajectoryCollection {
     SetReal(demo, "closure_start_s", trajectory.traced.closure_start);
     SetReal(demo, "rate_hz", trajectory.rate);
     SetText(demo, "record_sha256", trajectory.record_sha256);
-    SetText(demo, "events", FormatEvents(trajectory));
+    SetText(demo, "events", FormatTrajectoryEvents(trajectory));
     std::vector<std::string> links, phases;
     for (const HandLink& link : trajectory.hand->links) links.push_back(link.name);
     SetTexts(demo, "links", links, true);
-    WriteTable(demo, "states", MakeStates(trajectory));
-    WriteTable(demo, "actions", MakeActions(trajectory));
-    WriteTable(demo, "contacts", MakeContactTable(trajectory));
+    for (const TrajectoryArray& table : MakeTrajectoryArrays(trajectory)) WriteTable(demo, table);
     if (trajectory.hand->skin) {
       std::vector<std::string> digits;
       for (const Digit& digit : trajectory.hand->digits) digits.push_back(digit.id);
       SetTexts(demo, "digits", digits, true);
-      WriteTable(demo, "taxels", MakeTaxelTable(trajectory));
-      WriteTable(demo, "taxel_elements", MakeTaxelPlaces(*trajectory.hand));
     }
     for (const TraceInstant& instant : trajectory.traced.trace) {
       phases.push_back(NameOf(instant.next_phase));

@@ -1,4 +1,4 @@
-"""Trajectories in the hands of other programs: pandas reads the tables, h5py the HDF5, and this file
+"""Trajectories in the hands of other programs: pandas reads the tables, h5py the HDF5, numpy the NPZ, and this file
 the MCAP by its specification with Debian's zstd and Google's protobuf. Each must find the poses and
 joints of the record's snapshots, and its contacts and events, to 1e-6.
 
@@ -77,11 +77,12 @@ class Csv:
         return self.pressed.to_numpy()[:, 1:], self.elements[["p_x_m", "p_y_m", "p_z_m", "n_x", "n_y", "n_z"]].to_numpy()
 
 
-class H5:
-    def __init__(self, demo):
-        self.demo = demo
-        self.columns = list(demo["states"].attrs["columns"])
-        self.states = demo["states"][:]
+class Arrays:
+    """Arrays with the names of their columns, as HDF5 and NumPy hold them."""
+
+    def __init__(self, tables, events):
+        self.tables, self.happened = tables, json.loads(events)
+        self.columns, self.states = tables["states"]
 
     def row(self, time):
         return self.states[np.abs(self.states[:, 0] - time).argmin()]
@@ -97,19 +98,32 @@ class H5:
         return self.value(name + "_rad", time)
 
     def forces(self):
-        contacts = self.demo["contacts"]
-        force = list(contacts.attrs["columns"]).index("normal_force_n")
-        table = contacts[:]
+        columns, table = self.tables["contacts"]
+        force = columns.index("normal_force_n")
         return [(self.states[int(row), 0], table[table[:, 0] == row, force].sum(),
                  self.states[int(row), 1]) for row in np.unique(table[:, 0])]
 
     def events(self):
-        return [(e["time_s"], e["kind"]) for e in json.loads(self.demo.attrs["events"])]
+        return [(e["time_s"], e["kind"]) for e in self.happened]
 
     def taxels(self):
-        columns = list(self.demo["taxel_elements"].attrs["columns"])
+        columns, elements = self.tables["taxel_elements"]
         first = columns.index("p_x_m")
-        return self.demo["taxels"][:], self.demo["taxel_elements"][:, first:first + 6]
+        return self.tables["taxels"][1], elements[:, first:first + 6]
+
+
+def read_h5(demo):
+    names = ("states", "contacts", "taxels", "taxel_elements")
+    return Arrays({name: (list(demo[name].attrs["columns"]), demo[name][:]) for name in names},
+                  demo.attrs["events"])
+
+
+def read_npz(file):
+    arrays = np.load(file)  # without pickle
+    assert len(arrays["phases"]) == len(arrays["states"])
+    names = ("states", "contacts", "taxels", "taxel_elements")
+    return Arrays({name: ([column.decode() for column in arrays[name + "_columns"]], arrays[name])
+                   for name in names}, arrays["events"][0])
 
 
 class Mcap:
@@ -223,7 +237,7 @@ def main():
         graspbench("export", session, "--records")
         records = [json.loads(line)
                    for line in (session / "export" / "records.jsonl").read_text().splitlines()]
-        for form in ("csv", "mcap", "h5"):
+        for form in ("csv", "mcap", "h5", "npz"):
             graspbench("replay", session, "--all", "--trajectory", form, "--out", folder / form)
         demos = h5py.File(folder / "h5" / "trajectories.h5", "r")
         assert demos["data"].attrs["total"] == sum(
@@ -239,7 +253,8 @@ def main():
             assert mcap.metadata["record_sha256"] == demo.attrs["record_sha256"]
             split = "success" if record["result"]["outcome"] == "success" else "failed"
             assert f"demo_{i}" in [text.decode() for text in demos[f"mask/{split}"][:]]
-            forms = (("csv", Csv(folder / "csv" / (name + ".csv"))), ("mcap", mcap), ("h5", H5(demo)))
+            forms = (("csv", Csv(folder / "csv" / (name + ".csv"))), ("mcap", mcap), ("h5", read_h5(demo)),
+                     ("npz", read_npz(folder / "npz" / (name + ".npz"))))
             for form, read in forms:
                 compare(record, joints, demo.attrs["closure_start_s"], read, form)
             forces, places = forms[0][1].taxels()
@@ -247,7 +262,7 @@ def main():
             for form, read in forms[1:]:
                 assert np.abs(read.taxels()[0] - forces).max() < TOLERANCE, (form, "taxels")
                 assert np.abs(read.taxels()[1] - places).max() < TOLERANCE, (form, "elements")
-        print(f"{len(records)} trials in 3 forms: the same numbers")
+        print(f"{len(records)} trials in 4 forms: the same numbers")
 
 
 main()

@@ -27,7 +27,7 @@ const TrialTrajectory& GetTrajectory() {
 }
 
 TEST(TrajectoryForm, IsFoundByEndingAndByName) {
-  ASSERT_GE(ListTrajectoryForms().size(), 4u);
+  ASSERT_GE(ListTrajectoryForms().size(), 5u);
   for (const TrajectoryForm& form : ListTrajectoryForms()) {
     EXPECT_EQ(&FindTrajectoryForm(form.name), &form);
     EXPECT_EQ(&FindTrajectoryForm("folder/a." + std::string(form.name)), &form);
@@ -39,7 +39,7 @@ TEST(TrajectoryForm, IsFoundByEndingAndByName) {
     EXPECT_EQ(error.kind(), ErrorKind::kUsage);
     EXPECT_STREQ(error.what(),
                  "--trajectory: \"a.bag\" ends in none of the forms there are: .glb, .csv, .mcap, "
-                 ".h5");
+                 ".h5, .npz");
   }
 }
 
