@@ -6,9 +6,10 @@ force has settled.
 
     strategy_policy.py --grip margin
 
-closes by the forces that it feels, at any period: each digit until it has its share of twice the force that would bear
-the weight between opposed sides, the thumb until it has what balances the others. Then all of them are shifted together
-until the sum is right.
+closes by the forces that it feels, at any period: each digit until it has its share of four times the force that would
+bear the weight between opposed sides, the thumb until it has what balances the others. Then all of them are shifted
+together until the sum is right. The program's own grip asks for twice the force that the contacts themselves need; the
+controller does not know their directions and takes more.
 """
 
 import sys
@@ -71,7 +72,7 @@ class Strategy:
         return {"targets": targets, "done": bool(done)}
 
 
-MARGIN = 2.0
+MARGIN = 4.0
 LEAST_FORCE = 0.7  # N, of a digit that does not oppose the others
 TOUCH_SPEED = 0.25  # after the first touch, share of the speed before
 SHIFT_TIME = 0.1  # s, in which an error of the sum falls to 1/e
