@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace graspbench {
 namespace {
@@ -106,8 +107,12 @@ YAML::Node ParseSetting(const std::string& assignment, const std::vector<std::st
   }
   const std::string key = Trim(assignment.substr(0, equals));
   if (std::find(known.begin(), known.end(), key) == known.end()) {
+    const std::string group = key.substr(0, key.find('.') + 1);  // "policy."
+    std::vector<std::string> beside;
+    std::copy_if(known.begin(), known.end(), std::back_inserter(beside),
+                 [&](const std::string& other) { return other.rfind(group, 0) == 0; });
     throw Error(ErrorKind::kUsage, "--set \"" + assignment + "\": no setting \"" + key + "\"" +
-                                       SuggestNames(key, known));
+                                       SuggestNames(key, beside.empty() ? known : beside));
   }
   YAML::Node node;
   try {

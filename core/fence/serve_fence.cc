@@ -153,19 +153,27 @@ void EndAsFault() {
 }
 #endif
 
-void WriteAnswer(int file, std::string_view piece) {
+/** @param name  of the file that is read. */
+void WriteAnswer(const std::string& name, int file, std::string_view piece) {
   for (size_t written = 0; written < piece.size();) {
     const ssize_t count = ::write(file, piece.data() + written, piece.size() - written);
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw Error(ErrorKind::kEnvironment, "no memory for what a foreign file holds");
+    if (count < 0) {
+      const std::string reason =
+          errno == EFBIG
+              ? "what it holds exceeds the limit of the size of files; raise it "
+                "(ulimit -f unlimited)"
+              : "what it holds cannot be passed on: " + std::string(std::strerror(errno));
+      throw Error(ErrorKind::kEnvironment, "\"" + name + "\" cannot be read: " + reason);
+    }
     written += static_cast<size_t>(count);
   }
 }
 
-void Refuse(int file, ErrorKind kind, std::string message) {
+void Refuse(const std::string& name, int file, ErrorKind kind, std::string message) {
   if (::ftruncate(file, 0) != 0) ::_exit(kFenceFault);
   ::lseek(file, 0, SEEK_SET);
-  OutgoingValues answer([&](std::string_view piece) { WriteAnswer(file, piece); });
+  OutgoingValues answer([&](std::string_view piece) { WriteAnswer(name, file, piece); });
   const char status = kIsRefused;
   answer.Bytes(&status, 1);
   Cross(answer, kind, message);
@@ -192,7 +200,7 @@ void Serve(const std::vector<FencedReader>& readers, const std::vector<int>& fil
   const std::string memory = LimitMemory(files[1]);
   LimitTime(seconds);
   try {
-    OutgoingValues answer([&](std::string_view piece) { WriteAnswer(files[2], piece); });
+    OutgoingValues answer([&](std::string_view piece) { WriteAnswer(name, files[2], piece); });
     const char status = kIsRead;
     answer.Bytes(&status, 1);
     IncomingValues arguments(sent);
@@ -205,15 +213,15 @@ void Serve(const std::vector<FencedReader>& readers, const std::vector<int>& fil
     if (!is_known) throw Error(ErrorKind::kEnvironment, "graspbench-reader does not know " + id);
     answer.Flush();
   } catch (const Error& error) {
-    Refuse(files[2], error.kind(), NameFile(error.what(), input));
+    Refuse(name, files[2], error.kind(), NameFile(error.what(), input));
   } catch (const std::bad_alloc&) {
     Refuse(
-        files[2], ErrorKind::kFormat,
+        name, files[2], ErrorKind::kFormat,
         "\"" + name + "\" cannot be read (it takes more than " + memory +
             " of memory: 1 GB and four times its size); the file may be damaged, export it again "
             "from its program or cut it into smaller ones");
   } catch (const std::exception& fault) {
-    Refuse(files[2], ErrorKind::kFormat,
+    Refuse(name, files[2], ErrorKind::kFormat,
            "\"" + name + "\" cannot be read (" + fault.what() +
                "); the file may be cut off or damaged, export it again from its program");
   }

@@ -12,6 +12,7 @@
 #include "datasets/session/judgement_store.h"
 #include "datasets/shards/worker_log.h"
 #include "workbench/experiments/output_folder.h"
+#include "workbench/experiments/policies/live_policies.h"
 #include "workbench/experiments/pool/batch_runner.h"
 
 namespace graspbench {
@@ -101,6 +102,7 @@ PreparedSession PrepareSession(const SessionRequest& request) {
   prepared.folder = FindFolder(request, plan);
   const bool may_continue = request.resume || request.out.empty();
   if (!HasSession(prepared.folder)) {
+    CheckPolicies(prepared.config, prepared.inputs, plan);
     StagedFolder staged({prepared.folder, "", false, request.inputs});
     CopyInputs(prepared.config, staged.path());
     CreateSession(staged.path(), prepared.config, plan);

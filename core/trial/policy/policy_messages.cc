@@ -258,7 +258,9 @@ PolicyAction ReadPolicyAction(std::string_view answer, Eigen::Index num_driven) 
   action.stiffness = reader.Read("stiffness", columns);
   Eigen::MatrixXd poses = reader.Read("hand_pose", 7), twists = reader.Read("hand_twist", 6);
   if (reader.num_rows() == 0 && !action.is_done && !action.hold) {
-    throw PolicyFault("the answer has no targets, no increments and no done");
+    throw PolicyFault(
+        "the answer has no targets, no increments, no motion of the hand and no done: true; "
+        "increments of zeros keep the digits still");
   }
   for (Eigen::MatrixXd* rows : {&action.rows, &action.stiffness, &poses, &twists}) {
     reader.Fill(*rows);

@@ -257,8 +257,8 @@ const std::vector<PolicyTerm>& ListPolicyActions() {
       {"targets", "rad, m", "n or rows x n", "",
        "positions that the drives are asked for, a row per control period"},
       {"increments", "rad, m", "n or rows x n", "",
-       "instead of targets: what each row adds to the targets before it; without either the digits "
-       "stay"},
+       "instead of targets: what each row adds to the targets before it; zeros keep the digits "
+       "still"},
       {"stiffness", "", "n or rows x n", "",
        "share of the drives' own stiffness, 0 to 1, until another is asked for"},
       {"hand_pose", "m, -", "7 or rows x 7", "W",
@@ -344,7 +344,8 @@ const std::vector<PolicyFact>& ListPolicyFacts() {
          return moves ? Json(Values{policy.hand_speed, policy.hand_turn_rate}) : Json();
        }},
       {{"grasp_position", "m", "3", "W",
-        "where the grasp places the hand's base; with policy.object_pose other than none"},
+        "where the grasp places the hand's base, for the pose that positioning has; with "
+        "policy.object_pose other than none"},
        [](const PolicyView& view) {
          return IsPoseGiven(view) ? JsonVector(view.placed_X_WH.translation()) : Json();
        }},

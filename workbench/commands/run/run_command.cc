@@ -1,5 +1,6 @@
 #include <errno.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -65,6 +66,12 @@ ExitCode Finish(PreparedSession& work, const RunCommandOptions& options) {
   session.damage = damage;  // what was found before the run sealed what is there
   ExportResult(folder, session);
   const SessionSummary summary = SummariseSession(session);
+  const auto wrong =
+      std::find_if(session.records.begin(), session.records.end(),
+                   [](const auto& r) { return r.result.outcome == Outcome::kWrongAnswer; });
+  if (wrong != session.records.end()) {
+    PrintMessage("first wrong answer, " + DescribeTrial(wrong->plan) + ": " + wrong->result.reason);
+  }
   const TrialTracer trace = MakeKeptTracer(session);
   const fs::path report = WriteSessionReport(folder, std::move(session), trace);
   if (options.run.json) {

@@ -252,13 +252,8 @@ class ControllerProcess {
 
   std::string QuoteErrors() {
     for (int i = 0; i < 16 && errors_.number() >= 0; ++i) ReadErrors();
-    std::string lines;  // of a text whose beginning may be missing
-    std::istringstream words(last_words_);
-    for (std::string line; std::getline(words, line);) {
-      if (!line.empty()) lines += (lines.empty() ? "" : " / ") + line;
-    }
-    if (lines.empty()) return "";
-    return "; its standard error ends with: " + EscapeForTerminal(lines, LineFeeds::kEscape);
+    const std::string words = FormatLastWords(last_words_);
+    return words.empty() ? "" : "; its standard error ends with: " + words;
   }
 
   std::string mark_;
@@ -322,6 +317,15 @@ class ChildPolicy : public HandPolicy {
 };
 
 }  // namespace
+
+std::string FormatLastWords(const std::string& text) {
+  std::string lines;
+  std::istringstream words(text);
+  for (std::string line; std::getline(words, line);) {
+    if (!line.empty()) lines += (lines.empty() ? "" : " / ") + line;
+  }
+  return EscapeForTerminal(lines, LineFeeds::kEscape);
+}
 
 std::unique_ptr<HandPolicy> MakeChildPolicy(const std::string& command) {
   return std::make_unique<ChildPolicy>(command);

@@ -19,4 +19,7 @@ inline constexpr size_t kMostAnswerBytes = 1 << 20;
 /** @param command  for /bin/sh. Nothing starts before the first trial. */
 std::unique_ptr<HandPolicy> MakeChildPolicy(const std::string& command);
 
+/** The lines of a text whose beginning may be missing, as one. */
+std::string FormatLastWords(const std::string& text);
+
 }  // namespace graspbench

@@ -1,8 +1,11 @@
 #include "workbench/experiments/policies/live_policies.h"
 
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
+#include <utility>
 
 #include "workbench/experiments/policies/child_policy.h"
 #include "workbench/experiments/policies/policy_server.h"
@@ -27,6 +30,19 @@ FindPolicy MakeLivePolicies() {
     if (!policy) policy = MakeLivePolicy(command);
     return policy;
   };
+}
+
+void CheckPolicies(const SessionConfig& config, const SessionInputs& inputs,
+                   const std::vector<PlannedTrial>& plan) {
+  std::set<std::pair<std::string, std::optional<std::string>>> known;  // hands and conditions
+  for (const PlannedTrial& planned : plan) {
+    if (!known.emplace(planned.hand, planned.condition).second) continue;
+    const TrialSetup setup = MakeTrialSetup(config, inputs, planned);
+    if (!IsPolicyServer(setup.policy.command)) continue;
+    const PolicyServer server = LoadPolicyServer(setup.policy.command);
+    CheckPolicyServer(server, *setup.hand, setup.policy);
+    MakeWebsocketPolicy(server);  // finds its host
+  }
 }
 
 FindPolicy MakeRecordedPolicies(const Session& session) {

@@ -20,6 +20,11 @@ using FindPolicy = std::function<std::shared_ptr<HandPolicy>(const TrialSetup& s
 /** For one worker; they end with it. */
 FindPolicy MakeLivePolicies();
 
+/** What can be said of a session's policies before its folder is made: their files and addresses.
+@throws Error with what is wrong. */
+void CheckPolicies(const SessionConfig& config, const SessionInputs& inputs,
+                   const std::vector<PlannedTrial>& plan);
+
 /** What the records of a session say. @pre the session outlives it. */
 FindPolicy MakeRecordedPolicies(const Session& session);
 

@@ -1,5 +1,7 @@
 #include "workbench/experiments/policies/policy_server.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -54,6 +56,26 @@ ServerAddress ReadAddress(const std::string& text) {
   return address;
 }
 
+size_t CountIn(const std::vector<std::string>& names, const std::string& name) {
+  return static_cast<size_t>(std::count(names.begin(), names.end(), name));
+}
+
+size_t CountOf(const std::vector<std::string>& columns, const std::vector<std::string>& wanted) {
+  return static_cast<size_t>(std::count_if(
+      wanted.begin(), wanted.end(), [&](const auto& name) { return CountIn(columns, name) > 0; }));
+}
+
+/** @param what  "actions, columns". */
+void CheckJoints(const PolicyServer& server, const std::string& what, const Hand& hand,
+                 const std::vector<std::string>& names, const std::vector<std::string>& joints) {
+  for (const std::string& name : names) {
+    if (CountIn(joints, name) > 0) continue;
+    throw Error(ErrorKind::kFormat, server.source + ": " + what + ": the hand " + hand.id +
+                                        " has no joint \"" + name + "\"" +
+                                        SuggestNames(name, joints));
+  }
+}
+
 /** A text, or several. */
 std::vector<std::string> ReadNames(YamlMap& map, const std::string& key) {
   const YAML::Node node = map.Child(key, Needed::kNo);
@@ -98,6 +120,9 @@ ServerValue ReadValue(const YAML::Node& node, const std::string& key, const std:
   if (std::find(types.begin(), types.end(), value.dtype) == types.end()) {
     map.Fail("dtype", "\"" + value.dtype + "\": expected float32, float64 or uint8");
   }
+  if (value.dtype == "uint8" && value.from != std::vector<std::string>{"picture"}) {
+    map.Fail("dtype", "uint8 is the type of a picture; expected float32 or float64");
+  }
   const bool is_size = std::all_of(value.size.begin(), value.size.end(), [](double pixels) {
     return pixels >= 1.0 && pixels <= kMostPixels && pixels == std::floor(pixels);
   });
@@ -119,6 +144,20 @@ void ReadActions(const YAML::Node& node, const std::string& file, Diagnostics& p
   }
   actions.are_increments = as == "increments";
   actions.columns = ReadNames(map, "columns");
+  for (const std::string& column : actions.columns) {
+    if (column != "-" && CountIn(actions.columns, column) > 1) {
+      map.Fail("columns", "\"" + column + "\" stands there more than once");
+      break;
+    }
+  }
+  const size_t num_pose = CountOf(actions.columns, ListPoseColumns());
+  if (num_pose > 0 && num_pose < ListPoseColumns().size()) {
+    map.Fail("columns", "a pose of the hand needs all of " +
+                            fmt::format("{}", fmt::join(ListPoseColumns(), ", ")));
+  }
+  if (num_pose > 0 && CountOf(actions.columns, ListTwistColumns()) > 0) {
+    map.Fail("columns", "expected a pose of the hand or a twist, not both");
+  }
   map.FinishKnownKeys();
 }
 
@@ -143,7 +182,14 @@ PolicyServer LoadFile(const std::string& path) {
     } else if (values.IsDefined()) {
       for (const auto& entry : values) {
         const std::string key = entry.first.as<std::string>("");
-        server.observation.push_back(ReadValue(entry.second, key, path, problems));
+        ServerValue value = ReadValue(entry.second, key, path, problems);
+        const auto is_same = [&](const ServerValue& other) {
+          return other.key == value.key && other.under == value.under;
+        };
+        if (std::any_of(server.observation.begin(), server.observation.end(), is_same)) {
+          map.Fail("observation", "the key \"" + key + "\" stands there more than once");
+        }
+        server.observation.push_back(std::move(value));
       }
     }
     const YAML::Node actions = map.Child("actions", Needed::kNo);
@@ -172,6 +218,45 @@ PolicyServer LoadPolicyServer(const std::string& command) {
   return server;
 }
 
+const std::vector<std::string>& ListPoseColumns() {
+  static const std::vector<std::string> columns = {"hand.x",  "hand.y",  "hand.z", "hand.qw",
+                                                   "hand.qx", "hand.qy", "hand.qz"};
+  return columns;
+}
+
+const std::vector<std::string>& ListTwistColumns() {
+  static const std::vector<std::string> columns = {"hand.vx", "hand.vy", "hand.vz",
+                                                   "hand.wx", "hand.wy", "hand.wz"};
+  return columns;
+}
+
+void CheckPolicyServer(const PolicyServer& server, const Hand& hand, const PolicyConfig& policy) {
+  if (!server.is_mapped) return;
+  std::vector<std::string> joints, driven;
+  for (const HandJoint& joint : hand.joints) {
+    joints.push_back(joint.name);
+    if (joint.coupled_to < 0) driven.push_back(joint.name);
+  }
+  for (const ServerValue& value : server.observation) {
+    CheckJoints(server, "observation, " + value.key + ", joints", hand, value.joints, joints);
+  }
+  const std::vector<std::string>& columns = server.actions.columns;
+  std::vector<std::string> known = {"done", "hold", "-"};
+  known.insert(known.end(), ListPoseColumns().begin(), ListPoseColumns().end());
+  known.insert(known.end(), ListTwistColumns().begin(), ListTwistColumns().end());
+  known.insert(known.begin(), driven.begin(), driven.end());
+  CheckJoints(server, "actions, columns", hand, columns, known);
+  const auto demand = [&](const char* moves, bool is_given, const char* what) {
+    if (policy.moves != moves || is_given) return;
+    throw Error(ErrorKind::kFormat, server.source + ": actions, columns: policy.moves is " +
+                                        policy.moves + ", and no column " + what);
+  };
+  demand("hand-and-digits",
+         CountOf(columns, ListPoseColumns()) + CountOf(columns, ListTwistColumns()) > 0,
+         "moves the hand; expected hand.x .. hand.qz or some of hand.vx .. hand.wz");
+  demand("digits-until-touch", CountIn(columns, "hold") > 0, "says hold; expected one");
+}
+
 const FileKeys& ListPolicyServerKeys() {
   static const FileKeys keys = {
       {"server", kRequired, "address of the policy server: ws://HOST:PORT/PATH"},
@@ -189,8 +274,9 @@ const FileKeys& ListPolicyServerKeys() {
       {"actions.key", "actions", "its key of the rows"},
       {"actions.as", "targets", "targets or increments"},
       {"actions.columns", "",
-       "of each column: a driven joint, done (above 0.5) or - (left out); left out: the driven "
-       "joints in their order"},
+       "of each column: a driven joint, hand.x .. hand.qz or hand.vx .. hand.wz (pose or twist of "
+       "the hand), done or hold (above 0.5) or - (left out); left out: the driven joints in their "
+       "order"},
   };
   return keys;
 }

@@ -35,8 +35,8 @@ struct ServerValue {
 struct ServerActions {
   std::string key = "actions";
   bool are_increments = false;
-  /** Of each column: a driven joint, "done" (above 0.5) or "-" (left out). Empty: the driven joints
-  in their order. */
+  /** Of each column: a driven joint, a component of the hand's pose or twist (ListHandColumns), "done"
+  or "hold" (above 0.5), or "-" (left out). Empty: the driven joints in their order. */
   std::vector<std::string> columns;
 };
 
@@ -55,6 +55,14 @@ bool IsPolicyServer(const std::string& command);
 Error(kUsage) for an address that is none. */
 PolicyServer LoadPolicyServer(const std::string& command);
 
+/** hand.x .. hand.qz and hand.vx .. hand.wz: the order of hand_pose and of hand_twist. */
+const std::vector<std::string>& ListPoseColumns();
+const std::vector<std::string>& ListTwistColumns();
+
+/** What can be said before a trial. @throws Error(kFormat) where the file names joints that the hand
+does not have, or does not give what policy.moves waits for. */
+void CheckPolicyServer(const PolicyServer& server, const Hand& hand, const PolicyConfig& policy);
+
 /** The keys of policy.yaml. */
 const FileKeys& ListPolicyServerKeys();
 
@@ -63,8 +71,7 @@ of a controller. @throws PolicyLost where the trial does not give what the file 
 std::string FormatServerQuestion(const PolicyServer& server, const PackedValue& facts,
                                  const PackedValue& observation, bool is_first);
 
-/** @throws PolicyFault saying what is wrong with the answer; PolicyLost where the file names joints
-that the hand does not have. */
+/** @pre CheckPolicyServer. @throws PolicyFault saying what is wrong with the answer. */
 PolicyAction ReadServerAnswer(const PolicyServer& server, const PackedValue& facts,
                               const PackedValue& observation, std::string_view answer);
 

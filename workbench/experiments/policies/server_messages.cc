@@ -142,64 +142,92 @@ void WriteValue(const PolicyServer& server, const ServerValue& value, const Pack
   WriteNumbers(value, numbers, writer);
 }
 
-/** Where each column of the server's rows goes: a place among the driven joints, or one of these. */
-constexpr int kLeftOut = -1, kDone = -2;
+/** Where the columns of the server's rows go: places among the driven joints, in the hand's pose and
+twist; -1: not there. */
+struct ColumnPlaces {
+  std::vector<int> joint, pose, twist;
+  int done = -1, hold = -1;  ///< columns
 
-std::vector<int> FindColumns(const PolicyServer& server, const std::vector<std::string>& driven) {
-  std::vector<int> places;
-  if (server.actions.columns.empty()) {
-    for (size_t i = 0; i < driven.size(); ++i) places.push_back(static_cast<int>(i));
-  }
-  for (const std::string& column : server.actions.columns) {
-    const auto found = std::find(driven.begin(), driven.end(), column);
-    if (found == driven.end() && column != "-" && column != "done") {
-      FailMapping(server, "actions, columns: no driven joint \"" + column + "\"" +
-                              SuggestNames(column, driven));
-    }
-    places.push_back(found != driven.end() ? static_cast<int>(found - driven.begin())
-                     : column == "-"       ? kLeftOut
-                                           : kDone);
+  size_t width() const { return joint.size(); }
+};
+
+int FindPlace(const std::vector<std::string>& names, const std::string& name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? -1 : static_cast<int>(found - names.begin());
+}
+
+ColumnPlaces FindColumns(const PolicyServer& server, const std::vector<std::string>& driven) {
+  ColumnPlaces places;
+  for (const std::string& column :
+       server.actions.columns.empty() ? driven : server.actions.columns) {
+    if (column == "done") places.done = static_cast<int>(places.width());
+    if (column == "hold") places.hold = static_cast<int>(places.width());
+    places.joint.push_back(FindPlace(driven, column));
+    places.pose.push_back(FindPlace(ListPoseColumns(), column));
+    places.twist.push_back(FindPlace(ListTwistColumns(), column));
   }
   return places;
 }
 
+/** Rows of ours, each begun as `fill`; empty where no column goes there. */
+std::vector<double> PickColumns(const PackedArray& rows, const std::vector<int>& places,
+                                size_t num_rows, const std::vector<double>& fill) {
+  std::vector<double> picked;
+  if (std::all_of(places.begin(), places.end(), [](int place) { return place < 0; })) return picked;
+  for (size_t row = 0; row < num_rows; ++row) {
+    picked.insert(picked.end(), fill.begin(), fill.end());
+    for (size_t i = 0; i < places.size(); ++i) {
+      if (places[i] < 0) continue;
+      picked[row * fill.size() + static_cast<size_t>(places[i])] =
+          rows.values[row * places.size() + i];
+    }
+  }
+  return picked;
+}
+
 /** Ours, of rows of the server. */
-std::string TranslateRows(const PolicyServer& server, const std::vector<int>& places,
+std::string TranslateRows(const PolicyServer& server, const ColumnPlaces& places,
                           const PackedArray& rows, const std::vector<double>& last) {
-  const size_t width = places.size();
+  const size_t width = places.width();
   const size_t num_sizes = rows.shape.size();
   if (num_sizes < 1 || num_sizes > 2 || rows.shape.back() != width || rows.values.empty()) {
     std::string shape;
     for (const size_t size : rows.shape)
       shape += (shape.empty() ? "" : ", ") + std::to_string(size);
-    throw PolicyFault(server.actions.key + " has the shape (" + shape + "); expected rows of " +
-                      std::to_string(width));
+    throw PolicyFault(server.actions.key + " has the shape (" + shape +
+                      "); expected one row or more of " + std::to_string(width) +
+                      (server.actions.columns.empty()
+                           ? " driven joints; actions.columns names other columns"
+                           : " columns"));
   }
-  std::vector<double> targets;
-  size_t num_rows = rows.values.size() / width;
-  bool is_done = false;
-  for (size_t row = 0; row < num_rows; ++row) {
-    std::vector<double> ours =
-        server.actions.are_increments ? std::vector<double>(last.size(), 0.0) : last;
-    for (size_t i = 0; i < width; ++i) {
-      const double number = rows.values[row * width + i];
-      if (places[i] >= 0) ours[static_cast<size_t>(places[i])] = number;
-      if (places[i] == kDone && number > 0.5) is_done = true;
-    }
-    if (is_done && row > 0) {  // the next answer says it with its first row
-      is_done = false;
-      num_rows = row;
-      break;
-    }
-    targets.insert(targets.end(), ours.begin(), ours.end());
-    if (is_done) num_rows = 1;
-  }
+  const auto says = [&](int column, size_t row) {
+    return column >= 0 && rows.values[row * width + static_cast<size_t>(column)] > 0.5;
+  };
+  const auto ends = [&](size_t row) { return says(places.done, row) || says(places.hold, row); };
+  size_t num_rows = 1;  // the answer after these says it with its first row
+  while (!ends(0) && num_rows < rows.values.size() / width && !ends(num_rows)) ++num_rows;
+  const std::pair<const char*, std::vector<double>> parts[] = {
+      {server.actions.are_increments ? "increments" : "targets",
+       PickColumns(rows, places.joint, num_rows,
+                   server.actions.are_increments ? std::vector<double>(last.size(), 0.0) : last)},
+      {"hand_pose", PickColumns(rows, places.pose, num_rows, std::vector<double>(7, 0.0))},
+      {"hand_twist", PickColumns(rows, places.twist, num_rows, std::vector<double>(6, 0.0))}};
   MessagePackWriter writer;
-  writer.Map(2);
+  writer.Map(
+      1 + (says(places.hold, 0) ? 1 : 0) +
+      static_cast<size_t>(std::count_if(std::begin(parts), std::end(parts),
+                                        [](const auto& part) { return !part.second.empty(); })));
   writer.Text("done");
-  writer.Bool(is_done);
-  writer.Text(server.actions.are_increments ? "increments" : "targets");
-  writer.Array(targets.data(), {num_rows, last.size()});
+  writer.Bool(says(places.done, 0));
+  if (says(places.hold, 0)) {
+    writer.Text("hold");
+    writer.Text("margin");
+  }
+  for (const auto& [name, values] : parts) {
+    if (values.empty()) continue;
+    writer.Text(name);
+    writer.Array(values.data(), {num_rows, values.size() / num_rows});
+  }
   return writer.bytes();
 }
 
@@ -249,7 +277,7 @@ PolicyAction ReadServerAnswer(const PolicyServer& server, const PackedValue& fac
                               const PackedValue& observation, std::string_view answer) {
   const std::vector<std::string> driven = ListTexts(facts, "driven");
   const auto num_driven = static_cast<Eigen::Index>(driven.size());
-  const std::vector<int> places = FindColumns(server, driven);
+  const ColumnPlaces places = FindColumns(server, driven);
   try {
     const PackedValue value = ParseMessagePack(answer);
     if (server.is_mapped) {

@@ -64,7 +64,9 @@ class ServerConnection {
  public:
   /** @throws PolicyLost. */
   ServerConnection(const PolicyServer& server, const Endpoints& endpoints, double timeout)
-      : name_(server.source), stream_(context_) {
+      : name_(server.source),
+        address_(server.address.host + ":" + server.address.port),
+        stream_(context_) {
     SetEnd(timeout);
     Connect(server.address, endpoints);
     StartReading();
@@ -170,7 +172,7 @@ class ServerConnection {
     const auto result = std::make_shared<std::optional<error_code>>();
     start([result](error_code error) { *result = error; });
     Wait([&] { return result->has_value(); });
-    if (**result) Lose(otherwise + ": " + (*result)->message());
+    if (**result) Lose(otherwise + " with " + address_ + ": " + (*result)->message());
   }
 
   void StartReading() {
@@ -183,7 +185,7 @@ class ServerConnection {
     });
   }
 
-  const std::string name_;
+  const std::string name_, address_;
   asio::io_context context_{1};
   websocket::stream<beast::tcp_stream> stream_;
   beast::flat_buffer buffer_{kMostAnswerBytes};
@@ -234,7 +236,7 @@ class WebsocketPolicy : public HandPolicy {
   /** Its end: that of a traceback says what was wrong. */
   static std::string Quote(const std::string& text) {
     const size_t start = text.size() > kMostServerWords ? text.size() - kMostServerWords : 0;
-    return "; it ends with: " + EscapeForTerminal(text.substr(start), LineFeeds::kEscape);
+    return "; it ends with: " + FormatLastWords(text.substr(start));
   }
 
   const PolicyServer server_;

@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import tempfile
 
@@ -10,8 +11,13 @@ import numpy as np
 
 
 def find_program():
-    """GRASPBENCH where it is set, else graspbench on the PATH."""
-    return os.environ.get("GRASPBENCH", "graspbench")
+    """GRASPBENCH where it is set, else graspbench on the PATH.
+
+    Raises RuntimeError where there is none."""
+    program = shutil.which(os.environ.get("GRASPBENCH", "graspbench"))
+    if not program:
+        raise RuntimeError("the program graspbench was not found; add its folder to PATH, or set GRASPBENCH to its path")
+    return program
 
 
 def run(out, *options):

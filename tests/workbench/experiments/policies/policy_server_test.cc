@@ -99,10 +99,62 @@ TEST(PolicyServer, ReadsColumnsByName) {
   EXPECT_EQ(Read(server, MakeRows({3}, {0.5, 9, 0})).rows(0, 0), 0.0);
 }
 
+TEST(PolicyServer, ColumnsMoveTheHandAndHold) {
+  PolicyServer server = MakeMapped();
+  server.actions.columns = {"hand.vz", "c", "hold"};
+  PolicyAction action = Read(server, MakeRows({2, 3}, {0.1, 0.5, 0, 0.2, 0.6, 1}));
+  ASSERT_EQ(action.twists.rows(), 1);  // the second row holds: the next answer comes before
+  EXPECT_EQ(action.twists(0, 2), 0.1);
+  EXPECT_EQ(action.twists.cwiseAbs().sum(), 0.1);
+  EXPECT_EQ(action.rows(0, 1), 0.5);
+  EXPECT_FALSE(action.hold);
+  action = Read(server, MakeRows({3}, {0.0, 0.5, 1}));
+  EXPECT_EQ(action.hold, GripMode::kMargin);
+  server.actions.columns = ListPoseColumns();
+  action = Read(server, MakeRows({7}, {0.1, 0.2, 0.3, 0.0, 0.0, 0.0, 1.0}));
+  ASSERT_EQ(action.poses.size(), 1u);
+  EXPECT_EQ(action.poses[0].translation().z(), 0.3);
+  EXPECT_EQ(action.rows.rows(), 0);  // the digits stay
+}
+
+TEST(PolicyServer, IsCheckedBeforeATrial) {
+  Hand hand;
+  hand.id = "two";
+  hand.joints.resize(3);
+  for (int j = 0; j < 3; ++j) hand.joints[static_cast<size_t>(j)].name = std::string(1, "abc"[j]);
+  hand.joints[1].coupled_to = 0;
+  const auto find_fault = [&](const PolicyServer& server, const std::string& moves) {
+    PolicyConfig policy;
+    policy.moves = moves;
+    try {
+      CheckPolicyServer(server, hand, policy);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  PolicyServer server = MakeMapped();
+  EXPECT_EQ(find_fault(server, "digits"), "");
+  EXPECT_NE(find_fault(server, "hand-and-digits").find("no column moves the hand"),
+            std::string::npos);
+  EXPECT_NE(find_fault(server, "digits-until-touch").find("no column says hold"),
+            std::string::npos);
+  server.actions.columns = {"hand.vx", "a", "hold"};
+  EXPECT_EQ(find_fault(server, "hand-and-digits"), "");
+  EXPECT_EQ(find_fault(server, "digits-until-touch"), "");
+  server.actions.columns = {"a", "b"};  // follows joint a
+  EXPECT_NE(find_fault(server, "digits").find("actions, columns: the hand two has no joint \"b\""),
+            std::string::npos);
+  server.actions.columns = {};
+  server.observation = {{"x", "", {"joint_positions"}, {"d"}, "", {}, ""}};
+  EXPECT_NE(find_fault(server, "digits").find("observation, x, joints: the hand two has no joint"),
+            std::string::npos);
+}
+
 TEST(PolicyServer, WrongAnswersAreFaults) {
   const PolicyServer server = MakeMapped();
   const std::pair<PackedValue, std::string> cases[] = {
-      {MakeRows({1, 3}, {1, 2, 3}), "has the shape (1, 3); expected rows of 2"},
+      {MakeRows({1, 3}, {1, 2, 3}), "has the shape (1, 3); expected one row or more of 2"},
       {MakeRows({1, 1, 2}, {1, 2}), "has the shape"},
       {MakeRows({2}, {1, std::nan("")}), "holds NaN"},
       {{PackedValue::Map{{"action", {1.0}}}}, "has no actions"},
@@ -169,13 +221,16 @@ TEST(PolicyServer, ReportsAllThatIsWrongInAFile) {
         "  b: {from: time, text: x}\n"
         "  c: {from: time, dtype: int3, size: [0, 3]}\n"
         "  d: {fron: time}\n"
-        "actions: {as: angles}\n");
+        "  e: {from: time, dtype: uint8}\n"
+        "actions: {as: angles, columns: [hand.x, a, a]}\n");
     ADD_FAILURE();
   } catch (const Error& error) {
     const std::string text = error.what();
     for (const char* part :
          {"policy.yaml:1", "did you mean \"joint_positions\"", "either from or text", "\"int3\"",
-          "[height, width]", "did you mean \"from\"", "targets or increments"}) {
+          "[height, width]", "did you mean \"from\"", "uint8 is the type of a picture",
+          "targets or increments", "more than once",
+          "a pose of the hand needs all of hand.x, hand.y"}) {
       EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
     }
   }
