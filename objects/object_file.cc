@@ -14,7 +14,8 @@ constexpr std::pair<const char*, const char*> kGrasps[] = {{"g1", "all finger pr
                                                            {"g2", "two finger precision"},
                                                            {"g3", "power"},
                                                            {"g4", "two finger pinch"},
-                                                           {"g5", "three finger special"}};
+                                                           {"g5", "three finger special"},
+                                                           {"g6", "encompassing precision"}};
 
 /** A grasp by its id or name, made its id. */
 void CheckGrasp(const std::string& key, std::string& value, YamlMap& map) {

@@ -19,7 +19,7 @@ object.yaml: what is known of a thing to grasp beside its mesh.
       sight_guessed: true                 # nobody measured it; outputs say so
     centre_of_mass_m: [0.01, 0, 0]        # from the middle of the bounding box; else homogeneous
     best_grasp: {tum: g3, shadow: g1}     # by hand
-    grasp_order: [g1, g3, g2, g5, g4]     # for hands not named above, best first
+    grasp_order: [g1, g3, g6, g2, g4]     # for hands not named above, best first
     approach: side                        # from where hands come: automatic, above, side
     separate_parts: true                  # the mesh's bodies do not touch, and move as one
     colour: [0.8, 0.2, 0.1]               # linear RGB */

@@ -159,6 +159,7 @@ std::string FormatGraspFile(const Hand& hand, const Grasp& grasp, const std::str
   text += "\ndigits: [" + digits + "]\ntilt_deg: " + FormatFixed(DegFromRad(grasp.tilt), 6) +
           "\npalm_may_touch: " + (grasp.palm_may_touch ? "true" : "false");
   if (grasp.palm_gap != kPalmGap) text += "\npalm_gap_m: " + FormatFixed(grasp.palm_gap, 6);
+  if (grasp.seeks_palm) text += "\nseeks_palm: true";
   if (!grasp.closing.empty()) text += "\nclosing: " + FormatClosing(grasp);
   if (grasp.approach != Approach::kAutomatic) {
     text += std::string("\napproach: ") + RowOf(kApproaches, grasp.approach).name;

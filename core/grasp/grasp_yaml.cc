@@ -50,13 +50,18 @@ const FileKeys& ListHandGraspKeys() {
   static const FileKeys keys = {
       {"grasps.ID.digits", kRequired, "ids of the digits that grasp; at least two"},
       {"grasps.ID.tilt_deg", kRequired, "turn of the hand towards its fingertips, from above"},
-      {"grasps.ID.palm_may_touch", "false", KeyType::kBoolean, "true of power grasps"},
+      {"grasps.ID.palm_may_touch", "false", KeyType::kBoolean,
+       "true of power and encompassing precision"},
       {"grasps.ID.palm_gap_m", "0.003",
-       "of a power grasp: how far the palm stops before the object; it may draw it in", 0, 0.05},
+       "where the palm may touch: how far it stops before the object; it may draw it in", 0, 0.05},
+      {"grasps.ID.seeks_palm", "false", KeyType::kBoolean,
+       "the hand comes on until its palm touches, before it closes; needs palm_may_touch"},
       {"grasps.ID.held_share", "",
        "of shapes not met in development, how many it held; of grasps that can take an object, "
        "those that held half are preferred",
        0, 1},
+      {"grasps.ID.as_called_share", "",
+       "of those that it held, the share with the opposition of its name", 0, 1},
       {"grasps.ID.approach", "automatic", "from where the hand comes: automatic, above or side"},
       {"grasps.ID.changed", "", "where the postures come from, for people"},
       {"grasps.ID.closing", "",
@@ -75,13 +80,15 @@ const FileKeys& ListGraspFileKeys() {
     FileKeys rows = {
         {"format", kRequired, "graspbench grasp"},
         {"format_version", kRequired, "1"},
-        {"made_from", kRequired, "the standard grasp whose type and approach it has: g1 to g5"},
+        {"made_from", kRequired, "the standard grasp whose type and approach it has: g1 to g6"},
         {"id", kRequired, "its name; not that of a standard grasp"},
         {"object", "", "the one object it is for; else any"},
     };
     for (FileKey row : ListHandGraspKeys()) {
       row.key.erase(0, std::string("grasps.ID.").size());
-      if (row.key != "held_share" && row.key != "changed") rows.push_back(row);
+      if (row.key != "held_share" && row.key != "as_called_share" && row.key != "changed") {
+        rows.push_back(row);
+      }
     }
     const FileKeys rest = {
         {"hand", kRequired, "id of the hand it is for"},
@@ -111,6 +118,10 @@ Grasp ReadGrasp(const Hand* hand, const GraspTaxon& taxon, const GraspNode& node
   map.Read("tilt_deg", tilt_deg);
   map.Read("palm_may_touch", grasp.palm_may_touch, Needed::kNo);
   map.Read("palm_gap_m", grasp.palm_gap, Needed::kNo);
+  map.Read("seeks_palm", grasp.seeks_palm, Needed::kNo);
+  if (grasp.seeks_palm && !grasp.palm_may_touch) {
+    map.Fail("seeks_palm", "true, but palm_may_touch is false; set that to true, too");
+  }
   ReadApproach(map, grasp.approach);
   grasp.tilt = RadFromDeg(tilt_deg);
   const YAML::Node pre = map.Child("pre_deg"), target = map.Child("target_deg");

@@ -140,10 +140,11 @@ double CalcGraspHeight(double height, bool from_side) {
   return std::max(kLowestGrasp, std::min(0.5 * height, height - kBelowTop));
 }
 
-/** What is taller than the fingers reach is grasped with power from the side, when nobody says. */
+/** When nobody says: what is taller than the fingers reach, with a palm that may touch; and with a
+palm that is sought always, since from above fingers reach deeper than most things are tall. */
 bool ComesFromSide(const Hand& hand, const Grasp& grasp, double height) {
   if (grasp.approach != Approach::kAutomatic) return grasp.approach == Approach::kSide;
-  return grasp.type == GraspType::kPower && height > CalcReach(hand);
+  return grasp.seeks_palm || (grasp.palm_may_touch && height > CalcReach(hand));
 }
 
 /** R_WH that turns two perpendicular directions of the hand into two of the world. */
@@ -227,7 +228,7 @@ Placement CalcPlacement(const Hand& hand, const Grasp& grasp, const Vector3d& ob
   const double grasp_height = CalcGraspHeight(height, from_side);
   placement.X_WH = MakePose(R_WH, Vector3d(p_OOcm.x(), p_OOcm.y(), grasp_height) - R_WH * p_HG);
 
-  if (grasp.type == GraspType::kPower) {
+  if (grasp.palm_may_touch) {
     const double near_face = from_side ? -0.5 * width : -height;  // along the approach
     const double palm =
         CalcExtent(hand, course.front(), placement.X_WH, hand.palm_link, placement.approach_W);

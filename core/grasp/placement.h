@@ -15,8 +15,8 @@ towards the fingertips) points straight down. For precision and pinch
 
     h_g = max(9 mm, min(height / 2, height - 8 mm)),
 
-so that the pads clear the table; a power grasp brings the palm to its `palm_gap` from the object
-instead. No
+so that the pads clear the table; a grasp whose palm may touch brings it to its `palm_gap` from the
+object instead. No
 sphere of the hand comes nearer to the table than kTableClearance while it closes to s*; what is
 thinner than 9 mm is picked off the table, there it holds at s* only.
 
@@ -28,8 +28,8 @@ the object's near face by 3 mm, the grasp does not reach the object.
 From the side the approach is horizontal, along the object's width, and the flexion axis of the
 fingers vertical, the grasp centre at half height; the strategy is the same, only position and
 orientation differ. Session, object and grasp may choose it or exclude it
-(core/shape/grasp_object.h); when none does, it is for power grasps of objects taller than the
-fingers reach.
+(core/shape/grasp_object.h); when none does, it is for grasps that seek the palm, and for
+those whose palm may touch on objects taller than the fingers reach.
 
 All of this is proposed by graspbench: the thesis gives d and alpha, and that p is computed. */
 

@@ -22,6 +22,7 @@ Grasp ReadStandardGrasp(const Hand& hand, const GraspTaxon& taxon, const YAML::N
                           {map, ListHandGraspKeys(), "grasps.ID.", file, where + ", ", problems});
   std::string changed;  // for people
   map.Read("held_share", grasp.held_share, Needed::kNo);
+  map.Read("as_called_share", grasp.as_called_share, Needed::kNo);
   map.Read("changed", changed, Needed::kNo);
   map.FinishKnownKeys();
   return grasp;
@@ -36,6 +37,7 @@ const std::vector<GraspTaxon>& ListGraspTaxa() {
       {"g3", "power", GraspType::kPower, 0.1, RadFromDeg(75.0)},
       {"g4", "two finger pinch", GraspType::kTwoFingerPinch, 0.1, RadFromDeg(90.0)},
       {"g5", "three finger special", GraspType::kAllFingerPrecision, 0.1, RadFromDeg(90.0)},
+      {"g6", "encompassing precision", GraspType::kAllFingerPrecision, 0.1, RadFromDeg(75.0)},
   };
   return taxa;
 }

@@ -1,10 +1,10 @@
 #pragma once
 /** @file
-The taxonomy: four grasp types t1..t4 and the five standard grasps g1..g5 that realise them
-(Roethling 2007, chapter 3). A grasp is a pre-grasp posture, a target posture (reached with nothing
-between the fingers), where the hand stands to the object, and an approach distance d. d and alpha
-belong to the grasp and are the same for every hand; the rest belongs to the hand and is read from
-its hand.yaml. */
+The taxonomy: four grasp types t1..t4 and the standard grasps that realise them: g1..g5 (Roethling
+2007, chapter 3), and g6, which encloses an object without the palm (proposed). A grasp is a pre-
+grasp posture, a target posture (reached with nothing between the fingers), where the hand stands to
+the object, and an approach distance d. d and alpha belong to the grasp and are the same for every
+hand; the rest belongs to the hand and is read from its hand.yaml. */
 
 #include <Eigen/Core>
 #include <array>
@@ -26,13 +26,13 @@ enum class GraspType { kAllFingerPrecision, kTwoFingerPrecision, kPower, kTwoFin
 inline constexpr double kPalmGap = 0.003;
 
 struct GraspTaxon {
-  std::string id;            ///< "g1".."g5"
+  std::string id;            ///< "g1".."g6"
   std::string name;          ///< "all finger precision", ..., "three finger special"
-  GraspType type;            ///< g5 is an all finger precision grasp with three fingers
+  GraspType type;            ///< g5 (three fingers) and g6 (encompassing) are of type t1
   double approach_distance;  ///< d [m], hand-independent
   double alpha;              ///< yaw between the object's long axis and the opposition axis [rad]
 };
-/** g1..g5 in order. */
+/** g1..g6 in order. */
 const std::vector<GraspTaxon>& ListGraspTaxa();
 /** @throws Error(kNotFound) with suggestions. */
 const GraspTaxon& FindGraspTaxon(const std::string& id);
@@ -49,7 +49,7 @@ struct Placement {
 /** One grasp of one hand. Where the hand stands follows from the postures (placement.h), unless
 the grasp was made for one object and brings its placement. */
 struct Grasp {
-  std::string id;  ///< "g1".."g5", or the name of an optimised grasp
+  std::string id;  ///< "g1".."g6", or the name of an optimised grasp
   GraspType type = GraspType::kAllFingerPrecision;
   double approach_distance = 0.1;  ///< d [m]
   double alpha = 0.0;              ///< [rad]
@@ -59,10 +59,14 @@ struct Grasp {
   Eigen::VectorXd q_target;         ///< (num_joints) [rad]
   std::vector<std::string> digits;  ///< ids of the grasping digits; contact of all ends the closure
   std::map<std::string, ClosingSchedule> closing;  ///< by digit; those left out close as all do
-  bool palm_may_touch = false;                     ///< power grasps
-  double palm_gap = kPalmGap;  ///< of a power grasp: palm to object when closing begins [m]
+  bool palm_may_touch = false;                     ///< power, encompassing precision
+  double palm_gap = kPalmGap;  ///< where the palm may touch: palm to object as closing begins [m]
+  /** The hand comes on until its palm touches (core/trial/protocols/palm_approach.h). */
+  bool seeks_palm = false;
   /** Of shapes not met in development, the share that it held (core/develop); NaN: not known. */
   double held_share = kUnset;
+  /** Of those that it held, the share with the opposition of its name; NaN: not known. */
+  double as_called_share = kUnset;
   Approach approach = Approach::kAutomatic;
   std::string object;                  ///< id of the object it was made for; empty: any
   std::optional<Placement> placement;  ///< absent: computed from postures and sizes

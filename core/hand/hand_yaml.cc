@@ -500,7 +500,7 @@ const FileKeys& ListHandKeys() {
              {"camera.radial_2", "0", "with the fourth power", -1, 1}}) {
       rows.push_back(row);
     }
-    rows.push_back({"grasps", "", "the standard grasps, by g1 to g5"});
+    rows.push_back({"grasps", "", "the standard grasps, by g1 to g6"});
     return rows;
   }();
   return keys;

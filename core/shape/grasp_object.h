@@ -59,11 +59,11 @@ struct GraspObject {
   std::optional<Compressibility> compressible;       ///< none: it is rigid
   MassProperties mass_properties;
   SurfaceMaterial surface;  ///< its friction is that against the hand
-  /** Best-suited standard grasp, "g1".."g5", by hand id; hands not named here use grasp_order. */
+  /** Best-suited standard grasp, "g1".."g6", by hand id; hands not named here use grasp_order. */
   std::map<std::string, std::string> best_grasp;
   /** Grasps by falling suitability; a hand without an entry in best_grasp takes the first of them
   that it can do. */
-  std::vector<std::string> grasp_order = {"g1", "g3", "g2", "g5", "g4"};
+  std::vector<std::string> grasp_order = {"g1", "g3", "g6", "g2", "g4"};
   Approach approach = Approach::kAutomatic;  ///< said of the object; else the grasp's
   Eigen::Vector3f colour = Eigen::Vector3f(0.8f, 0.7f, 0.5f);  ///< linear RGB, for pictures
   std::string content_hash;  ///< of everything that the simulation depends on

@@ -74,8 +74,8 @@ void AddHand(const Hand& hand, ByteWriter& out) {
 
 void AddGrasp(const Grasp& grasp, ByteWriter& out) {
   out.Add(grasp.type, grasp.approach_distance, grasp.alpha, grasp.tilt, grasp.q_pre, grasp.q_target,
-          grasp.digits, grasp.palm_may_touch, grasp.palm_gap, grasp.approach, grasp.object,
-          grasp.placement.has_value());
+          grasp.digits, grasp.palm_may_touch, grasp.palm_gap, grasp.seeks_palm, grasp.approach,
+          grasp.object, grasp.placement.has_value());
   if (!grasp.placement) return;
   out.Add(grasp.placement->X_WH, grasp.placement->approach_W, grasp.placement->closing_at_contact,
           grasp.placement->reaches_object);

@@ -7,6 +7,7 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/grasp/placement.h"
+#include "core/trial/measures/grasp_types.h"
 #include "core/trial/trial_setup.h"
 
 namespace graspbench {
@@ -60,7 +61,7 @@ const Grasp& ChooseBestGrasp(const SessionInputs& inputs, const SessionHand& han
   GraspRank best_rank;
   for (const std::string& id : object->grasp_order) {
     const Grasp* grasp = FindGrasp(hand, *object, id);
-    if (!grasp) continue;
+    if (!grasp || !IsGraspFor(*grasp, *object)) continue;
     if (grasp->placement) return *grasp;
     const GraspRank rank =
         RankGrasp(*grasp, inputs.fitted->Find(hand.hand, *grasp, object).prediction);

@@ -249,6 +249,7 @@ Json ToJson(const Grasp& grasp) {
             {"palm_may_touch", grasp.palm_may_touch}};
   // Only what differs from the default, so that the ids of all other trials stay as they were.
   if (grasp.palm_gap != kPalmGap) json["palm_gap_m"] = grasp.palm_gap;
+  if (grasp.seeks_palm) json["seeks_palm"] = true;
   if (grasp.approach != Approach::kAutomatic) {
     json["approach"] = RowOf(kApproaches, grasp.approach).name;
   }

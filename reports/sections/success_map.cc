@@ -81,7 +81,7 @@ Html DrawSuccessMap(const ReportData& data) {
       map.cells.push_back(MakeCell(FindCellOf(column, object, data.summary), column, data.models));
     }
   }
-  return MakeFigure("Successes and finished trials of every condition; g1 to g5 is the grasp.",
+  return MakeFigure("Successes and finished trials of every condition; g1 to g6 is the grasp.",
                     "dashed frames (no success at all) and objects that are weak with every hand. "
                     "An entry leads to its pictures and times.",
                     MakeScroll(map.text.title, DrawHeatMap(map)));

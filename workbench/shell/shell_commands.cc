@@ -140,7 +140,7 @@ const std::vector<ShellCommand>& ListShellCommands() {
        kAnyNumber, 0, &ListHandNames, &ChooseHand},
       {"object", kScene, "OBJECT", "Take another object, by id, name or folder.",
        "object light bulb", 1, kAnyNumber, 0, &ListObjectNames, &ChooseObject},
-      {"grasp", kScene, "GRASP", "Take another grasp: g1 to g5, a name, best, or a file.",
+      {"grasp", kScene, "GRASP", "Take another grasp: g1 to g6, a name, best, or a file.",
        "grasp power", 1, kAnyNumber, 0, &ListGrasps, &ChooseGrasp},
       {"draw", kScene, "N|none", "Take the variation of trial N of a session (0 to 999999).",
        "draw 3", 1, 1, -1, &ListNone, &ChooseDraw},

@@ -139,7 +139,8 @@ std::string FormatGraspTypes() {
     table.AddRow(row);
   }
   return "Grasp types, and what earlier taxonomies call them. Standard grasps g1 to g4 are of the "
-         "types t1\nto t4; g5, three finger special, is of type t1.\n\n" +
+         "types t1\nto t4; g5, three finger special, and g6, encompassing precision, are of type "
+         "t1.\n\n" +
          table.Format();
 }
 

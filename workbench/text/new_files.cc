@@ -95,7 +95,7 @@ std::string MakeObject() {
                                                        {"mass_kg", "0.1"},
                                                        {"friction_static", "0.5"},
                                                        {"friction_dynamic", "0.4"},
-                                                       {"grasp_order", "[g1, g3, g2, g5, g4]"}};
+                                                       {"grasp_order", "[g1, g3, g6, g2, g4]"}};
   std::string text =
       "# What is known of this thing beside its mesh: put yours in the place of mesh.obj.\n";
   for (const FileKey& row : ListObjectKeys()) {

@@ -39,7 +39,7 @@ GripRegulator::GripRegulator(const TrialSetup& setup, const std::vector<int>& di
       is_saturating_(is_regulated() &&
                      RowFromName(kDriveLaws, setup.strategy.drive_law, "drive law").value ==
                          DriveLaw::kSaturating),
-      most_closing_(setup.grasp.type == GraspType::kPower ? 1.0 : kMostClosing),
+      most_closing_(setup.grasp.palm_may_touch ? 1.0 : kMostClosing),
       way_(setup.grasp.q_target - setup.grasp.q_pre),
       parts_(MapLinksToParts(*setup.hand, digits)),
       told_weight_(setup.object->mass_properties.mass * setup.sim.gravity),

@@ -298,6 +298,17 @@ TEST(Placement, TheObjectsWordComesBeforeTheGrasps) {
   EXPECT_NEAR(calc_z(), -1.0, 1e-12);
 }
 
+// From above fingers reach deeper than most things are tall.
+TEST(Placement, APalmThatIsSoughtComesFromTheSideWhateverTheHeight) {
+  const Hand hand = LoadHand("tum");
+  Grasp grasp = LoadGrasp(hand, "g3");
+  grasp.seeks_palm = true;
+  for (const double height : {0.06, 0.3}) {
+    const Vector3d size(0.06, 0.06, height);
+    EXPECT_NEAR(CalcPlacement(hand, grasp, size, Vector3d::Zero()).approach_W.y(), 1.0, 1e-12);
+  }
+}
+
 TEST(Placement, APowerGraspSaysHowNearThePalmComes) {
   const Hand hand = LoadHand("shadow");
   Grasp grasp = LoadGrasp(hand, "g3");

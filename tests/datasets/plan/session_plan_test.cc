@@ -131,15 +131,19 @@ TEST(SessionPlan, BySightNeedsACameraAndAGraspOfEachType) {
   std::vector<Grasp>& grasps = inputs.hands[0].grasps;
   grasps.erase(grasps.begin());
   EXPECT_EQ(MakeTrialSetup(config, inputs, MakePlan(config, inputs)[0]).sight_grasps[0].id, "g5");
-  grasps.pop_back();
+  grasps.erase(std::remove_if(
+                   grasps.begin(), grasps.end(),
+                   [](const Grasp& grasp) { return grasp.type == GraspType::kAllFingerPrecision; }),
+               grasps.end());
   EXPECT_EQ(FindPlanError(config, inputs).second,
             "the hand \"shadow\" has no grasp g1 (all finger precision) or g5 (three finger "
-            "special), which --grasp by-sight may choose; add it to its hand.yaml (graspbench help "
+            "special) or g6 (encompassing precision), which --grasp by-sight may choose; add it to "
+            "its hand.yaml (graspbench help "
             "hand.yaml), or name a grasp");
   config.grasps = {"by_sight"};
   EXPECT_EQ(FindPlanError(config, MakeLookingInputs()).second,
             "none of the session's hands can do a grasp \"by_sight\"; did you mean \"by-sight\"? "
-            "Known: g1, g2, g3, g4, g5, by-sight");
+            "Known: g1, g2, g3, g4, g5, g6, by-sight");
   SessionInputs named = MakeLookingInputs();
   named.hands[0].grasps[4].id = "by-sight";
   config.grasps = {"all"};
@@ -271,6 +275,7 @@ TEST(SessionPlan, EverythingThatMattersChangesTheIds) {
       {"digits", [](Grasp& grasp) { grasp.digits = {"TH"}; }},
       {"palm_may_touch", [](Grasp& grasp) { grasp.palm_may_touch = true; }},
       {"type", [](Grasp& grasp) { grasp.type = GraspType::kPower; }},
+      {"seeks_palm", [](Grasp& grasp) { grasp.seeks_palm = true; }},
       {"palm_gap", [](Grasp& grasp) { grasp.palm_gap = 0.001; }},
       {"approach", [](Grasp& grasp) { grasp.approach = Approach::kSide; }},
       {"placement", [](Grasp& grasp) { grasp.placement = Placement(); }},
@@ -304,7 +309,7 @@ TEST(SessionPlan, TellsWhatCannotBePlanned) {
   EXPECT_EQ(FindPlanError(unknown, fake),
             std::pair(ErrorKind::kNotFound,
                       std::string("none of the session's hands can do a grasp \"g7\"; did you mean "
-                                  "\"g1\"? Known: g1, g2, g3, g4, g5, by-sight")));
+                                  "\"g1\"? Known: g1, g2, g3, g4, g5, g6, by-sight")));
   in_condition.conditions = {{"other", {"grasp=g7"}}};
   SessionInputs inputs = fake;
   inputs.conditions["other"] = ApplyCondition(in_condition.conditions.front(), in_condition);

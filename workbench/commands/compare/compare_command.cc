@@ -3,6 +3,7 @@
 
 #include "core/base/text/text.h"
 #include "datasets/analysis/controller_comparison.h"
+#include "datasets/analysis/type_summary.h"
 #include "datasets/session/find_trial.h"
 #include "workbench/command.h"
 #include "workbench/tables/experiment_tables.h"
@@ -78,6 +79,13 @@ std::string FormatLoads(const std::vector<LoadChange>& loads) {
          "interval\n";
 }
 
+std::string FormatTypes(const char* which, const std::vector<TypeSummary>& types) {
+  const std::string line = FormatTypeLine(types);
+  if (line.empty()) return "";
+  return std::string("\n") + which + ": " + line + "\n" +
+         FormatTable(ShowTable(ListTypeColumns(), types));
+}
+
 void Compare(const CompareOptions& options) {
   const Session before = LoadSession(options.before, OnDamage::kRefuse, RecordParts::kBrief);
   const Session after = LoadSession(options.after, OnDamage::kRefuse, RecordParts::kBrief);
@@ -87,6 +95,8 @@ void Compare(const CompareOptions& options) {
   const std::vector<ObjectComparison> objects = CompareObjects(comparison.pairs);
   const std::vector<HandDecision> decisions = DecideByObject(objects);
   const std::vector<LoadChange> loads = CompareLoads(comparison.pairs);
+  const std::vector<TypeSummary> types_before = ListTypeSummaries(before),
+                                 types_after = ListTypeSummaries(after);
   if (options.json) {
     Json changes = Json::array();
     for (const SettingChange& change : comparison.changes) {
@@ -105,6 +115,8 @@ void Compare(const CompareOptions& options) {
                       {"objects", MakeJsonRows(ListObjectComparisonColumns(), objects)},
                       {"decisions", MakeJsonRows(ListHandDecisionColumns(), decisions)},
                       {"loads", MakeJsonRows(ListLoadChangeColumns(), loads)},
+                      {"types_before", MakeJsonRows(ListTypeColumns(), types_before)},
+                      {"types_after", MakeJsonRows(ListTypeColumns(), types_after)},
                       {"won", ListFlips(comparison.pairs, &TrialPair::is_won)},
                       {"lost", ListFlips(comparison.pairs, &TrialPair::is_lost)}});
   }
@@ -116,6 +128,7 @@ void Compare(const CompareOptions& options) {
   for (const std::string& setting : comparison.settings) text += "  " + setting + "\n";
   PrintResult(text + FormatChanges(comparison.changes) + FormatObjects(objects, decisions) +
               FormatThresholdChanges(thresholds) + FormatLoads(loads) +
+              FormatTypes("before", types_before) + FormatTypes("after", types_after) +
               FormatFlips(comparison.pairs, "won", &TrialPair::is_won) +
               FormatFlips(comparison.pairs, "lost", &TrialPair::is_lost));
 }

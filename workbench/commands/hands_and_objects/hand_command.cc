@@ -6,6 +6,7 @@
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/import/write_hand.h"
 #include "core/hand/load_hand.h"
+#include "core/trial/measures/grasp_types.h"
 #include "workbench/command.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/pictures/trial_picture.h"
@@ -21,7 +22,9 @@ ExitCode CheckHandCommand(const std::string& path, bool json) {
   const Hand hand = CheckHand(path, problems);
   if (problems.num_errors() == 0) {
     try {
-      LoadStandardGrasps(hand);
+      for (const Grasp& grasp : LoadStandardGrasps(hand)) {
+        for (const std::string& fault : ListTypeFaults(hand, grasp)) problems.Warn(path, 0, fault);
+      }
     } catch (const Error& error) {
       problems.Fail(path, 0, error.what());
     }

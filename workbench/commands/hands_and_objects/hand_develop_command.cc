@@ -82,7 +82,7 @@ void AddHandDevelopCommand(Command& program) {
   const auto request = std::make_shared<DevelopHandRequest>();
   Command& command = AddSubcommand(
       program.Subcommand("hand"), "develop",
-      "Find a hand's grasps g1 to g5, by geometry, then in simulation on shapes made for it.",
+      "Find a hand's grasps g1 to g6, by geometry, then in simulation on shapes made for it.",
       "  graspbench hand develop allegro --out allegro-developed\n"
       "  graspbench hand develop shadow --budget 20000 --seed 2 --out my-shadow");
   command.AddRequired("hand", request->hand, "id, or folder with hand.urdf and hand.yaml", "HAND");
