@@ -8,15 +8,14 @@
 #include "core/base/units.h"
 #include "core/develop/posture_changes.h"
 #include "core/optimise/methods/search.h"
-#include "core/trial/measures/object_in_hand.h"
+#include "core/trial/measures/grasp_types.h"
 
 namespace graspbench {
 namespace {
 
 constexpr double kFirmness = 0.3;
-constexpr double kPalm = 0.6;
+constexpr double kAsCalled = 0.6;
 constexpr double kAllDigits = 0.2;
-constexpr double kSidesScore = 0.15;
 constexpr double kEarly = 0.3;
 constexpr double kTouching = 0.3;
 constexpr double kLifting = 0.2;
@@ -44,10 +43,8 @@ DevelopTrial MakeDevelopTrial(const Grasp& grasp, const GraspObject& object,
     const double x = std::max(0.0, sigma) / (weight + kSlightPull);
     trial.score = 1.0 + kFirmness * x / (1.0 + x);
     trial.score += kAllDigits * CalcTouchingShare(result);
-    if (grasp.palm_may_touch && TouchesPalmAtEnd(result)) trial.score += kPalm;
-    if (grasp.type == GraspType::kTwoFingerPinch && result.opposition == Opposition::kSide) {
-      trial.score += kSidesScore;
-    }
+    trial.is_as_called = IsAsCalled(grasp.id, result);
+    if (trial.is_as_called) trial.score += kAsCalled;
     if (result.timing.contact_before_start) trial.score -= kEarly;
     return trial;
   }
@@ -65,6 +62,11 @@ double CalcMeanScore(const std::vector<DevelopTrial>& trials) {
 int CountSuccesses(const std::vector<DevelopTrial>& trials) {
   return static_cast<int>(std::count_if(
       trials.begin(), trials.end(), [](const DevelopTrial& t) { return IsSuccess(t.outcome); }));
+}
+
+int CountAsCalled(const std::vector<DevelopTrial>& trials) {
+  return static_cast<int>(std::count_if(trials.begin(), trials.end(),
+                                        [](const DevelopTrial& t) { return t.is_as_called; }));
 }
 
 namespace {

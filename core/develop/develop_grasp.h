@@ -31,8 +31,7 @@ namespace graspbench {
 
     success    1 + 0.3 x / (1 + x),  x = sigma / (m g + 0.2 N): how firmly it is held
                + 0.2 (digits that touched) / (all)
-               + 0.6 when the palm touches in the end, of a grasp whose palm may
-               + 0.15 of a pinch that holds by the sides of its digits
+               + 0.6 when the opposition is that of its name (core/trial/measures/grasp_types.h)
                - 0.3 when a digit touched before the hand closed
     else       0.3 (digits that touched) / (all) + 0.2 (height reached) / (height of the lift),
                0 of a numerical failure
@@ -41,11 +40,13 @@ so that a failure leads towards success, and among successes the firm ones win. 
 struct DevelopTrial {
   Outcome outcome = Outcome::kNotRun;
   double score = 0.0;
+  bool is_as_called = false;  ///< it was held by the opposition of its name
 
   template <class V>
   static void ListFields(V&& field) {
     field("outcome", &DevelopTrial::outcome);
     field("score", &DevelopTrial::score);
+    field("as_called", &DevelopTrial::is_as_called);
   }
 };
 
@@ -54,6 +55,7 @@ DevelopTrial MakeDevelopTrial(const Grasp& grasp, const GraspObject& object,
 
 double CalcMeanScore(const std::vector<DevelopTrial>& trials);  ///< 0 without trials
 int CountSuccesses(const std::vector<DevelopTrial>& trials);
+int CountAsCalled(const std::vector<DevelopTrial>& trials);  ///< of the successes
 
 struct DevelopConfig {
   int budget = 15000;  ///< trials of all grasps together, about

@@ -27,6 +27,9 @@ bool AreMirrored(const HandJoint& a, const HandJoint& b) {
          std::abs(a.lower + a.upper) > 2.0 * near;
 }
 
+/** A palm that is sought is brought to the object, whatever its gap. */
+bool HasGap(const Grasp& grasp) { return grasp.palm_may_touch && !grasp.seeks_palm; }
+
 }  // namespace
 
 PostureChanges::PostureChanges(const Hand& hand, Grasp grasp)
@@ -57,8 +60,7 @@ PostureChanges::PostureChanges(const Hand& hand, Grasp grasp)
 }
 
 SearchSpace PostureChanges::MakeSpace() const {
-  const auto size = static_cast<Eigen::Index>(2 * groups_.size() + 1) +
-                    (grasp_.type == GraspType::kPower ? 1 : 0);
+  const auto size = static_cast<Eigen::Index>(2 * groups_.size() + 1) + (HasGap(grasp_) ? 1 : 0);
   SearchSpace space;
   space.start = Eigen::VectorXd::Zero(size);
   space.lower = Eigen::VectorXd::Constant(size, -kMostChange);
@@ -81,7 +83,7 @@ Grasp PostureChanges::Apply(const Eigen::VectorXd& change) const {
     }
   }
   grasp.tilt += change[2 * size];
-  if (grasp.type == GraspType::kPower) {
+  if (HasGap(grasp)) {
     grasp.palm_gap =
         std::clamp(grasp.palm_gap + kGapPerUnit * change[2 * size + 1], 0.0, kLargestGap);
   }

@@ -4,9 +4,9 @@ The changes of a grasp's postures that the development searches among, few enoug
 evaluations: fingers of one build change together, the opposing digit by itself.
 
 A coordinate moves one joint of the opposing digit, or one of each finger with as many driven joints
-(the same from the base), in the pre-grasp or in the target, or the tilt, or of a power grasp the
-palm's gap. Joints with mirrored limits move against each other. The unit is a radian; of a slide,
-its range counts as a quarter turn, of the gap 40 mm as a radian. */
+(the same from the base), in the pre-grasp or in the target, or the tilt, or the gap of a palm that
+may touch and is not sought. Joints with mirrored limits move against each other. The unit is a
+radian; of a slide, its range counts as a quarter turn, of the gap 40 mm as a radian. */
 
 #include <Eigen/Core>
 #include <vector>

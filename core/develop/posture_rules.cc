@@ -142,6 +142,19 @@ PostureRules::Stand PostureRules::CalcStand(const VectorXd& q, const Vector3d& a
   return stand;
 }
 
+double PostureRules::CalcWorstFacing(const PosturePair& pair) const {
+  const Vector3d approach_H = std::cos(pair.tilt) * normal_H_ + std::sin(pair.tilt) * forward_H_;
+  const Stand met = CalcStand(pair.q_met, approach_H);
+  const auto calc_angle = [](const Vector3d& a, const Vector3d& b) {
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+  };
+  double worst = calc_angle(met.thumb.nhat_H, met.across_H);
+  for (const PadState& pad : met.fingers) {
+    worst = std::max(worst, calc_angle(pad.nhat_H, -met.across_H));
+  }
+  return worst;
+}
+
 int PostureRules::num_residuals() const {
   const int num_fingers = static_cast<int>(fingers_.size());
   const int of_stand =

@@ -64,6 +64,9 @@ class PostureRules {
   Eigen::VectorXd MakeCoordinates(const PosturePair& pair) const;
 
   int num_residuals() const;
+  /** Of the met posture: the largest angle between what takes (pad or side) and the way to what it
+  opposes [rad]. */
+  double CalcWorstFacing(const PosturePair& pair) const;
   /** Each is about 1 where a rule is missed by as much as matters. */
   Eigen::VectorXd CalcResiduals(const Eigen::VectorXd& x) const;
 

@@ -13,6 +13,7 @@
 #include "core/hand/closing.h"
 #include "core/hand/contact_shape.h"
 #include "core/hand/hand.h"
+#include "core/trial/measures/grasp_types.h"
 
 namespace graspbench {
 namespace {
@@ -36,12 +37,14 @@ constexpr AimRanges kAimRanges[] = {
      {0.018, 0.03}},
     {"g2", 2, 2, {0.04, 0.08}, {0.004, 0.01}, {0.4, 0.8}, false, {-5, 10}, {0.4, 0.9}, {3, 9},
      {0.02, 0.02}},
-    {"g3", 2, 0, {0.08, 0.13}, {0.01, 0.04}, {0.3, 0.6}, true, {0, 35}, {0.0, 0.7}, {6, 20},
+    {"g3", 2, 0, {0.08, 0.14}, {0.01, 0.04}, {0.4, 0.8}, true, {10, 60}, {-0.7, 0.5}, {6, 20},
      {0.018, 0.035}},
     {"g4", 2, 2, {0.02, 0.045}, {0.002, 0.006}, {0.4, 0.8}, false, {-5, 5}, {0.6, 0.95}, {3, 9},
      {0.02, 0.02}},
     {"g5", 3, 3, {0.06, 0.1}, {0.006, 0.015}, {0.4, 0.8}, false, {-5, 15}, {0.3, 0.8}, {4, 14},
      {0.02, 0.04}},
+    {"g6", 2, 0, {0.08, 0.13}, {0.01, 0.04}, {0.3, 0.6}, true, {0, 35}, {0.0, 0.7}, {6, 20},
+     {0.018, 0.035}},
 };
 // clang-format on
 
@@ -52,18 +55,24 @@ const AimRanges& FindRanges(const GraspTaxon& taxon) {
   throw Error(ErrorKind::kNotFound, "no rules to develop a grasp \"" + taxon.id + "\"");
 }
 
-/** The thumb (without one, the first digit) and as many others as the grasp has, in the hand's
-order. */
-std::vector<std::string> DrawDigits(const Hand& hand, int num_digits, RandomStream& stream) {
+/** The thumb (without one, the first digit) and the others that the grasp's name asks for, in the
+hand's order. */
+std::vector<std::string> DrawDigits(const Hand& hand, const AimRanges& ranges,
+                                    RandomStream& stream) {
   const int num_all = static_cast<int>(hand.digits.size());
-  if (num_digits == 0) num_digits = num_all;
+  const int num_digits = ranges.num_digits == 0 ? num_all : ranges.num_digits;
   int thumb = 0;
   for (int d = 0; d < num_all; ++d) {
     if (hand.digits[d].is_thumb) thumb = d;
   }
+  const GraspTypeRule* rule = FindGraspTypeRule(ranges.taxon);
+  const bool is_index_asked = rule && rule->digits == TypeDigits::kThumbAndIndex;
   std::vector<int> others;
   for (int d = 0; d < num_all; ++d) {
-    if (d != thumb) others.push_back(d);
+    if (d == thumb) continue;
+    if (!is_index_asked || num_all == 2 || hand.digits[d].id == FindIndexFinger(hand)) {
+      others.push_back(d);
+    }
   }
   while (static_cast<int>(others.size()) > num_digits - 1) {
     others.erase(others.begin() + stream.NextIndex(static_cast<int>(others.size())));
@@ -87,14 +96,14 @@ std::vector<std::string> DrawNeighbours(const Hand& hand, RandomStream& stream) 
   return {fingers[first], fingers[first + 1]};
 }
 
-PostureAim DrawAim(const Hand& hand, GraspType type, const AimRanges& ranges, bool any_coupling,
+PostureAim DrawAim(const Hand& hand, const AimRanges& ranges, bool any_coupling,
                    RandomStream& stream) {
+  const GraspTypeRule* rule = FindGraspTypeRule(ranges.taxon);
   PostureAim aim;
-  aim.by_side = type == GraspType::kTwoFingerPinch && hand.digits.size() > 2;
-  aim.is_over_palm = type == GraspType::kPower;
-  aim.digits = aim.by_side && stream.NextIndex(2) == 1
-                   ? DrawNeighbours(hand, stream)
-                   : DrawDigits(hand, ranges.num_digits, stream);
+  aim.by_side = rule->opposition == Opposition::kSide && hand.digits.size() > 2;
+  aim.is_over_palm = ranges.is_reach_exact;
+  aim.digits = aim.by_side && stream.NextIndex(2) == 1 ? DrawNeighbours(hand, stream)
+                                                       : DrawDigits(hand, ranges, stream);
   aim.opening = ranges.opening.Draw(stream);
   aim.meeting = ranges.meeting.Draw(stream);
   aim.thumb_share = stream.NextUniform(0.35, 0.65);
@@ -187,10 +196,12 @@ double CalcOverlap(const Hand& hand, const std::vector<std::string>& digits,
 ProposedGrasp ProposeOne(const Hand& hand, const GraspTaxon& taxon, bool any_coupling,
                          const std::vector<int>& closing, const std::vector<CapsulePair>& pairs,
                          RandomStream& stream) {
-  constexpr double kOverlap = 0.002;  // that matters [m]
+  constexpr double kOverlap = 0.002;                      // that matters [m]
+  constexpr double kLargestSideAngle = RadFromDeg(35.0);  // else pads take, not sides
+  constexpr double kNoSide = 1e3;                         // behind all that take with sides
   const AimRanges& ranges = FindRanges(taxon);
   ProposedGrasp proposed;
-  proposed.aim = DrawAim(hand, taxon.type, ranges, any_coupling, stream);
+  proposed.aim = DrawAim(hand, ranges, any_coupling, stream);
   proposed.grip = ranges.grip.Draw(stream);
   const PosturePair start = DrawStart(hand, closing, stream);
   // Fingers that do not grasp stay open or are folded.
@@ -198,6 +209,9 @@ ProposedGrasp ProposeOne(const Hand& hand, const GraspTaxon& taxon, bool any_cou
   const VectorXd q_rest = CalcClosedPosture(hand, closing, are_folded ? 1.0 : 0.0);
   const PostureRules rules(hand, proposed.aim, q_rest);
   const PosturePair pair = SolvePair(rules, start, proposed.miss);
+  if (rules.CalcWorstFacing(pair) > kLargestSideAngle && proposed.aim.by_side) {
+    proposed.miss += kNoSide;
+  }
   proposed.miss += CalcOverlap(hand, proposed.aim.digits, pairs, pair) / kOverlap;
 
   Grasp& grasp = proposed.grasp;
@@ -207,8 +221,13 @@ ProposedGrasp ProposeOne(const Hand& hand, const GraspTaxon& taxon, bool any_cou
   grasp.alpha = taxon.alpha;
   grasp.tilt = pair.tilt;
   grasp.digits = proposed.aim.digits;
-  grasp.palm_may_touch = taxon.type == GraspType::kPower;
-  if (grasp.palm_may_touch) grasp.palm_gap = stream.NextUniform(0.0, kPalmGap);
+  grasp.palm_may_touch = proposed.aim.is_over_palm;
+  grasp.seeks_palm = taxon.type == GraspType::kPower;
+  if (grasp.seeks_palm) {
+    grasp.palm_gap = 0.0;
+  } else if (grasp.palm_may_touch) {
+    grasp.palm_gap = stream.NextUniform(0.0, kPalmGap);
+  }
   grasp.q_pre = pair.q_open;
   grasp.q_target = CalcSqueeze(hand, grasp.digits, pair.q_met,
                                CalcApproachDirection(hand, pair.tilt), proposed.grip);
@@ -224,6 +243,24 @@ void RoundGrasp(const Hand& hand, Grasp& grasp) {
   grasp.palm_gap = MFromMm(std::round(MmFromM(grasp.palm_gap) * scale) / scale);
   grasp.q_pre = RoundPosture(hand, grasp.q_pre, kGraspDecimals);
   grasp.q_target = RoundPosture(hand, grasp.q_target, kGraspDecimals);
+}
+
+std::optional<ProposedGrasp> ProposeOwn(const Hand& hand, const std::vector<Grasp>& grasps,
+                                        const GraspTaxon& taxon) {
+  for (const Grasp& grasp : grasps) {
+    ProposedGrasp own;
+    own.grasp = grasp;
+    own.grasp.as_called_share = kUnset;  // that of its digits alone
+    if (grasp.id != taxon.id || !ListTypeFaults(hand, own.grasp).empty()) continue;
+    own.is_own = true;
+    if (taxon.type == GraspType::kPower) {
+      own.grasp.palm_may_touch = own.grasp.seeks_palm = true;
+      own.grasp.palm_gap = 0.0;
+    }
+    RoundGrasp(hand, own.grasp);
+    return own;
+  }
+  return std::nullopt;
 }
 
 bool CanDevelop(const Hand& hand, const GraspTaxon& taxon) {

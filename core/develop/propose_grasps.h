@@ -13,6 +13,7 @@ stiffnesses,
 each torque at most half of its drive's. The thumb's f is the sum of the others'. Source: statics;
 the rules are in posture_rules.h. */
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,9 +26,10 @@ namespace graspbench {
 struct ProposedGrasp {
   Grasp grasp;
   PostureAim aim;
-  double grip = 0.0;  ///< of the thumb with nothing between the pads [N]
-  double miss = 0.0;  ///< of the rules: root of the summed squared residuals; links inside
-                      ///< each other add to it
+  double grip = 0.0;    ///< of the thumb with nothing between the pads [N]
+  bool is_own = false;  ///< the hand had it before; geometry gave nothing
+  double miss = 0.0;    ///< of the rules: root of the summed squared residuals; links inside
+                        ///< each other add to it
 };
 
 /** Of degrees and millimetres in hand.yaml. */
@@ -36,7 +38,7 @@ inline constexpr int kGraspDecimals = 2;
 void RoundGrasp(const Hand& hand, Grasp& grasp);
 
 /** Whether the hand has the digits: three for all finger precision and the three finger special,
-two for the rest. The pinch is one of pads with a small opening, not of a finger's side. */
+two for the rest. */
 bool CanDevelop(const Hand& hand, const GraspTaxon& taxon);
 
 /** The best `num_kept` of `num_drawn` draws, best first.
@@ -44,6 +46,11 @@ bool CanDevelop(const Hand& hand, const GraspTaxon& taxon);
 straight that others follow, where all rules agree. @pre CanDevelop. */
 std::vector<ProposedGrasp> ProposeGrasps(const Hand& hand, const GraspTaxon& taxon, int num_drawn,
                                          int num_kept, bool any_coupling, RandomStream stream);
+
+/** The hand's own grasp of that name, where its digits are those of the name, to be developed
+further beside what geometry proposes. A power grasp is made to seek the palm. */
+std::optional<ProposedGrasp> ProposeOwn(const Hand& hand, const std::vector<Grasp>& grasps,
+                                        const GraspTaxon& taxon);
 
 /** Target posture behind `q_met`. @param grip  of the opposing digit [N]. */
 Eigen::VectorXd CalcSqueeze(const Hand& hand, const std::vector<std::string>& digits,

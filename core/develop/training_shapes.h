@@ -13,8 +13,8 @@ between limits, so that no grasp is developed on what it is judged by. Seven fam
 
 chosen by grasp type: the power grasp gets the large and the heavy, the precision grasp with two
 digits and the pinch the thin and the small, the others what is in between (Roethling 2007, section
-2.3). Some tall cylinders are for power grasps
-from the side, whatever the hand's reach. All limits are proposed by graspbench. */
+2.3). Shapes of the power grasp are 40 to 85 mm wide and taken from the side; those of encompassing
+precision from above, some tall cylinders from the side. All limits are proposed by graspbench. */
 
 #include <memory>
 #include <string>

@@ -27,15 +27,24 @@ bool IsInside(const std::string& line) {
 
 std::string DescribeDevelopment(const Hand& hand, const DevelopedGrasp& developed) {
   const PostureAim& aim = developed.proposed.aim;
+  const std::string pads_apart =
+      fmt::format("{:.0f}", MmFromM(CalcPreGraspWidth(hand, developed.grasp)));
+  if (developed.proposed.is_own) {
+    return fmt::format(
+        "Begun from the grasp that the hand had under this name. Simulation: score {:.2f}, after "
+        "changes {:.2f} (above 1: all held), pads now {} mm apart. Held {} of {} shapes not met "
+        "before.",
+        developed.proposed_score, developed.score, pads_apart, CountSuccesses(developed.check),
+        developed.check.size());
+  }
   return fmt::format(
       "Geometry: {} {:.0f} mm apart that face each other, {:.0f} mm below the palm, the thumb "
       "going {:.0f} % of the way, a grip of {:.0f} N. Simulation: score {:.2f}, after changes "
       "{:.2f} "
-      "(above 1: all held), pads now {:.0f} mm apart. Held {} of {} shapes not met before.",
+      "(above 1: all held), pads now {} mm apart. Held {} of {} shapes not met before.",
       aim.by_side ? "sides" : "pads", MmFromM(aim.opening), MmFromM(aim.reach),
       100.0 * aim.thumb_share, developed.proposed.grip, developed.proposed_score, developed.score,
-      MmFromM(CalcPreGraspWidth(hand, developed.grasp)), CountSuccesses(developed.check),
-      developed.check.size());
+      pads_apart, CountSuccesses(developed.check), developed.check.size());
 }
 
 std::string FormatGrasps(const Hand& hand, const DevelopConfig& config,
@@ -58,6 +67,7 @@ std::string FormatGrasps(const Hand& hand, const DevelopConfig& config,
     text += fmt::format("    digits: [{}]\n    tilt_deg: {:.{}f}\n", digits, DegFromRad(grasp.tilt),
                         kGraspDecimals);
     if (grasp.palm_may_touch) text += "    palm_may_touch: true\n";
+    if (grasp.seeks_palm) text += "    seeks_palm: true\n";
     if (grasp.palm_gap != kPalmGap) {
       text += fmt::format("    palm_gap_m: {:.{}f}\n", grasp.palm_gap, kGraspDecimals + 3);
     }
@@ -65,6 +75,10 @@ std::string FormatGrasps(const Hand& hand, const DevelopConfig& config,
       text +=
           fmt::format("    held_share: {:.2f}\n", static_cast<double>(CountSuccesses(one.check)) /
                                                       static_cast<double>(one.check.size()));
+    }
+    if (const int num_held = CountSuccesses(one.check); num_held > 0) {
+      text += fmt::format("    as_called_share: {:.2f}\n",
+                          static_cast<double>(CountAsCalled(one.check)) / num_held);
     }
     text += "    pre_deg: " + FormatPosture(hand, grasp.q_pre, kGraspDecimals) +
             "\n    target_deg: " + FormatPosture(hand, grasp.q_target, kGraspDecimals) +

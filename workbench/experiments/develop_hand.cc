@@ -215,7 +215,7 @@ std::vector<std::shared_ptr<const GraspObject>> MakeAllShapes(
     const std::vector<Eigen::Vector3d>& judges) {
   double widest = 0.0;
   for (const ProposedGrasp& proposed : proposals) {
-    widest = std::max(widest, proposed.aim.opening);
+    if (!proposed.is_own) widest = std::max(widest, proposed.aim.opening);
   }
   std::vector<std::shared_ptr<const GraspObject>> shapes;
   for (const ShapeUse use : {ShapeUse::kTraining, ShapeUse::kValidation}) {
@@ -249,13 +249,16 @@ std::vector<DevelopedGrasp> DevelopHand(const DevelopHandRequest& request, Obser
   observer.BeginStage(stage);
   BatchStatus status;
   const std::vector<Eigen::Vector3d> judges = ListJudges();
+  const std::vector<Grasp> owned = LoadStandardGrasps(*hand);
   std::vector<DevelopedGrasp> developed;
   for (size_t k = 0; k < taxa.size(); ++k) {
     const GraspTaxon* taxon = taxa[k];
     const std::string stream = std::to_string(request.config.seed) + " " + taxon->id;
-    const std::vector<ProposedGrasp> proposals =
+    std::vector<ProposedGrasp> proposals =
         ProposeGrasps(*hand, *taxon, kNumDrawn, kNumKept, request.config.any_coupling,
                       RandomStream(stream, "proposals"));
+    if (const auto own = ProposeOwn(*hand, owned, *taxon))
+      proposals.insert(proposals.begin(), *own);
     GraspTrials trials(hand, config, MakeAllShapes(*taxon, request.config.seed, proposals, judges),
                        journal, pool);
     double left = CountDevelopTrials(budgets[k]), following = 0.0;

@@ -163,24 +163,20 @@ TEST_F(DevelopTrialTest, FailuresLeadTowardsSuccess) {
   EXPECT_LT(Score(Outcome::kDroppedWhileHolding), 1.0);
 }
 
-TEST_F(DevelopTrialTest, APalmThatStillTouchesCountsWhereItMay) {
+TEST_F(DevelopTrialTest, TheOppositionOfTheNameCounts) {
   result_.stability.sigma = 0.0;
-  result_.contact_events = {{0.1, ContactEventKind::kTouch, "palm", "palm", kUnset}};
-  EXPECT_NEAR(Score(Outcome::kSuccess), 1.1, 1e-12);
-  grasp_.palm_may_touch = true;
-  EXPECT_NEAR(Score(Outcome::kSuccess), 1.7, 1e-12);
-  result_.contact_events.push_back({0.2, ContactEventKind::kLost, "palm", "palm", 0.1});
-  EXPECT_NEAR(Score(Outcome::kSuccess), 1.1, 1e-12);
-}
-
-TEST_F(DevelopTrialTest, SidesCountInAPinchAlone) {
-  result_.stability.sigma = 0.0;
-  result_.opposition = Opposition::kSide;
-  EXPECT_NEAR(Score(Outcome::kSuccess), 1.1, 1e-12);
-  grasp_.type = GraspType::kTwoFingerPinch;
-  EXPECT_NEAR(Score(Outcome::kSuccess), 1.25, 1e-12);
-  result_.opposition = Opposition::kPad;
-  EXPECT_NEAR(Score(Outcome::kSuccess), 1.1, 1e-12);
+  result_.contacts[1].time = 0.5;
+  for (const auto& [id, opposition] :
+       {std::pair("g1", Opposition::kPad), std::pair("g2", Opposition::kPad),
+        std::pair("g3", Opposition::kPalm), std::pair("g4", Opposition::kSide)}) {
+    grasp_.id = id;
+    for (const auto& found : kOppositions) {
+      result_.opposition = found.value;
+      const bool is_called = found.value == opposition;
+      EXPECT_NEAR(Score(Outcome::kSuccess), is_called ? 1.8 : 1.2, 1e-12) << id << found.name;
+      EXPECT_EQ(MakeDevelopTrial(grasp_, object_, result_).is_as_called, is_called);
+    }
+  }
 }
 
 }  // namespace

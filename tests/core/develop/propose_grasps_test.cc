@@ -154,6 +154,42 @@ TEST(CalcSqueezeTest, TorquesAndForcesDoTheSameWork) {
   }
 }
 
+// The thesis: two finger precision "is only executed by the thumb and the index finger"; the pinch
+// opposes sides. By forward kinematics: sides look at each other within the 45 degrees of
+// measures/opposition.h.
+TEST(ProposeGraspsTest, TypesAreDrawnAsTheyAreCalled) {
+  for (const char* id : {"tum", "shadow"}) {
+    const Hand hand = LoadHand(id);
+    for (const ProposedGrasp& one :
+         ProposeGrasps(hand, FindGraspTaxon("g2"), 12, 12, false, Stream())) {
+      EXPECT_EQ(one.grasp.digits, (std::vector<std::string>{"FF", "TH"}));
+    }
+    const ProposedGrasp pinch =
+        ProposeGrasps(hand, FindGraspTaxon("g4"), 60, 1, false, Stream()).front();
+    ASSERT_EQ(pinch.grasp.digits.size(), 2u);
+    EXPECT_TRUE(pinch.aim.by_side);
+    EXPECT_LT(pinch.miss, 1e3) << "none takes with sides";
+    const ProposedGrasp power =
+        ProposeGrasps(hand, FindGraspTaxon("g3"), 4, 1, false, Stream()).front();
+    EXPECT_TRUE(power.grasp.seeks_palm);
+    EXPECT_EQ(power.grasp.digits.size(), hand.digits.size());
+  }
+}
+
+TEST(ProposeGraspsTest, TheHandsOwnGraspIsProposedWhenItIsWhatItIsCalled) {
+  const Hand hand = LoadHand("tum");
+  Grasp own = LoadStandardGrasps(hand).front();
+  own.digits = {"MF", "TH"};
+  own.id = "g2";
+  EXPECT_FALSE(ProposeOwn(hand, {own}, FindGraspTaxon("g2")));
+  own.digits = {"FF", "TH"};
+  EXPECT_TRUE(ProposeOwn(hand, {own}, FindGraspTaxon("g2")));
+  EXPECT_FALSE(ProposeOwn(hand, {own}, FindGraspTaxon("g1")));
+  own.id = "g3";
+  own.digits = {"FF", "MF", "TH"};
+  EXPECT_TRUE(ProposeOwn(hand, {own}, FindGraspTaxon("g3"))->grasp.seeks_palm);
+}
+
 TEST(CanDevelopTest, AsksForTheDigits) {
   Hand hand = LoadHand("tum");
   for (const GraspTaxon& taxon : ListGraspTaxa()) EXPECT_TRUE(CanDevelop(hand, taxon)) << taxon.id;
@@ -162,7 +198,7 @@ TEST(CanDevelopTest, AsksForTheDigits) {
   for (const GraspTaxon& taxon : ListGraspTaxa()) {
     if (CanDevelop(hand, taxon)) left += taxon.id + " ";
   }
-  EXPECT_EQ(left, "g2 g3 g4 ");
+  EXPECT_EQ(left, "g2 g3 g4 g6 ");
 }
 
 }  // namespace
