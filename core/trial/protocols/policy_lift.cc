@@ -90,6 +90,7 @@ class PolicyLift : public TableLift {
     in_effect_.targets = targets_;
     if (moves_ == PolicyMoves::kUntilTouch) notes_.grip = MakeFirmGrip(setup, digits_);
     if (moves_ == PolicyMoves::kHandAndDigits) {
+      notes_.palm = PalmApproach(false);  // the controller moves the hand
       placement_.X_WH.pretranslate(-setup.grasp.approach_distance * placement_.approach_W);
       placement_.reaches_object = true;
       hand_target_ = placement_.X_WH;

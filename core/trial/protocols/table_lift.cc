@@ -46,9 +46,12 @@ TableLift::TableLift(std::unique_ptr<World> world, const TrialSetup& setup, Wris
       setup_(setup),
       placement_(CalcPlacement(*setup.hand, setup.grasp, *setup.object)),
       digits_(ListGraspingDigits(*setup.hand, setup.grasp)),
-      notes_{GraspStrategy(setup.strategy, setup.grasp.approach_distance), StabilityMeter(setup),
-             ContactEventRecorder(*setup.hand), LoadRecorder(setup_, digits_),
-             MakeRegulator(setup_, digits_)},
+      notes_{GraspStrategy(setup.strategy, setup.grasp.approach_distance),
+             StabilityMeter(setup),
+             ContactEventRecorder(*setup.hand),
+             LoadRecorder(setup_, digits_),
+             MakeRegulator(setup_, digits_),
+             PalmApproach(setup.grasp.seeks_palm)},
       hand_(*setup.hand),
       object_radius_(CalcObjectRadius(*setup.object)) {
   for (const int digit : digits_) {
@@ -136,6 +139,13 @@ Pose TableLift::CalcRestPose(double x, double y, double yaw) const {
   return X_WO;
 }
 
+Pose TableLift::CalcPlacingPose(double before_arrival) const {
+  const double ahead = notes_.palm.offset() - notes_.strategy.CalcPlacingDistance(before_arrival);
+  Pose X_WH = placement_.X_WH;
+  X_WH.pretranslate(ahead * placement_.approach_W);
+  return X_WH;
+}
+
 /** How long before the hand's arrival the simulation starts [s]: the part of the placing in which
 nothing can touch is skipped. */
 double TableLift::FindPlacingStart(const Pose& X_WO, const Eigen::VectorXd& q) {
@@ -143,8 +153,7 @@ double TableLift::FindPlacingStart(const Pose& X_WO, const Eigen::VectorXd& q) {
   double before_arrival = 0.0;
   constexpr double kSearchStep = 0.01;
   for (; before_arrival < placing_time; before_arrival += kSearchStep) {
-    Pose X_WH = placement_.X_WH;
-    X_WH.pretranslate(-notes_.strategy.CalcPlacingDistance(before_arrival) * placement_.approach_W);
+    const Pose X_WH = CalcPlacingPose(before_arrival);
     world_->dynamics().UpdatePositions(X_WH, q);
     if (world_->collider().CalcSmallestGap(world_->dynamics(), X_WO) > kSafeGap) break;
   }
@@ -169,9 +178,7 @@ void TableLift::Begin() {
   const double before_arrival = FindPlacingStart(X_WO, state.q);
   notes_.strategy.StartPlacing(before_arrival);
   notes_.phase = notes_.strategy.phase();
-  state.X_WH = placement_.X_WH;
-  state.X_WH.pretranslate(-notes_.strategy.CalcPlacingDistance(before_arrival) *
-                          placement_.approach_W);
+  state.X_WH = CalcPlacingPose(before_arrival);
   world_->Reset(state);
   notes_.start_gap = CalcGap(nullptr);
   notes_.rest_extent = CalcExtent();
@@ -191,8 +198,9 @@ WorldCommand TableLift::MakeCommand(const StrategyCommand& command) const {
   const bool is_lifting = notes_.strategy.phase() >= Phase::kLiftOff;
   const Vector3d away_W = is_lifting ? Vector3d(Vector3d::UnitZ()) : -placement_.approach_W;
   result.X_WH = placement_.X_WH;
-  result.X_WH.pretranslate(command.distance * away_W);
-  result.v_WH = command.speed * away_W;
+  result.X_WH.pretranslate(command.distance * away_W +
+                           notes_.palm.offset() * placement_.approach_W);
+  result.v_WH = command.speed * away_W + notes_.palm.speed() * placement_.approach_W;
   return result;
 }
 
@@ -439,6 +447,14 @@ int TableLift::ChooseNumSteps() const {
 StrategyCommand TableLift::NextCommand(const StrategyObservation& observation, int num_steps) {
   const Phase phase = notes_.strategy.phase();
   const double duration = num_steps * setup_.sim.step;
+  const double arrival = setup_.strategy.placing_time - setup_.strategy.closure_lead;
+  if (phase == Phase::kPlacing && !notes_.palm.has_ended() &&
+      notes_.strategy.time_in_phase() + duration >= arrival) {
+    notes_.palm.Advance(duration, notes_.report.arm_force);
+    StrategyCommand stays;
+    stays.distance = notes_.strategy.CalcPlacingDistance(setup_.strategy.closure_lead);
+    return stays;
+  }
   const StrategyCommand command = notes_.strategy.Step(duration, observation);
   notes_.grip.Advance(phase, duration);
   return command;

@@ -26,6 +26,7 @@ see tests/bench/sim_bench.cc. */
 #include "core/trial/measures/load_recorder.h"
 #include "core/trial/measures/object_in_hand.h"
 #include "core/trial/measures/stability.h"
+#include "core/trial/protocols/palm_approach.h"
 #include "core/trial/protocols/protocol.h"
 #include "core/trial/protocols/table_lift_outcome.h"
 #include "core/trial/trial_result.h"
@@ -41,6 +42,7 @@ struct TrialNotes {
   ContactEventRecorder events;
   LoadRecorder loads;
   GripRegulator grip;
+  PalmApproach palm;
   TrialResult result = {};  ///< as far as known; times since the start
 
   bool is_over = false;
@@ -127,6 +129,8 @@ class TableLift : public TrialCourse {
   /** Moves the placement to where the hand believes the object. */
   void Position(WristCamera* camera);
   double FindPlacingStart(const Pose& X_WO, const Eigen::VectorXd& q);
+  /** X_WH so long before the hand arrives. */
+  Pose CalcPlacingPose(double before_arrival) const;
   /** How many steps of the settings' length the next one is. */
   int ChooseNumSteps() const;
   /** Of the strategy, and the digits' closing with it. */
