@@ -7,6 +7,7 @@
 #include "core/base/units.h"
 #include "core/base/version.h"
 #include "core/hand/tactile.h"
+#include "core/trial/measures/diagnosis_text.h"
 #include "core/trial/taxel_forces.h"
 #include "objects/catalogue.h"
 #include "reports/page/layout.h"
@@ -73,7 +74,7 @@ Html DrawResult(const DrawnTrial& data) {
   const TrialResult& result = data.record.result;
   const std::string reason = result.reason.empty() ? "." : ": " + result.reason + ".";
   const Html diagnosis =
-      result.diagnosis ? Element("p", {{"class", "verdict"}}, result.diagnosis->text) : Html();
+      result.diagnosis ? Element("p", {{"class", "verdict"}}, DescribeDiagnosis(result)) : Html();
   const Seat seat = FindSeat(result);
   return MakeParagraph("Outcome: " + WordsOf(result.outcome) + reason +
                        (seat == Seat::kUnknown ? "" : " Seat: " + WordsOf(seat) + ".") +

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/trial/judge/judge.h"
+#include "core/trial/measures/diagnosis_text.h"
 #include "core/trial/measures/object_in_hand.h"
 #include "datasets/plan/conditions.h"
 #include "datasets/plan/grasp_choice.h"
@@ -38,9 +39,9 @@ std::string FindWeakestForce(const Judgement& judgement) {
   return weakest ? weakest->direction : "";
 }
 
-std::string ListFailureCauses() {
+std::string ListMechanisms() {
   std::string text;
-  for (const NamedValue<FailureCause>& row : kFailureCauses) {
+  for (const NamedValue<Mechanism>& row : kMechanisms) {
     text += (text.empty() ? "" : ", ") + std::string(row.name);
   }
   return text;
@@ -64,16 +65,35 @@ void AddDiagnosisColumns(std::vector<CsvColumn<TrialRecord>>& columns) {
       return record.result.diagnosis ? Json(value(*record.result.diagnosis)) : Json();
     };
   };
-  columns.push_back({"cause", "string", "", "of the failure: " + ListFailureCauses(),
-                     take([](const Diagnosis& d) { return Json(NameOf(d.cause)); })});
-  columns.push_back(
-      {"cause_digit", "string", "", "the digit to blame; missing: none alone",
-       take([](const Diagnosis& d) { return d.digit.empty() ? Json() : Json(d.digit); })});
-  columns.push_back({"cause_time_s", "number", "s",
-                     "when the trial began to fail, since the start of placing",
+  const auto text = [](const std::string& value) { return value.empty() ? Json() : Json(value); };
+  columns.push_back({"mechanism", "string", "", "of the failure: " + ListMechanisms(),
+                     take([](const Diagnosis& d) { return Json(NameOf(d.mechanism)); })});
+  columns.push_back({"mechanism_part", "string", "",
+                     "digit, or palm, that did not touch, pushed or gave way; of what was squeezed "
+                     "out with the most normal work, of what sagged or slid with the most friction "
+                     "work; missing: none",
+                     take([text](const Diagnosis& d) { return text(d.part); })});
+  columns.push_back({"mechanism_phase", "string", "", "phase in which the object was lost",
+                     take([text](const Diagnosis& d) { return text(d.phase); })});
+  columns.push_back({"mechanism_time_s", "number", "s",
+                     "when it was, since the start of placing; of a push when it began",
                      take([](const Diagnosis& d) { return JsonNumber(d.time); })});
-  columns.push_back({"diagnosis", "string", "", "the same for a person",
-                     take([](const Diagnosis& d) { return Json(d.text); })});
+  columns.push_back({"loss_turn_rad", "number", "rad",
+                     "turn of the object in the hand until then, since two parts of the hand first "
+                     "pressed against each other, of a lifted one since lift-off",
+                     take([](const Diagnosis& d) { return JsonNumber(d.turn); })});
+  columns.push_back({"normal_work_j", "number", "J",
+                     "work of the hand's normal forces on the object in the last 150 ms in which "
+                     "two parts pressed against each other, relative to the hand",
+                     take([](const Diagnosis& d) { return Json(d.CalcNormalWork()); })});
+  columns.push_back({"friction_work_j", "number", "J", "of its friction forces, likewise",
+                     take([](const Diagnosis& d) { return Json(d.CalcFrictionWork()); })});
+  columns.push_back({"gravity_work_j", "number", "J", "of gravity, likewise",
+                     take([](const Diagnosis& d) { return Json(d.gravity_work); })});
+  columns.push_back(
+      {"diagnosis", "string", "", "the same for a person", [](const TrialRecord& record) {
+         return record.result.diagnosis ? Json(DescribeDiagnosis(record.result)) : Json();
+       }});
 }
 
 /** Of a trial that regulates its grip; missing else. */

@@ -9,6 +9,7 @@ The hands and objects of a session, as far as they can still be loaded, for name
 
 #include "core/hand/hand.h"
 #include "core/shape/grasp_object.h"
+#include "core/trial/measures/diagnosis_text.h"
 #include "core/trial/measures/object_in_hand.h"
 #include "core/trial/outcome.h"
 #include "core/trial/trial_result.h"
@@ -51,7 +52,7 @@ inline std::string WordsOf(Outcome outcome) {
 /** Why a trial ended as it did, in the words of its record; empty for a success. */
 inline std::string ExplainEnd(const TrialResult& result) {
   if (!result.diagnosis) return result.reason;
-  return (result.reason.empty() ? "" : result.reason + ". ") + result.diagnosis->text;
+  return (result.reason.empty() ? "" : result.reason + ". ") + DescribeDiagnosis(result);
 }
 
 inline std::string WordsOf(Seat seat) {

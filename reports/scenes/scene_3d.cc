@@ -43,20 +43,17 @@ const TraceInstant& FindShownInstant(const TracedTrial& traced,
   return *ends.back();
 }
 
-/** Of the digit that is to blame, or else of what gave way first, if it touches then. */
+/** Of the part that the mechanism names, if it touches then. */
 std::vector<int> FindFailedLinks(const TrialView& view, const TraceInstant& shown) {
   const std::optional<Diagnosis>& diagnosis = view.traced.result.diagnosis;
   if (!diagnosis) return {};
-  for (const std::string& part : {diagnosis->digit, diagnosis->lost}) {
-    std::vector<int> links;
-    for (const HandContact& contact : shown.contacts) {
-      const int digit = view.hand->FindDigitOfLink(contact.link);
-      const std::string of = digit < 0 ? "palm" : view.hand->digits[static_cast<size_t>(digit)].id;
-      if (of == part) links.push_back(contact.link);
-    }
-    if (!links.empty()) return links;
+  std::vector<int> links;
+  for (const HandContact& contact : shown.contacts) {
+    const int digit = view.hand->FindDigitOfLink(contact.link);
+    const std::string part = digit < 0 ? "palm" : view.hand->digits[static_cast<size_t>(digit)].id;
+    if (part == diagnosis->part) links.push_back(contact.link);
   }
-  return {};
+  return links;
 }
 
 std::string FormatLinks(const std::vector<int>& links) {

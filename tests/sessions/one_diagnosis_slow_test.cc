@@ -82,12 +82,14 @@ TEST_P(OneDiagnosisSlow, IsTheSameEverywhere) {
   int num_same = 0;
   for (const Json& record : failures) {
     const std::string& id = record["trial_id"].str();
-    const Json diagnosis = record["result"]["diagnosis"];
-    const std::string& text = diagnosis["text"].str();
-    SCOPED_TRACE(id + ": " + text);
+    Json diagnosis = record["result"]["diagnosis"];
+    EXPECT_FALSE(diagnosis.contains("text")) << "records keep no words";
     const std::string page_file = (top_ / (id + ".html")).string();
     ASSERT_EQ(Run({"trial", folder(), id, "--json", "--page", page_file}, "json"), 0);
     const Json trial = Json::parse(Read("json"));
+    const std::string text = trial["diagnosis"]["text"].str();
+    SCOPED_TRACE(id + ": " + text);
+    diagnosis["text"] = text;
     EXPECT_EQ(trial["diagnosis"].dump(), diagnosis.dump());
     EXPECT_EQ(
         Run({"shell", "-c", "open '" + folder() + "' " + id, "-c", "run", "-c", "why"}, "why"), 0);

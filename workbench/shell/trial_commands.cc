@@ -9,6 +9,7 @@
 #include "core/optimise/grasp_optimiser.h"
 #include "core/statistics/proportion.h"
 #include "core/statistics/summary.h"
+#include "core/trial/measures/diagnosis_text.h"
 #include "datasets/plan/session_plan.h"
 #include "datasets/scene/scene_store.h"
 #include "workbench/experiments/pool/batch_runner.h"
@@ -141,7 +142,8 @@ LinkForce FindLinkForce(ShellScene& scene, const std::string& link) {
 std::string DescribeFailure(const TrialResult& result) {
   if (!result.diagnosis) return {};
   const Diagnosis& diagnosis = *result.diagnosis;
-  return fmt::format("why      {}\n         all forces then: goto {}, contacts\n", diagnosis.text,
+  return fmt::format("why      {}\n         all forces then: goto {}, contacts\n",
+                     DescribeDiagnosis(result),
                      FormatFixed(std::max(diagnosis.time - kJustBefore, 0.0), 3));
 }
 

@@ -9,6 +9,7 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/grasp/standard_grasp.h"
+#include "core/trial/measures/diagnosis_text.h"
 #include "core/trial/measures/object_in_hand.h"
 #include "datasets/records/trace_table.h"
 #include "datasets/session/find_trial.h"
@@ -365,7 +366,7 @@ std::string FormatTrial(const ExaminedTrial& trial, const std::string& folder) {
       FormatPhases(trial.traced, trial.setup.strategy) + "\n";
   if (!result.contacts.empty()) text += FormatDigits(trial);
   text += FormatSeat(result) + FormatGrip(result);
-  if (result.diagnosis) text += "why      " + result.diagnosis->text + "\n";
+  if (result.diagnosis) text += "why      " + DescribeDiagnosis(result) + "\n";
   if (trial.nearest && !IsSuccess(result.outcome)) {
     text += fmt::format("nearest  {} succeeded; its object stood {} mm from this one\n",
                         NameTrial(trial.nearest->plan),
@@ -394,6 +395,7 @@ Json MakeTrialJson(const ExaminedTrial& trial, const std::string& folder) {
   json["caged"] = IsCaged(trial.traced.result);
   const std::optional<Diagnosis>& diagnosis = trial.traced.result.diagnosis;
   json["diagnosis"] = diagnosis ? RecordToJson(*diagnosis) : Json();
+  if (diagnosis) json["diagnosis"]["text"] = DescribeDiagnosis(trial.traced.result);
   json["nearest_success"] = trial.nearest ? Json{{"trial_id", trial.nearest->plan.id},
                                                  {"name", NameTrial(trial.nearest->plan)},
                                                  {"distance_m", trial.nearest_distance}}

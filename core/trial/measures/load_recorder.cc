@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "core/trial/grip/grip_statics.h"
 
 namespace graspbench {
 namespace {
@@ -25,6 +28,24 @@ LoadRecorder::LoadRecorder(const TrialSetup& setup, const std::vector<int>& digi
       if (joint >= 0 && way_[joint] != 0.0) joints_.back().push_back(joint);
     }
   }
+  normal_work_.resize(joints_.size() + 1);
+  friction_work_.resize(joints_.size() + 1);
+}
+
+void LoadRecorder::AddWork(double duration, const World& world,
+                           const std::vector<HandContact>& contacts) {
+  const WorldState& state = world.state();
+  const Eigen::Vector3d w_HO_W = state.w_WO - state.w_WH;
+  // Of Ocm against the point of H that is there.
+  const Eigen::Vector3d v_W =
+      state.v_WOcm - state.v_WH - state.w_WH.cross(state.p_WOcm - state.X_WH.translation());
+  for (const HandContact& contact : contacts) {
+    const auto part = static_cast<size_t>(part_of_link_[static_cast<size_t>(contact.link)]);
+    const Eigen::Vector3d way_W = duration * (v_W + w_HO_W.cross(contact.p_WC - state.p_WOcm));
+    normal_work_[part] += contact.normal_force * contact.nhat_W.dot(way_W);
+    friction_work_[part] += contact.friction_W.dot(way_W);
+  }
+  gravity_work_ += duration * world.mass_properties().mass * state.gravity_W.dot(v_W);
 }
 
 /** The joint of a part whose drive gives all it can; -1: none. One that is limited to a share of its
@@ -49,7 +70,7 @@ int LoadRecorder::FindFullDrive(size_t part, const World& world,
 
 void LoadRecorder::Observe(double time, double duration, const World& world,
                            const WorldCommand& command, const StepReport& report,
-                           const std::vector<HandContact>& contacts, const GripRegulator& grip) {
+                           const std::vector<HandContact>& contacts) {
   const WorldState& state = world.state();
   if (std::isnan(begun_)) {
     begun_ = time;
@@ -61,17 +82,20 @@ void LoadRecorder::Observe(double time, double duration, const World& world,
     impulse_W_ += duration * (contact.normal_force * contact.nhat_W + contact.friction_W);
   }
   table_impulse_ += duration * report.table_force;
+  AddWork(duration, world, contacts);
   const double length = time - begun_;
   if (length < kInterval - 1e-9) return;
 
   LoadSample sample;
   sample.time = time;
   sample.shift = (state.p_WOcm.head<2>() - rest_W_).norm();
-  sample.is_on_table = report.table_force > 0.0;
+  sample.R_HO = (state.X_WH.linear().transpose() * state.R_WO).cast<float>();
+  sample.gravity_work = std::exchange(gravity_work_, 0.0);
   const double mass = world.mass_properties().mass;
   const Eigen::Vector3d rest =
       (mass * (state.v_WOcm - v_begun_W_) - impulse_W_) / length - mass * state.gravity_W;
   const double table = table_impulse_ / length;
+  sample.table_force = table;
   has_touched_ = has_touched_ || !impulse_W_.isZero();
   const Eigen::Vector2d v_W = state.v_WOcm.head<2>();
   const double along = has_touched_ ? rest.head<2>().norm() - kTableFriction * table
@@ -79,24 +103,17 @@ void LoadRecorder::Observe(double time, double duration, const World& world,
   sample.push = std::max(0.0, along) + std::abs(rest.z() - table);
 
   sample.parts.resize(joints_.size() + 1);
-  std::vector<Eigen::Vector3d> friction_W(sample.parts.size(), Eigen::Vector3d::Zero());
-  std::vector<double> limit(sample.parts.size(), 0.0), friction(sample.parts.size(), 0.0);
   for (const HandContact& contact : contacts) {
-    const auto at = static_cast<size_t>(part_of_link_[static_cast<size_t>(contact.link)]);
-    PartSample& part = sample.parts[at];
-    part.is_sliding = (part.force == 0.0f || part.is_sliding) && IsSliding(contact);
+    PartSample& part =
+        sample.parts[static_cast<size_t>(part_of_link_[static_cast<size_t>(contact.link)])];
     part.force += static_cast<float>(contact.normal_force);
     part.normal_W += (contact.normal_force * contact.nhat_W).cast<float>();
-    friction_W[at] += contact.friction_W;
-    limit[at] += contact.mu * contact.normal_force;
-    friction[at] += contact.mu_dynamic * contact.normal_force;
   }
   for (size_t at = 0; at < sample.parts.size(); ++at) {
     PartSample& part = sample.parts[at];
-    if (part.force > 0.0f) part.friction = static_cast<float>(friction[at] / part.force);
-    if (limit[at] > 0.0) part.cone_share = static_cast<float>(friction_W[at].norm() / limit[at]);
+    part.normal_work = static_cast<float>(std::exchange(normal_work_[at], 0.0));
+    part.friction_work = static_cast<float>(std::exchange(friction_work_[at], 0.0));
     if (at >= joints_.size()) continue;
-    part.closing = static_cast<float>(grip.closing(at));
     const int full = FindFullDrive(at, world, command);
     part.is_at_limit = full >= 0;
     if (full >= 0) part.limit_joint = hand_->joints[static_cast<size_t>(full)].name;

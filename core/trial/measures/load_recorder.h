@@ -2,9 +2,15 @@
 /** @file
 What each part of a hand bore over a trial, every 10 ms: what a diagnosis looks back on.
 
-A part is a grasping digit or, last, the rest of the hand. Besides the hand only gravity and the
-table act on the object, and the table's horizontal force is at most its normal force times a
-friction of kTableFriction. What the balance of momentum over a sample leaves beyond was a push:
+A part is a grasping digit or, last, the rest of the hand. The works on the object are relative to
+the hand: with v_H(C) the speed of the hand's base H at a contact C, and v_O(C) the object's,
+
+    W_normal = sum dt N nhat . (v_O(C) - v_H(C))       likewise W_friction of its friction force
+    W_gravity = sum dt m g . (v_O(Ocm) - v_H(Ocm))
+
+Besides the hand only gravity and the table act on the object, and the table's horizontal force is
+at most its normal force times a friction of kTableFriction. What the balance of momentum over a
+sample leaves beyond was a push:
 
     F_rest = m dv/dt - m g - F_hand
     push   = max(0, |F_rest,xy| - kTableFriction N_table) + |F_rest,z - N_table|
@@ -19,7 +25,6 @@ It is exact where forces are those of the end of an implicit step (ImplicitWorld
 #include <vector>
 
 #include "core/physics/world.h"
-#include "core/trial/grip/grip_regulator.h"
 #include "core/trial/trial_setup.h"
 
 namespace graspbench {
@@ -28,19 +33,19 @@ struct PartSample {
   float force = 0.0f;  ///< sum of normal forces [N]
   /** Sum of its normal forces as vectors, into the object [N]. */
   Eigen::Vector3f normal_W = Eigen::Vector3f::Zero();
-  float cone_share = 0.0f;            ///< of its friction cone, all contacts together, in use
-  float friction = 0.0f;              ///< dynamic, mean weighted by force; 0: it does not touch
-  float closing = 0.0f;               ///< s that was asked of the digit
-  bool is_sliding = false;            ///< all of its contacts
+  float normal_work = 0.0f;           ///< on the object, over the sample [J]
+  float friction_work = 0.0f;         ///< likewise [J]
   bool is_at_limit = false;           ///< a drive of it gives all it can, either way
   std::string_view limit_joint = {};  ///< that drive's, of the hand's joints; empty: not known
 };
 
 struct LoadSample {
-  double time = 0.0;   ///< since the start of placing [s]
-  double shift = 0.0;  ///< of the object's centre of mass from its rest, along the table [m]
-  double push = 0.0;   ///< mean over the sample [N]
-  bool is_on_table = false;
+  double time = 0.0;          ///< since the start of placing [s]
+  double shift = 0.0;         ///< of the object's centre of mass from its rest, along the table [m]
+  double push = 0.0;          ///< mean over the sample [N]
+  double table_force = 0.0;   ///< normal force, mean over the sample [N]
+  double gravity_work = 0.0;  ///< over the sample [J]
+  Eigen::Matrix3f R_HO = Eigen::Matrix3f::Identity();
   std::vector<PartSample> parts;  ///< grasping digits, then the rest of the hand
 };
 
@@ -50,14 +55,14 @@ class LoadRecorder {
   /** @param digits  those that grasp, indices into Hand::digits. */
   LoadRecorder(const TrialSetup& setup, const std::vector<int>& digits);
 
-  /** After every step. @param grip  knows how far each digit was asked to close. */
+  /** After every step. */
   void Observe(double time, double duration, const World& world, const WorldCommand& command,
-               const StepReport& report, const std::vector<HandContact>& contacts,
-               const GripRegulator& grip);
+               const StepReport& report, const std::vector<HandContact>& contacts);
 
   const std::vector<LoadSample>& samples() const { return samples_; }
 
  private:
+  void AddWork(double duration, const World& world, const std::vector<HandContact>& contacts);
   int FindFullDrive(size_t part, const World& world, const WorldCommand& command) const;
 
   std::shared_ptr<const Hand> hand_;
@@ -67,6 +72,8 @@ class LoadRecorder {
   std::vector<LoadSample> samples_;
   Eigen::Vector3d impulse_W_ = Eigen::Vector3d::Zero();  // of the hand, since the last sample [N s]
   double table_impulse_ = 0.0;                           // [N s]
+  double gravity_work_ = 0.0;                            // since the last sample [J]
+  std::vector<double> normal_work_, friction_work_;      // likewise, by part [J]
   bool has_touched_ = false;                             // the hand, the object
   double begun_ = kUnset;                                // the sample, [s]
   Eigen::Vector3d v_begun_W_ = Eigen::Vector3d::Zero();  // of the object's centre of mass [m/s]

@@ -255,8 +255,7 @@ void TableLift::Observe(const StepReport& report) {
                           CalcSlipSpeed(world_->state(), object_radius_), duration);
   }
   notes_.events.Observe(notes_.time, duration, hand_contacts_);
-  notes_.loads.Observe(notes_.time, duration, *world_, notes_.command, report, hand_contacts_,
-                       notes_.grip);
+  notes_.loads.Observe(notes_.time, duration, *world_, notes_.command, report, hand_contacts_);
   if (notes_.sensors) notes_.sensors->Observe(notes_.time, hand_contacts_, world_->dynamics());
   notes_.grip.Observe(notes_.strategy.phase(), *world_, notes_.command, hand_contacts_,
                       notes_.sensors ? &*notes_.sensors : nullptr, duration);

@@ -59,8 +59,9 @@ TEST(TrialTable, HasTheColumnsThatProgramsRelyOn) {
       "score_multigrippergrasp verdict_nist_pull score_nist_pull t_TH_s closing_TH gap_TH_m "
       "t_FF_s closing_FF gap_FF_m t_MF_s closing_MF gap_MF_m t_RF_s closing_RF gap_RF_m "
       "t_LF_s closing_LF gap_LF_m palm_touches opposition_type hold_force_n grip_asked_n "
-      "grip_held_n grip_faults grip_excess seat caged draw_x_m draw_y_m draw_yaw_rad reason cause "
-      "cause_digit cause_time_s diagnosis ");
+      "grip_held_n grip_faults grip_excess seat caged draw_x_m draw_y_m draw_yaw_rad reason "
+      "mechanism mechanism_part mechanism_phase mechanism_time_s loss_turn_rad normal_work_j "
+      "friction_work_j gravity_work_j diagnosis ");
 }
 
 TEST(TrialTable, JudgedTrialsHaveTheJudgesColumns) {
@@ -217,16 +218,39 @@ TEST(TrialTable, OtherDigitsGetColumnsByName) {
   records[0].result.touches.resize(5);
   const auto columns = ListTrialColumns(records);
   std::vector<std::string> tail;
-  for (size_t i = columns.size() - 26; i < columns.size(); ++i) tail.push_back(columns[i].name);
-  EXPECT_EQ(tail,
-            (std::vector<std::string>{
-                "t_LF_s",          "closing_LF",   "gap_LF_m",     "t_A_s",       "closing_A",
-                "gap_A_m",         "t_Z_s",        "closing_Z",    "gap_Z_m",     "palm_touches",
-                "opposition_type", "hold_force_n", "grip_asked_n", "grip_held_n", "grip_faults",
-                "grip_excess",     "seat",         "caged",        "draw_x_m",    "draw_y_m",
-                "draw_yaw_rad",    "reason",       "cause",        "cause_digit", "cause_time_s",
-                "diagnosis"}));
-  EXPECT_EQ(columns[columns.size() - 20].value(records[0]), 0.25);
+  for (size_t i = columns.size() - 31; i < columns.size(); ++i) tail.push_back(columns[i].name);
+  EXPECT_EQ(tail, (std::vector<std::string>{"t_LF_s",
+                                            "closing_LF",
+                                            "gap_LF_m",
+                                            "t_A_s",
+                                            "closing_A",
+                                            "gap_A_m",
+                                            "t_Z_s",
+                                            "closing_Z",
+                                            "gap_Z_m",
+                                            "palm_touches",
+                                            "opposition_type",
+                                            "hold_force_n",
+                                            "grip_asked_n",
+                                            "grip_held_n",
+                                            "grip_faults",
+                                            "grip_excess",
+                                            "seat",
+                                            "caged",
+                                            "draw_x_m",
+                                            "draw_y_m",
+                                            "draw_yaw_rad",
+                                            "reason",
+                                            "mechanism",
+                                            "mechanism_part",
+                                            "mechanism_phase",
+                                            "mechanism_time_s",
+                                            "loss_turn_rad",
+                                            "normal_work_j",
+                                            "friction_work_j",
+                                            "gravity_work_j",
+                                            "diagnosis"}));
+  EXPECT_EQ(columns[columns.size() - 25].value(records[0]), 0.25);
 }
 
 TEST(TrialTable, SchemaDescribesEveryColumn) {

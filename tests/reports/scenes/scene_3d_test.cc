@@ -47,9 +47,9 @@ TEST(TrialViews, SayInWordsWhatTheSceneShows) {
 TEST(TrialViews, BeginWhereATrialBeganToFailWithTheContactMarked) {
   TrialView trial = MakeTrialView();
   Diagnosis diagnosis;
-  diagnosis.cause = FailureCause::kWeakGrip;
+  diagnosis.mechanism = Mechanism::kSagged;
   diagnosis.time = 1.76;
-  diagnosis.lost = "TH";
+  diagnosis.part = "TH";
   trial.traced.result.diagnosis = diagnosis;
   const auto find_view = [](const std::string& page, tinyxml2::XMLDocument& document) {
     ParsePage(page, document);
@@ -59,7 +59,7 @@ TEST(TrialViews, BeginWhereATrialBeganToFailWithTheContactMarked) {
   const tinyxml2::XMLElement* view = find_view(MakePageWith({trial}), failed);
   EXPECT_STREQ(view->Attribute("data-time"), "1.7000") << "the last instant up to then";
   EXPECT_STREQ(view->Attribute("data-failed"), "2") << "the sliding link touches";
-  EXPECT_NE(ListText(*view).find("weak grip at 1.760 s"), std::string::npos);
+  EXPECT_NE(ListText(*view).find("sagged at 1.760 s"), std::string::npos);
   trial.traced.result.diagnosis->time = 0.3;
   view = find_view(MakePageWith({trial}), early);
   EXPECT_STREQ(view->Attribute("data-time"), "0.3000");

@@ -1,0 +1,136 @@
+#include "core/trial/measures/diagnosis_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/base/text/text.h"
+#include "core/base/units.h"
+
+namespace graspbench {
+namespace {
+
+constexpr double kPressedDown = 1.5;  // share of the weight that the table bears
+
+std::string FormatSeconds(double time) { return FormatFixed(time, 3) + " s"; }
+std::string FormatNewtons(double force) { return FormatFixed(force, force < 0.1 ? 3 : 2) + " N"; }
+std::string FormatWork(double work) { return FormatFixed(1e3 * work, 2) + " mJ"; }
+std::string FormatShift(double shift) { return FormatFixed(MmFromM(shift), 1) + " mm"; }
+
+/** "while closing, at 1.850 s". */
+std::string DescribeTime(const Diagnosis& diagnosis) {
+  const std::string& phase = diagnosis.phase;
+  const char* when = phase == NameOf(Phase::kLiftOff)         ? "in the lift"
+                     : phase == NameOf(Phase::kHold)          ? "in the hold"
+                     : phase == NameOf(Phase::kStabilisation) ? "before the lift"
+                     : phase == NameOf(Phase::kPlacing)       ? "while placing"
+                                                              : "while closing";
+  return fmt::format("{}, at {}", when, FormatSeconds(diagnosis.time));
+}
+
+/** "all digits touched within 10 ms", or who did not. */
+std::string DescribeTouches(const TrialResult& result) {
+  std::string untouched;
+  double first = kUnset, last = kUnset;
+  for (const DigitContact& contact : result.contacts) {
+    if (std::isnan(contact.time)) {
+      untouched += (untouched.empty() ? "" : ", ") + contact.digit.str();
+    }
+    first = std::fmin(first, contact.time);
+    last = std::fmax(last, contact.time);
+  }
+  const std::string spread = FormatFixed(MsFromS(last - first), 0) + " ms";
+  if (untouched.empty()) return "all digits touched within " + spread;
+  if (std::isnan(first)) return "no digit touched";
+  return fmt::format("{} never touched, the others within {}", untouched, spread);
+}
+
+/** "TH pressed with up to 2.00 N, FF with 1.00 N". */
+std::string DescribeForces(const Diagnosis& diagnosis) {
+  std::string text;
+  for (const PartWork& part : diagnosis.parts) {
+    text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", part.part,
+                        text.empty() ? "pressed with up to " : "with ", FormatNewtons(part.force));
+  }
+  return text.empty() ? "nothing pressed on it" : text;
+}
+
+std::string DescribeWorks(const Diagnosis& diagnosis) {
+  return fmt::format(
+      " Relative to the hand, normal forces did {} of work, gravity {}, friction {}.",
+      FormatWork(diagnosis.CalcNormalWork()), FormatWork(diagnosis.gravity_work),
+      FormatWork(diagnosis.CalcFrictionWork()));
+}
+
+std::string DescribeTable(const Diagnosis& diagnosis) {
+  return diagnosis.table_share < kPressedDown
+             ? fmt::format("the table bore {} % of its weight",
+                           FormatFixed(100.0 * diagnosis.table_share, 0))
+             : fmt::format("they pressed it onto the table, which bore {} times its weight",
+                           FormatFixed(diagnosis.table_share, 1));
+}
+
+std::string DescribeMissing(const TrialResult& result, const Diagnosis& diagnosis) {
+  std::string nearest;
+  for (size_t digit = 0; digit < result.contacts.size(); ++digit) {
+    const double gap = result.touches[digit].smallest_gap;
+    if (result.contacts[digit].digit.str() != diagnosis.part || std::isnan(gap)) continue;
+    nearest = fmt::format("; the nearest of {} was {}", diagnosis.part, FormatShift(gap));
+  }
+  return fmt::format("Not reached: no two parts of the hand pressed against each other; {}{}.",
+                     DescribeTouches(result), nearest);
+}
+
+}  // namespace
+
+std::string DescribeDiagnosis(const TrialResult& result) {
+  if (!result.diagnosis) return "";
+  const Diagnosis& found = *result.diagnosis;
+  const std::string time = DescribeTime(found);
+  const std::string moved = "the object had moved by " + FormatShift(found.shift);
+  switch (found.mechanism) {
+    case Mechanism::kArmAtLimit:
+      return fmt::format("The arm gave way at its limit, at {}.", FormatSeconds(found.time));
+    case Mechanism::kOutsidePush:
+      return fmt::format(
+          "Something other than hand, table and gravity pushed the object with {} at {}.",
+          FormatNewtons(found.push), FormatSeconds(found.time));
+    case Mechanism::kPushed:
+      return fmt::format(
+          "{} pushed the object: it had moved by more than 5 mm at {}, before two parts of the "
+          "hand pressed against each other; {}.",
+          found.part, FormatSeconds(found.time), DescribeTouches(result));
+    case Mechanism::kNotReached:
+      return DescribeMissing(result, found);
+    case Mechanism::kDriveAtLimit:
+      return fmt::format("Lost {}: {} was at its limit; {}.", time,
+                         found.joint.empty() ? "a drive of " + found.part
+                                             : "the drive of " + found.joint + " of " + found.part,
+                         DescribeForces(found)) +
+             DescribeWorks(found);
+    case Mechanism::kSqueezedOut:
+      return fmt::format(
+                 "Squeezed out {}: {}, and {} before two parts pressed against each other; "
+                 "{}, while {}.",
+                 time, DescribeTouches(result), moved, DescribeForces(found),
+                 DescribeTable(found)) +
+             DescribeWorks(found);
+    case Mechanism::kSagged:
+      return fmt::format("Sagged {}: the object turned by {} degrees in the hand while {}; {}.",
+                         time, FormatFixed(DegFromRad(found.turn), 0), DescribeForces(found),
+                         DescribeTouches(result)) +
+             DescribeWorks(found);
+    case Mechanism::kSlid:
+      return fmt::format("Slid out {}: the object turned by {} degrees in the hand while {}; {}.",
+                         time, FormatFixed(DegFromRad(found.turn), 0), DescribeForces(found),
+                         DescribeTouches(result)) +
+             DescribeWorks(found);
+    case Mechanism::kNotIdentified:
+      break;
+  }
+  return fmt::format("The cause was not identified: lost {}, while {}; {}.", time,
+                     DescribeForces(found), DescribeTable(found)) +
+         DescribeWorks(found);
+}
+
+}  // namespace graspbench

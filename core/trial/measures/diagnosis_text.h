@@ -1,0 +1,15 @@
+#pragma once
+/** @file
+The words for a failed trial's mechanism: the same for terminal, page, report and CSV. */
+
+#include <string>
+
+#include "core/trial/trial_result.h"
+
+namespace graspbench {
+
+/** "Squeezed out while closing, at 1.850 s: ..": what happened, then what bore and did work. Empty
+without a diagnosis. */
+std::string DescribeDiagnosis(const TrialResult& result);
+
+}  // namespace graspbench
