@@ -43,7 +43,7 @@ std::string DescribeHand(const SweepSummary& summary, const std::string& hand) {
     ++num_effects;
     if (!effect.excludes_zero()) continue;
     changed += (changed.empty() ? "" : ", ") + effect.factors[0] + "=" + effect.levels[0] + " by " +
-               FormatFixed(100.0 * effect.estimate, 1) + " points";
+               FormatFixed(100.0 * effect.change.estimate, 1) + " points";
   }
   if (num_effects == 0) return text + ".";
   return text + (changed.empty() ? "; of no level is it decided that it changes success."

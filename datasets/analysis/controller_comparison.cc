@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/base/text/text.h"
 #include "core/statistics/summary.h"
+#include "datasets/analysis/pairs.h"
 
 namespace graspbench {
 namespace {
@@ -16,8 +18,20 @@ void AddCounts(const PairedCounts& part, PairedCounts& sum) {
   sum.neither += part.neither;
 }
 
-double CalcChange(const PairedCounts& counts) {
-  return CalcShare(counts.second_only - counts.first_only, counts.num_pairs());
+/** Of all hands. */
+ChangeEstimate EstimatePooledChange(const std::vector<TrialPair>& pairs) {
+  ObjectChanges changes;
+  PairedCounts counts;
+  std::set<const TrialRecord*> records;
+  for (const TrialPair& pair : pairs) {
+    const bool before = IsSuccess(pair.before->result.outcome);
+    const bool after = IsSuccess(pair.after->result.outcome);
+    counts.Add(before, after);
+    changes[pair.before->plan.hand + "\n" + pair.before->plan.object].push_back(double(after) -
+                                                                                double(before));
+    records.insert({pair.before, pair.after});
+  }
+  return EstimateSuccessChange(changes, counts, ExplainUndecided(CountOutcomes(records)));
 }
 
 std::vector<PairedCounts> ListCounts(const std::vector<ObjectComparison>& objects) {
@@ -77,20 +91,25 @@ std::vector<HandDecision> DecideByObject(const std::vector<ObjectComparison>& ob
 std::vector<LoadChange> CompareLoads(const std::vector<TrialPair>& pairs) {
   struct Loads {
     std::string hand;
+    int num_left_out = 0;
     std::vector<double> before, after, ratios;
   };
   std::vector<Loads> hands;
   for (const TrialPair& pair : pairs) {
-    if (!pair.before->judgement || !pair.after->judgement) continue;
-    const double before = pair.before->judgement->breaking_force;
-    const double after = pair.after->judgement->breaking_force;
-    if (!(before > 0.0) || !(after > 0.0)) continue;
+    const auto find_force = [](const TrialRecord& record) {
+      return record.judgement ? record.judgement->breaking_force : kUnset;
+    };
+    const double before = find_force(*pair.before), after = find_force(*pair.after);
     const std::string& hand = pair.before->plan.hand;
     auto found = std::find_if(hands.begin(), hands.end(),
                               [&](const Loads& loads) { return loads.hand == hand; });
     if (found == hands.end()) {
-      hands.push_back({hand, {}, {}, {}});
+      hands.emplace_back().hand = hand;
       found = hands.end() - 1;
+    }
+    if (!(before > 0.0) || !(after > 0.0)) {
+      ++found->num_left_out;
+      continue;
     }
     found->before.push_back(before);
     found->after.push_back(after);
@@ -98,7 +117,9 @@ std::vector<LoadChange> CompareLoads(const std::vector<TrialPair>& pairs) {
   }
   std::vector<LoadChange> changes;
   for (const Loads& loads : hands) {
+    if (loads.ratios.empty()) continue;
     LoadChange change;
+    change.num_left_out = loads.num_left_out;
     change.hand = loads.hand;
     change.num_pairs = static_cast<int>(loads.ratios.size());
     change.before = CalcMedian(loads.before);
@@ -128,15 +149,16 @@ std::vector<LearningPoint> ListLearningPoints(
     point.interval = CalcWilsonInterval(point.num_successes, point.num_trials);
     if (session != sessions.front().second) {
       try {
-        const auto objects =
-            CompareObjects(CompareSessions(*sessions.front().second, *session).pairs);
-        PairedCounts sum;
-        for (const ObjectComparison& one : objects) AddCounts(one.successes, sum);
-        const Interval change = CalcPairedDifferenceInterval(sum);
-        point.num_pairs = sum.num_pairs();
-        point.change = CalcChange(sum);
-        point.change_low = change.low;
-        point.change_high = change.high;
+        const std::vector<TrialPair> pairs =
+            CompareSessions(*sessions.front().second, *session).pairs;
+        const auto objects = CompareObjects(pairs);
+        const ChangeEstimate change = EstimatePooledChange(pairs);
+        point.num_pairs = change.num_draws;
+        point.change = change.estimate;
+        if (change.interval) {
+          point.change_low = change.interval->low;
+          point.change_high = change.interval->high;
+        }
         point.p = CalcClusteredExactTwoSided(ListCounts(objects));
       } catch (const Error& error) {
         if (error.kind() != ErrorKind::kUsage) throw;  // else no draw in common
@@ -209,7 +231,11 @@ std::vector<CsvColumn<LoadChange>> ListLoadChangeColumns() {
   using C = CsvColumn<Row>;
   return {
       C("hand", "", "of the first session", &Row::hand).Shown("hand"),
-      C("pairs", "", "judged in both", &Row::num_pairs).Shown("judged pairs"),
+      C("pairs", "", "judged in both", &Row::num_pairs)
+          .Shown("judged pairs",
+                 [](const Row& row) {
+                   return FormatCountOf(row.num_pairs, row.num_pairs + row.num_left_out);
+                 }),
       C("before_n", "N", "median breaking force of the first session", &Row::before)
           .Shown("first [N]", [](const Row& row) { return FormatFixed(row.before, 2); }),
       C("after_n", "N", "median breaking force of the second session", &Row::after)
@@ -218,7 +244,9 @@ std::vector<CsvColumn<LoadChange>> ListLoadChangeColumns() {
           .Shown("second over first",
                  [](const Row& row) { return FormatWithRange(row.ratio, row.low, row.high, 2); }),
       {"ratio_low", "", "95 % interval of ratio, lower end", &Row::low},
-      {"ratio_high", "", "95 % interval of ratio, upper end", &Row::high}};
+      {"ratio_high", "", "95 % interval of ratio, upper end", &Row::high},
+      {"left_out", "", "pairs that were not judged in both, or broke at no force",
+       &Row::num_left_out}};
 }
 
 std::vector<CsvColumn<LearningPoint>> ListLearningColumns() {

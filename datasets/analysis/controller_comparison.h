@@ -39,6 +39,7 @@ struct LoadChange {
   int num_pairs = 0;
   double before = kUnset, after = kUnset;              ///< medians [N]
   double ratio = kUnset, low = kUnset, high = kUnset;  ///< median of second over first; see below
+  int num_left_out = 0;  ///< pairs of the hand that were not judged in both, or broke at no force
 };
 /** The interval is that of order statistics, NaN: too few pairs. None where nothing was judged. */
 std::vector<LoadChange> CompareLoads(const std::vector<TrialPair>& pairs);

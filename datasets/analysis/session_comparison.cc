@@ -3,42 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
-#include <tuple>
 
 #include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/base/text/text.h"
 #include "core/statistics/summary.h"
+#include "datasets/analysis/pairs.h"
 
 namespace graspbench {
 namespace {
-
-/** What must be the same; an empty hand or grasp is any. */
-using PairKey = std::tuple<std::string, std::string, std::string, int, std::string>;
 
 std::set<std::string> ListHands(const Session& session) {
   std::set<std::string> hands;
   for (const TrialRecord& record : session.records) hands.insert(record.plan.hand);
   return hands;
-}
-
-/** True when no object is grasped in two ways by one hand. */
-bool HasOneGraspEach(const Session& session) {
-  std::map<std::pair<std::string, std::string>, std::set<std::string>> grasps;
-  for (const TrialRecord& record : session.records) {
-    grasps[{record.plan.hand, record.plan.object}].insert(record.plan.grasp);
-  }
-  for (const auto& [scene, names] : grasps) {
-    if (names.size() > 1) return false;
-  }
-  return true;
-}
-
-bool IsSameDraw(const Session& a, const Session& b, const PlannedTrial& planned) {
-  const TrialDraw first = MakeObjectDraw(a.config, planned.object, planned.trial);
-  const TrialDraw second = MakeObjectDraw(b.config, planned.object, planned.trial);
-  return CalcDrawDistance(first, second, 1.0) == 0.0;
 }
 
 std::string ExplainNoPair(const Session& before, const Session& after) {
@@ -68,36 +48,43 @@ std::string ExplainNoPair(const Session& before, const Session& after) {
 
 }  // namespace
 
-SessionComparison CompareSessions(const Session& before, const Session& after) {
-  const auto hands_before = ListHands(before), hands_after = ListHands(after);
-  const bool is_any_hand = hands_before.size() == 1 && hands_after.size() == 1;
-  const bool is_any_grasp = HasOneGraspEach(before) && HasOneGraspEach(after);
-  const auto make_key = [&](const PlannedTrial& planned) {
-    return PairKey(is_any_hand ? "" : planned.hand, planned.object,
-                   is_any_grasp ? "" : planned.grasp, planned.trial,
-                   planned.condition.value_or(""));
-  };
-  std::map<PairKey, const TrialRecord*> others;
-  for (const TrialRecord& record : after.records) others[make_key(record.plan)] = &record;
+int SessionComparison::num_other_grasp() const {
+  return static_cast<int>(std::count_if(
+      pairs.begin(), pairs.end(), [](const TrialPair& pair) { return pair.changes_grasp(); }));
+}
 
+SessionComparison CompareSessions(const Session& before, const Session& after) {
+  const bool is_any_hand = ListHands(before).size() == 1 && ListHands(after).size() == 1;
+  std::set<std::optional<std::string>> conditions;
+  for (const PlannedTrial& planned : before.plan) conditions.insert(planned.condition);
   SessionComparison comparison;
-  VariedTrials measures;
-  for (const TrialRecord& record : before.records) {
-    const auto other = others.find(make_key(record.plan));
-    if (other == others.end() || !IsSameDraw(before, after, record.plan)) {
-      ++comparison.num_only_before;
-      continue;
+  VariedTrials trials;
+  for (const std::optional<std::string>& condition : conditions) {
+    const ComparedSide sides[] = {{&before, condition}, {&after, condition}};
+    for (const ComparedDraw& draw : ListComparedDraws({sides[0], sides[1]}, is_any_hand)) {
+      if (draw.planned[0]) trials[draw.planned[0]->id];
+      if (!draw.records[0] || !draw.records[1]) continue;
+      comparison.pairs.push_back({draw.records[0], draw.records[1]});
+      trials[draw.planned[0]->id] = MakeTrialMeasures(*draw.records[1]);
     }
-    comparison.pairs.push_back({&record, other->second});
-    measures[record.plan.id] = MakeTrialMeasures(other->second->result);
   }
   if (comparison.pairs.empty()) {
     throw Error(ErrorKind::kUsage, "no trial of the two sessions was run on the same draw: " +
                                        ExplainNoPair(before, after));
   }
-  comparison.num_only_after =
-      static_cast<int>(after.records.size()) - static_cast<int>(comparison.pairs.size());
-  comparison.changes = ListChanges(before, "comparison", measures);
+  std::sort(comparison.pairs.begin(), comparison.pairs.end(),
+            [](const TrialPair& a, const TrialPair& b) { return a.before < b.before; });
+  const int num_pairs = static_cast<int>(comparison.pairs.size());
+  comparison.num_only_before = static_cast<int>(before.records.size()) - num_pairs;
+  comparison.num_only_after = static_cast<int>(after.records.size()) - num_pairs;
+  for (SettingChange& change : ListChanges(before, "all pairs", trials)) {
+    comparison.changes.push_back(std::move(change));
+    if (comparison.changes.back().num_other_grasp == 0) continue;
+    const std::string hand = comparison.changes.back().hand;
+    for (SettingChange& same : ListChanges(before, "same grasp", trials, PairsTaken::kSameGrasp)) {
+      if (same.hand == hand) comparison.changes.push_back(std::move(same));
+    }
+  }
   comparison.settings = FindConfigDifferences(before.config, after.config);
   return comparison;
 }
@@ -123,12 +110,16 @@ ThresholdChange CompareHand(const std::vector<TrialPair>& pairs, const std::stri
   for (const TrialPair& pair : pairs) {
     const auto a = first.find(pair.before->plan.id);
     const auto b = second.find(pair.after->plan.id);
-    if (pair.before->plan.hand != hand || a == first.end() || b == second.end()) continue;
-    ++change.num_pairs;
+    if (pair.before->plan.hand != hand) continue;
+    const bool has_both = a != first.end() && b != second.end();
+    ++(has_both ? change.num_pairs : change.num_left_out);
+    if (!has_both) continue;
     change.num_lower += b->second < a->second;
     change.num_equal += b->second == a->second;
     change.num_higher += b->second > a->second;
-    if (!std::isinf(a->second) && !std::isinf(b->second)) ratios.push_back(b->second / a->second);
+    const bool is_infinite = std::isinf(a->second) || std::isinf(b->second);
+    change.num_infinite += is_infinite;
+    if (!is_infinite) ratios.push_back(b->second / a->second);
   }
   if (ratios.empty()) return change;
   change.ratio = CalcMedian(ratios);
@@ -168,15 +159,27 @@ std::vector<CsvColumn<ThresholdChange>> ListThresholdChangeColumns() {
   return {
       C("scale", "", "", [](const Row& row) { return row.scale->name; }).Shown("grip threshold"),
       C("hand", "", "", &Row::hand).Shown("hand"),
-      C("pairs", "", "", &Row::num_pairs).Shown("pairs"),
+      C("pairs", "", "", &Row::num_pairs)
+          .Shown("pairs",
+                 [](const Row& row) {
+                   return FormatCountOf(row.num_pairs, row.num_pairs + row.num_left_out);
+                 }),
       C("lower", "", "", &Row::num_lower).Shown("lower"),
       C("equal", "", "", &Row::num_equal).Shown("equal"),
       C("higher", "", "", &Row::num_higher).Shown("higher"),
       C("ratio", "", "", &Row::ratio)
           .Shown("second over first",
-                 [](const Row& row) { return FormatWithRange(row.ratio, row.low, row.high, 2); }),
+                 [](const Row& row) {
+                   return FormatWithRange(row.ratio, row.low, row.high, 2) +
+                          (row.num_infinite == 0
+                               ? ""
+                               : ", " + std::to_string(row.num_pairs - row.num_infinite) + " of " +
+                                     FormatCount(row.num_pairs, "pair"));
+                 }),
       {"ratio_low", "", "", &Row::low},
-      {"ratio_high", "", "", &Row::high}};
+      {"ratio_high", "", "", &Row::high},
+      {"left_out", "", "", &Row::num_left_out},
+      {"infinite", "", "", &Row::num_infinite}};
 }
 
 }  // namespace graspbench

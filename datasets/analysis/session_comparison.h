@@ -1,8 +1,10 @@
 #pragma once
 /** @file
-Two sessions trial by trial. Two trials are a pair when object and number are the same and the object
-stood in the very same place; hands and grasps must be the same, too, unless each session has only
-one hand, or one grasp of it on that object: then these are what is compared.
+Two sessions trial by trial, in the pairs of datasets/analysis/pairs.h, under each condition that both
+have. Hands are what is compared where each session has only one.
+
+Where an object's grasp differs between the sessions, some pairs change grasp with everything else.
+Then there are two estimates: of all pairs, and of those with the same grasp.
 
 Where both have looked for grip thresholds on the same scale, these are compared draw by draw, too. A
 draw that no grip held is above every other. */
@@ -19,6 +21,7 @@ struct TrialPair {
   const TrialRecord* before = nullptr;
   const TrialRecord* after = nullptr;
 
+  bool changes_grasp() const { return before->plan.grasp != after->plan.grasp; }
   bool is_won() const { return !IsSuccess(before->result.outcome) && is_success_after(); }
   bool is_lost() const { return IsSuccess(before->result.outcome) && !is_success_after(); }
 
@@ -30,8 +33,12 @@ struct SessionComparison {
   std::vector<TrialPair> pairs;  ///< in the order of the first session's plan
   int num_only_before = 0;       ///< finished trials that are in no pair
   int num_only_after = 0;
-  std::vector<SettingChange> changes;  ///< of all pairs of a hand; `hand` is the first's
-  std::vector<std::string> settings;   ///< "sim.step_s: 0.002 and 0.001"
+  /** Of all pairs of a hand, "all pairs", then of its pairs with the same grasp where some have
+  another: "same grasp". `hand` is the first's. */
+  std::vector<SettingChange> changes;
+
+  int num_other_grasp() const;
+  std::vector<std::string> settings;  ///< "sim.step_s: 0.002 and 0.001"
 };
 
 /** The records must outlive what is found.
@@ -46,6 +53,8 @@ struct ThresholdChange {
   /** Of the second session's over the first's, of the pairs in which both have one; its interval is
   that of order statistics, NaN: too few. */
   double ratio = kUnset, low = kUnset, high = kUnset;
+  int num_left_out = 0;  ///< pairs of the hand without a threshold in both sessions
+  int num_infinite = 0;  ///< of num_pairs: no grip held in one of them, so that there is no ratio
 };
 
 /** By scale, then by hand. None where one of them has no thresholds. */

@@ -182,6 +182,8 @@ constexpr const char* kFirst = "delay.first";
 constexpr const char* kBackend = "backend";
 constexpr const char* kImplicit = "implicit";
 constexpr const char* kCompliant = "compliant";
+constexpr const char* kBest = "best";
+constexpr const char* kAgain = "again";
 
 /** What leaves the draws of a trial, as key or as group of keys. */
 const std::vector<std::string> kComparable = {"variation",     "strategy",    "sim",    "model",
@@ -235,6 +237,10 @@ void Apply(const std::string& text, ConditionInputs& made) {
                                          SuggestNames(setting.value, {kImplicit, kCompliant}));
     }
     made.is_compliant = setting.value == kCompliant;
+  } else if (setting.key == kBest) {
+    if (setting.value != kAgain) {
+      throw Error(ErrorKind::kUsage, "best=" + setting.value + ": expected again");
+    }
   } else if (setting.key == kGrasp) {
     if (setting.value.empty() || setting.value == "all" || IsGraspFile(setting.value) ||
         setting.value.find(',') != setting.value.npos) {
@@ -300,6 +306,7 @@ SessionConfig MakeSweep(const SweepConfig& sweep) {
     strategies.push_back(ApplyCondition(condition, config).config.strategy);
     config.conditions.push_back(condition);
   }
+  if (sweep.grasp_per_condition) config.conditions = ChooseAgain(config.conditions, config);
   RefuseUnused(factors, made.config, strategies);
   for (size_t k = 0; k < points.size(); ++k) {
     for (size_t i = 0; i < factors.size(); ++i) {
@@ -385,11 +392,31 @@ std::string FindBaseLevel(const SessionConfig& config, const std::string& key) {
   return value->is_string() ? value->get<std::string>() : FormatJson(*value);
 }
 
+bool ChoosesGraspAgain(const Condition& condition) {
+  return std::any_of(condition.settings.begin(), condition.settings.end(),
+                     [](const std::string& text) { return Split(text).key == kBest; });
+}
+
+std::vector<Condition> ChooseAgain(std::vector<Condition> conditions, const SessionConfig& config) {
+  bool has_choice = std::count(config.grasps.begin(), config.grasps.end(), kBest) > 0;
+  for (Condition& condition : conditions) {
+    for (const std::string& text : condition.settings) {
+      has_choice = has_choice && Split(text).key != kGrasp;
+    }
+    condition.settings.push_back(std::string(kBest) + "=" + kAgain);
+  }
+  if (has_choice) return conditions;
+  throw Error(ErrorKind::kUsage,
+              "--grasp-per-condition chooses best grasps again, and the grasps are named here; "
+              "leave it out, or take --grasp best and no factor grasp");
+}
+
 std::vector<SweepFactor> ListFactors(const SessionConfig& config) {
   std::vector<SweepFactor> factors;
   for (const Condition& condition : config.conditions) {
     for (const std::string& text : condition.settings) {
       const Assignment setting = Split(text);
+      if (setting.key == kBest) continue;  // says how, not what
       auto factor = std::find_if(factors.begin(), factors.end(), [&](const SweepFactor& known) {
         return known.key == setting.key;
       });

@@ -9,6 +9,7 @@ the session as it is configured. A setting is
     delay.last=SECONDS   the digit that touches last, or first, without delay closes later
     delay.first=SECONDS  (core/trial/digit_delays.h)
     backend=NAME         implicit, or compliant (core/physics/simbody/compliant_world.h)
+    best=again           best grasps are chosen under the condition, not at the base (ChooseAgain)
 
 A factor is a key that conditions differ in; its levels are the values, that of the base first. */
 
@@ -33,6 +34,11 @@ ConditionInputs ApplyCondition(const Condition& condition, const SessionConfig& 
 
 /** Whether a condition delays a digit: then all trials say how far closing moved the object. */
 bool HasDelays(const SessionConfig& config);
+
+/** Each condition with best=again. @throws Error(kUsage) where no grasp is chosen: none is named best,
+or grasps are what differs. */
+std::vector<Condition> ChooseAgain(std::vector<Condition> conditions, const SessionConfig& config);
+bool ChoosesGraspAgain(const Condition& condition);
 
 struct SweepFactor {
   std::string key;
@@ -81,6 +87,7 @@ struct SweepConfig : SessionConfig {
   std::string design = "full";
   bool judge = false;     ///< break what is held
   std::string threshold;  ///< of kThresholdScales: bisect each draw's grip on it; empty: do not
+  bool grasp_per_condition = false;  ///< best grasps are chosen under each condition
 
   template <class V>
   void Visit(V&& v) {
@@ -93,6 +100,8 @@ struct SweepConfig : SessionConfig {
     v("threshold", threshold,
       "margin or force: also find the smallest with which each draw succeeds, under every "
       "condition; at most six more trials each");
+    v("grasp_per_condition", grasp_per_condition,
+      "choose best grasps under each condition, not at the base");
     SessionConfig::Visit(v);
   }
 };

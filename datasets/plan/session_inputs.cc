@@ -266,10 +266,13 @@ SessionInputs LoadSessionInputs(const SessionConfig& config, FieldUse field_use,
       {FormatJson(DescribeInputs(config)), base}};
   for (const Condition& condition : config.conditions) {
     ConditionInputs made = ApplyCondition(condition, config);
-    std::shared_ptr<const SessionInputs>& shared = known[FormatJson(DescribeInputs(made.config))];
+    const Json described = DescribeInputs(made.config);
+    const bool chooses_again = ChoosesGraspAgain(condition) && described != DescribeInputs(config);
+    std::shared_ptr<const SessionInputs>& shared =
+        known[FormatJson(described) + (chooses_again ? " again" : "")];
     if (!shared) {
       SessionInputs changed = LoadBaseInputs(made.config, field_use, folder);
-      changed.base = base;
+      if (!chooses_again) changed.base = base;
       shared = std::make_shared<SessionInputs>(std::move(changed));
     }
     made.inputs = shared;

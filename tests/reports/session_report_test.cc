@@ -270,7 +270,7 @@ TEST(SessionReport, ShowsWhatSettingsChange) {
   SensitivityData data;
   for (const TrialRecord& record : session.records) {
     TrialMeasures& measures = data["model.mass_scale=2.0"][record.plan.id];
-    measures = MakeTrialMeasures(record.result);
+    measures = MakeTrialMeasures(record);
     measures.outcome = Outcome::kKnockedOver;
     measures.gft += 0.123;
   }

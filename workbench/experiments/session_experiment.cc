@@ -142,6 +142,7 @@ PreparedSession PrepareExperiment(const ExperimentRequest& request, const std::s
   const std::vector<PlannedTrial> plan = MakePlan(made.config, made.inputs);
   std::string ids;
   for (const PlannedTrial& planned : plan) ids += planned.id;
+  for (const Condition& condition : conditions) ids += ChoosesGraspAgain(condition) ? " again" : "";
   made.folder = session.folder / kind / CalcHashHex(ids).substr(0, 8);
   if (!HasSession(made.folder)) CreateExperiment(session, kind, made, plan);
   if (request.plan_only) RecordPlanning(made.folder);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "core/base/units.h"
 #include "core/statistics/summary.h"
 #include "core/trial/digit_delays.h"
+#include "datasets/analysis/pairs.h"
 
 namespace graspbench {
 namespace {
@@ -44,9 +44,6 @@ Condition DelayDigitIn(const Condition& state, const char* late, double delay) {
   return condition;
 }
 
-/** Finished trials by condition and draw. */
-using Trials = std::map<std::pair<std::optional<std::string>, std::string>, const TrialRecord*>;
-
 DelayedTrial MakeDelayedTrial(const std::string& state, const char* late, double delay,
                               const TrialRecord& record, const TrialRecord& undelayed) {
   DelayedTrial trial = {state, late, delay, {}, record};
@@ -72,24 +69,30 @@ std::vector<Condition> ListDelayConditions(const SessionConfig& config) {
 }
 
 std::vector<DelayedTrial> ListDelayedTrials(const Session& experiment) {
-  Trials finished;
-  for (const TrialRecord& record : experiment.records) {
-    finished[{record.plan.condition, NameDraw(record.plan)}] = &record;
-  }
   std::vector<DelayedTrial> trials;
   for (const Condition& state : ListStates(experiment.config)) {
+    std::vector<ComparedSide> sides = {
+        {&experiment, state.settings.empty() ? std::nullopt : std::optional(state.name)}};
+    for (const LateRow& late : kLateDigits) {
+      for (const double delay : ListDelays()) {
+        if (delay == 0.0) continue;
+        sides.push_back({&experiment, DelayDigitIn(state, late.name, delay).name});
+      }
+    }
+    const std::vector<ComparedDraw> draws = ListComparedDraws(sides);
     std::vector<DelayedTrial> undelayed;
-    const auto name = state.settings.empty() ? std::nullopt : std::optional(state.name);
-    for (const TrialRecord& record : experiment.records) {
-      if (record.plan.condition != name) continue;
+    for (const ComparedDraw& draw : draws) {
+      const TrialRecord* record = draw.records.front();
+      if (!record) continue;
+      size_t side = 0;
       for (const LateRow& late : kLateDigits) {
-        undelayed.push_back(MakeDelayedTrial(state.name, late.name, 0.0, record, record));
-        if (!FindLateDigit(record.result, late.value)) continue;
+        undelayed.push_back(MakeDelayedTrial(state.name, late.name, 0.0, *record, *record));
+        const bool has_late = FindLateDigit(record->result, late.value) != nullptr;
         for (const double delay : ListDelays()) {
-          const auto found =
-              finished.find({DelayDigitIn(state, late.name, delay).name, NameDraw(record.plan)});
-          if (delay == 0.0 || found == finished.end()) continue;
-          trials.push_back(MakeDelayedTrial(state.name, late.name, delay, *found->second, record));
+          if (delay == 0.0) continue;
+          const TrialRecord* delayed = draw.records[++side];
+          if (!has_late || !delayed) continue;
+          trials.push_back(MakeDelayedTrial(state.name, late.name, delay, *delayed, *record));
         }
       }
     }
@@ -99,8 +102,6 @@ std::vector<DelayedTrial> ListDelayedTrials(const Session& experiment) {
 }
 
 namespace {
-
-constexpr int kNumDelayResamples = 1999;
 
 struct DelayResponse {
   ShownQuantity shown;
@@ -128,12 +129,12 @@ std::vector<DelayResponse> ListDelayResponses() {
 
 /** One trial at every delay; null where it is not there. */
 using Course = std::vector<const DelayedTrial*>;
-/** By object and grasp, then by the trial's number. */
-using CellCourses = std::map<std::pair<std::string, std::string>, std::map<int, Course>>;
+/** By object, then by grasp and the trial's number. */
+using ObjectCourses = std::map<std::string, std::map<std::pair<std::string, int>, Course>>;
 
 struct Block {
   std::string condition, digit, hand;
-  CellCourses cells;
+  ObjectCourses objects;
 };
 
 std::vector<Block> GroupBlocks(const std::vector<DelayedTrial>& trials) {
@@ -150,7 +151,7 @@ std::vector<Block> GroupBlocks(const std::vector<DelayedTrial>& trials) {
     }
     const auto delay = std::find(delays.begin(), delays.end(), trial.delay);
     GRASPBENCH_DEMAND(delay != delays.end(), std::to_string(trial.delay));
-    Course& course = block->cells[{plan.object, plan.grasp}][plan.trial];
+    Course& course = block->objects[plan.object][{plan.grasp, plan.trial}];
     course.resize(delays.size(), nullptr);
     course[static_cast<size_t>(delay - delays.begin())] = &trial;
   }
@@ -187,37 +188,22 @@ DoseResponse CalcDoseResponse(const Block& block, const DelayResponse& response)
   row.hand = block.hand;
   row.response = response.shown;
   row.means.assign(ListDelays().size(), 0.0);
-  std::vector<std::vector<double>> slopes;  // by cell
-  for (const auto& [name, courses] : block.cells) {
-    std::vector<double> cell;
+  ObjectChanges slopes;
+  for (const auto& [object, courses] : block.objects) {
     for (const auto& [number, course] : courses) {
       const std::vector<double> values = TakeValues(course, response);
+      row.num_left_out += values.empty();
       if (values.empty()) continue;
       for (size_t i = 0; i < values.size(); ++i) row.means[i] += values[i];
-      cell.push_back(kDelayDose * CalcSlope(values));
+      slopes[object].push_back(kDelayDose * CalcSlope(values));
     }
-    row.num_trials += static_cast<int>(cell.size());
-    row.num_left_out += static_cast<int>(courses.size() - cell.size());
-    if (!cell.empty()) slopes.push_back(cell);
   }
-  row.num_cells = static_cast<int>(slopes.size());
+  const ChangeEstimate change = EstimateChange(slopes);
+  row.num_trials = change.num_draws;
+  row.num_objects = change.num_objects;
+  row.change = change.estimate;
+  row.interval = change.interval;
   for (double& mean : row.means) mean /= row.num_trials;
-  const std::string id =
-      block.condition + " " + block.digit + " " + block.hand + " " + response.shown.id;
-  const auto calc_mean = [&slopes](const std::vector<size_t>& cells) {
-    double sum = 0.0, count = 0.0;
-    for (const size_t cell : cells) {
-      for (const double slope : slopes[cell]) sum += slope;
-      count += static_cast<double>(slopes[cell].size());
-    }
-    return sum / count;
-  };
-  std::vector<size_t> all(slopes.size());
-  std::iota(all.begin(), all.end(), size_t{0});
-  row.change = calc_mean(all);
-  const Answer<BootstrapInterval> drawn =
-      CalcBootstrap(slopes.size(), calc_mean, id, kNumDelayResamples);
-  row.interval = drawn ? Answer<Interval>(drawn->interval) : Answer<Interval>(drawn.none());
   return row;
 }
 
@@ -277,7 +263,7 @@ std::vector<CsvColumn<DoseResponse>> ListDoseColumns() {
                    return FormatCountOf(row.num_trials, row.num_trials + row.num_left_out);
                  }),
       {"left_out", "", "", &Row::num_left_out},
-      {"cells", "", "", &Row::num_cells},
+      C("objects", "", "", &Row::num_objects).Shown("objects"),
       {"delays_s", "string", "", "", [](const Row&) { return Json(ListDelays()); }},
       C("means", "string", "", "",
         [](const Row& row) {

@@ -10,8 +10,8 @@ Where a grasp ends is decided by its drives: two jaws that press bring the objec
 balance. So beside the push before lift-off there is the one until the last digit touches.
 
 For each response the mean over the trials that have it at every delay, and the slope of a straight
-line through each trial's values, averaged over trials, with a 95 % interval from drawing cells
-(hand, object, grasp). Of failures only success, pushes and turns are defined, so the other rows
+line through each trial's values, averaged over trials, with the 95 % interval of a mean change
+(datasets/analysis/pairs.h). Of failures only success, pushes and turns are defined, so the other rows
 hold the trials that succeeded at every delay: what a delay costs in stability is seen among grasps
 that survive it. */
 
@@ -19,7 +19,8 @@ that survive it. */
 #include <vector>
 
 #include "core/base/text/csv.h"
-#include "core/statistics/bootstrap.h"
+#include "core/statistics/answer.h"
+#include "core/statistics/proportion.h"
 #include "core/trial/measures/object_in_hand.h"
 #include "datasets/analysis/simultaneity_summary.h"
 #include "datasets/session/session_store.h"
@@ -52,7 +53,7 @@ struct DoseResponse {
   ShownQuantity response;
   int num_trials = 0;
   int num_left_out = 0;  ///< trials without a value at some delay
-  int num_cells = 0;
+  int num_objects = 0;
   std::vector<double> means;  ///< at each of ListDelays()
   double change = kUnset;     ///< for kDelayDose of delay: the mean slope times that
   Answer<Interval> interval;  ///< of the change, 95 %

@@ -11,6 +11,7 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/statistics/summary.h"
+#include "datasets/analysis/pairs.h"
 #include "datasets/session/find_trial.h"
 
 namespace graspbench {
@@ -151,16 +152,12 @@ std::vector<NumericsSummary> SummariseNumerics(const std::vector<NumericsCompari
 }
 
 std::vector<NumericsComparison> ListNumericsComparisons(const Session& experiment) {
-  std::map<std::string, const TrialRecord*> bases;
-  for (const TrialRecord& record : experiment.records) {
-    if (!record.plan.condition) bases.emplace(NameDraw(record.plan), &record);
-  }
   std::vector<NumericsComparison> comparisons;
   for (const Condition& variant : experiment.config.conditions) {
-    for (const TrialRecord& record : experiment.records) {
-      const auto base = bases.find(NameDraw(record.plan));
-      if (record.plan.condition != variant.name || base == bases.end()) continue;
-      comparisons.push_back({variant.name, *base->second, record});
+    for (const ComparedDraw& draw :
+         ListComparedDraws({{&experiment}, {&experiment, variant.name}})) {
+      if (!draw.records[0] || !draw.records[1]) continue;
+      comparisons.push_back({variant.name, *draw.records[0], *draw.records[1]});
     }
   }
   return comparisons;

@@ -6,9 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
-#include <set>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 #include "core/base/config.h"
@@ -16,8 +14,8 @@
 #include "core/base/text/csv.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
-#include "core/statistics/bootstrap.h"
 #include "core/statistics/summary.h"
+#include "datasets/analysis/pairs.h"
 #include "datasets/journal/read_journal.h"
 #include "datasets/plan/conditions.h"
 #include "datasets/plan/grip_check.h"
@@ -92,8 +90,10 @@ constexpr char kSensitivityFolder[] = "sensitivity";
 
 }  // namespace
 
-TrialMeasures MakeTrialMeasures(const TrialResult& result) {
+TrialMeasures MakeTrialMeasures(const TrialRecord& record) {
+  const TrialResult& result = record.result;
   TrialMeasures measures;
+  measures.grasp = record.plan.grasp;
   measures.outcome = result.outcome;
   if (IsNumericalFailure(result.outcome)) return measures;
   if (!result.timing.contact_before_start) {
@@ -108,44 +108,29 @@ TrialMeasures MakeTrialMeasures(const TrialResult& result) {
 
 namespace {
 
-/** The ids of the session's trials by their draws. @param is_any_grasp  of whatever grasp: only
-draws that one grasp has met. */
-std::map<std::string, std::string> ListDrawIds(const Session& session, bool is_any_grasp) {
-  std::map<std::string, std::string> ids;
-  std::set<std::string> repeated;
-  for (const PlannedTrial& planned : session.plan) {
-    const std::string name = NameDraw(planned, is_any_grasp);
-    if (!ids.emplace(name, planned.id).second) repeated.insert(name);
-  }
-  for (const std::string& name : repeated) ids.erase(name);
-  return ids;
+/** "model.mass_scale=0.5", and whether best grasps were chosen again. */
+std::string NameSetting(const Condition& condition) {
+  return condition.settings.at(0) +
+         (ChoosesGraspAgain(condition) ? ", best grasps chosen again" : "");
 }
 
 void AddConditions(const Session& session, const Session& varied, SensitivityData& data,
                    Diagnostics& conflicts) {
-  const std::map<std::string, std::string> ids[] = {ListDrawIds(session, false),
-                                                    ListDrawIds(session, true)};
-  std::map<std::string, std::string> settings;
   for (const Condition& condition : varied.config.conditions) {
-    const std::string& setting = condition.settings.at(0);
-    settings.emplace(condition.name, setting);
+    VariedTrials& trials = data[NameSetting(condition)];
     for (const PlannedTrial& planned : session.plan) {
-      if (planned.trial < varied.config.trials) data[setting][planned.id];
+      if (planned.trial < varied.config.trials) trials[planned.id];
     }
-  }
-  for (const TrialRecord& record : varied.records) {
-    if (!record.plan.condition) continue;
-    const std::string& setting = settings.at(*record.plan.condition);
-    const bool is_any_grasp = setting.rfind("grasp=", 0) == 0;
-    const auto id = ids[is_any_grasp].find(NameDraw(record.plan, is_any_grasp));
-    if (id == ids[is_any_grasp].end()) continue;
-    const TrialMeasures measures = MakeTrialMeasures(record.result);
-    TrialMeasures& known = data[setting][id->second];
-    if (known.outcome == Outcome::kNotRun) known = measures;
-    if (RecordToJson(known) == RecordToJson(measures)) continue;
-    conflicts.Fail(
-        varied.folder.filename().string(), 0,
-        "trial " + id->second + " has two different results under " + *record.plan.condition);
+    for (const ComparedDraw& draw : ListComparedDraws({{&session}, {&varied, condition.name}})) {
+      if (!draw.planned[0] || !draw.records[1]) continue;
+      const TrialMeasures measures = MakeTrialMeasures(*draw.records[1]);
+      TrialMeasures& known = trials[draw.planned[0]->id];
+      if (known.outcome == Outcome::kNotRun) known = measures;
+      if (RecordToJson(known) == RecordToJson(measures)) continue;
+      conflicts.Fail(
+          varied.folder.filename().string(), 0,
+          "trial " + draw.planned[0]->id + " has two different results under " + condition.name);
+    }
   }
 }
 
@@ -227,9 +212,6 @@ std::vector<OffsetClass> ListOffsetClasses(const Session& session, const Sensiti
 
 namespace {
 
-/** Limits are steady in the second digit; all settings together take some seconds. */
-constexpr int kNumPairResamples = 999;
-
 struct Measure {
   const char* key;
   double TrialMeasures::*member;
@@ -242,135 +224,118 @@ constexpr Measure kMeasures[] = {
 
 /** Two trials of the same draws. */
 struct Pair {
+  std::string object;
   TrialMeasures before, after;
 };
-/** The pairs of one hand, one object and one grasp. */
-using CellPairs = std::vector<Pair>;
 
-/** The values of both sides of the pairs that have both, by cell. */
-struct PairedValues {
-  std::vector<std::vector<double>> before, after;
-  int num_pairs = 0;
-
-  PairedValues(const std::vector<CellPairs>& cells, double TrialMeasures::*member) {
-    for (const CellPairs& cell : cells) {
-      std::vector<double> cell_before, cell_after;
-      for (const Pair& pair : cell) {
-        const double x = pair.before.*member, y = pair.after.*member;
-        if (!std::isfinite(x) || !std::isfinite(y)) continue;
-        cell_before.push_back(x);
-        cell_after.push_back(y);
-      }
-      num_pairs += static_cast<int>(cell_before.size());
-      if (cell_before.empty()) continue;
-      before.push_back(std::move(cell_before));
-      after.push_back(std::move(cell_after));
-    }
-  }
+/** The pairs of one hand, and what has none. */
+struct HandPairs {
+  std::string hand;
+  std::vector<Pair> pairs;
+  OutcomeCounts left_out;
+  int num_unfinished = 0, num_without_pair = 0, num_other_grasp = 0;
 };
 
-double CalcMedianOf(const std::vector<std::vector<double>>& cells,
-                    const std::vector<size_t>& members) {
-  std::vector<double> values;
-  for (const size_t member : members) {
-    values.insert(values.end(), cells[member].begin(), cells[member].end());
+MeasureChange CompareMeasure(const std::vector<Pair>& pairs, const Measure& measure) {
+  ObjectChanges changes;
+  std::vector<double> before, after;
+  bool is_same = true;
+  for (const Pair& pair : pairs) {
+    const double x = pair.before.*measure.member, y = pair.after.*measure.member;
+    if (!std::isfinite(x) || !std::isfinite(y)) continue;
+    before.push_back(x);
+    after.push_back(y);
+    changes[pair.object].push_back(y - x);
+    is_same = is_same && x == y;
   }
-  return CalcMedian(std::move(values));
-}
-
-MeasureChange CompareMeasure(const std::vector<CellPairs>& cells, const Measure& measure,
-                             const std::string& id) {
-  const PairedValues values(cells, measure.member);
+  const ChangeEstimate estimate = EstimateChange(changes);
   MeasureChange change;
   change.measure = measure.key;
-  change.num_pairs = values.num_pairs;
-  if (values.num_pairs == 0) {
+  change.num_pairs = estimate.num_draws;
+  if (before.empty()) {
     change.no_interval = "no pair has it twice";
     return change;
   }
-  std::vector<size_t> all(values.before.size());
-  for (size_t i = 0; i < all.size(); ++i) all[i] = i;
-  change.before = CalcMedianOf(values.before, all);
-  change.after = CalcMedianOf(values.after, all);
-  if (values.before == values.after) {
-    change.no_interval = "no trial changes";
-    return change;
-  }
-  const Answer<BootstrapInterval> interval = CalcBootstrap(
-      values.before.size(),
-      [&](const std::vector<size_t>& members) {
-        return CalcMedianOf(values.after, members) - CalcMedianOf(values.before, members);
-      },
-      id + " " + measure.key, kNumPairResamples);
-  if (interval) {
-    change.low = interval->interval.low;
-    change.high = interval->interval.high;
+  change.before = CalcMean(before);
+  change.after = CalcMean(after);
+  if (estimate.interval && !is_same) {
+    change.low = estimate.interval->low;
+    change.high = estimate.interval->high;
   } else {
-    change.no_interval = interval.reason();
+    change.no_interval = is_same ? "no trial changes" : estimate.interval.reason();
   }
   return change;
 }
 
-SettingChange Compare(const std::string& setting, const std::string& hand,
-                      const std::vector<CellPairs>& cells) {
+void Count(Outcome outcome, OutcomeCounts& counts) {
+  ++counts.num_finished;
+  counts.num_successes += IsSuccess(outcome);
+}
+
+SettingChange Compare(const std::string& setting, const HandPairs& hand) {
   SettingChange change;
   change.setting = setting;
-  change.hand = hand;
-  PairedCounts& counts = change.successes;
-  for (const CellPairs& cell : cells) {
-    for (const Pair& pair : cell) {
-      counts.Add(IsSuccess(pair.before.outcome), IsSuccess(pair.after.outcome));
-    }
+  change.hand = hand.hand;
+  ObjectChanges changes;
+  OutcomeCounts compared;
+  for (const Pair& pair : hand.pairs) {
+    const bool before = IsSuccess(pair.before.outcome), after = IsSuccess(pair.after.outcome);
+    change.successes.Add(before, after);
+    changes[pair.object].push_back(double(after) - double(before));
+    Count(pair.before.outcome, compared);
+    Count(pair.after.outcome, compared);
+    change.num_other_grasp += pair.before.grasp != pair.after.grasp;
   }
-  const Interval interval = CalcPairedDifferenceInterval(counts);
-  change.rate_change_low = interval.low;
-  change.rate_change_high = interval.high;
+  const ChangeEstimate estimate =
+      EstimateSuccessChange(changes, change.successes, ExplainUndecided(compared, hand.left_out));
+  change.num_objects = estimate.num_objects;
+  if (estimate.interval) {
+    change.rate_change_low = estimate.interval->low;
+    change.rate_change_high = estimate.interval->high;
+  } else {
+    change.no_interval = estimate.interval.reason();
+  }
   for (const Measure& measure : kMeasures) {
-    change.measures.push_back(CompareMeasure(cells, measure, setting + " " + hand));
+    change.measures.push_back(CompareMeasure(hand.pairs, measure));
   }
+  change.num_left_out = hand.num_unfinished + hand.num_without_pair + hand.num_other_grasp;
+  change.why_left_out = DescribeCounts({{hand.num_unfinished, "not finished"},
+                                        {hand.num_without_pair, "without a partner"},
+                                        {hand.num_other_grasp, "with another grasp"}});
   return change;
 }
 
-/** The pairs of each hand that has a trial among them, by cell; in the plan's order. */
-std::vector<std::pair<std::string, std::vector<CellPairs>>> ListPairs(const Session& session,
-                                                                      const VariedTrials& trials) {
-  std::vector<std::pair<std::string, std::vector<CellPairs>>> hands;
-  std::tuple<std::string, std::string, std::string> cell_before;
-  for (const TrialRecord& record : session.records) {
-    const auto varied = trials.find(record.plan.id);
-    if (varied == trials.end()) continue;
-    const PlannedTrial& plan = record.plan;
-    if (hands.empty() || hands.back().first != plan.hand) hands.push_back({plan.hand, {}});
-    if (varied->second.outcome == Outcome::kNotRun) continue;
-    const std::tuple cell(plan.hand, plan.object, plan.grasp);
-    if (cell != cell_before) hands.back().second.emplace_back();
-    cell_before = cell;
-    hands.back().second.back().push_back({MakeTrialMeasures(record.result), varied->second});
-  }
-  return hands;
-}
-
-void CountLeftOut(const Session& session, const VariedTrials& trials, SettingChange& change) {
-  std::set<std::string> finished;
-  for (const TrialRecord& record : session.records) finished.insert(record.plan.id);
-  int num_unfinished = 0, num_without_pair = 0;
+/** The pairs of each hand that has a trial among them, in the plan's order. */
+std::vector<HandPairs> ListPairs(const Session& session, const VariedTrials& trials,
+                                 PairsTaken taken) {
+  std::map<std::string, const TrialRecord*> finished;
+  for (const TrialRecord& record : session.records) finished.emplace(record.plan.id, &record);
+  std::vector<HandPairs> hands;
   for (const PlannedTrial& planned : session.plan) {
     const auto varied = trials.find(planned.id);
-    if (planned.hand != change.hand || varied == trials.end()) continue;
-    if (finished.count(planned.id) == 0) {
-      ++num_unfinished;
-    } else if (varied->second.outcome == Outcome::kNotRun) {
-      ++num_without_pair;
+    if (varied == trials.end()) continue;
+    if (hands.empty() || hands.back().hand != planned.hand) {
+      hands.emplace_back();
+      hands.back().hand = planned.hand;
+    }
+    const auto record = finished.find(planned.id);
+    const bool has_after = varied->second.outcome != Outcome::kNotRun;
+    if (record == finished.end()) {
+      ++hands.back().num_unfinished;
+      if (has_after) Count(varied->second.outcome, hands.back().left_out);
+    } else if (!has_after) {
+      ++hands.back().num_without_pair;
+      Count(record->second->result.outcome, hands.back().left_out);
+    } else if (taken == PairsTaken::kSameGrasp && varied->second.grasp != planned.grasp) {
+      ++hands.back().num_other_grasp;
+      Count(record->second->result.outcome, hands.back().left_out);
+      Count(varied->second.outcome, hands.back().left_out);
+    } else {
+      hands.back().pairs.push_back(
+          {planned.object, MakeTrialMeasures(*record->second), varied->second});
     }
   }
-  change.num_left_out = num_unfinished + num_without_pair;
-  const auto add = [&](int num, const char* why) {
-    if (num == 0) return;
-    change.why_left_out +=
-        (change.why_left_out.empty() ? "" : ", ") + std::to_string(num) + " " + why;
-  };
-  add(num_unfinished, "not finished in the session");
-  add(num_without_pair, "without a trial under the setting");
+  return hands;
 }
 
 }  // namespace
@@ -401,6 +366,15 @@ std::string CountPairs(const SettingChange& change) {
 
 namespace {
 
+std::string FormatRateChange(const SettingChange& change) {
+  const std::string text =
+      FormatWithRange(100.0 * change.rate_change(), 100.0 * change.rate_change_low,
+                      100.0 * change.rate_change_high, 1);
+  return change.no_interval.empty() || change.successes.num_pairs() == 0
+             ? text
+             : text + ", " + change.no_interval;
+}
+
 std::string FormatChange(const SettingChange& change, const char* measure, double scale,
                          int decimals) {
   const MeasureChange& part = change.Find(measure);
@@ -419,11 +393,12 @@ std::vector<CsvColumn<SettingChange>> ListChangeColumns() {
     return CsvColumn<Row>::ForPeople(heading, hint, std::move(cell));
   };
   const auto measure = [&](const char* heading, const char* id, double scale, int decimals) {
-    return show(heading, "change of the median",
+    return show(heading, "mean change",
                 [=](const Row& row) { return FormatChange(row, id, scale, decimals); });
   };
   return {
       show("setting", "", [](const Row& row) { return FormatSetting(row.setting); }),
+      show("of", "which pairs", [](const Row& row) { return row.setting; }),
       show("was", "the session's value", [](const Row& row) { return FormatSetting(row.value); }),
       show("hand", "", [](const Row& row) { return row.hand; }),
       show("pairs", "trials of the same draws", CountPairs),
@@ -431,16 +406,18 @@ std::vector<CsvColumn<SettingChange>> ListChangeColumns() {
            [](const Row& row) { return std::to_string(row.successes.second_only); }),
       show("lost", "successes that fail after the change",
            [](const Row& row) { return std::to_string(row.successes.first_only); }),
-      show("success [%]", "change of the rate",
-           [](const Row& row) {
-             return FormatWithRange(100.0 * row.rate_change(), 100.0 * row.rate_change_low,
-                                    100.0 * row.rate_change_high, 1);
-           }),
+      show("objects", "of these pairs",
+           [](const Row& row) { return std::to_string(row.num_objects); }),
+      show("success [%]", "change of the rate", FormatRateChange),
       measure("GCT [ms]", "gct_s", MsFromS(1.0), 0),
       measure("GFT [ms]", "gft_s", MsFromS(1.0), 0),
       measure("GFT% [%]", "gft_ratio", 100.0, 1),
       measure("GOT% [%]", "got_ratio", 100.0, 1),
       measure("sigma [N]", "sigma_n", 1.0, 2),
+      show("other grasp", "pairs whose trials have other grasps",
+           [](const Row& row) {
+             return row.num_other_grasp == 0 ? "" : FormatCount(row.num_other_grasp, "pair");
+           }),
       show("left out", "trials without a pair", [](const Row& row) { return row.why_left_out; })};
 }
 
@@ -459,19 +436,18 @@ std::string DescribeChanges(const std::vector<SettingChange>& changes) {
         [num_pairs](const MeasureChange& measure) { return measure.num_pairs < num_pairs; });
   };
   return std::string(
-             "changes of the success rate and of medians, with 95 % intervals, on the same "
-             "draws\n") +
+             "mean changes over pairs of the same draw, with 95 % intervals from drawing "
+             "objects (success of fewer than 5: these objects alone)\n") +
          (std::any_of(changes.begin(), changes.end(), lacks_values)
               ? "n of N pairs: in each other pair a trial has no value\n"
               : "");
 }
 
 std::vector<SettingChange> ListChanges(const Session& session, const std::string& setting,
-                                       const VariedTrials& trials) {
+                                       const VariedTrials& trials, PairsTaken taken) {
   std::vector<SettingChange> changes;
-  for (const auto& [hand, cells] : ListPairs(session, trials)) {
-    changes.push_back(Compare(setting, hand, cells));
-    CountLeftOut(session, trials, changes.back());
+  for (const HandPairs& hand : ListPairs(session, trials, taken)) {
+    changes.push_back(Compare(setting, hand));
   }
   return changes;
 }

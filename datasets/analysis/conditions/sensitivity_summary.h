@@ -4,11 +4,9 @@ How far a session's numbers depend on single settings: its trials beside the sam
 changed setting, pair by pair. These are the sessions in sensitivity/, whose conditions have one
 setting each; equal duplicates are fine, unequal ones are an error.
 
-Success is compared over all pairs: the difference of the rates with Newcombe's interval for pairs
-(core/statistics/proportion.h). A measure is compared over the pairs in which both trials have it:
-the difference of the two medians, with an interval from drawing cells (hand, object, grasp) with
-replacement, because trials of one cell are alike. Both at 95 %; with tens of settings some
-intervals miss 0 by chance. What lacks its pair is counted beside the estimate. */
+Pairs, mean changes and intervals are those of datasets/analysis/pairs.h; a measure is compared over
+the pairs in which both trials have it. With tens of settings some intervals miss 0 by chance. What
+lacks its pair is counted beside the estimate. */
 
 #include <filesystem>
 #include <map>
@@ -32,6 +30,7 @@ std::vector<Condition> ListSensitivityConditions(const SessionConfig& config,
 
 /** What is compared between two trials of the same draws. */
 struct TrialMeasures {
+  std::string grasp;
   Outcome outcome = Outcome::kNotRun;
   double gct = kUnset;        ///< [s]; times are missing where a digit touched before closure began
   double gft = kUnset;        ///< [s]
@@ -41,6 +40,7 @@ struct TrialMeasures {
 
   template <class V>
   static void ListFields(V&& field) {
+    field("grasp", &TrialMeasures::grasp);
     field("outcome", &TrialMeasures::outcome);
     field("gct_s", &TrialMeasures::gct);
     field("gft_s", &TrialMeasures::gft);
@@ -49,7 +49,7 @@ struct TrialMeasures {
     field("sigma_n", &TrialMeasures::sigma);
   }
 };
-TrialMeasures MakeTrialMeasures(const TrialResult& result);
+TrialMeasures MakeTrialMeasures(const TrialRecord& record);
 
 /** The trials of one setting by the id of the session's trial with the same draws. One that is not
 run is planned under the setting, or would be: its pair is missing. */
@@ -79,7 +79,7 @@ std::vector<OffsetClass> ListOffsetClasses(const Session& session, const Sensiti
 struct MeasureChange {
   std::string measure;     ///< "gft_s"
   int num_pairs = 0;       ///< in which both trials have it
-  double before = kUnset;  ///< median over these pairs; so is
+  double before = kUnset;  ///< mean over these pairs; so is
   double after = kUnset;
   double low = kUnset, high = kUnset;  ///< 95 % interval of after - before; NaN: none, and
   std::string no_interval;             ///< why
@@ -106,8 +106,11 @@ struct SettingChange {
   std::string hand;
   PairedCounts successes;    ///< first: as the session has it, second: under the setting
   int num_left_out = 0;      ///< trials of the session that are planned under the setting, too
-  std::string why_left_out;  ///< "2 not finished in the session"; empty: none is
+  std::string why_left_out;  ///< "2 not finished, 1 without a partner"; empty: none is
   double rate_change_low = kUnset, rate_change_high = kUnset;  ///< of the rate after - before
+  std::string no_interval;                                     ///< why there is none
+  int num_objects = 0;                                         ///< of the pairs
+  int num_other_grasp = 0;              ///< pairs whose trials have other grasps
   std::vector<MeasureChange> measures;  ///< gct_s, gft_s, gft_ratio, got_ratio, sigma_n
 
   double rate_change() const {
@@ -130,6 +133,9 @@ struct SettingChange {
     field("why_left_out", &C::why_left_out);
     field("rate_change_low", &C::rate_change_low);
     field("rate_change_high", &C::rate_change_high);
+    field("no_interval", &C::no_interval);
+    field("objects", &C::num_objects);
+    field("other_grasp", &C::num_other_grasp);
     field("measures", &C::measures);
   }
 };
@@ -153,8 +159,9 @@ std::string FormatSetting(const std::string& setting);
 /** "10", or "6 of 10" where pairs are left out. */
 std::string CountPairs(const SettingChange& change);
 
-/** Changes as people see them, with the columns of these headings: setting, was, hand, pairs, left
-out, lost, won, success [%], GCT [ms], GFT [ms], GFT% [%], GOT% [%], sigma [N]. A cell is "-8 (-12 to
+/** Changes as people see them, with the columns of these headings: setting (or of), was, hand, pairs,
+objects, won, lost, success [%], GCT [ms], GFT [ms], GFT% [%], GOT% [%], sigma [N], other grasp, left
+out. A cell is "-8 (-12 to
 -3)", and "-8 (-12 to -3), 5 of 10 pairs" where not all pairs have the measure. */
 ShownTable ShowChanges(const std::vector<SettingChange>& changes,
                        const std::vector<std::string>& headings);
@@ -162,10 +169,14 @@ ShownTable ShowChanges(const std::vector<SettingChange>& changes,
 /** What a table of changes says below it, with a line feed. */
 std::string DescribeChanges(const std::vector<SettingChange>& changes);
 
+enum class PairsTaken { kAll, kSameGrasp };
+
 /** How the session's trials compare with others of the same draws, a change for each hand.
-@param setting  its name. */
+@param setting  its name.
+@param trials  by ids of the session's plan; kNotRun: without a pair. */
 std::vector<SettingChange> ListChanges(const Session& session, const std::string& setting,
-                                       const VariedTrials& trials);
+                                       const VariedTrials& trials,
+                                       PairsTaken taken = PairsTaken::kAll);
 
 SensitivitySummary SummariseSensitivity(const Session& session, const SensitivityData& data);
 

@@ -45,6 +45,9 @@ std::vector<CsvColumn<ConditionRow>> ListConditionColumns(const SweepSummary& su
     }
     columns.push_back(column);
   }
+  columns.push_back(
+      C("other_grasps", "", "objects whose grasp is not the base's", &Row::other_grasps)
+          .Shown("grasp changed"));
   columns.push_back(C("undecided", "",
                       "why these trials cannot decide success; empty: some succeed, some fail",
                       &Row::undecided)
@@ -54,10 +57,13 @@ std::vector<CsvColumn<ConditionRow>> ListConditionColumns(const SweepSummary& su
 
 std::string FormatEffectInterval(const SweepEffect& effect) {
   const SweepMeasure& measure = FindSweepMeasure(effect.measure);
-  if (!effect.interval) return effect.interval.reason();
-  return FormatChangeInterval(measure, *effect.interval) + (!effect.excludes_zero() ? ""
-                                                            : measure.threshold     ? ", excludes 1"
-                                                                                : ", excludes 0");
+  const Answer<Interval>& interval = effect.change.interval;
+  if (!interval) return interval.reason();
+  return FormatChangeInterval(measure, *interval) +
+         (effect.change.is_of_these_objects ? " (these objects)" : "") +
+         (!effect.excludes_zero() ? ""
+          : measure.threshold     ? ", excludes 1"
+                                  : ", excludes 0");
 }
 
 std::vector<CsvColumn<SweepEffect>> ListEffectColumns() {
@@ -80,32 +86,46 @@ std::vector<CsvColumn<SweepEffect>> ListEffectColumns() {
         "threshold_force_n as binary logarithms: a change of 1 is twice the grip",
         &Row::measure)
           .Shown("measure", [](const Row& row) { return FindSweepMeasure(row.measure).label; }),
-      C("draws", "", "that have every value", &Row::num_draws)
+      C("draws", "", "that have every value", [](const Row& row) { return row.change.num_draws; })
           .Shown("draws",
                  [](const Row& row) {
-                   return FormatCountOf(row.num_draws, row.num_draws + row.num_left_out);
+                   const int num = row.change.num_draws;
+                   return FormatCountOf(num, num + row.num_left_out) +
+                          (row.num_other_grasp == 0 ? ""
+                                                    : ", " + std::to_string(row.num_other_grasp) +
+                                                          " with another grasp");
                  }),
-      C("objects", "", "of these draws", &Row::num_objects).Shown("objects"),
+      C("objects", "", "of these draws",
+        [](const Row& row) {
+          return row.change.num_objects;
+        }).Shown("objects"),
       {"marginal", "",
        "1 when no two conditions differ in the factor alone, so that means over all conditions "
        "are compared",
        &Row::is_marginal},
-      C("change", "", "mean over draws, in the measure's unit", &Row::estimate)
+      C("change", "", "mean over draws, in the measure's unit",
+        [](const Row& row) { return row.change.estimate; })
           .Shown("change",
                  [](const Row& row) {
-                   return FormatChange(FindSweepMeasure(row.measure), row.estimate);
+                   return FormatChange(FindSweepMeasure(row.measure), row.change.estimate);
                  }),
       C("low", "", "95 % interval from drawing objects",
         [](const Row& row) {
-          return row.interval ? row.interval->low : kUnset;
+          return row.change.interval ? row.change.interval->low : kUnset;
         }).Shown("95 % interval", FormatEffectInterval),
-      {"high", "", "likewise",
-       [](const Row& row) { return row.interval ? row.interval->high : kUnset; }},
+      {"high", "", "upper end of the 95 % interval",
+       [](const Row& row) { return row.change.interval ? row.change.interval->high : kUnset; }},
       {"no_interval", "", "why there is none",
-       [](const Row& row) { return row.interval ? "" : row.interval.reason(); }},
+       [](const Row& row) {
+         return row.change.interval ? std::string() : row.change.interval.reason();
+       }},
       {"left_out", "", "planned draws that the change leaves out", &Row::num_left_out},
       C("why_left_out", "", "how many of them for which reason", &Row::why_left_out)
-          .Shown("left out")};
+          .Shown("left out"),
+      {"other_grasp", "", "of these draws: compared trials have other grasps",
+       &Row::num_other_grasp},
+      {"of_these_objects", "", "1 where the interval comes from the pairs and holds for them alone",
+       [](const Row& row) { return row.change.is_of_these_objects; }}};
 }
 
 std::vector<CsvColumn<ConditionThresholds>> ListThresholdColumns() {

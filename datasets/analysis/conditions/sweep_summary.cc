@@ -75,8 +75,6 @@ std::string FormatChangeInterval(const SweepMeasure& measure, const Interval& in
 
 namespace {
 
-constexpr int kNumSweepResamples = 1999;
-
 /** A condition as its levels; the first is the base. */
 struct Treatment {
   std::optional<std::string> name;
@@ -95,13 +93,6 @@ std::vector<Treatment> ListTreatments(const SessionConfig& config,
   return treatments;
 }
 
-/** The trials of one draw by treatment; without record: not finished, or none is planned. */
-struct Draw {
-  std::string object;
-  std::vector<SweepTrial> trials;
-  std::vector<bool> is_planned;
-};
-
 /** Thresholds of each of the session's records. */
 using Thresholds = std::array<std::vector<double>, std::size(kThresholdScales)>;
 
@@ -115,32 +106,31 @@ Thresholds ListThresholds(const Session& session, const std::vector<ThresholdSum
   return thresholds;
 }
 
-/** The draws of one hand in the plan's order. */
-std::vector<Draw> ListDraws(const Session& session, const std::vector<Treatment>& treatments,
-                            const Thresholds& thresholds, bool is_grasp_a_factor,
-                            const std::string& hand) {
-  std::map<std::optional<std::string>, size_t> places;
-  for (size_t i = 0; i < treatments.size(); ++i) places.emplace(treatments[i].name, i);
-  std::map<std::string, size_t> known;
-  std::vector<Draw> draws;
-  for (const PlannedTrial& planned : session.plan) {
-    if (planned.hand != hand) continue;
-    const auto [place, is_new] = known.emplace(NameDraw(planned, is_grasp_a_factor), draws.size());
-    if (is_new) {
-      draws.push_back({planned.object, std::vector<SweepTrial>(treatments.size()),
-                       std::vector<bool>(treatments.size(), false)});
+/** A draw with the trials of its treatments; without record: not finished, or none is planned. */
+struct Draw {
+  ComparedDraw of;
+  std::vector<SweepTrial> trials;
+};
+
+/** The draws of each hand in the plan's order. */
+std::map<std::string, std::vector<Draw>> ListDraws(const Session& session,
+                                                   const std::vector<Treatment>& treatments,
+                                                   const Thresholds& thresholds) {
+  std::vector<ComparedSide> sides;
+  for (const Treatment& treatment : treatments) sides.push_back({&session, treatment.name});
+  std::map<std::string, std::vector<Draw>> draws;
+  for (ComparedDraw& of : ListComparedDraws(sides)) {
+    Draw draw = {std::move(of), std::vector<SweepTrial>(treatments.size())};
+    for (size_t place = 0; place < treatments.size(); ++place) {
+      const TrialRecord* record = draw.of.records[place];
+      if (!record) continue;
+      draw.trials[place].record = record;
+      for (size_t scale = 0; scale < thresholds.size(); ++scale) {
+        draw.trials[place].thresholds[scale] =
+            thresholds[scale][static_cast<size_t>(record - session.records.data())];
+      }
     }
-    draws[place->second].is_planned[places.at(planned.condition)] = true;
-  }
-  for (size_t i = 0; i < session.records.size(); ++i) {
-    const TrialRecord& record = session.records[i];
-    if (record.plan.hand != hand) continue;
-    Draw& draw = draws[known.at(NameDraw(record.plan, is_grasp_a_factor))];
-    SweepTrial& trial = draw.trials[places.at(record.plan.condition)];
-    trial.record = &record;
-    for (size_t scale = 0; scale < thresholds.size(); ++scale) {
-      trial.thresholds[scale] = thresholds[scale][i];
-    }
+    draws[draw.of.hand].push_back(std::move(draw));
   }
   return draws;
 }
@@ -209,38 +199,6 @@ double CalcContrast(const Draw& draw, const Contrast& contrast, const SweepMeasu
   return sum;
 }
 
-struct OutcomeCounts {
-  int num_finished = 0, num_successes = 0;
-};
-
-OutcomeCounts CountOutcomes(const std::set<const TrialRecord*>& records) {
-  OutcomeCounts counts;
-  for (const TrialRecord* record : records) {
-    ++counts.num_finished;
-    counts.num_successes += IsSuccess(record->result.outcome);
-  }
-  return counts;
-}
-
-/** Whether compared trials have both outcomes among them.
-@param left_out  finished trials of the same conditions that are not compared. */
-std::string ExplainUndecided(const OutcomeCounts& compared, const OutcomeCounts& left_out = {}) {
-  const auto [num, num_successes] = compared;
-  if (num == 0) return "no trial is finished";
-  if (num_successes > 0 && num_successes < num) return "";
-  const bool succeed = num_successes == num;
-  const int num_others =
-      succeed ? left_out.num_finished - left_out.num_successes : left_out.num_successes;
-  if (num_others == 0) {
-    return "cannot decide success: all " + FormatCount(num, "trial") +
-           (succeed ? " succeed" : " fail");
-  }
-  return "cannot decide success: " + std::to_string(num_others) + " of " +
-         FormatCount(left_out.num_finished, "trial") + " left out " +
-         (num_others == 1 ? (succeed ? "fails" : "succeeds") : (succeed ? "fail" : "succeed")) +
-         ", none of the " + std::to_string(num) + " compared";
-}
-
 /** Why a draw has no value of every contrast. */
 enum class Gap { kNotPlanned, kNotFinished, kNoValue };
 constexpr const char* kGapTexts[] = {"without a trial in each condition", "not finished",
@@ -250,32 +208,32 @@ Gap FindGap(const Draw& draw, const std::vector<Contrast>& contrasts) {
   Gap gap = Gap::kNoValue;
   for (const Contrast& contrast : contrasts) {
     for (const auto& part : contrast) {
-      if (!draw.is_planned[part.first]) return Gap::kNotPlanned;
-      if (!draw.trials[part.first].record) gap = Gap::kNotFinished;
+      if (!draw.of.planned[part.first]) return Gap::kNotPlanned;
+      if (!draw.of.records[part.first]) gap = Gap::kNotFinished;
     }
   }
   return gap;
 }
 
-std::string DescribeGaps(const std::map<Gap, int>& gaps) {
-  std::string text;
-  for (const auto& [gap, num] : gaps) {
-    text += (text.empty() ? "" : ", ") + std::to_string(num) + " " +
-            kGapTexts[static_cast<size_t>(gap)];
-  }
-  return text;
-}
-
 bool IsSuccessRate(const SweepMeasure& measure) { return &measure == &ListSweepMeasures().front(); }
+
+/** Some two trials of a contrast have other grasps. */
+bool ChangesGrasp(const Draw& draw, const std::vector<Contrast>& contrasts) {
+  return std::any_of(contrasts.begin(), contrasts.end(), [&](const Contrast& contrast) {
+    return std::any_of(contrast.begin(), contrast.end(), [&](const auto& part) {
+      return draw.of.ChangesGrasp(contrast.front().first, part.first);
+    });
+  });
+}
 
 /** Estimate and interval of the mean over draws. @pre there is a contrast. */
 void Estimate(const std::vector<Draw>& draws, const std::vector<Contrast>& contrasts,
               const SweepMeasure& measure, SweepEffect& effect) {
-  std::map<std::string, size_t> places;
-  std::vector<std::vector<double>> objects;
-  std::vector<double> all;
+  ObjectChanges changes;
   std::set<const TrialRecord*> compared, left_out;
   std::map<Gap, int> gaps;
+  const bool is_pair = contrasts.size() == 1 && contrasts.front().size() == 2;
+  PairedCounts pairs;
   for (const Draw& draw : draws) {
     std::vector<double> values;
     std::set<const TrialRecord*> records;
@@ -283,7 +241,7 @@ void Estimate(const std::vector<Draw>& draws, const std::vector<Contrast>& contr
       const double value = CalcContrast(draw, contrast, measure);
       if (std::isfinite(value)) values.push_back(value);
       for (const auto& part : contrast) {
-        if (const TrialRecord* record = draw.trials[part.first].record) records.insert(record);
+        if (const TrialRecord* record = draw.of.records[part.first]) records.insert(record);
       }
     }
     const bool is_compared = values.size() == contrasts.size();
@@ -292,38 +250,24 @@ void Estimate(const std::vector<Draw>& draws, const std::vector<Contrast>& contr
       ++gaps[FindGap(draw, contrasts)];
       continue;
     }
-    const auto [place, is_new] = places.emplace(draw.object, objects.size());
-    if (is_new) objects.emplace_back();
-    objects[place->second].push_back(CalcMean(values));
-    all.push_back(CalcMean(values));
+    changes[draw.of.object].push_back(CalcMean(values));
+    effect.num_other_grasp += ChangesGrasp(draw, contrasts);
+    if (!is_pair) continue;
+    const auto succeeds = [&](size_t part) {
+      return IsSuccess(draw.of.records[contrasts.front()[part].first]->result.outcome);
+    };
+    pairs.Add(succeeds(1), succeeds(0));  // the base comes second
   }
   effect.measure = measure.id;
-  effect.num_draws = static_cast<int>(all.size());
-  effect.num_objects = static_cast<int>(objects.size());
-  effect.num_left_out = static_cast<int>(draws.size() - all.size());
-  effect.why_left_out = DescribeGaps(gaps);
-  if (all.empty()) return;
-  effect.estimate = CalcMean(all);
-  if (IsSuccessRate(measure)) {
-    const std::string undecided =
-        ExplainUndecided(CountOutcomes(compared), CountOutcomes(left_out));
-    if (!undecided.empty()) {
-      effect.interval = NoAnswer{undecided};
-      return;
-    }
-  }
-  const Answer<BootstrapInterval> drawn = CalcBootstrap(
-      objects.size(),
-      [&](const std::vector<size_t>& members) {
-        double sum = 0.0, count = 0.0;
-        for (const size_t member : members) {
-          for (const double value : objects[member]) sum += value;
-          count += static_cast<double>(objects[member].size());
-        }
-        return sum / count;
-      },
-      NameEffect(effect) + " " + effect.hand + " " + measure.id, kNumSweepResamples);
-  effect.interval = drawn ? Answer<Interval>(drawn->interval) : Answer<Interval>(drawn.none());
+  effect.change = IsSuccessRate(measure)
+                      ? EstimateSuccessChange(
+                            changes, is_pair ? std::optional<PairedCounts>(pairs) : std::nullopt,
+                            ExplainUndecided(CountOutcomes(compared), CountOutcomes(left_out)))
+                      : EstimateChange(changes);
+  effect.num_left_out = static_cast<int>(draws.size()) - effect.change.num_draws;
+  std::vector<std::pair<int, std::string>> counts;
+  for (const auto& [gap, num] : gaps) counts.emplace_back(num, kGapTexts[static_cast<size_t>(gap)]);
+  effect.why_left_out = DescribeCounts(counts);
 }
 
 void AddEffects(const std::vector<Treatment>& treatments, const std::vector<Draw>& draws,
@@ -343,7 +287,7 @@ void AddEffects(const std::vector<Treatment>& treatments, const std::vector<Draw
       for (const SweepMeasure& measure : ListSweepMeasures()) {
         SweepEffect one = effect;
         Estimate(draws, contrasts, measure, one);
-        if (one.num_draws > 0 || IsSuccessRate(measure)) summary.effects.push_back(one);
+        if (one.change.num_draws > 0 || IsSuccessRate(measure)) summary.effects.push_back(one);
       }
     }
   }
@@ -385,7 +329,8 @@ void AddInteractions(const std::vector<Treatment>& treatments, const std::vector
           for (const SweepMeasure& measure : ListSweepMeasures()) {
             SweepEffect one = effect;
             Estimate(draws, contrasts, measure, one);
-            if (one.num_draws > 0 || IsSuccessRate(measure)) summary.interactions.push_back(one);
+            if (one.change.num_draws > 0 || IsSuccessRate(measure))
+              summary.interactions.push_back(one);
           }
         }
       }
@@ -403,7 +348,13 @@ ConditionRow MakeRow(const Treatment& treatment, size_t place, const std::string
     row.num_planned += planned.hand == hand && planned.condition == treatment.name;
   }
   std::vector<std::vector<double>> values(ListSweepMeasures().size());
+  std::set<std::string> changed;
   for (const Draw& draw : draws) {
+    const PlannedTrial *base = draw.of.planned.front(), *own = draw.of.planned[place];
+    if (base && own && draw.of.ChangesGrasp(0, place) && changed.insert(own->object).second) {
+      row.other_grasps += (row.other_grasps.empty() ? "" : ", ") + own->object + " " + base->grasp +
+                          " to " + own->grasp;
+    }
     const SweepTrial& trial = draw.trials[place];
     const TrialRecord* record = trial.record;
     if (!record) continue;
@@ -469,24 +420,19 @@ SweepSummary SummariseSweep(const Session& session,
                             const std::vector<ThresholdSummary>& thresholds) {
   SweepSummary summary;
   summary.factors = ListFactors(session.config);
-  const bool is_grasp_a_factor =
-      std::any_of(summary.factors.begin(), summary.factors.end(),
-                  [](const SweepFactor& factor) { return factor.key == "grasp"; });
   const std::vector<Treatment> treatments = ListTreatments(session.config, summary.factors);
-  const Thresholds values = ListThresholds(session, thresholds);
-  std::vector<std::vector<Draw>> draws;
+  const std::map<std::string, std::vector<Draw>> draws =
+      ListDraws(session, treatments, ListThresholds(session, thresholds));
   for (const PlannedTrial& planned : session.plan) {
     const auto& hands = summary.hands;
     if (std::find(hands.begin(), hands.end(), planned.hand) != hands.end()) continue;
     summary.hands.push_back(planned.hand);
-    draws.push_back(ListDraws(session, treatments, values, is_grasp_a_factor, planned.hand));
-    AddEffects(treatments, draws.back(), planned.hand, summary);
-    AddInteractions(treatments, draws.back(), planned.hand, summary);
+    AddEffects(treatments, draws.at(planned.hand), planned.hand, summary);
+    AddInteractions(treatments, draws.at(planned.hand), planned.hand, summary);
   }
   for (size_t place = 0; place < treatments.size(); ++place) {
-    for (size_t hand = 0; hand < summary.hands.size(); ++hand) {
-      summary.rows.push_back(
-          MakeRow(treatments[place], place, summary.hands[hand], draws[hand], session));
+    for (const std::string& hand : summary.hands) {
+      summary.rows.push_back(MakeRow(treatments[place], place, hand, draws.at(hand), session));
     }
   }
   for (const ThresholdSummary& found : thresholds) {

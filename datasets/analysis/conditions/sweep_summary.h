@@ -2,8 +2,7 @@
 /** @file
 What the factors of a sweep (datasets/plan/conditions.h) change, on the same draws.
 
-A draw is one hand, object and number (and grasp, where that is no factor); y(c) is a measure of its
-trial under the condition c. The effect of a level l of the factor A, of a draw: the mean of
+A draw is one hand, object and number; y(c) is a measure of its trial under the condition c. The effect of a level l of the factor A, of a draw: the mean of
 
     y(c') - y(c)    over all pairs of conditions that differ in A alone, l in c' and the base in c,
 
@@ -13,18 +12,16 @@ c with the base's level. The interaction of two levels l and m of A and B: the m
     y(l, m) - y(l, 0) - y(0, m) + y(0, 0)    over all such four conditions.
 
 Estimates are means over draws, of those that have every value; each says how many planned draws it
-leaves out, and why. Success is undecided where all compared trials succeed, or none. 95 % intervals
-come from drawing objects with replacement (core/statistics/bootstrap.h), because draws of one object
-are alike. Many intervals are shown: one in twenty misses 0 by chance. Of a grip threshold y is its
-binary logarithm. */
+leaves out, and why. Draws, estimates and intervals are those of datasets/analysis/pairs.h. Many
+intervals are shown: one in twenty misses 0 by chance. Of a grip threshold y is its binary
+logarithm. */
 
 #include <array>
 #include <string>
 #include <vector>
 
-#include "core/statistics/bootstrap.h"
-#include "core/statistics/proportion.h"
 #include "datasets/analysis/conditions/threshold_summary.h"
+#include "datasets/analysis/pairs.h"
 #include "datasets/plan/conditions.h"
 #include "datasets/session/session_store.h"
 
@@ -76,20 +73,23 @@ struct ConditionRow {
   std::vector<double> medians;
   /** Why these trials cannot decide what success depends on; empty: some succeed, some fail. */
   std::string undecided;
+  /** Objects whose grasp is not the base's: "cup g3 to g4". */
+  std::string other_grasps;
 };
 
 /** What one level, or two levels together, change. */
 struct SweepEffect {
   std::vector<std::string> factors, levels;  ///< one or two: an interaction
   std::string measure, hand;
-  int num_draws = 0, num_objects = 0;
+  ChangeEstimate change;
+  int num_other_grasp = 0;   ///< of its draws: compared trials have other grasps
   int num_left_out = 0;      ///< of the planned draws
   std::string why_left_out;  ///< "2 not finished, 1 without a value"; empty: none is
   bool is_marginal = false;  ///< no two conditions differ in the factor alone
-  double estimate = kUnset;
-  Answer<Interval> interval = NoAnswer{"no draw has every value"};
 
-  bool excludes_zero() const { return interval && (interval->low > 0.0 || interval->high < 0.0); }
+  bool excludes_zero() const {
+    return change.interval && (change.interval->low > 0.0 || change.interval->high < 0.0);
+  }
 };
 
 /** The thresholds of one condition and one hand. */

@@ -19,7 +19,10 @@ std::string FindMessage(const Session& before, const Session& after) {
 
 TEST(SessionComparison, TrialsWonAndLostAreThoseThatChanged) {
   Session before = MakeSession({"tum", "shadow"}, {"can", "cup"}, "g3", 3), after = before;
-  for (TrialRecord& record : after.records) record.plan.id += "x";  // of another physics
+  for (size_t i = 0; i < after.plan.size(); ++i) {  // of another physics
+    after.plan[i].id += "x";
+    after.records[i].plan = after.plan[i];
+  }
   before.records[1].result.outcome = Outcome::kPushedAway;
   before.records[2].result.outcome = after.records[2].result.outcome = Outcome::kNoContact;
   after.records[7].result.outcome = Outcome::kKnockedOver;

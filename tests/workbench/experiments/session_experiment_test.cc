@@ -154,8 +154,7 @@ TEST_F(SessionExperiment, AGraspAsTheSettingIsComparedDrawByDraw) {
     if (!record.plan.condition) continue;
     EXPECT_EQ(record.plan.grasp, "g2");
     const std::string& id = session.plan.at(static_cast<size_t>(record.plan.trial)).id;
-    EXPECT_EQ(RecordToJson(data.at("grasp=g2").at(id)),
-              RecordToJson(MakeTrialMeasures(record.result)));
+    EXPECT_EQ(RecordToJson(data.at("grasp=g2").at(id)), RecordToJson(MakeTrialMeasures(record)));
   }
 }
 
@@ -223,12 +222,12 @@ TEST_F(SessionExperiment, ASettingFindsWhatASessionOfItFinds) {
     const Session other = LoadSession(RunNew("with " + setting, changed).folder);
     for (size_t i = 0; i < other.records.size(); ++i) {
       EXPECT_EQ(RecordToJson(data.at(setting).at(session.records[i].plan.id)),
-                RecordToJson(MakeTrialMeasures(other.records[i].result)))
+                RecordToJson(MakeTrialMeasures(other.records[i])))
           << setting;
     }
   }
   for (const TrialRecord& record : session.records) {
-    const Json measures = RecordToJson(MakeTrialMeasures(record.result));
+    const Json measures = RecordToJson(MakeTrialMeasures(record));
     EXPECT_EQ(RecordToJson(data.at("model.mass_scale=1.0").at(record.plan.id)), measures);
     EXPECT_NE(RecordToJson(data.at("variation.offset_m=0.01").at(record.plan.id)), measures);
   }
@@ -352,11 +351,14 @@ TEST_F(SessionExperiment, SweepSensitivityAndCompareGiveOneAnswerOverAllPairs) {
   const SweepSummary summary = SummariseSweep(sweep, {});
   const SweepEffect& effect = summary.effects.at(0);
   EXPECT_EQ(effect.measure, "success");
-  EXPECT_EQ(effect.num_draws, 10);
-  EXPECT_EQ(effect.num_objects, 5);
+  EXPECT_EQ(effect.change.num_draws, 10);
+  EXPECT_EQ(effect.change.num_objects, 5);
   EXPECT_EQ(effect.num_left_out, 0) << effect.why_left_out;
-  EXPECT_DOUBLE_EQ(effect.estimate, comparison.changes[0].rate_change());
-  EXPECT_DOUBLE_EQ(effect.estimate,
+  EXPECT_DOUBLE_EQ(effect.change.estimate, comparison.changes[0].rate_change());
+  ASSERT_TRUE(effect.change.interval);
+  EXPECT_EQ(effect.change.interval->low, comparison.changes[0].rate_change_low);
+  EXPECT_EQ(effect.change.interval->high, comparison.changes[0].rate_change_high);
+  EXPECT_DOUBLE_EQ(effect.change.estimate,
                    CalcChangeByHand(temporary_.path() / "sweep" / "export" / "trials.csv", 10));
 
   ExperimentRequest request;
@@ -368,9 +370,6 @@ TEST_F(SessionExperiment, SweepSensitivityAndCompareGiveOneAnswerOverAllPairs) {
   Json sensitive = RecordToJson(asked.changes[0]);
   for (Json* json : {&compared, &sensitive}) {
     for (const char* key : {"setting", "session_value"}) json->erase(key);  // names of the question
-    for (Json& measure : json->at("measures")) {  // resampled by the question's name
-      for (const char* key : {"change_low", "change_high"}) measure.erase(key);
-    }
   }
   EXPECT_EQ(sensitive, compared);
 }

@@ -63,27 +63,32 @@ TEST(SensitivityTables, ShowChangesWithTheirIntervals) {
   change.measures.back() = {"sigma_n", 0, kUnset, kUnset, kUnset, kUnset, "no pair has it twice"};
   SensitivitySummary summary;
   summary.changes = {change};
+  summary.changes[0].num_objects = 5;
   EXPECT_EQ(
       FormatSensitivityTables(summary),
-      "setting               was  hand  pairs  success [%]           GFT [ms]                "
-      "        GFT% [%]                           sigma [N]\n"
-      "model.mass_scale=2.0  1.0  tum      10  -30.0 (-60.0 to 5.0)  100 (50 to 250), 6 of 10 "
-      "pairs  10.0 (5.0 to 25.0), 6 of 10 pairs  n/a, 0 of 10 pairs\n"
-      "changes of the success rate and of medians, with 95 % intervals, on the same "
-      "draws\n"
+      "setting               was  hand  pairs  objects  success [%]           GFT [ms]            "
+      "            GFT% [%]                           sigma [N]\n"
+      "model.mass_scale=2.0  1.0  tum      10        5  -30.0 (-60.0 to 5.0)  100 (50 to 250), 6 "
+      "of 10 pairs  10.0 (5.0 to 25.0), 6 of 10 pairs  n/a, 0 of 10 pairs\n"
+      "mean changes over pairs of the same draw, with 95 % intervals from drawing objects (success "
+      "of fewer than 5: these objects alone)\n"
       "n of N pairs: in each other pair a trial has no value\n");
   summary.changes[0].measures.assign(5, {"gft_s", 10, 0.1, 0.2, kUnset, kUnset, ""});
   summary.changes[0].measures[1].measure = "gft_ratio";
   summary.changes[0].measures[2].measure = "sigma_n";
   summary.changes[0].num_left_out = 4;
-  summary.changes[0].why_left_out = "4 without a trial under the setting";
-  EXPECT_EQ(FormatSensitivityTables(summary),
-            "setting               was  hand  pairs     success [%]           GFT [ms]  GFT% [%]  "
-            "sigma [N]  left out\n"
-            "model.mass_scale=2.0  1.0  tum   10 of 14  -30.0 (-60.0 to 5.0)       100      10.0  "
-            "     0.10  4 without a trial under the setting\n"
-            "changes of the success rate and of medians, with 95 % intervals, on the same "
-            "draws\n");
+  summary.changes[0].why_left_out = "4 without a partner";
+  summary.changes[0].num_other_grasp = 1;
+  EXPECT_EQ(
+      FormatSensitivityTables(summary),
+      "setting               was  hand  pairs     objects  success [%]           GFT [ms]  GFT% "
+      "[%]  "
+      "sigma [N]  other grasp  left out\n"
+      "model.mass_scale=2.0  1.0  tum   10 of 14        5  -30.0 (-60.0 to 5.0)       100      "
+      "10.0  "
+      "     0.10  1 pair       4 without a partner\n"
+      "mean changes over pairs of the same draw, with 95 % intervals from drawing objects (success "
+      "of fewer than 5: these objects alone)\n");
 }
 
 TEST(SimultaneityTables, ARelationIsShownWithItsIntervalAndMarkedWhenItHolds) {
@@ -161,13 +166,13 @@ TEST(SweepTables, NameInteractionsThatExcludeZeroAndConditionsThatDecideNothing)
   effect.levels = {"2.0"};
   effect.measure = "sigma_n";
   effect.hand = "tum";
-  effect.num_draws = 4;
-  effect.estimate = -0.5;
-  effect.interval = NoAnswer{"fewer than five objects"};
+  effect.change.num_draws = 4;
+  effect.change.estimate = -0.5;
+  effect.change.interval = NoAnswer{"fewer than five objects"};
   summary.effects = {effect};
   effect.factors.push_back("grasp");
   effect.levels.push_back("g2");
-  effect.interval = Interval{-0.75, -0.25};
+  effect.change.interval = Interval{-0.75, -0.25};
   summary.interactions = {effect};
   EXPECT_EQ(
       FormatSweepTables(summary),
@@ -193,7 +198,7 @@ TEST(SweepTables, NameInteractionsThatExcludeZeroAndConditionsThatDecideNothing)
                                       "-0.50  fewer than five objects  2 without a value\n"),
       std::string::npos)
       << FormatSweepTables(summary);
-  summary.interactions[0].interval = Interval{-0.75, 0.25};
+  summary.interactions[0].change.interval = Interval{-0.75, 0.25};
   EXPECT_NE(FormatSweepTables(summary).find("no interval of an interaction excludes 0\n"),
             std::string::npos);
 }

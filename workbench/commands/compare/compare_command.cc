@@ -26,8 +26,9 @@ struct CompareOptions {
 };
 
 std::string FormatChanges(const std::vector<SettingChange>& changes) {
-  return FormatTable(ShowChanges(changes, {"hand", "pairs", "won", "lost", "success [%]",
-                                           "GFT [ms]", "GFT% [%]", "sigma [N]"})) +
+  return FormatTable(
+             ShowChanges(changes, {"of", "hand", "pairs", "objects", "won", "lost", "success [%]",
+                                   "GFT [ms]", "GFT% [%]", "sigma [N]", "left out"})) +
          DescribeChanges(changes);
 }
 
@@ -101,12 +102,10 @@ void Compare(const CompareOptions& options) {
     Json changes = Json::array();
     for (const SettingChange& change : comparison.changes) {
       changes.push_back(RecordToJson(change));
-      // Of a sensitivity; here all that differ and all without a pair stand above.
-      for (const char* key : {"setting", "session_value", "left_out", "why_left_out"}) {
-        changes.back().erase(key);
-      }
+      changes.back().erase("session_value");  // of a sensitivity; settings stand above
     }
     return PrintJson({{"pairs", comparison.pairs.size()},
+                      {"other_grasp", comparison.num_other_grasp()},
                       {"only_before", comparison.num_only_before},
                       {"only_after", comparison.num_only_after},
                       {"settings", comparison.settings},
@@ -124,6 +123,11 @@ void Compare(const CompareOptions& options) {
                      " of the same draw; " + std::to_string(comparison.num_only_before) +
                      " trials are only in the first, " + std::to_string(comparison.num_only_after) +
                      " only in the second\n";
+  if (const int num = comparison.num_other_grasp(); num > 0) {
+    text += std::to_string(num) + " of " +
+            FormatCount(static_cast<int64_t>(comparison.pairs.size()), "pair") +
+            " changed grasp; \"same grasp\" leaves them out\n";
+  }
   if (!comparison.settings.empty()) text += "settings that differ, of the first and the second\n";
   for (const std::string& setting : comparison.settings) text += "  " + setting + "\n";
   PrintResult(text + FormatChanges(comparison.changes) + FormatObjects(objects, decisions) +

@@ -14,9 +14,9 @@
 
 namespace graspbench {
 std::string FormatSensitivityTables(const SensitivitySummary& summary) {
-  return FormatTable(
-             ShowChanges(summary.changes, {"setting", "was", "hand", "pairs", "success [%]",
-                                           "GFT [ms]", "GFT% [%]", "sigma [N]", "left out"})) +
+  return FormatTable(ShowChanges(
+             summary.changes, {"setting", "was", "hand", "pairs", "objects", "success [%]",
+                               "GFT [ms]", "GFT% [%]", "sigma [N]", "other grasp", "left out"})) +
          DescribeChanges(summary.changes);
 }
 
@@ -25,6 +25,7 @@ namespace {
 struct SensitivityOptions {
   ExperimentRequest request;
   std::vector<std::string> settings;
+  bool grasp_per_condition = false;
   bool json = false;
 };
 
@@ -33,7 +34,8 @@ void Run(const SensitivityOptions& options) {
   const std::filesystem::path& folder = request.folder;
   const PreparedSession experiment =
       PrepareExperiment(request, "sensitivity", [&options](const SessionConfig& config) {
-        return ListSensitivityConditions(config, options.settings);
+        const auto conditions = ListSensitivityConditions(config, options.settings);
+        return options.grasp_per_condition ? ChooseAgain(conditions, config) : conditions;
       });
   if (!RunOrPlan(experiment, request)) return;
   const Session session = LoadSession(folder, request.on_damage, RecordParts::kBrief);
@@ -61,6 +63,8 @@ void AddSensitivityCommand(Command& program) {
                  "repeated",
                  "KEY=VALUE")
       ->OneValueEach();
+  command.AddFlag("--grasp-per-condition", options->grasp_per_condition,
+                  "choose best grasps again under each condition; else the base's are taken");
   AddTrialsOption(command, request.trials_per_cell, "all");
   AddJobsOption(command, request.num_workers);
   AddPlanOnlyOption(command, request.plan_only);

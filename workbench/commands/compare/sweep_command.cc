@@ -23,6 +23,7 @@ struct SweepOptions {
   std::string design;
   bool judge = false;
   std::string threshold;
+  bool grasp_per_condition = false;
   RunOptions run;
 };
 
@@ -34,6 +35,7 @@ SweepConfig MakeSweepConfig(const SweepOptions& options) {
   if (!options.design.empty()) config.design = options.design;
   config.judge = config.judge || options.judge;
   if (!options.threshold.empty()) config.threshold = options.threshold;
+  config.grasp_per_condition = config.grasp_per_condition || options.grasp_per_condition;
   return config;
 }
 
@@ -126,6 +128,8 @@ void AddSweepCommand(Command& program) {
                  "every condition; at most six more trials each",
                  "SCALE")
       ->OneOf(ListNames(kThresholdScales));
+  command.AddFlag("--grasp-per-condition", options->grasp_per_condition,
+                  "choose best grasps again under each condition; else the base's are taken");
   AddRunOptions(command, options->run, "sweep", "results/sweep-HASH");
   command.SetAction([options] { return Sweep(*options); });
 }

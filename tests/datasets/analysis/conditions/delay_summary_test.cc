@@ -7,7 +7,7 @@
 namespace graspbench {
 namespace {
 
-/** Six cells of two trials; sigma falls by 2 N a second of delay in each, from where it is. */
+/** Six objects of two trials; sigma falls by 2 N a second of delay in each, from where it is. */
 std::vector<DelayedTrial> MakeTrials() {
   std::vector<DelayedTrial> trials;
   for (const TrialRecord& plain :
@@ -33,7 +33,7 @@ TEST(DelaySummary, FindsTheSlope) {
   const auto rows = SummariseDelays(MakeTrials());
   const DoseResponse& sigma = Find(rows, "sigma_n");
   EXPECT_EQ(sigma.num_trials, 12);
-  EXPECT_EQ(sigma.num_cells, 6);
+  EXPECT_EQ(sigma.num_objects, 6);
   EXPECT_NEAR(sigma.change, -0.2 + 0.001, 1e-9);  // the small terms are 1, 2, 0, 1, 2, 0
   ASSERT_TRUE(sigma.interval);
   EXPECT_LT(sigma.interval->low, sigma.change);
@@ -66,7 +66,7 @@ TEST(DelaySummary, StabilityIsComparedAmongTrialsThatSucceedAtEveryDelay) {
   EXPECT_NEAR(success.means.back(), 11.0 / 12.0, 1e-12);
 }
 
-TEST(DelaySummary, FewCellsHaveNoIntervalAndSayWhy) {
+TEST(DelaySummary, FewObjectsHaveNoIntervalAndSayWhy) {
   std::vector<DelayedTrial> trials = MakeTrials();
   trials.resize(4 * 2 * ListDelays().size());
   const auto rows = SummariseDelays(trials);

@@ -69,21 +69,24 @@ TEST_F(PlantedSweep, EffectsAreThoseOfTheClosedForm) {
       [](bool a, bool, int object, int) { return !a || object % 2 == 0; });
   const SweepSummary summary = SummariseSweep(session_, {});
   const SweepEffect& a = Find(summary.effects, "model.mass_scale=2.0", "sigma_n");
-  EXPECT_NEAR(a.estimate, 2.25, 1e-12);
-  EXPECT_EQ(a.num_draws, kNumObjects * kNumTrials);
-  EXPECT_EQ(a.num_objects, kNumObjects);
+  EXPECT_NEAR(a.change.estimate, 2.25, 1e-12);
+  EXPECT_EQ(a.change.num_draws, kNumObjects * kNumTrials);
+  EXPECT_EQ(a.change.num_objects, kNumObjects);
   EXPECT_TRUE(a.excludes_zero());
-  EXPECT_LT(a.interval->low, 2.25);
-  EXPECT_GT(a.interval->high, 2.25);
+  EXPECT_LT(a.change.interval->low, 2.25);
+  EXPECT_GT(a.change.interval->high, 2.25);
   EXPECT_FALSE(a.is_marginal);
-  EXPECT_NEAR(Find(summary.effects, "model.friction_scale=0.8", "sigma_n").estimate, -0.75, 1e-12);
+  EXPECT_NEAR(Find(summary.effects, "model.friction_scale=0.8", "sigma_n").change.estimate, -0.75,
+              1e-12);
   const SweepEffect& both =
       Find(summary.interactions, "model.mass_scale=2.0 and model.friction_scale=0.8", "sigma_n");
-  EXPECT_NEAR(both.estimate, 0.5, 1e-12);
+  EXPECT_NEAR(both.change.estimate, 0.5, 1e-12);
   EXPECT_TRUE(both.excludes_zero());
   // Under A every second object fails: a change of -1/2, whatever B.
-  EXPECT_NEAR(Find(summary.effects, "model.mass_scale=2.0", "success").estimate, -0.5, 1e-12);
-  EXPECT_NEAR(Find(summary.effects, "model.friction_scale=0.8", "success").estimate, 0.0, 1e-12);
+  EXPECT_NEAR(Find(summary.effects, "model.mass_scale=2.0", "success").change.estimate, -0.5,
+              1e-12);
+  EXPECT_NEAR(Find(summary.effects, "model.friction_scale=0.8", "success").change.estimate, 0.0,
+              1e-12);
   EXPECT_NEAR(summary.rows[1].medians[0], 0.5, 1e-12);
   EXPECT_NE(summary.rows[0].undecided.find("cannot decide success: all 18 trials succeed"),
             std::string::npos);
@@ -98,14 +101,14 @@ TEST_F(PlantedSweep, IntervalsRespectThatDrawsOfAnObjectAreAlike) {
         [](bool, bool, int, int) { return true; });
   const SweepSummary summary = SummariseSweep(session_, {});
   const SweepEffect& a = Find(summary.effects, "model.mass_scale=2.0", "sigma_n");
-  EXPECT_NEAR(a.estimate, (4.0 - 2.4) / 6.0 + 0.01, 1e-12);
-  ASSERT_TRUE(a.interval);
+  EXPECT_NEAR(a.change.estimate, (4.0 - 2.4) / 6.0 + 0.01, 1e-12);
+  ASSERT_TRUE(a.change.interval);
   EXPECT_FALSE(a.excludes_zero());
   const SweepEffect& success = Find(summary.effects, "model.mass_scale=2.0", "success");
-  EXPECT_FALSE(success.interval);
-  EXPECT_NE(success.interval.reason().find("cannot decide success: all 72 trials succeed"),
+  EXPECT_FALSE(success.change.interval);
+  EXPECT_NE(success.change.interval.reason().find("cannot decide success: all 72 trials succeed"),
             std::string::npos)
-      << success.interval.reason();
+      << success.change.interval.reason();
 }
 
 TEST_F(PlantedSweep, ADrawWithoutOneOfTheValuesCountsNot) {
@@ -114,14 +117,14 @@ TEST_F(PlantedSweep, ADrawWithoutOneOfTheValuesCountsNot) {
   session_.records.erase(session_.records.begin());  // the base of one draw
   const SweepSummary summary = SummariseSweep(session_, {});
   const SweepEffect& a = Find(summary.effects, "model.mass_scale=2.0", "sigma_n");
-  EXPECT_EQ(a.num_draws, kNumObjects * (kNumTrials - 1));
-  EXPECT_NEAR(a.estimate, 1.0, 1e-12);
+  EXPECT_EQ(a.change.num_draws, kNumObjects * (kNumTrials - 1));
+  EXPECT_NEAR(a.change.estimate, 1.0, 1e-12);
   EXPECT_EQ(summary.rows[0].num_finished, kNumObjects * kNumTrials - 1);
 }
 
-// Under A two objects are grasped otherwise, and all their trials fail: what the others say must not
-// pass for what all say.
-TEST_F(PlantedSweep, SaysWhichDrawsItLeavesOutAndDecidesNothingOfThem) {
+// Under A two objects are grasped otherwise, and all their trials fail: the pairs stay pairs, and the
+// effect says how many changed grasp.
+TEST_F(PlantedSweep, ADrawIsOneDrawWhateverItsGrasp) {
   Plant([](bool, bool, int, int) { return 1.0; },
         [](bool a, bool, int object, int) { return !a || object > 1; });
   for (size_t i = 0; i < session_.plan.size(); ++i) {
@@ -132,25 +135,39 @@ TEST_F(PlantedSweep, SaysWhichDrawsItLeavesOutAndDecidesNothingOfThem) {
   }
   const SweepSummary summary = SummariseSweep(session_, {});
   const SweepEffect& a = Find(summary.effects, "model.mass_scale=2.0", "success");
-  EXPECT_EQ(a.num_draws, 12);
-  EXPECT_EQ(a.num_left_out, 12) << "six of g1, six of g2";
-  EXPECT_EQ(a.why_left_out, "12 without a trial in each condition");
-  EXPECT_EQ(a.num_draws, 12);
-  EXPECT_EQ(a.num_left_out, 24 - 12);
-  ASSERT_FALSE(a.interval);
-  EXPECT_EQ(a.interval.reason(),
-            "cannot decide success: 12 of 24 trials left out fail, none of the 48 compared");
-  // Nothing is compared at all: the line stays and says so.
-  for (PlannedTrial& planned : session_.plan) {
-    planned.grasp = planned.condition == "A" || planned.condition == "AB" ? "g2" : "g1";
+  EXPECT_EQ(a.change.num_draws, 18);
+  EXPECT_EQ(a.num_other_grasp, 6);
+  EXPECT_EQ(a.num_left_out, 0);
+  EXPECT_NEAR(a.change.estimate, -1.0 / 3.0, 1e-12);
+  EXPECT_TRUE(a.change.interval);
+  EXPECT_EQ(summary.rows[1].other_grasps, "object0 g1 to g2, object1 g1 to g2");
+  EXPECT_EQ(summary.rows[2].other_grasps, "");
+}
+
+// Under A two objects are tried with a second grasp, which the base lacks: its trials are left out,
+// and what they say decides nothing.
+TEST_F(PlantedSweep, SaysWhichDrawsItLeavesOutAndDecidesNothingOfThem) {
+  Plant([](bool, bool, int, int) { return 1.0; }, [](bool, bool, int, int) { return true; });
+  const std::vector<PlannedTrial> planned = session_.plan;
+  for (const PlannedTrial& known : planned) {
+    const bool a = known.condition == "A" || known.condition == "AB";
+    if (!a || known.object > "object1") continue;
+    TrialRecord record;
+    record.plan = known;
+    record.plan.id = "id" + std::to_string(session_.plan.size());
+    record.plan.grasp = "g2";
+    record.result.outcome = Outcome::kNoContact;
+    session_.plan.push_back(record.plan);
+    session_.records.push_back(record);
   }
-  for (size_t i = 0; i < session_.plan.size(); ++i) session_.records[i].plan = session_.plan[i];
-  const SweepSummary apart = SummariseSweep(session_, {});
-  const SweepEffect& none = Find(apart.effects, "model.mass_scale=2.0", "success");
-  EXPECT_EQ(none.num_draws, 0);
-  EXPECT_EQ(none.num_left_out, 36 - 0);
-  EXPECT_TRUE(std::isnan(none.estimate));
-  EXPECT_EQ(none.interval.reason(), "no draw has every value");
+  const SweepSummary summary = SummariseSweep(session_, {});
+  const SweepEffect& a = Find(summary.effects, "model.mass_scale=2.0", "success");
+  EXPECT_EQ(a.change.num_draws, 18);
+  EXPECT_EQ(a.num_left_out, 6);
+  EXPECT_EQ(a.why_left_out, "6 without a trial in each condition");
+  ASSERT_FALSE(a.change.interval);
+  EXPECT_EQ(a.change.interval.reason(),
+            "cannot decide success: 12 of 12 trials left out fail, none of the 72 compared");
 }
 
 TEST_F(PlantedSweep, SaysWhatIsNotFinishedAndWhatHasNoValue) {
@@ -161,14 +178,14 @@ TEST_F(PlantedSweep, SaysWhatIsNotFinishedAndWhatHasNoValue) {
   const SweepSummary summary = SummariseSweep(session_, {});
   const SweepEffect& sigma = Find(summary.effects, "model.mass_scale=2.0", "sigma_n");
   EXPECT_EQ(sigma.why_left_out, "2 not finished, 5 without a value");
-  EXPECT_EQ(sigma.num_draws, 11);
+  EXPECT_EQ(sigma.change.num_draws, 11);
   EXPECT_EQ(sigma.num_left_out, 18 - 11);
   const SweepEffect& success = Find(summary.effects, "model.mass_scale=2.0", "success");
   EXPECT_EQ(success.why_left_out, "2 not finished");
-  EXPECT_EQ(success.interval.reason(), "cannot decide success: all 64 trials fail");
+  EXPECT_EQ(success.change.interval.reason(), "cannot decide success: all 64 trials fail");
   session_.records.front().result.outcome = Outcome::kSuccess;  // of the unfinished draw
   EXPECT_EQ(Find(SummariseSweep(session_, {}).effects, "model.mass_scale=2.0", "success")
-                .interval.reason(),
+                .change.interval.reason(),
             "cannot decide success: 1 of 6 trials left out succeeds, none of the 64 compared");
 }
 
@@ -180,12 +197,12 @@ TEST_F(PlantedSweep, HasTablesWithTheirDictionaries) {
   EXPECT_EQ(tables[0].csv.substr(0, tables[0].csv.find('\n')),
             "condition,model_mass_scale,model_friction_scale,hand,planned,finished,successes,"
             "numerical_failures,median_gft_ratio,median_sigma_n,median_breaking_force_n,"
-            "median_threshold_margin,median_threshold_force_n,undecided");
+            "median_threshold_margin,median_threshold_force_n,other_grasps,undecided");
   EXPECT_NE(tables[1].csv.find("\nmodel.mass_scale,2.0,,,tum,sigma_n,18,6,0,1.0,,,"),
             std::string::npos)
       << tables[1].csv;
-  EXPECT_EQ(tables[0].schema.at("fields").size(), 14u);
-  EXPECT_EQ(tables[1].schema.at("fields").size(), 15u);
+  EXPECT_EQ(tables[0].schema.at("fields").size(), 15u);
+  EXPECT_EQ(tables[1].schema.at("fields").size(), 17u);
 }
 
 TEST(SweepMeasures, AThresholdEntersEffectsAsItsLogarithm) {

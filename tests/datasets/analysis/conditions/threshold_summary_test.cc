@@ -188,8 +188,8 @@ TEST(ThresholdSummary, IsAResponseOfASweep) {
       std::find_if(summary.effects.begin(), summary.effects.end(),
                    [](const SweepEffect& one) { return one.measure == "threshold_margin"; });
   ASSERT_NE(effect, summary.effects.end());
-  EXPECT_EQ(effect->num_draws, 12);
-  EXPECT_NEAR(effect->estimate, 15.0 / 12.0, 1e-12);
+  EXPECT_EQ(effect->change.num_draws, 12);
+  EXPECT_NEAR(effect->change.estimate, 15.0 / 12.0, 1e-12);
   EXPECT_TRUE(effect->excludes_zero());
   const SweepMeasure& measure = FindSweepMeasure("threshold_margin");
   const size_t column = static_cast<size_t>(&measure - ListSweepMeasures().data());
