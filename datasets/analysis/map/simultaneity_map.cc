@@ -172,7 +172,8 @@ double CalcUnitEffect(const MapPair& pair, MapMeasure measure) {
 }
 
 /** Where every object has the same mean nothing is left to draw: the share of pairs that differ
-from it, at most, by Wilson's interval, times a change of one. */
+from it, at most, by Wilson's interval, times what they may differ by: a change of one, of a rate or
+a sign as far as its scale goes. */
 Interval CalcAlikeInterval(double mean, const std::vector<const MapPair*>& pairs,
                            MapMeasure measure) {
   double unit = 0.0;
@@ -181,8 +182,10 @@ Interval CalcAlikeInterval(double mean, const std::vector<const MapPair*>& pairs
     unit = std::max(unit, CalcUnitEffect(*pair, measure));
     num_other += pair->effect == mean ? 0 : 1;
   }
-  const double half = unit * CalcWilsonInterval(num_other, static_cast<int>(pairs.size())).high;
-  return {mean - half, mean + half};
+  const double share = CalcWilsonInterval(num_other, static_cast<int>(pairs.size())).high;
+  const bool is_bounded = measure == MapMeasure::kSuccess || measure == MapMeasure::kPush;
+  const double below = is_bounded ? mean + unit : unit, above = is_bounded ? unit - mean : unit;
+  return {mean - share * below, mean + share * above};
 }
 
 Answer<Interval> CalcCellInterval(const std::vector<ObjectSum>& objects,

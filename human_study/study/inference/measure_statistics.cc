@@ -1,5 +1,6 @@
 #include "human_study/study/inference/measure_statistics.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -167,8 +168,17 @@ void ChooseDrawn(const Answer<CellMeans>& cells, ConditionEstimates& estimates) 
 
 }  // namespace
 
+Interval FindPossible(const TrialMeasure& measure) {
+  return std::string(measure.unit) == "1" ? Interval{0.0, 1.0} : Interval{-INFINITY, INFINITY};
+}
+
+Interval CutAt(const Interval& possible, const Interval& interval) {
+  return {std::max(interval.low, possible.low), std::min(interval.high, possible.high)};
+}
+
 ConditionEstimates CalcConditionEstimates(const MeasureStatistics& statistics) {
   ConditionEstimates estimates;
+  estimates.possible = FindPossible(statistics.measure);
   estimates.cells = ListCells(statistics.table.factors);
   for (size_t cell = 0; cell < estimates.cells.size(); ++cell) {
     const Answer<Summary>& trials = statistics.by_cell[cell];

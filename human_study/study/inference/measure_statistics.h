@@ -60,6 +60,11 @@ struct MeasureStatistics {
   std::vector<TrendStatistics> trends;  ///< one for each factor with numbers
 };
 
+/** What a mean of the measure can be: 0 to 1 of shares (unit "1"), else anything. An interval
+of Student's t knows no such limits; cut at them it holds the true mean as often. */
+Interval FindPossible(const TrialMeasure& measure);
+Interval CutAt(const Interval& possible, const Interval& interval);
+
 MeasureStatistics CalcMeasureStatistics(const TrialMeasure& measure, const MeasureTable& table,
                                         const Hypothesis& hypothesis);
 
@@ -80,12 +85,13 @@ struct ConditionEstimates {
   /** Of the figure: Loftus and Masson's, whose lengths let conditions be compared by eye; where
   these cannot be, the ones between persons. */
   Answer<Eigen::VectorXd> drawn;
-  std::string drawn_kind;  ///< for the caption: which, or why there are none
+  std::string drawn_kind;                     ///< for the caption: which, or why there are none
+  Interval possible = {-INFINITY, INFINITY};  ///< FindPossible
 
-  /** Mean -+ half the drawn length. @pre `drawn` has a value. */
+  /** Mean -+ half the drawn length, as far as is possible. @pre `drawn` has a value. */
   Interval drawn_interval(size_t cell) const {
     const double half = (*drawn)[static_cast<Eigen::Index>(cell)];
-    return {means[cell] - half, means[cell] + half};
+    return CutAt(possible, {means[cell] - half, means[cell] + half});
   }
 };
 ConditionEstimates CalcConditionEstimates(const MeasureStatistics& statistics);

@@ -193,8 +193,9 @@ void AddEffectsModel(const MeasureStatistics& statistics, const Answer<EffectsMo
     row.standard_error = cell.standard_error;
     if (!cell.test) continue;
     row.df_1 = cell.test->df;
-    row.low = cell.test->interval.low;
-    row.high = cell.test->interval.high;
+    const Interval interval = CutAt(FindPossible(statistics.measure), cell.test->interval);
+    row.low = interval.low;
+    row.high = interval.high;
     row.note = "every person and group weighs the same";
   }
   for (const RandomPart& part : model->random) {
