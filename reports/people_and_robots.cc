@@ -87,6 +87,7 @@ std::string FormatScheduleGft(const Answer<TouchLags>& lags) {
 }
 
 std::string FormatScheduleCost(const ScheduleRow& row) {
+  if (!row.missed.empty()) return "misses its label";
   if (std::isnan(row.ratio)) return "n/a";
   const Interval range = row.interval.value_or(Interval{kUnset, kUnset});
   return FormatWithRange(row.ratio, range.low, range.high, 2);

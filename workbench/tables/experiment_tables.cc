@@ -32,6 +32,7 @@ std::string FormatMedianGft(const Answer<TouchLags>& lags) {
 }
 
 std::string FormatRatio(const ScheduleRow& row) {
+  if (!row.missed.empty()) return "misses its label";
   if (std::isnan(row.ratio)) return "n/a";
   const Interval range = row.interval.value_or(Interval{kUnset, kUnset});
   return FormatWithRange(row.ratio, range.low, range.high, 2);

@@ -214,7 +214,7 @@ void AddThreshold(const CellSummary& cell, const CellSummary* natural,
     row.threshold = known.median;
     row.threshold_text = FormatMedian(*summary.scale, known);
   }
-  if (natural == nullptr) return;
+  if (natural == nullptr || !row.missed.empty()) return;
   std::vector<double> ratios;
   for (const TrialRecord* record : cell.records) {
     const auto own = values.find({MakeKey(cell), record->plan.trial});
@@ -242,6 +242,37 @@ ScheduleRow MakeRow(const std::string& schedule, const CellSummary& cell,
     }
   }
   return {schedule, SummariseTouches(trials, digits), cell.tally};
+}
+
+/** "GFT is 28 % of the closing time, where its label allows 10 %"; empty: it is as its label says.
+Without people nobody knows when theirs touch. */
+std::string FindMiss(const ScheduleRow& row, const Answer<TouchLags>& people) {
+  if (row.schedule == kNatural || !row.lags) return "";
+  const auto percent = [](double share) {
+    return std::isinf(share) ? std::string("never") : FormatFixed(100.0 * share, 0) + " %";
+  };
+  const std::string most = FormatFixed(100.0 * kMostLabelError, 0);
+  if (row.schedule == kSimultaneous) {
+    const double share = row.lags->gft / row.lags->closing_time;
+    if (share <= kMostLabelError) return "";
+    if (std::isinf(share)) return "a digit does not touch in half of the trials";
+    return "GFT is " + FormatFixed(MsFromS(row.lags->gft), 0) + " ms, " + percent(share) +
+           " of the closing time, at most " + most + " % allowed";
+  }
+  if (!people) return "it cannot be checked without people: " + people.reason();
+  const DigitShare* worst = nullptr;
+  double error = kMostLabelError;
+  for (const DigitShare& share : row.lags->shares) {
+    const double own = std::abs(share.median - people->Of(share.digit).median);
+    if (own <= error) continue;
+    worst = &share;
+    error = own;
+  }
+  return worst == nullptr
+             ? ""
+             : worst->digit + " touches at " + percent(worst->median) +
+                   " of the closing time, people's at " + percent(people->Of(worst->digit).median) +
+                   ", at most " + most + " points apart allowed";
 }
 
 Json ToJson(const PeopleOnObject& cell) {
@@ -346,6 +377,7 @@ ScheduleComparison CompareSchedules(const Session& session, const PeopleFile& pe
     ScheduleCell& made = comparison.cells[found->second];
     ScheduleRow row = MakeRow(grasp.schedule, cell, made.of.digits);
     const auto other = natural.find(place);
+    row.missed = FindMiss(row, made.of.people);
     if (known) {
       AddThreshold(cell, other == natural.end() ? nullptr : other->second, *known, values, row);
     }
@@ -356,27 +388,17 @@ ScheduleComparison CompareSchedules(const Session& session, const PeopleFile& pe
 
 std::vector<std::string> DescribeUnknown(const ScheduleCell& cell) {
   std::vector<std::string> texts;
-  const auto gft_of = [](const ScheduleRow& row) { return row.lags ? row.lags->gft : kUnset; };
-  double natural = kUnset;
-  for (const ScheduleRow& row : cell.rows) {
-    if (row.schedule == kNatural) natural = gft_of(row);
-  }
   for (const ScheduleRow& row : cell.rows) {
     if (row.schedule == kNatural) continue;
+    if (!row.missed.empty()) {
+      texts.push_back(row.schedule +
+                      ": misses its label and is compared with nothing: " + row.missed);
+    }
     if (row.num_not_known > 0) {
       texts.push_back(fmt::format(
           "{}: in {} of {} draws the least grip of the scale holds here and under natural, or none "
           "does: such draws have no ratio",
           row.schedule, row.num_not_known, row.num_pairs));
-    }
-    if (row.schedule == kSimultaneous && gft_of(row) >= natural) {
-      const std::string gft =
-          std::isinf(gft_of(row))
-              ? "a digit does not touch in half of them"
-              : fmt::format("{:.0f} ms, natural {:.0f} ms", MsFromS(gft_of(row)), MsFromS(natural));
-      texts.push_back(fmt::format(
-          "{}: GFT is not smaller over the draws ({}): what it costs says nothing of simultaneity",
-          row.schedule, gft));
     }
   }
   return texts;
@@ -409,7 +431,7 @@ Json ToJson(const ScheduleComparison& comparison) {
       json["schedules"].push_back(
           {{"schedule", row.schedule},
            {"lags", row.lags ? ToJson(*row.lags) : Json()},
-           {"not_compared", row.lags ? "" : row.lags.reason()},
+           {"not_compared", row.lags ? row.missed : row.lags.reason()},
            {"trials", row.tally.finished},
            {"successes", row.tally.successes()},
            {"threshold", JsonNumber(row.threshold)},

@@ -19,8 +19,13 @@ least grip of the scale holds, or none does, it is not known: such draws are cou
 and where they are half of the draws or more there is no ratio. Where no grip held under one
 schedule the ratio is infinite, or 0.
 
-What a schedule costs says something of simultaneity only where it changes it: DescribeUnknown names
-a simultaneous schedule under which GFT is not smaller over the draws. */
+A schedule is compared only where it came out as its label says over the trials that are compared. With
+the digits' median shares of the closing time,
+
+    simultaneous  GFT is at most kMostLabelError of the closing time
+    people-like   each digit's share is within kMostLabelError of people's
+
+A schedule that misses its label is named, with by how much, and has no ratio. */
 
 #include <filesystem>
 #include <map>
@@ -124,6 +129,9 @@ Answer<TouchLags> SummarisePeople(const std::vector<TrialTouches>& people,
                                   const std::string& object,
                                   const std::vector<std::string>& digits);
 
+/** Of the closing time, between what a schedule's label says and what came out. */
+inline constexpr double kMostLabelError = 0.1;
+
 struct ScheduleRow {
   std::string schedule;  ///< one of kSchedules
   Answer<TouchLags> lags;
@@ -134,6 +142,7 @@ struct ScheduleRow {
   int num_not_known = 0;                  ///< of these, whose ratio is not known
   double ratio = kUnset;                  ///< to natural's
   std::optional<Interval> interval = {};  ///< of the ratio, 95 %; none: too few draws
+  std::string missed = {};                ///< how it misses its label; empty: it does not
 };
 
 /** The schedules of one grasp of one hand on one object. */
@@ -155,8 +164,8 @@ chose take no part.
 ScheduleComparison CompareSchedules(const Session& session, const PeopleFile& people,
                                     const std::vector<ThresholdSummary>& thresholds);
 
-/** Why a schedule's ratio is not known, or tells nothing of simultaneity: one sentence each, that
-begins with the schedule's name. */
+/** Which schedules miss their label, and why a ratio is not known: one sentence each, that begins with
+the schedule's name. */
 std::vector<std::string> DescribeUnknown(const ScheduleCell& cell);
 
 /** inputs/grasps/people.json of a session of schedules. @throws Error(kFormat, kIo). */
