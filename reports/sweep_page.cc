@@ -7,6 +7,7 @@
 #include "datasets/analysis/conditions/sensitivity_summary.h"
 #include "reports/kind_pages.h"
 #include "reports/page/layout.h"
+#include "reports/plots/line_plot.h"
 #include "reports/plots/svg_plot.h"
 
 namespace graspbench {
@@ -46,17 +47,53 @@ std::string DescribeHand(const SweepSummary& summary, const std::string& hand) {
                FormatFixed(100.0 * effect.change.estimate, 1) + " points";
   }
   if (num_effects == 0) return text + ".";
-  return text + (changed.empty() ? "; of no level is it decided that it changes success."
+  return text + (changed.empty() ? "; no factor level changes success significantly."
                                  : "; changed by " + changed + " (95 % intervals exclude 0).");
 }
 
 Html DrawConditions(const SweepView& view) {
-  Html lead;
-  for (const std::string& hand : view.summary.hands) {
-    lead += Element("p", {{"class", "verdict"}}, DescribeHand(view.summary, hand));
+  return MakeTable("Conditions and what their trials gave; medians of all but success.",
+                   ShowConditions(view.summary));
+}
+
+/** "10 pairs of 5 objects, 3 not finished". */
+std::string CountDraws(const SweepEffect& effect) {
+  return FormatCount(effect.change.num_draws, "pair") + " of " +
+         FormatCount(effect.change.num_objects, "object") +
+         (effect.num_left_out == 0 ? "" : "; left out " + effect.why_left_out);
+}
+
+/** Of one measure and hand, a row for each level; empty: no effect has a value. */
+Html DrawEffectPlot(const SweepSummary& summary, const std::string& hand,
+                    const SweepMeasure& measure) {
+  IntervalPlot plot;
+  plot.text.title = "Change of " + std::string(measure.label) + " by each level, " + hand;
+  plot.text.description = "Mean changes with 95 % intervals, one row per level.";
+  plot.axis = measure.threshold ? "change of the " + std::string(measure.label) + " [doublings]"
+              : measure.scale == 100.0 ? "change [percentage points]"
+                                       : "change of " + std::string(measure.label);
+  for (const SweepEffect& effect : summary.effects) {
+    if (effect.hand != hand || effect.measure != measure.id) continue;
+    const ChangeEstimate& change = effect.change;
+    const Interval interval = change.interval ? *change.interval : Interval{kUnset, kUnset};
+    IntervalPlot::Row row;
+    row.label = FormatSetting(NameEffect(effect));
+    row.value = measure.scale * change.estimate;
+    row.low = measure.scale * interval.low;
+    row.high = measure.scale * interval.high;
+    if (change.num_draws > 0) {
+      row.text = FormatChange(measure, change.estimate) +
+                 (change.interval ? " (" + FormatChangeInterval(measure, interval) + ")" : "") +
+                 ", ";
+    }
+    row.text += CountDraws(effect);
+    plot.rows.push_back(row);
   }
-  return lead + MakeTable("Conditions and what their trials gave; medians of all but success.",
-                          ShowConditions(view.summary));
+  if (plot.rows.empty()) return {};
+  return MakeFigure(plot.text.title + ", against the base's, on the same draws.",
+                    "intervals that exclude 0. A row without an interval cannot "
+                    "decide; the table says why.",
+                    MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
 }
 
 /** The condition with these levels of the first factors and the base's of all others; null: none. */
@@ -156,11 +193,20 @@ Html DrawMaps(const SweepView& view) {
 }
 
 Html DrawEffects(const SweepView& view) {
-  return MakeParagraph(
-             "Each level against the base's on the same draws; intervals come from "
-             "drawing objects with replacement. One interval in twenty misses 0 by "
-             "chance.") +
-         MakeTable("What each level changes.", ShowEffects(view.summary.effects));
+  const std::vector<SweepMeasure>& measures = ListSweepMeasures();
+  Html content, others;
+  for (const std::string& hand : view.summary.hands) {
+    content += Element("p", {{"class", "verdict"}}, DescribeHand(view.summary, hand)) +
+               DrawEffectPlot(view.summary, hand, measures.front());
+    for (size_t i = 1; i < measures.size(); ++i) {
+      others += DrawEffectPlot(view.summary, hand, measures[i]);
+    }
+  }
+  if (!others.empty()) content += MakeDetails("Changes of the other measures", others);
+  return content + MakeTable(
+                       "What each level changes: means over draws, with 95 % intervals. One "
+                       "interval in twenty misses 0 by chance.",
+                       ShowEffects(view.summary.effects));
 }
 
 Html DrawInteractions(const SweepView& view) {
@@ -223,7 +269,11 @@ Html DrawSweepMethods(const SweepView& view) {
        FormatCount(static_cast<int>(view.session.config.conditions.size()) + 1, "condition") +
        " of the factors " + factors +
        ", the base's level first. Every condition met the same draws of the object's place and of "
-       "the joints' errors. A best grasp is chosen at the base's levels. Effects are means over "
+       "the joints' errors. " +
+       (ChoosesGraspAgain(view.session.config.conditions.front())
+            ? "Best grasps were chosen under each condition. "
+            : "A best grasp is chosen at the base's levels. ") +
+       "Effects are means over "
        "draws of the differences between conditions "
        "that differ in one factor alone (or, where a design has none, between means over "
        "conditions); interactions are differences of such differences. 95 % intervals are "
@@ -234,9 +284,9 @@ Html DrawSweepMethods(const SweepView& view) {
 
 std::string MakeSweepPage(const Session& session, const SweepSummary& summary) {
   static const std::vector<PageSection<SweepView>> sections = {
+      {"effects", "What each level changes", &DrawEffects},
       {"conditions", "Conditions", &DrawConditions},
       {"maps", "Maps", &DrawMaps},
-      {"effects", "What each level changes", &DrawEffects},
       {"interactions", "Interactions", &DrawInteractions},
       {"thresholds", "Grip thresholds", &DrawSweepThresholds},
       {"findings", "Errors and warnings", &DrawSweepFindings},

@@ -196,6 +196,7 @@ class PaperMaker {
 
   /** The element and all below it. @param is_folded  it stands in something to open. */
   void Take(const XMLElement& element, bool is_folded) {
+    if (AttributeOf(element, "id") == "provenance") has_tables_ = false;
     TakeOne(element, is_folded);
     is_folded = is_folded || HasTag(element, "details");
     for (const auto* child = element.FirstChildElement(); child;
@@ -243,7 +244,7 @@ class PaperMaker {
   void TakeTable(const XMLElement& element, const std::string& id, bool is_folded) {
     ++num_tables_;
     const XMLElement* table = FindBelow(element, "table", "");
-    if (!table || !IsWanted(is_folded, tables_taken_, kMostTables)) return;
+    if (!table || !has_tables_ || !IsWanted(is_folded, tables_taken_, kMostTables)) return;
     const std::string name = "tables/tab-" + MakeShortName(id, num_tables_);
     files_.push_back({name + ".csv", FormatTable(*table)});
     files_.push_back({name + ".tex", FormatLatex(*table)});
@@ -257,6 +258,7 @@ class PaperMaker {
   PaperParts parts_;
   std::string style_, captions_ = "# Figures and tables\n";
   std::vector<PaperFile> files_;
+  bool has_tables_ = true;                    // until versions and citation, the last section
   int num_figures_ = 0, num_tables_ = 0;      // of the page
   int figures_taken_ = 0, tables_taken_ = 0;  // unfolded ones
 };

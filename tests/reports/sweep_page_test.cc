@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "reports/kind_pages.h"
+#include "reports/page/paper.h"
 #include "tests/reports/report_fixture.h"
 
 namespace graspbench {
@@ -47,6 +48,21 @@ TEST(SweepPage, ShowsAMapForEachLevelOfTheThirdFactorAndSaysWhatCannotBeDecided)
                "tum: success from 33.3 % (condition 3) to 100.0 % (condition 4), 83.3 % (base); ",
                "cannot decide success: all 6 trials succeed", "sigma [N]", "Interactions"});
   EXPECT_EQ(page.find("breaking force [N], tum:"), std::string::npos) << "nobody judged";
+}
+
+// The first figure is the effects', maps come behind it.
+TEST(SweepPage, LeadsWithAPictureOfTheEffects) {
+  const Session session = MakeCubeSession();
+  const std::string page = MakeSweepPage(session, SummariseSweep(session, {}));
+  const size_t effects = page.find("Change of success [%] by each level, tum, against the base");
+  const size_t maps = page.find("model.mass_scale by model.friction_scale");
+  EXPECT_LT(effects, maps);
+  EXPECT_NE(page.find("6 pairs of 6 objects"), std::string::npos);
+  const std::vector<PaperFile> files = MakePaperFiles(page, PaperParts::kShown);
+  EXPECT_EQ(files.front().name, "figures/fig-01-change-of-success-by.svg");
+  for (const PaperFile& file : files) {
+    EXPECT_EQ(file.name.find("versions"), std::string::npos) << file.name;
+  }
 }
 
 TEST(SweepPage, BearsASweepInWhichNothingHasRun) {
