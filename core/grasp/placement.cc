@@ -239,6 +239,15 @@ Placement CalcPlacement(const Hand& hand, const Grasp& grasp, const Vector3d& ob
   return placement;
 }
 
+double CalcNearFace(const GraspObject& object, const Vector3d& approach_W) {
+  const Vector3d p_WO(0.0, 0.0, 0.5 * object.size.z());
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Vector3d& p_O : object.mesh.vertices) {
+    nearest = std::min(nearest, approach_W.dot(p_O + p_WO));
+  }
+  return nearest;
+}
+
 namespace {
 
 /** By how much the pads, where they would meet the object, stay off what they need to hold it [m];
@@ -249,9 +258,7 @@ double CalcShortfall(const Hand& hand, const Grasp& grasp, const GraspObject& ob
       CalcPads(hand, grasp,
                CalcLinkPoses(hand, CalcClosingPosture(hand, grasp, placement.closing_at_contact)));
   const Vector3d p_WG = placement.X_WH * Vector3d(0.5 * (pads.p_HThumb + pads.p_HFingers));
-  const bool from_side = std::abs(placement.approach_W.z()) < 0.5;
-  const double near_face = from_side ? -0.5 * object.size.y() : -object.size.z();
-  return near_face + kLeastHold - placement.approach_W.dot(p_WG);
+  return CalcNearFace(object, placement.approach_W) + kLeastHold - placement.approach_W.dot(p_WG);
 }
 
 /** Back along the approach until nothing is in the way, with whether it still reaches the object. */
@@ -262,6 +269,17 @@ Placement StopBefore(const Hand& hand, const Grasp& grasp, const GraspObject& ob
   placement.X_WH.pretranslate(-back * placement.approach_W);
   placement.reaches_object = CalcShortfall(hand, grasp, object, placement) <= 0.0;
   return placement;
+}
+
+/** A hand that was moved, on its course to s*. */
+void RaiseOffTable(const Hand& hand, const Grasp& grasp, const GraspObject& object,
+                   Placement& placement) {
+  std::vector<std::vector<Pose>> course;
+  for (int k = 0; k <= kClosingSteps; ++k) {
+    const double s = placement.closing_at_contact * k / kClosingSteps;
+    course.push_back(CalcLinkPoses(hand, CalcClosingPosture(hand, grasp, s)));
+  }
+  LiftOffTable(hand, course, object.size.z(), placement);
 }
 
 /** Of CalcPlacement, with what stands in the way. */
@@ -282,6 +300,27 @@ Placement CalcPlacement(const Hand& hand, const Grasp& grasp, const GraspObject&
                      [&](const Vector3d& p_O) { return object.field->CalcDistance(p_O); });
 }
 
+Placement CalcPlacement(const Hand& hand, const Grasp& grasp, const GraspObject& object,
+                        const PlaceChange& change) {
+  const Matrix3d R_OV = MakeRotationRpy(0.0, 0.0, change.yaw);
+  Eigen::AlignedBox3d box_V;
+  for (const Vector3d& p_O : object.mesh.vertices) box_V.extend(R_OV.transpose() * p_O);
+  const Vector3d p_OC = R_OV * box_V.center();
+  Grasp placed = grasp;
+  placed.placement.reset();
+  if (object.approach != Approach::kAutomatic) placed.approach = object.approach;
+  Placement placement = CalcPlacement(hand, placed, box_V.sizes(),
+                                      R_OV.transpose() * (object.mass_properties.p_OOcm - p_OC));
+  const Vector3d shift_V(change.along, 0.0, change.rise);
+  const Pose X_WV = MakePose(R_OV, Vector3d(p_OC.x(), p_OC.y(), 0.0) + R_OV * shift_V);
+  placement.X_WH = X_WV * placement.X_WH;
+  placement.approach_W = R_OV * placement.approach_W;
+  RaiseOffTable(hand, placed, object, placement);
+  return StopBefore(
+      hand, placed, object, [&](const Vector3d& p_O) { return object.field->CalcDistance(p_O); },
+      placement);
+}
+
 Placement MovePlacement(const Hand& hand, const Grasp& grasp, const GraspObject& object,
                         const Vector3d& shift_W, const Vector3d& turn_W) {
   GRASPBENCH_DEMAND(grasp.placement.has_value(), grasp.id);
@@ -294,12 +333,7 @@ Placement MovePlacement(const Hand& hand, const Grasp& grasp, const GraspObject&
   const Pose& X_WH = grasp.placement->X_WH;
   placement.X_WH =
       MakePose(Matrix3d(turn * X_WH.linear()), p_WO + shift_W + turn * (X_WH.translation() - p_WO));
-  std::vector<std::vector<Pose>> course;
-  for (int k = 0; k <= kClosingSteps; ++k) {
-    const double s = placement.closing_at_contact * k / kClosingSteps;
-    course.push_back(CalcLinkPoses(hand, CalcClosingPosture(hand, grasp, s)));
-  }
-  LiftOffTable(hand, course, object.size.z(), placement);
+  RaiseOffTable(hand, grasp, object, placement);
   return StopBefore(
       hand, grasp, object, [&](const Vector3d& p_O) { return object.field->CalcDistance(p_O); },
       placement);

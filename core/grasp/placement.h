@@ -65,6 +65,23 @@ Placement CalcPlacement(const Hand& hand, const Grasp& grasp, const Eigen::Vecto
 field). A placement that the grasp brings is left alone. */
 Placement CalcPlacement(const Hand& hand, const Grasp& grasp, const GraspObject& object);
 
+/** What differs from the rule's place. */
+struct PlaceChange {
+  double yaw = 0.0;    ///< of the axes in which the rule places the hand, about the vertical [rad]
+  double rise = 0.0;   ///< upwards [m]
+  double along = 0.0;  ///< along the first of the turned axes [m]
+};
+
+/** By the same rule in axes that are turned by the yaw: the object's sizes are those of its bounding
+box there, a hand from the side comes along the second of these axes. Then the hand is moved, raised
+off the table and stopped before the object. What the grasp itself brings is ignored. */
+Placement CalcPlacement(const Hand& hand, const Grasp& grasp, const GraspObject& object,
+                        const PlaceChange& change);
+
+/** Where the object's surface first meets a plane that comes along the approach: its coordinate
+along `approach_W`, for the object at its nominal pose [m]. */
+double CalcNearFace(const GraspObject& object, const Eigen::Vector3d& approach_W);
+
 /** The placement that the grasp brings with the hand turned about the object's centre by the vector
 `turn_W` [rad], then shifted by `shift_W` [m], the approach as it was. A hand that was moved is
 raised off the table and stopped before the object by the rules above. @pre the grasp brings one. */

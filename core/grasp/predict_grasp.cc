@@ -158,8 +158,7 @@ bool IsPalmNear(const Hand& hand, const Grasp& grasp, const GraspObject& object,
     const Vector3d p_WS = placement.X_WH * (X_HL[static_cast<size_t>(sphere.link)] * sphere.p_LS);
     palm = std::max(palm, placement.approach_W.dot(p_WS) + sphere.radius);
   }
-  const double near_face = ComesFromSide(placement) ? -0.5 * object.size.y() : -object.size.z();
-  return near_face - palm <= kPalmNear;
+  return CalcNearFace(object, placement.approach_W) - palm <= kPalmNear;
 }
 
 double CalcNeededRoom(const Hand& hand, const Grasp& grasp) {
@@ -212,6 +211,33 @@ bool ClearsBoundingBox(const Hand& hand, const Grasp& grasp, const GraspObject& 
   if (!placement.reaches_object) return false;
   const auto calc_box = [&](const Vector3d& p_O) { return CalcBoxDistance(object.size, p_O); };
   return CalcRoom(hand, grasp, object, placement, calc_box) >= CalcNeededRoom(hand, grasp);
+}
+
+GraspRank RankGrasp(const Grasp& grasp, const GraspPrediction& prediction) {
+  constexpr double kLeastHeldShare = 0.5;
+  GraspRank rank;
+  rank.meets = prediction.reaches() + (prediction.reaches() && prediction.meets());
+  rank.has_held = !(grasp.held_share < kLeastHeldShare);
+  rank.num_kept = prediction.is_clear() + (prediction.opposes && prediction.lifts) +
+                  (prediction.num_touching == prediction.num_digits) + prediction.palm_is_near;
+  rank.depth = -prediction.contact_height;
+  return rank;
+}
+
+Grasp FitGraspAt(const Hand& hand, const Grasp& grasp, const GraspObject& object,
+                 const PlaceChange& change, double opening) {
+  std::optional<Grasp> as_it_is;
+  for (int k = 0; k <= kOpeningSteps; k += 2) {
+    Grasp opened = Open(hand, grasp, opening + static_cast<double>(k) / kOpeningSteps);
+    opened.placement = CalcPlacement(hand, opened, object, change);
+    if (!as_it_is) as_it_is = opened;
+    if (!opened.placement->reaches_object) continue;
+    if (CalcRoom(hand, opened, object, *opened.placement, MakeObstacle(object)) >=
+        CalcNeededRoom(hand, opened)) {
+      return opened;
+    }
+  }
+  return *as_it_is;
 }
 
 Grasp FitGrasp(const Hand& hand, const Grasp& grasp, const GraspObject& object) {

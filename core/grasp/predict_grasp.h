@@ -18,7 +18,10 @@ out of the hand.
 
 All of this is proposed by graspbench. */
 
+#include <tuple>
+
 #include "core/base/units.h"
+#include "core/grasp/placement.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/hand.h"
 #include "core/shape/grasp_object.h"
@@ -50,6 +53,23 @@ struct GraspPrediction {
   bool holds() const { return opposes && lifts && num_touching == num_digits; }
 };
 
+/** How promising a grasp is by geometry; larger is better. That it reaches the object and meets it
+when it closes comes first, then that its development found it to hold what it had not met, then how
+many of four conditions it keeps, then how low it meets the object: what is pushed above its centre
+of mass tips. */
+struct GraspRank {
+  int meets = -1;
+  bool has_held = false;
+  int num_kept = 0;    ///< clear of it; forces that hold; every digit meets it; the palm near
+  double depth = 0.0;  ///< of the contacts below the object's centre of mass [m]
+
+  bool operator>(const GraspRank& other) const {
+    return std::tie(meets, has_held, num_kept, depth) >
+           std::tie(other.meets, other.has_held, other.num_kept, other.depth);
+  }
+};
+GraspRank RankGrasp(const Grasp& grasp, const GraspPrediction& prediction);
+
 /** @pre the object has its distance field. */
 GraspPrediction PredictGrasp(const Hand& hand, const Grasp& grasp, const GraspObject& object);
 
@@ -64,5 +84,11 @@ reaches and meets it, or if only there the palm of a grasp that holds bears with
 neither is clear, from where the palm comes near. Itself when it is clear as it is, was made for an
 object, or when nothing helps. @pre as PredictGrasp. */
 Grasp FitGrasp(const Hand& hand, const Grasp& grasp, const GraspObject& object);
+
+/** The grasp from another place than the rule's, which it then brings: its pre-grasp opened by the
+share `opening` of the way from target to pre-grasp, and further until the way is clear. As it is
+with that opening when nothing helps. @pre as PredictGrasp. */
+Grasp FitGraspAt(const Hand& hand, const Grasp& grasp, const GraspObject& object,
+                 const PlaceChange& change, double opening);
 
 }  // namespace graspbench

@@ -1,7 +1,6 @@
 #include "datasets/plan/grasp_choice.h"
 
 #include <algorithm>
-#include <tuple>
 
 #include "core/base/error.h"
 #include "core/base/text/text.h"
@@ -23,32 +22,6 @@ bool CanTake(const SessionInputs& inputs, const SessionHand& hand, const Grasp& 
   if (grasp.placement) return true;
   const GraspPrediction& prediction = inputs.fitted->Find(hand.hand, grasp, object).prediction;
   return prediction.reaches() && prediction.is_clear() && prediction.meets();
-}
-
-/** Larger is better. That a grasp reaches the object and meets it when it closes comes first, then
-that its development found it to hold what it had not met, then how many of four conditions it
-keeps, then how low it meets the object: what is pushed above its centre of mass tips. */
-struct GraspRank {
-  int meets = -1;
-  bool has_held = false;
-  int num_kept = 0;    ///< clear of it; forces that hold; every digit meets it; the palm near
-  double depth = 0.0;  ///< of the contacts below the object's centre of mass [m]
-
-  bool operator>(const GraspRank& other) const {
-    return std::tie(meets, has_held, num_kept, depth) >
-           std::tie(other.meets, other.has_held, other.num_kept, other.depth);
-  }
-};
-
-GraspRank RankGrasp(const Grasp& grasp, const GraspPrediction& prediction) {
-  constexpr double kLeastHeldShare = 0.5;
-  GraspRank rank;
-  rank.meets = prediction.reaches() + (prediction.reaches() && prediction.meets());
-  rank.has_held = !(grasp.held_share < kLeastHeldShare);
-  rank.num_kept = prediction.is_clear() + (prediction.opposes && prediction.lifts) +
-                  (prediction.num_touching == prediction.num_digits) + prediction.palm_is_near;
-  rank.depth = -prediction.contact_height;
-  return rank;
 }
 
 const Grasp& ChooseBestGrasp(const SessionInputs& inputs, const SessionHand& hand,

@@ -1,0 +1,154 @@
+#include "core/rehearse/rehearse_grasp.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+
+namespace graspbench {
+namespace {
+
+constexpr double kYawShare = 0.4;  ///< of all candidates
+constexpr size_t kNumVaried = 3;   ///< candidates that are varied in one go
+constexpr double kGripShares[] = {0.5, 0.25, 0.125};
+
+/** The tried ones in the order of their runs. */
+std::vector<size_t> SortByRun(const std::vector<RehearsedCandidate>& tried) {
+  std::vector<size_t> order;
+  for (size_t i = 0; i < tried.size(); ++i) order.push_back(i);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](size_t a, size_t b) { return tried[a].FindRun() > tried[b].FindRun(); });
+  return order;
+}
+
+class Rehearser {
+ public:
+  Rehearser(const CandidateMaker& maker, const RehearsalConfig& config, const RunRehearsal& run)
+      : maker_(maker), config_(config), run_(run) {}
+
+  Rehearsal Run() {
+    const auto of_yaw = static_cast<size_t>(kYawShare * config_.num_candidates);
+    if (!TryAll(maker_.ListByRule()) && !IsFull() && !TryAll(maker_.ListByApproach()) &&
+        !IsFull() && !TryAll(TakeFirst(maker_.ListByYaw(), of_yaw))) {
+      while (!IsFull() && !is_found_ && Vary()) {
+      }
+    }
+    if (!is_found_) ChooseLongest();
+    return std::move(rehearsal_);
+  }
+
+ private:
+  bool IsFull() const {
+    return static_cast<int>(rehearsal_.tried.size()) >= config_.num_candidates;
+  }
+
+  static std::vector<GraspCandidate> TakeFirst(std::vector<GraspCandidate> all, size_t count) {
+    if (all.size() > count) all.resize(count);
+    return all;
+  }
+
+  RehearsalAnswer Ask(const Grasp& grasp, const RehearsalQuestion& question) {
+    ++rehearsal_.num_trials;
+    return run_(grasp, question);
+  }
+
+  void TryDraw(const Grasp& grasp, RehearsedCandidate& tried) {
+    const int draw = static_cast<int>(tried.outcomes.size());
+    const RehearsalAnswer answer = Ask(grasp, {draw});
+    tried.outcomes.push_back(answer.outcome);
+    if (!IsSuccess(answer.outcome) && tried.reason.empty()) tried.reason = answer.reason;
+  }
+
+  /** @returns whether one is held in all draws, which is chosen then. */
+  bool TryAll(const std::vector<GraspCandidate>& candidates) {
+    for (const GraspCandidate& candidate : candidates) {
+      const bool is_known =
+          std::any_of(rehearsal_.tried.begin(), rehearsal_.tried.end(),
+                      [&](const RehearsedCandidate& one) { return one.candidate == candidate; });
+      if (IsFull() || is_known) continue;
+      const Grasp grasp = maker_.Make(candidate);
+      RehearsedCandidate tried;
+      tried.candidate = candidate;
+      do {
+        TryDraw(grasp, tried);
+      } while (IsSuccess(tried.outcomes.back()) &&
+               static_cast<int>(tried.outcomes.size()) < config_.num_draws);
+      is_found_ = tried.FindRun() == config_.num_draws;
+      rehearsal_.tried.push_back(std::move(tried));
+      if (!is_found_) continue;
+      rehearsal_.chosen = static_cast<int>(rehearsal_.tried.size()) - 1;
+      return true;
+    }
+    return false;
+  }
+
+  /** The best ones that were not varied before. @returns whether there is anything new. */
+  bool Vary() {
+    const size_t num_before = rehearsal_.tried.size();
+    size_t num_varied = 0;
+    for (const size_t i : SortByRun(rehearsal_.tried)) {
+      if (num_varied == kNumVaried) break;
+      if (std::count(varied_.begin(), varied_.end(), i) > 0) continue;
+      varied_.push_back(i);
+      ++num_varied;
+      if (TryAll(maker_.ListVariations(GraspCandidate(rehearsal_.tried[i].candidate)))) return true;
+    }
+    return rehearsal_.tried.size() > num_before;
+  }
+
+  void FindThreshold(RehearsedCandidate& tried) {
+    const Grasp grasp = maker_.Make(tried.candidate);
+    for (const double share : kGripShares) {
+      if (!IsSuccess(Ask(grasp, {0, share}).outcome)) return;
+      tried.grip_threshold = share;
+    }
+  }
+
+  void ChooseLongest() {
+    const std::vector<size_t> order = SortByRun(rehearsal_.tried);
+    const int longest = rehearsal_.tried[order.front()].FindRun();
+    size_t best = order.front();
+    const bool is_tie =
+        order.size() > 1 && longest > 0 && rehearsal_.tried[order[1]].FindRun() == longest;
+    for (const size_t i : order) {
+      if (!is_tie || rehearsal_.tried[i].FindRun() < longest) break;
+      FindThreshold(rehearsal_.tried[i]);
+      if (rehearsal_.tried[i].grip_threshold < rehearsal_.tried[best].grip_threshold) best = i;
+    }
+    rehearsal_.chosen = static_cast<int>(best);
+    RehearsedCandidate& chosen = rehearsal_.tried[best];
+    const Grasp grasp = maker_.Make(chosen.candidate);
+    while (static_cast<int>(chosen.outcomes.size()) < config_.num_draws) TryDraw(grasp, chosen);
+  }
+
+  const CandidateMaker& maker_;
+  const RehearsalConfig& config_;
+  const RunRehearsal& run_;
+  Rehearsal rehearsal_;
+  bool is_found_ = false;
+  std::vector<size_t> varied_;
+};
+
+}  // namespace
+
+bool operator==(const RehearsalConfig& a, const RehearsalConfig& b) {
+  return a.num_candidates == b.num_candidates && a.num_draws == b.num_draws;
+}
+
+int RehearsedCandidate::CountHeld() const {
+  return static_cast<int>(std::count_if(outcomes.begin(), outcomes.end(),
+                                        [](Outcome outcome) { return IsSuccess(outcome); }));
+}
+
+int RehearsedCandidate::FindRun() const {
+  const auto first = std::find_if(outcomes.begin(), outcomes.end(),
+                                  [](Outcome outcome) { return !IsSuccess(outcome); });
+  return static_cast<int>(first - outcomes.begin());
+}
+
+Rehearsal RehearseGrasp(const CandidateMaker& maker, const RehearsalConfig& config,
+                        const RunRehearsal& run) {
+  GRASPBENCH_DEMAND(config.num_candidates > 0 && config.num_draws > 0, "nothing to rehearse");
+  return Rehearser(maker, config, run).Run();
+}
+
+}  // namespace graspbench
