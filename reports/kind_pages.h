@@ -18,6 +18,8 @@ header and a row of kKindPages (session_report.cc). */
 #include "datasets/analysis/development_summary.h"
 #include "datasets/analysis/map/map_result.h"
 #include "datasets/judged_grasps/grasp_store.h"
+#include "datasets/plan/rehearsed_grasps.h"
+#include "datasets/scene/rehearsal_store.h"
 
 namespace graspbench {
 
@@ -77,6 +79,17 @@ struct PosturePageData {
 /** On a machine that cannot draw it says so in the
 place of pictures. @pre a grasp's digits and postures fit the hand. */
 std::string MakePosturePage(const PosturePageData& data);
+
+/** Rehearsed grasps of hands on objects: what was chosen, which candidates were tried, what each
+held and why it failed, pictures of the chosen one and of the three next. */
+struct RehearsalPageData {
+  RehearsalConfig config;
+  std::vector<RehearsalTask> tasks;  ///< one a pair
+  std::vector<RehearsedPair> pairs;
+};
+
+/** Without a renderer it has no pictures and says why. */
+std::string MakeRehearsalPage(const RehearsalPageData& data);
 
 /** Success over sessions that followed each other: a curve and a table. */
 std::string MakeLearningPage(const std::vector<LearningPoint>& points);

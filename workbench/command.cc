@@ -10,6 +10,7 @@
 #include "core/base/text/text.h"
 #include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/experiments/policies/websocket_policy.h"
+#include "workbench/experiments/rehearse_objects.h"
 #include "workbench/experiments/run_record.h"
 #include "workbench/experiments/session_experiment.h"
 #include "workbench/pictures/scene_view.h"
@@ -98,6 +99,18 @@ void AddReplaceOption(Command& command, bool& replace) {
 
 void AddPlanOnlyOption(Command& command, bool& plan_only) {
   command.AddFlag("--plan-only", plan_only, "make the folder and run nothing: see work, submit");
+}
+
+void RehearseGrasps(const SessionConfig& config, int num_workers) {
+  const std::vector<RehearsalTask> tasks = ListUnrehearsed(config);
+  if (tasks.empty()) return;
+  TerminalObserver observer(DescribeTasks);
+  const int num_pairs = static_cast<int>(tasks.size());
+  PrintMessage("grasps of " + FormatCount(num_pairs, "pair") +
+               " of hand and object are rehearsed first, about " +
+               FormatFixed(EstimateRehearsalTime(tasks), 0) +
+               " s of one processor, judged by the first pair of each hand");
+  RehearseTasks(tasks, num_workers, observer);
 }
 
 void PrintPlan(const std::filesystem::path& folder, int count, const std::string& unit,

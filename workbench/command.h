@@ -61,6 +61,9 @@ void AddSeedOption(Command& command, int& seed, const std::string& what);
 void AddGraspNumberOption(Command& command, int& number);
 /** "--replace": an older result of the command's own kind. */
 void AddReplaceOption(Command& command, bool& replace);
+/** Before a session is made: rehearses what its grasps ask for and no earlier run has found, with
+progress and the time said before. @throws as RehearseTasks. */
+void RehearseGrasps(const SessionConfig& config, int num_workers);
 /** "--plan-only": for several machines. */
 void AddPlanOnlyOption(Command& command, bool& plan_only);
 /** Says what was planned and how to go on. */

@@ -176,9 +176,13 @@ FolderStatus ReadFolderStatus(const fs::path& folder, double stale_after, Status
     const CampaignProgress progress = ReadCampaignProgress(folder, stale_after, index_use);
     status.json = MakeStatusJson(progress);
     AddCampaign(folder, progress, status);
-  } else if (kind == &kSceneStore || kind == &kDevelopmentStore || kind == &kJudgedGraspStore) {
+  } else if (kind == &kSceneStore || kind == &kDevelopmentStore || kind == &kJudgedGraspStore ||
+             kind == &kRehearsalStore) {
     AddSearch(folder, ReadSearchProgress(folder),
-              kind == &kJudgedGraspStore ? "verdict" : "evaluation", status);
+              kind == &kJudgedGraspStore ? "verdict"
+              : kind == &kRehearsalStore ? "pair"
+                                         : "evaluation",
+              status);
   } else {
     const SessionProgress progress = ReadProgress(folder, stale_after, index_use);
     status.json = MakeStatusJson(progress);

@@ -211,7 +211,8 @@ SearchProgress ReadSearchProgress(const fs::path& folder) {
   progress.damages = FindLostBytes(folder);
   const Manifest manifest = FindManifest(folder).value_or(Manifest());
   // A result counts when it is sealed.
-  progress.is_finished = manifest.Find("result.json") || manifest.Find("grasps.csv");
+  progress.is_finished = manifest.Find("result.json") || manifest.Find("grasps.csv") ||
+                         manifest.Find("candidates.csv");
   if (!fs::exists(journal)) return progress;
   progress.age = CalcAge(journal);
   ForEachLineOfFile(journal, [&](const FileLine& line) {

@@ -8,6 +8,7 @@
 #include "datasets/judged_grasps/grasp_store.h"
 #include "datasets/scene/answer_journal.h"
 #include "datasets/scene/development_store.h"
+#include "datasets/scene/rehearsal_store.h"
 #include "datasets/session/find_trial.h"
 #include "datasets/session/session_store.h"
 
@@ -98,6 +99,8 @@ Diagnostics CheckRecords(const fs::path& folder, StoreState& state) {
     CheckAnswers<DevelopmentRecord>(folder, searches, state, findings);
   } else if (kind == &kJudgedGraspStore) {
     CheckAnswers<JudgedGrasp>(folder, searches, state, findings);
+  } else if (kind == &kRehearsalStore) {
+    CheckAnswers<RehearsedPair>(folder, searches, state, findings);
   } else if (kind != &kSessionStore) {
     CheckAnswers<EvaluationRecord>(folder, searches, state, findings);
   }

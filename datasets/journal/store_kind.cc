@@ -124,10 +124,25 @@ const StoreKind kJudgedGraspStore = {
     /*shared_journals=*/{},
     /*outputs=*/{"report"},
     /*lines=*/{{{"journal.jsonl"}, {"request", "profile", "result"}, "", "request", "grasps.csv"}}};
+const StoreKind kRehearsalStore = {
+    /*name=*/"rehearsal",
+    /*file=*/"rehearsal.json",
+    /*schema=*/1,
+    /*command=*/"graspbench rehearse",
+    /*remedy=*/"rehearse into a new folder",
+    /*files=*/{"rehearsal.json"},
+    /*derived=*/{"candidates.csv", "grasps/*/*.yaml"},
+    /*journals=*/{"journal.jsonl"},
+    /*stores=*/{},
+    /*keeps_torn_lines=*/false,
+    /*shared_journals=*/{},
+    /*outputs=*/{"report"},
+    /*lines=*/
+    {{{"journal.jsonl"}, {"request", "hash", "result"}, "", "request", "candidates.csv"}}};
 
 const StoreKind* FindStoreKind(const fs::path& folder) {
-  for (const StoreKind* kind :
-       {&kCampaignStore, &kSessionStore, &kSceneStore, &kDevelopmentStore, &kJudgedGraspStore}) {
+  for (const StoreKind* kind : {&kCampaignStore, &kSessionStore, &kSceneStore, &kDevelopmentStore,
+                                &kJudgedGraspStore, &kRehearsalStore}) {
     std::error_code status;
     if (fs::exists(folder / kind->file, status)) return kind;
   }

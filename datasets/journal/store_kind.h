@@ -52,6 +52,7 @@ extern const StoreKind kSceneStore;
 extern const StoreKind kCampaignStore;
 extern const StoreKind kDevelopmentStore;
 extern const StoreKind kJudgedGraspStore;
+extern const StoreKind kRehearsalStore;
 
 /** The kind whose frozen configuration the folder holds; null: none. */
 const StoreKind* FindStoreKind(const std::filesystem::path& folder);

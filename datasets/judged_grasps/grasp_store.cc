@@ -150,19 +150,7 @@ void CreateJudgedGrasps(const fs::path& folder, const Json& config) {
 }
 
 void CheckSameGrasps(const fs::path& folder, const Json& config) {
-  const Json there = LoadFrozen(kJudgedGraspStore, folder).config;
-  std::vector<std::string> differences;
-  for (const auto& [key, value] : config.items()) {
-    if (!there.contains(key) || there.at(key) != value) differences.push_back(key);
-  }
-  for (const auto& [key, value] : there.items()) {
-    if (!config.contains(key)) differences.push_back(key);
-  }
-  if (differences.empty()) return;
-  throw Error(ErrorKind::kUsage, "\"" + folder.string() +
-                                     "\" was begun with other inputs or settings; what differs:" +
-                                     ListDifferences(differences) +
-                                     "\nuse those, or choose another folder with --out");
+  CheckSameFrozen(kJudgedGraspStore, folder, config);
 }
 
 Json LoadGraspConfig(const fs::path& folder) {

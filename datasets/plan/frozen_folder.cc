@@ -85,6 +85,22 @@ void WriteFrozen(const StoreKind& kind, const fs::path& folder, const Json& conf
   WriteFileAtomically(folder / kind.file, text);
 }
 
+void CheckSameFrozen(const StoreKind& kind, const fs::path& folder, const Json& config) {
+  const Json there = LoadFrozen(kind, folder).config;
+  std::vector<std::string> differences;
+  for (const auto& [key, value] : config.items()) {
+    if (!there.contains(key) || there.at(key) != value) differences.push_back(key);
+  }
+  for (const auto& [key, value] : there.items()) {
+    if (!config.contains(key)) differences.push_back(key);
+  }
+  if (differences.empty()) return;
+  throw Error(ErrorKind::kUsage, "\"" + folder.string() +
+                                     "\" was begun with other inputs or settings; what differs:" +
+                                     ListDifferences(differences) +
+                                     "\nuse those, or choose another folder with --out");
+}
+
 std::string ListDifferences(const std::vector<std::string>& differences) {
   std::string text;
   for (const std::string& difference : differences) text += "\n  " + difference;

@@ -8,6 +8,7 @@
 #include "core/base/text/text.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/load_hand.h"
+#include "datasets/plan/rehearsed_grasps.h"
 #include "objects/catalogue.h"
 
 namespace graspbench {
@@ -74,7 +75,8 @@ std::string FindGraspId(const std::string& given) {
     if (MakeComparable(given) == MakeComparable(taxon.name)) return taxon.id;
     if (MakeComparable(given) == taxon.id) return taxon.id;
   }
-  return given;
+  const std::optional<RehearsalConfig> rehearsal = ParseRehearsed(given);
+  return rehearsal ? NameRehearsed(*rehearsal) : given;
 }
 
 std::vector<std::string> ExpandObjects(const std::vector<std::string>& names) {

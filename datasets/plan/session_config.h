@@ -172,7 +172,9 @@ struct SessionConfig : TrialConditions {
     v("hands", hands, "hands by id, name or folder, or all");
     v("objects", objects, "objects by id, name or folder, or all");
     v("grasps", grasps,
-      "standard grasps by id or name, grasp files (.yaml), best, by-sight, or all");
+      "standard grasps by id or name, grasp files (.yaml), best, by-sight, rehearsed, "
+      "rehearsed:N,k, "
+      "or all");
     v("trials", trials, {"trials of each hand, object and grasp", 1, 100000});
     v("seed", seed, {"random seed; another seed gives other sampled poses", 0, 2147483647});
     TrialConditions::Visit(v);

@@ -12,6 +12,7 @@
 #include "core/hand/load_hand.h"
 #include "datasets/journal/store_kind.h"
 #include "datasets/plan/conditions.h"
+#include "datasets/plan/rehearsed_grasps.h"
 #include "objects/object_file.h"
 
 namespace graspbench {
@@ -129,6 +130,46 @@ std::string AddGraspFile(const std::string& path, SessionInputs& inputs) {
   return file.grasp.id;
 }
 
+void AddGrasp(const std::string& text, const std::string& file, SessionInputs& inputs) {
+  std::vector<const Hand*> hands;
+  for (const SessionHand& hand : inputs.hands) hands.push_back(hand.hand.get());
+  const GraspFile made = ParseGraspFile(text, file, hands);
+  for (SessionHand& hand : inputs.hands) {
+    if (hand.hand->id == made.hand) hand.grasps.push_back(made.grasp);
+  }
+}
+
+/** Those of the folder, of an earlier run, or made now. What is kept is rounded, so all are read
+from their text. */
+void AddRehearsed(const SessionConfig& config, const fs::path& folder, SessionInputs& inputs) {
+  for (const RehearsalConfig& rehearsal : ListRehearsals(config)) {
+    CheckSessionConfig(config);  // before anything is simulated
+    const std::string id = NameRehearsed(rehearsal);
+    for (size_t h = 0; h < inputs.hands.size(); ++h) {
+      const std::shared_ptr<const Hand> hand = inputs.hands[h].hand;
+      const std::vector<Grasp> grasps = inputs.hands[h].grasps;
+      for (const auto& object : inputs.objects) {
+        const std::string place = "grasps/" + id + "/" + hand->id + "/" + object->id + ".yaml";
+        const fs::path copy = folder.empty() ? fs::path() : FindInputs(folder) / place;
+        std::error_code status;
+        std::string& text = inputs.rehearsed[place];
+        if (!copy.empty() && fs::exists(copy, status)) {
+          text = ReadFile(copy);
+        } else {
+          const RehearsalTask task = MakeRehearsalTask(config, rehearsal, hand, grasps, object);
+          text = FormatRehearsedGrasp(task, FindRehearsal(task).choice().candidate, id);
+        }
+        AddGrasp(text, place, inputs);
+      }
+    }
+  }
+}
+
+/** To a condition's hands, where nothing is rehearsed again. */
+void TakeRehearsed(const SessionInputs& base, SessionInputs& inputs) {
+  for (const auto& [place, text] : base.rehearsed) AddGrasp(text, place, inputs);
+}
+
 /** The session's word comes before the objects' and the grasps'. */
 void ApplyApproach(const std::string& name, SessionInputs& inputs) {
   const ApproachRow* row = FindRow(kApproaches, name);
@@ -233,6 +274,14 @@ void CopyInputs(const SessionConfig& config, const fs::path& folder) {
   if (fs::exists(inputs)) SyncFileSystem(folder);  // once for thousands of files
 }
 
+void CopyRehearsed(const SessionInputs& inputs, const fs::path& folder) {
+  for (const auto& [place, text] : inputs.rehearsed) {
+    MakeFolder((folder / kInputs / place).parent_path());
+    WriteFile(folder / kInputs / place, text);
+  }
+  if (!inputs.rehearsed.empty()) SyncFileSystem(folder);
+}
+
 std::string FindHandInput(const std::string& name, const fs::path& folder) {
   if (folder.empty()) return name;
   return ChooseInput(name, FindCopy(FindInputs(folder), "hands", name));
@@ -261,6 +310,7 @@ std::vector<std::string> ListSceneGrasps(const std::string& id, const fs::path& 
 SessionInputs LoadSessionInputs(const SessionConfig& config, FieldUse field_use,
                                 const std::filesystem::path& folder) {
   SessionInputs inputs = LoadBaseInputs(config, field_use, folder);
+  AddRehearsed(config, folder, inputs);
   const std::shared_ptr<const SessionInputs> base = std::make_shared<SessionInputs>(inputs);
   std::map<std::string, std::shared_ptr<const SessionInputs>> known = {
       {FormatJson(DescribeInputs(config)), base}};
@@ -272,6 +322,7 @@ SessionInputs LoadSessionInputs(const SessionConfig& config, FieldUse field_use,
         known[FormatJson(described) + (chooses_again ? " again" : "")];
     if (!shared) {
       SessionInputs changed = LoadBaseInputs(made.config, field_use, folder);
+      TakeRehearsed(*base, changed);
       if (!chooses_again) changed.base = base;
       shared = std::make_shared<SessionInputs>(std::move(changed));
     }

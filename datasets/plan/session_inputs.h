@@ -40,6 +40,8 @@ struct SessionInputs {
   std::vector<SessionHand> hands;                           ///< in the order of the configuration
   std::vector<std::shared_ptr<const GraspObject>> objects;  ///< in the order of the configuration
   std::map<std::string, std::string> grasp_files;  ///< path in the configuration -> the grasp's id
+  /** Of "rehearsed" grasps, the texts of their files by place in the folder of copies. */
+  std::map<std::string, std::string> rehearsed;
   std::map<std::string, ConditionInputs> conditions;                        ///< by name
   std::shared_ptr<FittedGrasps> fitted = std::make_shared<FittedGrasps>();  ///< those asked for
   /** Of a condition with other hands or objects: the base's, where "best" is chosen for both, so
@@ -49,7 +51,9 @@ struct SessionInputs {
 
 /** Loads what the configuration names, with its `model` applied; "all" is every hand and object that
 comes with the program. A grasp whose name ends in ".yaml" is a file (core/grasp/grasp_file.h) and
-goes to its hand; the benchmark of a campaign has the grasps of the campaign's scenes, too.
+goes to its hand; the benchmark of a campaign has the grasps of the campaign's scenes, too. A name
+"rehearsed" stands for one grasp for each hand and object, rehearsed where neither the folder nor an
+earlier run has it (rehearsed_grasps.h); conditions have those of the base.
 @param folder  of the session whose copies are taken; empty: the originals.
 @param field_use  kLater where thousands of objects must fit: whoever simulates one completes it
 (CompleteObject).
@@ -63,6 +67,7 @@ optimisation or a campaign when it is made:
     inputs/hands/<id>/     hand.urdf, hand.yaml and the meshes that hand.urdf names
     inputs/objects/<id>/   object.yaml, its mesh and the files that a .gltf names
     inputs/grasps/<n>.yaml the n-th of the configuration's grasps, from 0
+    inputs/grasps/rehearsed/<hand>/<object>.yaml  a rehearsed grasp
 
 What comes with the program is not copied. The copies are sealed with the store; whoever continues
 or reads it takes them, wherever it was moved to and whatever became of the originals. The scenes
@@ -75,6 +80,8 @@ bool IsGraspFile(const std::string& name);
 /** @pre LoadSessionInputs(config) has found them usable. @throws Error(kUsage) for a file that is
 named from outside its hand's or object's folder; Error(kIo). */
 void CopyInputs(const SessionConfig& config, const std::filesystem::path& folder);
+/** The rehearsed grasps. @throws Error(kIo). */
+void CopyRehearsed(const SessionInputs& inputs, const std::filesystem::path& folder);
 
 /** hand.urdf, hand.yaml and the meshes that hand.urdf names, into the folder `to`; meshes named
 from outside the folder are put into `meshes` and hand.urdf names them there: a hand of its own, not

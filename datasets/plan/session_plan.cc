@@ -13,6 +13,7 @@
 #include "datasets/plan/conditions.h"
 #include "datasets/plan/grasp_choice.h"
 #include "datasets/plan/grip_check.h"
+#include "datasets/plan/rehearsed_grasps.h"
 #include "datasets/plan/trial_id.h"
 
 namespace graspbench {
@@ -52,6 +53,7 @@ void CheckGraspsExist(const SessionConfig& config, const SessionInputs& inputs) 
     const std::string id = ResolveGraspName(inputs, name);
     if (std::find(known.begin(), known.end(), id) == known.end()) {
       known.push_back(kBySight);
+      known.push_back(NameRehearsed(RehearsalConfig()));
       throw Error(ErrorKind::kNotFound, "none of the session's hands can do a grasp \"" + id +
                                             "\"" + SuggestNames(id, known));
     }

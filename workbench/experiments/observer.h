@@ -25,7 +25,8 @@ enum class StageKind {
   kComparison,
   kDevelopment,
   kReplay,
-  kGrasps
+  kGrasps,
+  kRehearsal
 };
 struct StageRow {
   StageKind value;
@@ -43,7 +44,9 @@ inline constexpr StageRow kStages[] = {
     {StageKind::kComparison, "comparison", "search", "searches", "run", "evaluations", false},
     {StageKind::kDevelopment, "development", "grasp", "grasps", "develop", "trials", false},
     {StageKind::kReplay, "replay", "trial", "trials", "replay", "trials", true},
-    {StageKind::kGrasps, "grasps", "verdict", "verdicts", "find", "verdicts", false}};
+    {StageKind::kGrasps, "grasps", "verdict", "verdicts", "find", "verdicts", false},
+    {StageKind::kRehearsal, "rehearsal", "pair of hand and object", "pairs of hand and object",
+     "rehearse", "pairs", true}};
 
 /** A part of an experiment with a progress of its own. */
 struct Stage {

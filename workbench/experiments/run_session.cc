@@ -105,6 +105,7 @@ PreparedSession PrepareSession(const SessionRequest& request) {
     CheckPolicies(prepared.config, prepared.inputs, plan);
     StagedFolder staged({prepared.folder, "", false, request.inputs});
     CopyInputs(prepared.config, staged.path());
+    CopyRehearsed(prepared.inputs, staged.path());
     CreateSession(staged.path(), prepared.config, plan);
     staged.Commit();
   } else if (!may_continue) {

@@ -8,6 +8,7 @@
 #include "core/base/hash.h"
 #include "core/grasp/grasp_file.h"
 #include "datasets/plan/grasp_choice.h"
+#include "datasets/plan/rehearsed_grasps.h"
 #include "datasets/plan/session_inputs.h"
 #include "datasets/plan/session_plan.h"
 #include "workbench/experiments/output_folder.h"
@@ -88,6 +89,11 @@ SceneInputs LoadSceneInputs(SceneConfig& config, const std::filesystem::path& fo
   if (config.grasp == kBySight) {
     throw Error(ErrorKind::kUsage,
                 "by-sight chooses a grasp in each trial; what is optimised is one standard "
+                "grasp of the hand, by its id, or best");
+  }
+  if (ParseRehearsed(config.grasp)) {
+    throw Error(ErrorKind::kUsage,
+                "rehearsed chooses a grasp with its placement; what is optimised is one standard "
                 "grasp of the hand, by its id, or best");
   }
   const SessionConfig session = MakeSessionConfig(config);

@@ -11,6 +11,7 @@
 #include "core/hand/hand.h"
 #include "core/physics/implicit_world.h"
 #include "core/trial/trial_runner.h"
+#include "datasets/plan/rehearsed_grasps.h"
 #include "datasets/plan/session_plan.h"
 
 namespace graspbench {
@@ -52,6 +53,8 @@ bool LoadsTheSame(const SceneChoice& a, const SceneChoice& b) {
       if (std::filesystem::exists(names->front())) return false;
     }
   }
+  const bool is_rehearsed = !ListRehearsals(a.config).empty() || !ListRehearsals(b.config).empty();
+  if (is_rehearsed && a.config.grasps != b.config.grasps) return false;
   return a.config.hands == b.config.hands && a.config.approach == b.config.approach &&
          a.config.objects == b.config.objects && a.folder.empty() && b.folder.empty() &&
          HaveEqualValues(a.config.model, b.config.model);

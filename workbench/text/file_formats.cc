@@ -24,6 +24,7 @@
 #include "datasets/records/trace_table.h"
 #include "datasets/records/trial_table.h"
 #include "datasets/scene/development_store.h"
+#include "datasets/scene/rehearsal_store.h"
 #include "datasets/scene/scene_store.h"
 #include "datasets/trajectory/trajectory_form.h"
 #include "human_study/statistics/tidy_export.h"
@@ -163,6 +164,8 @@ std::vector<TableSource> ListSessionTables() {
       {"numerics.csv", "check-numerics: one row per trial and variant", MakeNumericsSchema()},
       {kGraspTable, "grasps judge: one row per grasp, profile and disturbance",
        MakeGraspTableSchema()},
+      {kCandidateTable, "rehearse: one row per candidate that was tried",
+       MakeCandidateTableSchema()},
       {"individuals.csv", "optimise: one row per individual of step 2", MakeIndividualSchema()},
       {"summary.csv", "campaign: one row per hand, object and variant of the grasp",
        MakeVariantSchema()},

@@ -3,6 +3,7 @@
 
 #include "core/base/text/text.h"
 #include "datasets/analysis/map/map_result.h"
+#include "datasets/plan/rehearsed_grasps.h"
 #include "datasets/plan/scene_names.h"
 #include "workbench/command.h"
 #include "workbench/commands/options/session_options.h"
@@ -24,7 +25,9 @@ struct MapOptions {
 void Run(MapOptions& options) {
   options.request.base = options.base;
   options.request.base.objects = ExpandObjects(options.base.objects);
+  options.request.base.grasps = JoinRehearsed(options.base.grasps);
   options.request.out = options.out;
+  RehearseGrasps(options.request.base, options.request.num_workers);
   const PreparedSession success = PrepareMap(options.request);
   PrintMessage(success.folder.string() + ": " +
                FormatCount(static_cast<int>(success.config.conditions.size()) + 1, "condition") +
@@ -63,6 +66,7 @@ void AddMapCommand(Command& program) {
       "The same command again continues it.");
   const auto options = std::make_shared<MapOptions>();
   AddSceneOptions(command, options->base);
+  AddListOption(command, "--grasp", options->base.grasps, "best, rehearsed or ids", "G,..");
   AddSeedOption(command, options->base.seed, "other draws");
   command.AddFlag("--quick", options->request.is_quick,
                   "success alone, one delay and one draw of each object and region");

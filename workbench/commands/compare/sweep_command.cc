@@ -75,6 +75,7 @@ ExitCode Sweep(const SweepOptions& options) {
   const ThresholdScale* const scale =
       threshold.empty() ? nullptr : &RowFromName(kThresholdScales, threshold, "threshold");
   if (scale && request.config) ListThresholdGrips(*scale, *request.config);  // or is refused here
+  if (request.config) RehearseGrasps(*request.config, options.run.num_workers);
   const PreparedSession sweep = PrepareSession(request);
   PrintMessage(sweep.folder.string() + ": " +
                FormatCount(static_cast<int>(sweep.config.conditions.size()) + 1, "condition") +

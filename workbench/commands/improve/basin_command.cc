@@ -70,6 +70,7 @@ PreparedSession PrepareBasin(const BasinRequest& request) {
     if (is_there) output.derived = ListStoreFiles(request.out);
     StagedFolder staged(output, StagedFolder::Mark::kOwn);
     CopyInputs(config, staged.path());
+    CopyRehearsed(inputs, staged.path());
     CreateSession(staged.path(), config, plan);
     staged.Commit();
   }

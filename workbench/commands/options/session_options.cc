@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "datasets/plan/grip_check.h"
+#include "datasets/plan/rehearsed_grasps.h"
 #include "datasets/plan/scene_names.h"
 #include "datasets/plan/session_config.h"
 #include "workbench/command.h"
@@ -26,7 +27,7 @@ constexpr SettingOption kOptions[] = {
        c.objects = ExpandObjects(given.objects);
      }},
     {"--grasp", "grasps",
-     [](const SessionConfig& given, SessionConfig& c) { c.grasps = given.grasps; }},
+     [](const SessionConfig& given, SessionConfig& c) { c.grasps = JoinRehearsed(given.grasps); }},
     {"--approach", "approach",
      [](const SessionConfig& given, SessionConfig& c) { c.approach = given.approach; }},
     {"--policy", "policy.command",
@@ -49,10 +50,13 @@ void SessionOptions::AddTo(Command& command, const std::string& file_text) {
       .AddOption("--preset", preset_, "named settings instead of a session file: " + names, "NAME")
       ->Suggest(presets);
   AddSceneOptions(command, given_);
-  AddListOption(command, "--grasp", given_.grasps,
-                "best, by-sight, all, ids or grasp files: g1,my.yaml; by-sight: the type by the "
-                "outline that the hand's camera sees, right for 38 of 51 unseen things",
-                "G,..");
+  AddListOption(
+      command, "--grasp", given_.grasps,
+      "best, by-sight, rehearsed, all, ids or grasp files: g1,my.yaml; by-sight: the type "
+      "by the outline that the hand's camera sees, right for 38 of 51 unseen things; "
+      "rehearsed:N,k: the first of at most N candidates that holds k imagined trials, "
+      "without numbers 40,4",
+      "G,..");
   command
       .AddOption("--approach", given_.approach, "above or side, whatever objects and grasps say",
                  "FROM")

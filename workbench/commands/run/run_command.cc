@@ -98,6 +98,7 @@ ExitCode Run(const RunCommandOptions& options) {
   request.resume = options.run.resume;
   request.on_damage = options.run.on_damage;
   if (options.session.HasAny()) request.config = options.session.MakeConfig();
+  if (request.config) RehearseGrasps(*request.config, options.run.num_workers);
   PreparedSession work = PrepareSession(request);
   const int num_trials = static_cast<int>(FindUnfinished(work.session).size());
   std::vector<std::string> warnings = ListObjectWarnings(work.config, work.inputs);

@@ -1,0 +1,129 @@
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "core/base/text/text.h"
+#include "datasets/plan/scene_names.h"
+#include "reports/kind_pages.h"
+#include "reports/page/layout.h"
+#include "workbench/command.h"
+#include "workbench/experiments/machines/shell_quote.h"
+#include "workbench/experiments/rehearse_objects.h"
+#include "workbench/result_page.h"
+#include "workbench/tables/text_table.h"
+#include "workbench/terminal/terminal_observer.h"
+
+namespace graspbench {
+namespace {
+
+struct RehearseOptions {
+  SessionConfig scene;
+  std::vector<std::string> settings;
+  RehearsalConfig config;
+  RehearseRequest request;
+  std::string shard;  ///< empty: all
+  bool plan_only = false, json = false;
+};
+
+std::string FormatHeldDraws(const RehearsedCandidate& tried) {
+  return std::to_string(tried.CountHeld()) + " of " + std::to_string(tried.outcomes.size());
+}
+
+std::string FormatChoices(const std::vector<RehearsedPair>& pairs) {
+  TextTable table({"hand", "object", "chosen", "held", "candidates tried", "trials"});
+  for (const RehearsedPair& pair : pairs) {
+    const Rehearsal& result = pair.result;
+    table.AddRow({pair.hand, pair.object, Describe(result.choice().candidate),
+                  FormatHeldDraws(result.choice()), std::to_string(result.tried.size()),
+                  std::to_string(result.num_trials)});
+  }
+  return table.Format();
+}
+
+Json MakeJson(const std::vector<RehearsedPair>& pairs) {
+  Json rows = Json::array();
+  for (const RehearsedPair& pair : pairs) {
+    rows.push_back({{"hand", pair.hand},
+                    {"object", pair.object},
+                    {"hash", pair.hash},
+                    {"robust", pair.result.is_robust()},
+                    {"held", pair.result.choice().CountHeld()},
+                    {"candidates", pair.result.tried.size()},
+                    {"trials", pair.result.num_trials},
+                    {"choice", RecordToJson(pair.result.choice().candidate)}});
+  }
+  return rows;
+}
+
+/** Of what no earlier run has found. */
+void PlanRehearsals(const RehearseOptions& options) {
+  const auto num_pairs = static_cast<int>(options.request.tasks.size());
+  const double time = EstimateRehearsalTime(options.request.tasks);
+  if (options.json) {
+    return PrintJson({{"pairs", num_pairs},
+                      {"candidates", options.config.num_candidates},
+                      {"draws", options.config.num_draws},
+                      {"seconds", time}});
+  }
+  PrintResult(FormatCount(num_pairs, "pair") + " of hand and object, at most " +
+              FormatCount(options.config.num_candidates, "candidate") + " with " +
+              FormatCount(options.config.num_draws, "draw") + " each\nabout " +
+              FormatFixed(time, 0) +
+              " s of one processor for what is left, judged by the first pair of each hand\n");
+}
+
+void RunRehearse(RehearseOptions options) {
+  options.scene.objects = ExpandObjects(options.scene.objects);
+  for (const std::string& setting : options.settings) ApplySetting(setting, options.scene);
+  RehearseRequest& request = options.request;
+  request.tasks = ListRehearsalTasks(options.scene, options.config);
+  if (!options.shard.empty()) request.shard = ParseShard(options.shard);
+  if (options.plan_only) return PlanRehearsals(options);
+  TerminalObserver observer(
+      [&](const Stage& stage) { return request.out.string() + ": " + DescribeTasks(stage); });
+  RehearsalPageData data = {options.config, request.tasks, RehearseObjects(request, observer)};
+  const std::filesystem::path report = WriteReportPage(request.out, MakeRehearsalPage(data));
+  if (options.json) {
+    return PrintJson({{"folder", request.out.string()},
+                      {"report", report.string()},
+                      {"pairs", MakeJson(data.pairs)}});
+  }
+  PrintResult(FormatChoices(data.pairs) + FormatPlaces(report, request.out / kCandidateTable) +
+              "grasps   " + (request.out / "grasps").string() + "\n");
+}
+
+}  // namespace
+
+void AddRehearseCommand(Command& program) {
+  Command& command = AddSubcommand(
+      program, "rehearse", "Choose each object's grasp by imagined trials of many candidates.",
+      "  graspbench rehearse --hand tum --object can,cup --out results/rehearsed\n"
+      "  graspbench rehearse --object my/mug --candidates 80 --draws 8 --out results/mug\n"
+      "The same command again continues it.");
+  const auto options = std::make_shared<RehearseOptions>();
+  AddSceneOptions(command, options->scene);
+  command
+      .AddOption("--candidates", options->config.num_candidates,
+                 "grasps of each pair that are tried at most", "N")
+      ->Within(1, 1000)
+      ->ShowDefault();
+  command
+      .AddOption("--draws", options->config.num_draws,
+                 "sampled initial poses that a grasp must hold to be chosen at once", "K")
+      ->Within(1, 100)
+      ->ShowDefault();
+  AddSettingsOption(command, options->settings, "model.friction_scale=0.8");
+  AddJobsOption(command, options->request.num_workers, "pairs");
+  command.AddRequired("--out", options->request.out,
+                      "folder for grasps and report; the same command again continues it", "DIR");
+  command.AddOption("--shard", options->shard, "every Nth pair alone, from the Kth on", "K/N");
+  AddListOption(command, "--from", options->request.parts,
+                "folders of shards or of other rehearsals: what they found is not run again",
+                "DIR,..");
+  command.AddFlag("--plan-only", options->plan_only,
+                  "print how many candidates and seconds it takes; nothing is written to --out");
+  AddJsonOption(command, options->json);
+  command.SetAction([options] { RunRehearse(*options); });
+}
+
+}  // namespace graspbench

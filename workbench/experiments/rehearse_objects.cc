@@ -1,0 +1,220 @@
+#include "workbench/experiments/rehearse_objects.h"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "core/base/config.h"
+#include "core/base/error.h"
+#include "datasets/plan/frozen_folder.h"
+#include "datasets/plan/session_inputs.h"
+#include "workbench/experiments/output_folder.h"
+#include "workbench/experiments/pool/worker_pool.h"
+#include "workbench/experiments/run_record.h"
+
+namespace graspbench {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr size_t kBatch = 8;  ///< pairs a worker that are rehearsed before their lines are written
+
+Json DescribeRehearsals(const RehearseRequest& request) {
+  Json pairs = Json::array();
+  for (const RehearsalTask& task : request.tasks) {
+    pairs.push_back(
+        {{"hand", task.hand->id}, {"object", task.object->id}, {"hash", CalcRehearsalHash(task)}});
+  }
+  const RehearsalTask& first = request.tasks.front();
+  Json config = {{"candidates", first.config.num_candidates},
+                 {"draws", first.config.num_draws},
+                 {"conditions", ConfigToJson(first.conditions)},
+                 {"imperfections", ConfigToJson(first.imperfections)},
+                 {"pairs", pairs}};
+  if (request.shard.count > 1) config["shard"] = FormatShard(request.shard);
+  return config;
+}
+
+void PrepareRehearsalFolder(const fs::path& folder, const Json& config) {
+  if (HasFrozen(kRehearsalStore, folder)) return CheckSameFrozen(kRehearsalStore, folder, config);
+  StagedFolder staged({folder, "", false, {}});
+  WriteFrozen(kRehearsalStore, staged.path(), config);
+  staged.Commit();
+}
+
+/** What its choice came to, for the counts of a progress. */
+Outcome SummariseOutcome(const Rehearsal& rehearsal) {
+  for (const Outcome outcome : rehearsal.choice().outcomes) {
+    if (!IsSuccess(outcome)) return outcome;
+  }
+  return Outcome::kSuccess;
+}
+
+/** A stage of rehearsals, from its first task to its last. */
+class RehearsalStage {
+ public:
+  RehearsalStage(size_t num_tasks, int num_workers, Observer& observer)
+      : num_workers_(num_workers),
+        observer_(observer),
+        board_(num_workers),
+        stage_(MakeStage(StageKind::kRehearsal, num_tasks)) {
+    observer_.BeginStage(stage_);
+  }
+
+  /** @returns the results up to the first that is missing when it was stopped. */
+  std::vector<Rehearsal> Run(const std::vector<const RehearsalTask*>& tasks) {
+    std::vector<std::optional<Rehearsal>> found(tasks.size());
+    const auto make_runner = [&](int worker, const std::atomic<bool>&) -> TaskRunner {
+      return RunTask([&, worker](size_t i) {
+        const RehearsalTask& task = *tasks[i];
+        board_.SetBusy(worker, PlannedTrial{"", task.hand->id, task.object->id, "", 0});
+        found[i] = FindRehearsal(task);
+        board_.Count(SummariseOutcome(*found[i]));
+        board_.SetBusy(worker, std::nullopt);
+      });
+    };
+    RunTasks(
+        tasks.size(), CalcNumWorkers(num_workers_, tasks.size()), make_runner,
+        [&] { observer_.ShowStatus(board_.Read(), stage_.num_trials); }, observer_.stop());
+    std::vector<Rehearsal> results;
+    for (std::optional<Rehearsal>& one : found) {
+      if (!one) break;
+      results.push_back(std::move(*one));
+    }
+    return results;
+  }
+
+ private:
+  int num_workers_;
+  Observer& observer_;
+  StatusBoard board_;
+  Stage stage_;
+};
+
+[[noreturn]] void ThrowStopped() {
+  throw Error(ErrorKind::kInterrupted,
+              "stopped; what was rehearsed is kept. The same command again continues");
+}
+
+/** Rehearsals by their hashes, of other folders. */
+std::map<std::string, Rehearsal> LoadParts(const std::vector<std::string>& parts) {
+  std::map<std::string, Rehearsal> known;
+  for (const std::string& part : parts) {
+    for (RehearsedPair& pair : LoadRehearsals(part)) known.emplace(pair.hash, pair.result);
+  }
+  return known;
+}
+
+}  // namespace
+
+std::vector<RehearsalTask> ListRehearsalTasks(const SessionConfig& config,
+                                              const RehearsalConfig& rehearsal) {
+  SessionConfig plain = config;
+  plain.grasps = {"all"};
+  plain.conditions.clear();
+  CheckSessionConfig(plain);
+  const SessionInputs inputs = LoadSessionInputs(plain, FieldUse::kLater);
+  std::vector<RehearsalTask> tasks;
+  for (const SessionHand& hand : inputs.hands) {
+    for (const auto& object : inputs.objects) {
+      tasks.push_back(MakeRehearsalTask(plain, rehearsal, hand.hand, hand.grasps, object));
+    }
+  }
+  return tasks;
+}
+
+std::vector<RehearsalTask> ListUnrehearsed(const SessionConfig& config) {
+  std::vector<RehearsalTask> tasks;
+  for (const RehearsalConfig& rehearsal : ListRehearsals(config)) {
+    for (RehearsalTask& task : ListRehearsalTasks(config, rehearsal)) {
+      if (!FindKeptRehearsal(task)) tasks.push_back(std::move(task));
+    }
+  }
+  return tasks;
+}
+
+double EstimateRehearsalTime(const std::vector<RehearsalTask>& tasks) {
+  std::map<std::string, double> times;
+  double sum = 0.0;
+  for (const RehearsalTask& task : tasks) {
+    if (FindKeptRehearsal(task)) continue;
+    if (times.count(task.hand->id) == 0) {
+      const auto start = std::chrono::steady_clock::now();
+      FindRehearsal(task);
+      times[task.hand->id] =
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+    sum += times[task.hand->id];
+  }
+  return sum;
+}
+
+std::vector<Rehearsal> RehearseTasks(const std::vector<RehearsalTask>& tasks, int num_workers,
+                                     Observer& observer) {
+  std::vector<const RehearsalTask*> all;
+  for (const RehearsalTask& task : tasks) all.push_back(&task);
+  if (all.empty()) return {};
+  std::vector<Rehearsal> results = RehearsalStage(all.size(), num_workers, observer).Run(all);
+  if (results.size() < all.size()) ThrowStopped();
+  observer.EndStage();
+  return results;
+}
+
+std::vector<RehearsedPair> RehearseObjects(const RehearseRequest& request, Observer& observer) {
+  PrepareRehearsalFolder(request.out, DescribeRehearsals(request));
+  RunRecorder recorder(request.out, request.num_workers, observer);
+  const std::map<std::string, Rehearsal> known = LoadParts(request.parts);
+  bool is_complete = true;
+  {
+    RehearsalJournal journal(request.out / "journal.jsonl");
+    std::vector<size_t> left;
+    for (size_t i = 0; i < request.tasks.size(); ++i) {
+      if (IsCardOf(i, request.shard) && !journal.Find(static_cast<int>(i))) left.push_back(i);
+    }
+    const size_t batch = kBatch * static_cast<size_t>(std::max(1, request.num_workers));
+    std::optional<RehearsalStage> stage;
+    if (!left.empty()) stage.emplace(left.size(), request.num_workers, recorder);
+    for (size_t first = 0; is_complete && first < left.size(); first += batch) {
+      const size_t count = std::min(batch, left.size() - first);
+      std::vector<RehearsedPair> pairs;
+      std::vector<const RehearsalTask*> unknown;
+      for (size_t i = first; i < first + count; ++i) {
+        const RehearsalTask& task = request.tasks[left[i]];
+        const std::string hash = CalcRehearsalHash(task);
+        pairs.push_back({static_cast<int>(left[i]), task.hand->id, task.object->id, hash, {}});
+        if (known.count(hash) == 0) unknown.push_back(&task);
+      }
+      std::vector<Rehearsal> found = stage->Run(unknown);
+      std::vector<RehearsedPair> done;  // up to the first that is not, so that the order holds
+      size_t next = 0;
+      for (RehearsedPair& pair : pairs) {
+        const auto part = known.find(pair.hash);
+        is_complete = part != known.end() || next < found.size();
+        if (!is_complete) break;
+        pair.result = part != known.end() ? part->second : std::move(found[next++]);
+        done.push_back(std::move(pair));
+      }
+      if (!done.empty()) journal.Append(std::move(done));
+    }
+    if (!left.empty()) {
+      if (is_complete) recorder.EndStage();
+      recorder.Keep(is_complete);
+    }
+  }
+  SealStore(kRehearsalStore, request.out);
+  if (!is_complete) ThrowStopped();
+  std::vector<RehearsedPair> pairs = LoadRehearsals(request.out);
+  std::map<std::string, std::string> grasps;
+  for (const RehearsedPair& pair : pairs) {
+    const RehearsalTask& task = request.tasks[static_cast<size_t>(pair.request)];
+    grasps["grasps/" + pair.hand + "/" + pair.object + ".yaml"] =
+        FormatRehearsedGrasp(task, pair.result.choice().candidate, NameRehearsed(task.config));
+  }
+  FinishRehearsals(request.out, pairs, std::move(grasps));
+  return pairs;
+}
+
+}  // namespace graspbench
