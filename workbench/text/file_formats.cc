@@ -27,6 +27,7 @@
 #include "datasets/scene/rehearsal_store.h"
 #include "datasets/scene/scene_store.h"
 #include "datasets/trajectory/trajectory_form.h"
+#include "human_study/recording/importers/table_mapping.h"
 #include "human_study/statistics/tidy_export.h"
 #include "human_study/study/design/study_config.h"
 #include "human_study/study/output/study_tables.h"
@@ -251,6 +252,10 @@ const std::vector<FileFormat>& ListFileFormats() {
          ListSessionKeys()},
         {"sweep.yaml", "a session under many conditions, for graspbench sweep", ListSweepKeys()},
         {"study.yaml", "a study of people's grasps, for graspbench study run", ListStudyKeys()},
+        {"columns.yaml",
+         "which columns of a plain table are what: recording.mapping of study.yaml, --mapping of "
+         "graspbench mocap; graspbench new mapping FILE proposes one",
+         ListMappingKeys()},
         {"grasp.yaml", "a grasp of its own file, for graspbench run --grasp FILE",
          ListGraspFileKeys()},
         {"profile.yaml", "how somebody judges grasps, for graspbench grasps judge --profile FILE",

@@ -178,7 +178,10 @@ DataTable::DataTable(const std::string& text, const std::string& file, Diagnosti
         "\"CSV UTF-8\"");
     return;
   }
-  std::istringstream stream(text);
+  std::string lines = text;
+  // "CSV (Macintosh)" of spreadsheets ends lines in a carriage return alone.
+  if (text.find('\n') == text.npos) std::replace(lines.begin(), lines.end(), '\r', '\n');
+  std::istringstream stream(lines);
   LineReader reader(stream, file);
   std::string_view line;
   char delimiter = ',';

@@ -170,11 +170,13 @@ double FindLongestStep(const std::vector<DigitTrack>& digits) {
 
 std::vector<Doubt> FindWrongUnit(const std::vector<DigitTrack>& digits) {
   // Between two digits of a hand that opens and closes; speeds of one that reaches.
-  constexpr double kLeast = 0.012, kMost = 0.3, kTypical = 0.1;  // [m]
-  constexpr double kOneHand = 0.2;                               // without a far digit [m]
-  constexpr double kFastest = 5.0;                               // [m/s]
+  constexpr double kFour = 0.03, kFew = 0.012;   // at least, of four digits and of fewer [m]
+  constexpr double kMost = 0.3, kTypical = 0.1;  // [m]
+  constexpr double kOneHand = 0.2;               // without a far digit [m]
+  constexpr double kFastest = 5.0;               // [m/s]
   const std::vector<double> spans = ListSpans(digits);
   if (spans.empty()) return {};
+  const double least = digits.size() >= 4 ? kFour : kFew;
   const double largest = spans.back(), most = CalcSortedQuantile(spans, 0.75);
   const double fastest = FindFastest(digits);
   const auto doubt = [](const std::string& found, double factor) -> std::vector<Doubt> {
@@ -187,14 +189,14 @@ std::vector<Doubt> FindWrongUnit(const std::vector<DigitTrack>& digits) {
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(d));
     const std::vector<double> left = ListSpans(others);
     const double span = left.empty() ? 0.0 : CalcSortedQuantile(left, 0.75);
-    if (span < kLeast || span > kOneHand) continue;
+    if (span < kFew || span > kOneHand) continue;
     return {
         {"far_digit",
          fmt::format("digit {} is up to {:.3g} m from the others, which are {:.3g} m apart: its "
                      "marker is not on the hand, or markers or columns name another one",
                      digits[d].digit, most, span)}};
   }
-  if (is_large || largest < kLeast) {
+  if (is_large || largest < least) {
     return doubt(fmt::format("its digits are {:.3g} m apart, those of a hand about {:g} m",
                              is_large ? most : largest, kTypical),
                  (is_large ? most : largest) / kTypical);

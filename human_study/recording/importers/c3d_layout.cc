@@ -189,8 +189,19 @@ std::vector<FrameCount> FindFrameCounts(const C3dHead& head, const C3dParameters
   return counts;
 }
 
+/** Whether 16-bit places may say this of `num_frames`: a count or a last frame that cannot grow
+further, or a count that began at 0 again. */
+bool IsSaturated(const FrameCount& c, uint64_t num_frames) {
+  const auto is_most = [](double value) { return std::abs(value - kC3dMaxCount) <= 1; };
+  return num_frames > kC3dMaxCount &&
+         (is_most(c.count) || is_most(c.first + c.count - 1) ||
+          num_frames % (kC3dMaxCount + 1) == ToWhole<uint64_t>(c.count));
+}
+
 /** The first count that fills the file exactly, up to the padding of the last block, is right;
-when none does, the best place is believed. */
+when none does, the best place is believed. Where the only counts are 16-bit ones that a longer
+recording exceeds, the size of the file counts (c3d.org, "Reading the frame count", lists the places
+that a writer should have used; some use none of them). */
 void FindFrames(const C3dHead& head, const C3dParameters& parameters, const ImportOptions& options,
                 const std::string& file, C3dLayout& layout, Recording& recording) {
   layout.first_frame = head.Word(c3d_header::kFirstFrame);
@@ -216,6 +227,16 @@ void FindFrames(const C3dHead& head, const C3dParameters& parameters, const Impo
   auto taken = std::find_if(counts.begin(), counts.end(), [&](const FrameCount& c) {
     return left_over(c) >= 0 && left_over(c) < static_cast<double>(kC3dBlock);
   });
+  if (taken == counts.end() && std::all_of(counts.begin(), counts.end(), [&](const FrameCount& c) {
+        return IsSaturated(c, num_whole);
+      })) {
+    recording.Note("frame_count_from_size", counts.front().where,
+                   "says " + FormatWhole(counts.front().count) +
+                       " frames, as many as 16 bits hold, the file holds " + FormatWhole(capacity) +
+                       "; those are taken, of which the last ones may be padding");
+    counts = {{capacity, counts.front().first, "the size of the file"}};
+    taken = counts.begin();
+  }
   if (taken == counts.end()) taken = counts.begin();
   if (taken->count > capacity) {
     const std::string text = taken->where + std::string(" promises ") + FormatWhole(taken->count) +

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <sstream>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
@@ -9,22 +10,44 @@
 #include "core/base/text/text.h"
 #include "core/fence/fence.h"
 #include "human_study/recording/importers/cross_recording.h"
+#include "human_study/recording/importers/table_mapping.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
 namespace {
+
+constexpr size_t kHeadSize = 4096;  // [bytes] by which a format is recognised
 
 bool EndsWith(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
 std::string ReadHead(std::istream& stream) {
-  std::string head(4096, '\0');
+  std::string head(kHeadSize, '\0');
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<size_t>(stream.gcount()));
   stream.clear();
   stream.seekg(0);
   return head;
+}
+
+/** Lines that end in a carriage return alone, as programs of the classic Mac OS wrote them. */
+bool HasMacLineEnds(std::string_view head) {
+  const auto is_text = [](char c) {
+    return c == '\t' || c == '\r' || static_cast<uint8_t>(c) >= 32;
+  };
+  return head.find('\r') != std::string_view::npos &&
+         std::all_of(head.begin(), head.end(), is_text);
+}
+
+/** Opens a file, with the line ends that the importers know. */
+std::unique_ptr<std::istream> OpenLines(const fs::path& path, bool& has_mac_line_ends) {
+  std::unique_ptr<std::istream> stream = OpenStream(path);
+  has_mac_line_ends = HasMacLineEnds(ReadHead(*stream));
+  if (!has_mac_line_ends) return stream;
+  std::string bytes = ReadFile(path);
+  std::replace(bytes.begin(), bytes.end(), '\r', '\n');
+  return std::make_unique<std::istringstream>(std::move(bytes));
 }
 
 /** True when the text had to be changed. */
@@ -81,6 +104,24 @@ const std::vector<Importer>& ImporterList() {
   return list;
 }
 
+namespace {
+
+/** By content, else by the end of its name; null when neither shows it. */
+const Importer* RecogniseImporter(std::string_view head, const fs::path& path) {
+  for (const Importer& importer : ImporterList()) {
+    if (importer.recognises != nullptr && importer.recognises(head)) return &importer;
+  }
+  const std::string name = ToLower(path.filename().string());
+  for (const Importer& importer : ImporterList()) {
+    for (const std::string& extension : importer.extensions) {
+      if (EndsWith(name, extension)) return &importer;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
 const Importer& FindImporter(const std::string& format, std::string_view head,
                              const fs::path& path) {
   if (IsUtf16(head)) {
@@ -98,17 +139,7 @@ const Importer& FindImporter(const std::string& format, std::string_view head,
     throw Error(ErrorKind::kNotFound,
                 "no recording format \"" + format + "\"" + SuggestNames(format, ids));
   }
-  const std::string name = ToLower(path.filename().string());
-  const auto has_extension = [&](const Importer& importer) {
-    return std::any_of(importer.extensions.begin(), importer.extensions.end(),
-                       [&](const std::string& extension) { return EndsWith(name, extension); });
-  };
-  for (const Importer& importer : ImporterList()) {
-    if (importer.recognises != nullptr && importer.recognises(head)) return importer;
-  }
-  for (const Importer& importer : ImporterList()) {
-    if (has_extension(importer)) return importer;
-  }
+  if (const Importer* importer = RecogniseImporter(head, path)) return *importer;
   std::string known;
   for (const std::string& id : ids) known += (known.empty() ? "" : ", ") + id;
   throw Error(ErrorKind::kFormat,
@@ -139,18 +170,32 @@ FindBeside FindSibling(const fs::path& path) {
   };
 }
 
+/** One mapping may stand for many recordings of a study: files whose content shows another format
+are read by that, unless their heading has the columns that the mapping names. */
+std::string ChooseFormat(const ImportOptions& options, std::string_view head,
+                         const std::string& name) {
+  if (!options.format.empty() || options.mapping.empty()) return options.format;
+  const Importer* other = RecogniseImporter(head, name);
+  if (other == nullptr) return "table";
+  const std::string_view heading = head.substr(0, head.find('\n'));
+  return IsHeadingOf(LoadTableMapping(options.mapping), heading) ? "table" : other->id;
+}
+
 void ReadRecording(const FencedInput& input, IncomingValues& arguments, OutgoingValues& answer) {
   ImportOptions options;
   Cross(arguments, options);
-  const std::unique_ptr<std::istream> stream = OpenStream(input.path());
-  // A mapping is only of use to the plain table.
-  const std::string format =
-      options.format.empty() && !options.mapping.empty() ? "table" : options.format;
-  const Importer& importer = FindImporter(format, ReadHead(*stream), input.name());
+  bool has_mac_line_ends = false;
+  const std::unique_ptr<std::istream> stream = OpenLines(input.path(), has_mac_line_ends);
+  const Importer& importer = FindImporter(ChooseFormat(options, ReadHead(*stream), input.name()),
+                                          ReadHead(*stream), input.name());
   Recording recording = ImportRecording(
       importer,
       {*stream, input.name(), [&](const std::string& name) { return input.ReadBeside(name); }},
       options);
+  if (has_mac_line_ends) {
+    recording.Note("mac_line_ends", "file",
+                   "its lines end in a carriage return alone; each is taken as one line");
+  }
   Cross(answer, recording);
 }
 
@@ -165,14 +210,22 @@ void CrossMembers(Values& values, Redacted& redacted) {
 
 void ReadRedacted(const FencedInput& input, IncomingValues&, OutgoingValues& answer) {
   Redacted redacted{ReadFile(input.path()), {}};
+  const bool has_mac_line_ends =
+      HasMacLineEnds(std::string_view(redacted.bytes).substr(0, kHeadSize));
+  if (has_mac_line_ends) {
+    std::replace(redacted.bytes.begin(), redacted.bytes.end(), '\r', '\n');
+  }
   const Importer& importer =
-      FindImporter("", std::string_view(redacted.bytes).substr(0, 4096), input.name());
+      FindImporter("", std::string_view(redacted.bytes).substr(0, kHeadSize), input.name());
   if (importer.redact == nullptr) {
     throw Error(ErrorKind::kUnsupported, input.name() + ": " + importer.title +
                                              " has no known places for personal data; look at the "
                                              "file yourself before sharing it");
   }
   redacted.fields = importer.redact(redacted.bytes, input.name());
+  if (has_mac_line_ends) {
+    std::replace(redacted.bytes.begin(), redacted.bytes.end(), '\n', '\r');
+  }
   for (PersonalField& field : redacted.fields) CleanText(field.text);
   Cross(answer, redacted);
 }
@@ -180,9 +233,21 @@ void ReadRedacted(const FencedInput& input, IncomingValues&, OutgoingValues& ans
 void ReadTableTrials(const FencedInput& input, IncomingValues& arguments, OutgoingValues& answer) {
   TableMapping mapping;
   Cross(arguments, mapping);
+  bool has_mac_line_ends = false;
   std::vector<TableTrial> trials =
-      ListTableTrials(*OpenStream(input.path()), input.name(), mapping);
+      ListTableTrials(*OpenLines(input.path(), has_mac_line_ends), input.name(), mapping);
   Cross(answer, trials);
+}
+
+void ReadProposal(const FencedInput& input, IncomingValues&, OutgoingValues& answer) {
+  bool has_mac_line_ends = false;
+  const std::unique_ptr<std::istream> stream = OpenLines(input.path(), has_mac_line_ends);
+  if (const Importer* importer = RecogniseImporter(ReadHead(*stream), input.name())) {
+    throw Error(ErrorKind::kUsage, input.name() + ": is read as " + importer->title +
+                                       " without a mapping; graspbench mocap info shows it");
+  }
+  std::string text = FormatProposedMapping(*stream, input.name());
+  Cross(answer, text);
 }
 
 }  // namespace
@@ -190,7 +255,13 @@ void ReadTableTrials(const FencedInput& input, IncomingValues& arguments, Outgoi
 std::vector<FencedReader> MakeRecordingReaders() {
   return {{"recording", &ReadRecording},
           {"redacted_recording", &ReadRedacted},
-          {"table_trials", &ReadTableTrials}};
+          {"table_trials", &ReadTableTrials},
+          {"proposed_mapping", &ReadProposal}};
+}
+
+std::string ProposeMapping(const fs::path& table) {
+  return Fence::Shared().Read<std::string>("proposed_mapping", FencedFile(table), nullptr,
+                                           kReaderSeconds);
 }
 
 Recording LoadRecording(const fs::path& path, const ImportOptions& options) {

@@ -19,28 +19,6 @@ its heading, or by their numbers. Tabs, semicolons, commas or blanks between the
 namespace graspbench {
 namespace {
 
-constexpr char kBlanks = ' ';  // runs of them
-
-char FindDelimiter(std::string_view head) {
-  for (const char delimiter : {'\t', ';', ','}) {
-    if (head.find(delimiter) != std::string_view::npos) return delimiter;
-  }
-  return kBlanks;
-}
-
-void SplitRow(std::string_view line, char delimiter, Cells& cells) {
-  if (delimiter != kBlanks) return SplitCells(line, delimiter, cells);
-  cells.clear();
-  while (true) {
-    const size_t begin = line.find_first_not_of(kBlanks);
-    if (begin == std::string_view::npos) break;
-    const size_t end = std::min(line.find(kBlanks, begin), line.size());
-    cells.push_back(line.substr(begin, end - begin));
-    line.remove_prefix(end);
-  }
-  if (cells.empty()) cells.emplace_back();
-}
-
 bool IsNumber(std::string_view cell) { return ParseFiniteNumber(cell).has_value(); }
 
 constexpr size_t kNoColumn = SIZE_MAX;
@@ -61,7 +39,7 @@ class Heading {
     line_ = reader.Require(has_heading ? "the names of its columns" : "its first row");
     delimiter_ = FindDelimiter(line_);
     Cells cells;
-    SplitRow(line_, delimiter_, cells);
+    SplitRow(line_, delimiter_, 0, cells);
     names_.assign(cells.begin(), cells.end());
     has_numbers_ = std::all_of(names_.begin(), names_.end(), IsNumber);
     if (has_heading) return;
@@ -320,7 +298,7 @@ Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
   size_t num_occluded = 0;
   int first_line = 0;
   while (reader.line() < last_line && reader.Next(line)) {
-    SplitRow(line, heading.delimiter(), cells);
+    SplitRow(line, heading.delimiter(), 0, cells);
     if (IsBlank(cells)) continue;
     if (!HasAllColumns(cells, heading.size(), reader, options, recording)) break;
     if (trial != kNoColumn) {
@@ -368,135 +346,7 @@ Recording ImportTable(const ImportSource& source, const ImportOptions& options) 
   return ImportMapped(source, options, LoadTableMapping(options.mapping));
 }
 
-void ReadGlove(YamlMap& map, const std::filesystem::path& path, TableMapping& mapping) {
-  if (!map.Has("glove")) return;
-  const YAML::Node glove = map.Child("glove");
-  if (!glove.IsMap()) return map.Fail("glove", "must name a hand, its joints and its base");
-  GloveMapping& own = mapping.glove;
-  for (const auto& entry : glove) {
-    const auto key = entry.first.as<std::string>("");
-    if (key == "hand") {
-      own.hand = entry.second.as<std::string>("");
-      const std::filesystem::path beside = path.parent_path() / own.hand;
-      if (std::filesystem::is_directory(beside)) own.hand = beside.string();
-    } else if (key == "angle_unit") {
-      const auto unit = entry.second.as<std::string>("");
-      own.is_in_degrees = unit == "deg";
-      if (unit != "deg" && unit != "rad") {
-        map.Fail("glove", "angle_unit is \"" + unit + "\"; expected deg or rad");
-      }
-    } else if (key == "joints" && entry.second.IsMap()) {
-      for (const auto& joint : entry.second) {
-        own.joints.emplace_back(joint.first.as<std::string>(""), joint.second.as<std::string>(""));
-      }
-    } else if ((key == "base" || key == "base_quaternion") && entry.second.IsSequence()) {
-      for (const YAML::Node& name : entry.second) {
-        (key == "base" ? own.base : own.quaternion).push_back(name.as<std::string>(""));
-      }
-    } else {
-      map.Fail("glove", "\"" + key +
-                            "\" is not known or no list; known: hand, angle_unit, joints, "
-                            "base, base_quaternion");
-    }
-  }
-  if (own.hand.empty() || own.joints.empty()) {
-    map.Fail("glove", "needs hand, a model, and joints, each with its column");
-  }
-  if (own.base.size() != 3 || own.quaternion.size() != 4) {
-    map.Fail(
-        "glove",
-        "needs base [x, y, z] and base_quaternion [x, y, z, w]: joint angles alone do not tell "
-        "where the hand is, so neither its reach nor its contacts");
-  }
-}
-
-void ReadLayout(YamlMap& map, TableMapping& mapping) {
-  map.Read("layout", mapping.layout, Needed::kNo);
-  map.Read("scale", mapping.scale, Needed::kNo);
-  if (!(mapping.scale > 0.0 && std::isfinite(mapping.scale))) {
-    map.Fail("scale", "is no positive number; expected how many of its unit one coordinate is");
-  }
-  if (mapping.layout.empty()) return;
-  const TableLayout* layout = FindTableLayout(mapping.layout);
-  if (layout == nullptr) {
-    std::vector<std::string> known;
-    for (const TableLayout& one : TableLayoutList()) known.emplace_back(one.id);
-    map.Fail("layout",
-             "\"" + mapping.layout + "\" is not known" + SuggestNames(mapping.layout, known));
-    mapping.layout.clear();
-  } else if (layout->needs_scale && !map.Has("scale")) {
-    map.Fail("scale",
-             "is missing: DeepLabCut counts lengths in squares of its checkerboard; say how long "
-             "one is (scale: 25 and unit: mm), or scale: 1 when they were put into the unit since");
-  }
-}
-
-void ReadChannels(YamlMap& map, TableMapping& mapping) {
-  if (!map.Has("channels")) return;
-  const YAML::Node channels = map.Child("channels");
-  if (!channels.IsMap()) return map.Fail("channels", "must name channels, each with its column");
-  for (const auto& entry : channels) {
-    const auto column = entry.second.IsScalar() ? entry.second.as<std::string>("") : "";
-    if (column.empty()) map.Fail("channels", "each needs the name of one column");
-    mapping.channels.emplace_back(entry.first.as<std::string>(""), column);
-  }
-}
-
 }  // namespace
-
-TableMapping LoadTableMapping(const std::filesystem::path& path) {
-  Diagnostics problems;
-  const YAML::Node root = LoadYaml(path, problems);
-  TableMapping mapping;
-  if (problems.num_errors() == 0) {
-    YamlMap map(root, path.string(), "mapping", problems);
-    std::string time_unit = "s";
-    map.Read("unit", mapping.unit, Needed::kNo);
-    map.Read("time", mapping.time, Needed::kNo);
-    map.Read("time_unit", time_unit, Needed::kNo);
-    map.Read("rate_hz", mapping.rate, Needed::kNo);
-    map.Read("trial", mapping.trial, Needed::kNo);
-    map.Read("occluded", mapping.occluded, Needed::kNo);
-    map.Read("heading", mapping.has_heading, Needed::kNo);
-    ReadLayout(map, mapping);
-    ReadChannels(map, mapping);
-    if (time_unit == "ms") {
-      mapping.seconds_per_time_unit = 1e-3;
-    } else if (time_unit == "us") {
-      mapping.seconds_per_time_unit = 1e-6;
-    } else if (time_unit != "s") {
-      map.Fail("time_unit", "is \"" + time_unit + "\"; expected s, ms or us");
-    }
-    if (mapping.time.empty() && !(mapping.rate > 0)) {
-      map.Fail("rate_hz", "is needed when no column of times is named");
-    }
-    ReadGlove(map, path, mapping);
-    // Angles of a glove and the columns of a layout are points enough.
-    const bool needs_no_points = mapping.glove.IsNamed() || !mapping.layout.empty();
-    const YAML::Node points = map.Child("points", needs_no_points ? Needed::kNo : Needed::kYes);
-    const bool may_be_absent = needs_no_points && points.IsNull();
-    if (points && !may_be_absent && (!points.IsMap() || points.size() == 0)) {
-      map.Fail("points", "must name points, each with its three columns");
-    } else if (points) {
-      for (const auto& entry : points) {
-        TableMapping::Point point;
-        point.label = entry.first.as<std::string>("");
-        if (entry.second.IsSequence()) {
-          for (const YAML::Node& name : entry.second) {
-            point.columns.push_back(name.as<std::string>(""));
-          }
-        }
-        if (point.columns.size() != 3) {
-          map.Fail("points", "\"" + point.label + "\" needs the three columns of x, y, z in []");
-        }
-        mapping.points.push_back(std::move(point));
-      }
-    }
-    map.FinishKnownKeys();
-  }
-  problems.ThrowIfErrors(ErrorKind::kFormat, "the mapping cannot be used");
-  return mapping;
-}
 
 std::vector<TableTrial> ListTableTrials(std::istream& stream, const std::string& name,
                                         const TableMapping& mapping) {
@@ -510,7 +360,7 @@ std::vector<TableTrial> ListTableTrials(std::istream& stream, const std::string&
   Cells cells;
   int64_t begin = stream.tellg();
   while (column != kNoColumn && rows.Next(line)) {
-    SplitRow(line, heading.delimiter(), cells);
+    SplitRow(line, heading.delimiter(), 0, cells);
     if (column < cells.size()) trials.Add(cells[column], begin, rows.line());
     begin = stream.tellg();
   }

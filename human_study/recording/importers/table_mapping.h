@@ -24,6 +24,7 @@ Names the columns of a plain table, in YAML:
 #include <utility>
 #include <vector>
 
+#include "core/base/file_keys.h"
 #include "core/base/text/delimited_text.h"
 #include "human_study/recording/importers/importer.h"
 
@@ -101,6 +102,22 @@ struct TableMapping {
 
 /** @throws Error(kNotFound, kFormat) with file and line of every problem. */
 TableMapping LoadTableMapping(const std::filesystem::path& path);
+
+/** The keys of a mapping, columns.yaml, a row each. */
+const FileKeys& ListMappingKeys();
+
+/** Whether a first row has every column that the mapping names; never of one with a layout or
+without a heading. */
+bool IsHeadingOf(const TableMapping& mapping, std::string_view heading);
+
+/** A mapping for a table from its heading and first rows: three columns that differ by x, y and z are
+a point, units are those of the names, else a guess that is marked as one.
+@throws Error(kUsage) for a file that needs none; Error(kFormat) when no point is found; as
+LoadRecording. */
+std::string ProposeMapping(const std::filesystem::path& table);
+
+/** The same in process, of a table that is open at its start. */
+std::string FormatProposedMapping(std::istream& stream, const std::string& name);
 
 struct TableTrial {
   std::string name;

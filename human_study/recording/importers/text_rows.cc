@@ -129,6 +129,30 @@ std::string FindLine(const std::string& bytes, int line) {
   return bytes.substr(start, end - start);
 }
 
+char FindDelimiter(std::string_view row) {
+  for (const char delimiter : {'\t', ';', ','}) {
+    if (row.find(delimiter) != std::string_view::npos) return delimiter;
+  }
+  return kBlanks;
+}
+
+void SplitRow(std::string_view line, char delimiter, size_t num_columns, Cells& cells) {
+  if (delimiter != kBlanks) return SplitCells(line, delimiter, cells);
+  cells.clear();
+  for (size_t begin = 0; (begin = line.find_first_not_of(kBlanks, begin)) != line.npos;) {
+    const size_t end = std::min(line.find(kBlanks, begin), line.size());
+    cells.push_back(line.substr(begin, end - begin));
+    begin = end;
+  }
+  if (!cells.empty() && cells.size() < num_columns) {
+    Cells single;
+    SplitCells(line, kBlanks, single);
+    while (single.size() > num_columns && single.back().empty()) single.pop_back();
+    if (single.size() == num_columns) cells = std::move(single);
+  }
+  if (cells.empty()) cells.emplace_back();
+}
+
 FrameRows ReadFrameRows(LineReader& reader, char delimiter, const std::vector<size_t>& columns,
                         const ImportOptions& options, Recording& recording) {
   FrameRows rows;
@@ -138,7 +162,7 @@ FrameRows ReadFrameRows(LineReader& reader, char delimiter, const std::vector<si
   Cells cells;
   OddSamples odd;
   while (reader.Next(line)) {
-    SplitCells(line, delimiter, cells);
+    SplitRow(line, delimiter, width, cells);
     if (IsBlank(cells)) continue;
     if (!HasAllColumns(cells, width, reader, options, recording)) break;
     if (recording.num_frames == 0) {

@@ -48,6 +48,14 @@ struct FrameRows {
   int first_line = 0;
 };
 
+/** As a delimiter: runs of blanks. */
+inline constexpr char kBlanks = ' ';
+/** Of a row: a tab, a semicolon or a comma that it has, else kBlanks. */
+char FindDelimiter(std::string_view row);
+/** A row's cells. A run of kBlanks is one delimiter; where single blanks alone give `num_columns`
+cells, every blank is one, so that cells may be empty (tabs that a program replaced by blanks). */
+void SplitRow(std::string_view line, char delimiter, size_t num_columns, Cells& cells);
+
 /** Appends the rows of a table with the frame's number, the time and, from each of `columns` on, a
 point of the recording. Notes what is odd about them. */
 FrameRows ReadFrameRows(LineReader& reader, char delimiter, const std::vector<size_t>& columns,

@@ -1,6 +1,8 @@
 /** @file
-TRC (Motion Analysis, OpenSim), with tabs or commas: a line with a path, names and values of the
-header, a row of labels over three columns each, a row X1 Y1 Z1 .., and one row a frame. */
+TRC (Motion Analysis, OpenSim), with tabs, commas or blanks: a line with a path, names and values of
+the header, a row of labels over three columns each, a row X1 Y1 Z1 .., and one row a frame.
+OpenSim's documentation ("Marker (.trc) Files") asks for tabs and allows any white space between the
+numbers; blanks come from editors and scripts that replaced the tabs, one by one or in runs. */
 
 #include <algorithm>
 #include <cmath>
@@ -21,14 +23,28 @@ std::string_view FindValue(const Cells& names, const Cells& values, std::string_
   return {};
 }
 
-/** Labels stand over X, with two empty cells after each. */
+/** Tabs before commas before blanks: a path may hold any of the others. */
+char FindTrcDelimiter(std::string_view line) {
+  for (const char delimiter : {'\t', ','}) {
+    if (line.find(delimiter) != std::string_view::npos) return delimiter;
+  }
+  return kBlanks;
+}
+
+/** Labels stand over X, with two empty cells after each; in runs of blanks one after the other. */
 void ReadLabels(LineReader& reader, char delimiter, size_t num_points, const std::string& unit,
                 Recording& recording) {
   Cells cells;
-  SplitCells(reader.Require("the row of labels"), delimiter, cells);
+  SplitRow(reader.Require("the row of labels"), delimiter, 0, cells);
+  const size_t step = delimiter == kBlanks ? 1 : 3;
+  if (delimiter == kBlanks && cells.size() != 2 + num_points) {
+    reader.Fail("the row has " + std::to_string(cells.size()) +
+                " words, expected Frame#, Time and " + std::to_string(num_points) +
+                " labels; in a file with blanks for tabs a label must have none");
+  }
   recording.points.resize(num_points);
-  for (size_t i = 0; i < num_points && 2 + 3 * i < cells.size(); ++i) {
-    recording.points[i].label = std::string(cells[2 + 3 * i]);
+  for (size_t i = 0; i < num_points && 2 + step * i < cells.size(); ++i) {
+    recording.points[i].label = std::string(cells[2 + step * i]);
   }
   DropEmptyEnd(cells);
   if (cells.size() > 2 + 3 * num_points) {
@@ -43,14 +59,14 @@ void ReadLabels(LineReader& reader, char delimiter, size_t num_points, const std
 Recording ImportTrc(const ImportSource& source, const ImportOptions& options) {
   Recording recording;
   LineReader reader(source.stream, source.name);
-  const std::string first(reader.Require("its header"));
-  const char delimiter = first.find('\t') != std::string::npos ? '\t' : ',';
+  reader.Require("its header");
   const std::string name_line(reader.Require("the names of its header"));
+  const char delimiter = FindTrcDelimiter(name_line);
   Cells names;
-  SplitCells(name_line, delimiter, names);
+  SplitRow(name_line, delimiter, 0, names);
   const std::string value_line(reader.Require("the values of its header"));
   Cells values;
-  SplitCells(value_line, delimiter, values);
+  SplitRow(value_line, delimiter, 0, values);
   recording.rate =
       ParseHeaderNumber(FindValue(names, values, "datarate"), "DataRate", 1e-6, 1e6, reader);
   const double num_frames = ParseHeaderNumber(FindValue(names, values, "numframes"), "NumFrames", 0,
@@ -72,16 +88,18 @@ Recording ImportTrc(const ImportSource& source, const ImportOptions& options) {
   return recording;
 }
 
-/** The first line holds the path of the file on the machine that wrote it. */
+/** The first line holds the path of the file on the machine that wrote it, as its fourth cell. */
 std::vector<PersonalField> RedactTrc(std::string& bytes, const std::string&) {
   const std::string line = FindLine(bytes, 1);
-  const char delimiter = line.find('\t') != std::string::npos ? '\t' : ',';
+  const char delimiter = FindTrcDelimiter(line);
   Cells cells;
-  SplitCells(line, delimiter, cells);
+  SplitRow(line, delimiter, 0, cells);
   if (cells.size() < 4 || cells[3].empty()) return {};
-  const std::string path(cells[3]);
+  const auto start = static_cast<size_t>(cells[3].data() - line.data());
+  const size_t length = delimiter == kBlanks ? line.size() - start : cells[3].size();
+  const std::string path = line.substr(start, length);
   std::string redacted = line;
-  redacted.replace(static_cast<size_t>(cells[3].data() - line.data()), path.size(), "redacted.trc");
+  redacted.replace(start, length, "redacted.trc");
   ReplaceLine(bytes, 1, redacted);
   return {{"line 1", path}};
 }

@@ -276,8 +276,12 @@ PreparedRecording PrepareRecording(const Recording& recording, const StudyConfig
       miss(-1, "object", config.markers.object);
     }
   }
-  // Resampling is a filter itself.
-  if (!prepared.was_resampled) prepared.low_pass = FindLowPassTrace(ListTracks(prepared));
+  // Resampling is a filter itself, and its clock hides no frame.
+  if (!prepared.was_resampled) {
+    const std::vector<const Trajectory*> tracks = ListTracks(prepared);
+    prepared.low_pass = FindLowPassTrace(tracks);
+    prepared.frame_losses = FindFrameLosses(tracks);
+  }
   return prepared;
 }
 

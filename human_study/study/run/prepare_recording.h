@@ -11,6 +11,7 @@ into reaches. */
 #include <vector>
 
 #include "human_study/events/reach_trial.h"
+#include "human_study/recording/cleaning/lost_frames.h"
 #include "human_study/recording/importers/importer.h"
 #include "human_study/recording/recording.h"
 #include "human_study/study/design/study_config.h"
@@ -33,7 +34,8 @@ struct PreparedRecording {
   size_t num_samples = 0;      ///< of all tracks
   size_t num_frozen = 0;       ///< samples made invalid because they repeat the one before
   size_t num_spikes = 0;       ///< .. because no marker gets there and back between two frames
-  double low_pass = NAN;       ///< cut-off of a filter before the export [Hz]; NaN: none seen
+  std::vector<FrameLoss> frame_losses;  ///< that an even clock hides
+  double low_pass = NAN;  ///< cut-off of a filter before the export [Hz]; NaN: none seen
   std::vector<MissingMarker> missing;
 };
 

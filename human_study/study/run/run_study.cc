@@ -18,6 +18,7 @@
 #include "human_study/study/output/motion_bids.h"
 #include "human_study/study/output/study_tables.h"
 #include "human_study/study/run/prepare_recording.h"
+#include "human_study/study/run/recording_faults.h"
 #include "human_study/study/run/trial_removal.h"
 
 namespace graspbench {
@@ -240,6 +241,10 @@ class Runner {
       const AnalysisOptions options = FitCutoffs(study_.config.analysis, prepared_.rate);
       FilteredTrial filtered(*reach);
       trial.analysis = AnalyseTrial(filtered, options);
+      for (const Doubt& doubt : FindRecordingFaults(prepared_, *reach)) {
+        trial.analysis->trial_doubts.insert(trial.analysis->trial_doubts.begin(), doubt);
+        trial.analysis->doubts.insert(trial.analysis->doubts.begin(), doubt);
+      }
       Review(planned, options, trial, *trial.analysis);
       Remove(FindRemoval(*trial.analysis, study_.config.removal), trial);
       if (trial.IsKept()) RemoveCopy(*reach, trial);

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -137,8 +138,22 @@ std::vector<StudyWarning> FindTwoRates(const StudyResult& result) {
   if (!(result.highest_rate > kSameRate * result.lowest_rate)) return {};
   return {{"two_rates",
            fmt::format("recordings have {:.6g} to {:.6g} samples a second; contacts of slower ones "
-                       "are known less well. If they should be equal, check the rate of each file",
+                       "are known less well. If they should be equal, check the rate of each file: "
+                       "frames that were lost and time stamps spread evenly over the rest look "
+                       "like this, and times are then wrong",
                        result.lowest_rate, result.highest_rate)}};
+}
+
+std::vector<StudyWarning> FindLostFrames(const StudyResult& result) {
+  const auto count = std::count_if(result.trials.begin(), result.trials.end(),
+                                   [](const auto& t) { return t.removed_code == "frame_jump"; });
+  if (count == 0) return {};
+  return {{"frames_lost",
+           fmt::format("{} of {} trials are removed because frames are missing that their time "
+                       "stamps do not show. Losses at rest leave no trace, so the other trials of "
+                       "this system may have some, too: compare the number of frames with the "
+                       "length of each recording",
+                       count, result.trials.size())}};
 }
 
 std::vector<StudyWarning> FindManyFrozen(const StudyResult& result) {
@@ -157,7 +172,7 @@ std::vector<StudyWarning> FindManyFrozen(const StudyResult& result) {
 std::vector<StudyWarning> FindWarnings(const StudyResult& result) {
   std::vector<StudyWarning> warnings;
   for (const auto find : {FindNeverTouching, FindManyFrozen, FindSpikes, FindFilteredExports,
-                          FindTwoRates, FindExchangedThumbs}) {
+                          FindTwoRates, FindLostFrames, FindExchangedThumbs}) {
     const std::vector<StudyWarning> found = find(result);
     warnings.insert(warnings.end(), found.begin(), found.end());
   }

@@ -324,7 +324,10 @@ const RemovalAdvice& FindRemovalAdvice(const std::string& code) {
        "markers.object, if the object has a marker; end_s before the lift"},
       {"other_lift_axis", Curve::kNone, "lift_off.up_x, up_y, up_z: up in the recording"},
       {"wrong_unit", Curve::kNone,
-       "recording.unit, or unit of the mapping; for one digit alone its label under markers"},
+       "recording.unit, or unit of the mapping; where the file itself states a wrong one, its own "
+       "(Units in line 3 of a TRC); for one digit alone its label under markers"},
+      {"constant_shape", Curve::kOpening,
+       "the recording: export the digits' own markers; removal.implausible: false keeps it"},
       {"label_jump", Curve::kOpening,
        "the recording: markers exchanged their labels; removal.implausible: false keeps it"},
       {"frame_jump", Curve::kSpeed,

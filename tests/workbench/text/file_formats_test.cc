@@ -12,6 +12,7 @@
 #include "core/hand/load_hand.h"
 #include "core/hand/tactile.h"
 #include "datasets/pipeline/pipeline_file.h"
+#include "human_study/recording/importers/table_mapping.h"
 #include "objects/object_file.h"
 #include "workbench/experiments/policies/policy_server.h"
 #include "workbench/text/new_files.h"
@@ -109,6 +110,16 @@ TEST(FileFormatsTest, PolicyServersAreReadByTheirRows) {
   KeyRecorder recorder;
   EXPECT_THROW(LoadPolicyServer(path), Error);
   ExpectSameKeys(recorder.keys(), FindKeys("policy.yaml"));
+}
+
+TEST(FileFormatsTest, MappingsAreReadByTheirRows) {
+  const std::string path = (std::filesystem::path(testing::TempDir()) / "columns.yaml").string();
+  WriteFile(path, "rate_hz: 100\npoints: {tip: [a, b, c]}\n");
+  KeyRecorder recorder;
+  LoadTableMapping(path);
+  FileKeys read = recorder.keys();
+  for (const char* key : {"channels", "glove"}) read.push_back({key, "", ""});  // looked for first
+  ExpectSameKeys(read, FindKeys("columns.yaml"));
 }
 
 TEST(FileFormatsTest, PipelinesAreReadByTheirRows) {

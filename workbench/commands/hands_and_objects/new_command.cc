@@ -2,6 +2,7 @@
 #include <string>
 
 #include "core/base/files/files.h"
+#include "human_study/recording/importers/table_mapping.h"
 #include "workbench/command.h"
 #include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/experiments/output_folder.h"
@@ -11,7 +12,8 @@
 namespace graspbench {
 namespace {
 
-constexpr char kGrasp[] = "grasp";  // of a hand, so that it is no example of its own
+constexpr char kGrasp[] = "grasp";      // of a hand, so that it is no example of its own
+constexpr char kMapping[] = "mapping";  // of a table, printed
 
 struct NewOptions {
   std::string kind, folder, study, object;
@@ -21,6 +23,7 @@ struct NewOptions {
 std::vector<std::string> ListKinds() {
   std::vector<std::string> kinds = ListNewKinds();
   kinds.emplace_back(kGrasp);
+  kinds.emplace_back(kMapping);
   return kinds;
 }
 
@@ -75,11 +78,14 @@ void AddNewCommand(Command& program) {
       AddSubcommand(program, "new", "Write a small example to start from, every key explained.",
                     "  graspbench new object my_object\n"
                     "  graspbench new session pilot\n"
+                    "  graspbench new mapping p01_1.csv > study/columns.yaml\n"
+                    "      from the table's heading\n"
                     "  graspbench new grasp timed --timing results/study --object golf_ball\n"
                     "      as people close their hands");
   const auto options = std::make_shared<NewOptions>();
   command.AddRequired("kind", options->kind, ListNames(ListKinds()), "KIND")->OneOf(ListKinds());
-  command.AddRequired("folder", options->folder, "new or empty", "DIR");
+  command.AddRequired("folder", options->folder, "new or empty; of a mapping the table",
+                      "DIR|FILE");
   std::vector<Option*> of_grasp = {
       command.AddOption("--timing", options->study,
                         "of a grasp: a study whose contact times it has", "STUDY"),
@@ -100,6 +106,7 @@ void AddNewCommand(Command& program) {
       throw Error(ErrorKind::kUsage,
                   "--object says where the times of --timing hold; give a study");
     }
+    if (options->kind == kMapping) return PrintResult(ProposeMapping(options->folder));
     WriteNewFiles(*options);
   });
 }

@@ -145,6 +145,24 @@ TEST(C3dImporter, CountsBeyondAWordInBothStorages) {
   }
 }
 
+// Writers that store the frame count in a 16-bit place alone: it stays at its end or begins again.
+TEST(C3dImporter, TheSizeOfTheFileCountsWhereSixteenBitsCannot) {
+  const Recording original = MakeSyntheticRecording(72610, 1);
+  const auto hide = [](std::string& bytes, const std::string& name) {
+    bytes.replace(bytes.find(name), name.size(), std::string(name.size(), 'Z'));
+  };
+  std::string bytes = FormatC3d(original);
+  for (const char* name : {"LONG_FRAMES", "ACTUAL_START_FIELD", "ACTUAL_END_FIELD"}) {
+    hide(bytes, name);
+  }
+  const Recording saturated = ImportBytes(bytes, "c3d");
+  constexpr size_t kPadding = 512 / 48;  // frames that fit into the rest of the last block
+  EXPECT_GE(saturated.num_frames, 72610u);
+  EXPECT_LE(saturated.num_frames, 72610u + kPadding);
+  EXPECT_EQ(CountFindings(saturated, "frame_count_from_size"), 1u);
+  EXPECT_EQ(saturated.points[0].Position(72609), original.points[0].Position(72609));
+}
+
 TEST(C3dImporter, ATruncatedLongFileIsNotTakenForASaturatedOne) {
   Recording original = MakeSyntheticRecording(72610, 1);
   original.analog.clear();

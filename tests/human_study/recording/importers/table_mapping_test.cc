@@ -361,5 +361,67 @@ TEST(Table, TheShippedMappingMakesTipsOfAGlovesAngles) {
   EXPECT_EQ(read.findings.front().code, "glove_model");
 }
 
+std::string Propose(const std::string& bytes) {
+  return ProposeMapping(WriteText("proposed.csv", bytes));
+}
+
+// What is proposed reads the table, and what the table does not say is marked.
+TEST(ProposedMapping, ReadsTheTableItIsFor) {
+  struct Case {
+    const char* name;
+    std::string bytes, label, line;
+  };
+  const std::vector<Case> cases = {
+      {"suffix", "frame,time_ms,thumb_x_mm,thumb_y_mm,thumb_z_mm\n0,0,1,2,3\n1,5,1,2,4\n", "thumb",
+       "unit: mm\n"},
+      {"middle", "globalTime;indexXraw;indexYraw;indexZraw\n0;10;200;300\n10;10;200;310\n",
+       "index_raw", "# check: not stated; the times go on by 10"},
+      {"blank", "Time (s)\tthumb X\tthumb Y\tthumb Z\n0\t0.1\t0.2\t0.3\n0.01\t0.1\t0.2\t0.3\n",
+       "thumb", "time_unit: s\n"},
+      {"no times", "thumb.x,thumb.y,thumb.z\n1,2,3\n1,2,4\n", "thumb",
+       "rate_hz: 100            # check"},
+      {"numbers", "0.00 0.1 0.2 0.3 0.4 0.5 0.6\n0.01 0.1 0.2 0.3 0.4 0.5 0.6\n", "point_2",
+       "heading: false"}};
+  for (const Case& one : cases) {
+    const std::string mapping = Propose(one.bytes);
+    EXPECT_NE(mapping.find(one.line), std::string::npos) << one.name << "\n" << mapping;
+    const Recording read = Import(one.bytes, mapping);
+    EXPECT_EQ(read.num_frames, 2u) << one.name;
+    EXPECT_TRUE(read.FindPoint(one.label).IsLength()) << one.name;
+  }
+  EXPECT_NE(Propose(kDeepLabCut).find("layout: deeplabcut"), std::string::npos);
+  EXPECT_NE(Propose("t,ring_x,ring_y,ring_z\n0,1,2,3\n1,1,2,3\n").find("#     ring: [ring]"),
+            std::string::npos);
+}
+
+TEST(ProposedMapping, WithoutPointsTheColumnsAreListed) {
+  ExpectHolds(FaultOf([] { Propose("time,force\n0,1\n1,2\n"); }),
+              "no three columns differ by x, y and z alone, so none is proposed as a point");
+  ExpectHolds(FaultOf([] { Propose("NO_OF_FRAMES\t3\n"); }),
+              "is read as Qualisys TSV without a mapping");
+}
+
+// One mapping for a study with files of several programs: it is for those that show no format.
+TEST(Table, AMappingLeavesOtherFormatsAlone) {
+  ImportOptions options;
+  options.mapping = WriteText("columns.yaml", "unit: mm\ntime: t\npoints: {tip: [a, b, c]}\n");
+  const std::string table = "t,a,b,c\n0,1,2,3\n0.01,1,2,3\n";
+  EXPECT_EQ(LoadRecording(WriteText("one.csv", table), options).format, "table");
+  const std::string qualisys =
+      "NO_OF_FRAMES\t2\nNO_OF_MARKERS\t1\nFREQUENCY\t100\nDATA_INCLUDED\t3D\nMARKER_NAMES\ttip\n"
+      "1\t2\t3\n1\t2\t3\n";
+  EXPECT_EQ(LoadRecording(WriteText("two.tsv", qualisys), options).format, "qualisys_tsv");
+  // A heading that has the mapping's columns is the mapping's, whatever else it looks like.
+  options.mapping = WriteText(
+      "columns.yaml",
+      "unit: mm\ntime: time_sec\npoints: {tip: [A_position_x, A_position_y, A_position_z]}\n");
+  EXPECT_EQ(LoadRecording(WriteText("three.csv",
+                                    "frame,time_sec,A_position_x,A_position_y,A_position_z\n"
+                                    "0,0,1,2,3\n1,0.01,1,2,3\n"),
+                          options)
+                .format,
+            "table");
+}
+
 }  // namespace
 }  // namespace graspbench

@@ -1,9 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
+
 #include "core/base/files/files.h"
 #include "core/base/text/yaml.h"
 #include "tests/human_study/faults.h"
 #include "tests/human_study/recording/synthetic_recording.h"
+#include "tests/support/shared_data.h"
 #include "tests/support/transcript.h"
 
 namespace graspbench {
@@ -148,6 +152,66 @@ TEST(MotiveCsv, CleanedIsMetresAndSaysSo) {
   EXPECT_EQ(CountFindings(read, "rate_from_times"), 1u);
 }
 
+// Blanks for tabs: one for each, so that cells may be empty, or runs of them.
+TEST(Trc, BlanksForTabs) {
+  const std::string head =
+      "PathFileType 4 (X/Y/Z) /home/anna/my take.trc\n"
+      "DataRate CameraRate NumFrames NumMarkers Units\n100 100 2 2 mm\n";
+  for (const char* rows :
+       {"Frame# Time thumb   index  \n  X1 Y1 Z1 X2 Y2 Z2\n\n1 0.00 1 2 3    \n2 0.01 1 2 3 4 5 "
+        "6\n",
+        "Frame#  Time  thumb  index\n        X1 Y1 Z1  X2 Y2 Z2\n"
+        "  1  0.00  1  2  3  nan nan nan\n  2  0.01  1  2  3   4   5   6\n"}) {
+    const Recording read = ImportBytes(head + rows, "trc");
+    ASSERT_EQ(read.points.size(), 2u) << rows;
+    EXPECT_EQ(read.points[1].label, "index");
+    EXPECT_EQ(read.num_frames, 2u);
+    EXPECT_EQ(read.points[1].states[0], SampleState::kInvalid);
+    EXPECT_NEAR(read.points[1].Position(1).z(), 0.006, 1e-9);
+    EXPECT_EQ(read.rate, 100.0);
+  }
+  std::string bytes = head;
+  const auto fields = FindImporter("trc", "", "").redact(bytes, "file");
+  ASSERT_EQ(fields.size(), 1u);
+  EXPECT_EQ(fields[0].text, "/home/anna/my take.trc");
+}
+
+// Lines that end in a carriage return alone.
+TEST(Trc, MacLineEnds) {
+  std::string bytes = Trc('\t');
+  bytes.erase(std::remove(bytes.begin(), bytes.end(), '\r'), bytes.end());
+  std::replace(bytes.begin(), bytes.end(), '\n', '\r');
+  const auto path = std::filesystem::path(testing::TempDir()) / "mac.trc";
+  WriteFile(path, bytes);
+  const Recording read = LoadRecording(path);
+  EXPECT_EQ(read.num_frames, 2u);
+  EXPECT_EQ(CountFindings(read, "mac_line_ends"), 1u);
+  const auto copy = path.parent_path() / "mac_redacted.trc";
+  EXPECT_EQ(RedactRecording(path, copy).size(), 1u);
+  EXPECT_EQ(ReadFile(copy).find('\n'), std::string::npos);
+  EXPECT_EQ(LoadRecording(copy).num_frames, 2u);
+}
+
+// One recording as its makers' programs wrote it, in the layouts that newcomers have.
+TEST(Strangers, LayoutsOfOneRecordingAgree) {
+  const std::filesystem::path folder = FindSharedData() / "strangers" / "people";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not there";
+  const Recording spaces = LoadRecording(folder / "spaces.trc");
+  const Recording mac = LoadRecording(folder / "mac_cr.trc");
+  const Recording motive = LoadRecording(folder / "motive_1.1.csv");
+  ASSERT_EQ(spaces.num_frames, 519u);
+  ASSERT_EQ(mac.num_frames, 519u);
+  ASSERT_EQ(motive.num_frames, 519u);
+  ASSERT_EQ(spaces.points.size(), 9u);
+  for (size_t i = 0; i < spaces.points.size(); ++i) {
+    for (const size_t frame : {0, 100, 518}) {
+      const Eigen::Vector3d p = spaces.points[i].Position(frame);
+      EXPECT_NEAR((mac.points[i].Position(frame) - p).norm(), 0.0, 1e-9);
+      EXPECT_NEAR((motive.points[i].Position(frame) - p).norm(), 0.0, 1e-6);
+    }
+  }
+}
+
 // Format version 1.1: NaturalPoint's Motive 1.5 to 1.7 leave the titles of the rows out.
 TEST(MotiveCsv, RowsWithoutTitlesAreThoseOfVersions15To17) {
   const Recording read = ImportBytes(
@@ -167,6 +231,48 @@ TEST(MotiveCsv, RowsWithoutTitlesAreThoseOfVersions15To17) {
   EXPECT_EQ(read.points[1].states[0], SampleState::kInvalid);
   EXPECT_EQ(read.rate, 100.0);
   EXPECT_EQ(CountFindings(read, "unit_by_convention"), 1u);
+}
+
+// One first cell per row says what it is: the format of 2014, whose frames list what they saw.
+const std::string kTagged =
+    "comment,Optitrack Export of Anna\r\ninfo,version,1.1\r\ninfo,framecount,4\r\n"
+    "info,rigidbodycount,1\r\nrigidbody,cup,1,1,0,0,0\r\nrighthanded\r\n"
+    "frame,0,0.000000,0,2,0.1,0.2,0.3,1,thumb,0.4,0.5,0.6,2,index\r\n"
+    "rigidbody,0,0.000000,cup,1,0,0\r\n"
+    "frame,1,0.010000,1,1,0,0,0,0,0,0,1,0,0,0,1,0.1,0.2,0.4,1,thumb\r\n"
+    "frame,2,0.020000,0,3,0.4,0.5,0.7,2,index,0.1,0.2,0.5,1,thumb,9,9,9,7,\r\n"
+    "frame,3,0.030000,0,0\r\n";
+
+TEST(MotiveCsv, TaggedRowsAreReadByTheirFrames) {
+  EXPECT_STREQ(FindImporter("", kTagged, "x.csv").id, "motive_csv");
+  const Recording read = ImportBytes(kTagged, "motive_csv");
+  ASSERT_EQ(read.num_frames, 4u);
+  ASSERT_EQ(read.points.size(), 3u);
+  EXPECT_EQ(read.points[0].label, "thumb");
+  EXPECT_EQ(read.points[1].label, "index");
+  EXPECT_EQ(read.points[2].label, "unlabelled_7");
+  EXPECT_NEAR(read.points[0].Position(1).z(), 0.4, 1e-7);  // behind a rigid body
+  EXPECT_NEAR(read.points[1].Position(2).z(), 0.7, 1e-7);  // in another order
+  EXPECT_EQ(read.points[1].states[1], SampleState::kInvalid);
+  EXPECT_EQ(read.points[0].states[3], SampleState::kInvalid);
+  EXPECT_NEAR(read.rate, 100.0, 1e-9);
+  EXPECT_EQ(CountFindings(read, "unit_by_convention"), 1u);
+  std::string bytes = kTagged;
+  EXPECT_EQ(FindImporter("motive_csv", "", "").redact(bytes, "file").size(), 1u);
+  EXPECT_EQ(bytes.find("Anna"), std::string::npos);
+  EXPECT_EQ(ImportBytes(bytes, "motive_csv").num_frames, 4u);
+}
+
+// A new marker in every frame, as of reflections: no more than its own cells are kept of each.
+TEST(MotiveCsv, MarkersThatPassAreLeftOut) {
+  std::string text = "info,version,1.1\nrighthanded\n";
+  for (int i = 0; i < 100; ++i) {
+    const std::string n = std::to_string(i);
+    text += "frame," + n + "," + std::to_string(0.01 * i) + ",0,2,1,2,3,1,tip,4,5,6," + n + ",\n";
+  }
+  const Recording read = ImportBytes(text, "motive_csv");
+  ASSERT_EQ(read.points.size(), 1u);
+  EXPECT_EQ(CountFindings(read, "passing_markers"), 1u);
 }
 
 const std::string kNexus =

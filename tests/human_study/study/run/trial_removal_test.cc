@@ -104,7 +104,7 @@ TEST(RemovalAdvice, EveryReasonHasItsOwn) {
         "no_movement",        "far_digit",         "hand_centred",       "wrong_shape",
         "contact_after_end",  "closure_too_long",  "detectors_disagree", "moved_before_touch",
         "object_left_behind", "thumb_not_opposed", "same_recording",     "cutoff_too_high",
-        "frame_jump"}) {
+        "frame_jump",         "constant_shape"}) {
     EXPECT_STREQ(FindRemovalAdvice(code).code, code);
   }
   EXPECT_EQ(FindRemovalAdvice("of_tomorrow").curve, RemovalCurve::kOpening);
