@@ -273,10 +273,11 @@ AnalysisOptions FitCutoffs(AnalysisOptions options, double rate) {
 }
 
 std::string FindCutoffFault(const Cutoffs& cutoffs, double rate) {
-  const double limit = 0.4 * rate;  // as MakeLowPass
+  constexpr double kSurely = 0.999;  // two ways to count a recording's rate differ by less
+  const double limit = 0.4 * rate;   // as MakeLowPass
   std::string found;
   for (const auto& [key, cutoff] : cutoffs) {
-    if (cutoff < limit) continue;
+    if (cutoff < kSurely * limit) continue;
     found += fmt::format("{}{} is {:.6g}", found.empty() ? "" : ", ", key, cutoff);
   }
   if (found.empty()) return "";

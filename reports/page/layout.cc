@@ -326,8 +326,10 @@ Html MakeScroll(std::string_view label, const Html& content) {
 }
 
 Html MakeFigure(std::string_view caption, std::string_view look_for, const Html& content) {
-  const Html look =
-      Element("span", {{"class", "look"}}, Element("b", {}, "What to look for: ") + Text(look_for));
+  const Html look = look_for.empty()
+                        ? Html()
+                        : Element("span", {{"class", "look"}},
+                                  Element("b", {}, "What to look for: ") + Text(look_for));
   return Element("figure", {{"id", "figure-" + MakeSlug(caption)}},
                  content + Element("figcaption", {},
                                    MakeNumberLabel("Figure") + Text(" ") + Text(caption) + look));

@@ -401,6 +401,15 @@ std::string FormatShared(const Answer<SharedTiming>& shared) {
          " ms";
 }
 
+/** What follows each "not decided". */
+constexpr const char* kNotSeparable =
+    " The clock \"widest\" is made by the closing digits, \"onset\" and \"movement\" by the arm "
+    "that "
+    "carries them. A delay that stretches the whole movement moves each clock with the digits, so "
+    "that this design cannot separate it from coordination. A design that can: a start signal from "
+    "outside the hand with its time recorded, or trials in which one digit alone is delayed at "
+    "random.";
+
 std::string FormatVerdict(const IndependenceNull& null,
                           const std::array<IndependenceTest, kNumClocks>& tests) {
   constexpr const char* kThan = " than digits that move independently";
@@ -493,7 +502,8 @@ Answer<IndependenceNull> CalcIndependenceNull(const std::vector<StudyTrial>& tri
 
 std::string SayIndependence(const Answer<IndependenceNull>& null) {
   if (!null) return "Simultaneity of people: not testable, " + null.reason() + ".";
-  return "Simultaneity of people: " + FormatVerdict(*null, null->gft) + ".";
+  const std::string text = "Simultaneity of people: " + FormatVerdict(*null, null->gft) + ".";
+  return null->Judge(null->gft) == IndependenceVerdict::kNotDecided ? text + kNotSeparable : text;
 }
 
 std::string DescribeIndependence(const Answer<IndependenceNull>& null) {

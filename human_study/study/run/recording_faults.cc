@@ -58,7 +58,7 @@ double CalcTravel(const Trajectory& track) {
 }
 
 std::vector<Doubt> FindConstantShape(const ReachTrial& trial) {
-  constexpr double kSame = 2e-3, kTravels = 0.1;  // [m]
+  constexpr double kSame = 3e-3, kTravels = 0.1;  // [m]
   const std::vector<DigitTrack>& digits = trial.digits;
   if (digits.size() < 3 || !(CalcTravel(digits.front().tip) > kTravels)) return {};
   double largest = 0.0;

@@ -11,7 +11,7 @@ that were not measured. */
 namespace graspbench {
 
 /** - frame_jump: frames are missing in two places of the trial, or 10 ms in one (lost_frames.h);
-- constant_shape: three digits or more keep all their distances within 2 mm while they travel: a hand
+- constant_shape: three digits or more keep all their distances within 3 mm while they travel: a hand
   model that was placed, whose contacts mean nothing.
 @param trial  a part of the recording. */
 std::vector<Doubt> FindRecordingFaults(const PreparedRecording& recording, const ReachTrial& trial);

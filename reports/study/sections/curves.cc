@@ -1,6 +1,8 @@
 #include "core/base/text/text.h"
+#include "human_study/study/run/trial_removal.h"
 #include "reports/plots/line_plot.h"
 #include "reports/study/study_format.h"
+#include "reports/study/trial_figures.h"
 
 namespace graspbench {
 namespace {
@@ -54,10 +56,36 @@ Html DrawCurves(const StudyPageData& data) {
                     MakeScroll("Hand opening over the reach", DrawLinePlot(plot)));
 }
 
+/** What the events are, on one trial that counts. */
+Html DrawGoodTrial(const StudyResult& result) {
+  const StudyTrial* trial = FindGoodTrial(result);
+  if (trial == nullptr) return {};
+  const std::string flags = FormatFlags(*trial->analysis);
+  const ContactTiming& timing = trial->analysis->timing;
+  return MakeFigure(
+      "One trial that counts, " + trial->id + (flags.empty() ? "" : " (" + flags + ")") +
+          ": the hand leaves rest (onset), opens (widest), its digits touch, the object leaves the "
+          "table (lift-off).",
+      "GFT, first to last touch, is " + FormatWithUnit(timing.gft, "s") +
+          " here; GOT, thumb to the "
+          "first finger, " +
+          FormatWithUnit(timing.got, "s") +
+          "; GCT, widest opening to the last "
+          "touch, " +
+          FormatWithUnit(timing.gct, "s") + ".",
+      Element("div", {{"class", "pair"}},
+              Element("div", {}, DrawTrialSpeed(*trial, result.study.config.analysis.movement)) +
+                  Element("div", {}, DrawTrialOpening(*trial))));
+}
+
+Html DrawSection(const StudyPageData& data) {
+  return DrawCurves(data) + DrawGoodTrial(data.result);
+}
+
 }  // namespace
 
 StudySection curves_study_section() {
-  return {"curves", "Hand opening over the reach", DrawCurves};
+  return {"curves", "Hand opening over the reach", DrawSection};
 }
 
 }  // namespace graspbench

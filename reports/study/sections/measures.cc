@@ -20,7 +20,7 @@ std::vector<double> ListSingles(const MeasureTable& table, const std::vector<std
 }
 
 Html DrawCells(const MeasureStatistics& statistics, const ConditionEstimates& estimates,
-               size_t series) {
+               const std::string& bars, size_t series) {
   IntervalPlot plot;
   plot.text.title = statistics.measure.name;
   plot.axis = FormatHead(statistics.measure);
@@ -44,13 +44,10 @@ Html DrawCells(const MeasureStatistics& statistics, const ConditionEstimates& es
     plot.rows.push_back(row);
   }
   plot.text.description = "Mean of each condition with its interval, and every trial.";
-  return MakeFigure(std::string(statistics.measure.name) +
-                        DescribeFactors(statistics.table.factors) +
-                        ": mean over people of their means. Bars: " + estimates.drawn_kind +
-                        ". Ticks: single trials.",
-                    "trials far from the others, which carry a mean with them; the order of the "
-                    "conditions; whether two differ stands under Tests and trends.",
-                    MakeScroll(statistics.measure.name, DrawIntervalPlot(plot)));
+  return MakeFigure(
+      std::string(statistics.measure.name) + DescribeFactors(statistics.table.factors) +
+          (bars == estimates.drawn_kind ? "." : ". Bars: " + estimates.drawn_kind + "."),
+      "", MakeScroll(statistics.measure.name, DrawIntervalPlot(plot)));
 }
 
 /** All four kinds of bars, so that nobody has to trust the choice of one. */
@@ -88,10 +85,19 @@ Html DrawBarTable(const MeasureStatistics& statistics, const ConditionEstimates&
 Html DrawMeasures(const StudyPageData& data) {
   Html html;
   size_t series = 0;
+  std::string bars;  // of the first one: said once for all that have the same
   for (const MeasureStatistics& statistics : data.result.statistics.measures) {
     const ConditionEstimates estimates = CalcConditionEstimates(statistics);
+    if (series == 0) {
+      bars = estimates.drawn_kind;
+      html += MakeParagraph(
+          "Dots are means over people of their means, ticks single trials. Bars: " + bars +
+          ". Look for trials far from the others, which carry a mean with them, "
+          "and for the order of the conditions; whether two differ stands under "
+          "Tests and trends.");
+    }
     html += Element("h3", {}, statistics.measure.name) +
-            DrawCells(statistics, estimates, series++) + DrawBarTable(statistics, estimates);
+            DrawCells(statistics, estimates, bars, series++) + DrawBarTable(statistics, estimates);
   }
   return html;
 }

@@ -62,10 +62,19 @@ Html DrawRemoved(const StudyResult& result) {
 Html DrawFlags(const StudyResult& result) {
   Table table("Trials included with warnings; study.yaml can remove them (removal).",
               {"Flag", "Trials", "Of those that count"});
+  std::vector<std::string> unused;
   for (const FlagCount& counted : CountFlags(result)) {
+    if (counted.count == 0) {
+      unused.emplace_back(counted.flag->text);
+      continue;
+    }
     table.AddRow({counted.flag->text, counted.count, FormatPercent(counted.share)});
   }
-  return table.ToHtml();
+  const bool has_rows = unused.size() < CountFlags(result).size();
+  Html html = has_rows ? table.ToHtml() : MakeParagraph("No trial that counts carries a flag.");
+  if (unused.empty()) return html;
+  return html + MakeDetails("Flags that no trial carries (" + std::to_string(unused.size()) + ")",
+                            MakeList(unused));
 }
 
 Html DrawImport(const StudyResult& result) {

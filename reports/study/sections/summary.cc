@@ -2,8 +2,8 @@
 
 #include "core/base/text/text.h"
 #include "human_study/study/run/trial_removal.h"
+#include "reports/study/contrast.h"
 #include "reports/study/study_format.h"
-#include "reports/study/trial_figures.h"
 
 namespace graspbench {
 namespace {
@@ -200,28 +200,6 @@ Html DrawMeasureTable(const StudyResult& result) {
   return table.ToHtml();
 }
 
-/** What the events are, on one trial that counts. */
-Html DrawGoodTrial(const StudyResult& result) {
-  const StudyTrial* trial = FindGoodTrial(result);
-  if (trial == nullptr) return {};
-  const std::string flags = FormatFlags(*trial->analysis);
-  const ContactTiming& timing = trial->analysis->timing;
-  return MakeFigure(
-      "One trial that counts, " + trial->id + (flags.empty() ? "" : " (" + flags + ")") +
-          ": the hand leaves rest (onset), opens (widest), its digits touch, the object leaves the "
-          "table (lift-off).",
-      "GFT, first to last touch, is " + FormatWithUnit(timing.gft, "s") +
-          " here; GOT, thumb to the "
-          "first finger, " +
-          FormatWithUnit(timing.got, "s") +
-          "; GCT, widest opening to the last "
-          "touch, " +
-          FormatWithUnit(timing.gct, "s") + ".",
-      Element("div", {{"class", "pair"}},
-              Element("div", {}, DrawTrialSpeed(*trial, result.study.config.analysis.movement)) +
-                  Element("div", {}, DrawTrialOpening(*trial))));
-}
-
 Html DrawSummary(const StudyPageData& data) {
   const StudyResult& result = data.result;
   const int num_trials = static_cast<int>(result.trials.size());
@@ -240,12 +218,13 @@ Html DrawSummary(const StudyPageData& data) {
               LinkTo("removed", FormatCount(num_removed, "trial was", "trials were") + " removed") +
               Text(reasons);
   }
-  return Element("p", {{"class", "verdict"}},
+  return DrawContrast(result) +
+         Element("p", {{"class", "verdict"}},
                  counts + Text(". " + DescribeMainTest(result) +
                                DescribeZeroGft(result.statistics.zero_gft))) +
-         DrawStudyWarnings(result) + DrawGoodTrial(result) + DrawFreeze(result.study) +
-         DrawArgument(result) + DrawTwoDigits(result) + DrawReviewed(result) +
-         DrawUnverified(result) + DrawMeasureTable(result);
+         DrawStudyWarnings(result) + DrawFreeze(result.study) + DrawArgument(result) +
+         DrawTwoDigits(result) + DrawReviewed(result) + DrawUnverified(result) +
+         DrawMeasureTable(result);
 }
 
 }  // namespace

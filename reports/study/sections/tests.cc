@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
 
 #include "core/base/text/text.h"
 #include "human_study/study/output/statistics_table.h"
@@ -73,9 +74,21 @@ bool HasAnswer(const std::vector<StatisticRow>& rows) {
   });
 }
 
+/** Notes that stand on the page already: they hold for every table that follows. */
+using Said = std::set<std::string>;
+
+Html DrawNotes(const std::vector<StatisticRow>& rows, const std::vector<Factor>& factors,
+               Said& said) {
+  std::vector<std::string> notes;
+  for (std::string& note : ListNotes(rows, factors)) {
+    if (said.insert(note).second) notes.push_back(std::move(note));
+  }
+  return notes.empty() ? Html() : MakeList(notes);
+}
+
 /** Estimates with what they rest on, or tests; a column that no row fills is left out. */
 Html DrawRows(const std::string& caption, const std::vector<StatisticRow>& rows,
-              const std::vector<Factor>& factors) {
+              const std::vector<Factor>& factors, Said& said) {
   using Row = StatisticRow;
   if (!HasAnswer(rows)) return MakeParagraph(caption) + MakeList(ListNotes(rows, factors));
   const auto show = [](const char* heading, const char* hint, CsvColumn<Row>::Show cell) {
@@ -109,21 +122,21 @@ Html DrawRows(const std::string& caption, const std::vector<StatisticRow>& rows,
         return OrNothing(row.effect_size,
                          row.effect_size_name + " " + FormatFixed(row.effect_size, 3));
       })};
-  return MakeTable(caption, ShowTable(columns, rows)) + MakeList(ListNotes(rows, factors));
+  return MakeTable(caption, ShowTable(columns, rows)) + DrawNotes(rows, factors, said);
 }
 
-Html DrawConditions(const MeasureStatistics& statistics) {
+Html DrawConditions(const MeasureStatistics& statistics, Said& said) {
   std::vector<StatisticRow> tests, groups, estimates;
   for (const StatisticRow& row : ListConditionTests(statistics)) {
     const bool is_group = row.effect_size_name == "d_s";
     (is_group ? groups : std::isnan(row.estimate) ? tests : estimates).push_back(row);
   }
   const std::vector<Factor>& factors = statistics.table.factors;
-  Html html = DrawRows("Do the conditions differ?", tests, factors);
-  if (!groups.empty()) html += DrawRows("How far do the groups differ?", groups, factors);
+  Html html = DrawRows("Do the conditions differ?", tests, factors, said);
+  if (!groups.empty()) html += DrawRows("How far do the groups differ?", groups, factors, said);
   if (!estimates.empty()) {
     html += MakeDetails("Means and spreads of the mixed model",
-                        DrawRows("What the mixed model estimates.", estimates, factors));
+                        DrawRows("What the mixed model estimates.", estimates, factors, said));
   }
   if (!statistics.cells) return html;
   for (const LeftOut& person : statistics.cells->left_out) {
@@ -133,11 +146,11 @@ Html DrawConditions(const MeasureStatistics& statistics) {
   return html;
 }
 
-Html DrawRetest(const MeasureStatistics& statistics) {
+Html DrawRetest(const MeasureStatistics& statistics, Said& said) {
   const std::vector<StatisticRow> rows = ListRetest(statistics);
   if (rows.empty()) return {};
-  Html html =
-      DrawRows("Does a person show the same in another session?", rows, statistics.table.factors);
+  Html html = DrawRows("Does a person show the same in another session?", rows,
+                       statistics.table.factors, said);
   if (!statistics.retest) return html;
   for (const LeftOut& person : statistics.retest->left_out) {
     html += MakeParagraph("Left out: " + person.person + " (" + person.reason + ").");
@@ -194,21 +207,21 @@ Html DrawUntestable(const std::vector<MeasureStatistics>& measures) {
   return MakeParagraph("No measure can be tested:") + MakeList(reasons) + lines;
 }
 
-Html DrawTrends(const MeasureStatistics& statistics) {
+Html DrawTrends(const MeasureStatistics& statistics, Said& said) {
   if (statistics.trends.empty()) return {};
   Html html = DrawRows("How much does the measure change with the quantity that was varied?",
-                       ListTrends(statistics), statistics.table.factors);
+                       ListTrends(statistics), statistics.table.factors, said);
   for (const TrendStatistics& trend : statistics.trends) {
     html += DrawLines(trend, statistics.measure.unit);
   }
   return html;
 }
 
-Html DrawPairs(const MeasureStatistics& statistics) {
+Html DrawPairs(const MeasureStatistics& statistics, Said& said) {
   if (statistics.pairs.empty() || statistics.cells->persons.size() < 2) return {};
   return MakeDetails("Pairs of conditions (" + std::to_string(statistics.pairs.size()) + ")",
                      DrawRows("Differences of all pairs of conditions.", ListPairs(statistics),
-                              statistics.table.factors));
+                              statistics.table.factors, said));
 }
 
 Html DrawTests(const StudyPageData& data) {
@@ -220,11 +233,14 @@ Html DrawTests(const StudyPageData& data) {
   if (!untestable.markup().empty()) return untestable;
   Html html = MakeParagraph(
       "All of this stands in statistics.csv, too, in SI units. A test is no better than what it "
-      "assumes; that stands below each table.");
+      "assumes; that stands below the first table it holds for.");
+  Said said;
   for (const MeasureStatistics& statistics : data.result.statistics.measures) {
     html += Element("h3", {}, statistics.measure.name);
-    if (!study.factors.empty() || !study.groups.empty()) html += DrawConditions(statistics);
-    html += DrawRetest(statistics) + DrawTrends(statistics) + DrawPairs(statistics);
+    if (!study.factors.empty() || !study.groups.empty()) html += DrawConditions(statistics, said);
+    html += DrawRetest(statistics, said);
+    html += DrawTrends(statistics, said);
+    html += DrawPairs(statistics, said);
   }
   return html;
 }

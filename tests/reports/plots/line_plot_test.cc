@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "reports/plots/paired_plot.h"
 #include "tests/reports/drawing.h"
 
 namespace graspbench {
@@ -147,6 +148,24 @@ TEST(DrawStripChart, MarksOfOneInstantStandSideBySide) {
   ASSERT_EQ(x.size(), 3U);
   EXPECT_GE(x[1], x[0] + 8.0);
   EXPECT_GT(x[2], x[1] + 100.0);  // where there is room it stands at its time
+}
+
+TEST(DrawPairedPlot, EachPersonIsALineAndAMissingValueInterruptsIt) {
+  PairedPlot plot;
+  plot.text = {"GFT", "It falls"};
+  plot.conditions = {"small", "large"};
+  plot.persons = {{"01", {1.0, 2.0}}, {"02", {1.0, kMissing}}, {"03", {2.0, 1.0}}};
+  plot.means = {4.0 / 3.0, 1.5};
+  const Drawing drawing(DrawPairedPlot(plot));
+  EXPECT_EQ(drawing.Find("circle", "single").size(), 5U);
+  const auto lines = drawing.Find("line", "single");
+  ASSERT_EQ(lines.size(), 2U);
+  const auto number = [](const auto* element, const char* name) {
+    return std::stod(element->Attribute(name));
+  };
+  EXPECT_LT(number(lines[0], "y2"), number(lines[0], "y1")) << "more is higher";
+  EXPECT_EQ(number(lines[0], "y2"), number(lines[1], "y1"));
+  EXPECT_EQ(drawing.Find("line", "interval").size(), 3U);  // two means and what joins them
 }
 
 }  // namespace

@@ -37,6 +37,10 @@ const StudyResult& SmallStudy() {
   return result;
 }
 
+struct FormattedContrast {
+  std::string difference, low, high;
+};
+
 int CountOf(const std::string& text, const std::string& part) {
   int count = 0;
   for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
@@ -63,11 +67,11 @@ TEST(StudyReport, EverySectionSaysItsNumbers) {
   const StudyResult& result = SmallStudy();
   const std::string page = MakeStudyReport(result, nullptr);
   ExpectSoundPage(page);
-  ExpectParts(TextOfId(page, "summary"),
-              {"12 of 12 trials were analysed", "One trial that counts, "});
+  ExpectParts(TextOfId(page, "summary"), {"12 of 12 trials were analysed"});
   ExpectParts(TextOfId(page, "published"), {"Jeannerod 1984", "peak opening over diameter"});
   ExpectParts(TextOfId(page, "removed"), {"No trial was removed."});
-  ExpectParts(TextOfId(page, "curves"), {"diameter 30\u00A0mm (6 trials)"});
+  ExpectParts(TextOfId(page, "curves"),
+              {"diameter 30\u00A0mm (6 trials)", "One trial that counts, "});
   const MeasureStatistics& gft = result.statistics.measures.front();
   ExpectParts(TextOfId(page, "measures"),
               {FormatWithUnit(gft.cells->means.col(1).mean(), gft.measure.unit) + ", 6 trials",
@@ -91,6 +95,36 @@ TEST(StudyReport, EverySectionSaysItsNumbers) {
   ExpectParts(TextOfId(page, "methods"),
               {"0 of 12 trials were removed.", "a fixed threshold (50\u00A0mm/s)",
                "bounds of 10.0\u00A0ms for grasp forming time"});
+}
+
+// The page begins with what was found: persons under each condition, the difference, its interval.
+TEST(StudyReport, BeginsWithItsContrast) {
+  const StudyResult& result = SmallStudy();
+  const std::string page = MakeStudyReport(result, nullptr);
+  const std::string summary = TextOfId(page, "summary");
+  const FormattedContrast expected = [&] {
+    const std::string& main = result.study.config.multiverse.measure;
+    for (const MeasureStatistics& statistics : result.statistics.measures) {
+      if (statistics.measure.id != main) continue;
+      const Eigen::VectorXd difference =
+          statistics.cells->means.col(1) - statistics.cells->means.col(0);
+      const double mean = difference.mean();
+      const double sd = std::sqrt((difference.array() - mean).square().sum() / 2.0);
+      const double half = 4.302653 * sd / std::sqrt(3.0);  // t of 2 degrees of freedom, 97.5 %
+      const char* unit = statistics.measure.unit;
+      return FormattedContrast{FormatWithUnit(mean, unit), FormatValue(mean - half, unit),
+                               FormatWithUnit(mean + half, unit)};
+    }
+    return FormattedContrast{};
+  }();
+  ExpectParts(summary,
+              {"diameter 60\u00A0mm minus diameter 30\u00A0mm: " + expected.difference +
+                   ", 95\u00A0% interval " + expected.low + " to " + expected.high,
+               "(paired t test), n\u00A0=\u00A03 persons.", "Each thin line is one person's mean"});
+  EXPECT_LT(summary.find("(paired t test)"), summary.find("12 of 12 trials were analysed"));
+  EXPECT_EQ(CountOf(page, "<title>03</title>"), 1) << "a line for each person";
+  EXPECT_EQ(CountOf(TextOfId(page, "measures"), "Ticks: single trials"), 0) << "said once";
+  ExpectParts(TextOfId(page, "removed"), {"Flags that no trial carries ("});
 }
 
 TEST(StudyReport, TheArgumentsHaveTheirNumbersAndWhatHasNoneItsReason) {

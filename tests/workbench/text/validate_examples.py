@@ -22,6 +22,7 @@ EXAMPLES = {
     "study.yaml": "human_study/examples/*/study.yaml",
     "profile.yaml": "datasets/profiles/*.yaml",
     "policy.yaml": "workbench/python/examples/*.yaml",
+    "columns.yaml": "human_study/examples/*/columns.yaml",
     "pipeline.yaml": "datasets/pipelines/*[!n].yaml",  # but for small_session.yaml
 }
 # PyYAML knows YAML 1.1, in which 1.1e6 is a text.

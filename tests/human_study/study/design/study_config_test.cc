@@ -291,6 +291,10 @@ TEST(StudyCutoffs, AStatedOneThatDoesNotFitIsRefusedWithAProposalThatFits) {
   EXPECT_EQ(proposed.size(), 2u);
   for (const std::string& setting : proposed) SetConfigValue(setting, config);
   EXPECT_EQ(FindCutoffFault(config, 30.0), "");
+  // Rates counted from stamps and from their ends differ in the last digits: at the limit is above.
+  const StudyConfig at_limit = Parse("contact: {cutoff_hz: 12}\n");
+  EXPECT_NE(FindCutoffFault(at_limit, 30.000003), "");
+  EXPECT_EQ(LowerStatedCutoffs(at_limit, 30.000003).size(), 1u);
 }
 
 }  // namespace

@@ -86,6 +86,13 @@ TEST(FindWarnings, EachHasItsLimit) {
   exchanged.trials.resize(16);
   EXPECT_EQ(FindText(exchanged, "thumb_exchanged"), "");
 
+  StudyResult lost;
+  lost.trials.resize(8);
+  EXPECT_EQ(FindText(lost, "frames_lost"), "");
+  lost.trials[2].removed_code = "frame_jump";
+  ExpectHolds(FindText(lost, "frames_lost"),
+              "1 of 8 trials are removed because frames are missing");
+
   StudyResult rates;
   rates.lowest_rate = 199.0;
   rates.highest_rate = 200.0;
