@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cstdlib>
 
 #include "core/base/error.h"
 #include "core/hand/hand.h"
+#include "datasets/grasps/multigripper_table.h"
 
 namespace graspbench {
 
@@ -224,6 +227,41 @@ void DemandRadians(const ForeignGrasp& grasp, const GraspStage& stage, const Han
                           grasp.source, stage.name, joint.name, position));
 }
 
+/** "link_0.0" is "link_0_0" in its simulator. */
+std::string MakeSimulatorName(std::string name) {
+  for (char& c : name) {
+    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+  }
+  return name;
+}
+
+std::vector<bool> FindCountedLinks(const MultigripperGripper& gripper, const Hand& hand) {
+  std::vector<bool> counts(hand.links.size(), false);
+  for (const char* name : gripper.contact_links) {
+    const auto link = std::find_if(hand.links.begin(), hand.links.end(), [&](const HandLink& l) {
+      return MakeSimulatorName(l.name) == name;
+    });
+    if (link == hand.links.end()) return std::vector<bool>(hand.links.size(), true);
+    counts[static_cast<size_t>(link - hand.links.begin())] = true;
+  }
+  return counts;
+}
+
+std::optional<ClosingTable> FindClosingTable(const ForeignGrasp& grasp, const Hand& hand,
+                                             const std::vector<MappedJoint>& joints, int root) {
+  if (grasp.format != "multigripper") return std::nullopt;
+  const MultigripperGripper* gripper = FindMultigripperGripper(grasp.hand);
+  if (gripper == nullptr || gripper->closing.size() != joints.size()) return std::nullopt;
+  ClosingTable table;
+  table.shares = Eigen::VectorXd::Zero(hand.num_joints());
+  for (size_t i = 0; i < joints.size(); ++i) table.shares[joints[i].index] = gripper->closing[i];
+  const Pose X_HR = CalcLinkPose(hand, Eigen::VectorXd::Zero(hand.num_joints()), root);
+  table.down_H = (gripper->axis > 0 ? 1.0 : -1.0) * X_HR.linear().col(std::abs(gripper->axis) - 1);
+  table.counts = FindCountedLinks(*gripper, hand);
+  table.num_touching = gripper->num_touching;
+  return table;
+}
+
 }  // namespace
 
 const std::vector<std::string>& ListDexgraspbenchJoints() {
@@ -270,6 +308,7 @@ HandGrasp MapToHand(const ForeignGrasp& grasp, const Hand& hand) {
   const int root = FindRoot(grasp, hand);
 
   HandGrasp mapped;
+  mapped.table = FindClosingTable(grasp, hand, joints, root);
   mapped.assumptions = grasp.assumptions;
   mapped.assumptions.insert(mapped.assumptions.end(), unstated.assumptions().begin(),
                             unstated.assumptions().end());

@@ -4,10 +4,12 @@ A foreign grasp as a hand of graspbench has it: poses of its frame H in the obje
 each of its joints, by names. */
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/pose.h"
+#include "core/hand/closing_table.h"
 #include "core/hand/hand.h"
 #include "datasets/grasps/grasp_files.h"
 
@@ -21,6 +23,9 @@ struct HandStage {
 
 struct HandGrasp {
   std::vector<HandStage> stages;
+  /** Of a gripper of MultiGripperGrasp's tables (multigripper_table.h). Its signs hold for the
+  hand's joints; where the hand lacks one of its links, all the hand's links count. */
+  std::optional<ClosingTable> table;
   std::vector<std::string> assumptions;  ///< those of the file, then those of the mapping
 };
 

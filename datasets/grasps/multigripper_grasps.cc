@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "datasets/grasps/grasp_files.h"
+#include "datasets/grasps/multigripper_table.h"
 #include "datasets/grasps/pose_numbers.h"
 
 namespace graspbench {
@@ -58,6 +59,17 @@ std::vector<ForeignGrasp> ReadMultigripper(std::string_view bytes, const std::st
     stages.emplace_back(
         stage, ReadPositions(json[key], file + ": " + key, poses.size(), options.joint_names));
   }
+  const MultigripperGripper* table = FindMultigripperGripper(gripper);
+  const bool is_open = stages.empty() && table != nullptr && !options.joint_names.empty();
+  if (is_open) {
+    if (table->open.size() != options.joint_names.size()) {
+      throw Error(ErrorKind::kUsage,
+                  fmt::format("{}: {} has {} joints, {} names by --joint-names; name the joints in "
+                              "the order of the simulator that wrote the file",
+                              file, gripper, table->open.size(), options.joint_names.size()));
+    }
+    stages.emplace_back("pregrasp", std::vector<std::vector<double>>(poses.size(), table->open));
+  }
   std::vector<bool> labels;
   if (json.contains("result")) {
     labels = ReadJsonLabels(json["result"], file + ": result", poses.size());
@@ -75,6 +87,7 @@ std::vector<ForeignGrasp> ReadMultigripper(std::string_view bytes, const std::st
     grasp.scale = options.scale.value_or(1.0);
     grasp.assumptions.push_back("quaternions are w x y z");
     if (!options.scale) grasp.assumptions.push_back("the mesh is drawn in metres, scale 1");
+    if (is_open) grasp.assumptions.push_back("joints open as MultiGripperGrasp's table has them");
     if (!labels.empty()) grasp.label = labels[i];
     for (const auto& [stage, positions] : stages) {
       grasp.joint_names = options.joint_names;

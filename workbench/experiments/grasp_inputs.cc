@@ -131,6 +131,10 @@ std::string HashGrasp(const GraspInput& input) {
   for (const ScriptedStage& stage : input.stages) {
     json.push_back({stage.name, list(stage.X_OH.matrix()), list(stage.q)});
   }
+  if (input.table) {
+    json.push_back({list(input.table->shares), list(input.table->down_H), input.table->counts,
+                    input.table->num_touching});
+  }
   return CalcHashHex(FormatJson(json));
 }
 
@@ -190,6 +194,7 @@ GraspInputs LoadGraspInputs(GraspCollection collection, const std::string& hand,
                     "it judges it alone (closing.to: limits, as in multigripper)");
       }
       const HandGrasp mapped = MapToHand(grasp, *inputs.hand);
+      input.table = mapped.table;
       for (const HandStage& stage : mapped.stages) {
         input.stages.push_back({stage.name, stage.X_OH, stage.q});
       }
@@ -241,9 +246,11 @@ ProfiledScene MakeInputScene(const GraspInputs& inputs, const GraspInput& input,
     const Pose X_HD = DrawDisturbance(input.grasp, jitter);
     for (ScriptedStage& stage : stages) stage.X_OH = stage.X_OH * X_HD;
   }
-  return MakeProfiledScene(MakeProfiledHand(*inputs.hand, profile, inputs.is_asked),
-                           MakeProfiledObject(*input.object, profile), input.grasp.X_WO,
-                           std::move(stages), profile);
+  ProfiledScene scene = MakeProfiledScene(MakeProfiledHand(*inputs.hand, profile, inputs.is_asked),
+                                          MakeProfiledObject(*input.object, profile),
+                                          input.grasp.X_WO, std::move(stages), profile);
+  scene.table = input.table;
+  return scene;
 }
 
 FreeSpaceResult JudgeGraspInput(const GraspInputs& inputs, const GraspInput& input,

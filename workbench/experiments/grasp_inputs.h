@@ -5,6 +5,7 @@ the objects they are of. */
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ namespace graspbench {
 struct GraspInput {
   ForeignGrasp grasp;
   std::vector<ScriptedStage> stages;
+  std::optional<ClosingTable> table;
   std::shared_ptr<const GraspObject> object;  ///< its mesh in the grasp's scale
 };
 

@@ -263,7 +263,7 @@ std::string FormatContact(const std::vector<ContactFit>& fits) {
          table.Format();
 }
 
-std::string DescribeCoarseContact(const std::vector<ContactFit>& fits) {
+std::string DescribeCoarseContact(const std::vector<ContactFit>& fits, const std::string& surface) {
   int64_t num_links = 0;
   const ContactFit* worst = nullptr;
   double most = kFairContactError;
@@ -275,8 +275,9 @@ std::string DescribeCoarseContact(const std::vector<ContactFit>& fits) {
     worst = &fit;
   }
   if (!worst) return "";
-  return "contact differs from the picture by more than 1 mm on " + FormatCount(num_links, "link") +
-         ", most on \"" + worst->link + "\": " + DescribeContactError(*worst);
+  return "contact differs from " + surface + " by more than 1 mm on " +
+         FormatCount(num_links, "link") + ", most on \"" + worst->link +
+         "\": " + DescribeContactError(*worst);
 }
 
 }  // namespace graspbench

@@ -27,8 +27,8 @@ std::string FormatHand(const Hand& hand);
 
 /** How well contact covers the links (core/hand/contact_fit.h), in millimetres. */
 std::string FormatContact(const std::vector<ContactFit>& fits);
-/** Of a hand against its pictures: the links above 1 mm, for a warning; empty: none is. */
-std::string DescribeCoarseContact(const std::vector<ContactFit>& fits);
+/** The links above 1 mm; empty: none is. @param surface  what contact is measured against. */
+std::string DescribeCoarseContact(const std::vector<ContactFit>& fits, const std::string& surface);
 
 /** Things to grasp and checked meshes for a person and for a program. */
 struct DescribedObjects {

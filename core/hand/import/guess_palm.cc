@@ -293,6 +293,13 @@ class PalmGuesser {
     }
     hand_.p_HCentre =
         FindSurface(shapes, hand_.palm_link, CalcBounds(shapes).center(), hand_.palm_normal);
+    // What stands for a mesh here may stick out of it.
+    double top = -std::numeric_limits<double>::infinity();
+    for (const TriMesh& mesh : imported_.solids[static_cast<size_t>(hand_.palm_link)]) {
+      for (const Vector3d& p : mesh.vertices) top = std::max(top, hand_.palm_normal.dot(p));
+    }
+    const double above = hand_.palm_normal.dot(hand_.p_HCentre) - top;
+    if (std::isfinite(top) && above > 0.0) hand_.p_HCentre -= above * hand_.palm_normal;
   }
 
   const std::string& file_;

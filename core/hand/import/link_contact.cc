@@ -88,6 +88,11 @@ void FreeJoints(const std::string& file, ImportedHand& imported, Diagnostics& pr
 
 namespace {
 
+bool IsTip(const Hand& hand, int link) {
+  return std::any_of(hand.digits.begin(), hand.digits.end(),
+                     [&](const Digit& digit) { return digit.distal_link == link; });
+}
+
 /** Of the link, as the loader makes them of its shapes. */
 std::vector<ContactSphere> MakeBalls(const ImportedHand& imported, int link, bool is_pad) {
   Hand alone;
@@ -115,8 +120,7 @@ void CoverLinks(const LinkSolids& solids, int num_points, ImportedHand& imported
       shapes.erase(std::remove_if(fitted, shapes.end(), is_fitted), shapes.end());
       capsules = InscribeCapsules(solid);
     }
-    const bool is_tip = std::any_of(hand.digits.begin(), hand.digits.end(),
-                                    [&](const Digit& d) { return d.distal_link == link; });
+    const bool is_tip = IsTip(hand, link);
     const std::vector<Ball> balls = PackBalls(solid, MakeBalls(imported, link, is_tip),
                                               is_tip ? kSmallestPadBall : 0.0, num_points);
     for (const FittedCapsule& capsule : capsules) {
@@ -143,13 +147,11 @@ void MeasureLinks(const std::string& file, bool accepts_coarse, const LinkSolids
                   ImportedHand& imported, Diagnostics& problems) {
   Hand hand = imported.hand;
   for (const CollisionShape& shape : imported.shapes) {
-    AddContact(shape, false, hand);
+    AddContact(shape, IsTip(hand, shape.link), hand);
   }
   imported.fits = MeasureContact(hand, solids);
   for (const ContactFit& fit : imported.fits) {
-    const int link = hand.FindLink(fit.link);
-    const bool is_tip = std::any_of(hand.digits.begin(), hand.digits.end(),
-                                    [&](const Digit& d) { return d.distal_link == link; });
+    const bool is_tip = IsTip(hand, hand.FindLink(fit.link));
     const double all = std::max(fit.out.most, fit.sink.at_95);
     const double palmar = std::max(fit.palmar_out.most, fit.palmar_sink.at_95);
     const std::string told = "link \"" + fit.link + "\": " + DescribeContactError(fit);

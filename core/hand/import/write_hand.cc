@@ -104,6 +104,31 @@ Json MakeContactJson(const std::vector<ContactFit>& fits) {
   return list;
 }
 
+std::vector<ContactFit> ReadContactFits(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / "import.json";
+  if (!std::filesystem::exists(path)) return {};
+  const auto read = [](const Json& json) {
+    return ContactError{1e-3 * json.at("at_95_mm").get<double>(),
+                        1e-3 * json.at("most_mm").get<double>()};
+  };
+  std::vector<ContactFit> fits;
+  try {
+    const Json record = Json::parse(ReadFile(path));
+    if (record.at("files").at("hand.urdf").get<std::string>() !=
+        CalcSha256(ReadFile(folder / "hand.urdf"))) {
+      return {};
+    }
+    for (const Json& fit : record.at("contact")) {
+      fits.push_back({fit.at("link").get<std::string>(), fit.at("balls").get<int>(),
+                      read(fit.at("out")), read(fit.at("sink")), read(fit.at("palmar_out")),
+                      read(fit.at("palmar_sink"))});
+    }
+  } catch (const Json::exception& error) {
+    throw Error(ErrorKind::kFormat, path.string() + ": " + error.what());
+  }
+  return fits;
+}
+
 std::string FormatImportRecord(const std::string& text, const std::set<std::filesystem::path>& read,
                                const HandSource& source, const std::string& palm,
                                const ImportedHand& imported, const Diagnostics& problems,

@@ -50,5 +50,8 @@ std::string FormatImportRecord(const std::string& text, const std::set<std::file
 
 /** The list `contact` above. */
 Json MakeContactJson(const std::vector<ContactFit>& fits);
+/** That list in the import.json of a hand's folder; empty where there is none, or hand.urdf is not
+the one that was imported. @throws Error(kFormat) for an import.json that lacks it, Error(kIo). */
+std::vector<ContactFit> ReadContactFits(const std::filesystem::path& folder);
 
 }  // namespace graspbench

@@ -58,9 +58,11 @@ class FreeSpaceCourse {
   /** From one pose and posture that are asked for to another, as the profile updates commands. */
   void Go(const Pose& X_WH0, const VectorXd& q0, const Pose& X_WH1, const VectorXd& q1,
           double duration);
-  /** Closes with the object put back after each step until two of digits and palm touch it.
+  /** Closes with the object put back after each step until enough parts touch it.
   @returns false: that never came, or the state is no longer finite. */
   bool CloseOnHeld(const Pose& X_WH, const VectorXd& q, double duration);
+  /** Of a held object: by enough parts. */
+  bool IsTouchedEnough() const;
   /** With the commands as they are. */
   void Wait(double duration) {
     const int num_steps = CountSteps(duration);
@@ -153,9 +155,18 @@ bool FreeSpaceCourse::CloseOnHeld(const Pose& X_WH, const VectorXd& q, double du
     WorldState state = world_->state();
     PutObject(state);
     world_->Reset(state);
-    if (ListTouching().size() >= kTouchesThatRelease) return true;
+    if (IsTouchedEnough()) return true;
   }
   return false;
+}
+
+bool FreeSpaceCourse::IsTouchedEnough() const {
+  if (!scene_.table) return ListTouching().size() >= kTouchesThatRelease;
+  int num_touching = 0;
+  for (size_t link = 0; link < report_.link_touches_object.size(); ++link) {
+    num_touching += report_.link_touches_object[link] && scene_.table->counts[link];
+  }
+  return num_touching >= scene_.table->num_touching;
 }
 
 VectorXd FreeSpaceCourse::MakeCommand(const ScriptedStage& stage) const {
@@ -342,10 +353,13 @@ class FreeSpaceRun {
     if (profile_.closing.object_is_held) {
       if (course_.CloseOnHeld(X_WH, q_held_, profile_.stage_time)) return true;
       if (!course_.is_finite()) return FailNumerically(last.name);
-      Fail(last.name, fmt::format("closing for {:g} s on the held object, {} touched it, where two "
-                                  "must",
-                                  profile_.stage_time,
-                                  course_.ListTouching().empty() ? "nothing" : "one part alone"));
+      const std::vector<std::string> touching = course_.ListTouching();
+      Fail(last.name,
+           fmt::format("closing for {:g} s on the held object, {} touched it, where {} must",
+                       profile_.stage_time,
+                       touching.empty() ? "nothing" : fmt::format("{}", fmt::join(touching, " ")),
+                       scene_.table ? fmt::format("{} links", scene_.table->num_touching)
+                                    : "two of digits and palm"));
       return false;
     }
     if (closed.q == last.q && scene_.stages.size() > 1) return true;
@@ -400,7 +414,8 @@ class FreeSpaceRun {
   std::vector<Push> ListPushes() const {
     if (RowFromName(kProfileTests, profile_.test, "test").value == ProfileTest::kFall) {
       const Pose X_WH = scene_.X_WO * scene_.stages.back().X_OH;
-      return {{"fall", X_WH.linear() * scene_.hand->palm_normal.normalized()}};
+      return {{"fall", X_WH.linear() * (scene_.table ? scene_.table->down_H
+                                                     : scene_.hand->palm_normal.normalized())}};
     }
     std::vector<Push> pushes;
     for (int push = 0; push < 6; ++push) {

@@ -132,6 +132,15 @@ VectorXd CalcPressed(const ProfiledScene& scene, const ScriptedStage& stage,
   return command;
 }
 
+VectorXd CalcByTable(const Hand& hand, const VectorXd& shares, VectorXd command) {
+  for (Eigen::Index j = 0; j < shares.size(); ++j) {
+    const HandJoint& joint = hand.joints[static_cast<size_t>(j)];
+    if (shares[j] == 0.0) continue;
+    command[j] = std::abs(shares[j]) * (shares[j] > 0.0 ? joint.upper : joint.lower);
+  }
+  return command;
+}
+
 VectorXd CalcAtLimits(const Hand& hand, VectorXd command) {
   const std::vector<int> closing = FindClosing(hand);
   for (size_t j = 0; j < closing.size(); ++j) {
@@ -201,6 +210,7 @@ ProfiledScene MakeProfiledScene(std::shared_ptr<const Hand> hand,
                       std::move(object),
                       X_WO,
                       ChooseStages(std::move(stages), profile.closing.stages),
+                      std::nullopt,
                       0,
                       ""};
   const BeyondLimits beyond =
@@ -232,6 +242,7 @@ VectorXd CalcClosingCommand(const ProfiledScene& scene, const FreeSpaceProfile& 
     case ClosingRule::kPress:
       return CalcPressed(scene, last, profile.closing);
     case ClosingRule::kLimits:
+      if (scene.table) return CalcByTable(*scene.hand, scene.table->shares, last.q);
       return CalcAtLimits(*scene.hand, last.q);
   }
   return last.q;

@@ -10,12 +10,14 @@ modelled: tendons that pull two joints at once. */
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/enum_table.h"
 #include "core/base/file_keys.h"
 #include "core/base/pose.h"
+#include "core/hand/closing_table.h"
 #include "core/hand/hand.h"
 #include "core/physics/contact.h"
 #include "core/physics/sim_config.h"
@@ -105,7 +107,7 @@ struct ProfileClosing {
   std::string to = "stated";
   double press = 1.0;          ///< of joints, by the distance a point would move [rad/m]
   double press_reach = 0.001;  ///< of points that press: their distance from the object [m]
-  /** Until two of digits and palm touch it, the object is put back where it was after each step. */
+  /** Until two of digits and palm (or as its table says) touch it, the object is put back where it was after each step. */
   bool object_is_held = false;
 
   template <class V>
@@ -122,8 +124,9 @@ struct ProfileClosing {
     v("press_reach_m", press_reach,
       {"of press: the points that touch are nearer to the surface than this", 0, 0.05});
     v("object_is_held", object_is_held,
-      "until two of digits and palm touch it, the object is put back after each step; where that "
-      "never comes, the grasp fails");
+      "until two of digits and palm touch it, or as many links as MultiGripperGrasp's table of the "
+      "gripper says, the object is put back after each step; where that never comes, the grasp "
+      "fails");
   }
 };
 
@@ -171,7 +174,8 @@ struct FreeSpaceProfile {
       {"the commands change so often in a stage; 0: in every step", 0, 10000});
     v("test", test,
       "pushes: six, along the axes of the file's world; fall: one, out of the palm along its "
-      "normal; lift: from a table at the world's z = 0");
+      "normal, or along the axis of MultiGripperGrasp's table of the gripper; lift: from a table "
+      "at the world's z = 0");
     v("acceleration_m_per_s2", acceleration,
       {"times the object's mass: the push, or the weight of a lift from the start", 0, 1000});
     v("test_time_s", test_time, {"of each push, or of the lift", 0.01, 60});
@@ -202,6 +206,9 @@ struct ProfiledScene {
   std::shared_ptr<const GraspObject> object;
   Pose X_WO = Pose::Identity();
   std::vector<ScriptedStage> stages;
+  /** In place of the hand's closing joints, of its palm's normal in a fall, and of the two parts
+  that must touch a held object. */
+  std::optional<ClosingTable> table;
   int num_beyond_limits = 0;  ///< joints that a stage asks for more than their limits
   std::string refusal;        ///< why the profile takes no such grasp; empty: it does
 };
@@ -231,7 +238,7 @@ What the joints are asked for after the last stage, by the profile's rule:
           along the gradient of DexGraspNet (Wang et al. 2023, scripts/validate_grasps.py):
           c = 2 x 0.001 m x 500 rad/m^2 = 1 rad/m
   limits  every joint that bends a digit at the end at which it is closed (core/hand/closing.h),
-          others as stated. MultiGripperGrasp (Casas et al. 2024): its table of closing joints
+          others as stated (Casas et al. 2024); by the scene's table where it has one
 
 @returns (num_joints) [rad], [m]. */
 Eigen::VectorXd CalcClosingCommand(const ProfiledScene& scene, const FreeSpaceProfile& profile);

@@ -107,7 +107,13 @@ TEST(GraspFormats, Multigripper) {
   EXPECT_TRUE(grasps[0].stages[0].X_OR.linear().col(0).isApprox(Eigen::Vector3d(0, 0, 1)));
   const std::vector<ForeignGrasp> poses = ReadGraspCase("multigripper", "good_poses.json", options);
   EXPECT_FALSE(poses[0].label);
-  EXPECT_EQ(poses[0].joint_names.size(), 0u);
+  EXPECT_EQ(poses[0].joint_names, options.joint_names);
+  EXPECT_EQ(poses[0].stages[0].joints, (std::vector<double>{0.04, 0.04})) << "open, by the table";
+  options.joint_names.clear();
+  EXPECT_TRUE(ReadGraspCase("multigripper", "good_poses.json", options)[0].joint_names.empty());
+  options.joint_names = {"left"};
+  EXPECT_TRUE(Has(FindError([&] { ReadGraspCase("multigripper", "good_poses.json", options); }),
+                  "franka_panda has 2 joints, 1 names by --joint-names"));
 }
 
 TEST(GraspFormats, GraspgenHasPosesAndVerdictsOnly) {

@@ -50,6 +50,47 @@ TEST(MapToHand, RefusesAHandWithOtherJoints) {
   EXPECT_TRUE(Has(FindError([&] { MapToHand(grasp, LoadHand("tum")); }), "has no joint \"FFJ4\""));
 }
 
+/** A gripper of MultiGripperGrasp with two slides, as the table of franka_panda means it. */
+ForeignGrasp MakeTabulatedGrasp(const std::string& gripper) {
+  ForeignGrasp grasp;
+  grasp.format = "multigripper";
+  grasp.hand = gripper;
+  grasp.root_link = "palm";
+  grasp.joint_names = {"FFq1", "THq1"};
+  grasp.stages = {{"pregrasp", Pose::Identity(), {0.1, 0.2}}};
+  return grasp;
+}
+
+TEST(MapToHand, AGripperOfMultiGripperGraspClosesByItsTable) {
+  Hand hand;
+  hand.id = "jaws";
+  hand.links.resize(3);
+  hand.links[0].name = "palm";
+  hand.links[1].name = "gripper.left";
+  hand.links[2].name = "gripper_right";
+  for (int j = 0; j < 2; ++j) {
+    HandJoint joint;
+    joint.name = j == 0 ? "FFq1" : "THq1";
+    joint.link = j + 1;
+    hand.links[static_cast<size_t>(j) + 1].parent = 0;
+    hand.links[static_cast<size_t>(j) + 1].joint = j;
+    hand.joints.push_back(joint);
+  }
+  const HandGrasp wsg = MapToHand(MakeTabulatedGrasp("wsg_50"), hand);
+  ASSERT_TRUE(wsg.table);
+  EXPECT_EQ(wsg.table->shares, Eigen::VectorXd(Eigen::Vector2d(1.0, -1.0)));
+  EXPECT_EQ(wsg.table->down_H, Eigen::Vector3d::UnitZ());
+  EXPECT_EQ(wsg.table->counts, (std::vector<bool>{false, true, true})) << "a point is a _ there";
+  EXPECT_EQ(wsg.table->num_touching, 2);
+  hand.links[1].name = "other";
+  EXPECT_EQ(MapToHand(MakeTabulatedGrasp("wsg_50"), hand).table->counts,
+            (std::vector<bool>{true, true, true}));
+  EXPECT_EQ(MapToHand(MakeTabulatedGrasp("fetch_gripper"), hand).table->down_H,
+            Eigen::Vector3d::UnitX());
+  EXPECT_FALSE(MapToHand(MakeTabulatedGrasp("jaco_robot"), hand).table) << "three joints there";
+  EXPECT_FALSE(MapToHand(MakeTabulatedGrasp("my_gripper"), hand).table);
+}
+
 TEST(MapToHand, RefusesDegrees) {
   ForeignGrasp grasp = ReadGraspCase("dexgraspbench", "good_bodex.npy")[0];
   grasp.stages[1].joints[2] = 42.0;

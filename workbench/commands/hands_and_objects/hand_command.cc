@@ -29,18 +29,28 @@ ExitCode CheckHandCommand(const std::string& path, bool json) {
       problems.Fail(path, 0, error.what());
     }
   }
-  std::vector<ContactFit> fits;
-  if (problems.num_errors() == 0) fits = MeasureContact(hand);
-  const std::string coarse = DescribeCoarseContact(fits);
+  std::vector<ContactFit> fits, picture;  // of an import against its description's shapes
+  if (problems.num_errors() == 0) {
+    fits = ReadContactFits(path);
+    picture = MeasureContact(hand);
+  }
+  const bool is_imported = !fits.empty();
+  const std::string off = DescribeCoarseContact(picture, "the picture");
+  const std::string coarse =
+      is_imported ? DescribeCoarseContact(fits, "the description's shapes") : off;
   if (!coarse.empty()) problems.Warn(path, 0, coarse);
   if (json) {
     PrintJson({{"usable", problems.num_errors() == 0},
                {"problems", MakeJson(problems)},
-               {"contact", MakeContactJson(fits)}});
+               {"contact", MakeContactJson(is_imported ? fits : picture)},
+               {"picture", MakeContactJson(picture)}});
   } else {
     PrintFindings(problems);
     PrintResult(path + ": " + (problems.num_errors() == 0 ? "can be used" : "cannot be used") +
-                FormatFindingCounts(problems) + "\n" + FormatContact(fits));
+                FormatFindingCounts(problems) + "\n" + FormatContact(is_imported ? fits : picture));
+    if (is_imported && !off.empty()) {
+      PrintResult("The description draws other shapes than it touches with: " + off + "\n");
+    }
   }
   return problems.num_errors() == 0 ? kExitOk : kExitBadInput;
 }

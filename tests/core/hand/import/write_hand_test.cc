@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/files/files.h"
+#include "core/base/hash.h"
 #include "core/base/random.h"
 #include "core/base/text/json.h"
 #include "core/hand/hand.h"
@@ -119,6 +120,26 @@ TEST(ImportRecordTest, SaysWhatWasReadWithWhatAndWhatWasRepaired) {
   EXPECT_EQ(record["guesses"]["palm"]["link"], "palm");
   EXPECT_EQ(record["contact"][0]["balls"], 12);
   EXPECT_EQ(record["contact"][0]["out"], Json::parse(R"({"at_95_mm": 0.3, "most_mm": 12.35})"));
+}
+
+TEST(ImportRecordTest, ItsContactHoldsWhileTheHandIsTheImportedOne) {
+  const std::filesystem::path folder = testing::TempDir() + "/imported_fits";
+  std::filesystem::remove_all(folder);
+  MakeFolder(folder);
+  EXPECT_TRUE(ReadContactFits(folder).empty());
+  const ContactFit fit{"palm", 12, {3e-4, 5e-4}, {1e-4, 2e-4}, {6e-4, 7e-4}, {8e-4, 9e-4}};
+  const Json record = {{"files", {{"hand.urdf", CalcSha256("<robot/>")}}},
+                       {"contact", MakeContactJson({fit})}};
+  WriteFile(folder / "import.json", FormatJson(record));
+  WriteFile(folder / "hand.urdf", "<robot/>");
+  const std::vector<ContactFit> fits = ReadContactFits(folder);
+  ASSERT_EQ(fits.size(), 1u);
+  EXPECT_EQ(fits[0].link, "palm");
+  EXPECT_EQ(MakeContactJson(fits), record["contact"]);
+  WriteFile(folder / "hand.urdf", "<robot name='edited'/>");
+  EXPECT_TRUE(ReadContactFits(folder).empty());
+  WriteFile(folder / "import.json", "{}");
+  EXPECT_THROW(ReadContactFits(folder), Error);
 }
 
 TEST(ImportRecordTest, OfAnImportHasEveryRepairAndNoPath) {

@@ -285,7 +285,37 @@ TEST(FreeSpace, AHeldObjectWaitsForTheSecondFinger) {
   for (ScriptedStage& stage : pinch.stages) stage.X_OH.translation().x() = 0.2;
   const FreeSpaceResult missed = pinch.Run();
   EXPECT_FALSE(missed.passed);
-  EXPECT_NE(missed.reason.find("where two must"), std::string::npos) << missed.reason;
+  EXPECT_NE(missed.reason.find("where two of"), std::string::npos) << missed.reason;
+}
+
+// A table says how far joints close, which way the object falls, and what must touch before.
+TEST(FreeSpace, ATableOfTheGripperDecidesHowItClosesAndWhereTheObjectFalls) {
+  Pinch pinch;
+  const double squeeze = pinch.stages.back().q[0];
+  for (HandJoint& joint : pinch.hand.joints) {
+    joint.lower = -0.1;
+    joint.upper = squeeze;  // presses with kForce
+  }
+  pinch.stages.resize(1);
+  pinch.profile.closing.to = "limits";
+  pinch.profile.closing.object_is_held = true;
+  pinch.profile.test = "fall";
+  pinch.profile.surfaces.friction = 0.4;
+  pinch.profile.acceleration = 1.1 * 2.0 * 0.4 * kForce / kMass;  // more than friction stands
+  ProfiledScene scene = pinch.MakeScene();
+  scene.table = ClosingTable{Eigen::Vector2d(0.5, -1.0), Vector3d::UnitY(), {false, true, true}, 2};
+  EXPECT_TRUE(
+      CalcClosingCommand(scene, pinch.profile).isApprox(Eigen::Vector2d(squeeze / 2, -0.1)));
+  scene.table->shares.setOnes();
+  const FreeSpaceResult across = RunFreeSpace(scene, pinch.profile);
+  EXPECT_FALSE(across.passed);
+  EXPECT_EQ(across.failed_stage, "fall") << across.reason;
+  scene.table->down_H = Vector3d::UnitX();  // against a finger
+  const FreeSpaceResult along = RunFreeSpace(scene, pinch.profile);
+  EXPECT_TRUE(along.passed) << along.reason;
+  scene.table->counts[1] = false;  // the other finger alone is not enough
+  const FreeSpaceResult missed = RunFreeSpace(scene, pinch.profile);
+  EXPECT_NE(missed.reason.find("where 2 links must"), std::string::npos) << missed.reason;
 }
 
 // A hand with a longer chain than the solver holds is a result.

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/hand/contact_fit.h"
 #include "core/shape/primitives.h"
 
@@ -41,11 +44,30 @@ TEST(PackBallsTest, APadHasNoBallBelow1Mm) {
   EXPECT_LE(Pack({0.016, 0.014, 0.042}, kSmallestPadBall).sink.at_95, 0.0015);
 }
 
+// 27 x 27 cubes, each with a ball of its own at least.
+TEST(PackBallsTest, AtMost600GoIntoALink) {
+  TriMesh cubes;
+  const TriMesh cube = MakeRoundedBox(Vector3d::Constant(0.003), 0.0);
+  for (int k = 0; k < 27 * 27; ++k) {
+    const int first = static_cast<int>(cubes.vertices.size());
+    for (const Vector3d& p : cube.vertices) {
+      cubes.vertices.push_back(p + 0.008 * Vector3d(k % 27, k / 27, 0.0));
+    }
+    for (const Eigen::Vector3i& t : cube.triangles) {
+      cubes.triangles.push_back(t + Eigen::Vector3i::Constant(first));
+    }
+  }
+  const size_t num_balls = PackBalls(LinkSolid({cubes}), {}, 0.0).size();
+  EXPECT_LE(num_balls, 600u);
+  EXPECT_GE(num_balls, 590u);
+}
+
 TEST(PackBallsTest, WhatIsCoveredNeedsNone) {
   const LinkSolid solid({MakeSphere(0.01, 48)});
   EXPECT_TRUE(PackBalls(solid, {{0, Vector3d::Zero(), 0.01}}, 0.0).empty());
   EXPECT_LE(PackBalls(solid, {}, 0.0).size(), 3u);
 }
+
 
 TEST(InscribeCapsulesTest, LieWithinABarAndReachItsEnds) {
   const Vector3d half(0.008, 0.007, 0.021);
