@@ -22,11 +22,11 @@ struct WorkOptions {
 
 /** @returns seconds. */
 double ParseTime(const std::string& text) {
-  constexpr std::pair<char, double> kUnits[] = {{'s', 1.0}, {'m', 60.0}, {'h', 3600.0}};
+  constexpr std::pair<char, double> kTimeUnits[] = {{'s', 1.0}, {'m', 60.0}, {'h', 3600.0}};
   double number = 0.0;
   const char* const end = text.data() + text.size();
   const auto read = std::from_chars(text.data(), end, number);
-  for (const auto& [unit, seconds] : kUnits) {
+  for (const auto& [unit, seconds] : kTimeUnits) {
     const bool is_time = read.ec == std::errc() && number > 0.0 && std::isfinite(number);
     if (is_time && std::string_view(read.ptr) == std::string_view(&unit, 1)) {
       return number * seconds;
