@@ -449,7 +449,7 @@ StrategyCommand TableLift::NextCommand(const StrategyObservation& observation, i
   const double arrival = setup_.strategy.placing_time - setup_.strategy.closure_lead;
   if (phase == Phase::kPlacing && !notes_.palm.has_ended() &&
       notes_.strategy.time_in_phase() + duration >= arrival) {
-    notes_.palm.Advance(duration, notes_.report.arm_force);
+    notes_.palm.Advance(duration, notes_.report.arm_force, setup_.sim.arm_stiffness);
     StrategyCommand stays;
     stays.distance = notes_.strategy.CalcPlacingDistance(setup_.strategy.closure_lead);
     return stays;

@@ -8,29 +8,32 @@
 namespace graspbench {
 namespace {
 
-constexpr double kStep = 0.002;
+constexpr double kStep = 0.002, kStiffness = 2e4;
 
 // 0 to 10 mm/s in 0.1 s is 0.5 mm; the 15.5 mm that are left take 1.55 s.
 TEST(PalmApproach, GoesItsWholeWayWithoutATouch) {
   PalmApproach palm(true);
   EXPECT_EQ(palm.offset(), -0.008);
   int num_steps = 0;
-  for (; !palm.has_ended(); ++num_steps) palm.Advance(kStep, 0.0);
+  for (; !palm.has_ended(); ++num_steps) palm.Advance(kStep, 0.0, kStiffness);
   EXPECT_NEAR(num_steps * kStep, 1.65, 0.01);
   EXPECT_NEAR(palm.offset(), 0.008, 2e-5);
   EXPECT_FALSE(palm.has_touched());
   EXPECT_EQ(palm.speed(), 0.0);
 }
 
-TEST(PalmApproach, StaysWhereTheArmBearsTheThreshold) {
+TEST(PalmApproach, StaysAndPressesWhereTheArmBearsTheThreshold) {
   PalmApproach palm(true);
-  for (int k = 0; k < 400; ++k) palm.Advance(kStep, 0.999);
+  for (int k = 0; k < 400; ++k) palm.Advance(kStep, 0.999, kStiffness);
   const double before = palm.offset();
-  palm.Advance(kStep, 1.0);
+  palm.Advance(kStep, 1.0, kStiffness);
   EXPECT_TRUE(palm.has_touched());
-  EXPECT_EQ(palm.offset(), before);
-  palm.Advance(kStep, 0.0);
-  EXPECT_EQ(palm.offset(), before);
+  EXPECT_FALSE(palm.has_ended()) << "it settles";
+  EXPECT_NEAR(palm.offset(), before + 5e-5, 1e-12) << "1 N at 20 N/mm";
+  palm.Advance(kStep, 0.0, kStiffness);
+  EXPECT_NEAR(palm.offset(), before + 5e-5, 1e-12);
+  for (int k = 0; k < 51; ++k) palm.Advance(kStep, 0.0, kStiffness);
+  EXPECT_TRUE(palm.has_ended()) << "after 0.1 s";
 }
 
 TEST(PalmApproach, AGraspThatDoesNotSeekHasArrived) {
