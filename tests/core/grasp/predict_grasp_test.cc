@@ -180,8 +180,8 @@ TEST_F(PredictGraspTest, APowerGraspComesFromWhereThePalmBears) {
 TEST_F(PredictGraspTest, TheOtherWayIsNotTakenPastTheObject) {
   const GraspObject block = MakeObject(MakeRoundedBox({0.04, 0.09, 0.025}, 1e-5));
   const Hand hand = LoadHand("tum");
-  const Grasp power = LoadStandardGrasps(hand).at(2);
-  ASSERT_EQ(power.id, "g3");
+  const Grasp power = LoadStandardGrasps(hand).at(5);
+  ASSERT_EQ(power.id, "g6");
   Grasp side = power;
   side.approach = Approach::kSide;
   const GraspPrediction past = PredictGrasp(hand, side, block);
