@@ -17,7 +17,7 @@ namespace graspbench {
 inline constexpr double kPalmTouchForce = 1.0;      ///< [N]
 inline constexpr double kPalmStandOff = 0.008;      ///< [m]
 inline constexpr double kPalmSearchLength = 0.016;  ///< [m]
-inline constexpr double kPalmSearchSpeed = 0.01;    ///< [m/s]
+inline constexpr double kPalmSearchSpeed = 0.005;   ///< [m/s]
 inline constexpr double kPalmSettleTime = 0.1;      ///< from the touch to the closure [s]
 inline constexpr double kPalmSearchRamp = 0.1;      ///< until it has that speed [s]
 
