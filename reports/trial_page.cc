@@ -70,6 +70,21 @@ Html DrawTaxels(const DrawnTrial& data) {
                     MakeScroll(text.title, DrawHandMap(hand, forces, text)));
 }
 
+/** What would have held, and each remedy that was tried. */
+Html DrawRemedies(const DrawnTrial& data) {
+  if (!data.explanation) return Html();
+  Table table("Remedies, each tried by running the trial again.",
+              {"Remedy", "This draw", "Fresh draws", "Mended", "Broken"});
+  for (const RemedyResult& remedy : data.explanation->remedies) {
+    const bool is_tried = remedy.num_draws > 0;
+    table.AddRow({NameRemedy(remedy.id), remedy.holds ? "holds" : "fails",
+                  is_tried ? std::to_string(remedy.num_draws) : "only explains",
+                  is_tried ? std::to_string(remedy.num_mended) : "-",
+                  is_tried ? std::to_string(remedy.num_broken) : "-"});
+  }
+  return MakeParagraph(DescribeExplanation(*data.explanation)) + table.ToHtml();
+}
+
 Html DrawResult(const DrawnTrial& data) {
   const TrialResult& result = data.record.result;
   const std::string reason = result.reason.empty() ? "." : ": " + result.reason + ".";
@@ -82,7 +97,7 @@ Html DrawResult(const DrawnTrial& data) {
                        (result.opposition ? std::string(" Opposition: ") +
                                                 RowOf(kOppositions, *result.opposition).name + "."
                                           : "")) +
-         diagnosis + DrawController(data);
+         diagnosis + DrawRemedies(data) + DrawController(data);
 }
 
 Html DrawMeasures(const DrawnTrial& data) {

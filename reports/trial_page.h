@@ -7,6 +7,7 @@ One trial as one page: what was grasped and how, how it ended and why, pictures,
 #include <utility>
 #include <vector>
 
+#include "core/trial/remedies.h"
 #include "core/trial/trial_setup.h"
 #include "core/trial/trial_trace.h"
 #include "datasets/records/trial_record.h"
@@ -20,9 +21,10 @@ struct TrialPageData {
   std::optional<TracedTrial> traced = {};  ///< unset: nobody can carry it out again
   /** A heading and plain text in columns, shown as it is. */
   std::vector<std::pair<std::string, std::string>> cards;
-  std::vector<std::string> script;         ///< lines of the shell that lead here
-  std::vector<std::string> commands = {};  ///< that make the page again
-  std::vector<std::string> warnings = {};  ///< what a reader must know, as sentences
+  std::vector<std::string> script;              ///< lines of the shell that lead here
+  std::vector<std::string> commands = {};       ///< that make the page again
+  std::vector<std::string> warnings = {};       ///< what a reader must know, as sentences
+  std::optional<Explanation> explanation = {};  ///< of a failure: what would have held
 };
 
 /** A self-contained page like the session's report. Without a renderer it has no pictures and says

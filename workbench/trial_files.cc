@@ -162,6 +162,7 @@ std::string MakeWholePage(const TrialFileOptions& options, const ExaminedTrial& 
   data.cards = {{"Trial", FormatTrial(trial, options.folder)}};
   data.script = {"open " + QuoteForShell(options.folder) + " " + trial.planned.id, "run"};
   data.commands = {"graspbench trial DIR " + trial.planned.id + " --page FILE.html"};
+  data.explanation = trial.explanation;
   if (!trial.recorded || trial.difference) data.warnings = {FormatComparison(trial)};
   return MakeTrialPage(data);
 }

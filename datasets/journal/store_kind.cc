@@ -56,14 +56,16 @@ const StoreKind kSessionStore = {
     /*remedy=*/"rerun the session into a new folder",
     /*files=*/{"session.json", "plan.jsonl", "inputs/grasps/*", "inputs/*/*/*", "inputs/*/*/*/*"},
     /*derived=*/{"basin.csv"},
-    /*journals=*/{"journal/*.jsonl", "judge/*.jsonl", "workers/*.jsonl"},
+    /*journals=*/{"journal/*.jsonl", "judge/*.jsonl", "explain/*.jsonl", "workers/*.jsonl"},
     /*stores=*/{"sensitivity/*", "numerics/*", "delays/*", "thresholds/*", "map/*", "schedules/*"},
     /*keeps_torn_lines=*/true,
-    /*shared_journals=*/{"journal/*-*.jsonl", "judge/*-*.jsonl", "workers/*-*.jsonl"},
+    /*shared_journals=*/
+    {"journal/*-*.jsonl", "judge/*-*.jsonl", "explain/*-*.jsonl", "workers/*-*.jsonl"},
     /*outputs=*/{"check-numerics", "export", "report"},
     /*lines=*/
     {{{"journal/*.jsonl"}, {"trial_id", "hand", "result"}},
      {{"judge/*.jsonl"}, {"trial_id", "judge_version", "judgement"}},
+     {{"explain/*.jsonl"}, {"trial_id", "explain_version", "explanation"}},
      kWorkerLines}};
 const StoreKind kSceneStore = {
     /*name=*/"optimisation",

@@ -6,6 +6,7 @@
 #include "core/base/files/files.h"
 #include "core/base/hash.h"
 #include "datasets/journal/append_file.h"
+#include "datasets/session/explanation_store.h"
 #include "datasets/session/judgement_store.h"
 #include "datasets/shards/worker_log.h"
 
@@ -164,7 +165,9 @@ int MergeSessions(const fs::path& folder, const std::vector<fs::path>& others) {
   if (others.empty()) return 0;
   Additions additions(folder);
   for (const fs::path& other : others) additions.Add(other);
-  return additions.Write();
+  const int num_trials = additions.Write();
+  for (const fs::path& other : others) MergeExplanations(folder, other);
+  return num_trials;
 }
 
 }  // namespace graspbench

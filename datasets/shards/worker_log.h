@@ -100,6 +100,7 @@ void AppendStarts(const std::filesystem::path& folder, const std::string& lines)
 /** What stands before a shard's label where its held grasps are broken, so that neither of run and
 judge takes the other's worker for its own. */
 inline constexpr char kJudgeLabel[] = "judge-";
+inline constexpr char kExplainLabel[] = "explain-";
 
 /** How the files begin that a merge writes, in the place of a shard's label. */
 inline constexpr char kMergedLabel[] = "merged";

@@ -1,4 +1,5 @@
 #include "core/base/text/text.h"
+#include "datasets/session/explanation_store.h"
 #include "datasets/session/find_trial.h"
 #include "reports/page/layout.h"
 #include "reports/page/models.h"
@@ -29,6 +30,29 @@ Html LinkToView(const ReportData& data, const PlannedTrial& planned) {
   return LinkTo(has_view ? anchor : "views", has_view ? "show" : "how");
 }
 
+/** What the session's explanations say of those in the table. */
+Html DrawExplanations(const ReportData& data, const std::vector<const TrialRecord*>& failures) {
+  const Explanations known = LoadExplanations(data.session.folder);
+  Table table("What would have held, found by running failed trials again.",
+              {{"Trial", "leads to all its values"}, "Remedies"});
+  int num_explained = 0;
+  for (const TrialRecord* record : failures) {
+    const auto explained = known.find(record->plan.id);
+    if (explained == known.end()) continue;
+    ++num_explained;
+    table.AddRow({LinkTo(MakeTrialAnchor(record->plan), NameTrial(record->plan)),
+                  DescribeExplanation(explained->second)});
+  }
+  const Html how =
+      Element("p", {},
+              Text("Of each condition at most one failure is explained unless "
+                   "all are asked for: ") +
+                  Element("code", {}, "graspbench explain FOLDER --all") +
+                  Text(". Here: " + std::to_string(num_explained) + " of " +
+                       FormatCount(static_cast<int64_t>(failures.size()), "failure") + "."));
+  return num_explained > 0 ? how + table.ToHtml() : how;
+}
+
 Html DrawFailedTrials(const ReportData& data) {
   const Tally& total = data.summary.total;
   if (total.finished == total.successes()) return MakeParagraph("No finished trial failed.");
@@ -54,7 +78,8 @@ Html DrawFailedTrials(const ReportData& data) {
     html += MakeParagraph(std::to_string(num_rows) + " of " + FormatCount(num_all, "trial") +
                           "; export/trials.csv has all of them.");
   }
-  return Element("div", {{"class", "screen"}}, html + table.ToHtml()) +
+  return Element("div", {{"class", "screen"}},
+                 html + table.ToHtml() + DrawExplanations(data, failures)) +
          Element("p", {{"class", "print"}},
                  FormatCount(num_all, "trial") + " failed; export/trials.csv names them.");
 }

@@ -26,7 +26,8 @@ enum class StageKind {
   kDevelopment,
   kReplay,
   kGrasps,
-  kRehearsal
+  kRehearsal,
+  kExplain
 };
 struct StageRow {
   StageKind value;
@@ -46,7 +47,8 @@ inline constexpr StageRow kStages[] = {
     {StageKind::kReplay, "replay", "trial", "trials", "replay", "trials", true},
     {StageKind::kGrasps, "grasps", "verdict", "verdicts", "find", "verdicts", false},
     {StageKind::kRehearsal, "rehearsal", "pair of hand and object", "pairs of hand and object",
-     "rehearse", "pairs", true}};
+     "rehearse", "pairs", true},
+    {StageKind::kExplain, "explain", "failure", "failures", "explain", "failures", false}};
 
 /** A part of an experiment with a progress of its own. */
 struct Stage {

@@ -7,8 +7,10 @@
 #include "core/base/hash.h"
 #include "core/trial/judge/judge.h"
 #include "datasets/analysis/conditions/threshold_summary.h"
+#include "datasets/plan/failed_trial.h"
 #include "datasets/plan/grip_check.h"
 #include "datasets/plan/session_inputs.h"
+#include "datasets/session/explanation_store.h"
 #include "datasets/session/judgement_store.h"
 #include "datasets/shards/worker_log.h"
 #include "workbench/experiments/output_folder.h"
@@ -36,7 +38,7 @@ void CheckSameResult(const Session& session, const PlannedTrial& planned,
   throw Error(ErrorKind::kVersion, "trial " + planned.id + " (" + DescribeTrial(planned) +
                                        ") gives another result than its record: the session was "
                                        "run by another build or on another machine; run it again "
-                                       "to judge it");
+                                       "to judge or explain it");
 }
 
 MakeBatchWorker MakeSessionWorkers(const Session& session, const SessionInputs& inputs,
@@ -71,6 +73,54 @@ MakeBatchWorker MakeJudgeWorkers(const Session& session, const SessionInputs& in
     made.give_up = [](const TrialRecord&) {};
     return made;
   };
+}
+
+/** Workers that run failed trials again, with remedies, and write what held.
+@throws (in a worker) Error(kVersion) when a trial gives another result than its record. */
+MakeBatchWorker MakeExplainWorkers(const Session& session, const SessionInputs& inputs,
+                                   const fs::path& folder, const std::string& label) {
+  return [&session, &inputs, folder, label](int worker) {
+    const auto writer = std::make_shared<ExplanationWriter>(folder, worker, label);
+    const auto bench = std::make_shared<TrialBench>();
+    const auto explanation = std::make_shared<Explanation>();  // of the trial that has just run
+    BatchWorker made;
+    made.prepare = [&session, &inputs, bench,
+                    explanation](const PlannedTrial& planned) -> std::function<TrialResult()> {
+      TrialSetup setup = MakeTrialSetup(session.config, inputs, planned);
+      TrialRunner& runner = bench->Prepare(setup);
+      const auto failed =
+          std::make_shared<FailedTrial>(MakeFailedTrial(session.config, inputs, planned, setup));
+      return [bench, &runner, failed, explanation] {
+        failed->result = runner.Run(failed->setup);
+        *explanation = ExplainFailure(runner, *failed);
+        return failed->result;
+      };
+    };
+    made.keep = [&session, writer, explanation](const TrialRecord& record) {
+      CheckSameResult(session, record.plan, record.result);
+      writer->Append(record.plan.id, *explanation);
+    };
+    made.give_up = [](const TrialRecord&) {};
+    return made;
+  };
+}
+
+std::vector<PlannedTrial> FindOneOfEach(const Session& session) {
+  return FindUnexplained(session, ExplainScope::kOneOfEach);
+}
+
+std::vector<PlannedTrial> FindAllUnexplained(const Session& session) {
+  return FindUnexplained(session, ExplainScope::kAll);
+}
+
+/** A finished session, whose inputs are still those it was run with. */
+PreparedSession LoadFinished(const fs::path& folder, OnDamage on_damage) {
+  PreparedSession finished;
+  finished.session = LoadSession(folder, on_damage, RecordParts::kBrief);
+  const Session& session = finished.session;
+  finished.inputs = LoadSessionInputs(session.config, FieldUse::kLater, folder);
+  CheckSameSession(session, session.config, MakePlan(session.config, finished.inputs));
+  return finished;
 }
 
 /** Trials go on where earlier runs ended. */
@@ -122,6 +172,10 @@ const RoundKind kBenchmarkRound = {StageKind::kBenchmark, "trial", "", FindUnfin
                                    MakeSessionWorkers};
 const RoundKind kJudgeRound = {StageKind::kJudge, "held grasp", kJudgeLabel, FindUnjudged,
                                MakeJudgeWorkers};
+const RoundKind kExplainRound = {StageKind::kExplain, "failure", kExplainLabel, FindOneOfEach,
+                                 MakeExplainWorkers};
+const RoundKind kExplainAllRound = {StageKind::kExplain, "failure", kExplainLabel,
+                                    FindAllUnexplained, MakeExplainWorkers};
 const RoundKind kThresholdRound = {StageKind::kRun, "trial", "", FindThresholdTrials,
                                    MakeSessionWorkers};
 
@@ -145,17 +199,19 @@ RunRecord RunRound(const RoundKind& kind, const PreparedSession& prepared, int n
 
 JudgeRound JudgeSession(const fs::path& folder, int num_workers, Observer& observer,
                         OnDamage on_damage, double trial_time_limit) {
-  PreparedSession finished;
-  finished.session = LoadSession(folder, on_damage, RecordParts::kBrief);
-  const Session& session = finished.session;
-  finished.inputs = LoadSessionInputs(session.config, FieldUse::kLater, folder);
-  CheckSameSession(session, session.config, MakePlan(session.config, finished.inputs));
+  const PreparedSession finished = LoadFinished(folder, on_damage);
   JudgeRound round;
-  for (const PlannedTrial& trial : FindUnjudged(session)) round.asked.insert(trial.id);
+  for (const PlannedTrial& trial : FindUnjudged(finished.session)) round.asked.insert(trial.id);
   round.is_complete =
       RunRound(kJudgeRound, finished, num_workers, observer, trial_time_limit).ending ==
       RunEnding::kFinished;
   return round;
+}
+
+bool ExplainSession(const fs::path& folder, const RoundKind& kind, int num_workers,
+                    Observer& observer, OnDamage on_damage, double trial_time_limit) {
+  return RunRound(kind, LoadFinished(folder, on_damage), num_workers, observer, trial_time_limit)
+             .ending == RunEnding::kFinished;
 }
 
 }  // namespace graspbench

@@ -65,6 +65,8 @@ struct RoundKind {
 extern const RoundKind kTrialRound;      ///< the trials of a session
 extern const RoundKind kBenchmarkRound;  ///< those of a campaign's benchmark
 extern const RoundKind kJudgeRound;      ///< breaks what they held
+extern const RoundKind kExplainRound;    ///< one failure of each condition, run again with remedies
+extern const RoundKind kExplainAllRound;  ///< every failure
 /** Of grip thresholds what the bisection of each draw asks for next; asked again until it is
 nothing. */
 extern const RoundKind kThresholdRound;
@@ -94,5 +96,11 @@ objects or physics have changed since. */
 JudgeRound JudgeSession(const std::filesystem::path& folder, int num_workers, Observer& observer,
                         OnDamage on_damage = OnDamage::kRefuse,
                         double trial_time_limit = kTrialTimeLimit);
+
+/** Explains failures of a session (core/trial/remedies.h) that are not explained yet.
+@returns whether nothing is left. @throws as JudgeSession. */
+bool ExplainSession(const std::filesystem::path& folder, const RoundKind& kind, int num_workers,
+                    Observer& observer, OnDamage on_damage = OnDamage::kRefuse,
+                    double trial_time_limit = kTrialTimeLimit);
 
 }  // namespace graspbench

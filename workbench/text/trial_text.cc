@@ -11,7 +11,9 @@
 #include "core/grasp/standard_grasp.h"
 #include "core/trial/measures/diagnosis_text.h"
 #include "core/trial/measures/object_in_hand.h"
+#include "datasets/plan/failed_trial.h"
 #include "datasets/records/trace_table.h"
+#include "datasets/session/explanation_store.h"
 #include "datasets/session/find_trial.h"
 #include "objects/catalogue.h"
 #include "workbench/experiments/machines/shell_quote.h"
@@ -324,6 +326,21 @@ std::string FormatObjectDraw(const TrialDraw& draw) {
                      FormatFixed(DegFromRad(draw.offset_yaw), 1));
 }
 
+namespace {
+
+/** That of the session where its record is the same, or a new one. */
+Explanation FindExplanation(const Session& session, const SessionInputs& inputs,
+                            const ExaminedTrial& trial, TrialRunner& runner) {
+  const Explanations known = LoadExplanations(session.folder);
+  const auto stored = known.find(trial.planned.id);
+  if (stored != known.end() && !trial.difference) return stored->second;
+  FailedTrial failed = MakeFailedTrial(session.config, inputs, trial.planned, trial.setup);
+  failed.result = trial.traced.result;
+  return ExplainFailure(runner, failed);
+}
+
+}  // namespace
+
 ExaminedTrial ExamineTrial(const Session& session, const PlannedTrial& planned, double interval) {
   const SessionInputs inputs = LoadTrialInputs(session, planned);
   ExaminedTrial trial;
@@ -335,6 +352,9 @@ ExaminedTrial ExamineTrial(const Session& session, const PlannedTrial& planned, 
   if (const TrialRecord* record = FindRecord(session, planned)) {
     trial.recorded = LoadWhole(session, *record).result;
     trial.difference = FindFirstDifference(*trial.recorded, trial.traced.result);
+  }
+  if (trial.traced.result.diagnosis && !trial.traced.result.policy) {
+    trial.explanation = FindExplanation(session, inputs, trial, runner);
   }
   const NearestSuccess nearest =
       FindNearestSuccess(session, planned, 0.5 * trial.setup.object->size.x());
@@ -367,6 +387,7 @@ std::string FormatTrial(const ExaminedTrial& trial, const std::string& folder) {
   if (!result.contacts.empty()) text += FormatDigits(trial);
   text += FormatSeat(result) + FormatGrip(result);
   if (result.diagnosis) text += "why      " + DescribeDiagnosis(result) + "\n";
+  if (trial.explanation) text += "remedies " + DescribeExplanation(*trial.explanation) + "\n";
   if (trial.nearest && !IsSuccess(result.outcome)) {
     text += fmt::format("nearest  {} succeeded; its object stood {} mm from this one\n",
                         NameTrial(trial.nearest->plan),
@@ -396,6 +417,8 @@ Json MakeTrialJson(const ExaminedTrial& trial, const std::string& folder) {
   const std::optional<Diagnosis>& diagnosis = trial.traced.result.diagnosis;
   json["diagnosis"] = diagnosis ? RecordToJson(*diagnosis) : Json();
   if (diagnosis) json["diagnosis"]["text"] = DescribeDiagnosis(trial.traced.result);
+  json["explanation"] = trial.explanation ? RecordToJson(*trial.explanation) : Json();
+  if (trial.explanation) json["explanation"]["text"] = DescribeExplanation(*trial.explanation);
   json["nearest_success"] = trial.nearest ? Json{{"trial_id", trial.nearest->plan.id},
                                                  {"name", NameTrial(trial.nearest->plan)},
                                                  {"distance_m", trial.nearest_distance}}

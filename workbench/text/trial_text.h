@@ -7,6 +7,7 @@ and what a replay of many has found. */
 #include <string>
 
 #include "core/base/text/json.h"
+#include "core/trial/remedies.h"
 #include "core/trial/trial_trace.h"
 #include "datasets/records/trial_record.h"
 #include "datasets/session/find_trial.h"
@@ -22,9 +23,13 @@ struct ExaminedTrial {
   std::optional<FieldDifference> difference;  ///< of the two; unset: none
   std::optional<TrialRecord> nearest;         ///< successful trial of the cell; unset: none
   double nearest_distance = kUnset;           ///< of the two draws [m]
+  /** What would have held: the session's, or found now; of a failure with a mechanism and without a
+  controller. */
+  std::optional<Explanation> explanation;
 };
 
-/** @param interval  of the trace [s]; 0: every step.
+/** Of a failure that the session has not explained some 90 trials run (core/trial/remedies.h).
+@param interval  of the trace [s]; 0: every step.
 @throws Error when the session's hand or object cannot be loaded any more. */
 ExaminedTrial ExamineTrial(const Session& session, const PlannedTrial& planned, double interval);
 

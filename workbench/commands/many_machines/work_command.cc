@@ -38,7 +38,7 @@ double ParseTime(const std::string& text) {
 
 /** A worker reads no journal but its own. */
 void WarnOfOtherJournals(const ShardRequest& request) {
-  if (FindStoreKind(request.folder) != &kSessionStore || request.judge) return;
+  if (FindStoreKind(request.folder) != &kSessionStore || request.judge || request.explain) return;
   std::set<int> counts = FindShardCounts(request.folder);
   counts.erase(request.shard.count);
   if (counts.empty()) return;
@@ -82,6 +82,8 @@ void AddWorkCommand(Command& program) {
   AddStoreFolder(command, request.folder, "folder made with --plan-only");
   command.AddRequired("--shard", options->shard, "which part of how many, from 1/N to N/N", "K/N");
   command.AddFlag("--judge", request.judge, "break what the shard's trials held; after a merge");
+  command.AddFlag("--explain", request.explain,
+                  "explain one failure of each condition; after a merge");
   command
       .AddOption("--time-budget", options->time_budget,
                  "stop when this time is over, finish the current trial, exit with 75", "TIME")

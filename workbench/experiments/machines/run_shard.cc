@@ -178,9 +178,12 @@ class SessionShard {
         folder_(request.folder),
         label_(FormatLabel(request.shard)),
         budget_(request.time_budget, observer),
-        session_(request.judge ? LoadSession(folder_, OnDamage::kRefuse, RecordParts::kBrief)
+        asks_records_(request.judge || request.explain),
+        session_(asks_records_ ? LoadSession(folder_, OnDamage::kRefuse, RecordParts::kBrief)
                                : LoadShardOfSession(folder_, label_)),
-        round_(request.judge ? kJudgeRound : FindTrialRound(session_.config)) {
+        round_(request.judge     ? kJudgeRound
+               : request.explain ? kExplainRound
+                                 : FindTrialRound(session_.config)) {
     CheckProgram(kSessionStore, request);
   }
 
@@ -189,9 +192,9 @@ class SessionShard {
                                               ? PartitionDraws(session_.plan, request_.shard)
                                               : PartitionPlan(session_.plan, request_.shard);
     std::vector<PlannedTrial> trials = Intersect(round_.find_left(session_), own);
-    if (request_.judge) CheckSomeFinished(own);
+    if (asks_records_) CheckSomeFinished(own);
     ShardResult result;
-    result.num_all = static_cast<int>(request_.judge ? trials.size() : own.size());
+    result.num_all = static_cast<int>(asks_records_ ? trials.size() : own.size());
     result.num_left = static_cast<int>(trials.size());
     result.unit = round_.unit;
     const std::string label = round_.label + label_;
@@ -225,10 +228,11 @@ class SessionShard {
 
   void CheckSomeFinished(const std::vector<PlannedTrial>& own) const {
     if (own.empty() || Intersect(FindUnfinished(session_), own).size() < own.size()) return;
-    throw Error(ErrorKind::kUsage, "none of the shard's " +
-                                       FormatCount(static_cast<int64_t>(own.size()), "trial") +
-                                       " has run, so that there is nothing to judge; work on it "
-                                       "without --judge first, then merge");
+    throw Error(ErrorKind::kUsage,
+                "none of the shard's " + FormatCount(static_cast<int64_t>(own.size()), "trial") +
+                    " has run, so that there is nothing to " +
+                    (request_.judge ? "judge" : "explain") + "; work on it without --" +
+                    (request_.judge ? "judge" : "explain") + " first, then merge");
   }
 
   void LoadInputs(const std::optional<SessionInputs>& inputs,
@@ -246,6 +250,7 @@ class SessionShard {
   const fs::path folder_;
   const std::string label_;
   TimeBudget budget_;
+  const bool asks_records_;
   const Session session_;
   const RoundKind& round_;
   SessionInputs inputs_;
@@ -394,6 +399,14 @@ int CountCards(const fs::path& folder) {
 void CheckRequest(const ShardRequest& request) {
   const StoreKind* kind = FindStoreKind(request.folder);
   const bool is_campaign = kind == &kCampaignStore, is_scene = kind == &kSceneStore;
+  if (request.judge && request.explain) {
+    throw Error(ErrorKind::kUsage,
+                "--judge and --explain are two rounds; ask for one, then the other");
+  }
+  if (request.explain && (is_campaign || is_scene)) {
+    throw Error(ErrorKind::kUsage, "--explain is for sessions, and \"" + request.folder.string() +
+                                       "\" holds none; of a campaign explain its benchmark");
+  }
   if (request.judge && (is_campaign || is_scene)) {
     throw Error(ErrorKind::kUsage,
                 "--judge is for sessions, and \"" + request.folder.string() + "\" holds " +

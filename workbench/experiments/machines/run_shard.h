@@ -20,6 +20,7 @@ struct ShardRequest {
   std::filesystem::path folder;
   Shard shard;
   bool judge = false;        ///< of a session: break what its trials held, instead of running them
+  bool explain = false;      ///< of a session: explain one failure of each condition, instead
   bool allow_build = false;  ///< go on although another build made or began it
   int num_workers = 1;
   double time_budget = std::numeric_limits<double>::infinity();  ///< of the clock [s]
@@ -27,7 +28,7 @@ struct ShardRequest {
 };
 
 struct ShardResult {
-  int num_all = 0;   ///< of the shard; with `judge` those that were not judged before
+  int num_all = 0;   ///< of the shard; with `judge` or `explain` those that were not before
   int num_left = 0;  ///< not 0: it was stopped or the time is over; the same request goes on
   std::string unit = "trial";
   /** After the next merge there is more to do: the benchmark of a campaign. */

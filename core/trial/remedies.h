@@ -1,0 +1,96 @@
+#pragma once
+/** @file
+What would have held: a failed trial run again with one thing changed, on its own draw and on fresh
+draws of its condition. One draw alone says little: many failures stand on an edge, where any other
+draw may hold.
+
+    placebo      the object 0.2 mm along x and 0.2 degrees aside: where it holds, the trial failed
+                 on an edge
+    what a user  grip x 2 and x 4 (margin and least force, or force), a firm grip (by posture; where
+    can do       it is one, by margin as sessions do by default), digits that touch together (each
+                 later by what it touched before the last), closing at half the speed, the hand 8 mm
+                 higher or lower, another grasp
+    what only    friction at the least factor of 1.1, 1.25, 1.5 and 2 that holds, no offset, no joint
+    explains     error, half the mass; on the failed draw alone
+
+Each remedy that a user can do runs on four of ten fresh draws, and the three with the largest net
+gain, and those alike, on all ten. Net gain is what it mends less what it breaks of them. Proposed
+by graspbench. */
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/text/record_fields.h"
+#include "core/trial/trial_runner.h"
+
+namespace graspbench {
+
+inline constexpr int kNumFreshDraws = 10;
+inline constexpr int kNumFirstDraws = 4;
+/** Of ten draws, from which a remedy is named: less is within what ten draws scatter. */
+inline constexpr int kLeastNetGain = 2;
+
+/** What one remedy did. */
+struct RemedyResult {
+  std::string id;      ///< "grip-x2", "grasp-g3", "friction-x1.25", ..
+  bool holds = false;  ///< on the failed draw
+  int num_draws = 0;   ///< fresh ones that it ran on; 0: it only explains
+  int num_mended = 0;  ///< of those: it holds, and the trial as it is does not
+  int num_broken = 0;  ///< the reverse
+
+  int net_gain() const { return num_mended - num_broken; }
+
+  template <class V>
+  static void ListFields(V&& field) {
+    using R = RemedyResult;
+    field("id", &R::id);
+    field("holds", &R::holds);
+    field("num_draws", &R::num_draws);
+    field("num_mended", &R::num_mended);
+    field("num_broken", &R::num_broken);
+  }
+};
+
+struct Explanation {
+  bool is_on_edge = false;             ///< the placebo holds
+  std::vector<int> held;               ///< 1 or 0 by fresh draw, as the trial is
+  std::vector<RemedyResult> remedies;  ///< in the order above
+
+  int num_held() const;
+  /** The first of those with the largest net gain over all ten draws, if that is enough.
+  @param is_grasp  among other grasps, or among the rest. */
+  const RemedyResult* FindBest(bool is_grasp) const;
+
+  template <class V>
+  static void ListFields(V&& field) {
+    using E = Explanation;
+    field("is_on_edge", &E::is_on_edge);
+    field("held", &E::held);
+    field("remedies", &E::remedies);
+  }
+};
+
+/** "twice the grip", for a person. */
+std::string NameRemedy(const std::string& id);
+bool IsAnotherGrasp(const RemedyResult& remedy);
+
+/** A failed trial with what it takes to ask further. */
+struct FailedTrial {
+  TrialSetup setup;
+  TrialResult result;
+  std::vector<TrialDraw> fresh;  ///< draws of its condition that no session has
+  std::vector<Grasp> grasps;     ///< others that the hand can do on the object
+};
+
+/** A remedy applied. The setup's object may be another one. */
+TrialSetup ApplyRemedy(const std::string& id, const FailedTrial& failed, TrialSetup setup);
+
+/** Runs the trials, some 90. @param runner  of the setup's hand and object.
+@pre no controller moves the digits, and the default backend does the trial. */
+Explanation ExplainFailure(TrialRunner& runner, const FailedTrial& failed);
+
+/** "Fresh draws: grasp g3 holds 8 of 10, as it is 0 of 10; ..". One paragraph for a person. */
+std::string DescribeExplanation(const Explanation& explanation);
+
+}  // namespace graspbench

@@ -1,0 +1,73 @@
+#include "core/trial/remedies.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/trial/trial_setups.h"
+
+namespace graspbench {
+namespace {
+
+const RemedyResult& Find(const Explanation& explanation, const std::string& id) {
+  static const RemedyResult none{"none"};
+  for (const RemedyResult& remedy : explanation.remedies) {
+    if (remedy.id == id) return remedy;
+  }
+  ADD_FAILURE() << id;
+  return none;
+}
+
+FailedTrial Fail(const TrialSetup& setup, TrialRunner& runner) {
+  FailedTrial failed{setup, runner.Run(setup), {}, {}};
+  EXPECT_FALSE(IsSuccess(failed.result.outcome));
+  for (int i = 0; i < kNumFreshDraws; ++i) {
+    failed.fresh.push_back(setup.draw);
+    failed.fresh.back().offset_x = 1e-4 * i;
+  }
+  return failed;
+}
+
+// Coulomb: two digits bear 2 mu N. 0.98 N with mu = 0.2 ask for 2.45 N each: 0.7 N and twice it are
+// too little, four times it are enough. Half the mass asks for 1.23 N, twice the friction likewise.
+TEST(Remedies, OfTooLittleGripTheOneThatCoulombAsksForHolds) {
+  TrialSetup setup = MakeSetup("tum", "g2", MakeCube(0.1, 0.2));
+  setup.strategy.grip = "force";
+  setup.strategy.touch_speed = 0.25;
+  TrialRunner runner(setup.hand, setup.object);
+  const FailedTrial failed = Fail(setup, runner);
+  const Explanation found = ExplainFailure(runner, failed);
+  EXPECT_FALSE(found.is_on_edge);
+  EXPECT_EQ(found.num_held(), 0);
+  EXPECT_FALSE(Find(found, "grip-x2").holds);
+  EXPECT_TRUE(Find(found, "grip-x4").holds);
+  EXPECT_EQ(Find(found, "grip-x4").num_mended, kNumFreshDraws);
+  EXPECT_EQ(Find(found, "grip-x2").num_draws, kNumFirstDraws);
+  EXPECT_FALSE(Find(found, "half-mass").holds);
+  EXPECT_FALSE(Find(found, "no-offset").holds);
+  for (const RemedyResult& remedy : found.remedies) EXPECT_NE(remedy.id, "friction-x2");
+  ASSERT_TRUE(found.FindBest(false));
+  EXPECT_EQ(found.FindBest(true), nullptr) << "no other grasp was tried";
+  EXPECT_EQ(RecordToJson(found), RecordToJson(ExplainFailure(runner, failed))) << "same bytes";
+}
+
+TEST(Remedies, OnlyOnesOfAllDrawsWithEnoughGainAreNamed) {
+  Explanation found;
+  found.held.assign(kNumFreshDraws, 0);
+  found.held[0] = 1;
+  found.remedies = {{"grip-x2", true, kNumFirstDraws, 4, 0},
+                    {"slower", true, kNumFreshDraws, 2, 1},
+                    {"no-offset", true}};
+  EXPECT_EQ(found.FindBest(false), nullptr);
+  EXPECT_NE(DescribeExplanation(found).find("Nothing that was tried gains 2"), std::string::npos);
+  EXPECT_NE(DescribeExplanation(found).find("only explains: this draw also holds with no offset"),
+            std::string::npos);
+  found.remedies.push_back({"lower", false, kNumFreshDraws, 3, 1});
+  found.remedies.push_back({"grasp-g3", true, kNumFreshDraws, 8, 0});
+  ASSERT_TRUE(found.FindBest(false) && found.FindBest(true));
+  EXPECT_EQ(found.FindBest(false)->id, "lower");
+  EXPECT_EQ(found.FindBest(true)->id, "grasp-g3");
+  EXPECT_NE(DescribeExplanation(found).find("grasp g3 holds 9 of 10"), std::string::npos)
+      << DescribeExplanation(found);
+}
+
+}  // namespace
+}  // namespace graspbench
