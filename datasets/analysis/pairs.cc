@@ -78,6 +78,10 @@ class DrawNames {
 
 }  // namespace
 
+std::string FindUsedGrasp(const TrialRecord& record) {
+  return record.result.sight_grasp.value_or(record.plan.grasp);
+}
+
 std::vector<ComparedDraw> ListComparedDraws(const std::vector<ComparedSide>& sides,
                                             bool is_any_hand) {
   const auto sessions = GroupBySession(sides);

@@ -32,6 +32,9 @@ struct ComparedSide {
   std::optional<std::string> condition = {};
 };
 
+/** The planned grasp, or what the camera chose in its place (TrialResult::sight_grasp). */
+std::string FindUsedGrasp(const TrialRecord& record);
+
 /** One draw on every side; null: nothing is planned, or not finished. */
 struct ComparedDraw {
   std::string hand, object;

@@ -10,7 +10,6 @@
 #include "core/base/error.h"
 #include "core/base/text/text.h"
 #include "core/statistics/summary.h"
-#include "datasets/analysis/pairs.h"
 
 namespace graspbench {
 namespace {
@@ -79,7 +78,8 @@ SessionComparison CompareSessions(const Session& before, const Session& after) {
   comparison.num_only_after = static_cast<int>(after.records.size()) - num_pairs;
   for (SettingChange& change : ListChanges(before, "all pairs", trials)) {
     comparison.changes.push_back(std::move(change));
-    if (comparison.changes.back().num_other_grasp == 0) continue;
+    const int num_other = comparison.changes.back().num_other_grasp;
+    if (num_other == 0 || num_other == comparison.changes.back().successes.num_pairs()) continue;
     const std::string hand = comparison.changes.back().hand;
     for (SettingChange& same : ListChanges(before, "same grasp", trials, PairsTaken::kSameGrasp)) {
       if (same.hand == hand) comparison.changes.push_back(std::move(same));

@@ -4,7 +4,8 @@ Two sessions trial by trial, in the pairs of datasets/analysis/pairs.h, under ea
 have. Hands are what is compared where each session has only one.
 
 Where an object's grasp differs between the sessions, some pairs change grasp with everything else.
-Then there are two estimates: of all pairs, and of those with the same grasp.
+Then there are two estimates: of all pairs, and of those with the same grasp. Where all pairs change
+grasp, grasps are what is compared.
 
 Where both have looked for grip thresholds on the same scale, these are compared draw by draw, too. A
 draw that no grip held is above every other. */
@@ -14,6 +15,7 @@ draw that no grip held is above every other. */
 
 #include "datasets/analysis/conditions/sensitivity_summary.h"
 #include "datasets/analysis/conditions/threshold_summary.h"
+#include "datasets/analysis/pairs.h"
 
 namespace graspbench {
 
@@ -21,7 +23,7 @@ struct TrialPair {
   const TrialRecord* before = nullptr;
   const TrialRecord* after = nullptr;
 
-  bool changes_grasp() const { return before->plan.grasp != after->plan.grasp; }
+  bool changes_grasp() const { return FindUsedGrasp(*before) != FindUsedGrasp(*after); }
   bool is_won() const { return !IsSuccess(before->result.outcome) && is_success_after(); }
   bool is_lost() const { return IsSuccess(before->result.outcome) && !is_success_after(); }
 

@@ -22,7 +22,9 @@ Html DrawRates(const std::string& hand, const SensitivitySummary& summary) {
     row.low = 100.0 * change.rate_change_low;
     row.high = 100.0 * change.rate_change_high;
     row.text = FormatWithRange(row.value, row.low, row.high, 1);
-    if (change.num_left_out > 0) row.text += ", " + CountPairs(change) + " pairs";
+    row.text +=
+        ", " + CountPairs(change) + " pairs of " + FormatCount(change.num_objects, "object");
+    if (!change.no_interval.empty()) row.text += ": " + change.no_interval;
     plot.rows.push_back(row);
   }
   return MakeFigure(plot.text.title + ", on the same draws.",
@@ -34,12 +36,12 @@ Html DrawRates(const std::string& hand, const SensitivitySummary& summary) {
 Html DrawMeasures(const std::string& hand, const SensitivitySummary& summary) {
   return MakeDetails(
       "Times, ratios and sigma",
-      MakeTable("What single settings change of medians of the " + hand +
-                    ", with 95 % intervals from drawing conditions; trials in which both have the "
-                    "measure.",
-                ShowChanges(summary.changes,
-                            {"setting", "was", "pairs", "won", "lost", "GCT [ms]", "GFT [ms]",
-                             "GFT% [%]", "GOT% [%]", "sigma [N]", "left out"})));
+      MakeTable("Mean changes under single settings, " + hand +
+                    ", with 95 % intervals from drawing objects; pairs in which both trials have "
+                    "the measure.",
+                ShowChanges(summary.changes, {"setting", "was", "pairs", "objects", "won", "lost",
+                                              "GCT [ms]", "GFT [ms]", "GFT% [%]", "GOT% [%]",
+                                              "sigma [N]", "other grasp", "left out"})));
 }
 
 Html DrawHands(const ReportData& data, const SensitivitySummary& summary) {

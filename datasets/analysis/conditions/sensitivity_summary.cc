@@ -93,7 +93,7 @@ constexpr char kSensitivityFolder[] = "sensitivity";
 TrialMeasures MakeTrialMeasures(const TrialRecord& record) {
   const TrialResult& result = record.result;
   TrialMeasures measures;
-  measures.grasp = record.plan.grasp;
+  measures.grasp = FindUsedGrasp(record);
   measures.outcome = result.outcome;
   if (IsNumericalFailure(result.outcome)) return measures;
   if (!result.timing.contact_before_start) {
@@ -326,7 +326,8 @@ std::vector<HandPairs> ListPairs(const Session& session, const VariedTrials& tri
     } else if (!has_after) {
       ++hands.back().num_without_pair;
       Count(record->second->result.outcome, hands.back().left_out);
-    } else if (taken == PairsTaken::kSameGrasp && varied->second.grasp != planned.grasp) {
+    } else if (taken == PairsTaken::kSameGrasp &&
+               varied->second.grasp != FindUsedGrasp(*record->second)) {
       ++hands.back().num_other_grasp;
       Count(record->second->result.outcome, hands.back().left_out);
       Count(varied->second.outcome, hands.back().left_out);

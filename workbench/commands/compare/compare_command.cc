@@ -125,8 +125,7 @@ void Compare(const CompareOptions& options) {
                      " only in the second\n";
   if (const int num = comparison.num_other_grasp(); num > 0) {
     text += std::to_string(num) + " of " +
-            FormatCount(static_cast<int64_t>(comparison.pairs.size()), "pair") +
-            " changed grasp; \"same grasp\" leaves them out\n";
+            FormatCount(static_cast<int64_t>(comparison.pairs.size()), "pair") + " changed grasp\n";
   }
   if (!comparison.settings.empty()) text += "settings that differ, of the first and the second\n";
   for (const std::string& setting : comparison.settings) text += "  " + setting + "\n";
