@@ -1,18 +1,18 @@
 #pragma once
 /** @file
-Trials of the same draws under two conditions or in two sessions: which belong together, and what the
-change between them is. Sweeps, sensitivity, delays, numerics and comparisons of sessions all pair
-and estimate here, so that one question has one answer.
+Trials of the same draws under two conditions or in two sessions: which belong together, and what
+the change between them is. Sweeps, sensitivity, delays, numerics and comparisons of sessions all
+pair and estimate here, so that one question has one answer.
 
 A draw is one hand, object and number of a trial, with the object in the very same place. Its trials
 are compared whatever grasp each of them was done with; only an object that one of the sides grasps
 in several ways is compared grasp by grasp. What has no partner is counted.
 
-The change of a measure is the mean over the draws of its differences. Draws of one object are alike,
-so the 95 % interval comes from drawing objects (core/statistics/bootstrap.h). Of success, where
-there are fewer than 5 objects or all change alike, it is Newcombe's of the pairs
-(core/statistics/proportion.h) and speaks for these objects alone. Where all compared trials succeed,
-or all fail, success cannot be decided, and there is none. */
+The change of a measure is the mean over the draws of its differences. Draws of one object are
+alike, so the 95 % interval comes from drawing objects (core/statistics/bootstrap.h). Of success,
+where there are fewer than 5 objects or all change alike, it is Newcombe's of the pairs
+(core/statistics/proportion.h) and speaks for these objects alone. Where all compared trials
+succeed, or all fail, success cannot be decided, and there is none. */
 
 #include <map>
 #include <optional>

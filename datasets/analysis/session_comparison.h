@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-Two sessions trial by trial, in the pairs of datasets/analysis/pairs.h, under each condition that both
-have. Hands are what is compared where each session has only one.
+Two sessions trial by trial, in the pairs of datasets/analysis/pairs.h, under each condition that
+both have. Hands are what is compared where each session has only one.
 
 Where an object's grasp differs between the sessions, some pairs change grasp with everything else.
 Then there are two estimates: of all pairs, and of those with the same grasp. Where all pairs change

@@ -35,8 +35,8 @@ ConditionInputs ApplyCondition(const Condition& condition, const SessionConfig& 
 /** Whether a condition delays a digit: then all trials say how far closing moved the object. */
 bool HasDelays(const SessionConfig& config);
 
-/** Each condition with best=again. @throws Error(kUsage) where no grasp is chosen: none is named best,
-or grasps are what differs. */
+/** Each condition with best=again. @throws Error(kUsage) where no grasp is chosen: none is named
+best, or grasps are what differs. */
 std::vector<Condition> ChooseAgain(std::vector<Condition> conditions, const SessionConfig& config);
 bool ChoosesGraspAgain(const Condition& condition);
 

@@ -19,9 +19,9 @@ enum class PaperParts {
 };
 
 /** `figures/fig-NN-WORDS.svg` in the light colours without variables, links and scripts;
-`tables/tab-NN-WORDS.csv` and .tex (booktabs); NN is the page's number. Versions
-and provenance are no table of a paper. The captions of both and the
-methods, in Markdown; the references. The same page gives the same bytes. @pre a page of MakePage. */
+`tables/tab-NN-WORDS.csv` and .tex (booktabs); NN is the page's number. Versions and
+provenance are no table of a paper. The captions of both and the methods, in Markdown; the
+references. The same page gives the same bytes. @pre a page of MakePage. */
 std::vector<PaperFile> MakePaperFiles(const std::string& page, PaperParts parts);
 
 }  // namespace graspbench

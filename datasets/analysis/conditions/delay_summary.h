@@ -11,9 +11,9 @@ balance. So beside the push before lift-off there is the one until the last digi
 
 For each response the mean over the trials that have it at every delay, and the slope of a straight
 line through each trial's values, averaged over trials, with the 95 % interval of a mean change
-(datasets/analysis/pairs.h). Of failures only success, pushes and turns are defined, so the other rows
-hold the trials that succeeded at every delay: what a delay costs in stability is seen among grasps
-that survive it. */
+(datasets/analysis/pairs.h). Of failures only success, pushes and turns are defined, so the other
+rows hold the trials that succeeded at every delay: what a delay costs in stability is seen among
+grasps that survive it. */
 
 #include <string>
 #include <vector>

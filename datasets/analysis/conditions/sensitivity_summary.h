@@ -159,9 +159,9 @@ std::string FormatSetting(const std::string& setting);
 /** "10", or "6 of 10" where pairs are left out. */
 std::string CountPairs(const SettingChange& change);
 
-/** Changes as people see them, with the columns of these headings: setting (or of), was, hand, pairs,
-objects, won, lost, success [%], GCT [ms], GFT [ms], GFT% [%], GOT% [%], sigma [N], other grasp, left
-out. A cell is "-8 (-12 to
+/** Changes as people see them, with the columns of these headings: setting (or of), was, hand,
+pairs, objects, won, lost, success [%], GCT [ms], GFT [ms], GFT% [%], GOT% [%], sigma [N], other
+grasp, left out. A cell is "-8 (-12 to
 -3)", and "-8 (-12 to -3), 5 of 10 pairs" where not all pairs have the measure. */
 ShownTable ShowChanges(const std::vector<SettingChange>& changes,
                        const std::vector<std::string>& headings);

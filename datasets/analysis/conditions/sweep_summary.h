@@ -2,7 +2,8 @@
 /** @file
 What the factors of a sweep (datasets/plan/conditions.h) change, on the same draws.
 
-A draw is one hand, object and number; y(c) is a measure of its trial under the condition c. The effect of a level l of the factor A, of a draw: the mean of
+A draw is one hand, object and number; y(c) is a measure of its trial under the condition c. The
+effect of a level l of the factor A, of a draw: the mean of
 
     y(c') - y(c)    over all pairs of conditions that differ in A alone, l in c' and the base in c,
 

@@ -18,9 +18,9 @@ that was lost breaks at 0 N.
 A cell of the map is a hand, a late digit and one or two levels; its estimate is the mean over its
 pairs. 95 % intervals come from drawing objects with replacement (core/statistics/bootstrap.h); of
 objects whose means are all the same they say how many pairs may yet differ, by Wilson's interval of
-those that do: by one, and of success and push within what is possible (-1 to 1 of a sign). p is of the hypothesis that the effect of an object is as often above as
-below zero: the signs of all objects' sums are drawn (R. A. Fisher, The Design of Experiments
-(1935), 21),
+those that do: by one, and of success and push within what is possible (-1 to 1 of a sign). p is of
+the hypothesis that the effect of an object is as often above as below zero: the signs of all
+objects' sums are drawn (R. A. Fisher, The Design of Experiments (1935), 21),
 
     p = (1 + draws with a sum at least as large) / (1 + draws),
 

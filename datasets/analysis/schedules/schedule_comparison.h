@@ -19,8 +19,8 @@ least grip of the scale holds, or none does, it is not known: such draws are cou
 and where they are half of the draws or more there is no ratio. Where no grip held under one
 schedule the ratio is infinite, or 0.
 
-A schedule is compared only where it came out as its label says over the trials that are compared. With
-the digits' median shares of the closing time,
+A schedule is compared only where it came out as its label says over the trials that are compared.
+With the digits' median shares of the closing time,
 
     simultaneous  GFT is at most kMostLabelError of the closing time
     people-like   each digit's share is within kMostLabelError of people's
@@ -164,8 +164,8 @@ chose take no part.
 ScheduleComparison CompareSchedules(const Session& session, const PeopleFile& people,
                                     const std::vector<ThresholdSummary>& thresholds);
 
-/** Which schedules miss their label, and why a ratio is not known: one sentence each, that begins with
-the schedule's name. */
+/** Which schedules miss their label, and why a ratio is not known: one sentence each, that begins
+with the schedule's name. */
 std::vector<std::string> DescribeUnknown(const ScheduleCell& cell);
 
 /** inputs/grasps/people.json of a session of schedules. @throws Error(kFormat, kIo). */

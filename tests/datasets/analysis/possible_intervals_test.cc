@@ -184,8 +184,8 @@ INSTANTIATE_TEST_SUITE_P(OfObjectsAndTrials, PossibleIntervals,
                                          std::pair(5, 1), std::pair(6, 4), std::pair(21, 2)));
 
 // A map printed 100 (84 to 116 %) where every pair was pushed farther. Of 20 pairs without one that
-// differs Wilson's upper limit is z^2 / (n + z^2) = 0.1611; such a pair may be pushed less far, so the
-// mean is at least 1 - 2 * 0.1611.
+// differs Wilson's upper limit is z^2 / (n + z^2) = 0.1611; such a pair may be pushed less far, so
+// the mean is at least 1 - 2 * 0.1611.
 TEST(PossibleInterval, OfAPushThatIsTheSameEverywhereEndsAtAllPairs) {
   MapData data;
   data.factors = {{"grip", {"weak"}, false}};

@@ -101,8 +101,8 @@ TEST(SensitivitySummary, AgreesWithALoopOverAllPairs) {
   }
 }
 
-// The change is 1, 2, .. 6 s by object and nothing else varies, so the interval's limits are those of
-// all 6^6 draws of objects.
+// The change is 1, 2, .. 6 s by object and nothing else varies, so the interval's limits are those
+// of all 6^6 draws of objects.
 TEST(SensitivitySummary, DrawsObjectsAndNotTrials) {
   Session session = MakeSession({"tum"}, {"a", "b", "c", "d", "e", "f"}, "g1", 5);
   SensitivityData data = RepeatUnchanged(session);

@@ -122,8 +122,8 @@ TEST_F(PlantedSweep, ADrawWithoutOneOfTheValuesCountsNot) {
   EXPECT_EQ(summary.rows[0].num_finished, kNumObjects * kNumTrials - 1);
 }
 
-// Under A two objects are grasped otherwise, and all their trials fail: the pairs stay pairs, and the
-// effect says how many changed grasp.
+// Under A two objects are grasped otherwise, and all their trials fail: the pairs stay pairs, and
+// the effect says how many changed grasp.
 TEST_F(PlantedSweep, ADrawIsOneDrawWhateverItsGrasp) {
   Plant([](bool, bool, int, int) { return 1.0; },
         [](bool a, bool, int object, int) { return !a || object > 1; });

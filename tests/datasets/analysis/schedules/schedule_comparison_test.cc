@@ -137,8 +137,8 @@ TEST(ScheduleComparison, DrawsAtTheEndOfTheScaleHaveNoRatio) {
             "natural, or none does: such draws have no ratio");
 }
 
-// Closing takes 400 ms and the lag: 40 of 440 ms is within 10 %, 50 of 450 ms is not. People's thumb
-// comes at half of the closing time.
+// Closing takes 400 ms and the lag: 40 of 440 ms is within 10 %, 50 of 450 ms is not. People's
+// thumb comes at half of the closing time.
 TEST(ScheduleComparison, AScheduleThatMissesItsLabelIsNamedAndComparedWithNothing) {
   for (const double late : {0.04, 0.05}) {
     Session session;
