@@ -110,8 +110,8 @@ const FileKeys& ListMappingKeys();
 without a heading. */
 bool IsHeadingOf(const TableMapping& mapping, std::string_view heading);
 
-/** A mapping for a table from its heading and first rows: three columns that differ by x, y and z are
-a point, units are those of the names, else a guess that is marked as one.
+/** A mapping for a table from its heading and first rows: three columns that differ by x, y and z
+are a point, units are those of the names, else a guess that is marked as one.
 @throws Error(kUsage) for a file that needs none; Error(kFormat) when no point is found; as
 LoadRecording. */
 std::string ProposeMapping(const std::filesystem::path& table);
