@@ -21,8 +21,8 @@ struct TypeSummary {
   int num_held = 0;         ///< of these; a record without opposition is not held
   std::array<int, std::size(kOppositions)> found{};  ///< of the held, by opposition
   int num_as_called = 0;                             ///< of the held
-  /** "palm 14 %, TH 44 %": shares of the normal force in the hold, mean of the held trials whose grip
-  was regulated by exact touch; empty: none was. */
+  /** "palm 14 %, TH 44 %": shares of the normal force in the hold, mean of the held trials whose
+  grip was regulated by exact touch; empty: none was. */
   std::string parts;
 
   double share() const;  ///< as called, of the held; NaN: nothing is asked for, or nothing held

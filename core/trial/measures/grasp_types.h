@@ -46,8 +46,8 @@ std::string FindIndexFinger(const Hand& hand);
 development held: one sentence each. */
 std::vector<std::string> ListTypeFaults(const Hand& hand, const Grasp& grasp);
 
-/** Whether a choice by prediction may take this grasp for this object: one that seeks the palm is for
-the widths of its name. */
+/** Whether a choice by prediction may take this grasp for this object: one that seeks the palm is
+for the widths of its name. */
 bool IsGraspFor(const Grasp& grasp, const GraspObject& object);
 
 /** Of a held object: its opposition is the one of its name and, by pads, all grasping digits touched
