@@ -49,8 +49,10 @@ TEST(RehearsalStore, TheTableHasARowForEachCandidate) {
   ASSERT_EQ(pairs.size(), 1u);
   FinishRehearsals(folder.path(), pairs, {{"grasps/tum/can.yaml", "id: rehearsed\n"}});
   const std::string table = ReadFile(folder.path() / kCandidateTable);
-  EXPECT_TRUE(Has(table, "\ntum,can,0,g1,automatic,0,0,0,0,1,0,1,0,\"it slid, then left\"\n"));
-  EXPECT_TRUE(Has(table, "\ntum,can,1,g3,side,28.64788975654116,-0.01,0.02,0.3,2,2,1,1,\n"));
+  EXPECT_TRUE(
+      Has(table, "\ntum,can,0,g1,automatic,0.0,0.0,0.0,0.0,1,0,1.0,0,\"it slid, then left\"\n"));
+  EXPECT_TRUE(Has(table, "\ntum,can,1,g3,side,28.6478897"));  // half a radian
+  EXPECT_TRUE(Has(table, ",-0.01,0.02,0.3,2,2,1.0,1,\n"));
   EXPECT_TRUE(LoadRehearsals(folder.path()).size() == 1u);
   EXPECT_TRUE(Throws(
       [&] {
