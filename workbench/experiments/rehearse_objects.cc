@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr size_t kPairsAtOnce = 8;  ///< pairs a worker that are rehearsed before their lines are written
+constexpr size_t kPairsOfWorker =
+    8;  ///< pairs a worker that are rehearsed before their lines are written
 
 Json DescribeRehearsals(const RehearseRequest& request) {
   Json pairs = Json::array();
@@ -174,7 +175,7 @@ std::vector<RehearsedPair> RehearseObjects(const RehearseRequest& request, Obser
     for (size_t i = 0; i < request.tasks.size(); ++i) {
       if (IsCardOf(i, request.shard) && !journal.Find(static_cast<int>(i))) left.push_back(i);
     }
-    const size_t batch = kPairsAtOnce * static_cast<size_t>(std::max(1, request.num_workers));
+    const size_t batch = kPairsOfWorker * static_cast<size_t>(std::max(1, request.num_workers));
     std::optional<RehearsalStage> stage;
     if (!left.empty()) stage.emplace(left.size(), request.num_workers, recorder);
     for (size_t first = 0; is_complete && first < left.size(); first += batch) {

@@ -29,7 +29,7 @@ std::string FormatHeldDraws(const RehearsedCandidate& tried) {
   return std::to_string(tried.CountHeld()) + " of " + std::to_string(tried.outcomes.size());
 }
 
-std::string FormatChoices(const std::vector<RehearsedPair>& pairs) {
+std::string FormatRehearsed(const std::vector<RehearsedPair>& pairs) {
   TextTable table({"hand", "object", "chosen", "held", "candidates tried", "trials"});
   for (const RehearsedPair& pair : pairs) {
     const Rehearsal& result = pair.result;
@@ -88,7 +88,7 @@ void RunRehearse(RehearseOptions options) {
                       {"report", report.string()},
                       {"pairs", MakeJson(data.pairs)}});
   }
-  PrintResult(FormatChoices(data.pairs) + FormatPlaces(report, request.out / kCandidateTable) +
+  PrintResult(FormatRehearsed(data.pairs) + FormatPlaces(report, request.out / kCandidateTable) +
               "grasps   " + (request.out / "grasps").string() + "\n");
 }
 
