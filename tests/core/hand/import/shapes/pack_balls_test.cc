@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/hand/contact_fit.h"
+#include "core/hand/contact_shape.h"
 #include "core/shape/primitives.h"
 
 namespace graspbench {
@@ -68,6 +69,56 @@ TEST(PackBallsTest, WhatIsCoveredNeedsNone) {
   EXPECT_LE(PackBalls(solid, {}, 0.0).size(), 3u);
 }
 
+/** Normal force of a soft pad's balls on a plane over 4/3 E*, pressed `depth` beyond the first
+touch: sum of sqrt(r) d^1.5 (core/physics/contact.h). */
+double CalcPadForce(const std::vector<ContactSphere>& balls, const Vector3d& down, double depth) {
+  double lowest = -1.0, force = 0.0;
+  for (const ContactSphere& ball : balls) {
+    lowest = std::max(lowest, ball.p_LS.dot(down) + ball.radius);
+  }
+  for (const ContactSphere& ball : balls) {
+    const double d = ball.p_LS.dot(down) + ball.radius - lowest + depth;
+    if (d > 0.0) force += std::sqrt(ball.radius) * std::pow(d, 1.5);
+  }
+  return force;
+}
+
+std::vector<ContactSphere> PackPad(const TriMesh& mesh) {
+  std::vector<ContactSphere> balls;
+  for (const Ball& ball : PackBalls(LinkSolid({mesh}), {}, kSmallestPadBall)) {
+    balls.push_back({0, ball.centre, ball.radius});
+  }
+  return balls;
+}
+
+// A ball of a pad is one contact of its own radius: Hertz's force from every side.
+TEST(PackBallsTest, ARoundPadIsAsStiffAsHertzHasIt) {
+  for (const double radius : {0.006, 0.01, 0.015}) {
+    const std::vector<ContactSphere> balls = PackPad(MakeSphere(radius, 48));
+    for (const Vector3d& down : SpreadOnSphere(0.004)) {
+      const double hertz = std::sqrt(radius) * std::pow(0.0005, 1.5);
+      EXPECT_NEAR(CalcPadForce(balls, down, 0.0005) / hertz, 1.0, 0.05) << radius;
+    }
+  }
+}
+
+// On a flat side no more contacts share the force than in the rows of a pad that is a box.
+TEST(PackBallsTest, AFlatPadIsNoStifferThanABox) {
+  const Vector3d size(0.016, 0.014, 0.042);
+  CollisionShape box;
+  box.link = 0;
+  box.kind = CollisionShape::Kind::kBox;
+  box.size = size;
+  Hand of_box;
+  AddContact(box, true, of_box);
+  for (const double rounding : {0.003, 0.0069}) {
+    const std::vector<ContactSphere> balls = PackPad(MakeRoundedBox(size, rounding));
+    for (const double depth : {0.0003, 0.001}) {
+      EXPECT_LE(CalcPadForce(balls, Vector3d::UnitY(), depth),
+                CalcPadForce(of_box.contact_spheres, Vector3d::UnitY(), depth));
+    }
+  }
+}
 
 TEST(InscribeCapsulesTest, LieWithinABarAndReachItsEnds) {
   const Vector3d half(0.008, 0.007, 0.021);
