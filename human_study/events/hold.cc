@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/statistics/summary.h"
+#include "human_study/events/lift_off_fit.h"
 
 namespace graspbench {
 
@@ -12,7 +13,8 @@ namespace {
 
 using Column = Eigen::Index;
 
-constexpr double kRestShare = 0.1;  // of the trial, at its start
+constexpr double kRestShare = 0.1;    // of the trial, at its start
+constexpr double kLeastNoise = 1e-5;  // no marker is known better than this [m]
 
 ScalarCurve CalcRate(const ScalarCurve& curve) {
   ScalarCurve rate = curve;
@@ -26,19 +28,28 @@ ScalarCurve CalcRate(const ScalarCurve& curve) {
   return rate;
 }
 
-EventTime FindRise(const ScalarCurve& height, const LiftOffOptions& options) {
+EventTime FindRise(const ObjectTravel& travel, const LiftOffOptions& options) {
+  const ScalarCurve& height = travel.height;
   const int top = FindFirstAbove(height, options.min_rise);
   if (top < 0) return MissingEvent("the object does not rise far enough");
   return TraceBack(height, static_cast<size_t>(top), 0, options.rise, Side::kAbove);
 }
 
-EventTime FindTracedBack(const ScalarCurve& height, const LiftOffOptions& options) {
+EventTime FindTracedBack(const ObjectTravel& travel, const LiftOffOptions& options) {
+  const ScalarCurve& height = travel.height;
   const int top = FindPeak(height, {0, height.size()});
   if (top < 0 || height.values[top] < options.min_rise) {
     return MissingEvent("the object does not rise far enough");
   }
   const int half = FindFirstAbove(height, height.values[top] / 2);
   return TraceBack(CalcRate(height), static_cast<size_t>(half), 0, options.speed, Side::kAbove);
+}
+
+EventTime FindFitted(const ObjectTravel& travel, const LiftOffOptions& options) {
+  const EventTime traced = FindTracedBack(travel, options);
+  if (!traced.IsFound()) return traced;
+  const EventTime fitted = FitLiftOff(travel.unfiltered, traced.time);
+  return fitted.IsFound() ? fitted : traced;
 }
 
 /** Median of each coordinate over the start of the path; NaN when nothing is seen there. */
@@ -60,6 +71,11 @@ Eigen::Vector3d FindRestingPlace(const Trajectory& path) {
 
 const std::vector<LiftOffRule>& LiftOffRuleList() {
   static const std::vector<LiftOffRule> rules = {
+      {"fitted",
+       "where the unfiltered height of the object breaks from rest to rise: mean over all breaks "
+       "and four ways to start (with a speed, an acceleration, a jerk, a snap), weighed by how "
+       "well they explain the samples",
+       FindFitted},
       {"traced_back",
        "vertical speed of the object, traced back from half its height to the threshold "
        "(after Luciw et al. 2014)",
@@ -76,7 +92,7 @@ ObjectTravel CalcObjectTravel(const ReachTrial& trial, const LiftOffOptions& opt
   const Eigen::Vector3d up = Eigen::Vector3d(options.up_x, options.up_y, options.up_z).normalized();
 
   ObjectTravel travel;
-  for (ScalarCurve* curve : {&travel.height, &travel.displacement}) {
+  for (ScalarCurve* curve : {&travel.height, &travel.displacement, &travel.unfiltered}) {
     curve->times = trial.times;
     curve->states = origin.states;
     curve->values.resize(static_cast<Column>(trial.times.size()));
@@ -84,7 +100,11 @@ ObjectTravel CalcObjectTravel(const ReachTrial& trial, const LiftOffOptions& opt
     curve->rate_noise = smooth.speed_noise;
     curve->reach = smooth.reach;
   }
+  travel.unfiltered.noise = std::max(kLeastNoise, smooth.noise);
+  travel.unfiltered.reach = 0.0;
   travel.moved.resize(3, origin.p.cols());
+  travel.moved_unfiltered = origin.p.colwise() - place;
+  travel.unfiltered.values = travel.moved_unfiltered.transpose() * up;
   for (Column i = 0; i < origin.p.cols(); ++i) {
     const Eigen::Vector3d moved = smooth.path.p.col(i) - place;
     travel.moved.col(i) = moved;
@@ -100,7 +120,7 @@ ObjectEvents FindObjectEvents(const ObjectTravel& travel, const LiftOffOptions& 
                                  [&](const LiftOffRule& r) { return r.id == options.rule; });
   GRASPBENCH_DEMAND(rule != rules.end(), options.rule);
   ObjectEvents events;
-  events.lift_off = rule->find(travel.height, options);
+  events.lift_off = rule->find(travel, options);
   const int moved = FindFirstAbove(travel.displacement, options.displacement);
   events.moved = moved < 0 ? MissingEvent("the object never moves")
                            : TraceBack(travel.displacement, static_cast<size_t>(moved), 0,
@@ -118,6 +138,7 @@ std::vector<ObjectWay> FindWaysBeforeRise(const ObjectTravel& travel, double lea
     const Eigen::Vector3d axis = (i % 2 == 0 ? 1.0 : -1.0) * Eigen::Vector3d::Unit(i / 2);
     ObjectTravel other = travel;
     other.height.values = travel.moved.transpose() * axis;
+    other.unfiltered.values = travel.moved_unfiltered.transpose() * axis;
     const double along = other.height.values.maxCoeff<Eigen::PropagateNumbers>();
     if (!(along > least)) continue;
     const int under_way = FindFirstAbove(other.height, kUnderWay);

@@ -91,12 +91,12 @@ Hold FindHold(FilteredTrial& trial, const Trajectory& transport, const ScalarCur
 
 // When the object leaves its support, and when it first moves at all.
 struct LiftOffOptions {
-  std::string rule = "traced_back";  ///< an id of LiftOffRuleList()
-  double cutoff = 10.0;              ///< of the zero-phase filter on the middle of the markers [Hz]
-  double min_rise = 0.01;            ///< an object that rises less is not lifted [m]
-  double rise = 0.003;               ///< "rise": this high [m]
-  double speed = 0.01;               ///< "traced_back": slower than this [m/s]
-  double displacement = 0.002;       ///< an object this far from its place has moved [m]
+  std::string rule = "fitted";  ///< an id of LiftOffRuleList()
+  double cutoff = 10.0;         ///< of the zero-phase filter on the middle of the markers [Hz]
+  double min_rise = 0.01;       ///< an object that rises less is not lifted [m]
+  double rise = 0.003;          ///< "rise": this high [m]
+  double speed = 0.01;          ///< "traced_back", and where "fitted" looks: slower [m/s]
+  double displacement = 0.002;  ///< an object this far from its place has moved [m]
   double up_x = 0.0, up_y = 0.0, up_z = 1.0;  ///< direction of the lift, in L
 
   template <class V>
@@ -108,7 +108,8 @@ struct LiftOffOptions {
        kAboveZero});
     v("min_rise_m", min_rise, {"an object that rises less is not lifted", kAboveZero});
     v("rise_m", rise, {"rule rise: this high", kAboveZero});
-    v("speed_m_per_s", speed, {"rule traced_back: slower than this", kAboveZero});
+    v("speed_m_per_s", speed,
+      {"rule traced_back, and where rule fitted looks: slower than this", kAboveZero});
     v("displacement_m", displacement, {"an object this far from its place has moved", kAboveZero});
     v("up_x", up_x, "direction of the lift in the laboratory, x");
     v("up_y", up_y, "the same, y");
@@ -116,11 +117,20 @@ struct LiftOffOptions {
   }
 };
 
+/** How far the object is from its place of rest, the median position over the first tenth of the
+trial. */
+struct ObjectTravel {
+  ScalarCurve height;        ///< along the direction of the lift [m]
+  ScalarCurve unfiltered;    ///< the height without the filter [m]
+  ScalarCurve displacement;  ///< in any direction [m]
+  Eigen::Matrix3Xd moved;    ///< the same as vectors in L [m]; NaN where invalid
+  Eigen::Matrix3Xd moved_unfiltered;
+};
+
 struct LiftOffRule {
   const char* id;
   const char* text;
-  /** @param height  above the place of rest [m]. */
-  EventTime (*find)(const ScalarCurve& height, const LiftOffOptions& options);
+  EventTime (*find)(const ObjectTravel& travel, const LiftOffOptions& options);
 };
 
 const std::vector<LiftOffRule>& LiftOffRuleList();
@@ -128,14 +138,6 @@ const std::vector<LiftOffRule>& LiftOffRuleList();
 struct ObjectEvents {
   EventTime moved;     ///< first left its place, in any direction: bounds the first contact
   EventTime lift_off;  ///< first leaves its support for good
-};
-
-/** How far the object is from its place of rest, the median position over the first tenth of the
-trial. */
-struct ObjectTravel {
-  ScalarCurve height;        ///< along the direction of the lift [m]
-  ScalarCurve displacement;  ///< in any direction [m]
-  Eigen::Matrix3Xd moved;    ///< the same as vectors in L [m]; NaN where invalid
 };
 
 /** @pre the object was recorded and the direction of the lift is not zero. */

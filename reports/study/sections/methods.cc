@@ -89,11 +89,11 @@ std::string DescribeEvents(const StudyResult& result) {
       ". Hand opening: " + TextOf(HandOpeningList(), options.opening.measure) +
       "; closure starts at its " + options.opening.maximum + " maximum. ";
   if (has_object) {
-    const bool is_rise = options.lift_off.rule == "rise";
-    text += "Lift-off: " + TextOf(LiftOffRuleList(), options.lift_off.rule) + " (" +
-            (is_rise ? FormatWithUnit(options.lift_off.rise, "m")
-                     : FormatWithUnit(options.lift_off.speed, "m/s")) +
-            "). ";
+    const std::string& rule = options.lift_off.rule;
+    text += "Lift-off: " + TextOf(LiftOffRuleList(), rule);
+    if (rule == "rise") text += " (" + FormatWithUnit(options.lift_off.rise, "m") + ")";
+    if (rule == "traced_back") text += " (" + FormatWithUnit(options.lift_off.speed, "m/s") + ")";
+    text += ". ";
   }
   text +=
       "Contacts were looked for backwards from the hold: the lift-off, or where nothing was "
