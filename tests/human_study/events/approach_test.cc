@@ -40,7 +40,7 @@ TEST(TakeApproach, TheBracketHoldsTheTouchAndPlacesEndAtZero) {
     const Trajectory path = MakePath(rate);
     const Vector3d place = FindHoldPlace(path, kHold);
     for (const TouchSamples& samples :
-         {TakeApproachToSurface(path, distance, place, kHold, 2e-4, std::nan("")),
+         {TakeApproachToSurface(path, distance, place, kHold, 2e-4),
           TakeApproachToPlace(path, place, kHold, 2e-4)}) {
       ASSERT_GE(samples.times.size(), 8u) << rate;
       EXPECT_LT(samples.first, kTouch - 0.03);
