@@ -216,11 +216,17 @@ EventTime CheckUsable(const EventTime& event, const ContactOptions& options) {
 
 bool IsForce(const ContactDetector& detector) { return std::string_view(detector.id) == "force"; }
 
-double CalcOwnOf(const DigitEvidence& digit, const ContactOptions& options,
-                 const EventTime& contact) {
-  if (options.detector == "surface") return CalcOwnUncertainty(digit.fits.surface, options.depths);
-  if (options.detector == "breakpoint") return CalcOwnUncertainty(digit.fits.path, options.depths);
-  return contact.uncertainty;
+/** Null: the detector fits nothing. */
+const TouchFit* FindBelievedFit(const DigitEvidence& digit, const std::string& detector) {
+  if (detector == "surface") return &digit.fits.surface;
+  return detector == "breakpoint" ? &digit.fits.path : nullptr;
+}
+
+/** How much farther from the surface it is than in the hold, wherever it touched. */
+ScalarCurve CalcClearance(const DigitEvidence& digit) {
+  ScalarCurve clearance = digit.distance;
+  clearance.values = (clearance.values.array() - digit.hold_distance).max(0.0);
+  return clearance;
 }
 
 }  // namespace
@@ -252,10 +258,16 @@ std::vector<DigitContactEvents> FindContacts(const ContactEvidence& evidence,
       latest = std::max(latest, event.time);
     }
     events.contact = events.by_detector[believed];
-    events.own_uncertainty = CalcOwnOf(digit, options, events.contact);
+    const TouchFit* const fit = FindBelievedFit(digit, options.detector);
+    events.own_uncertainty =
+        fit != nullptr ? CalcOwnUncertainty(*fit, options.depths) : events.contact.uncertainty;
+    if (fit != nullptr) events.skin_uncertainty = CalcSkinUncertainty(*fit);
     events.fit = digit.fits.surface.missing.empty() ? digit.fits.surface : digit.fits.path;
     if (events.contact.IsFound()) {
       events.regrasp = FindRegrasp(digit.departure, evidence.begin, events.contact.time);
+      if (!events.regrasp.IsFound() && events.is_verified && digit.distance.size() > 0) {
+        events.regrasp = FindRegrasp(CalcClearance(digit), evidence.begin, events.contact.time);
+      }
     }
     events.stands_off = digit.hold_distance - evidence.typical_hold_distance;
     if (num_found >= 2) events.disagreement = latest - earliest;

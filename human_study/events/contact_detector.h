@@ -23,10 +23,10 @@ namespace graspbench {
 
 /** A digit that touches, leaves again and returns before the object is held.
 
-A contact (DigitContactEvents::contact) is that of the final hold: what detectors look back from. A
-digit that was at the place where it holds before, left it by more than 4 mm (six standard deviations
-of the noise) and came back has touched earlier, too; GFT and the other measures are those of the
-final hold, and the trial carries a flag.
+A contact (DigitContactEvents::contact) is the lasting touch: that of the final hold, what detectors
+look back from. A digit that was at the place where it holds before, or as near to the surface, left
+by more than 4 mm (six standard deviations of the noise) and came back has touched earlier, too. GFT
+and the other measures are those of lasting touches; GFT of first touches is a measure of its own.
 
     first_touch  the departure from the place in the hold first fell below 2 mm (three standard
                  deviations), late by some 10 ms with soft arrivals
@@ -171,10 +171,11 @@ struct DigitContactEvents {
   /** Of `contact`, without what all digits share (CalcOwnUncertainty, of the fit that is believed)
   [s]; its uncertainty where nothing is fitted. */
   double own_uncertainty = std::numeric_limits<double>::quiet_NaN();
-  EventTime contact;  ///< of the detector believed: the touch that leads to the hold
-  Regrasp regrasp;    ///< it touched and left before
-  /** Farther from the surface than the other digits' in the hold, by less than
-  ContactOptions::max_pad_difference [m]; NaN: not known. */
+  double skin_uncertainty = 0.0;  ///< CalcSkinUncertainty, of the fit that is believed [s]
+  EventTime contact;              ///< of the detector believed: the touch that leads to the hold
+  Regrasp regrasp;                ///< it touched and left before
+  /** Farther from the surface than the other digits' in the hold [m]; a study takes out what is
+  usual for this digit of this person, which is its marker's place. NaN: not known. */
   double stands_off = std::numeric_limits<double>::quiet_NaN();
   TouchFit fit;  ///< to the clearance from the surface, else to the path
   double noise_O = std::numeric_limits<double>::quiet_NaN();  ///< DigitEvidence::noise_O [m]

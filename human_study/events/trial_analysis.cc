@@ -189,8 +189,14 @@ void CalcMeasures(const AnalysisOptions& options, TrialAnalysis& analysis) {
   analysis.final_opening = analysis.num_unresolved > 0
                                ? std::nan("")
                                : ValueNear(analysis.opening, FindLastContact(analysis.contacts));
+  analysis.closes_on = analysis.final_opening - ValueNear(analysis.opening, analysis.hold.time);
   analysis.timing = CalcTiming(analysis.contacts, analysis.closure_start.time, false);
   analysis.timing_all = CalcTiming(analysis.contacts, analysis.closure_start.time, true);
+  std::vector<DigitContactEvents> first_touches = analysis.contacts;
+  for (DigitContactEvents& digit : first_touches) {
+    if (digit.regrasp.IsFound()) digit.contact = digit.regrasp.first_touch;
+  }
+  analysis.timing_first = CalcTiming(first_touches, analysis.closure_start.time, false);
   CalcUncertainties(analysis);
   NoteWeakEvents(analysis);
   analysis.doubts = analysis.trial_doubts;
@@ -389,6 +395,8 @@ const std::vector<TrialMeasure>& TrialMeasureList() {
        [](const A& a) { return a.timing.got_ratio; }},
       {"grasp_forming_time_all_s", "GFT of all digits", "s",
        [](const A& a) { return a.timing_all.gft; }},
+      {"grasp_forming_time_first_s", "GFT of first touches (GFT is of lasting touches)", "s",
+       [](const A& a) { return a.timing_first.gft; }},
       {"grasp_closure_time_all_s", "GCT of all digits", "s",
        [](const A& a) { return a.timing_all.gct; }},
       {"grasp_forming_ratio_all", "GFT / GCT of all digits", "1",

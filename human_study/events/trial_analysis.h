@@ -98,13 +98,16 @@ struct TrialAnalysis {
   EventTime closure_start;  ///< the chosen maximum: t0 of the contact timing
   double closure_start_value = std::numeric_limits<double>::quiet_NaN();  ///< [m]
   double final_opening = std::numeric_limits<double>::quiet_NaN();  ///< at the last contact [m]
+  /** By how much the hand still closes after the last contact, until the hold [m]. */
+  double closes_on = std::numeric_limits<double>::quiet_NaN();
   std::vector<DigitContactEvents> contacts;
   ContactOrder order;
-  int num_touching = 0;      ///< digits with a contact
-  int num_unresolved = 0;    ///< digits whose contact time is unresolved
-  int num_unverified = 0;    ///< contacts of which only the digit's own stop tells
-  ContactTiming timing;      ///< of the digits that touched: missing when one is unresolved
-  ContactTiming timing_all;  ///< of all digits: missing when one did not touch
+  int num_touching = 0;        ///< digits with a contact
+  int num_unresolved = 0;      ///< digits whose contact time is unresolved
+  int num_unverified = 0;      ///< contacts of which only the digit's own stop tells
+  ContactTiming timing;        ///< of the digits that touched: missing when one is unresolved
+  ContactTiming timing_all;    ///< of all digits: missing when one did not touch
+  ContactTiming timing_first;  ///< as timing, of first touches: they differ after a regrasp
   /** Standard uncertainties of GFT, GOT, GCT [s] from those of the instants that decide them. */
   double gft_uncertainty = std::numeric_limits<double>::quiet_NaN();
   double got_uncertainty = std::numeric_limits<double>::quiet_NaN();

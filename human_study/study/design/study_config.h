@@ -161,6 +161,7 @@ struct RemovalConfig {
   bool gap_event = false;         ///< an event fell into a gap
   double max_disagreement = 0.0;  ///< of the detectors, any digit [s]; 0: none
   bool implausible = true;        ///< there is a doubt (plausibility.h)
+  bool regrasp = true;            ///< a digit touched, left and touched again
 
   template <class V>
   void Visit(V&& v) {
@@ -170,6 +171,9 @@ struct RemovalConfig {
     v("max_disagreement_s", max_disagreement,
       {"remove trials whose detectors disagree by more; 0: none", 0, 10});
     v("implausible", implausible, "remove trials that are doubted");
+    v("regrasp", regrasp,
+      "remove trials in which a digit touches, leaves and touches again, so that first and lasting "
+      "touch differ");
   }
 };
 

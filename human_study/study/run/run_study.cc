@@ -163,6 +163,7 @@ class Runner {
   void Finish() {
     CheckMarkersFound();
     CheckReviews();
+    SettleStandOff();
     CountRates();
     result_.noise = CalcMedian(noises_);
     result_.advised_cutoff = CalcMedian(cutoffs_);
@@ -350,6 +351,25 @@ class Runner {
                         : "is not of this study" + SuggestNames(review.trial, ids)));
     }
     review_problems_.ThrowIfErrors(ErrorKind::kFormat, "the reviews cannot be replayed");
+  }
+
+  /** Where a digit's marker sits is the same in all trials of a person: what is left of a distance
+  without its median is the trial's. Nobody knows it of fewer than three trials. */
+  void SettleStandOff() {
+    std::map<std::pair<std::string, std::string>, std::vector<double*>> all;
+    for (StudyTrial& trial : result_.trials) {
+      if (!trial.analysis) continue;
+      for (DigitContactEvents& digit : trial.analysis->contacts) {
+        if (std::isnan(digit.stands_off)) continue;
+        all[{trial.participant, digit.digit}].push_back(&digit.stands_off);
+      }
+    }
+    for (const auto& [key, distances] : all) {
+      std::vector<double> values;
+      for (const double* distance : distances) values.push_back(*distance);
+      const double usual = values.size() < 3 ? std::nan("") : CalcMedian(values);
+      for (double* distance : distances) *distance -= usual;
+    }
   }
 
   /** A label that no recording has is a fault of study.yaml, not of a trial. */

@@ -167,12 +167,53 @@ std::vector<StudyWarning> FindManyFrozen(const StudyResult& result) {
                        100.0 * share)}};
 }
 
+/** Median over the trials in which a digit is seen in the hold; NaN below a few. */
+double FindMarkerHeight(const StudyResult& result, const std::string& digit) {
+  std::vector<double> heights;
+  for (const StudyTrial& trial : result.trials) {
+    if (!trial.analysis) continue;
+    for (const DigitContactEvents& contact : trial.analysis->contacts) {
+      if (contact.digit != digit || std::isnan(contact.hold_distance)) continue;
+      heights.push_back(contact.hold_distance);
+    }
+  }
+  return heights.size() < static_cast<size_t>(kEnoughTrials) ? std::nan("") : CalcMedian(heights);
+}
+
+/** Markers that do not all sit alike: a nail is some 6 mm farther from the skin than a pad's side. */
+std::vector<StudyWarning> FindUnevenMarkers(const StudyResult& result) {
+  constexpr double kUneven = 3e-3;  // [m]
+  std::vector<double> heights, known;
+  for (int digit = 0; digit < PerDigit<double>::kNumDigits; ++digit) {
+    heights.push_back(FindMarkerHeight(result, IdOfDigit(digit)));
+    if (!std::isnan(heights.back())) known.push_back(heights.back());
+  }
+  if (known.size() < 3) return {};
+  const double usual = CalcMedian(known);
+  std::string uneven, offsets;
+  for (int digit = 0; digit < PerDigit<double>::kNumDigits; ++digit) {
+    if (std::isnan(heights[static_cast<size_t>(digit)])) continue;
+    const double given = result.study.config.pad_offsets[digit];
+    offsets += fmt::format("{}{}: {:.4f}", offsets.empty() ? "" : ", ", NameOfDigit(digit),
+                           heights[static_cast<size_t>(digit)] + (std::isnan(given) ? 0.0 : given));
+    if (std::abs(heights[static_cast<size_t>(digit)] - usual) < kUneven) continue;
+    uneven += fmt::format("{}the {} {:.1f} mm", uneven.empty() ? "" : ", ", NameOfDigit(digit),
+                          MmFromM(heights[static_cast<size_t>(digit)] - usual));
+  }
+  if (uneven.empty()) return {};
+  return {{"uneven_markers",
+           fmt::format("in the hold not all markers are as far from the surface, in the median of "
+                       "the trials; farther than usual: {}. If markers sit on nails or elsewhere, "
+                       "say pad_offsets_m: {{{}}}; otherwise that digit may not touch",
+                       uneven, offsets)}};
+}
+
 }  // namespace
 
 std::vector<StudyWarning> FindWarnings(const StudyResult& result) {
   std::vector<StudyWarning> warnings;
   for (const auto find : {FindNeverTouching, FindManyFrozen, FindSpikes, FindFilteredExports,
-                          FindTwoRates, FindLostFrames, FindExchangedThumbs}) {
+                          FindTwoRates, FindLostFrames, FindExchangedThumbs, FindUnevenMarkers}) {
     const std::vector<StudyWarning> found = find(result);
     warnings.insert(warnings.end(), found.begin(), found.end());
   }

@@ -1,5 +1,7 @@
 #include "human_study/study/run/trial_removal.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -8,6 +10,7 @@
 #include <utility>
 
 #include "core/base/text/delimited_text.h"
+#include "core/base/units.h"
 #include "core/statistics/proportion.h"
 #include "core/statistics/summary.h"
 #include "human_study/study/run/run_study.h"
@@ -105,6 +108,18 @@ Removal FindRemoval(const TrialAnalysis& analysis, const RemovalConfig& rules) {
     missing_finger = removal;
   }
   if (num_fingers == 0) return missing_finger;
+  if (rules.regrasp) {
+    for (const DigitContactEvents& digit : analysis.contacts) {
+      const Regrasp& regrasp = digit.regrasp;
+      if (digit.is_reviewed || !digit.contact.IsFound() || !regrasp.IsFound()) continue;
+      return {
+          "regrasp",
+          fmt::format("a digit touched, left by {:.0f} mm and touched again {:.0f} ms after its "
+                      "first touch",
+                      MmFromM(regrasp.left_by),
+                      MsFromS(digit.contact.time - regrasp.first_touch.time))};
+    }
+  }
   if (rules.filled_event && analysis.used_filled) {
     return {"filled_event", "an event was decided on filled samples"};
   }
@@ -176,7 +191,8 @@ std::vector<FindingGroup> GroupFindings(const StudyResult& result) {
 
 namespace {
 
-constexpr double kRoughTouch = 0.02;  // [s]
+constexpr double kRoughTouch = 0.06;  // [s]
+constexpr double kClosesOn = 8e-3;    // [m]
 
 }  // namespace
 
@@ -191,34 +207,35 @@ const std::vector<TrialFlag>& TrialFlagList() {
        [](const A& a) { return a.timing.contact_before_start; }},
       {"two maxima", "the largest and the last maximum of the opening differ",
        [](const A& a) { return a.peak_opening.is_ambiguous; }},
-      {"touch not verified",
-       "neither the object's shape nor a force shows that every digit touched, rather than stopped "
-       "off the surface",
-       [](const A& a) { return a.num_unverified > 0; }},
       {"digit without touch", "a recorded digit never touched",
        [](const A& a) {
          return a.num_touching + a.num_unresolved < static_cast<int>(a.contacts.size());
        }},
       {"regrasp",
-       "a digit touched, left its place and returned: GFT, GOT and GCT are those of its last touch",
+       "a digit touched, left its place and returned: GFT, GOT and GCT are those of its lasting "
+       "touch",
        [](const A& a) {
          return std::any_of(a.contacts.begin(), a.contacts.end(),
                             [](const auto& digit) { return digit.regrasp.IsFound(); });
        }},
       {"may hover",
-       "a digit stands more than 2 mm farther off the surface than the others in the hold, less "
-       "than contact.max_pad_difference_m: it may not touch",
+       "a digit stands more than 2 mm farther off the surface in the hold than it does in the "
+       "person's other trials: it may not touch",
        [](const A& a) {
          return std::any_of(a.contacts.begin(), a.contacts.end(), [](const auto& digit) {
            return digit.contact.IsFound() && !digit.has_pad_offset && digit.stands_off > 0.002;
          });
        }},
-      {"uncertain touch", "the instant of a touch is known to no better than 20 ms (95 %)",
+      {"uncertain touch", "the instant of a touch is known to no better than 60 ms (95 %)",
        [](const A& a) {
          return std::any_of(a.contacts.begin(), a.contacts.end(), [](const auto& digit) {
            return digit.contact.IsFound() && digit.contact.CalcHalfWidth() > kRoughTouch;
          });
        }},
+      {"closes on",
+       "the hand closes by more than 8 mm after the last contact, farther than skin gives way: the "
+       "contact may be too early",
+       [](const A& a) { return a.closes_on > kClosesOn; }},
       {"filtered export",
        "the recording was low-passed before it was exported: its instants may be late, its "
        "uncertainties are too small",
@@ -320,6 +337,9 @@ const RemovalAdvice& FindRemovalAdvice(const std::string& code) {
       {"gap_event", Curve::kOpening,
        "markers.companions and cleaning.max_gap_s; removal.gap_event: false keeps it"},
       {"disagreement", Curve::kOpening, "removal.max_disagreement_s; 0 keeps it"},
+      {"regrasp", Curve::kOpening,
+       "removal.regrasp: false keeps it: GFT is then of lasting touches, "
+       "grasp_forming_time_first_s of first ones"},
       {"carried_unseen", Curve::kOpening,
        "markers.object, if the object has a marker; end_s before the lift"},
       {"other_lift_axis", Curve::kNone, "lift_off.up_x, up_y, up_z: up in the recording"},

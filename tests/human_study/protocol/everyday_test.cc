@@ -45,11 +45,13 @@ TEST(Everyday, OrdinaryReachesAreKeptWithoutNewFlags) {
   EXPECT_TRUE(judged.result.warnings.empty());
 }
 
-TEST(Everyday, ADigitThatLeavesAndReturnsIsFlagged) {
+TEST(Everyday, ADigitThatLeavesAndReturnsIsLeftOutUnlessItIsAskedFor) {
   for (const bool has_shape : {true, false}) {
     StudyPlan plan = MakeEverydayPlan("regrasp");
     plan.has_shape = has_shape;
     plan.conditions.regrasping_digit = 2;
+    EXPECT_GE(CountRemovals(RunPlan(plan).result)["regrasp"], 17);
+    plan.settings = "removal: {regrasp: false}\n";
     const Judged judged = RunPlan(plan);
     Print("regrasp", judged);
     const int num_kept = judged.result.CountKept();
@@ -62,6 +64,8 @@ TEST(Everyday, ADigitThatLeavesAndReturnsIsFlagged) {
       EXPECT_NEAR(regrasp.first_touch.time, judged.truth[i].touch_times[2], 0.05);
       EXPECT_NEAR(regrasp.release.time, judged.truth[i].release_times[2], 0.06);
       EXPECT_NEAR(regrasp.left_by, 9e-3, 1.5e-3);
+      // GFT of first touches is another one than that of lasting touches.
+      EXPECT_FALSE(trial.analysis->timing_first.gft == trial.analysis->timing.gft);
     }
   }
 }

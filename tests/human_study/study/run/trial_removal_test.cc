@@ -85,26 +85,52 @@ TEST(TrialFlags, RoughTouchesAndFilteredExportsAreFlagged) {
   TrialAnalysis analysis;
   DigitContactEvents& digit = analysis.contacts.emplace_back();
   digit.contact.time = 1.0;
-  digit.contact.uncertainty = 0.0101;
+  digit.contact.uncertainty = 0.0305;
   digit.is_verified = true;
   analysis.num_touching = 1;
   EXPECT_EQ(FormatFlags(analysis), "");
-  digit.contact.uncertainty = 0.0103;  // 1.96 times that is more than 20 ms
+  digit.contact.uncertainty = 0.0307;  // 1.96 times that is more than 60 ms
   EXPECT_EQ(FormatFlags(analysis), "uncertain touch");
   analysis.low_pass = 6.0;
   EXPECT_EQ(FormatFlags(analysis), "uncertain touch, filtered export");
+  analysis.closes_on = 7.9e-3;
+  EXPECT_EQ(FormatFlags(analysis), "uncertain touch, filtered export");
+  analysis.closes_on = 8.1e-3;
+  EXPECT_EQ(FormatFlags(analysis), "uncertain touch, closes on, filtered export");
 }
 
 TEST(RemovalAdvice, EveryReasonHasItsOwn) {
-  for (const char* code :
-       {"left_out",           "unreadable",        "missing_marker",     "no_reach",
-        "no_onset",           "no_hold",           "no_opening",         "no_contact",
-        "not_usable",         "filled_event",      "gap_event",          "disagreement",
-        "carried_unseen",     "other_lift_axis",   "wrong_unit",         "label_jump",
-        "no_movement",        "far_digit",         "hand_centred",       "wrong_shape",
-        "contact_after_end",  "closure_too_long",  "detectors_disagree", "moved_before_touch",
-        "object_left_behind", "thumb_not_opposed", "same_recording",     "cutoff_too_high",
-        "frame_jump",         "constant_shape"}) {
+  for (const char* code : {"left_out",
+                           "unreadable",
+                           "missing_marker",
+                           "no_reach",
+                           "no_onset",
+                           "no_hold",
+                           "no_opening",
+                           "no_contact",
+                           "not_usable",
+                           "filled_event",
+                           "gap_event",
+                           "disagreement",
+                           "carried_unseen",
+                           "other_lift_axis",
+                           "wrong_unit",
+                           "label_jump",
+                           "no_movement",
+                           "far_digit",
+                           "hand_centred",
+                           "wrong_shape",
+                           "contact_after_end",
+                           "closure_too_long",
+                           "detectors_disagree",
+                           "moved_before_touch",
+                           "object_left_behind",
+                           "thumb_not_opposed",
+                           "same_recording",
+                           "cutoff_too_high",
+                           "frame_jump",
+                           "constant_shape",
+                           "regrasp"}) {
     EXPECT_STREQ(FindRemovalAdvice(code).code, code);
   }
   EXPECT_EQ(FindRemovalAdvice("of_tomorrow").curve, RemovalCurve::kOpening);
@@ -125,9 +151,10 @@ TEST(RemovalAdvice, NamesKeysThatThereAre) {
        {"movement.rule", "movement.speed_threshold_m_per_s", "hold.speed_threshold_m_per_s",
         "cleaning.max_gap_s", "contact.max_pad_offset_m", "contact.max_uncertainty_s",
         "removal.filled_event", "removal.gap_event", "removal.max_disagreement_s",
-        "removal.implausible", "recording.unit", "plausibility.max_hold_distance_m",
-        "plausibility.max_contact_after_end_s", "plausibility.max_closure_time_s",
-        "plausibility.max_disagreement_s", "plausibility.max_moved_before_s"}) {
+        "removal.implausible", "removal.regrasp", "recording.unit",
+        "plausibility.max_hold_distance_m", "plausibility.max_contact_after_end_s",
+        "plausibility.max_closure_time_s", "plausibility.max_disagreement_s",
+        "plausibility.max_moved_before_s"}) {
     EXPECT_NE(FindFileKey(ListStudyKeys(), key), nullptr) << key;
   }
 }
