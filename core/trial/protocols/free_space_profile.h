@@ -107,7 +107,8 @@ struct ProfileClosing {
   std::string to = "stated";
   double press = 1.0;          ///< of joints, by the distance a point would move [rad/m]
   double press_reach = 0.001;  ///< of points that press: their distance from the object [m]
-  /** Until two of digits and palm (or as its table says) touch it, the object is put back where it was after each step. */
+  /** Until two of digits and palm (or as its table says) touch it, the object is put back where it
+  was after each step. */
   bool object_is_held = false;
 
   template <class V>
