@@ -189,10 +189,10 @@ Html DrawPhaseStrip(const TracedTrial& traced, const std::string& name) {
   if (has_fault) {
     const double x = place(diagnosis->time);
     content += Line("fault", x, 0.0, x, kHeight + 0.5 * kRow);
-    content += Label(
-        x < 0.5 * kWidth ? "start small" : "end small", x + (x < 0.5 * kWidth ? 4.0 : -4.0),
-        kHeight + 0.5 * kRow,
-        std::string(NameOf(diagnosis->mechanism)) + " at " + FormatFixed(diagnosis->time, 3) + " s");
+    content += Label(x < 0.5 * kWidth ? "start small" : "end small",
+                     x + (x < 0.5 * kWidth ? 4.0 : -4.0), kHeight + 0.5 * kRow,
+                     std::string(NameOf(diagnosis->mechanism)) + " at " +
+                         FormatFixed(diagnosis->time, 3) + " s");
   }
   content += DrawCursor(0.0, end, 0.0, kWidth, 0.0, kHeight);
   return Svg("img", kWidth, kHeight + (has_fault ? kRow : 1.0),

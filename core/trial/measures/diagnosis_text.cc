@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/text/text.h"
@@ -72,7 +73,8 @@ std::string DescribeTable(const Diagnosis& diagnosis) {
 
 std::string DescribeMissing(const TrialResult& result, const Diagnosis& diagnosis) {
   std::string nearest;
-  for (size_t digit = 0; digit < result.contacts.size(); ++digit) {
+  // A record that was read in brief has no touches.
+  for (size_t digit = 0; digit < std::min(result.contacts.size(), result.touches.size()); ++digit) {
     const double gap = result.touches[digit].smallest_gap;
     if (result.contacts[digit].digit.str() != diagnosis.part || std::isnan(gap)) continue;
     nearest = fmt::format("; the nearest of {} was {}", diagnosis.part, FormatShift(gap));

@@ -8,14 +8,14 @@
 namespace graspbench {
 namespace {
 
-constexpr double kStep = 0.002, kStiffness = 2e4;
+constexpr double kStep = 0.002, kArmStiffness = 2e4;
 
 // 0 to 5 mm/s in 0.1 s is 0.25 mm; the 15.75 mm that are left take 3.15 s.
 TEST(PalmApproach, GoesItsWholeWayWithoutATouch) {
   PalmApproach palm(true);
   EXPECT_EQ(palm.offset(), -0.008);
   int num_steps = 0;
-  for (; !palm.has_ended(); ++num_steps) palm.Advance(kStep, 0.0, kStiffness);
+  for (; !palm.has_ended(); ++num_steps) palm.Advance(kStep, 0.0, kArmStiffness);
   EXPECT_NEAR(num_steps * kStep, 3.25, 0.01);
   EXPECT_NEAR(palm.offset(), 0.008, 2e-5);
   EXPECT_FALSE(palm.has_touched());
@@ -24,15 +24,15 @@ TEST(PalmApproach, GoesItsWholeWayWithoutATouch) {
 
 TEST(PalmApproach, StaysAndPressesWhereTheArmBearsTheThreshold) {
   PalmApproach palm(true);
-  for (int k = 0; k < 400; ++k) palm.Advance(kStep, 0.999, kStiffness);
+  for (int k = 0; k < 400; ++k) palm.Advance(kStep, 0.999, kArmStiffness);
   const double before = palm.offset();
-  palm.Advance(kStep, 1.0, kStiffness);
+  palm.Advance(kStep, 1.0, kArmStiffness);
   EXPECT_TRUE(palm.has_touched());
   EXPECT_FALSE(palm.has_ended()) << "it settles";
   EXPECT_NEAR(palm.offset(), before + 5e-5, 1e-12) << "1 N at 20 N/mm";
-  palm.Advance(kStep, 0.0, kStiffness);
+  palm.Advance(kStep, 0.0, kArmStiffness);
   EXPECT_NEAR(palm.offset(), before + 5e-5, 1e-12);
-  for (int k = 0; k < 51; ++k) palm.Advance(kStep, 0.0, kStiffness);
+  for (int k = 0; k < 51; ++k) palm.Advance(kStep, 0.0, kArmStiffness);
   EXPECT_TRUE(palm.has_ended()) << "after 0.1 s";
 }
 
