@@ -88,7 +88,7 @@ TEST(Config, SettingsReachInnerValues) {
             "--set \"inner.is_round=maybe\": inner, is_round: expected true or false");
   EXPECT_EQ(FindSettingProblem("inner.sise_m=1"),
             "--set \"inner.sise_m=1\": no setting \"inner.sise_m\"; did you mean "
-            "\"inner.size_m\"? Known: name, parts, count, inner.size_m, inner.is_round");
+            "\"inner.size_m\"? Known: inner.size_m, inner.is_round");
 }
 
 TEST(Config, DifferencesNameTheKeyAndBothValues) {

@@ -17,7 +17,7 @@ namespace {
 // Roethling 2007: yaw 90 deg for two finger pinch and three finger special, 75 deg for the others;
 // d and alpha are the same for every hand.
 TEST(GraspTaxa, CarryTheHandIndependentParameters) {
-  ASSERT_EQ(ListGraspTaxa().size(), 5u);
+  ASSERT_EQ(ListGraspTaxa().size(), 6u);
   for (const GraspTaxon& taxon : ListGraspTaxa()) {
     const bool is_ninety = taxon.id == "g4" || taxon.id == "g5";
     EXPECT_NEAR(taxon.alpha, RadFromDeg(is_ninety ? 90.0 : 75.0), 1e-12) << taxon.id;

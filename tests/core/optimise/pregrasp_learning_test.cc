@@ -35,7 +35,7 @@ const GraspObject& GolfBall() {
 class LearnPreGraspTest : public testing::Test {
  protected:
   LearnPreGraspTest() : hand_(LoadHand("tum")) {
-    grasp_ = LoadStandardGrasps(hand_).at(2);
+    grasp_ = LoadStandardGrasps(hand_).at(5);  // g6, encloses
     grasp_.placement = CalcPlacement(hand_, grasp_, GolfBall().size, Vector3d::Zero());
     follows_.assign(grasp_.digits.size(), VectorXd::Zero(hand_.num_joints()));
   }

@@ -29,7 +29,7 @@ FailedTrial Fail(const TrialSetup& setup, TrialRunner& runner) {
 // Coulomb: two digits bear 2 mu N. 0.98 N with mu = 0.2 ask for 2.45 N each: 0.7 N and twice it are
 // too little, four times it are enough. Half the mass asks for 1.23 N, twice the friction likewise.
 TEST(Remedies, OfTooLittleGripTheOneThatCoulombAsksForHolds) {
-  TrialSetup setup = MakeSetup("tum", "g2", MakeCube(0.1, 0.2));
+  TrialSetup setup = MakeSetup("tum-evolved", "g2", MakeCube(0.1, 0.2));
   setup.strategy.grip = "force";
   setup.strategy.touch_speed = 0.25;
   TrialRunner runner(setup.hand, setup.object);

@@ -168,7 +168,7 @@ TEST(SensedTouchTest, PerfectElementsEndTheClosureWhenTheContactsDo) {
 // to ten times as hard as it was asked to.
 TEST(SensedTouchTest, PressesBesideItsElementsAsHardAsItIsAsked) {
   for (const char* object : {"cup", "tennis_ball"}) {
-    TrialSetup setup = MakeSetup("tum", "g3", LoadObject(object));
+    TrialSetup setup = MakeSetup("tum", "g6", LoadObject(object));
     setup.touch = TouchSense::kSensed;
     setup.strategy.grip = "margin";
     setup.strategy.grip_margin = 2.0;

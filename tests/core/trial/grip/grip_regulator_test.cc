@@ -113,7 +113,7 @@ TEST(GripRegulator, AStopIsNoLimitOfADrive) {
 // that is what a missing force is put down to. A precision grasp does.
 TEST(GripRegulator, APowerGraspEndsInItsTargetPosture) {
   for (const char* grasp : {"g3", "g2"}) {
-    const TrialResult result = RunSetup(MakeRegulated("tum", grasp, "force", 60.0, 0.0122, 1.2));
+    const TrialResult result = RunSetup(MakeRegulated("tum-evolved", grasp, "force", 60.0, 0.0122, 1.2));
     ASSERT_TRUE(result.grip) << grasp;
     double most = 0.0;
     for (const DigitGripRecord& digit : result.grip->digits) most = std::max(most, digit.closing);
@@ -131,7 +131,7 @@ TEST(GripRegulator, APowerGraspEndsInItsTargetPosture) {
 
 // What touches beside the digits is asked for its share, too: the sums add up.
 TEST(GripRegulator, TheRestOfTheHandHasItsShare) {
-  const TrialResult result = RunSetup(MakeRegulated("tum", "g3", "force", 3.0, 0.05, 0.8));
+  const TrialResult result = RunSetup(MakeRegulated("tum-evolved", "g3", "force", 3.0, 0.05, 0.8));
   ASSERT_TRUE(result.grip);
   const GripRecord& grip = *result.grip;
   double asked = std::isnan(grip.rest_asked) ? 0.0 : grip.rest_asked;

@@ -266,7 +266,7 @@ TEST(DiagnosisOfATrial, TooLittleGripSlides) {
 }
 
 TEST(DiagnosisOfATrial, APushFromOutsideIsNamedWithItsForceAndTime) {
-  const TrialSetup setup = MakeSetup("tum", "g2", MakeCube(0.0122, 0.5));
+  const TrialSetup setup = MakeSetup("tum-evolved", "g2", MakeCube(0.0122, 0.5));
   TrialRunner runner(setup.hand, setup.object);
   const TrialResult result = runner.Run(setup, [&](TrialCourse& course) {
     const double since = course.time() - 3.0;

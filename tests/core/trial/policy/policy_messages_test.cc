@@ -86,7 +86,7 @@ TEST(PolicyMessages, SaysWhatIsWrongWithAnAnswer) {
   const std::pair<std::string, std::string> cases[] = {
       {"no message", "no MessagePack"},
       {"\x93\x01\x02\x03", "no map"},
-      {"\x80", "no targets, no increments and no done"},
+      {"\x80", "no targets, no increments, no motion of the hand and no done"},
       {"\x81\xa4"
        "done\x01",
        "neither true nor false"},
