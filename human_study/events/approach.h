@@ -25,9 +25,11 @@ where it was last farther than 5 mm (or six standard deviations of the noise), b
 yields more, or farther than 25 mm from its place, to where it has come to rest.
 @param place  of the hold, in O.
 @param noise  SD of a coordinate [m].
+@param pad_offset  of the marker at the touch [m]; NaN: not known.
 @return no times when no such stretch is seen. */
 TouchSamples TakeApproachToSurface(const Trajectory& p_O, const SurfaceDistance& distance,
-                                   const Eigen::Vector3d& place, const Hold& hold, double noise);
+                                   const Eigen::Vector3d& place, const Hold& hold, double noise,
+                                   double pad_offset);
 
 /** TouchSamples::object_motion: how far the object's point `place` has gone along `direction`, step
 by step as the object turns; `direction` is fixed in O.

@@ -261,7 +261,6 @@ std::vector<DigitContactEvents> FindContacts(const ContactEvidence& evidence,
     const TouchFit* const fit = FindBelievedFit(digit, options.detector);
     events.own_uncertainty =
         fit != nullptr ? CalcOwnUncertainty(*fit, options.depths) : events.contact.uncertainty;
-    if (fit != nullptr) events.skin_uncertainty = CalcSkinUncertainty(*fit);
     events.fit = digit.fits.surface.missing.empty() ? digit.fits.surface : digit.fits.path;
     if (events.contact.IsFound()) {
       events.regrasp = FindRegrasp(digit.departure, evidence.begin, events.contact.time);

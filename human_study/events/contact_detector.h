@@ -171,7 +171,6 @@ struct DigitContactEvents {
   /** Of `contact`, without what all digits share (CalcOwnUncertainty, of the fit that is believed)
   [s]; its uncertainty where nothing is fitted. */
   double own_uncertainty = std::numeric_limits<double>::quiet_NaN();
-  double skin_uncertainty = 0.0;  ///< CalcSkinUncertainty, of the fit that is believed [s]
   EventTime contact;              ///< of the detector believed: the touch that leads to the hold
   Regrasp regrasp;                ///< it touched and left before
   /** Farther from the surface than the other digits' in the hold [m]; a study takes out what is

@@ -48,9 +48,8 @@ struct DigitTrack {
   std::string digit;      ///< "TH", "FF", "MF", "RF", "LF"
   bool is_thumb = false;  ///< at most one of a trial
   Trajectory tip;         ///< marker on the fingertip, in L
-  /** Distance of the marker from the object's surface in the hold, along its normal [m]: a digit whose
-  marker is much farther does not touch. It says nothing of the instant: known to 1 mm, it is worth
-  less than what is known of skin. NaN: that of the other digits. */
+  /** Distance of the marker from the object's surface while the pad touches it [m]. NaN: taken from
+  this trial's hold, which presumes that the digit touches. */
   double pad_offset = std::numeric_limits<double>::quiet_NaN();
   ForceChannel force;  ///< of this digit's force or tactile sensor
 };

@@ -23,16 +23,15 @@ constexpr double kBeforeGrowth = 3.0;     // [m/s^3]
 constexpr double kAfterGrowth = 0.1;      // [m/s^2]: a phalanx that turns on its pad
 constexpr double kTremorRate = 60.0;      // of 9.5 Hz [rad/s]
 constexpr double kHeldTremor = 0.6;       // share of a tremor that a digit keeps as it settles
+constexpr double kPadTolerance = 0.5e-3;  // of a given pad offset [m]
 constexpr double kModel = 0.5e-3;         // SD of what no model says [s]
 constexpr double kLearnedShare = 1.5;     // of the time by which learned depths move a touch ..
-constexpr double kToe = 0.7e-3;           // of skin that gives way unseen [m]
+constexpr double kToe = 0.45e-3;          // of skin that gives way unseen [m]
 constexpr double kToeUnsure = 0.35;       // of it (SD)
-constexpr double kLongestToe = 8e-3;      // [s]
-constexpr double kOwnShare = 0.8;         // of the fit's SD: its priors are wider than reaches are
+constexpr double kLongestToe = 5e-3;      // [s]
 constexpr double kPressed = 0.4e-3;       // more of it where it moves the object (SD) [m]
 constexpr double kLongestPressed = 0.02;  // [s]
-constexpr double kMostLearned = 1e-3;     // .. and no more than this at its speed [m] ..
-constexpr double kLongestLearned = 0.02;  // .. and this, as deep settling is seen as such [s]
+constexpr double kMostLearned = 0.02;     // .. and no more, as deep settling is seen as such [s]
 /** Of noise beyond what cameras have, by which slow touches seem to come early. */
 constexpr double kNoisyShare = 0.75, kPlainNoise = 0.6e-3;  // [m]
 constexpr double kMinStep = 0.5e-3;                         // between the touches tried [s]
@@ -177,6 +176,18 @@ struct Equations {
     }
   }
 
+  /** The clearance at the touch is known. */
+  void AddTouchPlace(double given, double tau, double known) {
+    const double place = given - known;
+    const double weight = 1.0 / Square(kPadTolerance);
+    A(kRest, kRest) += weight;
+    A(kRest, kSpeed) += weight * tau;
+    A(kSpeed, kSpeed) += weight * tau * tau;
+    b[kRest] += weight * place;
+    b[kSpeed] += weight * place * tau;
+    squares += weight * place * place;
+  }
+
   struct Solution {
     Vector unknowns;
     double misfit;  ///< weighted squares that are left
@@ -222,6 +233,9 @@ class Fitter {
       Equations equations(prior_sd_);
       equations.AddBefore(before, tau, known);
       equations.AddAfter(samples_, weights_, num_before, tc, tau, known);
+      if (!std::isnan(samples_.touch_place)) {
+        equations.AddTouchPlace(samples_.touch_place, tau, known);
+      }
       const Equations::Solution solution = equations.Solve();
       speed = solution.unknowns[kSpeed] + object.rate;
       trial.log_evidence[k] = speed < kMinSpeed ? -INFINITY : solution.log_evidence;
@@ -347,11 +361,12 @@ TouchFit FitTouch(const TouchSamples& samples) {
     fit.time[k] = sum > 0.0 ? first + moment / sum : samples.first;
     fit.variance[k] = sum > 0.0 ? std::max(0.0, squares / sum - Square(moment / sum)) : 0.0;
   }
-  fit.toe = std::min(kToe * all / speeds, kLongestToe);
-  fit.most_learned = std::min(kMostLearned * all / speeds, kLongestLearned);
-  fit.noisy = kNoisyShare * std::max(0.0, samples.noise - kPlainNoise) * all / speeds;
-  if (IsPressed(samples, CalcTouchMoments(fit, kUsualDepths).time - fit.toe)) {
-    fit.pressed = std::min(kPressed * all / speeds, kLongestPressed);
+  if (std::isnan(samples.touch_place)) {
+    fit.toe = std::min(kToe * all / speeds, kLongestToe);
+    fit.noisy = kNoisyShare * std::max(0.0, samples.noise - kPlainNoise) * all / speeds;
+    if (IsPressed(samples, CalcTouchMoments(fit, kUsualDepths).time - fit.toe)) {
+      fit.pressed = std::min(kPressed * all / speeds, kLongestPressed);
+    }
   }
   const double degrees = static_cast<double>(samples.times.size());
   fit.noise_ratio = std::sqrt(fitter.least_misfit() / degrees);
@@ -376,7 +391,6 @@ TouchFit MixFits(const TouchFit& a, const TouchFit& b, double share) {
                       (1.0 - share_b) * share_b * apart * apart;
   }
   mix.toe = (1.0 - share) * a.toe + share * b.toe;
-  mix.most_learned = (1.0 - share) * a.most_learned + share * b.most_learned;
   mix.noisy = (1.0 - share) * a.noisy + share * b.noisy;
   mix.pressed = (1.0 - share) * a.pressed + share * b.pressed;
   mix.noise_ratio = std::max(a.noise_ratio, b.noise_ratio);
@@ -393,10 +407,10 @@ EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights) {
   // Half a standard deviation of that is in the touch's own variance already.
   const double moved = touch.time - CalcTouchMoments(fit, kUsualDepths).time;
   const double excess = std::sqrt(std::max(0.0, moved * moved - 0.25 * touch.variance));
-  const double learned = std::min(kLearnedShare * excess, fit.most_learned);
-  const double unseen = std::hypot(std::hypot(CalcSkinUncertainty(fit), fit.noisy), fit.pressed);
+  const double learned = std::min(kLearnedShare * excess, kMostLearned);
+  const double unseen = std::hypot(std::hypot(kToeUnsure * fit.toe, fit.noisy), fit.pressed);
   // Where the best fit leaves more than the noise, the model is wrong by as much.
-  const double own = kOwnShare * std::max(1.0, fit.noise_ratio) * std::sqrt(touch.variance);
+  const double own = std::max(1.0, fit.noise_ratio) * std::sqrt(touch.variance);
   event.uncertainty = std::hypot(std::hypot(kModel, learned), std::hypot(unseen, own));
   return event;
 }
@@ -410,10 +424,8 @@ double CalcOwnUncertainty(const TouchFit& fit, const DepthWeights& weights) {
     sum += weight;
     variance += weight * fit.variance[k];
   }
-  return std::hypot(kModel, kOwnShare * std::max(1.0, fit.noise_ratio) * std::sqrt(variance / sum));
+  return std::hypot(kModel, std::max(1.0, fit.noise_ratio) * std::sqrt(variance / sum));
 }
-
-double CalcSkinUncertainty(const TouchFit& fit) { return kToeUnsure * fit.toe; }
 
 DepthWeights LearnDepths(const std::vector<TouchFit>& fits) {
   constexpr double kContactsBefore = 3.0;

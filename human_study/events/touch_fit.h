@@ -20,12 +20,9 @@ belongs to the skin and the marker's place, not to the trial: its weights may be
 contacts of a study (LearnDepths), and then one contact whose own samples cannot tell is found
 without bias.
 
-Skin resists exponentially (Pawluk & Howe 1999, J. Biomech. Eng. 121:605), F = b/m (exp(m d) - 1),
-and a finger is about as stiff as its first contact. So 0.7 mm of it (SD 0.25 mm) give way without a
-trace that a fit could find, and the touch is earlier than the path tells by that way at the speed
-of the touch, at most 8 ms (TouchFit::toe). The prior is that of pads with b 0.19 N/mm (SD 35 %)
-and m 2.1 per mm (SD 25 %) on fingers of 190 N/m (SD 30 %). Skin and finger belong to a person's
-digit: all its contacts share that error. Skin that moves the object, or that stops
+Skin resists exponentially (Pawluk & Howe 1999, J. Biomech. Eng. 121:178): its first 0.45 mm give
+way without a trace that a fit could find, so the touch is earlier than the path tells by that way
+at the speed of the touch (TouchFit::toe), more or less. Skin that moves the object, or that stops
 one that comes, carries more than the table's friction: it gives way deeper, by another 0.4 mm (SD),
 which is stated and not corrected (TouchFit::pressed).
 
@@ -62,6 +59,8 @@ struct TouchSamples {
   double tremor = 0.0;  ///< RMS of a place while the digit is free (8 to 12 Hz) [m]
   double first = 0.0;   ///< the touch lies between first ..
   double last = 0.0;    ///< .. and last [s]
+  /** Clearance at the touch, where it is known from a given pad offset [m]; else NaN. */
+  double touch_place = std::numeric_limits<double>::quiet_NaN();
   /** Of the clearance, unit; zero: along a surface's normal. No part of the fit. */
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
 };
@@ -71,13 +70,13 @@ struct TouchFit {
   std::array<double, kSettlingDepths.size()> log_evidence{};
   std::array<double, kSettlingDepths.size()> time{};      ///< mean [s]
   std::array<double, kSettlingDepths.size()> variance{};  ///< of the time [s^2]
-  /** In which 0.7 mm of skin give way at the touch's speed, at most 8 ms [s]. */
+  /** In which 0.45 mm of skin give way at the touch's speed, at most 5 ms; 0 where the clearance at
+  the touch is known [s]. */
   double toe = 0.0;
-  double most_learned = 0.0;  ///< by which what was learned of the depth is wrong at most (SD) [s]
-  double noisy = 0.0;         ///< by which noise may have moved it (SD) [s]
-  double pressed = 0.0;       ///< in which skin that moves the object gives way deeper (SD) [s]
-  double noise_ratio = 1.0;   ///< RMS of the best fit's residuals over the noise
-  std::string missing;        ///< why there is none; empty when there is one
+  double noisy = 0.0;        ///< by which noise may have moved it (SD) [s]
+  double pressed = 0.0;      ///< in which skin that moves the object gives way deeper (SD) [s]
+  double noise_ratio = 1.0;  ///< RMS of the best fit's residuals over the noise
+  std::string missing;       ///< why there is none; empty when there is one
 };
 
 /** @pre times and places are as many, first < last. */
@@ -91,17 +90,13 @@ TouchFit MixFits(const TouchFit& a, const TouchFit& b, double share);
 which 0.35 is unsure, as is 0.75 of the time that noise beyond 0.6 mm takes at the touch's speed,
 and what skin gives way that moves the object (at most 20 ms).
 Weights that were learned add one and a half times what they move the touch by beyond half a
-standard deviation, at most 1 mm at the touch's speed and 20 ms: of a soft arrival that looks like settling the usual depths, too,
+standard deviation, at most 20 ms: of a soft arrival that looks like settling the usual depths, too,
 make a part. */
 EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights);
 
 /** The part of that standard deviation which is not about the depth [s]: digits do not share it, so
 it is what makes touching at once look like a sequence. NaN when the touch is missing. */
 double CalcOwnUncertainty(const TouchFit& fit, const DepthWeights& weights);
-
-/** Of what is not known of a digit's skin and stiffness [s]: all contacts of a person's digit share
-it, so that no number of trials makes it smaller. 0 when the touch is missing. */
-double CalcSkinUncertainty(const TouchFit& fit);
 
 /** Weights of the depths from many contacts: those under which all are most likely (expectation
 maximisation of the mixture), with kUsualDepths as three contacts seen before. */

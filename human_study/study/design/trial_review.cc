@@ -143,7 +143,6 @@ void ApplyReviews(const std::vector<ContactReview>& reviews, const AnalysisOptio
           std::isnan(review.uncertainty) ? frame / std::sqrt(12.0) : review.uncertainty;
       digit->contact = contact;
       digit->own_uncertainty = contact.uncertainty;
-      digit->skin_uncertainty = 0.0;
     }
     digit->is_verified = digit->contact.IsFound();
   }

@@ -340,7 +340,7 @@ ZeroGft CalcZeroGft(const std::vector<StudyTrial>& trials) {
     std::vector<double> uncertainties;
     for (const DigitContactEvents& digit : trial.analysis->contacts) {
       if (!digit.contact.IsFound()) continue;
-      uncertainties.push_back(std::hypot(digit.own_uncertainty, digit.skin_uncertainty));
+      uncertainties.push_back(digit.own_uncertainty);
     }
     if (uncertainties.size() < 2) continue;
     ++zero.num_trials;

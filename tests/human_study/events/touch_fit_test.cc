@@ -13,7 +13,7 @@ namespace {
 
 struct Approach {
   double touch = 0.4;     // of skin and surface [s]
-  double toe = 0.7e-3;    // of skin that gives way as if nothing were there [m]
+  double toe = 0.45e-3;   // of skin that gives way as if nothing were there [m]
   double speed = 0.1;     // at touch [m/s]
   double slowing = 0.7;   // before it [m/s^2]
   double depth = 0.0;     // that it goes on by [m]
@@ -172,6 +172,24 @@ TEST(FitTouch, TremorMakesATouchLessCertain) {
   const double still = CalcTouchTime(FitTouch(samples), kUsualDepths).uncertainty;
   samples.tremor = 0.5e-3;
   EXPECT_GT(CalcTouchTime(FitTouch(samples), kUsualDepths).uncertainty, 1.3 * still);
+}
+
+TEST(FitTouch, AGivenPadOffsetTellsShallowFromDeep) {
+  RandomStream random("touch", "pad");
+  double blind = 0.0, seen = 0.0, covered = 0.0;
+  for (int i = 0; i < 40; ++i) {
+    Approach approach;
+    approach.depth = 2e-3;
+    approach.toe = 0.0;  // where skin and surface meet is given
+    TouchSamples samples = Sample(approach, random);
+    blind += CalcTouchTime(FitTouch(samples), kUsualDepths).time - approach.touch;
+    samples.touch_place = approach.depth;
+    const EventTime found = CalcTouchTime(FitTouch(samples), kUsualDepths);
+    seen += found.time - approach.touch;
+    covered += std::abs(found.time - approach.touch) <= found.CalcHalfWidth();
+  }
+  EXPECT_LT(std::abs(seen), 0.5 * std::abs(blind));
+  EXPECT_GE(covered, 36.0);
 }
 
 // From all contacts of a study the depth becomes known, and with it each contact.
