@@ -222,13 +222,6 @@ const TouchFit* FindBelievedFit(const DigitEvidence& digit, const std::string& d
   return detector == "breakpoint" ? &digit.fits.path : nullptr;
 }
 
-/** How much farther from the surface it is than in the hold, wherever it touched. */
-ScalarCurve CalcClearance(const DigitEvidence& digit) {
-  ScalarCurve clearance = digit.distance;
-  clearance.values = (clearance.values.array() - digit.hold_distance).max(0.0);
-  return clearance;
-}
-
 }  // namespace
 
 std::vector<DigitContactEvents> FindContacts(const ContactEvidence& evidence,
@@ -264,9 +257,6 @@ std::vector<DigitContactEvents> FindContacts(const ContactEvidence& evidence,
     events.fit = digit.fits.surface.missing.empty() ? digit.fits.surface : digit.fits.path;
     if (events.contact.IsFound()) {
       events.regrasp = FindRegrasp(digit.departure, evidence.begin, events.contact.time);
-      if (!events.regrasp.IsFound() && events.is_verified && digit.distance.size() > 0) {
-        events.regrasp = FindRegrasp(CalcClearance(digit), evidence.begin, events.contact.time);
-      }
     }
     events.stands_off = digit.hold_distance - evidence.typical_hold_distance;
     if (num_found >= 2) events.disagreement = latest - earliest;

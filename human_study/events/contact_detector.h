@@ -24,9 +24,9 @@ namespace graspbench {
 /** A digit that touches, leaves again and returns before the object is held.
 
 A contact (DigitContactEvents::contact) is the lasting touch: that of the final hold, what detectors
-look back from. A digit that was at the place where it holds before, or as near to the surface, left
-by more than 4 mm (six standard deviations of the noise) and came back has touched earlier, too. GFT
-and the other measures are those of lasting touches; GFT of first touches is a measure of its own.
+look back from. A digit that was at the place where it holds before, left it by more than 4 mm (six
+standard deviations of the noise) and came back has touched earlier, too. GFT and the other measures
+are those of lasting touches; GFT of first touches is a measure of its own.
 
     first_touch  the departure from the place in the hold first fell below 2 mm (three standard
                  deviations), late by some 10 ms with soft arrivals

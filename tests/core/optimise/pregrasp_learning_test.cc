@@ -172,7 +172,7 @@ TEST(LearnPreGrasp, WorksForEveryStandardGraspOfEveryHand) {
 
 class DigitCourseTest : public testing::Test {
  protected:
-  DigitCourseTest() : hand_(LoadHand("tum")), grasp_(LoadStandardGrasps(hand_).at(2)) {
+  DigitCourseTest() : hand_(LoadHand("tum")), grasp_(LoadStandardGrasps(hand_).at(5)) {
     grasp_.placement = CalcPlacement(hand_, grasp_, GolfBall().size, Vector3d::Zero());
   }
 

@@ -70,7 +70,7 @@ TEST_F(SealedStore, AnotherSeedStepOrPhysicsIsFound) {
            {"\"seed\": 1", "\"seed\": 2"},
            {"\"step_s\": 0.002", "\"step_s\": 0.001"},
            {"\"physics_version\": ", "\"physics_version\": 1"},
-           {"\"schema\": 6", "\"schema\": 5"}}) {
+           {"\"schema\": 7", "\"schema\": 6"}}) {
     Edit(frozen, from, to);
     EXPECT_NE(Look(session_), "") << from;
     WriteFile(frozen, whole);

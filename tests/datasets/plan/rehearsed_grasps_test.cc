@@ -121,7 +121,7 @@ TEST(RehearsedGrasps, ASessionKeepsTheGraspsThatItWasMadeWith) {
   std::string text = ReadFile(copy);
   const size_t at = text.find("position_m: [");
   ASSERT_NE(at, text.npos);
-  text.insert(at + 13, "1");
+  text.replace(at, text.find(']', at) - at, "position_m: [0.1, 0.2, 0.3");
   WriteFile(copy, text);
   EXPECT_FALSE(MakePlan(config, LoadSessionInputs(config, FieldUse::kLater, folder.path())) ==
                plan);

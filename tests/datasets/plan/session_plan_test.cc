@@ -143,7 +143,7 @@ TEST(SessionPlan, BySightNeedsACameraAndAGraspOfEachType) {
   config.grasps = {"by_sight"};
   EXPECT_EQ(FindPlanError(config, MakeLookingInputs()).second,
             "none of the session's hands can do a grasp \"by_sight\"; did you mean \"by-sight\"? "
-            "Known: g1, g2, g3, g4, g5, g6, by-sight");
+            "Known: g1, g2, g3, g4, g5, by-sight, rehearsed");
   SessionInputs named = MakeLookingInputs();
   named.hands[0].grasps[4].id = "by-sight";
   config.grasps = {"all"};
@@ -309,7 +309,7 @@ TEST(SessionPlan, TellsWhatCannotBePlanned) {
   EXPECT_EQ(FindPlanError(unknown, fake),
             std::pair(ErrorKind::kNotFound,
                       std::string("none of the session's hands can do a grasp \"g7\"; did you mean "
-                                  "\"g1\"? Known: g1, g2, g3, g4, g5, g6, by-sight")));
+                                  "\"g1\"? Known: g1, g2, g3, g4, g5, by-sight, rehearsed")));
   in_condition.conditions = {{"other", {"grasp=g7"}}};
   SessionInputs inputs = fake;
   inputs.conditions["other"] = ApplyCondition(in_condition.conditions.front(), in_condition);

@@ -266,17 +266,17 @@ TEST(DiagnosisOfATrial, TooLittleGripSlides) {
 }
 
 TEST(DiagnosisOfATrial, APushFromOutsideIsNamedWithItsForceAndTime) {
-  const TrialSetup setup = MakeSetup("tum-evolved", "g2", MakeCube(0.0122, 0.5));
+  const TrialSetup setup = MakeSetup("tum", "g2", MakeCube(0.0122, 0.5));
   TrialRunner runner(setup.hand, setup.object);
   const TrialResult result = runner.Run(setup, [&](TrialCourse& course) {
     const double since = course.time() - 3.0;
-    course.world().SetExternalLoad({0.0, 0.0, since >= 0.0 && since < 0.1 ? -6.0 : 0.0},
+    course.world().SetExternalLoad({0.0, 0.0, since >= 0.0 && since < 0.1 ? -12.0 : 0.0},
                                    Eigen::Vector3d::Zero());
   });
   ASSERT_TRUE(result.diagnosis) << NameOf(result.outcome);
   EXPECT_STREQ(NameOf(result.diagnosis->mechanism), "outside push");
   EXPECT_NEAR(result.diagnosis->time, 3.0, 0.021);
-  EXPECT_NEAR(result.diagnosis->push, 6.0, 1.0);
+  EXPECT_NEAR(result.diagnosis->push, 12.0, 2.0);
 }
 
 }  // namespace

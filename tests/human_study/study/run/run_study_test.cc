@@ -456,8 +456,8 @@ TEST(StudyExamples, KinesisRunsEndToEnd) {
       {"an event fell into a gap", 2},
       {"no contact of the thumb: not usable here: digit or object hidden for ", 2},
       // Nothing stops a digit at a virtual object: it slows in one direction, then in the other.
-      {"no contact of the index: not usable here: known to \u00b1 ", 4},
-      {"no contact of the thumb: not usable here: known to \u00b1 ", 6},
+      {"no contact of the index: not usable here: known to \u00b1 ", 3},
+      {"no contact of the thumb: not usable here: known to \u00b1 ", 7},
       {"no onset of the movement: the threshold is never crossed before", 2}};
   EXPECT_EQ(CountReasons(result), expected);
 }
