@@ -12,10 +12,12 @@ mkdir -p "$2"
 python3 "$bench/rehearsal_objects.py" "$2/objects" "$3"
 objects=$2/objects${4:+,$4}
 run() {  # OUT NAME OPTION..
-  "$program" run --trials 10 --resume --out "$1/$2" "${@:3}" >"$1/$2.txt"
+  local resume=
+  [ -d "$1/$2" ] && resume=--resume
+  "$program" run --trials 10 $resume --jobs "${JOBS:-2}" --out "$1/$2" "${@:3}" >"$1/$2.txt"
 }
 /usr/bin/time -f '%U s of processor time to rehearse' -o "$2/time.txt" -a \
-  "$program" rehearse --object "$objects" --out "$2/rehearsed" >"$2/rehearsed.txt"
+  "$program" rehearse --jobs "${JOBS:-2}" --object "$objects" --out "$2/rehearsed" >"$2/rehearsed.txt"
 run "$2" fresh --object "$objects" --grasp best,rehearsed
 files=$(echo "$2"/rehearsed/grasps/*/*.yaml | tr ' ' ',')
 run "$2" wrong --object "$objects" --grasp "best,$files" --set model.mass_scale=1.2 \

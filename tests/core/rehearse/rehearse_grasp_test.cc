@@ -79,6 +79,9 @@ TEST_F(RehearseGraspTest, TheSingleRobustYawIsFound) {
   EXPECT_EQ(by_rule.choice().CountHeld(), 0);
   const Rehearsal rehearsal = RehearseGrasp(maker_, {40, 4}, run);
   EXPECT_TRUE(rehearsal.is_robust());
+  // By the object's own axes, not by luck among variations.
+  const double yaw = rehearsal.choice().candidate.place.yaw;
+  EXPECT_NEAR(std::remainder(yaw - wanted, 0.5 * kPi), 0.0, 1e-6);
   EXPECT_NEAR(
       std::remainder(CalcOpposition(maker_.Make(rehearsal.choice().candidate)) - wanted, kPi), 0.0,
       RadFromDeg(8.0));
