@@ -171,8 +171,8 @@ struct DigitContactEvents {
   /** Of `contact`, without what all digits share (CalcOwnUncertainty, of the fit that is believed)
   [s]; its uncertainty where nothing is fitted. */
   double own_uncertainty = std::numeric_limits<double>::quiet_NaN();
-  EventTime contact;              ///< of the detector believed: the touch that leads to the hold
-  Regrasp regrasp;                ///< it touched and left before
+  EventTime contact;  ///< of the detector believed: the touch that leads to the hold
+  Regrasp regrasp;    ///< it touched and left before
   /** Farther from the surface than the other digits' in the hold [m]; a study takes out what is
   usual for this digit of this person, which is its marker's place. NaN: not known. */
   double stands_off = std::numeric_limits<double>::quiet_NaN();

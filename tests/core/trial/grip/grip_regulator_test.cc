@@ -113,7 +113,8 @@ TEST(GripRegulator, AStopIsNoLimitOfADrive) {
 // that is what a missing force is put down to. A precision grasp does.
 TEST(GripRegulator, APowerGraspEndsInItsTargetPosture) {
   for (const char* grasp : {"g3", "g2"}) {
-    const TrialResult result = RunSetup(MakeRegulated("tum-evolved", grasp, "force", 60.0, 0.0122, 1.2));
+    const TrialResult result =
+        RunSetup(MakeRegulated("tum-evolved", grasp, "force", 60.0, 0.0122, 1.2));
     ASSERT_TRUE(result.grip) << grasp;
     double most = 0.0;
     for (const DigitGripRecord& digit : result.grip->digits) most = std::max(most, digit.closing);
