@@ -40,8 +40,8 @@ Config ParseFrozen(const StoreKind& kind, const std::filesystem::path& folder, c
 a store; the folder exists. @throws Error(kIo). */
 void WriteFrozen(const StoreKind& kind, const std::filesystem::path& folder, const Json& config);
 
-/** @throws Error(kUsage) when the folder was made of another configuration, naming the first keys that
-differ; as LoadFrozen. */
+/** @throws Error(kUsage) when the folder was made of another configuration, naming the first keys
+that differ; as LoadFrozen. */
 void CheckSameFrozen(const StoreKind& kind, const std::filesystem::path& folder,
                      const Json& config);
 

@@ -33,7 +33,8 @@ class ExplanationWriter {
 using Explanations = std::map<std::string, Explanation>;  ///< by trial id
 
 /** Those in a session's folder; none for a session that stands in no folder. Damaged lines count as
-not there; `graspbench verify` names them. @throws Error(kFormat) for unequal duplicates, Error(kIo). */
+not there; `graspbench verify` names them. @throws Error(kFormat) for unequal duplicates,
+Error(kIo). */
 Explanations LoadExplanations(const std::filesystem::path& folder);
 
 enum class ExplainScope { kOneOfEach, kAll };  ///< of a condition's failures

@@ -26,7 +26,8 @@ std::vector<RehearsalTask> ListUnrehearsed(const SessionConfig& config);
 for a person, in no result. 0 without a task. */
 double EstimateRehearsalTime(const std::vector<RehearsalTask>& tasks);
 
-/** Rehearses and keeps what was found. @throws Error(kInterrupted) when stopped; as FindRehearsal. */
+/** Rehearses and keeps what was found. @throws Error(kInterrupted) when stopped; as FindRehearsal.
+*/
 std::vector<Rehearsal> RehearseTasks(const std::vector<RehearsalTask>& tasks, int num_workers,
                                      Observer& observer);
 

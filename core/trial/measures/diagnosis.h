@@ -17,7 +17,8 @@ first of these that holds (all limits proposed by graspbench):
     not reached     no two parts ever opposed
     drive at limit  some, not all, of the digits had a drive at its limit in most of the 150 ms, and
                     the object sagged or slid as below, or one of them gave way: its normal work is
-                    negative, and at least half of what the other parts' normal forces and gravity did
+                    negative, and at least half of what the other parts' normal forces and gravity
+                    did
     squeezed out    the normal forces did more work than gravity, and that of 0.2 mm of fall or more
     sagged, slid    gravity did, likewise; the object turned in the hand by more than 15 degrees
                     since two parts first opposed (since lift-off, where they did then), or not

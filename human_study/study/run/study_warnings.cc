@@ -180,7 +180,8 @@ double FindMarkerHeight(const StudyResult& result, const std::string& digit) {
   return heights.size() < static_cast<size_t>(kEnoughTrials) ? std::nan("") : CalcMedian(heights);
 }
 
-/** Markers that do not all sit alike: a nail is some 6 mm farther from the skin than a pad's side. */
+/** Markers that do not all sit alike: a nail is some 6 mm farther from the skin than a pad's side.
+*/
 std::vector<StudyWarning> FindUnevenMarkers(const StudyResult& result) {
   constexpr double kUneven = 3e-3;  // [m]
   std::vector<double> heights, known;

@@ -20,8 +20,8 @@ TEST(GraspCandidates, ThePrincipalYawIsThatOfTheBar) {
   EXPECT_EQ(CalcPrincipalYaw(MakeTurnedBar(Vector3d(0.04, 0.04, 0.05), 0.3)), 0.0);
 }
 
-// The rule sees the box about the turned bar; in the bar's own axes the hand stands as it stands to a
-// bar that was never turned, turned with it.
+// The rule sees the box about the turned bar; in the bar's own axes the hand stands as it stands to
+// a bar that was never turned, turned with it.
 TEST(GraspCandidates, TurnedByTheYawTheHandStandsAsItStandsToTheUnturned) {
   const Hand hand = LoadHand("tum");
   const double yaw = RadFromDeg(35.0);

@@ -122,8 +122,8 @@ TEST_F(RehearseGraspTest, TheLowestGripThresholdDecidesBetweenEqualRuns) {
 }
 
 // A world in which every trial is a fair coin, whatever the candidate. The chosen one has held every
-// draw of its rehearsal; on other draws it holds half. Draws of another stream see that, and those of
-// the rehearsal itself do not.
+// draw of its rehearsal; on other draws it holds half. Draws of another stream see that, and those
+// of the rehearsal itself do not.
 TEST_F(RehearseGraspTest, EvaluatedOnItsOwnDrawsTheChoiceLooksBetterThanItIs) {
   const auto holds = [](const Grasp& grasp, const std::string& stream) {
     const Pose& X = grasp.placement->X_WH;

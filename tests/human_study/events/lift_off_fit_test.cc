@@ -39,7 +39,8 @@ double RiseGently(double s) { return 0.1 * Ease(s, 0.0, 0.8); }
 double RiseEvenly(double s) { return 0.5 * s * s; }
 double RiseAtOnce(double s) { return 0.06 * s + 0.5 * s * s; }
 
-// How a lift starts is not known: over starts, rates and noise there is no bias, and each is covered.
+// How a lift starts is not known: over starts, rates and noise there is no bias, and each is
+// covered.
 TEST(LiftOffFit, IsWithoutBiasOverAllStartsAndCovers) {
   double bias = 0.0, covered = 0.0, count = 0.0;
   for (const double rate : {60.0, 200.0, 500.0}) {

@@ -82,9 +82,8 @@ std::string FormatLoads(const std::vector<LoadChange>& loads) {
 
 std::string FormatTypes(const char* which, const std::vector<TypeSummary>& types) {
   const std::string line = FormatTypeLine(types);
-  if (line.empty()) return "";
-  return std::string("\n") + which + ": " + line + "\n" +
-         FormatTable(ShowTable(ListTypeColumns(), types));
+  const std::string table = FormatTable(ShowTable(ListTypeColumns(), types));
+  return line.empty() ? "" : std::string("\n") + which + ": " + line + "\n" + table;
 }
 
 void Compare(const CompareOptions& options) {
@@ -96,8 +95,7 @@ void Compare(const CompareOptions& options) {
   const std::vector<ObjectComparison> objects = CompareObjects(comparison.pairs);
   const std::vector<HandDecision> decisions = DecideByObject(objects);
   const std::vector<LoadChange> loads = CompareLoads(comparison.pairs);
-  const std::vector<TypeSummary> types_before = ListTypeSummaries(before),
-                                 types_after = ListTypeSummaries(after);
+  const auto types_before = ListTypeSummaries(before), types_after = ListTypeSummaries(after);
   if (options.json) {
     Json changes = Json::array();
     for (const SettingChange& change : comparison.changes) {
@@ -119,14 +117,13 @@ void Compare(const CompareOptions& options) {
                       {"won", ListFlips(comparison.pairs, &TrialPair::is_won)},
                       {"lost", ListFlips(comparison.pairs, &TrialPair::is_lost)}});
   }
-  std::string text = FormatCount(static_cast<int64_t>(comparison.pairs.size()), "pair") +
-                     " of the same draw; " + std::to_string(comparison.num_only_before) +
+  const std::string num_pairs = FormatCount(static_cast<int64_t>(comparison.pairs.size()), "pair");
+  std::string text = num_pairs + " of the same draw; " +
+                     std::to_string(comparison.num_only_before) +
                      " trials are only in the first, " + std::to_string(comparison.num_only_after) +
                      " only in the second\n";
-  if (const int num = comparison.num_other_grasp(); num > 0) {
-    text += std::to_string(num) + " of " +
-            FormatCount(static_cast<int64_t>(comparison.pairs.size()), "pair") + " changed grasp\n";
-  }
+  if (const int num = comparison.num_other_grasp(); num > 0)
+    text += std::to_string(num) + " of " + num_pairs + " changed grasp\n";
   if (!comparison.settings.empty()) text += "settings that differ, of the first and the second\n";
   for (const std::string& setting : comparison.settings) text += "  " + setting + "\n";
   PrintResult(text + FormatChanges(comparison.changes) + FormatObjects(objects, decisions) +

@@ -35,8 +35,8 @@ struct ServerValue {
 struct ServerActions {
   std::string key = "actions";
   bool are_increments = false;
-  /** Of each column: a driven joint, a component of the hand's pose or twist, "done" or "hold" (above
-  0.5), or "-" (left out). Empty: the driven joints in their order. */
+  /** Of each column: a driven joint, a component of the hand's pose or twist, "done" or "hold"
+  (above 0.5), or "-" (left out). Empty: the driven joints in their order. */
   std::vector<std::string> columns;
 };
 

@@ -233,7 +233,8 @@ std::shared_ptr<const GraspObject> MakeWedge(double mu) {
 }
 
 // On sides at 30 degrees to their direction two forces leave 2 N sin 30 towards the wide end, which
-// friction mu holds back with 2 mu N cos 30: with mu = 0.02 it goes, with tan 30 = 0.58 < 1 it stays.
+// friction mu holds back with 2 mu N cos 30: with mu = 0.02 it goes, with tan 30 = 0.58 < 1 it
+// stays.
 TEST(DiagnosisOfATrial, ASmoothWedgeBetweenTwoFingersIsSqueezedOut) {
   const Diagnosis found = Fail(MakeSetup("tum", "g2", MakeWedge(0.02)));
   EXPECT_STREQ(NameOf(found.mechanism), "squeezed out");

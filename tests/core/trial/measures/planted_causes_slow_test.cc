@@ -1,7 +1,7 @@
 // Trials that succeed, and fail once one cause is planted in them, in the least dose that makes them
 // fail: the diagnosis may name no mechanism that physics rules out with this cause. A plant acts
-// through what a trial is made of (hand, object, commands, load on the object); nothing here knows by
-// what signs the diagnosis decides. Other draws: --gtest_random_seed=NUMBER.
+// through what a trial is made of (hand, object, commands, load on the object); nothing here knows
+// by what signs the diagnosis decides. Other draws: --gtest_random_seed=NUMBER.
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -197,8 +197,8 @@ TrialResult RunPlanted(TrialRunner& runner, const PlantedTrial& planted) {
   return std::isnan(planted.push.time) ? own.Run(setup) : runner.Run(setup, push);
 }
 
-/** Whether physics allows the mechanism in a trial that held without the plant. The object's friction
-is that on the table, too, so that less of it lets a digit push it aside. */
+/** Whether physics allows the mechanism in a trial that held without the plant. The object's
+friction is that on the table, too, so that less of it lets a digit push it aside. */
 bool MayBe(Plant plant, Mechanism mechanism) {
   switch (mechanism) {
     case Mechanism::kOutsidePush:
