@@ -9,6 +9,7 @@
 
 #include "core/base/text/text.h"
 #include "core/trial/measures/grasp_types.h"
+#include "datasets/analysis/pairs.h"
 
 namespace graspbench {
 
@@ -55,7 +56,7 @@ std::vector<TypeSummary> ListTypeSummaries(const Session& session) {
   for (const TrialRecord& record : session.records) {
     const TrialResult& result = record.result;
     if (IsNumericalFailure(result.outcome)) continue;
-    const std::string grasp = result.sight_grasp.value_or(record.plan.grasp);
+    const std::string grasp = FindUsedGrasp(record);
     const std::pair key(record.plan.hand, grasp);
     TypeSummary& type = types[key];
     type.hand = record.plan.hand;
@@ -98,8 +99,8 @@ std::vector<CsvColumn<TypeSummary>> ListTypeColumns() {
       C("as_called_share", "", "of the held, with the opposition asked for", &Row::share)
           .Shown("as called [%]",
                  [](const Row& row) { return FormatFixed(100.0 * row.share(), 0); }),
-      C("parts", "", "held trials in which each part touched at the end", &Row::parts)
-          .Shown("parts at the end")};
+      C("parts", "", "mean share of the normal force in the hold that each part bears", &Row::parts)
+          .Shown("parts that bear")};
 }
 
 std::string FormatTypeLine(const std::vector<TypeSummary>& types) {

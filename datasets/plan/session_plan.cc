@@ -233,9 +233,8 @@ std::string DescribeTrial(const PlannedTrial& planned) {
          std::to_string(planned.trial) + (planned.condition ? ", under " + *planned.condition : "");
 }
 
-std::string NameDraw(PlannedTrial planned, bool is_any_grasp) {
+std::string NameDraw(PlannedTrial planned) {
   planned.condition.reset();
-  if (is_any_grasp) planned.grasp.clear();
   return DescribeTrial(planned);
 }
 

@@ -47,9 +47,8 @@ bool operator==(const PlannedTrial& a, const PlannedTrial& b);
 /** "tum, golf_ball, g1, number 3", for a person. */
 std::string DescribeTrial(const PlannedTrial& planned);
 
-/** The same without the condition: what the trials of one draw share.
-@param is_any_grasp  without the grasp, too: where grasps are compared. */
-std::string NameDraw(PlannedTrial planned, bool is_any_grasp = false);
+/** The same without the condition: what the trials of one draw share. */
+std::string NameDraw(PlannedTrial planned);
 
 /** Cells in the order hand, object, grasp. Under several conditions: hand, object, settings, grasp,
 trial, condition, so that a world serves as many trials in a row as it can and the same trial with

@@ -86,14 +86,18 @@ void AddDiagnosisColumns(std::vector<CsvColumn<TrialRecord>>& columns) {
                      "work of the hand's normal forces on the object in the last 150 ms in which "
                      "two parts pressed against each other, relative to the hand",
                      take([](const Diagnosis& d) { return Json(d.CalcNormalWork()); })});
-  columns.push_back({"friction_work_j", "number", "J", "of its friction forces, likewise",
-                     take([](const Diagnosis& d) { return Json(d.CalcFrictionWork()); })});
-  columns.push_back({"gravity_work_j", "number", "J", "of gravity, likewise",
-                     take([](const Diagnosis& d) { return Json(d.gravity_work); })});
   columns.push_back(
-      {"diagnosis", "string", "", "the same for a person", [](const TrialRecord& record) {
-         return record.result.diagnosis ? Json(DescribeDiagnosis(record.result)) : Json();
-       }});
+      {"friction_work_j", "number", "J",
+       "work of the hand's friction forces on the object in the window of normal_work_j",
+       take([](const Diagnosis& d) { return Json(d.CalcFrictionWork()); })});
+  columns.push_back({"gravity_work_j", "number", "J",
+                     "work of gravity on the object in the window of normal_work_j",
+                     take([](const Diagnosis& d) { return Json(d.gravity_work); })});
+  columns.push_back({"diagnosis", "string", "", "how the object was lost, in words",
+                     [](const TrialRecord& record) {
+                       return record.result.diagnosis ? Json(DescribeDiagnosis(record.result))
+                                                      : Json();
+                     }});
 }
 
 /** Of a trial that regulates its grip; missing else. */

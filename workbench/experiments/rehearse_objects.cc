@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr size_t kPairsOfWorker =
-    8;  ///< pairs a worker that are rehearsed before their lines are written
+/** Pairs of each worker that are rehearsed before their lines are written. */
+constexpr size_t kPairsOfWorker = 8;
 
 Json DescribeRehearsals(const RehearseRequest& request) {
   Json pairs = Json::array();

@@ -20,7 +20,7 @@ first of these that holds (all limits proposed by graspbench):
                     negative, and at least half of what the other parts' normal forces and gravity
                     did
     squeezed out    the normal forces did more work than gravity, and that of 0.2 mm of fall or more
-    sagged, slid    gravity did, likewise; the object turned in the hand by more than 15 degrees
+    sagged, slid    gravity did the more work; the object turned in the hand by more than 15 degrees
                     since two parts first opposed (since lift-off, where they did then), or not
     cause not identified   neither */
 
@@ -93,7 +93,7 @@ struct Diagnosis {
   /** At which it was, since the start of placing; of "pushed" and "outside push" when that began, of
   "sagged" and still in the hand when it had turned so far [s]. */
   double time = kUnset;
-  double opposed_since = kUnset;  ///< two parts first opposed, likewise; NaN: never [s]
+  double opposed_since = kUnset;  ///< two parts first opposed, since the same start; NaN: never [s]
   double shift = kUnset;          ///< along the table until then, without it the largest [m]
   double turn = kUnset;           ///< in the hand, see "sagged" [rad]
   double table_share = kUnset;    ///< of the weight, that the table bore on average in the window
@@ -102,7 +102,7 @@ struct Diagnosis {
   std::vector<PartWork> parts;    ///< in the order of digits, palm last
 
   double CalcNormalWork() const;    ///< of all parts [J]
-  double CalcFrictionWork() const;  ///< likewise [J]
+  double CalcFrictionWork() const;  ///< of all parts [J]
 
   template <class V>
   static void ListFields(V&& field) {

@@ -86,8 +86,7 @@ std::vector<std::string> ListTypeFaults(const Hand& hand, const Grasp& grasp) {
   if (grasp.as_called_share < kLeastAsCalled) {
     faults.push_back(fmt::format(
         "grasp {} is called {}, but {:.0f} % of what it held in its development shows {} "
-        "opposition; "
-        "half would make it one",
+        "opposition; half would make it one",
         grasp.id, name, 100.0 * grasp.as_called_share, RowOf(kOppositions, rule->opposition).name));
   }
   return faults;

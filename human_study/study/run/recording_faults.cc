@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/statistics/summary.h"
 
@@ -23,11 +24,11 @@ std::vector<Doubt> FindLostFrames(const PreparedRecording& recording, const Reac
   }
   if (lost < kTolerable && num_places < 2) return {};
   return {{"frame_jump",
-           fmt::format("in {} places all markers go on by more than one of their own steps, in sum "
+           fmt::format("in {} all markers go on by more than one of their own steps, in sum "
                        "by {:.0f} ms, as if frames were missing: the time stamps do not show it, "
                        "and frames lost at rest leave no trace. Export the recording again with "
                        "all its frames",
-                       num_places, MsFromS(lost))}};
+                       FormatCount(static_cast<int64_t>(num_places), "place"), MsFromS(lost))}};
 }
 
 /** Range of the middle 98 % of the distances between two digits; NaN where both are hardly seen. */
