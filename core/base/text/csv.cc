@@ -66,6 +66,10 @@ std::string FormatCsvCell(const Json& value) {
   return quoted + "\"";
 }
 
+std::string FormatShownCell(const Json& value) {
+  return value.is_string() ? value.str() : FormatCsvCell(value);
+}
+
 std::string FormatCsvLine(const std::vector<Json>& cells) {
   std::string line;
   for (size_t i = 0; i < cells.size(); ++i) line += (i > 0 ? "," : "") + FormatCsvCell(cells[i]);

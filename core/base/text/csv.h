@@ -77,12 +77,14 @@ struct CsvColumn {
   std::string meaning;                    ///< one sentence
   std::function<Json(const Row&)> value;  ///< null: missing; a boolean is 0 or 1
   std::string heading;                    ///< for people; empty: in files alone
-  Show show;                              ///< empty: as FormatCsvCell
+  Show show;                              ///< empty: as FormatShownCell
 };
 
 /** Empty for null; numbers shortest-exact; text guarded, and quoted after RFC 4180 where it must
 be. */
 std::string FormatCsvCell(const Json& value);
+/** The same for people: text as it is, neither quoted nor guarded. */
+std::string FormatShownCell(const Json& value);
 
 /** Spreadsheets run a text that begins with = + - @, their wide forms or a control character as a
 formula. In some countries cells end at semicolons or tabs, inside of quotes of ours, too. So a
@@ -184,7 +186,7 @@ ShownTable ShowTable(const std::vector<CsvColumn<Row>>& columns, const std::vect
     if (column.heading.empty() || (!headings.empty() && !is_named)) continue;
     ShownTable::Column shown = {column.heading, column.meaning, {}};
     for (const Row& row : rows) {
-      shown.cells.push_back(column.show ? column.show(row) : FormatCsvCell(column.value(row)));
+      shown.cells.push_back(column.show ? column.show(row) : FormatShownCell(column.value(row)));
     }
     const bool is_filled = std::any_of(shown.cells.begin(), shown.cells.end(),
                                        [](const std::string& cell) { return !cell.empty(); });

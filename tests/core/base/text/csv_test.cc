@@ -32,6 +32,13 @@ TEST(FormatCsv, GuardsWhatASpreadsheetWouldRun) {
   EXPECT_EQ(GuardCell("-1,5"), "'-1,5") << "of no country that this file is written for";
 }
 
+TEST(ShowTable, ShowsTextToPeopleAsItIs) {
+  std::vector<CsvColumn<Row>> columns = ListColumns();
+  columns[0] = columns[0].Shown("text");
+  const ShownTable table = ShowTable(columns, {{"FF 51 %, \"TH\" 49 %", 0.1}, {"=1+1", 0.2}});
+  EXPECT_EQ(table.columns.at(0).cells, (std::vector<std::string>{"FF 51 %, \"TH\" 49 %", "=1+1"}));
+}
+
 /** The cells of a line as a spreadsheet sees them whose cells end at `separator`: a quote counts
 where a cell begins, and nowhere else. */
 std::vector<std::string> SplitAsSpreadsheet(const std::string& text, char separator) {
