@@ -105,9 +105,11 @@ void RehearseGrasps(const SessionConfig& config, int num_workers) {
   const std::vector<RehearsalTask> tasks = ListUnrehearsed(config);
   if (tasks.empty()) return;
   TerminalObserver observer(DescribeTasks);
-  const int num_pairs = static_cast<int>(tasks.size());
-  PrintMessage("grasps of " + FormatCount(num_pairs, "pair") +
-               " of hand and object are rehearsed first, about " +
+  int num_candidates = 0;
+  for (const RehearsalTask& task : tasks) num_candidates += task.config.num_candidates;
+  PrintMessage("grasps of " + FormatCount(static_cast<int>(tasks.size()), "pair") +
+               " of hand and object are rehearsed first: at most " +
+               FormatCount(num_candidates, "candidate") + ", about " +
                FormatFixed(EstimateRehearsalTime(tasks), 0) +
                " s of one processor, judged by the first pair of each hand");
   RehearseTasks(tasks, num_workers, observer);

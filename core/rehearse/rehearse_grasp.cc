@@ -1,14 +1,16 @@
 #include "core/rehearse/rehearse_grasp.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/error.h"
 
 namespace graspbench {
 namespace {
 
-constexpr double kYawShare = 0.4;  ///< of all candidates
-constexpr size_t kNumVaried = 3;   ///< candidates that are varied in one go
+constexpr double kYawShare = 0.4;    ///< of all candidates
+constexpr size_t kNumVaried = 3;     ///< candidates that are varied in one go
+constexpr size_t kNumFinalists = 3;  ///< candidates that are tried on all draws, at least
 constexpr double kGripShares[] = {0.5, 0.25, 0.125};
 
 /** The tried ones in the order of their runs. */
@@ -32,7 +34,7 @@ class Rehearser {
       while (!IsFull() && !is_found_ && Vary()) {
       }
     }
-    if (!is_found_) ChooseLongest();
+    if (!is_found_) ChooseMostHeld();
     return std::move(rehearsal_);
   }
 
@@ -103,21 +105,41 @@ class Rehearser {
     }
   }
 
-  void ChooseLongest() {
+  /** Those of the longest run, and at least kNumFinalists. */
+  std::vector<size_t> ListFinalists() const {
+    std::vector<size_t> finalists;
     const std::vector<size_t> order = SortByRun(rehearsal_.tried);
     const int longest = rehearsal_.tried[order.front()].FindRun();
-    size_t best = order.front();
-    const bool is_tie =
-        order.size() > 1 && longest > 0 && rehearsal_.tried[order[1]].FindRun() == longest;
     for (const size_t i : order) {
-      if (!is_tie || rehearsal_.tried[i].FindRun() < longest) break;
+      const bool is_longest = longest > 0 && rehearsal_.tried[i].FindRun() == longest;
+      if (finalists.size() < kNumFinalists || is_longest) finalists.push_back(i);
+    }
+    return finalists;
+  }
+
+  void ChooseMostHeld() {
+    const std::vector<size_t> finalists = ListFinalists();
+    for (const size_t i : finalists) {
+      RehearsedCandidate& tried = rehearsal_.tried[i];
+      const Grasp grasp = maker_.Make(tried.candidate);
+      while (static_cast<int>(tried.outcomes.size()) < config_.num_draws) TryDraw(grasp, tried);
+    }
+    const auto value = [&](size_t i) {
+      return std::pair(rehearsal_.tried[i].CountHeld(), rehearsal_.tried[i].FindRun());
+    };
+    const size_t most = *std::max_element(finalists.begin(), finalists.end(),
+                                          [&](size_t a, size_t b) { return value(a) < value(b); });
+    std::vector<size_t> equal;
+    for (const size_t i : finalists) {
+      if (value(i) == value(most)) equal.push_back(i);
+    }
+    size_t best = equal.front();
+    for (const size_t i : equal) {
+      if (equal.size() == 1 || rehearsal_.tried[i].FindRun() == 0) break;
       FindThreshold(rehearsal_.tried[i]);
       if (rehearsal_.tried[i].grip_threshold < rehearsal_.tried[best].grip_threshold) best = i;
     }
     rehearsal_.chosen = static_cast<int>(best);
-    RehearsedCandidate& chosen = rehearsal_.tried[best];
-    const Grasp grasp = maker_.Make(chosen.candidate);
-    while (static_cast<int>(chosen.outcomes.size()) < config_.num_draws) TryDraw(grasp, chosen);
   }
 
   const CandidateMaker& maker_;

@@ -3,8 +3,9 @@
 Chooses a grasp by trying candidates (grasp_candidates.h) on imagined draws before the first trial.
 
     order      candidates one after the other, each on draws 0, 1, .. until one is not held
-    choice     the first that is held in all `num_draws`; else the longest run, of equal ones that
-               with the lowest grip threshold, else the first
+    choice     the first that is held in all `num_draws`; else those of the longest run, and at
+               least three, are tried on all draws, and that held most is taken, of equal ones that
+               with the longest run, then that with the lowest grip threshold, else the first
     threshold  the smallest of the shares 1/2, 1/4, 1/8 of the grip with which draw 0 is still
                held; 1 where none is
 
@@ -50,7 +51,7 @@ using RunRehearsal = std::function<RehearsalAnswer(const Grasp& grasp, const Reh
 /** A candidate and what was found of it. */
 struct RehearsedCandidate {
   GraspCandidate candidate;
-  std::vector<Outcome> outcomes;  ///< by draw, until one is not held; of the chosen one all
+  std::vector<Outcome> outcomes;  ///< by draw, until one is not held; of the last ones all
   std::string reason;             ///< of its first failure
   double grip_threshold = 1.0;    ///< share of the grip; 1 where it was not looked for
 

@@ -12,6 +12,7 @@
 #include "core/base/random.h"
 #include "core/base/text/text.h"
 #include "datasets/plan/grip_check.h"
+#include "datasets/plan/rehearsed_grasps.h"
 
 namespace graspbench {
 
@@ -398,7 +399,10 @@ bool ChoosesGraspAgain(const Condition& condition) {
 }
 
 std::vector<Condition> ChooseAgain(std::vector<Condition> conditions, const SessionConfig& config) {
-  bool has_choice = std::count(config.grasps.begin(), config.grasps.end(), kBest) > 0;
+  bool has_choice =
+      std::any_of(config.grasps.begin(), config.grasps.end(), [](const std::string& name) {
+        return name == kBestGrasp || name == kPredictedGrasp || ParseRehearsed(name);
+      });
   for (Condition& condition : conditions) {
     for (const std::string& text : condition.settings) {
       has_choice = has_choice && Split(text).key != kGrasp;
@@ -406,9 +410,10 @@ std::vector<Condition> ChooseAgain(std::vector<Condition> conditions, const Sess
     condition.settings.push_back(std::string(kBest) + "=" + kAgain);
   }
   if (has_choice) return conditions;
-  throw Error(ErrorKind::kUsage,
-              "--grasp-per-condition chooses best grasps again, and the grasps are named here; "
-              "leave it out, or take --grasp best and no factor grasp");
+  throw Error(
+      ErrorKind::kUsage,
+      "--grasp-per-condition chooses grasps again, and they are named here; leave it out, or "
+      "take --grasp best, predicted or rehearsed and no factor grasp");
 }
 
 std::vector<SweepFactor> ListFactors(const SessionConfig& config) {

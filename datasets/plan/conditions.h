@@ -9,7 +9,7 @@ the session as it is configured. A setting is
     delay.last=SECONDS   the digit that touches last, or first, without delay closes later
     delay.first=SECONDS  (core/trial/digit_delays.h)
     backend=NAME         implicit, or compliant (core/physics/simbody/compliant_world.h)
-    best=again           best grasps are chosen under the condition, not at the base (ChooseAgain)
+    best=again           grasps are chosen under the condition, not at the base (ChooseAgain)
 
 A factor is a key that conditions differ in; its levels are the values, that of the base first. */
 
@@ -36,7 +36,7 @@ ConditionInputs ApplyCondition(const Condition& condition, const SessionConfig& 
 bool HasDelays(const SessionConfig& config);
 
 /** Each condition with best=again. @throws Error(kUsage) where no grasp is chosen: none is named
-best, or grasps are what differs. */
+best, predicted or rehearsed, or grasps are what differs. */
 std::vector<Condition> ChooseAgain(std::vector<Condition> conditions, const SessionConfig& config);
 bool ChoosesGraspAgain(const Condition& condition);
 

@@ -17,15 +17,9 @@ bool NamesBySight(const std::vector<std::string>& names) {
   return std::find(names.begin(), names.end(), kBySight) != names.end();
 }
 
-bool CanTake(const SessionInputs& inputs, const SessionHand& hand, const Grasp& grasp,
-             const std::shared_ptr<const GraspObject>& object) {
-  if (grasp.placement) return true;
-  const GraspPrediction& prediction = inputs.fitted->Find(hand.hand, grasp, object).prediction;
-  return prediction.reaches() && prediction.is_clear() && prediction.meets();
-}
-
-const Grasp& ChooseBestGrasp(const SessionInputs& inputs, const SessionHand& hand,
-                             const std::shared_ptr<const GraspObject>& object) {
+/** By what the object names, else by geometry (predict_grasp.h). */
+const Grasp& PredictBestGrasp(const SessionInputs& inputs, const SessionHand& hand,
+                              const std::shared_ptr<const GraspObject>& object) {
   const auto named = object->best_grasp.find(hand.hand->id);
   if (named != object->best_grasp.end()) {
     if (const Grasp* grasp = FindGrasp(hand, *object, named->second)) return *grasp;
@@ -45,10 +39,23 @@ const Grasp& ChooseBestGrasp(const SessionInputs& inputs, const SessionHand& han
   return best ? *best : hand.grasps.front();
 }
 
+const Grasp& ChooseGrasp(const std::string& name, const SessionInputs& inputs,
+                         const SessionHand& hand,
+                         const std::shared_ptr<const GraspObject>& object) {
+  const auto type = inputs.types.find({hand.hand->id, object->id});
+  if (name == kBestGrasp && type != inputs.types.end()) {
+    if (const Grasp* grasp = FindGrasp(hand, *object, type->second.grasp)) return *grasp;
+  }
+  return PredictBestGrasp(inputs, hand, object);
+}
+
+bool IsChosen(const std::string& name) { return name == kBestGrasp || name == kPredictedGrasp; }
+
 /** Under a condition the one that the base chooses; null: the hand does not have it here. */
-const Grasp* FindBestGrasp(const SessionInputs& inputs, const SessionHand& hand,
-                           const std::shared_ptr<const GraspObject>& object) {
-  if (!inputs.base) return &ChooseBestGrasp(inputs, hand, object);
+const Grasp* FindChosenGrasp(const std::string& name, const SessionInputs& inputs,
+                             const SessionHand& hand,
+                             const std::shared_ptr<const GraspObject>& object) {
+  if (!inputs.base) return &ChooseGrasp(name, inputs, hand, object);
   const SessionInputs& base = *inputs.base;
   const auto base_hand =
       std::find_if(base.hands.begin(), base.hands.end(),
@@ -57,11 +64,17 @@ const Grasp* FindBestGrasp(const SessionInputs& inputs, const SessionHand& hand,
                                         [&](const auto& one) { return one->id == object->id; });
   GRASPBENCH_DEMAND(base_hand != base.hands.end() && base_object != base.objects.end(),
                     hand.hand->id + ", " + object->id);
-  return FindGrasp(hand, *object, ChooseBestGrasp(base, *base_hand, *base_object).id);
+  return FindGrasp(hand, *object, ChooseGrasp(name, base, *base_hand, *base_object).id);
+}
+
+bool HasHeld(const SessionInputs& inputs, const SessionHand& hand, const GraspObject& object) {
+  const auto type = inputs.types.find({hand.hand->id, object.id});
+  return type != inputs.types.end() && type->second.held > 0;
 }
 
 /** What each name of the session stands for on an object: one grasp, all those of which the camera
-chooses, those that "best" is chosen of, or "all". Names whose choice is believed are left out. */
+chooses, those that "best" and "predicted" are chosen of, or "all". Left out is what the object
+names or an imagined trial held. */
 std::vector<std::vector<const Grasp*>> ListTried(const SessionConfig& config,
                                                  const SessionInputs& inputs,
                                                  const SessionHand& hand,
@@ -76,9 +89,10 @@ std::vector<std::vector<const Grasp*>> ListTried(const SessionConfig& config,
       for (const Grasp& grasp : hand.grasps) add(FindGrasp(hand, *object, grasp.id));
     } else if (name == kBySight) {
       group = FindSightGrasps(hand, *object);
-    } else if (name != "best") {
+    } else if (!IsChosen(name)) {
       add(FindGrasp(hand, *object, ResolveGraspName(inputs, name)));
-    } else if (object->best_grasp.count(hand.hand->id) == 0) {
+    } else if (object->best_grasp.count(hand.hand->id) == 0 &&
+               !(name == kBestGrasp && HasHeld(inputs, hand, *object))) {
       for (const std::string& id : object->grasp_order) add(FindGrasp(hand, *object, id));
     }
     if (!group.empty()) tried.push_back(std::move(group));
@@ -86,77 +100,53 @@ std::vector<std::vector<const Grasp*>> ListTried(const SessionConfig& config,
   return tried;
 }
 
-/** An object that a hand cannot take by one of the session's names of grasps: none that it stands
-for reaches it, comes to it clear of it and meets it. */
-struct UnreachedObject {
-  std::string hand, object;
-  std::vector<std::string> tried;  ///< ids of grasps, the object's order for "best"
-  std::string nearest;             ///< of these
-  double miss = 0.0;               ///< by which its pads stop short [m]; 0: it reaches the object
-  double lacking_room = 0.0;       ///< of one that reaches it, beside the open digits [m]
-  double width = 0.0;              ///< the object's, the smaller one on the table [m]
-  double opening = 0.0;            ///< of the nearest grasp's pads [m]
-};
-
-std::vector<UnreachedObject> FindUnreached(const SessionConfig& config,
-                                           const SessionInputs& inputs) {
-  std::vector<UnreachedObject> all;
-  for (const SessionHand& hand : inputs.hands) {
-    for (const auto& object : inputs.objects) {
-      for (const auto& tried : ListTried(config, inputs, hand, object)) {
-        const auto can_take = [&](const Grasp* grasp) {
-          return CanTake(inputs, hand, *grasp, object);
-        };
-        if (std::any_of(tried.begin(), tried.end(), can_take)) continue;
-        UnreachedObject unreached;
-        unreached.hand = hand.hand->id;
-        unreached.object = object->id;
-        unreached.width = std::min(object->size.x(), object->size.y());
-        for (const Grasp* grasp : tried) {
-          const auto& [fitted, prediction] = inputs.fitted->Find(hand.hand, *grasp, object);
-          const double miss = prediction.reach_miss;
-          const double lacking = std::max(0.0, prediction.needed_room - prediction.room);
-          if (unreached.tried.empty() ||
-              std::pair(miss, lacking) < std::pair(unreached.miss, unreached.lacking_room)) {
-            unreached.nearest = grasp->id;
-            unreached.miss = miss;
-            unreached.lacking_room = lacking;
-            unreached.opening = CalcPreGraspWidth(*hand.hand, fitted);
-          }
-          unreached.tried.push_back(grasp->id);
-        }
-        all.push_back(std::move(unreached));
-      }
+/** The sentence of ListObjectWarnings; empty: one of the grasps reaches the object. */
+std::string DescribeMiss(const SessionInputs& inputs, const SessionHand& hand,
+                         const std::shared_ptr<const GraspObject>& object,
+                         const std::vector<const Grasp*>& tried) {
+  const FittedGrasp* nearest = nullptr;
+  std::string ids;
+  for (const Grasp* grasp : tried) {
+    if (grasp->placement) return "";
+    const FittedGrasp& fitted = inputs.fitted->Find(hand.hand, *grasp, object);
+    if (fitted.prediction.reaches()) return "";
+    ids += (ids.empty() ? "" : ", ") + grasp->id;
+    if (!nearest || fitted.prediction.reach_miss < nearest->prediction.reach_miss) {
+      nearest = &fitted;
     }
   }
-  return all;
+  const auto format = [](double length) { return FormatFixed(MmFromM(length), 1) + " mm"; };
+  const bool is_one = tried.size() == 1;
+  const double width = std::min(object->size.x(), object->size.y());
+  const double opening = CalcPreGraspWidth(*hand.hand, nearest->grasp);
+  return hand.hand->id + ", " + object->id + ": " +
+         (is_one ? ids + " does not reach it" : "none of " + ids + " reaches it") +
+         ", so every trial will be unreachable; " +
+         (is_one ? "its" : "nearest is " + nearest->grasp.id + ", whose") + " pads stop " +
+         format(nearest->prediction.reach_miss) + " short" +
+         (opening > 0.0 && width > opening
+              ? ": it is " + format(width) + " wide, and they open to " + format(opening)
+              : "");
 }
 
-std::string DescribeUnreached(const UnreachedObject& unreached) {
-  std::string tried;
-  for (const std::string& id : unreached.tried) tried += (tried.empty() ? "" : ", ") + id;
-  const bool is_one = unreached.tried.size() == 1;
-  const std::string who =
-      unreached.hand + ", " + unreached.object + ": " + (is_one ? tried : "none of " + tried);
-  const auto format = [](double length) { return FormatFixed(MmFromM(length), 1) + " mm"; };
-  if (unreached.miss > 0.0) {
-    const bool is_wide = unreached.opening > 0.0 && unreached.width > unreached.opening;
-    return who + (is_one ? " does not reach it" : " reaches it") +
-           ", so every trial will be unreachable; " +
-           (is_one ? "its" : "nearest is " + unreached.nearest + ", whose") + " pads stop " +
-           format(unreached.miss) + " short" +
-           (is_wide ? ": it is " + format(unreached.width) + " wide, and they open to " +
-                          format(unreached.opening)
-                    : "");
+/** What imagined trials say of the session's best grasps. */
+std::vector<std::string> ListDoubtfulTypes(const SessionConfig& config,
+                                           const SessionInputs& inputs) {
+  std::vector<std::string> warnings;
+  if (std::count(config.grasps.begin(), config.grasps.end(), kBestGrasp) == 0) return warnings;
+  for (const SessionHand& hand : inputs.hands) {
+    for (const auto& object : inputs.objects) {
+      const auto found = inputs.types.find({hand.hand->id, object->id});
+      if (found == inputs.types.end()) continue;
+      const RehearsedType& type = found->second;
+      if (2 * type.held > type.draws) continue;
+      warnings.push_back(type.hand + ", " + type.object +
+                         ": no standard grasp held more than half " + "of its imagined trials; " +
+                         type.grasp + " held " + std::to_string(type.held) + " of " +
+                         std::to_string(type.draws));
+    }
   }
-  if (unreached.lacking_room > 0.0) {
-    return who + (is_one ? " is not" : " is") +
-           " clear of it wherever a draw puts it, so digits may touch it before they close; " +
-           (is_one ? "it" : "nearest is " + unreached.nearest + ", which") + " lacks " +
-           format(unreached.lacking_room) + " beside the object";
-  }
-  return who + (is_one ? " does not meet it" : " meets it") +
-         " with its opposing digit and another when it closes";
+  return warnings;
 }
 
 }  // namespace
@@ -237,7 +227,7 @@ std::vector<GraspEntry> ListGraspEntries(const SessionConfig& config, const Sess
       entries.push_back({kBySight, FindSightGrasps(hand, *object)});
       continue;
     }
-    const Grasp* grasp = name == "best" ? FindBestGrasp(inputs, hand, object)
+    const Grasp* grasp = IsChosen(name) ? FindChosenGrasp(name, inputs, hand, object)
                                         : FindGrasp(hand, *object, ResolveGraspName(inputs, name));
     const bool is_new =
         grasp && std::none_of(entries.begin(), entries.end(), [&](const GraspEntry& entry) {
@@ -263,9 +253,14 @@ std::vector<const Grasp*> FindGrasps(const SessionConfig& config, const SessionI
 std::vector<std::string> ListObjectWarnings(const SessionConfig& config,
                                             const SessionInputs& inputs) {
   const double kTipsOver = RadFromDeg(5.0);  // beyond what a rough surface rocks
-  std::vector<std::string> warnings;
-  for (const UnreachedObject& unreached : FindUnreached(config, inputs)) {
-    warnings.push_back(DescribeUnreached(unreached));
+  std::vector<std::string> warnings = ListDoubtfulTypes(config, inputs);
+  for (const SessionHand& hand : inputs.hands) {
+    for (const auto& object : inputs.objects) {
+      for (const auto& tried : ListTried(config, inputs, hand, object)) {
+        const std::string miss = DescribeMiss(inputs, hand, object, tried);
+        if (!miss.empty()) warnings.push_back(miss);
+      }
+    }
   }
   for (const auto& object : inputs.objects) {
     if (object->turned_to_rest <= kTipsOver) continue;

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
 Which grasps of a hand a session tries on an object, how the hand does them there, and whether any
-of them can take it: known by geometry before the first trial (core/grasp/predict_grasp.h). */
+of them reaches it: known by geometry before the first trial (core/grasp/predict_grasp.h). */
 
 #include <memory>
 #include <string>
@@ -47,9 +47,9 @@ struct GraspEntry {
 (core/vision/locate_object.h). @throws Error(kUsage) when the hand has none of one type. */
 std::vector<const Grasp*> FindSightGrasps(const SessionHand& hand, const GraspObject& object);
 
-/** As MakePlan says (session_plan.h). "best" is what the object names for this hand, else of those
-that reach and meet it by prediction one that held half of the shapes that its development had not
-met (Grasp::held_share), else any; then the one that keeps most of four conditions (clear of it,
+/** As MakePlan says (session_plan.h). "predicted" is what the object names for this hand, else of
+those that reach and meet it by prediction one that held half of the shapes that its development had
+not met (Grasp::held_share), else any; then the one that keeps most of four conditions (clear of it,
 forces that hold, every digit meets it, the palm near), and of those alike the one that meets it
 lowest. */
 std::vector<GraspEntry> ListGraspEntries(const SessionConfig& config, const SessionInputs& inputs,
@@ -61,15 +61,14 @@ std::vector<const Grasp*> FindGrasps(const SessionConfig& config, const SessionI
                                      const SessionHand& hand,
                                      const std::shared_ptr<const GraspObject>& object);
 
-/** What is to be said of the session's objects before it: those that no grasp takes, then those
-that tip over when they are set down as their mesh lies (core/shape/resting_pose.h). Of the first,
-in the order hand, object, name of grasp, what an object names as its best grasp is believed:
+/** What is to be said of the session's objects before it, each in the order hand, object:
 
-"allegro, carton: none of g1, g2 reaches it, so every trial will be unreachable; nearest is g2,
-whose pads stop 6.2 mm short", with the widths where the object is too wide; or "..: none of g1, g2
-is clear of it wherever a draw puts it, so digits may touch it before they close; nearest is g2,
-which lacks 6.2 mm beside the object"; or "..: none of g1, g2 meets it with its opposing digit and
-another when it closes". */
+- "allegro, carton: no standard grasp held more than half of its imagined trials; g3 held 1 of 4",
+  of "best" grasps;
+- "allegro, carton: none of g1, g2 reaches it, so every trial will be unreachable; nearest is g2,
+  whose pads stop 6.2 mm short", with the widths where the object is too wide, of each name of a
+  grasp; what an object names as its best grasp is believed;
+- objects that tip over when they are set down as their mesh lies (core/shape/resting_pose.h). */
 std::vector<std::string> ListObjectWarnings(const SessionConfig& config,
                                             const SessionInputs& inputs);
 

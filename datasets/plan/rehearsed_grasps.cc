@@ -19,7 +19,7 @@
 namespace graspbench {
 namespace {
 
-constexpr char kRehearsalKind[] = "gbreh001";  ///< changes with a rule of core/rehearse
+constexpr char kRehearsalKind[] = "gbreh002";  ///< changes with a rule of core/rehearse
 constexpr char kName[] = "rehearsed";
 constexpr int kMostCandidates = 1000, kMostDraws = 100;
 
@@ -35,6 +35,9 @@ std::optional<int> ReadNumber(const std::string& text, int most) {
 std::filesystem::path FindKeptPath(const std::string& hash) {
   return FindCacheRoot() / "rehearsals" / hash;
 }
+
+/** With the geometry by which grasps are placed: no change of a rule meets what was kept before. */
+uint64_t CalcKeptKey(const std::string& hash) { return CalcHash64(program_sources() + hash); }
 
 std::shared_ptr<const GraspObject> MakeDoubtful(const GraspObject& object) {
   auto doubtful = std::make_shared<GraspObject>(object);
@@ -142,18 +145,16 @@ std::string CalcRehearsalHash(const RehearsalTask& task) {
     grasps.push_back({ToJson(grasp), JsonNumber(grasp.held_share)});
   }
   const Hand& hand = *task.hand;
-  return CalcHashHex(
-      FormatJson({{"rules", kRehearsalKind},
-                  {"geometry", program_sources()},
-                  {"physics", kPhysicsVersion},
-                  {"hand", {hand.id, hand.content_hash, hand.joint_accuracy, hand.slide_accuracy}},
-                  {"grasps", grasps},
-                  {"object", {task.object->id, task.object->content_hash}},
-                  {"approach", RowOf(kApproaches, task.object->approach).name},
-                  {"conditions", ConfigToJson(conditions)},
-                  {"imperfections", ConfigToJson(task.imperfections)},
-                  {"candidates", task.config.num_candidates},
-                  {"draws", task.config.num_draws}}));
+  return CalcHashHex(FormatJson({{"rules", kRehearsalKind},
+                                 {"physics", kPhysicsVersion},
+                                 {"hand", {hand.id, hand.content_hash}},
+                                 {"grasps", grasps},
+                                 {"object", {task.object->id, task.object->content_hash}},
+                                 {"approach", RowOf(kApproaches, task.object->approach).name},
+                                 {"conditions", ConfigToJson(conditions)},
+                                 {"imperfections", ConfigToJson(task.imperfections)},
+                                 {"candidates", task.config.num_candidates},
+                                 {"draws", task.config.num_draws}}));
 }
 
 TrialSetup MakeRehearsalSetup(const RehearsalTask& task,
@@ -176,7 +177,7 @@ TrialSetup MakeRehearsalSetup(const RehearsalTask& task,
 
 std::optional<Rehearsal> FindKeptRehearsal(const RehearsalTask& task) {
   const std::string hash = CalcRehearsalHash(task);
-  const auto text = ReadKept(FindKeptPath(hash), kRehearsalKind, CalcHash64(hash));
+  const auto text = ReadKept(FindKeptPath(hash), kRehearsalKind, CalcKeptKey(hash));
   if (!text) return std::nullopt;
   try {
     Rehearsal rehearsal;
@@ -207,7 +208,7 @@ Rehearsal FindRehearsal(const RehearsalTask& task) {
   const Rehearsal rehearsal =
       RehearseGrasp(CandidateMaker(*task.hand, task.grasps, *object), task.config, run);
   const std::string hash = CalcRehearsalHash(task);
-  Keep(FindKeptPath(hash), kRehearsalKind, CalcHash64(hash), FormatJson(RecordToJson(rehearsal)));
+  Keep(FindKeptPath(hash), kRehearsalKind, CalcKeptKey(hash), FormatJson(RecordToJson(rehearsal)));
   return rehearsal;
 }
 

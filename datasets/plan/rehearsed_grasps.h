@@ -5,8 +5,8 @@ trials choose. Imagined trials are those of the session, by its variation, strat
 with draws of a stream of their own, so that no session meets the draws of its rehearsal whatever
 its seed.
 
-What was found is kept between runs (core/base/files/kept.h) under the hash of all that decides it;
-a session keeps the grasps themselves among its inputs (session_inputs.h), as grasp files. */
+What was found is kept between runs (core/base/files/kept.h) under the hash of all that decides it
+and of the sources; a session keeps the grasps themselves among its inputs (session_inputs.h), as grasp files. */
 
 #include <memory>
 #include <optional>

@@ -135,7 +135,7 @@ struct Condition {
 struct SessionConfig : TrialConditions {
   std::vector<std::string> hands = {"tum", "shadow"};
   std::vector<std::string> objects = {"all"};
-  std::vector<std::string> grasps = {"best"};  ///< "all", or "best", "by-sight", ids, files
+  std::vector<std::string> grasps = {"best"};  ///< "all", or words, ids, files
   std::string approach = "automatic";          ///< core/shape/grasp_object.h
   std::string positioning = "nominal";         ///< core/trial/trial_setup.h
   CameraConfig camera;                         ///< for positioning, and grasps, by camera
@@ -172,9 +172,8 @@ struct SessionConfig : TrialConditions {
     v("hands", hands, "hands by id, name or folder, or all");
     v("objects", objects, "objects by id, name or folder, or all");
     v("grasps", grasps,
-      "standard grasps by id or name, grasp files (.yaml), best, by-sight, rehearsed, "
-      "rehearsed:N,k, "
-      "or all");
+      "standard grasps by id or name, grasp files (.yaml), best, predicted, by-sight, rehearsed, "
+      "rehearsed:N,k, or all");
     v("trials", trials, {"trials of each hand, object and grasp", 1, 100000});
     v("seed", seed, {"random seed; another seed gives other sampled poses", 0, 2147483647});
     TrialConditions::Visit(v);

@@ -7,6 +7,7 @@
 #include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/base/files/files.h"
+#include "core/base/hash.h"
 #include "core/base/text/json.h"
 #include "core/grasp/grasp_file.h"
 #include "core/hand/load_hand.h"
@@ -34,8 +35,9 @@ fs::path FindOriginal(const std::string& name) {
   return path;
 }
 
-fs::path FindCopy(const fs::path& inputs, const char* kind, const std::string& name) {
-  return inputs / kind / FindOriginal(name).filename();
+/** Of an own hand or object, within the folder of copies. */
+fs::path FindPlace(const char* kind, const std::string& name) {
+  return fs::path(kind) / FindOriginal(name).filename();
 }
 
 /** The session that an experiment's folder belongs to; else the folder itself. */
@@ -48,22 +50,28 @@ fs::path FindOwner(const fs::path& folder) {
   return is_part ? above : folder;
 }
 
-/** Of the store itself, of the session or of the campaign that it is part of. */
-fs::path FindInputs(const fs::path& part) {
+/** A copy of the store itself, of the session or of the campaign that it is part of; empty: none.
+@param place  within the folder of copies. */
+fs::path FindInput(const fs::path& part, const fs::path& place) {
+  if (part.empty()) return {};
   std::error_code status;
-  if (fs::exists(part / kInputs, status)) return part / kInputs;
+  const auto find = [&](const fs::path& store) {
+    const fs::path copy = store / kInputs / place;
+    return fs::exists(copy, status) ? copy : fs::path();
+  };
+  if (const fs::path own = find(part); !own.empty()) return own;
   const fs::path folder = FindOwner(part);
-  if (fs::exists(folder / kInputs, status)) return folder / kInputs;
+  if (const fs::path own = find(folder); !own.empty()) return own;
   for (const fs::path& above : {folder / "..", folder / ".." / ".."}) {
-    if (FindStoreKind(above) == &kCampaignStore) return above / kInputs;
+    if (FindStoreKind(above) == &kCampaignStore) return find(above);
   }
-  return folder / kInputs;
+  return {};
 }
 
 /** The copy, or the name when there is none. */
-std::string ChooseInput(const std::string& name, const fs::path& copy) {
-  std::error_code status;
-  return fs::exists(copy, status) ? copy.string() : name;
+std::string ChooseInput(const std::string& name, const fs::path& folder, const fs::path& place) {
+  const fs::path copy = FindInput(folder, place);
+  return copy.empty() ? name : copy.string();
 }
 
 void CopyFiles(const fs::path& from, const fs::path& to, const std::vector<std::string>& files) {
@@ -140,8 +148,10 @@ void AddGrasp(const std::string& text, const std::string& file, SessionInputs& i
 }
 
 /** Those of the folder, of an earlier run, or made now. What is kept is rounded, so all are read
-from their text. */
-void AddRehearsed(const SessionConfig& config, const fs::path& folder, SessionInputs& inputs) {
+from their text.
+@param suffix  of the folders of a condition that chooses again. */
+void AddRehearsed(const SessionConfig& config, const fs::path& folder, const std::string& suffix,
+                  SessionInputs& inputs) {
   for (const RehearsalConfig& rehearsal : ListRehearsals(config)) {
     CheckSessionConfig(config);  // before anything is simulated
     const std::string id = NameRehearsed(rehearsal);
@@ -149,11 +159,11 @@ void AddRehearsed(const SessionConfig& config, const fs::path& folder, SessionIn
       const std::shared_ptr<const Hand> hand = inputs.hands[h].hand;
       const std::vector<Grasp> grasps = inputs.hands[h].grasps;
       for (const auto& object : inputs.objects) {
-        const std::string place = "grasps/" + id + "/" + hand->id + "/" + object->id + ".yaml";
-        const fs::path copy = folder.empty() ? fs::path() : FindInputs(folder) / place;
-        std::error_code status;
+        const std::string place =
+            "grasps/" + id + suffix + "/" + hand->id + "/" + object->id + ".yaml";
+        const fs::path copy = FindInput(folder, place);
         std::string& text = inputs.rehearsed[place];
-        if (!copy.empty() && fs::exists(copy, status)) {
+        if (!copy.empty()) {
           text = ReadFile(copy);
         } else {
           const RehearsalTask task = MakeRehearsalTask(config, rehearsal, hand, grasps, object);
@@ -165,9 +175,35 @@ void AddRehearsed(const SessionConfig& config, const fs::path& folder, SessionIn
   }
 }
 
+/** The types of best grasps: those of the folder, stored ones, or made now. */
+void AddTypes(const SessionConfig& config, const fs::path& folder, const std::string& suffix,
+              SessionInputs& inputs) {
+  if (!HasBestGrasp(config)) return;
+  const std::string place = "grasps/" + (kBestGrasp + suffix) + "/types.json";
+  const fs::path copy = FindInput(folder, place);
+  if (!copy.empty()) inputs.types = ParseTypes(ReadFile(copy), copy.string());
+  for (const SessionHand& hand : inputs.hands) {
+    for (const auto& object : inputs.objects) {
+      if (inputs.types.count({hand.hand->id, object->id}) > 0) continue;
+      const RehearsalTask all = MakeRehearsalTask(config, {}, hand.hand, hand.grasps, object);
+      if (!NeedsType(all)) continue;
+      auto type = suffix.empty() ? FindShippedType(all) : std::nullopt;
+      if (!type) {
+        CheckSessionConfig(config);  // before anything is simulated
+        const RehearsalTask task = MakeTypeTask(all, kTypeDraws);
+        type = MakeType(task, FindRehearsal(task));
+      }
+      inputs.types.emplace(std::pair(hand.hand->id, object->id), *type);
+    }
+  }
+  inputs.rehearsed[place] = FormatTypes(inputs.types);
+}
+
 /** To a condition's hands, where nothing is rehearsed again. */
 void TakeRehearsed(const SessionInputs& base, SessionInputs& inputs) {
-  for (const auto& [place, text] : base.rehearsed) AddGrasp(text, place, inputs);
+  for (const auto& [place, text] : base.rehearsed) {
+    if (IsGraspFile(place)) AddGrasp(text, place, inputs);
+  }
 }
 
 /** The session's word comes before the objects' and the grasps'. */
@@ -191,6 +227,12 @@ void ApplyApproach(const std::string& name, SessionInputs& inputs) {
 /** All that decides what hands and objects are. */
 Json DescribeInputs(const SessionConfig& config) {
   return Json{ConfigToJson(config.model), ConfigToJson(config.imperfections), config.approach};
+}
+
+/** All that decides what is rehearsed. */
+Json DescribeRehearsals(const SessionConfig& config) {
+  return Json{ConfigToJson<TrialConditions>(config), ConfigToJson(config.imperfections),
+              config.approach};
 }
 
 SessionInputs LoadBaseInputs(const SessionConfig& config, FieldUse field_use,
@@ -259,12 +301,12 @@ void CopyInputs(const SessionConfig& config, const fs::path& folder) {
   std::vector<std::string> own = ListHands();
   own.push_back("all");
   for (const std::string& name : config.hands) {
-    if (!IsOneOf(name, own)) CopyHand(FindOriginal(name), FindCopy(inputs, "hands", name));
+    if (!IsOneOf(name, own)) CopyHand(FindOriginal(name), inputs / FindPlace("hands", name));
   }
   own = ListObjects();
   own.push_back("all");
   for (const std::string& name : config.objects) {
-    if (!IsOneOf(name, own)) CopyObject(FindOriginal(name), FindCopy(inputs, "objects", name));
+    if (!IsOneOf(name, own)) CopyObject(FindOriginal(name), inputs / FindPlace("objects", name));
   }
   for (size_t i = 0; i < config.grasps.size(); ++i) {
     if (!IsGraspFile(config.grasps[i])) continue;
@@ -277,24 +319,20 @@ void CopyInputs(const SessionConfig& config, const fs::path& folder) {
 void CopyRehearsed(const SessionInputs& inputs, const fs::path& folder) {
   for (const auto& [place, text] : inputs.rehearsed) {
     MakeFolder((folder / kInputs / place).parent_path());
-    WriteFile(folder / kInputs / place, text);
+    WriteFileAtomically(folder / kInputs / place, text);
   }
-  if (!inputs.rehearsed.empty()) SyncFileSystem(folder);
 }
 
 std::string FindHandInput(const std::string& name, const fs::path& folder) {
-  if (folder.empty()) return name;
-  return ChooseInput(name, FindCopy(FindInputs(folder), "hands", name));
+  return ChooseInput(name, folder, FindPlace("hands", name));
 }
 
 std::string FindObjectInput(const std::string& name, const fs::path& folder) {
-  if (folder.empty()) return name;
-  return ChooseInput(name, FindCopy(FindInputs(folder), "objects", name));
+  return ChooseInput(name, folder, FindPlace("objects", name));
 }
 
 std::string FindGraspInput(const std::string& name, size_t number, const fs::path& folder) {
-  if (folder.empty()) return name;
-  return ChooseInput(name, FindInputs(folder) / "grasps" / (std::to_string(number) + ".yaml"));
+  return ChooseInput(name, folder, fs::path("grasps") / (std::to_string(number) + ".yaml"));
 }
 
 std::vector<std::string> ListSceneGrasps(const std::string& id, const fs::path& folder) {
@@ -310,20 +348,29 @@ std::vector<std::string> ListSceneGrasps(const std::string& id, const fs::path& 
 SessionInputs LoadSessionInputs(const SessionConfig& config, FieldUse field_use,
                                 const std::filesystem::path& folder) {
   SessionInputs inputs = LoadBaseInputs(config, field_use, folder);
-  AddRehearsed(config, folder, inputs);
+  AddRehearsed(config, folder, "", inputs);
+  AddTypes(config, folder, "", inputs);
   const std::shared_ptr<const SessionInputs> base = std::make_shared<SessionInputs>(inputs);
   std::map<std::string, std::shared_ptr<const SessionInputs>> known = {
       {FormatJson(DescribeInputs(config)), base}};
   for (const Condition& condition : config.conditions) {
     ConditionInputs made = ApplyCondition(condition, config);
-    const Json described = DescribeInputs(made.config);
-    const bool chooses_again = ChoosesGraspAgain(condition) && described != DescribeInputs(config);
+    const std::string decides = FormatJson(DescribeRehearsals(made.config));
+    const bool chooses_again =
+        ChoosesGraspAgain(condition) && decides != FormatJson(DescribeRehearsals(config));
     std::shared_ptr<const SessionInputs>& shared =
-        known[FormatJson(described) + (chooses_again ? " again" : "")];
+        known[chooses_again ? decides : FormatJson(DescribeInputs(made.config))];
     if (!shared) {
       SessionInputs changed = LoadBaseInputs(made.config, field_use, folder);
-      TakeRehearsed(*base, changed);
-      if (!chooses_again) changed.base = base;
+      if (chooses_again) {
+        const std::string suffix = "-" + CalcHashHex(decides).substr(0, 8);
+        AddRehearsed(made.config, folder, suffix, changed);
+        AddTypes(made.config, folder, suffix, changed);
+        inputs.rehearsed.insert(changed.rehearsed.begin(), changed.rehearsed.end());
+      } else {
+        TakeRehearsed(*base, changed);
+        changed.base = base;
+      }
       shared = std::make_shared<SessionInputs>(std::move(changed));
     }
     made.inputs = shared;

@@ -13,6 +13,7 @@ The hands and objects of a session, loaded once and shared between threads. */
 #include "core/shape/grasp_object.h"
 #include "core/trial/trial_setup.h"
 #include "datasets/plan/fitted_grasps.h"
+#include "datasets/plan/rehearsed_types.h"
 #include "datasets/plan/session_config.h"
 #include "objects/catalogue.h"
 
@@ -40,7 +41,9 @@ struct SessionInputs {
   std::vector<SessionHand> hands;                           ///< in the order of the configuration
   std::vector<std::shared_ptr<const GraspObject>> objects;  ///< in the order of the configuration
   std::map<std::string, std::string> grasp_files;  ///< path in the configuration -> the grasp's id
-  /** Of "rehearsed" grasps, the texts of their files by place in the folder of copies. */
+  RehearsedTypes types;  ///< where a grasp is "best" and the object names none
+  /** What was rehearsed, types and grasp files, as texts by place in the folder of copies; with
+  that of conditions which choose again. */
   std::map<std::string, std::string> rehearsed;
   std::map<std::string, ConditionInputs> conditions;                        ///< by name
   std::shared_ptr<FittedGrasps> fitted = std::make_shared<FittedGrasps>();  ///< those asked for
@@ -52,8 +55,9 @@ struct SessionInputs {
 /** Loads what the configuration names, with its `model` applied; "all" is every hand and object that
 comes with the program. A grasp whose name ends in ".yaml" is a file (core/grasp/grasp_file.h) and
 goes to its hand; the benchmark of a campaign has the grasps of the campaign's scenes, too. A name
-"rehearsed" stands for one grasp for each hand and object, rehearsed where neither the folder nor an
-earlier run has it (rehearsed_grasps.h); conditions have those of the base.
+"rehearsed" stands for one grasp for each hand and object, "best" for one standard grasp
+(rehearsed_types.h), each rehearsed where neither the folder nor an earlier run has it
+(rehearsed_grasps.h). Conditions have those of the base, or choose again (ChooseAgain).
 @param folder  of the session whose copies are taken; empty: the originals.
 @param field_use  kLater where thousands of objects must fit: whoever simulates one completes it
 (CompleteObject).
@@ -68,6 +72,9 @@ optimisation or a campaign when it is made:
     inputs/objects/<id>/   object.yaml, its mesh and the files that a .gltf names
     inputs/grasps/<n>.yaml the n-th of the configuration's grasps, from 0
     inputs/grasps/rehearsed/<hand>/<object>.yaml  a rehearsed grasp
+    inputs/grasps/best/types.json  the types of best grasps
+
+A condition that chooses again has folders "rehearsed-<hash>" and "best-<hash>" of its own.
 
 What comes with the program is not copied. The copies are sealed with the store; whoever continues
 or reads it takes them, wherever it was moved to and whatever became of the originals. The scenes
@@ -80,7 +87,7 @@ bool IsGraspFile(const std::string& name);
 /** @pre LoadSessionInputs(config) has found them usable. @throws Error(kUsage) for a file that is
 named from outside its hand's or object's folder; Error(kIo). */
 void CopyInputs(const SessionConfig& config, const std::filesystem::path& folder);
-/** The rehearsed grasps. @throws Error(kIo). */
+/** What was rehearsed. @throws Error(kIo). */
 void CopyRehearsed(const SessionInputs& inputs, const std::filesystem::path& folder);
 
 /** hand.urdf, hand.yaml and the meshes that hand.urdf names, into the folder `to`; meshes named

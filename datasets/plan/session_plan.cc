@@ -49,7 +49,8 @@ void CheckGraspsExist(const SessionConfig& config, const SessionInputs& inputs) 
     throw Error(ErrorKind::kUsage,
                 "none of the session's hands has any grasp; graspbench hand develop finds some");
   for (const std::string& name : config.grasps) {
-    if (name == "best" || name == "all" || name == kBySight) continue;
+    if (name == kBestGrasp || name == kPredictedGrasp || name == "all" || name == kBySight)
+      continue;
     const std::string id = ResolveGraspName(inputs, name);
     if (std::find(known.begin(), known.end(), id) == known.end()) {
       known.push_back(kBySight);

@@ -55,13 +55,15 @@ trial, condition, so that a world serves as many trials in a row as it can and t
 several delays is undelayed once; what a condition's backend cannot move has no trial there. With
 the grasps
 
-- "best": the object's best grasp for that hand; where it names none (a user's hand) or one that the
-  hand cannot do, of the object's grasp_order that of the highest rank by prediction, the first of
-  equal ones (grasp_choice.h); else the hand's first. Conditions use the one that the base chooses,
-  so that every draw has a pair; how the hand does it on the object (FindFitted) each finds with its
-  own settings, as a session of its own would;
+- "best": the object's best grasp for that hand; where it names none (a user's hand) the one that
+  was rehearsed (rehearsed_types.h). Conditions use the one that the base chooses, so that every
+  draw has a pair; how the hand does it on the object (FindFitted) each finds with its own settings,
+  as a session of its own would;
+- "predicted": the same, but where the object names none, or one that the hand cannot do, of the
+  object's grasp_order that of the highest rank by prediction, the first of equal ones
+  (grasp_choice.h); else the hand's first;
 - "all": all that the hand can do;
-- ids and grasp files, "best" among them: those that the hand can do on the object;
+- ids and grasp files, "best" and "predicted" among them: those that the hand can do on the object;
 - "by-sight", which may be among ids: what the hand's camera chooses in the trial
   (core/trial/trial_runner.h).
 

@@ -51,6 +51,7 @@ SessionModels LoadSessionModels(const Session& session) {
         LoadSessionInputs(session.config, FieldUse::kLater, session.folder);
     for (const SessionHand& hand : inputs.hands) models.hands[hand.hand->id] = hand.hand;
     for (const auto& object : inputs.objects) models.objects[object->id] = object;
+    models.types = inputs.types;
     if (!session.plan.empty() && !(MakePlan(session.config, inputs) == session.plan)) {
       models.problems.push_back(
           "a hand, an object, a grasp or the physics has changed since the session was planned; "

@@ -14,12 +14,14 @@ The hands and objects of a session, as far as they can still be loaded, for name
 #include "core/trial/outcome.h"
 #include "core/trial/trial_result.h"
 #include "datasets/analysis/session_summary.h"
+#include "datasets/plan/rehearsed_types.h"
 
 namespace graspbench {
 
 struct SessionModels {
   std::map<std::string, std::shared_ptr<const Hand>> hands;
   std::map<std::string, std::shared_ptr<const GraspObject>> objects;
+  RehearsedTypes types;               ///< of best grasps
   std::vector<std::string> problems;  ///< what a reader must know of them
 
   /** The name for a person; the id when the model is missing. */

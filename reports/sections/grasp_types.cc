@@ -21,10 +21,26 @@ Html DrawRules() {
   return table.ToHtml();
 }
 
+Html DrawRehearsedTypes(const ReportData& data) {
+  Table table(
+      "Standard grasps that rehearsal chose. Held: of the imagined trials of the choice, whose "
+      "draws are none of this session's.",
+      {"Hand", "Object", "Grasp", "Held"});
+  for (const auto& [pair, type] : data.models.types) {
+    table.AddRow({type.hand, type.object, type.grasp,
+                  std::to_string(type.held) + " of " + std::to_string(type.draws)});
+  }
+  return table.ToHtml();
+}
+
 Html DrawTypes(const ReportData& data) {
   const std::vector<TypeSummary> types = ListTypeSummaries(data.session);
   const std::string line = FormatTypeLine(types);
-  const Html rules = MakeDetails("What each grasp is by its name", DrawRules());
+  Html rules;
+  if (!data.models.types.empty()) {
+    rules = MakeDetails("Type by rehearsal", DrawRehearsedTypes(data));
+  }
+  rules += MakeDetails("What each grasp is by its name", DrawRules());
   if (line.empty()) {
     return MakeParagraph("No trial with a standard grasp ended with the object in the hand.") +
            rules;

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/base/version.h"
@@ -9,13 +11,26 @@
 namespace graspbench {
 namespace {
 
+std::string DescribeChoice(const SessionConfig& config) {
+  if (HasBestGrasp(config)) {
+    return " The type of each best grasp was chosen by rehearsal: of the standard grasps, each as "
+           "the rule places it, the first that held all imagined trials, else the one that held "
+           "most. "
+           "Their draws are none of this session's.";
+  }
+  const bool is_predicted =
+      std::count(config.grasps.begin(), config.grasps.end(), kPredictedGrasp) > 0;
+  return is_predicted ? " The type of each predicted grasp was chosen by geometry." : "";
+}
+
 std::string DescribeMethod(const ReportData& data) {
   const SessionConfig& config = data.session.config;
   const int num_hands = static_cast<int>(data.summary.hands.size());
   const int num_objects = static_cast<int>(data.summary.objects.size());
   return FormatCount(num_hands, "robot hand") + " grasped " + FormatCount(num_objects, "object") +
          " in a physical simulation, with " + FormatCount(config.trials, "trial") +
-         " for every hand, object and grasp. Before each trial the object was moved by up to " +
+         " for every hand, object and grasp." + DescribeChoice(config) +
+         " Before each trial the object was moved by up to " +
          FormatFixed(MmFromM(config.variation.offset), 1) +
          " mm along each horizontal axis and turned by up to " +
          FormatFixed(DegFromRad(config.variation.yaw), 1) +
@@ -54,6 +69,9 @@ Html DrawOrigins() {
   add("Five-phase strategy; four grasp types, five standard grasps", "known from the thesis");
   add("Mass, size, centre of mass and friction of the 21 objects; ten trials per condition",
       "known from the thesis, table 4.1");
+  add("Type of a best grasp by trials on the object", "known from the thesis, 4.2");
+  add("Trials of that choice: their draws, their wrong models, their number",
+      "proposed by graspbench");
   add("Joint accuracy of 2 degrees of the TUM Hand", "known from the thesis");
   add("Names of GCT, GFT, GOT, GFT%, GOT%; the order GCT, GFT, GOT from large to small",
       "known from the thesis");

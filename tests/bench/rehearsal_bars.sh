@@ -18,9 +18,9 @@ run() {  # OUT NAME OPTION..
 }
 /usr/bin/time -f '%U s of processor time to rehearse' -o "$2/time.txt" -a \
   "$program" rehearse --jobs "${JOBS:-2}" --object "$objects" --out "$2/rehearsed" >"$2/rehearsed.txt"
-run "$2" fresh --object "$objects" --grasp best,rehearsed
+run "$2" fresh --object "$objects" --grasp predicted,rehearsed
 files=$(echo "$2"/rehearsed/grasps/*/*.yaml | tr ' ' ',')
-run "$2" wrong --object "$objects" --grasp "best,$files" --set model.mass_scale=1.2 \
+run "$2" wrong --object "$objects" --grasp "predicted,$files" --set model.mass_scale=1.2 \
   --set model.friction_scale=0.8
 for hand in tum shadow; do
   left=$(python3 "$bench/rehearsal_figures.py" "$2" --left "$hand" "$objects")

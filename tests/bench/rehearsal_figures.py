@@ -23,7 +23,7 @@ def load(out, name):
     if os.path.exists(path):
         with open(path, newline="") as file:
             for row in csv.DictReader(file):
-                kind = "rehearsed" if row["grasp"].startswith("rehearsed") else "best"
+                kind = "rehearsed" if row["grasp"].startswith("rehearsed") else "predicted"
                 held[row["hand"], row["object"], kind].append(row["outcome"] == "success")
     return {key: sum(trials) / len(trials) for key, trials in held.items()}
 
@@ -46,15 +46,15 @@ def main():
         objects = list_objects(fresh, hand)
         print("%s, %d objects" % (hand, len(objects)))
         for name, shares in (("fresh draws", fresh), ("wrong model", wrong)):
-            best = [shares[hand, o, "best"] for o in objects]
+            predicted = [shares[hand, o, "predicted"] for o in objects]
             rehearsed = [shares[hand, o, "rehearsed"] for o in objects]
-            gain = [b - a for a, b in zip(best, rehearsed)]
+            gain = [b - a for a, b in zip(predicted, rehearsed)]
             low, high = interval(gain)
-            mean = [100 * sum(values) / len(values) for values in (best, rehearsed, gain)]
+            mean = [100 * sum(values) / len(values) for values in (predicted, rehearsed, gain)]
             print("  %s: predicted %.1f %%, rehearsed %.1f %%, gain %.1f points (%.1f to %.1f)" %
                   (name, mean[0], mean[1], mean[2], 100 * low, 100 * high))
         robust = [o for o in objects if fresh[hand, o, "rehearsed"] >= 0.9]
-        predicted = [o for o in objects if fresh[hand, o, "best"] >= 0.9]
+        predicted = [o for o in objects if fresh[hand, o, "predicted"] >= 0.9]
         oracle = load(out, "oracle-" + hand)
         more = [o for o in objects if o not in robust and
                 (o in predicted or oracle.get((hand, o, "rehearsed"), 0) >= 0.9)]
@@ -63,7 +63,7 @@ def main():
         for o in objects:
             if fresh[hand, o, "rehearsed"] < 0.9:
                 print("    %s: rehearsed %.1f, predicted %.1f, by 10 draws %.1f" %
-                      (o, fresh[hand, o, "rehearsed"], fresh[hand, o, "best"],
+                      (o, fresh[hand, o, "rehearsed"], fresh[hand, o, "predicted"],
                        oracle.get((hand, o, "rehearsed"), float("nan"))))
 
 

@@ -4,10 +4,12 @@
 #include <chrono>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "core/base/config.h"
 #include "core/base/error.h"
+#include "datasets/plan/conditions.h"
 #include "datasets/plan/frozen_folder.h"
 #include "datasets/plan/session_inputs.h"
 #include "workbench/experiments/output_folder.h"
@@ -30,7 +32,7 @@ Json DescribeRehearsals(const RehearseRequest& request) {
         {{"hand", task.hand->id}, {"object", task.object->id}, {"hash", CalcRehearsalHash(task)}});
   }
   const RehearsalTask& first = request.tasks.front();
-  Json config = {{"candidates", first.config.num_candidates},
+  Json config = {{"candidates", request.types_only ? Json("types") : first.config.num_candidates},
                  {"draws", first.config.num_draws},
                  {"conditions", ConfigToJson(first.conditions)},
                  {"imperfections", ConfigToJson(first.imperfections)},
@@ -128,10 +130,27 @@ std::vector<RehearsalTask> ListRehearsalTasks(const SessionConfig& config,
 }
 
 std::vector<RehearsalTask> ListUnrehearsed(const SessionConfig& config) {
+  std::vector<SessionConfig> configs = {config};
+  for (const Condition& condition : config.conditions) {
+    if (ChoosesGraspAgain(condition)) configs.push_back(ApplyCondition(condition, config).config);
+  }
   std::vector<RehearsalTask> tasks;
-  for (const RehearsalConfig& rehearsal : ListRehearsals(config)) {
-    for (RehearsalTask& task : ListRehearsalTasks(config, rehearsal)) {
-      if (!FindKeptRehearsal(task)) tasks.push_back(std::move(task));
+  std::set<std::string> hashes;
+  const auto add = [&](RehearsalTask task) {
+    if (!FindKeptRehearsal(task) && hashes.insert(CalcRehearsalHash(task)).second) {
+      tasks.push_back(std::move(task));
+    }
+  };
+  for (const SessionConfig& one : configs) {
+    const bool is_base = &one == &configs.front();
+    for (const RehearsalConfig& rehearsal : ListRehearsals(one)) {
+      for (RehearsalTask& task : ListRehearsalTasks(one, rehearsal)) add(std::move(task));
+    }
+    if (!HasBestGrasp(one)) continue;
+    for (const RehearsalTask& task : ListRehearsalTasks(one, {})) {
+      if (NeedsType(task) && !(is_base && FindShippedType(task))) {
+        add(MakeTypeTask(task, kTypeDraws));
+      }
     }
   }
   return tasks;
@@ -214,6 +233,13 @@ std::vector<RehearsedPair> RehearseObjects(const RehearseRequest& request, Obser
     grasps["grasps/" + pair.hand + "/" + pair.object + ".yaml"] =
         FormatRehearsedGrasp(task, pair.result.choice().candidate, NameRehearsed(task.config));
   }
+  RehearsedTypes types;
+  for (const RehearsedPair& pair : pairs) {
+    if (!request.types_only) break;
+    const RehearsalTask& task = request.tasks[static_cast<size_t>(pair.request)];
+    types[{pair.hand, pair.object}] = MakeType(task, pair.result);
+  }
+  if (request.types_only) grasps["types.json"] = FormatTypes(types);
   FinishRehearsals(request.out, pairs, std::move(grasps));
   return pairs;
 }

@@ -19,7 +19,8 @@ namespace graspbench {
 std::vector<RehearsalTask> ListRehearsalTasks(const SessionConfig& config,
                                               const RehearsalConfig& rehearsal);
 
-/** Of a session's grasps "rehearsed", those that no earlier run has found. */
+/** Of a session's grasps "rehearsed" and "best", and of conditions that choose again, those that are
+not stored and that no earlier run has found. */
 std::vector<RehearsalTask> ListUnrehearsed(const SessionConfig& config);
 
 /** Processor time of all tasks [s], by that of the first of each hand, which is rehearsed and kept:
@@ -33,6 +34,7 @@ std::vector<Rehearsal> RehearseTasks(const std::vector<RehearsalTask>& tasks, in
 
 struct RehearseRequest {
   std::vector<RehearsalTask> tasks;
+  bool types_only = false;         ///< the tasks are those of MakeTypeTask; writes types.json
   Shard shard;                     ///< of the tasks, dealt in turn
   std::vector<std::string> parts;  ///< folders that rehearsals of the same hash come from
   std::filesystem::path out;

@@ -51,6 +51,7 @@ class CampaignRun {
     } else {
       StagedFolder staged({folder_, "", false, {}});
       CopyInputs(config_.session, staged.path());
+      CopyRehearsed(inputs_, staged.path());
       CreateCampaign(staged.path(), config_);
       staged.Commit();
     }

@@ -69,6 +69,10 @@ void AdoptRecords(const std::vector<Session>& sessions, const std::vector<Planne
 void CreateExperiment(const Session& session, const std::string& kind, const PreparedSession& made,
                       const std::vector<PlannedTrial>& plan) {
   StagedFolder staged({made.folder, "", false, {}});
+  const auto chooses_again = [](const Condition& one) { return ChoosesGraspAgain(one); };
+  if (std::any_of(made.config.conditions.begin(), made.config.conditions.end(), chooses_again)) {
+    CopyRehearsed(made.inputs, staged.path());
+  }
   CreateSession(staged.path(), made.config, plan);
   // Trials of an experiment with delays say more than those of the session.
   if (!HasDelays(made.config)) {

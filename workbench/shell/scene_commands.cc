@@ -79,7 +79,8 @@ void ChooseObject(Shell& shell, const ShellArguments& arguments) {
   choice.config.objects = {FindObjectId(JoinName(arguments))};
   choice.place.reset();
   choice.folder.clear();
-  if (choice.config.grasps.front() == "best" || choice.learned) {
+  const std::string& grasp = choice.config.grasps.front();
+  if (grasp == kBestGrasp || grasp == kPredictedGrasp || choice.learned) {
     ForgetEdits(choice);  // of another grasp perhaps
   }
   Take(shell, choice);

@@ -68,7 +68,7 @@ Names ListHandNames(Shell&, size_t index) { return index == 0 ? ListHands() : Na
 Names ListObjectNames(Shell&, size_t index) { return index == 0 ? ListObjects() : Names(); }
 
 Names ListGrasps(Shell& shell, size_t index) {
-  Names names = {"best", "by-sight"};
+  Names names = {"best", "predicted", "rehearsed", "by-sight"};
   for (const Grasp& grasp : shell.scene().grasps()) names.push_back(grasp.id);
   return index == 0 ? names : Names();
 }

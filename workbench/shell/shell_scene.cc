@@ -53,8 +53,10 @@ bool LoadsTheSame(const SceneChoice& a, const SceneChoice& b) {
       if (std::filesystem::exists(names->front())) return false;
     }
   }
-  const bool is_rehearsed = !ListRehearsals(a.config).empty() || !ListRehearsals(b.config).empty();
-  if (is_rehearsed && a.config.grasps != b.config.grasps) return false;
+  for (const SceneChoice* one : {&a, &b}) {
+    const bool is_rehearsed = HasBestGrasp(one->config) || !ListRehearsals(one->config).empty();
+    if (is_rehearsed && a.config.grasps != b.config.grasps) return false;
+  }
   return a.config.hands == b.config.hands && a.config.approach == b.config.approach &&
          a.config.objects == b.config.objects && a.folder.empty() && b.folder.empty() &&
          HaveEqualValues(a.config.model, b.config.model);

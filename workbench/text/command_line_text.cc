@@ -34,7 +34,7 @@ std::vector<std::string> ListOptionNames(const Command& command) {
 }
 
 std::vector<std::string> ListGraspIds() {
-  std::vector<std::string> ids = {"best", "by-sight", "all"};
+  std::vector<std::string> ids = {"best", "predicted", "rehearsed", "by-sight", "all"};
   for (const GraspTaxon& taxon : ListGraspTaxa()) ids.push_back(taxon.id);
   return ids;
 }

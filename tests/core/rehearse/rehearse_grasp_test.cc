@@ -94,8 +94,8 @@ TEST_F(RehearseGraspTest, WhatNothingHoldsIsSaidWithTheBestShare) {
   EXPECT_EQ(none.choice().CountHeld(), 0);
   EXPECT_EQ(none.choice().outcomes.size(), 4u);
   EXPECT_EQ(none.tried.size(), 20u);
-  // 20 first draws, and the three others of the chosen one.
-  EXPECT_EQ(none.num_trials, 23);
+  // 20 first draws, and the three others of three candidates.
+  EXPECT_EQ(none.num_trials, 29);
 
   // Three of four at best, g3 with the longest run.
   const Rehearsal some =
@@ -106,6 +106,18 @@ TEST_F(RehearseGraspTest, WhatNothingHoldsIsSaidWithTheBestShare) {
   EXPECT_EQ(some.choice().FindRun(), 2);
   EXPECT_EQ(some.choice().CountHeld(), 3);
   EXPECT_FALSE(some.is_robust());
+}
+
+// A long run is luck where another candidate holds more of all draws.
+TEST_F(RehearseGraspTest, OfThoseThatNeverHoldAllTheMostHeldIsChosen) {
+  const Rehearsal rehearsal =
+      RehearseGrasp(maker_, {5, 8}, [](const Grasp& grasp, const RehearsalQuestion& question) {
+        return Hold(grasp.id == "g2"   ? question.draw < 3
+                    : grasp.id == "g4" ? question.draw != 1
+                                       : question.draw > 5);
+      });
+  EXPECT_EQ(rehearsal.choice().candidate.standard, "g4");
+  EXPECT_EQ(rehearsal.choice().CountHeld(), 7);
 }
 
 TEST_F(RehearseGraspTest, TheLowestGripThresholdDecidesBetweenEqualRuns) {

@@ -84,21 +84,13 @@ TEST(GraspChoice, AnObjectThatNamesItsGraspIsNotAskedAbout) {
   EXPECT_TRUE(Has(Warn(MakeInputsOf({slab}), {"g1"}), "mine, slab: g1 does not reach it"));
 }
 
-// A sheet below the pads: they close above it, and nothing is in their way.
-TEST(GraspChoice, WhatNoGraspMeetsIsKnownBeforeTheSession) {
-  auto sheet = MakeFakeObject("sheet");
-  sheet->size = Eigen::Vector3d(0.05, 0.05, 0.0004);
-  sheet->mesh = MakeRoundedBox(sheet->size, 1e-5);
-  EXPECT_EQ(Warn(MakeInputsOf({sheet}), {"g1"}),
-            "mine, sheet: g1 does not meet it with its opposing digit and another when it "
-            "closes\n");
-}
-
 // Each name is a promise: that another works does not help one that never does.
 TEST(GraspChoice, EveryNamedGraspIsAskedAbout) {
-  const SessionInputs inputs = MakeInputsOf({LoadObject("cup")});
-  EXPECT_TRUE(Has(Warn(inputs, {"g5", "g4"}), "mine, cup: g4 "));
-  EXPECT_EQ(Warn(inputs, {"all"}), "");
+  const SessionInputs inputs = MakeInputsOf({MakeBlock("slab", 0.2), MakeBlock("bar", 0.03)});
+  const std::string text = Warn(inputs, {"g4", "g1"});
+  EXPECT_TRUE(Has(text, "mine, slab: g4 does not reach it"));
+  EXPECT_TRUE(Has(text, "mine, slab: g1 does not reach it"));
+  EXPECT_EQ(text.find("bar"), text.npos) << text;
 }
 
 // The grasp that comes first in the object's order is not taken where it is not clear of it.
@@ -118,6 +110,31 @@ TEST(GraspChoice, TheFirstThatIsClearIsBest) {
   const Grasp& pinch = *FindGrasp(inputs.hands[0], *beam, "g4");
   EXPECT_FALSE(
       PredictGrasp(*inputs.hands[0].hand, pinch, *CompleteObject(inputs.objects[1])).is_clear());
+}
+
+// Trials outweigh geometry; a condition compares the base's type.
+TEST(GraspChoice, BestIsTheTypeByRehearsal) {
+  const auto bar = MakeBlock("bar", 0.03);
+  SessionInputs inputs = MakeInputsOf({bar});
+  SessionConfig config;
+  const auto find = [&](const char* name, const SessionInputs& from) {
+    config.grasps = {name};
+    return FindGrasps(config, from, from.hands[0], bar).at(0)->id;
+  };
+  const std::string predicted = find("predicted", inputs), other = predicted == "g1" ? "g4" : "g1";
+  EXPECT_EQ(find("best", inputs), predicted) << "nothing was rehearsed";
+  inputs.types[{"mine", "bar"}] = {"mine", "bar", other, 2, 4, ""};
+  EXPECT_EQ(find("best", inputs), other);
+  EXPECT_EQ(find("predicted", inputs), predicted);
+  EXPECT_EQ(Warn(inputs),
+            "mine, bar: no standard grasp held more than half of its imagined "
+            "trials; " +
+                other + " held 2 of 4\n");
+  SessionInputs changed = MakeInputsOf({bar});
+  changed.base = std::make_shared<const SessionInputs>(inputs);
+  EXPECT_EQ(find("best", changed), other);
+  inputs.types[{"mine", "bar"}].held = 3;
+  EXPECT_EQ(Warn(inputs), "");
 }
 
 // A grasp whose development held next to nothing is taken only where no other can take the object.

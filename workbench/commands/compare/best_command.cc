@@ -85,7 +85,9 @@ void FindBest(const BestOptions& options) {
                                        "its conditions, graspbench best reads a session without");
   }
   const SessionSummary summary = SummariseSession(session);
-  const SessionInputs inputs = LoadSessionInputs(session.config, FieldUse::kLater, options.session);
+  SessionConfig config = session.config;
+  if (!HasBestGrasp(config)) config.grasps.push_back(kBestGrasp);
+  const SessionInputs inputs = LoadSessionInputs(config, FieldUse::kLater, options.session);
   const std::vector<BestGrasp> rows = FindBestGrasps(session, summary, inputs);
   const bool compares =
       std::any_of(rows.begin(), rows.end(), [](const BestGrasp& row) { return row.num_tried > 1; });

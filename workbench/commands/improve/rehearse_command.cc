@@ -66,8 +66,10 @@ void PlanRehearsals(const RehearseOptions& options) {
                       {"seconds", time}});
   }
   PrintResult(FormatCount(num_pairs, "pair") + " of hand and object, at most " +
-              FormatCount(options.config.num_candidates, "candidate") + " with " +
-              FormatCount(options.config.num_draws, "draw") + " each\nabout " +
+              (options.request.types_only
+                   ? "the standard grasps"
+                   : FormatCount(options.config.num_candidates, "candidate")) +
+              " with " + FormatCount(options.config.num_draws, "draw") + " each\nabout " +
               FormatFixed(time, 0) +
               " s of one processor for what is left, judged by the first pair of each hand\n");
 }
@@ -77,6 +79,9 @@ void RunRehearse(RehearseOptions options) {
   for (const std::string& setting : options.settings) ApplySetting(setting, options.scene);
   RehearseRequest& request = options.request;
   request.tasks = ListRehearsalTasks(options.scene, options.config);
+  for (RehearsalTask& task : request.tasks) {
+    if (request.types_only) task = MakeTypeTask(task, options.config.num_draws);
+  }
   if (!options.shard.empty()) request.shard = ParseShard(options.shard);
   if (options.plan_only) return PlanRehearsals(options);
   TerminalObserver observer(
@@ -112,6 +117,9 @@ void AddRehearseCommand(Command& program) {
                  "sampled initial poses that a grasp must hold to be chosen at once", "K")
       ->Within(1, 100)
       ->ShowDefault();
+  command.AddFlag("--types", options->request.types_only,
+                  "the standard grasps alone, each where the rule places it, into types.json; "
+                  "--candidates has no effect");
   AddSettingsOption(command, options->settings, "model.friction_scale=0.8");
   AddJobsOption(command, options->request.num_workers, "pairs");
   command.AddRequired("--out", options->request.out,

@@ -52,7 +52,9 @@ void SessionOptions::AddTo(Command& command, const std::string& file_text) {
   AddSceneOptions(command, given_);
   AddListOption(
       command, "--grasp", given_.grasps,
-      "best, by-sight, rehearsed, all, ids or grasp files: g1,my.yaml; by-sight: the type "
+      "best, predicted, by-sight, rehearsed, all, ids or grasp files: g1,my.yaml; best: the type "
+      "by "
+      "rehearsal of the standard grasps; predicted: by geometry alone; by-sight: the type "
       "by the outline that the hand's camera sees, right for 38 of 51 unseen things; "
       "rehearsed:N,k: the first of at most N candidates that holds k imagined trials, "
       "without numbers 40,4",

@@ -66,6 +66,7 @@ ExitCode Run(CampaignOptions options) {
   request.num_workers = options.num_workers;
   request.trial_time_limit = options.trial_time_limit;
   request.real = options.real;
+  if (request.config) RehearseGrasps(request.config->session, options.num_workers);
   if (options.plan_only) {
     const int num_scenes = PlanCampaign(request);
     RecordPlanning(folder);

@@ -53,6 +53,7 @@ void PrintStart(const PreparedSession& work, int num_unfinished, int num_workers
     text += ", " + std::to_string(num_finished) + " finished before, " +
             std::to_string(num_unfinished) + " to run on " + FormatCount(num_workers, "worker");
   }
+  if (!work.inputs.types.empty()) text += "; best grasps: type by rehearsal";
   PrintMessage(text);
 }
 
