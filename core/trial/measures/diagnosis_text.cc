@@ -29,21 +29,26 @@ std::string DescribeTime(const Diagnosis& diagnosis) {
   return fmt::format("{}, at {}", when, FormatSeconds(diagnosis.time));
 }
 
-/** "all digits touched within 10 ms", or who did not. */
+/** "all digits touched within 10 ms", or who did not: what touches in the placing or the lift alone
+has no time. */
 std::string DescribeTouches(const TrialResult& result) {
-  std::string untouched;
+  std::string touched, untouched;
+  int num_touched = 0;
   double first = kUnset, last = kUnset;
   for (const DigitContact& contact : result.contacts) {
-    if (std::isnan(contact.time)) {
-      untouched += (untouched.empty() ? "" : ", ") + contact.digit.str();
-    }
+    const bool has_touched = !std::isnan(contact.time);
+    std::string& names = has_touched ? touched : untouched;
+    names += (names.empty() ? "" : ", ") + contact.digit.str();
+    num_touched += has_touched ? 1 : 0;
     first = std::fmin(first, contact.time);
     last = std::fmax(last, contact.time);
   }
+  if (num_touched == 0) return "no digit touched while closing";
   const std::string spread = FormatFixed(MsFromS(last - first), 0) + " ms";
   if (untouched.empty()) return "all digits touched within " + spread;
-  if (std::isnan(first)) return "no digit touched";
-  return fmt::format("{} never touched, the others within {}", untouched, spread);
+  if (num_touched == 1) return touched + " alone touched while closing";
+  return fmt::format("{} did not touch while closing, the others touched within {}", untouched,
+                     spread);
 }
 
 /** "TH pressed with up to 2.00 N, FF with 1.00 N". */

@@ -104,12 +104,12 @@ OutcomeReason FindLoss(const TrialFacts& facts) {
       untouched += (untouched.empty() ? "" : ", ") + contact.digit.str();
     }
   }
-  if (num_touched < 2) return {Outcome::kNoContact, "never touched by " + untouched};
+  if (num_touched < 2) return {Outcome::kNoContact, "not touched while closing by " + untouched};
   if (facts.displacement > kPushedAway) {
     return {Outcome::kPushedAway, fmt::format("the object was pushed {:.0f} mm aside and {}",
                                               MmFromM(facts.displacement), DescribeEnd(facts))};
   }
-  if (!untouched.empty()) return {Outcome::kNoContact, "never touched by " + untouched};
+  if (!untouched.empty()) return {Outcome::kNoContact, "not touched while closing by " + untouched};
   if (facts.closed_grip_force == 0.0) {
     return {Outcome::kLostWhileClosing, "all digits had touched, but none did before lift-off"};
   }

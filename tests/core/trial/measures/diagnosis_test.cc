@@ -169,7 +169,8 @@ TEST(Diagnosis, ADigitThatNeverTouchedIsNamedAndWasNotReachedWhereNoneOppose) {
   held.ForEach([](auto& s) { s.gravity_work = 1e-3; });
   held.result.diagnosis = held.Find();
   EXPECT_EQ(held.result.diagnosis->mechanism, Mechanism::kSlid);
-  EXPECT_NE(DescribeDiagnosis(held.result).find("MF never touched, the others within 10 ms"),
+  EXPECT_NE(DescribeDiagnosis(held.result)
+                .find("MF did not touch while closing, the others touched within 10 ms"),
             std::string::npos);
 }
 

@@ -97,7 +97,7 @@ TEST(TrialOutcome, OfAnObjectThatStayedBehind) {
         [](auto& f) { f.closed_grip_force = 0.0; }},
        {Outcome::kPushedAway, "the object was pushed 60 mm aside and stayed behind",
         [](auto& f) { f.displacement = 0.06; }},
-       {Outcome::kNoContact, "never touched by FF",
+       {Outcome::kNoContact, "not touched while closing by FF",
         [](auto& f) {
           f.displacement = 0.06;
           f.contacts[0].time = kUnset;
