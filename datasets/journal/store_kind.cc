@@ -54,7 +54,9 @@ const StoreKind kSessionStore = {
     /*schema=*/7,
     /*command=*/"graspbench run",
     /*remedy=*/"rerun the session into a new folder",
-    /*files=*/{"session.json", "plan.jsonl", "inputs/grasps/*", "inputs/*/*/*", "inputs/*/*/*/*"},
+    /*files=*/
+    {"session.json", "plan.jsonl", "inputs/policies.json", "inputs/grasps/*", "inputs/*/*/*",
+     "inputs/*/*/*/*"},
     /*derived=*/{"basin.csv"},
     /*journals=*/{"journal/*.jsonl", "judge/*.jsonl", "explain/*.jsonl", "workers/*.jsonl"},
     /*stores=*/{"sensitivity/*", "numerics/*", "delays/*", "thresholds/*", "map/*", "schedules/*"},

@@ -287,10 +287,13 @@ std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInp
   const bool is_threshold = FindThresholdScale(config) != nullptr;
   for (const ConditionBlock& block : blocks) {
     CheckGripMargins(*block.config, *block.inputs);
-    if (is_threshold && !block.config->policy.command.empty()) {
+    const PolicyConfig& policy = block.config->policy;
+    if (is_threshold && !policy.command.empty() &&
+        policy.moves != RowOf(kPolicyMoves, PolicyMoves::kUntilTouch).name) {
       throw Error(ErrorKind::kUsage,
-                  "grip thresholds are those of the strategy, and policy.command gives the digits "
-                  "to a controller; leave it out");
+                  "policy.moves is " + policy.moves +
+                      ": the controller grips, and has no setting of which a threshold could be "
+                      "searched; expected digits-until-touch");
     }
     if (is_threshold && !block.is_base)
       continue;  // a scale goes from less to more than is possible

@@ -279,7 +279,7 @@ void AddPolicyColumns(const std::vector<TrialRecord>& records, std::vector<Trial
                        }});
   };
   add("policy_told_pose", "string",
-      "what the controller was told of the object's pose: none, nominal, believed, camera or true",
+      "object pose given to the controller: none, nominal, believed, camera or true",
       [](const PolicyRecord& policy) { return Json(policy.object_pose); });
   add("policy_questions", "integer", "how often the controller was asked",
       [](const PolicyRecord& policy) { return Json(policy.num_questions); });

@@ -292,10 +292,10 @@ Session LoadPlannedSession(const fs::path& folder) {
 }
 
 Session LoadShardOfSession(const fs::path& folder, const std::string& label) {
-  return LoadFiles(
-      folder, OnDamage::kRefuse, RecordParts::kBrief,
-      {kSessionStore.file, "plan.jsonl", "inputs/grasps/*", "inputs/*/*/*", "inputs/*/*/*/*",
-       "journal/" + label + "-*.jsonl", "journal/merged-*.jsonl", "workers/" + label + "-*.jsonl"});
+  return LoadFiles(folder, OnDamage::kRefuse, RecordParts::kBrief,
+                   {kSessionStore.file, "plan.jsonl", "inputs/policies.json", "inputs/grasps/*",
+                    "inputs/*/*/*", "inputs/*/*/*/*", "journal/" + label + "-*.jsonl",
+                    "journal/merged-*.jsonl", "workers/" + label + "-*.jsonl"});
 }
 
 JournalWriter::JournalWriter(const fs::path& journal, bool has_index) : file_(journal) {

@@ -29,13 +29,13 @@ Html DrawController(const ReportData& data) {
     ++counts.num_wrong;
     ++counts.faults[*taken.fault];
   }
-  Html html =
-      Element("p", {},
-              Text("A controller closed the digits: ") + Element("code", {}, policy.command) +
-                  Text(". It was told the object's pose as \"" + policy.object_pose +
-                       "\", asked every " + FormatSignificant(1e3 * policy.period, 3) + " ms for " +
-                       FormatCount(policy.execute_steps, "row") + ", for at most " +
-                       FormatSignificant(policy.time, 3) + " s."));
+  Html html = Element(
+      "p", {},
+      Text("A controller closed the digits: ") + Element("code", {}, policy.command) +
+          Text(". Object pose given to it: " + policy.object_pose +
+               ". The controller was asked every " + FormatSignificant(1e3 * policy.period, 3) +
+               " ms for " + FormatCount(policy.execute_steps, "row") + ", for at most " +
+               FormatSignificant(policy.time, 3) + " s."));
   Table table("What the controller did, by hand.",
               {"Hand",
                {"Trials", "finished"},

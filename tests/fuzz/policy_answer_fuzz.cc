@@ -7,14 +7,15 @@ namespace graspbench {
 
 void FuzzInput(const std::string& bytes) {
   try {
-    const PolicyAction action = ReadPolicyAction(bytes, 3);
+    const PolicyAction action = ReadPolicyAction(ParsePolicyAnswer(bytes), 3);
     GRASPBENCH_DEMAND(action.rows.allFinite() && action.rows.rows() <= 1000, "an action");
     GRASPBENCH_DEMAND(action.is_done || action.rows.cols() == 3, "an action without rows");
   } catch (const Error&) {
   }
   try {
-    ReadPolicyAnswerNumber(bytes);
-    CheckPolicyReset(bytes);
+    const PackedValue answer = ParsePolicyAnswer(bytes);
+    ReadPolicyAnswerNumber(answer);
+    CheckPolicyReset(answer);
   } catch (const Error&) {
   }
 }

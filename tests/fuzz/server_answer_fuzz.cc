@@ -9,23 +9,23 @@ namespace graspbench {
 void FuzzInput(const std::string& bytes) {
   const PackedValue names = {PackedValue::List{{std::string("a")}, {std::string("b")}}};
   const PackedValue facts = {PackedValue::Map{{"driven", names}, {"joints", names}}};
-  const PackedValue observation = {PackedValue::Map{{"targets", {PackedArray{{2}, {0.0, 1.0}}}}}};
+  const PolicyValues observation = {{"targets", {{2}, {0.0, 1.0}}}};
   PolicyServer server;
   for (const bool is_mapped : {false, true}) {
     server.is_mapped = is_mapped;
     if (is_mapped) server.actions.columns = {"b", "done"};
     try {
-      const PolicyAction action = ReadServerAnswer(server, facts, observation, bytes);
+      const PolicyAction action = ServerExchange(server, facts).ReadAnswer(observation, bytes);
       GRASPBENCH_DEMAND(action.rows.allFinite() && action.rows.rows() <= 1000, "an action");
       GRASPBENCH_DEMAND(action.rows.rows() == 0 || action.rows.cols() == 2, "rows of another hand");
     } catch (const PolicyFault&) {
     }
   }
   try {
-    const PackedValue given = {PackedValue::Map{{"time", ParseMessagePack(bytes)}}};
+    const PolicyValues given = {{"time", ReadPackedArray(ParseMessagePack(bytes), "time")}};
     server.observation = {{"x", "", {"time"}, {}, "", {}, ""},
                           {"y", "m", {"time"}, {"b"}, "uint8", {2, 3}, ""}};
-    ParseMessagePack(FormatServerQuestion(server, facts, given, true));
+    ParseMessagePack(ServerExchange(server, facts).FormatQuestion(given));
   } catch (const Error&) {
   }
 }

@@ -1,6 +1,7 @@
 #include "workbench/experiments/run_session.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 
 #include "core/base/error.h"
@@ -15,6 +16,7 @@
 #include "datasets/shards/worker_log.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/experiments/policies/live_policies.h"
+#include "workbench/experiments/policies/policy_files.h"
 #include "workbench/experiments/pool/batch_runner.h"
 
 namespace graspbench {
@@ -22,10 +24,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-fs::path FindFolder(const SessionRequest& request, const std::vector<PlannedTrial>& plan) {
+fs::path FindFolder(const SessionRequest& request, const std::vector<PlannedTrial>& plan,
+                    const std::map<std::string, std::string>& policy_files) {
   if (!request.out.empty()) return request.out;
   std::string ids;
   for (const PlannedTrial& planned : plan) ids += planned.id;
+  for (const auto& [name, digest] : policy_files) ids += digest;
   return fs::path("results") / (request.name + "-" + CalcHashHex(ids).substr(0, 8));
 }
 
@@ -43,6 +47,7 @@ void CheckSameResult(const Session& session, const PlannedTrial& planned,
 
 MakeBatchWorker MakeSessionWorkers(const Session& session, const SessionInputs& inputs,
                                    const fs::path& folder, const std::string& label) {
+  CheckPolicyFiles(folder);
   return [&session, &inputs, folder, label](int worker) {
     const auto journal = std::make_shared<JournalWriter>(folder, worker, label);
     return MakeTrialWorker(session.config, inputs,
@@ -149,13 +154,16 @@ PreparedSession PrepareSession(const SessionRequest& request) {
   prepared.inputs = LoadSessionInputs(prepared.config, FieldUse::kLater,
                                       request.config ? fs::path() : prepared.session.folder);
   const std::vector<PlannedTrial> plan = MakePlan(prepared.config, prepared.inputs);
-  prepared.folder = FindFolder(request, plan);
+  const std::map<std::string, std::string> policy_files =
+      FindPolicyFiles(prepared.config, prepared.inputs);
+  prepared.folder = FindFolder(request, plan, policy_files);
   const bool may_continue = request.resume || request.out.empty();
   if (!HasSession(prepared.folder)) {
     CheckPolicies(prepared.config, prepared.inputs, plan);
     StagedFolder staged({prepared.folder, "", false, request.inputs});
     CopyInputs(prepared.config, staged.path());
     CopyRehearsed(prepared.inputs, staged.path());
+    KeepPolicyFiles(policy_files, staged.path());
     CreateSession(staged.path(), prepared.config, plan);
     staged.Commit();
   } else if (!may_continue) {

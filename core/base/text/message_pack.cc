@@ -154,9 +154,11 @@ class PackReader {
     if (count > bytes_.size() - at_) Fail("a map longer than the message");
     PackedValue::Map map;
     for (size_t i = 0; i < count; ++i) {
-      const PackedValue key = Read(depth + 1);
-      if (!key.text()) Fail("the key of a map is neither text nor bytes");
-      map.emplace_back(*key.text(), Read(depth + 1));
+      PackedValue key = Read(depth + 1);
+      auto* text = std::get_if<std::string>(&key.value);
+      if (!text) Fail("the key of a map is neither text nor bytes");
+      map.emplace_back(std::move(*text), PackedValue());
+      map.back().second = Read(depth + 1);
     }
     PackedValue value = {std::move(map)};
     for (const bool is_scalar : {false, true}) {
@@ -231,7 +233,11 @@ const PackedValue* PackedValue::Find(std::string_view key) const {
 
 template <class T>
 void MessagePackWriter::BigEndian(T value) {
-  for (size_t i = sizeof(T); i-- > 0;) bytes_.push_back(static_cast<char>(value >> (8 * i)));
+  char bytes[sizeof(T)];
+  for (size_t i = 0; i < sizeof(T); ++i) {
+    bytes[i] = static_cast<char>(value >> (8 * (sizeof(T) - 1 - i)));
+  }
+  bytes_.append(bytes, sizeof(T));
 }
 
 /** @param wide  code of the form with a count of 2 bytes; the next one has 4. */

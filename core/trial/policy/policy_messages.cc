@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "core/base/random.h"
-#include "core/base/text/message_pack.h"
 #include "core/base/text/text.h"
 #include "core/trial/policy/policy_terms.h"
 #include "core/trial/trial_setup.h"
@@ -49,15 +48,6 @@ void WriteJson(const Json& json, MessagePackWriter& writer) {
 std::string Quote(const std::string& text) {
   const std::string part = text.substr(0, kMostQuoted);
   return IsUtf8(part) ? "\"" + part + "\"" : "a text that is not UTF-8";
-}
-
-PackedValue ParseAnswer(std::string_view answer) {
-  try {
-    return ParseMessagePack(answer);
-  } catch (const Error& error) {
-    throw PolicyFault(std::string("the answer is no MessagePack that is understood: ") +
-                      error.what());
-  }
 }
 
 /** @throws PolicyFault for keys that no answer has, and for an error of the controller. */
@@ -197,41 +187,69 @@ std::string FormatPolicyReset(uint64_t number, const PolicyView& view) {
   return writer.bytes();
 }
 
+PolicyValues FindPolicyValues(const PolicyView& view) {
+  PolicyValues found;
+  RandomStream noise(std::to_string(view.setup.policy_seed) + "/" + std::to_string(view.question),
+                     "controller noise");
+  for (const PolicyObservation& one : ListPolicyObservations()) {
+    if (!one.is_given(view)) continue;
+    PackedArray& array = found.emplace_back(one.term.name, PackedArray()).second;
+    one.find(view, array.values);
+    if (one.noise && view.setup.policy.*one.noise > 0.0) {
+      for (double& value : array.values) {
+        value += view.setup.policy.*one.noise * noise.NextNormal();
+      }
+    }
+    const auto side = static_cast<size_t>(view.setup.policy.picture);
+    if (one.is_picture) {
+      array.shape = {side, side, 3};
+    } else if (!one.is_number) {
+      array.shape = {array.values.size()};
+    }
+  }
+  return found;
+}
+
+void WritePolicyValues(const PolicyValues& values, MessagePackWriter& writer) {
+  for (const auto& [name, array] : values) {
+    writer.Text(name);
+    if (array.shape.empty()) {
+      writer.Number(array.values.front());
+    } else if (array.shape.size() == 3) {
+      std::string bytes;
+      for (const double value : array.values) {
+        bytes.push_back(static_cast<char>(static_cast<uint8_t>(value)));
+      }
+      writer.RawArray(bytes, "|u1", array.shape);
+    } else {
+      writer.Array(array.values.data(), array.shape);
+    }
+  }
+}
+
 std::string FormatPolicyQuestion(uint64_t number, const PolicyView& view) {
-  const std::vector<PolicyObservation>& all = ListPolicyObservations();
+  const PolicyValues values = FindPolicyValues(view);
   MessagePackWriter writer;
   writer.Map(2);
   writer.Text(kNumber);
   writer.Integer(number);
   writer.Text("observation");
-  writer.Map(static_cast<size_t>(
-      std::count_if(all.begin(), all.end(), [&](const auto& one) { return one.is_given(view); })));
-  RandomStream noise(std::to_string(view.setup.policy_seed) + "/" + std::to_string(view.question),
-                     "controller noise");
-  std::vector<double> values;
-  for (const PolicyObservation& one : all) {
-    if (!one.is_given(view)) continue;
-    values.clear();
-    one.find(view, values);
-    if (one.noise && view.setup.policy.*one.noise > 0.0) {
-      for (double& value : values) value += view.setup.policy.*one.noise * noise.NextNormal();
-    }
-    writer.Text(one.term.name);
-    if (one.is_picture) {
-      const auto side = static_cast<size_t>(view.setup.policy.picture);
-      writer.RawArray(std::string(values.begin(), values.end()), "|u1", {side, side, 3});
-    } else if (one.is_number) {
-      writer.Number(values.front());
-    } else {
-      writer.Array(values);
-    }
-  }
+  writer.Map(values.size());
+  WritePolicyValues(values, writer);
   return writer.bytes();
 }
 
-uint64_t ReadPolicyAnswerNumber(std::string_view answer) {
-  const PackedValue value = ParseAnswer(answer);
-  const PackedValue* number = value.Find(kNumber);
+PackedValue ParsePolicyAnswer(std::string_view answer) {
+  try {
+    return ParseMessagePack(answer);
+  } catch (const Error& error) {
+    throw PolicyFault(std::string("the answer is no MessagePack that is understood: ") +
+                      error.what());
+  }
+}
+
+uint64_t ReadPolicyAnswerNumber(const PackedValue& answer) {
+  const PackedValue* number = answer.Find(kNumber);
   const double* read = number ? std::get_if<double>(&number->value) : nullptr;
   if (!read || !(*read >= 0.0) || *read > 1e15) {
     throw PolicyFault("the answer lacks the number of its question");
@@ -239,20 +257,19 @@ uint64_t ReadPolicyAnswerNumber(std::string_view answer) {
   return static_cast<uint64_t>(*read);
 }
 
-PolicyAction ReadPolicyAction(std::string_view answer, Eigen::Index num_driven) {
-  const PackedValue value = ParseAnswer(answer);
-  CheckKeys(value);
+PolicyAction ReadPolicyAction(const PackedValue& answer, Eigen::Index num_driven) {
+  CheckKeys(answer);
   PolicyAction action;
-  if (const PackedValue* done = value.Find("done")) {
+  if (const PackedValue* done = answer.Find("done")) {
     const bool* is_done = std::get_if<bool>(&done->value);
     if (!is_done) throw PolicyFault("done is neither true nor false");
     action.is_done = *is_done;
   }
-  action.hold = ReadHold(value);
-  ActionReader reader(value);
+  action.hold = ReadHold(answer);
+  ActionReader reader(answer);
   reader.CheckOne("targets", "increments");
   reader.CheckOne("hand_pose", "hand_twist");
-  action.are_increments = value.Find("increments") != nullptr;
+  action.are_increments = answer.Find("increments") != nullptr;
   const auto columns = static_cast<size_t>(num_driven);
   action.rows = reader.Read(action.are_increments ? "increments" : "targets", columns);
   action.stiffness = reader.Read("stiffness", columns);
@@ -270,10 +287,9 @@ PolicyAction ReadPolicyAction(std::string_view answer, Eigen::Index num_driven) 
   return action;
 }
 
-void CheckPolicyReset(std::string_view answer) {
-  const PackedValue value = ParseAnswer(answer);
-  CheckKeys(value);
-  if (std::get<PackedValue::Map>(value.value).size() == 1) return;
+void CheckPolicyReset(const PackedValue& answer) {
+  CheckKeys(answer);
+  if (std::get<PackedValue::Map>(answer.value).size() == 1) return;
   throw PolicyFault("the answer to a reset has an action; nothing was asked yet");
 }
 

@@ -12,19 +12,31 @@ life of a connection, so that an answer too many is found. */
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
+#include "core/base/text/message_pack.h"
 #include "core/trial/policy/hand_policy.h"
 
 namespace graspbench {
 
+/** The observations that a question gives, with their noise, in the order of ListPolicyObservations.
+A number has an empty shape, a picture has three sizes. */
+using PolicyValues = std::vector<std::pair<std::string_view, PackedArray>>;
+PolicyValues FindPolicyValues(const PolicyView& view);
+/** Pairs of a map: names and values, pictures as bytes. */
+void WritePolicyValues(const PolicyValues& values, MessagePackWriter& writer);
+
 std::string FormatPolicyReset(uint64_t number, const PolicyView& view);
 std::string FormatPolicyQuestion(uint64_t number, const PolicyView& view);
 
+/** @throws PolicyFault where the answer is no MessagePack. */
+PackedValue ParsePolicyAnswer(std::string_view answer);
 /** The number of an answer. @throws PolicyFault where it is no map with one. */
-uint64_t ReadPolicyAnswerNumber(std::string_view answer);
+uint64_t ReadPolicyAnswerNumber(const PackedValue& answer);
 /** Of the answer to a question. @throws PolicyFault saying what is wrong with it. */
-PolicyAction ReadPolicyAction(std::string_view answer, Eigen::Index num_driven);
+PolicyAction ReadPolicyAction(const PackedValue& answer, Eigen::Index num_driven);
 /** Of the answer to a reset. @throws PolicyFault for anything but the number or an error. */
-void CheckPolicyReset(std::string_view answer);
+void CheckPolicyReset(const PackedValue& answer);
 
 }  // namespace graspbench

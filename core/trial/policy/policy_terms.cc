@@ -146,7 +146,7 @@ Json ListClosing(const PolicyView& view) {
 
 const std::vector<PolicyObservation>& ListPolicyObservations() {
   static const std::vector<PolicyObservation> observations = {
-      {{"time", "s", "", "", "since control began"},
+      {{"time", "s", "", "", "time since control began"},
        IsAlwaysGiven,
        [](const PolicyView& view, Values& values) { values.push_back(view.time); },
        true},
@@ -157,20 +157,20 @@ const std::vector<PolicyObservation>& ListPolicyObservations() {
          values.push_back(view.phase == Phase::kClosure ? 0.0 : 1.0);
        },
        true},
-      {{"time_in_phase", "s", "", "", "since the phase began"},
+      {{"time_in_phase", "s", "", "", "time since the phase began"},
        IsAlwaysGiven,
        [](const PolicyView& view, Values& values) { values.push_back(view.time_in_phase); },
        true},
-      {{"joint_positions", "rad, m", "m", "", "of all joints"},
+      {{"joint_positions", "rad, m", "m", "", "positions of all joints"},
        IsAlwaysGiven,
        [](const PolicyView& view, Values& values) { AppendVector(view.world.state().q, values); },
        false,
        &PolicyConfig::joint_noise},
-      {{"joint_speeds", "rad/s, m/s", "m", "", "of all joints"},
+      {{"joint_speeds", "rad/s, m/s", "m", "", "speeds of all joints"},
        IsAlwaysGiven,
        FindJointSpeeds,
        false},
-      {{"targets", "rad, m", "n", "", "of the driven joints, the last that were asked for"},
+      {{"targets", "rad, m", "n", "", "last targets of the driven joints"},
        IsAlwaysGiven,
        [](const PolicyView& view, Values& values) { AppendVector(view.targets, values); },
        false},
@@ -186,12 +186,13 @@ const std::vector<PolicyObservation>& ListPolicyObservations() {
        FindDigitForces,
        false,
        &PolicyConfig::force_noise},
-      {{"palm_force", "N", "", "", "the same of the rest of the hand"},
+      {{"palm_force", "N", "", "",
+        "sum of the normal forces of the rest of the hand on the object"},
        IsAlwaysGiven,
        [](const PolicyView& view, Values& values) { values.push_back(CalcPressing(view).back()); },
        true,
        &PolicyConfig::force_noise},
-      {{"grip_force", "N", "", "", "the same of the whole hand"},
+      {{"grip_force", "N", "", "", "sum of the normal forces of the whole hand on the object"},
        IsAlwaysGiven,
        [](const PolicyView& view, Values& values) {
          values.push_back(view.sensors ? view.sensors->CalcFeltForce() : view.report.grip_force);
@@ -210,40 +211,41 @@ const std::vector<PolicyObservation>& ListPolicyObservations() {
          values.insert(values.end(), forces.begin(), forces.end());
        },
        false},
-      {{"hand_position", "m", "3", "W", "of the hand's base"},
+      {{"hand_position", "m", "3", "W", "position of the hand's base"},
        IsAlwaysGiven,
        [](const PolicyView& view, Values& values) {
          AppendVector(view.world.state().X_WH.translation(), values);
        },
        false},
-      {{"hand_rotation", "", "4", "W", "of the hand's base, a quaternion"},
+      {{"hand_rotation", "", "4", "W", "rotation of the hand's base, a quaternion"},
        IsAlwaysGiven,
        [](const PolicyView& view, Values& values) {
          AppendRotation(view.world.state().X_WH.linear(), values);
        },
        false},
-      {{"hand_velocity", "m/s, rad/s", "6", "W", "of the hand's base: linear, then angular"},
+      {{"hand_velocity", "m/s, rad/s", "6", "W",
+        "velocity of the hand's base: linear, then angular"},
        IsAlwaysGiven,
        [](const PolicyView& view, Values& values) {
          AppendVector(view.world.state().v_WH, values);
          AppendVector(view.world.state().w_WH, values);
        },
        false},
-      {{"object_position", "m", "3", "W", "of the object's frame; by policy.object_pose"},
+      {{"object_position", "m", "3", "W", "position of the object's frame; by policy.object_pose"},
        IsPoseGiven,
        [](const PolicyView& view, Values& values) {
          AppendVector(FindGivenPose(view).translation(), values);
        },
        false},
       {{"object_rotation", "", "4", "W",
-        "of the object's frame, a quaternion; by policy.object_pose"},
+        "rotation of the object's frame, a quaternion; by policy.object_pose"},
        IsPoseGiven,
        [](const PolicyView& view, Values& values) {
          AppendRotation(FindGivenPose(view).linear(), values);
        },
        false},
       {{"picture", "", "s x s x 3", "",
-        "of the hand's camera, 8-bit RGB, rows from the top; with policy.picture_px"},
+        "picture of the hand's camera, 8-bit RGB, rows from the top; with policy.picture_px"},
        HasPicture,
        FindPicture,
        false,
@@ -255,20 +257,20 @@ const std::vector<PolicyObservation>& ListPolicyObservations() {
 const std::vector<PolicyTerm>& ListPolicyActions() {
   static const std::vector<PolicyTerm> actions = {
       {"targets", "rad, m", "n or rows x n", "",
-       "positions that the drives are asked for, a row per control period"},
+       "positions of the drives, a row per control period"},
       {"increments", "rad, m", "n or rows x n", "",
        "instead of targets: what each row adds to the targets before it; zeros keep the digits "
        "still"},
       {"stiffness", "", "n or rows x n", "",
-       "share of the drives' own stiffness, 0 to 1, until another is asked for"},
+       "share of the drives' own stiffness, 0 to 1; it holds until the next one"},
       {"hand_pose", "m, -", "7 or rows x 7", "W",
-       "of the hand's base, to be reached within a period: position, quaternion; with "
+       "pose of the hand's base at the end of the period: position, quaternion; with "
        "policy.moves: "
        "hand-and-digits"},
       {"hand_twist", "m/s, rad/s", "6 or rows x 6", "W",
-       "instead of hand_pose: of the hand's base, for a period: linear, then angular"},
+       "instead of hand_pose: velocity of the hand's base for a period: linear, then angular"},
       {"hold", "", "", "",
-       "force or margin: after the first row the regulator has the grip, and lifts; with "
+       "force or margin: after the first row the regulator takes the grip over, and lifts; with "
        "policy.moves: digits-until-touch"},
       {"done", "", "", "",
        "true: the hand is lifted after the first row, of an action without rows at once"},
@@ -278,13 +280,14 @@ const std::vector<PolicyTerm>& ListPolicyActions() {
 
 const std::vector<PolicyFact>& ListPolicyFacts() {
   static const std::vector<PolicyFact> facts = {
-      {{"trial_id", "", "", "", "of the trial"},
+      {{"trial_id", "", "", "", "id of the trial"},
        [](const PolicyView& view) { return Json(view.setup.trial_id); }},
-      {{"seed", "", "", "", "whole number below 2^32, the same for every controller of a draw"},
+      {{"seed", "", "", "",
+        "whole number below 2^32; every controller of a draw gets the same one"},
        [](const PolicyView& view) { return Json(view.setup.policy_seed); }},
-      {{"hand", "", "", "", "id"},
+      {{"hand", "", "", "", "id of the hand"},
        [](const PolicyView& view) { return Json(view.setup.hand->id); }},
-      {{"object", "", "", "", "id"},
+      {{"object", "", "", "", "id of the object"},
        [](const PolicyView& view) { return Json(view.setup.object->id); }},
       {{"grasp", "", "", "", "id of the standard or optimised grasp, which places the hand"},
        [](const PolicyView& view) { return Json(view.setup.grasp.id); }},
@@ -349,7 +352,7 @@ const std::vector<PolicyFact>& ListPolicyFacts() {
        [](const PolicyView& view) {
          return IsPoseGiven(view) ? JsonVector(view.placed_X_WH.translation()) : Json();
        }},
-      {{"grasp_rotation", "", "4", "W", "the same as a quaternion"},
+      {{"grasp_rotation", "", "4", "W", "rotation of the hand's base there, a quaternion"},
        [](const PolicyView& view) {
          return IsPoseGiven(view) ? JsonRotation(view.placed_X_WH.linear()) : Json();
        }},
@@ -364,12 +367,12 @@ const std::vector<PolicyFact>& ListPolicyFacts() {
        [](const PolicyView& view) { return Json(view.setup.policy.time); }},
       {{"strategy", "", "", "", "the session's keys of strategy, by name"},
        [](const PolicyView& view) { return ConfigToJson(view.setup.strategy); }},
-      {{"weight", "N", "", "", "of the object"},
+      {{"weight", "N", "", "", "weight of the object"},
        [](const PolicyView& view) {
          return Json(view.setup.object->mass_properties.mass * view.setup.sim.gravity);
        }},
       {{"friction", "", "", "",
-        "dynamic, of the object, as the regulator of the strategy knows it"},
+        "dynamic coefficient of the object, as the regulator of the strategy knows it"},
        [](const PolicyView& view) { return Json(view.setup.object->surface.friction_dynamic); }},
       {{"taxel_links", "", "k", "", "link of each tactile element; with touch: sensed"},
        [](const PolicyView& view) {

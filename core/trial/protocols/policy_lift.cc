@@ -1,7 +1,7 @@
 /** @file
 The trial of table_lift with a controller. From the start of closure the controller is asked every
 control period; when it says done, or after policy.time_s, the hand is lifted as in table_lift.
-Closure ends for the record as there; the drives hold what was asked for last. Answers take effect
+Closure ends for the record as there; the drives hold the last targets. Answers take effect
 after the latency of the settings, and may be lost; both are drawn from the trial's stream. The
 drives' errors of the draw are added to what the controller asks for, as to the strategy's commands.
 
@@ -195,7 +195,7 @@ class PolicyLift : public TableLift {
             record_.num_questions};
   }
 
-  /** Decides what the controller is told of the object's pose. */
+  /** Decides which pose of the object the controller gets. */
   void Tell(WristCamera* camera) {
     switch (RowFromName(kPolicyObjectPoses, setup_.policy.object_pose, "object pose").value) {
       case PolicyObjectPose::kNone:
@@ -397,9 +397,9 @@ class PolicyLift : public TableLift {
   Pose told_X_WO_ = Pose::Identity();
   std::function<Image()> take_picture_;
   RandomStream link_;                     // latency and loss of each answer
-  VectorXd targets_;                      // of the driven joints, the last that were asked for
-  VectorXd stiffness_;                    // likewise
-  Pose hand_target_ = Pose::Identity();   // likewise, X_WH
+  VectorXd targets_;                      // last of the driven joints
+  VectorXd stiffness_;                    // last of the driven joints
+  Pose hand_target_ = Pose::Identity();   // X_WH, last target
   Pose hand_command_ = Pose::Identity();  // X_WH, in the last step
   Eigen::Matrix<double, 6, 1> hand_speeds_ = Eigen::Matrix<double, 6, 1>::Zero();  // w_WH, v_WH
   long hand_steps_left_ = 0;  // of the row that is in effect

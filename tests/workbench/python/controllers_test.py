@@ -166,6 +166,86 @@ class Controllers(unittest.TestCase):
         outcomes = [r["result"]["outcome"] for r in records(self.folder / "do_nothing.py").values()]
         self.assertEqual(outcomes, ["no contact"] * 2)
 
+    def test_the_example_that_learns_runs(self):
+        script = self.folder / "learn.py"
+        text = (EXAMPLES / "learn_closing.py").read_text()
+        counts = "GENERATIONS, CANDIDATES, ELITE = 4, 8, 3"
+        self.assertIn(counts, text)
+        script.write_text(text.replace(counts, "GENERATIONS, CANDIDATES, ELITE = 1, 2, 1"))
+        done = subprocess.run([PYTHON, script, self.folder / "learned", "--hand", "tum", "--object", "golf_ball", "--trials", "1"],
+                              env=dict(ENVIRONMENT, GRASPBENCH=PROGRAM), capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("generation 0: best score", done.stdout)
+
+    def test_the_manuals_controller_runs(self):
+        page = (SOURCE / "workbench/manual/pages/controllers.md").read_text()
+        script = self.folder / "close.py"
+        script.write_text(page.split("(`close.py`):\n\n```text\n")[1].split("```")[0])
+        run(self.folder / "s", "--hand", "tum,shadow", "--object", "golf_ball", policy=f"{PYTHON} {script}")
+        for record in records(self.folder / "s").values():
+            self.assertTrue(record["result"]["policy"]["said_done"], record["result"]["reason"])
+
+    def resume(self, folder, *options, expect=0):
+        done = subprocess.run([PROGRAM, "run", "--resume", "--out", str(folder), *options], env=ENVIRONMENT,
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, expect, done.stdout + done.stderr)
+        return done.stdout + done.stderr
+
+    def test_a_controller_that_has_changed_does_not_go_on(self):
+        stop = self.folder / "stop"
+        stop.touch()
+        # The first trial is finished, the second one lost as long as `stop` exists.
+        policy = self.write(f"sys.exit(1) if facts['trial_id'] != first and os.path.exists({str(stop)!r}) else a({{**good, 'done': True}})",
+                            "first = facts['trial_id'] if 'first' not in globals() else first; a({'number': n})")
+        folder = self.folder / "s"
+        run(folder, policy=policy, expect=5)
+        script = self.folder / "controller.py"
+        text = script.read_text()
+        stop.unlink()
+        script.write_text(text + "# changed\n")
+        refused = self.resume(folder, expect=2)
+        self.assertIn(f"{script}: SHA-256", refused)
+        self.assertIn("has changed since it was started", refused)
+        refused = self.resume(folder, "--policy", "python3 other.py", expect=2)
+        self.assertIn("policy.command", refused)
+        self.assertIn("or start another session with --out", refused)
+        for other in ("hands", "objects", "trials"):  # nobody gave them
+            self.assertNotIn(other, refused.split("(there and now):")[1].split("resume it")[0])
+        script.write_text(text)
+        self.resume(folder, "--policy", policy)
+        self.assertEqual(len(records(folder)), 2)
+
+    def test_another_controller_gets_another_folder(self):
+        script = self.folder / "close.py"
+        script.write_text((EXAMPLES / "do_nothing.py").read_text())
+        command = [PROGRAM, "run", *(word for pair in SMALL.items() for word in pair), "--policy", f"{PYTHON} {script}"]
+        for _ in range(2):
+            subprocess.run(command, env=ENVIRONMENT, cwd=self.folder, check=True, capture_output=True)
+        self.assertEqual(len(list((self.folder / "results").iterdir())), 1)
+        script.write_text(script.read_text() + "# changed\n")
+        subprocess.run(command, env=ENVIRONMENT, cwd=self.folder, check=True, capture_output=True)
+        self.assertEqual(len(list((self.folder / "results").iterdir())), 2)
+
+    def test_thresholds_of_a_controller_that_hands_the_grip_over(self):
+        body = ("t = np.array(facts['open']) + min(1.0, 0.02 * count) * (np.array(facts['closed']) - np.array(facts['open'])); "
+                "touches = any(message['observation']['digit_touches']); "
+                "a({'number': n, 'targets': t, **({'hold': 'margin'} if touches else {})})")
+        folder = self.folder / "until"
+        policy = self.write(body)
+        run(folder, "--hand", "shadow", "--object", "can", "--set", "policy.moves=digits-until-touch", policy=policy)
+        def search(folder):
+            return subprocess.run([PROGRAM, "threshold", str(folder), "--jobs", "1"], env=ENVIRONMENT, capture_output=True, text=True)
+        done = search(folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("can", done.stdout)
+        run(self.folder / "own", "--hand", "shadow", "--object", "can")
+        self.assertEqual(search(self.folder / "own").returncode, 0)
+        done = subprocess.run([PROGRAM, "compare", str(self.folder / "own"), str(folder)], env=ENVIRONMENT, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("thresholds", done.stdout)
+        run(self.folder / "digits", policy=self.example("close_at_random.py"))
+        self.assertIn("expected digits-until-touch", search(self.folder / "digits").stderr)
+
     def test_wrong_answers_are_outcomes(self):
         for name, (body, reason) in WRONG.items():
             with self.subTest(name):

@@ -47,7 +47,8 @@ class Close:
 
 
 def run(folder, policy, *options, expect=0):
-    command = [PROGRAM, "run", "--hand", "tum", "--object", "golf_ball", "--trials", "2", "--jobs", "1",
+    hand = [] if "--hand" in options else ["--hand", "tum"]
+    command = [PROGRAM, "run", *hand, "--object", "golf_ball", "--trials", "2", "--jobs", "1",
                "--out", str(folder), "--policy", policy, *options]
     done = subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, timeout=300)
     assert done.returncode == expect, (done.returncode, done.stdout, done.stderr)
@@ -134,6 +135,36 @@ actions: {{as: increments, columns: [{first}, {second}, done]}}
             moved = np.abs(rows - rows[0]).max(axis=0) > 0
             self.assertEqual(list(np.flatnonzero(moved)), [1])
             self.assertEqual(taken["num_questions"], -(-len(rows) // 5))
+
+    def test_the_example_of_openpi_serves_both_hands(self):
+        def infer(observation):
+            self.assertEqual(set(observation), {"observation/state", "prompt"})
+            num_joints = observation["observation/state"].size - 5
+            return {"actions": np.zeros((10, 20 if num_joints == 24 else num_driven), np.float32)}
+
+        num_driven = len(self.find_facts()["driven"])
+        server = self.start(infer)
+        text = (SOURCE / "workbench/python/examples/openpi.yaml").read_text()
+        policy = self.write(text.replace("ws://127.0.0.1:8000", server.address))
+        run(self.folder / "s", policy, "--hand", "tum,shadow", "--set", "policy.execute_steps=10", "--set", "policy.time_s=0.4")
+        found = records(self.folder / "s")
+        self.assertEqual([record["result"]["outcome"] for record in found], ["no contact"] * 4)
+
+    def test_a_file_that_names_joints_serves_one_hand(self):
+        policy = self.write("server: ws://127.0.0.1:1\nobservation: {a: {from: time}}\nactions: {columns: [FFJ3]}\n")
+        text = run(self.folder / "s", policy, "--hand", "shadow,tum", expect=3)
+        self.assertIn('the hand tum has no joint "FFJ3" (a file that names joints serves one hand', text)
+
+    def test_a_file_that_has_changed_does_not_go_on(self):
+        server = self.start(lambda o: {"actions": np.zeros(9)})
+        text = f"server: {server.address}\nobservation: {{a: {{from: taxels}}}}\nactions: {{as: increments}}\n"
+        policy = self.write(text)
+        run(self.folder / "s", policy, expect=5)
+        self.write(text.replace("taxels", "time"))
+        done = subprocess.run([PROGRAM, "run", "--resume", "--out", str(self.folder / "s")], env=ENVIRONMENT, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn(f"{policy}: SHA-256", done.stderr)
+        self.assertIn("Put the files back", done.stderr)
 
     def test_a_picture_has_the_size_of_the_file(self):
         def infer(observation):

@@ -92,8 +92,7 @@ void SessionOptions::RefuseTwice(const std::string& setting) const {
   }
 }
 
-SessionConfig SessionOptions::MakeConfig() const {
-  SessionConfig config;
+SessionConfig SessionOptions::MakeConfig(SessionConfig config) const {
   if (!session_file_.empty()) config = LoadSessionConfig(session_file_);
   ApplyTo(config);
   return config;

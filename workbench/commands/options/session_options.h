@@ -20,9 +20,10 @@ class SessionOptions {
                                    "benchmark");
   /** Whether any of them was given. */
   bool HasAny() const;
-  /** The session file or the preset, then --set, then the options. @throws Error(kUsage) for a
-  setting given by both, or a file and a preset; as LoadSessionConfig, LoadPreset, ApplySetting. */
-  SessionConfig MakeConfig() const;
+  /** The session file, the preset or else `config`, then --set, then the options.
+  @throws Error(kUsage) for a setting given by both, or a file and a preset; as LoadSessionConfig,
+  LoadPreset, ApplySetting. */
+  SessionConfig MakeConfig(SessionConfig config = {}) const;
   /** The same over what another kind of file says. @throws as MakeConfig. */
   void ApplyTo(SessionConfig& config) const;
   const std::string& file() const { return session_file_; }

@@ -98,7 +98,11 @@ ExitCode Run(const RunCommandOptions& options) {
   request.out = options.run.out;
   request.resume = options.run.resume;
   request.on_damage = options.run.on_damage;
-  if (options.session.HasAny()) request.config = options.session.MakeConfig();
+  if (options.session.HasAny()) {  // what is resumed must agree with what is given, and no more
+    const bool goes_on = options.run.resume && HasSession(options.run.out);
+    request.config = options.session.MakeConfig(goes_on ? LoadPlannedSession(options.run.out).config
+                                                        : SessionConfig());
+  }
   if (request.config) RehearseGrasps(*request.config, options.run.num_workers);
   PreparedSession work = PrepareSession(request);
   const int num_trials = static_cast<int>(FindUnfinished(work.session).size());

@@ -273,7 +273,7 @@ class ChildPolicy : public HandPolicy {
     const bool is_old = is_sound_ && process_;
     if (!is_old) process_ = std::make_unique<ControllerProcess>(command_);
     is_sound_ = false;
-    std::string answer;
+    PackedValue answer;
     try {
       answer = Exchange(view, true);
     } catch (const PolicyLost&) {
@@ -294,12 +294,12 @@ class ChildPolicy : public HandPolicy {
   }
 
  private:
-  std::string Exchange(const PolicyView& view, bool is_reset) {
+  PackedValue Exchange(const PolicyView& view, bool is_reset) {
     const uint64_t number = ++number_;
     if (is_reset) first_number_ = number;
     process_->Send(is_reset ? FormatPolicyReset(number, view) : FormatPolicyQuestion(number, view));
     while (true) {
-      std::string answer = process_->Receive(view.setup.policy.timeout);
+      PackedValue answer = ParsePolicyAnswer(process_->Receive(view.setup.policy.timeout));
       const uint64_t answered = ReadPolicyAnswerNumber(answer);
       if (answered == number) return answer;
       if (answered < first_number_) continue;  // one too many of an earlier trial

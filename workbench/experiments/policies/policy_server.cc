@@ -71,7 +71,9 @@ void CheckJoints(const PolicyServer& server, const std::string& what, const Hand
   for (const std::string& name : names) {
     if (CountIn(joints, name) > 0) continue;
     throw Error(ErrorKind::kFormat, server.source + ": " + what + ": the hand " + hand.id +
-                                        " has no joint \"" + name + "\"" +
+                                        " has no joint \"" + name +
+                                        "\" (a file that names joints serves one hand: give "
+                                        "--hand, and another file to the other hand)" +
                                         SuggestNames(name, joints));
   }
 }

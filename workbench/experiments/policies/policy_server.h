@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-What a policy server is told and what its answers mean: policy.yaml. It maps the messages of a
+What a policy server gets and what its answers mean: policy.yaml. It maps the messages of a
 controller (core/trial/policy/policy_messages.h) to those of a server that speaks openpi's, and
 back. An address alone (ws://..) stands for the observations under their own names, with the facts of
 the trial as `reset` in the first question, and for answers with `actions` or `targets`, rows of
@@ -12,8 +12,7 @@ targets, or `increments`, and with `done`. */
 #include <vector>
 
 #include "core/base/file_keys.h"
-#include "core/base/text/message_pack.h"
-#include "core/trial/policy/hand_policy.h"
+#include "core/trial/policy/policy_messages.h"
 
 namespace graspbench {
 
@@ -66,13 +65,48 @@ void CheckPolicyServer(const PolicyServer& server, const Hand& hand, const Polic
 /** The keys of policy.yaml. */
 const FileKeys& ListPolicyServerKeys();
 
-/** The message to the server. @param facts, observation  of the trial, as parsed from the messages
-of a controller. @throws PolicyLost where the trial does not give what the file takes. */
-std::string FormatServerQuestion(const PolicyServer& server, const PackedValue& facts,
-                                 const PackedValue& observation, bool is_first);
+/** What passes between one trial and its server. */
+class ServerExchange {
+ public:
+  /** @pre CheckPolicyServer; the server's description outlives it.
+  @param facts  of the trial (ListPolicyFacts). */
+  ServerExchange(const PolicyServer& server, PackedValue facts);
 
-/** @pre CheckPolicyServer. @throws PolicyFault saying what is wrong with the answer. */
-PolicyAction ReadServerAnswer(const PolicyServer& server, const PackedValue& facts,
-                              const PackedValue& observation, std::string_view answer);
+  /** The next message to the server. @throws PolicyLost where the trial does not give what the file
+  takes. */
+  std::string FormatQuestion(const PolicyValues& observation);
+  /** @param observation  of the question. @throws PolicyFault saying what is wrong with the answer. */
+  PolicyAction ReadAnswer(const PolicyValues& observation, std::string_view answer) const;
+
+ private:
+  using Indices = std::vector<int>;  ///< -1: there is none
+
+  /** Where the columns of the server's rows go. */
+  struct Columns {
+    Indices joint, pose, twist;  ///< of each column, in the driven joints, the pose and the twist
+    int done = -1, hold = -1;    ///< columns
+  };
+  /** The joints of a ServerValue, among all and among the driven ones. */
+  struct Joints {
+    Indices of_all, of_driven;
+  };
+
+  void WriteValue(size_t number, const PolicyValues& observation, MessagePackWriter& writer) const;
+  PackedArray FindSource(const ServerValue& value, const std::string& name,
+                         const PolicyValues& observation) const;
+  void AppendJoints(size_t number, const std::string& name, const PackedArray& source,
+                    std::vector<double>& numbers) const;
+  std::string FillText(const ServerValue& value) const;
+  PackedValue TranslateRows(const PackedArray& rows, const PolicyValues& observation) const;
+  [[noreturn]] void Fail(const std::string& key, const std::string& text) const;
+
+  const PolicyServer& server_;
+  const PackedValue facts_;
+  const std::vector<std::string> joints_, driven_;
+  std::vector<Joints> picked_;     // of each value of the server's observation
+  std::vector<std::string> maps_;  // of the server's observation, in the order of the file
+  Columns columns_;
+  bool is_first_ = true;
+};
 
 }  // namespace graspbench

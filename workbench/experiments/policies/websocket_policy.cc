@@ -28,6 +28,7 @@ using boost::system::error_code;
 using WireClock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kFarewellOfServer(300);
+constexpr size_t kWriteBuffer = 1 << 16;  ///< a question without a picture fits [bytes]
 constexpr size_t kMostServerWords = 400;  ///< of an error [bytes]
 
 std::atomic<bool> are_remote_allowed{false};
@@ -158,6 +159,9 @@ class ServerConnection {
     error_code error;  // it works without, too
     beast::get_lowest_layer(stream_).socket().set_option(asio::ip::tcp::no_delay(true), error);
     stream_.read_message_max(kMostAnswerBytes);
+    stream_.auto_fragment(false);
+    stream_.write_buffer_bytes(kWriteBuffer);
+    stream_.secure_prng(false);  // masks protect proxies from browsers; there are none here
     const std::string host =
         (address.host.find(':') != address.host.npos ? "[" + address.host + "]" : address.host) +
         ":" + address.port;
@@ -214,20 +218,16 @@ class WebsocketPolicy : public HandPolicy {
     } catch (const Error& error) {
       Lose(std::string("it does not greet with metadata as MessagePack: ") + error.what());
     }
-    const PackedValue reset = ParseMessagePack(FormatPolicyReset(0, view));
-    facts_ = *reset.Find("reset");
-    is_first_ = true;
+    exchange_.emplace(server_, *ParseMessagePack(FormatPolicyReset(0, view)).Find("reset"));
   }
 
   PolicyAction Answer(const PolicyView& view) override {
-    const PackedValue question = ParseMessagePack(FormatPolicyQuestion(0, view));
-    const PackedValue& observation = *question.Find("observation");
+    const PolicyValues observation = FindPolicyValues(view);
     const double timeout = view.setup.policy.timeout;
-    connection_->Send(FormatServerQuestion(server_, facts_, observation, is_first_), timeout);
-    is_first_ = false;
+    connection_->Send(exchange_->FormatQuestion(observation), timeout);
     const ServerMessage answer = connection_->Receive(timeout);
     if (answer.is_text) throw PolicyFault("the server reports an error" + Quote(answer.bytes));
-    return ReadServerAnswer(server_, facts_, observation, answer.bytes);
+    return exchange_->ReadAnswer(observation, answer.bytes);
   }
 
  private:
@@ -242,8 +242,7 @@ class WebsocketPolicy : public HandPolicy {
   const PolicyServer server_;
   const Endpoints endpoints_;
   std::unique_ptr<ServerConnection> connection_;
-  PackedValue facts_;
-  bool is_first_ = true;
+  std::optional<ServerExchange> exchange_;  // of the trial
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 """Each grasping digit closes until it presses with its share of the grip, and then holds that force.
 
-The forces asked for: twice the object's weight over a friction of 0.4 for the digits that stand against
+Set forces: twice the object's weight over a friction of 0.4 for the digits that stand against
 each other, divided evenly on each side; a digit that alone stands against several gets their sum.
 """
 

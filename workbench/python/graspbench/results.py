@@ -49,7 +49,7 @@ def trial(folder, trial_id):
     """One trial, run again from its record: a dict with
 
     states, actions  by column, as "time_s": arrays over time, 60 a second
-    contacts         the same, over all contacts of all instants; `instant` says which
+    contacts         by column, over all contacts of all instants; `instant` says which
     phases           of each instant
     events, attrs    what happened when; ids, outcome and reason
 

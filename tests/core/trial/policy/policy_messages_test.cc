@@ -13,6 +13,10 @@
 namespace graspbench {
 namespace {
 
+PolicyAction ReadAction(const std::string& answer) {
+  return ReadPolicyAction(ParsePolicyAnswer(answer), 2);
+}
+
 std::string MakeAnswer(const std::string& key, const std::vector<double>& values,
                        const std::vector<size_t>& shape) {
   MessagePackWriter writer;
@@ -25,11 +29,11 @@ std::string MakeAnswer(const std::string& key, const std::vector<double>& values
 }
 
 TEST(PolicyMessages, TakesOneRowOrSeveral) {
-  EXPECT_EQ(ReadPolicyAction(MakeAnswer("targets", {1, 2}, {2}), 2).rows.rows(), 1);
-  const PolicyAction action = ReadPolicyAction(MakeAnswer("increments", {1, 2, 3, 4}, {2, 2}), 2);
+  EXPECT_EQ(ReadAction(MakeAnswer("targets", {1, 2}, {2})).rows.rows(), 1);
+  const PolicyAction action = ReadAction(MakeAnswer("increments", {1, 2, 3, 4}, {2, 2}));
   EXPECT_TRUE(action.are_increments);
   EXPECT_EQ(action.rows(1, 0), 3.0);
-  EXPECT_EQ(ReadPolicyAnswerNumber(MakeAnswer("targets", {1}, {1})), 3u);
+  EXPECT_EQ(ReadPolicyAnswerNumber(ParsePolicyAnswer(MakeAnswer("targets", {1}, {1}))), 3u);
 }
 
 /** An answer of several arrays. */
@@ -48,10 +52,9 @@ std::string MakeAnswer(
 
 TEST(PolicyMessages, OneRowIsThatOfAll) {
   const PolicyAction action =
-      ReadPolicyAction(MakeAnswer({{"hand_twist", {{1, 2, 3, 4, 5, 6}, {7, 8, 9, 10, 11, 12}}},
-                                   {"targets", {{1, 2}}},
-                                   {"stiffness", {{0.5, 1}}}}),
-                       2);
+      ReadAction(MakeAnswer({{"hand_twist", {{1, 2, 3, 4, 5, 6}, {7, 8, 9, 10, 11, 12}}},
+                             {"targets", {{1, 2}}},
+                             {"stiffness", {{0.5, 1}}}}));
   EXPECT_EQ(action.rows.rows(), 2);
   EXPECT_EQ(action.rows(1, 1), 2.0);
   EXPECT_EQ(action.stiffness(1, 0), 0.5);
@@ -61,7 +64,7 @@ TEST(PolicyMessages, OneRowIsThatOfAll) {
 TEST(PolicyMessages, APoseIsAPositionAndAQuaternion) {
   const double half = std::sqrt(0.5);
   const PolicyAction action =
-      ReadPolicyAction(MakeAnswer({{"hand_pose", {{1, 2, 3, half, 0, 0, half}}}}), 2);
+      ReadAction(MakeAnswer({{"hand_pose", {{1, 2, 3, half, 0, 0, half}}}}));
   ASSERT_EQ(action.poses.size(), 1u);
   EXPECT_EQ(action.rows.rows(), 0);
   const Eigen::Vector3d p = action.poses[0] * Eigen::Vector3d(1, 0, 0);
@@ -76,9 +79,9 @@ TEST(PolicyMessages, HoldNamesAGrip) {
     writer.Text(grip);
     return writer.bytes();
   };
-  EXPECT_EQ(ReadPolicyAction(make("margin"), 2).hold, GripMode::kMargin);
-  EXPECT_EQ(ReadPolicyAction(make("force"), 2).hold, GripMode::kForce);
-  EXPECT_THROW(ReadPolicyAction(make("posture"), 2), PolicyFault);
+  EXPECT_EQ(ReadAction(make("margin")).hold, GripMode::kMargin);
+  EXPECT_EQ(ReadAction(make("force")).hold, GripMode::kForce);
+  EXPECT_THROW(ReadAction(make("posture")), PolicyFault);
 }
 
 TEST(PolicyMessages, SaysWhatIsWrongWithAnAnswer) {
@@ -116,14 +119,15 @@ TEST(PolicyMessages, SaysWhatIsWrongWithAnAnswer) {
        "targets and increments; give one"}};
   for (const auto& [answer, expected] : cases) {
     try {
-      ReadPolicyAction(answer, 2);
+      ReadAction(answer);
       ADD_FAILURE() << expected;
     } catch (const PolicyFault& fault) {
       EXPECT_NE(std::string(fault.what()).find(expected), std::string::npos) << fault.what();
     }
   }
-  EXPECT_THROW(ReadPolicyAnswerNumber("\x80"), PolicyFault);
-  EXPECT_THROW(CheckPolicyReset(MakeAnswer("targets", {1, 2}, {2})), PolicyFault);
+  EXPECT_THROW(ReadPolicyAnswerNumber(ParsePolicyAnswer("\x80")), PolicyFault);
+  EXPECT_THROW(CheckPolicyReset(ParsePolicyAnswer(MakeAnswer("targets", {1, 2}, {2}))),
+               PolicyFault);
 }
 
 TEST(PolicyTerms, AreTheTablesOfTheManual) {

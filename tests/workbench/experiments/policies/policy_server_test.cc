@@ -26,12 +26,11 @@ PackedValue MakeFacts() {
                            {"driven", MakeNames({"a", "c"})}}};
 }
 
-PackedValue MakeObservation() {
-  const PackedArray picture = {{1, 2, 3}, {10, 20, 30, 40, 50, 60.4}};
-  return {PackedValue::Map{{"time", {0.5}},
-                           {"joint_positions", {PackedArray{{3}, {1, 2, 3}}}},
-                           {"targets", {PackedArray{{2}, {0.25, 0.75}}}},
-                           {"camera", {picture}}}};
+PolicyValues MakeObservation() {
+  return {{"time", {{}, {0.5}}},
+          {"joint_positions", {{3}, {1, 2, 3}}},
+          {"targets", {{2}, {0.25, 0.75}}},
+          {"camera", {{1, 2, 3}, {10, 20, 30, 40, 50, 60.4}}}};
 }
 
 PolicyServer MakeMapped() {
@@ -41,14 +40,14 @@ PolicyServer MakeMapped() {
   return server;
 }
 
-PackedValue Ask(const PolicyServer& server, bool is_first = false) {
-  return ParseMessagePack(FormatServerQuestion(server, MakeFacts(), MakeObservation(), is_first));
+PackedValue Ask(const PolicyServer& server) {
+  return ParseMessagePack(ServerExchange(server, MakeFacts()).FormatQuestion(MakeObservation()));
 }
 
 PolicyAction Read(const PolicyServer& server, const PackedValue& answer) {
   MessagePackWriter writer;
   writer.Value(answer);
-  return ReadServerAnswer(server, MakeFacts(), MakeObservation(), writer.bytes());
+  return ServerExchange(server, MakeFacts()).ReadAnswer(MakeObservation(), writer.bytes());
 }
 
 PackedValue MakeRows(std::vector<size_t> shape, std::vector<double> values) {
@@ -77,10 +76,13 @@ TEST(PolicyServer, PutsObservationsUnderTheServersKeys) {
 
 TEST(PolicyServer, AnAddressAloneKeepsTheNamesAndGivesTheFactsOnce) {
   PolicyServer server;
-  const PackedValue first = Ask(server, true);
+  ServerExchange exchange(server, MakeFacts());
+  const auto ask = [&] { return ParseMessagePack(exchange.FormatQuestion(MakeObservation())); };
+  const PackedValue first = ask();
   EXPECT_EQ(*first.Find("reset")->Find("object")->text(), "can");
   EXPECT_EQ(ListNumbers(first.Find("targets")), (std::vector<double>{0.25, 0.75}));
-  EXPECT_EQ(Ask(server).Find("reset"), nullptr);
+  EXPECT_EQ(std::get<PackedArray>(first.Find("camera")->value).values.back(), 60.0) << "bytes";
+  EXPECT_EQ(ask().Find("reset"), nullptr);
   EXPECT_TRUE(Read(server, {PackedValue::Map{{"done", {true}}, {"policy_timing", {1.0}}}}).is_done);
   EXPECT_EQ(Read(server, MakeRows({2, 2}, {1, 2, 3, 4})).rows(1, 0), 3.0);
 }
@@ -168,7 +170,8 @@ TEST(PolicyServer, WrongAnswersAreFaults) {
       EXPECT_NE(std::string(fault.what()).find(reason), std::string::npos) << fault.what();
     }
   }
-  EXPECT_THROW(ReadServerAnswer(server, MakeFacts(), MakeObservation(), "\xc1"), PolicyFault);
+  EXPECT_THROW(ServerExchange(server, MakeFacts()).ReadAnswer(MakeObservation(), "\xc1"),
+               PolicyFault);
 }
 
 TEST(PolicyServer, WhatTheTrialDoesNotGiveIsNoOutcome) {
