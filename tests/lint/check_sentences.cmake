@@ -6,7 +6,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 set(PAGES workbench/manual/pages)
 file(GLOB files RELATIVE ${SOURCE} ${SOURCE}/${PAGES}/*.md)
 # Not rewritten yet.
-foreach(page grasps failed-trial controllers optimisation people first-study)
+foreach(page grasps failed-trial optimisation people first-study)
   list(REMOVE_ITEM files ${PAGES}/${page}.md)
 endforeach()
 
