@@ -12,6 +12,7 @@ header and a row of kKindPages (session_report.cc). */
 #include "core/develop/develop_grasp.h"
 #include "core/hand/hand.h"
 #include "core/trial/protocols/free_space.h"
+#include "datasets/analysis/argument/argument.h"
 #include "datasets/analysis/conditions/basin_summary.h"
 #include "datasets/analysis/conditions/sweep_summary.h"
 #include "datasets/analysis/controller_comparison.h"
@@ -90,6 +91,11 @@ struct RehearsalPageData {
 
 /** Without a renderer it has no pictures and says why. */
 std::string MakeRehearsalPage(const RehearsalPageData& data);
+
+/** The five claims of the thesis on one page: the answers, then of each its picture, its numbers,
+the commands that made them and what was not run.
+@param sources  what was read: "1 study, 2 maps". */
+std::string MakeArgumentPage(const std::vector<ArgumentClaim>& claims, const std::string& sources);
 
 /** Success over sessions that followed each other: a curve and a table. */
 std::string MakeLearningPage(const std::vector<LearningPoint>& points);

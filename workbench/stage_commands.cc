@@ -36,6 +36,8 @@ constexpr std::pair<const char*, StagePlace> kStageCommands[] = {
     {"optimise", StagePlace::kOwn},
     {"campaign", StagePlace::kOwn},
     {"basin", StagePlace::kOwn},
+    {"map simultaneity", StagePlace::kOwn},
+    {"argument", StagePlace::kOwn},
     {"study run", StagePlace::kOwn},
     {"study demo", StagePlace::kOwn},
     {"judge", StagePlace::kCopy},

@@ -127,14 +127,29 @@ void Choose(const Grasp& standard, const OptimiseConfig& config, const RunLearni
   const int best = FindBest(step.shots, enough, IsAny);
   Check(best, standard, config, run, step);
   if (step.chosen >= 0) return;
-  const auto is_delayed = [&](const PreGraspShot& shot) {
-    return !(shot.grasp.closing == standard.closing);
-  };
+  const auto is_delayed = [](const PreGraspShot& shot) { return shot.adds_delays; };
   const bool was_delayed = is_delayed(step.shots[best]);
   const int other = FindBest(step.shots, enough, [&](const PreGraspShot& shot) {
     return is_delayed(shot) != was_delayed;
   });
   if (other >= 0) Check(other, standard, config, run, step);
+}
+
+std::vector<LearningTrial> TakeFirstLook(const std::vector<LearningTrial>& trials) {
+  return {trials.begin(), trials.begin() + std::min<ptrdiff_t>(kPairsPerLook, trials.size())};
+}
+
+/** Tries what the pre-grasp reaches without delays where something was checked: else nothing looked
+better on the draws of the choice. */
+void TryAlone(const RunLearningTrials& run, PreGraspStep& step) {
+  if (step.check.before.empty()) return;
+  step.alone = FindBest(step.shots, CountEnough(step.standard_trials),
+                        [](const PreGraspShot& shot) { return !shot.adds_delays; });
+  if (step.alone < 0) return;
+  step.alone_trials = step.alone == step.best
+                          ? TakeFirstLook(step.check.after)
+                          : RunOne(run, LearningStage::kCheckAlone, step.shots[step.alone].grasp,
+                                   ListDraws(kFirstPreGraspCheck, kPairsPerLook));
 }
 
 /** Appends shots in which digits wait, made from one and its trials. */
@@ -145,6 +160,7 @@ void LearnToWait(const Hand& hand, PreGraspShot shot, const std::string& made_fr
     shot.name += shot.name == name ? ", delayed" : " twice";
     const Grasp before = shot.grasp;
     shot.grasp.closing = LearnDelays(shot.grasp, shot.trials, gain);
+    shot.adds_delays = true;
     shot.grasp = RoundAngles(hand, shot.grasp, made_from);
     if (shot.grasp.closing == before.closing) return;
     std::vector<int> draws;
@@ -208,6 +224,7 @@ PreGraspStep LearnInTwoShots(const Hand& hand, const GraspObject& object, const 
   }
   LearnToWait(hand, standard, made_from, run, step.shots);
   Choose(start, config, run, step);
+  TryAlone(run, step);
   return step;
 }
 
@@ -255,6 +272,15 @@ std::string DescribeGrip(const TargetStep& step) {
 }
 
 }  // namespace
+
+std::vector<LearningTrial> PreGraspStep::ListBeforeAlone() const {
+  return TakeFirstLook(check.before);
+}
+
+std::string NameWhatChanged(const PreGraspShot& shot) {
+  if (!shot.adds_delays) return "pre-grasp";
+  return shot.learned.is_new ? "pre-grasp and closing delays" : "closing delays";
+}
 
 double CalcMedianGftRatio(const std::vector<LearningTrial>& trials) {
   std::vector<double> ratios;

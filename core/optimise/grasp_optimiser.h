@@ -47,6 +47,7 @@ namespace graspbench {
 struct PreGraspShot {
   std::string name;              ///< "one-shot, widest", "standard pre-grasp, delayed", ...
   LearnedPreGrasp learned;       ///< of one whose digits wait that from which they were delayed
+  bool adds_delays = false;      ///< digits wait longer than in the start's closing
   bool was_pushed_away = false;  ///< the trial it learned from ended with the object out of reach
   Grasp grasp;                   ///< with the new pre-grasp and closing schedules
   std::vector<LearningTrial> trials;  ///< of the choice; the first one is without variation
@@ -58,8 +59,19 @@ struct PreGraspStep {
   int best = -1;                               ///< index into shots; -1: none looked better
   GraspCheck check;
   int chosen = -1;  ///< index into shots; -1: the standard pre-grasp is kept
+  /** What the one-/two-shot learning of the pre-grasp reaches alone: the best shot that adds no
+  delay, and its trials on the draws of the check's first look. -1: nothing was checked, or there is
+  none. */
+  int alone = -1;
+  std::vector<LearningTrial> alone_trials;
   std::string verdict;
+
+  /** The trials of the check's first look with the old pre-grasp, beside alone_trials. */
+  std::vector<LearningTrial> ListBeforeAlone() const;
 };
+
+/** "pre-grasp", "closing delays", "pre-grasp and closing delays". */
+std::string NameWhatChanged(const PreGraspShot& shot);
 
 struct TargetStep {
   std::vector<GraspCoordinate> coordinates;

@@ -53,6 +53,7 @@ enum class LearningStage {
   kFinalist,
   kCheckBefore,
   kCheckAfter,
+  kCheckAlone,
 };
 struct LearningStageRow {
   LearningStage value;
@@ -69,6 +70,7 @@ inline constexpr LearningStageRow kLearningStages[] = {
     {LearningStage::kFinalist, "finalist", true},
     {LearningStage::kCheckBefore, "check before", false},
     {LearningStage::kCheckAfter, "check after", false},
+    {LearningStage::kCheckAlone, "check without delays", false},
 };
 
 /** In the order of their making; also an index. */

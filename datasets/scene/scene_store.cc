@@ -8,6 +8,7 @@
 #include "core/base/hash.h"
 #include "core/base/text/csv.h"
 #include "core/grasp/grasp_file.h"
+#include "core/optimise/contact_times.h"
 #include "core/optimise/learning_trial.h"
 #include "core/trial/judge/judgement.h"
 #include "datasets/journal/checked_line.h"
@@ -28,22 +29,6 @@ constexpr char kResult[] = "result.json";
 
 Json JsonAngles(const Eigen::VectorXd& angles) {
   return Json(std::vector<double>(angles.data(), angles.data() + angles.size()));
-}
-
-Json MakeScore(const std::vector<LearningTrial>& trials) {
-  if (trials.empty()) return nullptr;
-  const Answer<double> floor = CalcGftFloor(trials);
-  Json score = {{"trials", trials.size()},
-                {"successes", CountSuccesses(trials)},
-                {"mean_sigma", CalcMeanSigma(trials)},
-                {"mean_grip_n", JsonNumber(CalcMeanGrip(trials))},
-                {"median_gft_ratio", JsonNumber(CalcMedianGftRatio(trials))},
-                {"gft_ratio_floor", floor ? Json(*floor) : Json()}};
-  if (const double strength = CalcMeanStrength(trials); std::isfinite(strength)) {
-    score["mean_strength_n"] = strength;
-  }
-  if (!floor) score["no_gft_ratio_floor"] = floor.reason();
-  return score;
 }
 
 /** Of check trials of step 1, the first of which is without variation. */
@@ -72,11 +57,21 @@ Json MakeShotJson(const PreGraspShot& shot, const Grasp& start) {
               {"score", MakePreGraspScore(shot.trials)}};
 }
 
+/** What the pre-grasp reaches without delays, on the draws of the check's first look. */
+Json MakeAloneJson(const PreGraspStep& step) {
+  if (step.alone < 0) return nullptr;
+  return Json{{"name", step.shots[step.alone].name},
+              {"before", MakeScore(step.ListBeforeAlone())},
+              {"after", MakeScore(step.alone_trials)}};
+}
+
 Json MakePreGraspJson(const PreGraspStep& step, const Grasp& start) {
   Json shots = Json::array();
   for (const PreGraspShot& shot : step.shots) shots.push_back(MakeShotJson(shot, start));
   return Json{{"verdict", step.verdict},
               {"taken", step.chosen < 0 ? Json() : Json(step.shots[step.chosen].name)},
+              {"checked", step.best < 0 ? Json() : Json(NameWhatChanged(step.shots[step.best]))},
+              {"pregrasp_alone", MakeAloneJson(step)},
               {"standard", MakePreGraspScore(step.standard_trials)},
               {"shots", shots},
               {"check_before", MakeScore(step.check.before)},
@@ -132,8 +127,8 @@ Json MakeTargetJson(const TargetStep& step, const std::string& space) {
                {"start_fitness", step.search.individuals.front().fitness},
                {"best_fitness", best.fitness},
                {"finalists", finalists},
-               {"check_before", MakeScore(step.check.before)},
-               {"check_after", MakeScore(step.check.after)}});
+               {"check_before", MakeScore(step.check.before, step.grip_limit)},
+               {"check_after", MakeScore(step.check.after, step.grip_limit)}});
   return json;
 }
 
@@ -204,6 +199,29 @@ SceneConfig LoadSceneConfig(const fs::path& folder, OnDamage on_damage = OnDamag
 }
 
 }  // namespace
+
+Json MakeScore(const std::vector<LearningTrial>& trials, double grip_limit) {
+  if (trials.empty()) return nullptr;
+  const Answer<double> floor = CalcGftFloor(trials);
+  const ContactTimesSummary times = SummariseContactTimes(trials);
+  Json score = {{"trials", trials.size()},
+                {"successes", CountSuccesses(trials)},
+                {"mean_sigma", CalcMeanSigma(trials)},
+                {"mean_grip_n", JsonNumber(CalcMeanGrip(trials))},
+                {"fitness", CalcFitness(trials, grip_limit)},
+                {"median_gft_ratio", JsonNumber(CalcMedianGftRatio(trials))},
+                {"gft_ratio_floor", floor ? Json(*floor) : Json()},
+                {"timed", times.num_timed},
+                {"median_gft_s", JsonNumber(times.gft)},
+                {"gft_floor_s", JsonNumber(times.gft_floor)},
+                {"median_got_s", JsonNumber(times.got)},
+                {"median_gct_s", JsonNumber(times.gct)}};
+  if (const double strength = CalcMeanStrength(trials); std::isfinite(strength)) {
+    score["mean_strength_n"] = strength;
+  }
+  if (!floor) score["no_gft_ratio_floor"] = floor.reason();
+  return score;
+}
 
 std::vector<ConfigProblem> Validate(const OptimiseConfig& config) {
   std::vector<ConfigProblem> problems;

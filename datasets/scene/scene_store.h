@@ -79,6 +79,10 @@ bool HasSceneResult(const std::filesystem::path& folder);
 /** True when it was finished with the hand, the object, the grasp and the physics of today. */
 bool IsSceneFinished(const std::filesystem::path& folder, const SceneInputs& inputs);
 
+/** What result.json says of some trials of one grasp; null: of none.
+@param grip_limit  that of their fitness [N]. */
+Json MakeScore(const std::vector<LearningTrial>& trials, double grip_limit = kAnyGrip);
+
 /** Writes everything but scene.json and journal.jsonl, and seals it. */
 void WriteSceneResult(const std::filesystem::path& folder, const SceneConfig& config,
                       const SceneInputs& inputs, const OptimisedGrasp& optimised);

@@ -8,6 +8,7 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/hand/hand.h"
+#include "core/optimise/contact_times.h"
 #include "core/optimise/learning_trial.h"
 #include "core/statistics/proportion.h"
 #include "datasets/analysis/campaign/campaign_summary.h"
@@ -30,6 +31,15 @@ CsvColumn<Row> MakeShareColumn(const char* name, const char* heading, double Row
   });
 }
 
+CsvColumn<VariantTotal> MakeTimeColumn(const char* name, const char* heading,
+                                       double VariantTotal::*member) {
+  return CsvColumn<VariantTotal>(name, "", "", member)
+      .Shown(heading, [member](const VariantTotal& row) {
+        const double time = row.*member;
+        return std::isfinite(time) ? FormatFixed(MsFromS(time), 0) : "n/a";
+      });
+}
+
 std::vector<CsvColumn<VariantTotal>> ListVariantColumns() {
   using Row = VariantTotal;
   using C = CsvColumn<Row>;
@@ -45,9 +55,9 @@ std::vector<CsvColumn<VariantTotal>> ListVariantColumns() {
       MakeShareColumn("median_gft_ratio", "median GFT%", &Row::median_gft_ratio),
       MakeShareColumn("median_gft_ratio_floor", "its floor", &Row::median_gft_floor),
       MakeShareColumn("median_got_ratio", "median GOT%", &Row::median_got_ratio),
-      C("median_gct_s", "", "", &Row::median_gct).Shown("median GCT [s]", [](const Row& row) {
-        return FormatFixed(row.median_gct, 3);
-      })};
+      MakeTimeColumn("median_gft_s", "median GFT [ms]", &Row::median_gft),
+      MakeTimeColumn("median_got_s", "median GOT [ms]", &Row::median_got),
+      MakeTimeColumn("median_gct_s", "median GCT [ms]", &Row::median_gct)};
 }
 
 std::vector<CsvColumn<MethodTotal>> ListMethodColumns() {
@@ -170,20 +180,35 @@ std::string FormatHeadroom(const SceneInputs& inputs, const SceneConfig& config,
   return text + "\n";
 }
 
-void AddDecision(const std::string& step, const std::vector<LearningTrial>& before,
-                 const std::vector<LearningTrial>& after, bool finds_strength, TextTable& table) {
-  const auto add_row = [&](const std::string& when, const std::vector<LearningTrial>& trials) {
-    if (trials.empty()) return;
-    const double median = CalcMedianGftRatio(trials);
-    const Answer<double> floor = CalcGftFloor(trials);
-    table.AddRow({step, when,
-                  std::to_string(CountSuccesses(trials)) + " of " + std::to_string(trials.size()),
-                  FormatGoal(trials, finds_strength), FormatFixed(CalcMeanGrip(trials), 1),
-                  std::isfinite(median) ? FormatFixed(100.0 * median, 1) : "n/a",
-                  floor ? FormatFixed(100.0 * *floor, 1) : "no floor"});
+void AddTrials(const std::string& step, const std::string& what,
+               const std::vector<LearningTrial>& trials, bool finds_strength, TextTable& table) {
+  if (trials.empty()) return;
+  const double median = CalcMedianGftRatio(trials);
+  const Answer<double> floor = CalcGftFloor(trials);
+  const ContactTimesSummary times = SummariseContactTimes(trials);
+  const auto format_ms = [](double time) {
+    return std::isfinite(time) ? FormatFixed(MsFromS(time), 0) : "n/a";
   };
-  add_row("before", before);
-  add_row("after", after);
+  table.AddRow({step, what,
+                std::to_string(CountSuccesses(trials)) + " of " + std::to_string(trials.size()),
+                FormatGoal(trials, finds_strength), FormatFixed(CalcMeanGrip(trials), 1),
+                std::isfinite(median) ? FormatFixed(100.0 * median, 1) : "n/a",
+                floor ? FormatFixed(100.0 * *floor, 1) : "no floor", format_ms(times.gft),
+                format_ms(times.gft_floor), format_ms(times.got), format_ms(times.gct)});
+}
+
+/** Pre-grasp and closing delays are two results: the pre-grasp alone has its own row. */
+void AddPreGraspStep(const PreGraspStep& step, bool finds_strength, TextTable& table) {
+  const bool was_checked = step.best >= 0;
+  AddTrials("step 1", "before", was_checked ? step.check.before : step.standard_trials,
+            finds_strength, table);
+  if (step.alone >= 0 && step.alone != step.best) {
+    AddTrials("step 1", "pre-grasp alone, first 20", step.alone_trials, finds_strength, table);
+  }
+  if (was_checked) {
+    AddTrials("step 1", NameWhatChanged(step.shots[static_cast<size_t>(step.best)]),
+              step.check.after, finds_strength, table);
+  }
 }
 
 /** What another space than the thumb has changed, in degrees and millimetres. */
@@ -213,7 +238,8 @@ std::string FormatOptimisation(const SceneInputs& inputs, const SceneConfig& con
   const bool finds_strength = FindsStrength(config.optimise);
   TextTable decisions({"fresh trials", "", "success",
                        finds_strength ? "mean strength [N]" : "mean sigma [N]", "mean grip [N]",
-                       "median GFT%", "its floor"});
+                       "median GFT%", "its floor", "GFT [ms]", "its floor [ms]", "GOT [ms]",
+                       "GCT [ms]"});
   TextTable angles(
       {hand.digits[static_cast<size_t>(FindOpposingDigit(hand, inputs.grasp))].name + " [deg]",
        "pre-grasp", "target"});
@@ -225,8 +251,7 @@ std::string FormatOptimisation(const SceneInputs& inputs, const SceneConfig& con
   add_angles(WordsOf(kStandardGrasp), inputs.grasp);
   if (StepsOf(config.optimise).learns_pregrasp) {
     text += "step 1   " + step1.verdict + "\n";
-    AddDecision("step 1", step1.best < 0 ? step1.standard_trials : step1.check.before,
-                step1.check.after, finds_strength, decisions);
+    AddPreGraspStep(step1, finds_strength, decisions);
     add_angles(WordsOf(kNewPreGrasp), result.new_pregrasp);
   }
   if (StepsOf(config.optimise).searches_target) {
@@ -237,7 +262,8 @@ std::string FormatOptimisation(const SceneInputs& inputs, const SceneConfig& con
             FormatCount(static_cast<int>(search.individuals.size()), "evaluation") +
             "; found number " + std::to_string(step2.found) + "\n" +
             FormatHeadroom(inputs, config, step2.check);
-    AddDecision("step 2", step2.check.before, step2.check.after, finds_strength, decisions);
+    AddTrials("step 2", "before", step2.check.before, finds_strength, decisions);
+    AddTrials("step 2", "after", step2.check.after, finds_strength, decisions);
     add_angles(WordsOf(kNewTarget), result.new_target);
   }
   text += "\n" + decisions.Format() + "\n" + angles.Format();

@@ -41,6 +41,8 @@ VariantSummary Summarise(const std::vector<const TrialRecord*>& records) {
   summary.median_gft_ratio = calc("GFT%");
   if (const Answer<double> floor = CalcGftFloorOf(records)) summary.gft_ratio_floor = *floor;
   summary.median_got_ratio = calc("GOT%");
+  summary.median_gft = calc("GFT");
+  summary.median_got = calc("GOT");
   summary.median_gct = calc("GCT");
   summary.mean_breaking_force = calc("breaking");
   summary.median_grip = calc("grip");
@@ -189,7 +191,11 @@ const std::vector<VariantMeasure>& ListVariantMeasures() {
       {"GOT% [%]", "grasp opposing time over grasp closure time", 100.0, 1, false,
        VariantMeasure::kMedianMissingIsInfinite,
        [](const TrialRecord& r) { return r.result.timing.got_ratio; }},
-      {"GCT [s]", "grasp closure time", 1.0, 3, false, VariantMeasure::kMedianOfHaving,
+      {"GFT [ms]", "grasp forming time", 1000.0, 0, false, VariantMeasure::kMedianOfHaving,
+       [](const TrialRecord& r) { return r.result.timing.gft; }},
+      {"GOT [ms]", "grasp opposing time", 1000.0, 0, false, VariantMeasure::kMedianOfHaving,
+       [](const TrialRecord& r) { return r.result.timing.got; }},
+      {"GCT [ms]", "grasp closure time", 1000.0, 0, false, VariantMeasure::kMedianOfHaving,
        [](const TrialRecord& r) { return r.result.timing.gct; }},
   };
   return measures;
@@ -330,7 +336,7 @@ std::vector<VariantTotal> ListVariantTotals(const Campaign& campaign) {
   for (const VariantRow& row : kVariants) {
     VariantTotal total;
     total.variant = row.value;
-    std::vector<double> sigma, gft, floors, got, gct;
+    std::vector<double> sigma, gft, floors, got, gft_time, got_time, gct;
     for (const VariantSummary& summary : summaries) {
       if (summary.variant != row.value) continue;
       ++total.num_scenes;
@@ -340,12 +346,16 @@ std::vector<VariantTotal> ListVariantTotals(const Campaign& campaign) {
       gft.push_back(summary.median_gft_ratio);
       floors.push_back(summary.gft_ratio_floor);
       got.push_back(summary.median_got_ratio);
+      gft_time.push_back(summary.median_gft);
+      got_time.push_back(summary.median_got);
       gct.push_back(summary.median_gct);
     }
     total.median_sigma = CalcMedianOfFinite(sigma);
     total.median_gft_ratio = CalcMedianOfFinite(gft);
     total.median_gft_floor = CalcMedianOfFinite(floors);
     total.median_got_ratio = CalcMedianOfFinite(got);
+    total.median_gft = CalcMedianOfFinite(gft_time);
+    total.median_got = CalcMedianOfFinite(got_time);
     total.median_gct = CalcMedianOfFinite(gct);
     totals.push_back(total);
   }

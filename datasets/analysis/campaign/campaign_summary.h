@@ -100,7 +100,7 @@ struct VariantTotal {
   double median_sigma = kUnset;
   double median_gft_ratio = kUnset, median_gft_floor = kUnset;  ///< GFT%, its floor (headrooms.h)
   double median_got_ratio = kUnset;
-  double median_gct = kUnset;  ///< [s]
+  double median_gft = kUnset, median_got = kUnset, median_gct = kUnset;  ///< [s]
 };
 std::vector<VariantTotal> ListVariantTotals(const Campaign& campaign);
 
@@ -172,12 +172,12 @@ struct VariantSummary {
   double median_gft_ratio = kUnset;
   double gft_ratio_floor = kUnset;
   double median_got_ratio = kUnset;
-  double median_gct = kUnset;             ///< [s]
-  double mean_breaking_force = kUnset;    ///< [N]
-  double median_grip = kUnset;            ///< [N]
-  double median_sigma_ratio = kUnset;     ///< of the grip
-  double median_breaking_ratio = kUnset;  ///< of the grip
-  double headroom_share = kUnset;         ///< step 2's (headrooms.h): start and what was kept
+  double median_gft = kUnset, median_got = kUnset, median_gct = kUnset;  ///< [s]
+  double mean_breaking_force = kUnset;                                   ///< [N]
+  double median_grip = kUnset;                                           ///< [N]
+  double median_sigma_ratio = kUnset;                                    ///< of the grip
+  double median_breaking_ratio = kUnset;                                 ///< of the grip
+  double headroom_share = kUnset;  ///< step 2's (headrooms.h): start and what was kept
 
   template <class V>
   static void ListFields(V&& field) {
@@ -194,6 +194,10 @@ struct VariantSummary {
     field("gft_ratio_floor", &S::gft_ratio_floor,
           FieldColumn{"", "of GFT%, were only the trials' scatter left; empty: none"});
     field("median_got_ratio", &S::median_got_ratio, FieldColumn{"", "as of GFT%"});
+    field("median_gft_s", &S::median_gft,
+          FieldColumn{"s", "of the trials in which every digit touched"});
+    field("median_got_s", &S::median_got,
+          FieldColumn{"s", "of the trials in which thumb and another digit touched"});
     field("median_gct_s", &S::median_gct,
           FieldColumn{"s", "of the trials in which every digit touched"});
     field("mean_breaking_force_n", &S::mean_breaking_force,

@@ -117,6 +117,15 @@ enum class IndependenceVerdict {
   kNotDecided,    ///< clocks disagree, or what digits share may be the clock's error
   kNoDifference,  ///< by no clock
 };
+struct IndependenceVerdictRow {
+  IndependenceVerdict value;
+  const char* name;  ///< in statistics.csv
+};
+inline constexpr IndependenceVerdictRow kIndependenceVerdicts[] = {
+    {IndependenceVerdict::kMore, "more simultaneous"},
+    {IndependenceVerdict::kLess, "less simultaneous"},
+    {IndependenceVerdict::kNotDecided, "not decided"},
+    {IndependenceVerdict::kNoDifference, "no difference"}};
 
 struct IndependenceNull {
   int num_trials = 0;                                  ///< that take part

@@ -3,6 +3,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/base/enum_table.h"
 #include "core/base/text/text.h"
 
 namespace graspbench {
@@ -451,6 +452,45 @@ std::vector<StatisticRow> ListIndependence(const Answer<IndependenceNull>& null)
   return rows;
 }
 
+std::vector<StatisticRow> ListIndependenceVerdicts(const Answer<IndependenceNull>& null) {
+  std::vector<StatisticRow> rows;
+  const auto add = [&](const char* measure,
+                       std::array<IndependenceTest, kNumClocks> IndependenceNull::*member) {
+    StatisticRow row;
+    row.measure = measure;
+    row.analysis = kIndependenceVerdictAnalysis;
+    row.effect = "not testable";
+    row.unit = "1";
+    row.note = SayIndependence(null);
+    if (null) {
+      const auto& tests = (*null).*member;
+      const IndependenceTest& test = tests[IndependenceNull::FindStrictest(tests)];
+      row.effect = RowOf(kIndependenceVerdicts, null->Judge(tests)).name;
+      row.estimate = test.observed / test.expected;
+      for (const IndependenceTest& one : tests) {
+        if (!one.over_persons) continue;
+        row.low = std::fmin(row.low, std::exp(one.over_persons->interval.low));
+        row.high = std::fmax(row.high, std::exp(one.over_persons->interval.high));
+      }
+      row.statistic = "mean";
+      row.value = test.observed;
+      row.p = test.p;
+      row.effect_size_name = "share less that is found in 8 of 10 studies";
+      row.effect_size = test.detectable;
+      row.num_persons = null->num_persons;
+      row.note = FormatCount(null->num_trials, "trial") + ", " +
+                 std::to_string(null->num_incomplete) +
+                 " left out because a digit or a clock is missing; the clock that speaks least for "
+                 "a difference, the interval over persons by all clocks. " +
+                 row.note;
+    }
+    rows.push_back(row);
+  };
+  add("grasp_forming_time_s", &IndependenceNull::gft);
+  add("grasp_forming_ratio", &IndependenceNull::gft_ratio);
+  return rows;
+}
+
 std::vector<StatisticRow> ListStatistics(const StudyStatistics& statistics) {
   std::vector<StatisticRow> all;
   const auto add = [&](std::vector<StatisticRow> rows) {
@@ -463,6 +503,7 @@ std::vector<StatisticRow> ListStatistics(const StudyStatistics& statistics) {
   }
   add(ListOpenings(statistics.openings));
   add(ListIndependence(statistics.independence));
+  add(ListIndependenceVerdicts(statistics.independence));
   return all;
 }
 

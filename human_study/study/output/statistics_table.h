@@ -49,6 +49,12 @@ std::vector<StatisticRow> ListOpenings(const OpeningFamily& family);
 /** GFT and GFT% against digits that move independently, by every clock, or the reason for none. */
 std::vector<StatisticRow> ListIndependence(const Answer<IndependenceNull>& null);
 
+/** What these say together, a row each for GFT and GFT%: `effect` is the verdict
+(kIndependenceVerdicts, or "not testable"), the numbers are those of the strictest clock, the
+interval is the widest of all clocks, the note counts the trials and says what would decide. */
+inline constexpr char kIndependenceVerdictAnalysis[] = "independent digits, verdict";
+std::vector<StatisticRow> ListIndependenceVerdicts(const Answer<IndependenceNull>& null);
+
 /** All of a study. */
 std::vector<StatisticRow> ListStatistics(const StudyStatistics& statistics);
 

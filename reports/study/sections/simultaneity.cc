@@ -2,6 +2,7 @@
 
 #include "core/base/text/text.h"
 #include "core/base/units.h"
+#include "human_study/study/inference/closure_ends.h"
 #include "reports/study/study_format.h"
 
 namespace graspbench {
@@ -54,11 +55,34 @@ Html DrawTests(const IndependenceNull& null) {
   return table.ToHtml();
 }
 
+/** How the closure time depends on what ends the closure. */
+Html DrawClosureEnds(const StudyPageData& data) {
+  Table table("Closure time, from the widest opening, by what ends the closure.",
+              {"End of closure",
+               {"Trials", "that have this end"},
+               {"Median [ms]", "and quartiles"},
+               {"After the last contact [ms]", "median over the trials that have both"}});
+  for (const ClosureEnd& end : ListClosureEnds(data.result.trials)) {
+    const auto format = [](double time) { return FormatFixed(MsFromS(time), 0); };
+    table.AddRow({end.text, end.num_trials,
+                  end.num_trials == 0 ? "n/a"
+                                      : format(end.median) + " (" + format(end.lower_quartile) +
+                                            " to " + format(end.upper_quartile) + ")",
+                  std::isfinite(end.median_after_contact) ? format(end.median_after_contact)
+                                                          : std::string("n/a")});
+  }
+  return table.ToHtml() +
+         MakeParagraph(
+             "GCT, and with it GFT% and GOT%, ends with the last contact. Other definitions end "
+             "the closure when the object first moves, or when the fingertips are slow against "
+             "it.");
+}
+
 Html DrawSimultaneity(const StudyPageData& data) {
   if (data.result.CountKept() == 0) return MakeParagraph("No trial counts.");
   const Answer<IndependenceNull>& null = data.result.statistics.independence;
   Html html = MakeParagraph(DescribeIndependence(null));
-  if (!null) return html;
+  if (!null) return html + DrawClosureEnds(data);
   std::string note =
       "What all digits share with the clock is no coordination of digits, so three clocks are "
       "asked and the one that speaks least for a difference decides. Who is more "
@@ -70,7 +94,7 @@ Html DrawSimultaneity(const StudyPageData& data) {
     note += " " + FormatCount(null->num_incomplete, "trial") +
             " of those that count lacked the contact of a digit or a clock and took no part.";
   }
-  return html + DrawTests(*null) + MakeParagraph(note) +
+  return html + DrawTests(*null) + MakeParagraph(note) + DrawClosureEnds(data) +
          Element("p", {}, LinkTo("robot", "The robot's GFT% beside that of people"));
 }
 

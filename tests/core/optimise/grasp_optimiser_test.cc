@@ -197,6 +197,17 @@ TEST(OptimiseGrasp, DelaysDigitsWhereAnotherPreGraspSucceedsLessOften) {
     const double delay = own == result.new_pregrasp.closing.end() ? 0.0 : own->second.delay;
     EXPECT_NEAR(delay, last - fake.FindTouch(start, id), 1e-6) << id;
   }
+  // What the pre-grasp reaches alone is tried on the same fresh draws: here it fails.
+  const PreGraspStep& step = result.pregrasp_step;
+  EXPECT_EQ(NameWhatChanged(step.shots[step.chosen]), "closing delays");
+  ASSERT_GE(step.alone, 0);
+  EXPECT_EQ(NameWhatChanged(step.shots[step.alone]), "pre-grasp");
+  EXPECT_EQ(CountSuccesses(step.alone_trials), 0);
+  const std::vector<LearningTrial> before = step.ListBeforeAlone();
+  ASSERT_EQ(step.alone_trials.size(), before.size());
+  for (size_t i = 0; i < before.size(); ++i) {
+    EXPECT_EQ(step.alone_trials[i].draw, before[i].draw);
+  }
 }
 
 TEST(OptimiseGrasp, TakesTheNewPreGraspWhereDelayedDigitsSucceedLessOften) {
@@ -206,6 +217,7 @@ TEST(OptimiseGrasp, TakesTheNewPreGraspWhereDelayedDigitsSucceedLessOften) {
   ASSERT_GE(result.pregrasp_step.chosen, 0) << result.pregrasp_step.verdict;
   EXPECT_TRUE(result.new_pregrasp.closing.empty());
   EXPECT_NE(result.new_pregrasp.q_pre, fake.first_q_pre);
+  EXPECT_EQ(result.pregrasp_step.alone, result.pregrasp_step.chosen);
 }
 
 TEST(OptimiseGrasp, KeepsTheStartWhenTheTargetIsNotBetterOnUnseenTrials) {

@@ -168,7 +168,8 @@ TEST(ExportCampaign, WritesALineForEachVariantAndSearch) {
   ExportCampaign(folder.path(), campaign);
   EXPECT_EQ(ReadFile(folder.path() / "summary.csv"),
             "hand,object,grasp,variant,trials,successes,mean_sigma,median_gft_ratio,"
-            "gft_ratio_floor,median_got_ratio,median_gct_s,mean_breaking_force_n,median_grip_n,"
+            "gft_ratio_floor,median_got_ratio,median_gft_s,median_got_s,median_gct_s,mean_breaking_"
+            "force_n,median_grip_n,"
             "median_sigma_per_grip,median_breaking_per_grip,headroom_share\n"
             "tum,mug,g2,standard,2,1,1.5,,,,0.5,0.0,,,,\n"
             "tum,mug,new-pregrasp,new-pregrasp,2,1,1.5,,,,0.5,0.0,,,,0.5\n"

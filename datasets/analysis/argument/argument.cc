@@ -1,0 +1,223 @@
+#include "datasets/analysis/argument/argument.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/text/text.h"
+
+namespace graspbench {
+
+const ArgumentMeasure kPeopleRatio = {
+    "people's GFT over that of digits that move independently", "", 2, 1.0, 0.1, -1.0};
+const ArgumentMeasure kLateSuccess = {
+    "change of success by 100 ms of delay of the last digit", "points", 1, 0.0, 2.0, -1.0};
+const ArgumentMeasure kLateThreshold = {
+    "change of the smallest grip that holds, by 100 ms of delay", "doublings", 3, 0.0, 0.07, 1.0};
+const ArgumentMeasure kFormingTime = {"GFT after step 1 less GFT before", "ms", 0, 0.0, 10.0, -1.0};
+const ArgumentMeasure kStability = {
+    "stability with the new target posture over that before", "", 2, 1.0, 0.05, 1.0};
+const ArgumentMeasure kSuccessChange = {
+    "success of optimised grasps less that of the grasps before", "points", 1, 0.0, 2.0, 1.0};
+
+const ArgumentQuestion kArgumentQuestions[kNumArgumentClaims] = {
+    {"a", "People", "Do people bring their digits to an object at the same time?",
+     "People's digits touch more simultaneously than digits that move independently would.",
+     "People's digits touch no more simultaneously than digits that move independently would.",
+     "It is not decided whether people's digits touch more simultaneously than independent digits "
+     "would."},
+    {"b", "Robots", "Does it help a robot hand when its digits touch at the same time?",
+     "A robot hand loses grasps when its last digit comes late, so simultaneous contact helps.",
+     "A late last digit does not cost a robot hand 2 points of success for 100 ms.",
+     "It is not decided whether a late last digit costs a robot hand grasps."},
+    {"c", "Step 1", "Does the learned pre-grasp make the contacts simultaneous?",
+     "The learned pre-grasp brings the digits to the object closer together in time.",
+     "The learned pre-grasp does not bring the digits 10 ms closer together in time.",
+     "It is not decided whether the learned pre-grasp brings the digits closer together in time."},
+    {"d", "Step 2", "Does the thumb's target posture make a grasp more stable?",
+     "An evolved target posture of the thumb makes grasps more stable.",
+     "An evolved target posture of the thumb does not make grasps 5 % more stable.",
+     "It is not decided whether an evolved target posture of the thumb makes grasps more stable."},
+    {"e", "Success", "Do both hands succeed more often after the optimisation?",
+     "Optimised grasps succeed more often than the grasps before.",
+     "Optimised grasps do not succeed 2 points more often than the grasps before.",
+     "It is not decided whether optimised grasps succeed more often than the grasps before."}};
+
+ArgumentVerdict JudgeNumber(const ArgumentMeasure& measure, const Interval& interval) {
+  const double one = measure.sign * (interval.low - measure.null_value);
+  const double other = measure.sign * (interval.high - measure.null_value);
+  if (std::min(one, other) > 0.0) return ArgumentVerdict::kShown;
+  return std::max(one, other) < measure.least ? ArgumentVerdict::kRefuted
+                                              : ArgumentVerdict::kNotDecided;
+}
+
+int CountToDecide(const ArgumentMeasure& measure, double value, const Interval& interval, int n) {
+  const double half_width = 0.5 * (interval.high - interval.low);
+  const double size = std::abs(value - measure.null_value);
+  const double wanted = std::max(size, measure.least - size);
+  const double count = std::ceil(n * std::pow(half_width / wanted, 2.0));
+  return std::isfinite(count) && count > n ? static_cast<int>(std::min(count, 1e9)) : 0;
+}
+
+void Judge(ArgumentNumber& number) {
+  number.verdict = ArgumentVerdict::kNotDecided;
+  // Comparisons with NaN are false, so that a number without an interval stays undecided.
+  if (std::isfinite(number.interval.low) && std::isfinite(number.interval.high)) {
+    number.verdict = JudgeNumber(*number.measure, number.interval);
+  }
+  if (number.verdict != ArgumentVerdict::kNotDecided || !number.would_decide.empty()) return;
+  const int wanted = CountToDecide(*number.measure, number.value, number.interval, number.n);
+  number.would_decide = wanted > 0 ? "about " + FormatCount(wanted, number.of) + " instead of " +
+                                         std::to_string(number.n)
+                                   : "more of the kind: " + number.of + "s";
+}
+
+std::string FormatNumber(const ArgumentNumber& number) {
+  const ArgumentMeasure& measure = *number.measure;
+  const std::string unit = *measure.unit ? std::string(" ") + measure.unit : "";
+  std::string text = std::isfinite(number.value)
+                         ? FormatFixed(number.value, measure.decimals) + unit
+                         : std::string("n/a");
+  if (std::isfinite(number.interval.low)) {
+    text += " (" + FormatFixed(number.interval.low, measure.decimals) + " to " +
+            FormatFixed(number.interval.high, measure.decimals) + ")";
+  } else {
+    text += " (no interval)";
+  }
+  text += ", " + FormatCount(number.n, number.of);
+  return number.left_out.empty() ? text : text + "; left out: " + number.left_out;
+}
+
+namespace {
+
+std::string FormatUnit(const ArgumentNumber& number) {
+  return *number.measure->unit ? number.measure->unit : "factor";
+}
+
+std::string FormatClaimLine(const ArgumentClaim& claim) {
+  const ArgumentNumber* const number = claim.headline();
+  std::string line = std::string("(") + claim.question->id + ") " + NameOf(claim.verdict) + ": " +
+                     claim.sentence();
+  if (number == nullptr) {
+    line += " Not run.";
+    if (!claim.not_run.empty()) line += " Command: " + claim.not_run.front().command;
+    return line + "\n";
+  }
+  line += " " + Capitalise(number->measure->text) + ", " + number->subject + ": " +
+          FormatNumber(*number) + ".";
+  if (claim.verdict == ArgumentVerdict::kNotDecided) {
+    line += " Would decide: " + claim.would_decide() + ".";
+  }
+  return line + "\n";
+}
+
+}  // namespace
+
+bool ArgumentClaim::was_run() const { return headline() != nullptr; }
+
+const ArgumentNumber* ArgumentClaim::headline() const {
+  const ArgumentNumber* first = nullptr;
+  for (const ArgumentNumber& number : numbers) {
+    if (!number.decides) continue;
+    if (number.verdict == verdict) return &number;
+    if (first == nullptr) first = &number;
+  }
+  return first;
+}
+
+std::string ArgumentClaim::sentence() const {
+  std::string text = verdict == ArgumentVerdict::kShown     ? question->shown
+                     : verdict == ArgumentVerdict::kRefuted ? question->refuted
+                                                            : question->open;
+  const bool differ = std::any_of(numbers.begin(), numbers.end(), [&](const ArgumentNumber& one) {
+    return one.decides && one.verdict != verdict;
+  });
+  if (!differ) return text;
+  for (const auto& row : kArgumentVerdicts) {
+    std::string subjects;
+    for (const ArgumentNumber& number : numbers) {
+      if (!number.decides || number.verdict != row.value) continue;
+      subjects += (subjects.empty() ? "" : ", ") + number.subject;
+    }
+    if (!subjects.empty()) text += " " + Capitalise(row.name) + ": " + subjects + ".";
+  }
+  return text;
+}
+
+std::string ArgumentClaim::would_decide() const {
+  if (verdict != ArgumentVerdict::kNotDecided) return "";
+  const ArgumentNumber* const number = headline();
+  if (number != nullptr) return number->would_decide;
+  return not_run.empty() ? "" : not_run.front().command;
+}
+
+ArgumentVerdict JudgeClaim(const std::vector<ArgumentNumber>& numbers) {
+  bool is_any = false, all_shown = true;
+  for (const ArgumentNumber& number : numbers) {
+    if (!number.decides) continue;
+    if (number.verdict == ArgumentVerdict::kRefuted) return ArgumentVerdict::kRefuted;
+    is_any = true;
+    all_shown = all_shown && number.verdict == ArgumentVerdict::kShown;
+  }
+  return is_any && all_shown ? ArgumentVerdict::kShown : ArgumentVerdict::kNotDecided;
+}
+
+std::vector<CsvColumn<ArgumentNumber>> ListArgumentColumns() {
+  using Row = ArgumentNumber;
+  using C = CsvColumn<Row>;
+  return {
+      C("subject", "", "hand or study, and what was tried", &Row::subject).Shown("of"),
+      C("measure", "", "what the number is",
+        [](const Row& row) {
+          return std::string(row.measure->text);
+        }).Shown("number"),
+      C("unit", "", "of the number", FormatUnit),
+      C("value", "", "estimate", &Row::value),
+      C("low", "", "lower end of the 95 % interval",
+        [](const Row& row) { return row.interval.low; }),
+      C("high", "", "upper end of the 95 % interval",
+        [](const Row& row) { return row.interval.high; }),
+      C("n", "", "how many", &Row::n),
+      C("of", "", "what n counts", &Row::of),
+      C("left_out", "", "how many were left out and why", &Row::left_out),
+      C::ForPeople("value, 95 % interval, n", "what was left out stands behind n", FormatNumber),
+      C("decides", "", "the claim's verdict rests on it", &Row::decides)
+          .Shown("decides", [](const Row& row) { return row.decides ? "yes" : ""; }),
+      C("verdict", "", "by the rule of this number",
+        [](const Row& row) {
+          return std::string(NameOf(row.verdict));
+        }).Shown("verdict"),
+      C("would_decide", "", "of one that is not decided", &Row::would_decide).Shown("would decide"),
+      C("detail", "", "other figures that belong to it", &Row::detail).Shown("also"),
+      C("source", "", "folders", &Row::source).Shown("from"),
+      C("command", "", "that made it", &Row::command).Shown("command")};
+}
+
+Json ToJson(const std::vector<ArgumentClaim>& claims) {
+  Json list = Json::array();
+  for (const ArgumentClaim& claim : claims) {
+    Json not_run = Json::array();
+    for (const NotRun& one : claim.not_run) {
+      not_run.push_back({{"what", one.what}, {"command", one.command}});
+    }
+    const ArgumentNumber* const number = claim.headline();
+    const auto columns = ListArgumentColumns();
+    list.push_back({{"id", claim.question->id},
+                    {"question", claim.question->question},
+                    {"verdict", NameOf(claim.verdict)},
+                    {"was_run", claim.was_run()},
+                    {"sentence", claim.sentence()},
+                    {"would_decide", claim.would_decide()},
+                    {"number", number ? MakeJsonRows(columns, {*number}).at(0) : Json()},
+                    {"numbers", MakeJsonRows(columns, claim.numbers)},
+                    {"not_run", not_run}});
+  }
+  return {{"claims", list}};
+}
+
+std::string FormatArgument(const std::vector<ArgumentClaim>& claims) {
+  std::string text;
+  for (const ArgumentClaim& claim : claims) text += FormatClaimLine(claim);
+  return text;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/text/text.h"
+#include "reports/kind_pages.h"
+#include "reports/page/layout.h"
+#include "reports/plots/line_plot.h"
+
+namespace graspbench {
+namespace {
+
+using Claims = std::vector<ArgumentClaim>;
+
+std::string NameSection(const ArgumentClaim& claim) {
+  return std::string("claim-") + claim.question->id;
+}
+
+/** "(b) refuted". */
+std::string FormatVerdict(const ArgumentClaim& claim) {
+  return std::string(NameOf(claim.verdict)) + (claim.was_run() ? "" : ", not run");
+}
+
+/** The number of the headline in words. */
+std::string DescribeHeadline(const ArgumentClaim& claim) {
+  const ArgumentNumber* const number = claim.headline();
+  if (number == nullptr) return "none";
+  return number->subject + ": " + FormatNumber(*number);
+}
+
+Html DrawAnswers(const Claims& claims) {
+  Table table("The five questions and their answers.",
+              {"", "Question", "Verdict", "Answer", {"Number", "value, 95 % interval, n"}});
+  for (const ArgumentClaim& claim : claims) {
+    table.AddRow({LinkTo(NameSection(claim), std::string("(") + claim.question->id + ")"),
+                  claim.question->question, FormatVerdict(claim), claim.sentence(),
+                  DescribeHeadline(claim)});
+  }
+  return MakeParagraph(
+             "The thesis argues: people strive to touch an object with all digits at once; this "
+             "helps robot hands, too; so a first step of optimisation makes the contacts of a "
+             "grasp simultaneous, and a second one finds the posture of the thumb that holds best. "
+             "Each answer below is what simulated trials, or recordings of people, say of one part "
+             "of this argument. \"Not decided\" means that the trials are too few to say either.") +
+         table.ToHtml();
+}
+
+/** Numbers of the headline's measure, less its null value, so that zero is the line to cross. */
+Html DrawNumbers(const ArgumentClaim& claim) {
+  const ArgumentMeasure& measure = *claim.numbers.front().measure;
+  const std::string less =
+      measure.null_value == 0.0 ? "" : ", less " + FormatFixed(measure.null_value, 0);
+  IntervalPlot plot;
+  plot.text = {claim.question->question,
+               "One row per number with its 95 % interval; those that decide come first."};
+  plot.axis = measure.text + less + (*measure.unit ? std::string(" [") + measure.unit + "]" : "");
+  for (const bool decides : {true, false}) {
+    bool is_first = true;
+    for (const ArgumentNumber& number : claim.numbers) {
+      if (number.measure != &measure || number.decides != decides) continue;
+      if (is_first) plot.AddHeading(decides ? "decides" : "beside it");
+      is_first = false;
+      plot.rows.push_back({number.subject, number.value - measure.null_value,
+                           number.interval.low - measure.null_value,
+                           number.interval.high - measure.null_value,
+                           std::string(NameOf(number.verdict)) + ", n " + std::to_string(number.n),
+                           "", decides ? 0 : 1});
+    }
+  }
+  const std::string side = measure.sign > 0.0 ? "right" : "left";
+  return MakeFigure(
+      Capitalise(measure.text) + ", with 95 % intervals.",
+      "an interval all to the " + side + " of zero shows the claim; one that ends before " +
+          FormatFixed(measure.sign * measure.least, measure.least < 1.0 ? 2 : 0) +
+          (*measure.unit ? std::string(" ") + measure.unit : "") + " on that side refutes it.",
+      MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
+}
+
+template <size_t kClaim>
+Html DrawClaim(const Claims& claims) {
+  const ArgumentClaim& claim = claims.at(kClaim);
+  Html content = Element(
+      "p", {{"id", NameSection(claim)}},
+      Element("strong", {}, Capitalise(FormatVerdict(claim)) + ".") + Text(" " + claim.sentence()));
+  if (const ArgumentNumber* const number = claim.headline()) {
+    content += MakeParagraph(Capitalise(number->measure->text) + ", " + DescribeHeadline(claim) +
+                             (number->detail.empty() ? "" : "; " + number->detail) + ".");
+    content += Element("p", {},
+                       Text("Made by ") + Element("code", {}, number->command) +
+                           Text(" (" + number->source + ")."));
+    if (claim.verdict == ArgumentVerdict::kNotDecided) {
+      content += MakeParagraph("Would decide: " + claim.would_decide() + ".");
+    }
+  }
+  if (!claim.numbers.empty()) {
+    content += DrawNumbers(claim);
+    content += MakeTable(std::string("All numbers of claim ") + claim.question->id + ".",
+                         ShowTable(ListArgumentColumns(), claim.numbers));
+  }
+  for (const NotRun& one : claim.not_run) {
+    content +=
+        Element("p", {}, Text("Not run: " + one.what + ". ") + Element("code", {}, one.command));
+  }
+  return content;
+}
+
+Html DrawRules(const Claims&) {
+  Table table("What is measured, and from which size on an effect matters.",
+              {"Number", "Claim expects", {"Smallest effect of interest", "proposed"}});
+  for (const ArgumentMeasure* measure : {&kPeopleRatio, &kLateSuccess, &kLateThreshold,
+                                         &kFormingTime, &kStability, &kSuccessChange}) {
+    const std::string unit = *measure->unit ? std::string(" ") + measure->unit : "";
+    table.AddRow({Capitalise(measure->text),
+                  (measure->sign > 0.0 ? "more than " : "less than ") +
+                      FormatFixed(measure->null_value, 0) + unit,
+                  FormatFixed(measure->least, measure->least < 1.0 ? 2 : 0) + unit});
+  }
+  return MakeParagraph(
+             "A number shows its claim when its 95 % interval lies on the claimed side of the null "
+             "value. It refutes the claim when the interval ends before the smallest effect of "
+             "interest: what there is, is smaller than what matters, or goes the other way. Else "
+             "it is not decided. A claim is shown when all numbers that decide it show it, and "
+             "refuted when one refutes it: what holds for one of two hands does not hold for "
+             "hands. What was not run decides nothing.") +
+         table.ToHtml() +
+         MakeParagraph(
+             "GFT is the time from the first to the last contact of the digits, GOT that between "
+             "the thumb and the first finger, GCT that from the start of closure to the last "
+             "contact. The floor of GFT is what is left when every digit's times are shifted by "
+             "their own median: no pre-grasp takes it away. Candidates of step 1 and step 2 are "
+             "measured on fresh initial poses, before it is decided whether they are accepted. "
+             "Hands ending in -evolved have grasps that were evolved on the objects of the "
+             "catalogue; for them these objects are seen.");
+}
+
+}  // namespace
+
+std::string MakeArgumentPage(const Claims& claims, const std::string& sources) {
+  static_assert(kNumArgumentClaims == 5);
+  const std::vector<PageSection<Claims>> sections = {
+      {"answers", "Five answers", DrawAnswers},
+      {"people", "(a) People", DrawClaim<0>},
+      {"robots", "(b) Robots", DrawClaim<1>},
+      {"pregrasp", "(c) Step 1: the pre-grasp", DrawClaim<2>},
+      {"target", "(d) Step 2: the thumb's target posture", DrawClaim<3>},
+      {"success", "(e) Success before and after", DrawClaim<4>},
+      {"rules", "How it is decided", DrawRules}};
+  PageFrame frame = {"The argument", "read: " + sources};
+  frame.commands = {"graspbench argument FOLDER.. --out DIR"};
+  frame.references = {"wilson1927"};
+  return MakeSectionedPage(frame, sections, claims);
+}
+
+}  // namespace graspbench
