@@ -140,10 +140,9 @@ std::vector<std::string> ListDoubtfulTypes(const SessionConfig& config,
       if (found == inputs.types.end()) continue;
       const RehearsedType& type = found->second;
       if (2 * type.held > type.draws) continue;
-      warnings.push_back(type.hand + ", " + type.object +
-                         ": no standard grasp held more than half " + "of its imagined trials; " +
-                         type.grasp + " held " + std::to_string(type.held) + " of " +
-                         std::to_string(type.draws));
+      warnings.push_back(type.hand + ", " + type.object + ": the grasp that rehearsal chose, " +
+                         type.grasp + ", held " + std::to_string(type.held) + " of " +
+                         std::to_string(type.draws) + " imagined trials");
     }
   }
   return warnings;

@@ -63,8 +63,8 @@ std::vector<const Grasp*> FindGrasps(const SessionConfig& config, const SessionI
 
 /** What is to be said of the session's objects before it, each in the order hand, object:
 
-- "allegro, carton: no standard grasp held more than half of its imagined trials; g3 held 1 of 4",
-  of "best" grasps;
+- "allegro, carton: the grasp that rehearsal chose, g3, held 1 of 4 imagined trials", of "best"
+  grasps that held half or less;
 - "allegro, carton: none of g1, g2 reaches it, so every trial will be unreachable; nearest is g2,
   whose pads stop 6.2 mm short", with the widths where the object is too wide, of each name of a
   grasp; what an object names as its best grasp is believed;

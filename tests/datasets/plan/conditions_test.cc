@@ -124,7 +124,7 @@ TEST_F(PlannedConditions, ThatComeToOneTrialAreRefused) {
   // A condition that changes nothing shows that nothing changes; the best grasp has another name.
   config_.conditions = {{"nothing", {"model.mass_scale=1.0"}}};
   EXPECT_EQ(MakePlan(config_, LoadSessionInputs(config_)).size(), 4u);
-  config_.conditions = {{"same", {"grasp=g2"}}};
+  config_.conditions = {{"same", {"grasp=g6"}}};
   EXPECT_THROW(MakePlan(config_, LoadSessionInputs(config_)), Error);
 }
 

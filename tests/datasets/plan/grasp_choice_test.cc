@@ -126,10 +126,8 @@ TEST(GraspChoice, BestIsTheTypeByRehearsal) {
   inputs.types[{"mine", "bar"}] = {"mine", "bar", other, 2, 4, ""};
   EXPECT_EQ(find("best", inputs), other);
   EXPECT_EQ(find("predicted", inputs), predicted);
-  EXPECT_EQ(Warn(inputs),
-            "mine, bar: no standard grasp held more than half of its imagined "
-            "trials; " +
-                other + " held 2 of 4\n");
+  EXPECT_EQ(Warn(inputs), "mine, bar: the grasp that rehearsal chose, " + other +
+                              ", held 2 of 4 imagined trials\n");
   SessionInputs changed = MakeInputsOf({bar});
   changed.base = std::make_shared<const SessionInputs>(inputs);
   EXPECT_EQ(find("best", changed), other);

@@ -65,11 +65,12 @@ void PlanRehearsals(const RehearseOptions& options) {
                       {"draws", options.config.num_draws},
                       {"seconds", time}});
   }
-  PrintResult(FormatCount(num_pairs, "pair") + " of hand and object, at most " +
-              (options.request.types_only
-                   ? "the standard grasps"
-                   : FormatCount(options.config.num_candidates, "candidate")) +
-              " with " + FormatCount(options.config.num_draws, "draw") + " each\nabout " +
+  const std::string tried =
+      options.request.types_only
+          ? "the standard grasps"
+          : "at most " + FormatCount(options.config.num_candidates, "candidate");
+  PrintResult(FormatCount(num_pairs, "pair") + " of hand and object, " + tried + " with " +
+              FormatCount(options.config.num_draws, "draw") + " each\nabout " +
               FormatFixed(time, 0) +
               " s of one processor for what is left, judged by the first pair of each hand\n");
 }
