@@ -183,7 +183,8 @@ class Controllers(unittest.TestCase):
         script.write_text(page.split("(`close.py`):\n\n```text\n")[1].split("```")[0])
         run(self.folder / "s", "--hand", "tum,shadow", "--object", "golf_ball", policy=f"{PYTHON} {script}")
         for record in records(self.folder / "s").values():
-            self.assertTrue(record["result"]["policy"]["said_done"], record["result"]["reason"])
+            self.assertNotEqual(record["result"]["outcome"], "wrong answer", record["result"]["reason"])
+            self.assertGreater(record["result"]["policy"]["num_questions"], 20)
 
     def resume(self, folder, *options, expect=0):
         done = subprocess.run([PROGRAM, "run", "--resume", "--out", str(folder), *options], env=ENVIRONMENT,

@@ -1,9 +1,9 @@
 #pragma once
 /** @file
-Files that the policies of a session name: a policy.yaml and, of a shell command, each word that is a
-file, as a script or its weights; files of the system (/usr) are left out. A session keeps the SHA-256
-of each in inputs/policies.json, since trials of a controller that has changed do not belong to those
-of the one before. What a file reads or imports is not followed. */
+Files that the policies of a session name: a policy.yaml and, of a shell command, each word that is
+a file, as a script or its weights. Files of the system (/usr) are left out. A session keeps the
+SHA-256 of each in inputs/policies.json, since trials of a controller that has changed do not belong
+to those of the one before. What a file reads or imports is not followed. */
 
 #include <filesystem>
 #include <map>

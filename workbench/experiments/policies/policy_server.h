@@ -75,7 +75,8 @@ class ServerExchange {
   /** The next message to the server. @throws PolicyLost where the trial does not give what the file
   takes. */
   std::string FormatQuestion(const PolicyValues& observation);
-  /** @param observation  of the question. @throws PolicyFault saying what is wrong with the answer. */
+  /** @param observation  of the question.
+  @throws PolicyFault saying what is wrong with the answer. */
   PolicyAction ReadAnswer(const PolicyValues& observation, std::string_view answer) const;
 
  private:
