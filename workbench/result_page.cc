@@ -1,6 +1,7 @@
 #include "workbench/result_page.h"
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <memory>
 #include <optional>
@@ -8,11 +9,15 @@
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
+#include "core/base/text/text.h"
 #include "core/trial/trial_runner.h"
+#include "datasets/analysis/conditions/basin_summary.h"
 #include "datasets/analysis/export_result.h"
 #include "datasets/campaign/campaign_store.h"
 #include "datasets/judged_grasps/grasp_store.h"
+#include "datasets/plan/map_design.h"
 #include "datasets/plan/session_inputs.h"
+#include "datasets/session/explanation_store.h"
 #include "datasets/session/find_trial.h"
 #include "datasets/session/session_store.h"
 #include "objects/catalogue.h"
@@ -20,7 +25,9 @@
 #include "reports/kind_pages.h"
 #include "reports/page/layout.h"
 #include "reports/session_report.h"
+#include "workbench/experiments/run_session.h"
 #include "workbench/terminal/terminal.h"
+#include "workbench/terminal/terminal_observer.h"
 
 namespace graspbench {
 
@@ -29,8 +36,56 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kInstantInterval = 0.01;  // finer than the keys of a view [s]
+constexpr int kRunsOfShort = 45;           // of a short explanation, some
+
+/** Whether its page has a section of failures, and is final. */
+bool HasFailuresToExplain(const Session& session) {
+  return session.damage.empty() && session.config.conditions.empty() && !IsMap(session.config) &&
+         !IsBasin(session) && session.physics_version == kPhysicsVersion &&
+         FindUnfinished(session).empty() &&
+         !FindUnexplained(session, ExplainScope::kShortly).empty();
+}
+
+/** Processor time [s], by that of the first failure of each hand, which runs again. */
+double EstimateExplainTime(const PreparedSession& finished) {
+  const Session& session = finished.session;
+  std::map<std::string, double> times;
+  double sum = 0.0;
+  for (const PlannedTrial& planned : FindUnexplained(session, ExplainScope::kShortly)) {
+    const auto [time, is_new] = times.emplace(planned.hand, 0.0);
+    if (is_new) {
+      TrialSetup setup = MakeTrialSetup(session.config, finished.inputs, planned);
+      TrialBench bench;
+      TrialRunner& runner = bench.Prepare(setup);
+      const auto start = std::chrono::steady_clock::now();
+      runner.Run(setup);
+      const std::chrono::duration<double> one = std::chrono::steady_clock::now() - start;
+      time->second = one.count();
+    }
+    sum += kRunsOfShort * time->second;
+  }
+  return sum;
+}
 
 }  // namespace
+
+void ExplainUnasked(const fs::path& folder, int num_workers, OnDamage on_damage) {
+  if (!HasFailuresToExplain(LoadSession(folder, on_damage, RecordParts::kBrief))) return;
+  try {
+    const PreparedSession finished = LoadFinished(folder, on_damage);
+    const double time = EstimateExplainTime(finished);
+    TerminalObserver observer([&](const Stage& stage) {
+      return folder.string() + ": " + DescribeTasks(stage) + " for the report, about " +
+             FormatFixed(time, 0) + " s of one processor; kept for the next report";
+    });
+    const RunRecord record = RunRound(kExplainShortlyRound, finished, num_workers, observer);
+    if (record.ending != RunEnding::kFinished) {
+      PrintMessage("stopped; the report shows the failures that were explained by then");
+    }
+  } catch (const Error& fault) {
+    PrintMessage("the report explains no more failures: " + std::string(fault.what()));
+  }
+}
 
 TrialTracer MakeTrialTracer(const Session& session) {
   using Pair = std::pair<std::string, std::string>;
@@ -137,6 +192,7 @@ fs::path WriteResultPage(const fs::path& folder, const fs::path& place, OnDamage
     refuse_views("no session");
     return TakeWholePage(folder, place, on_damage);
   }
+  if (place == folder) ExplainUnasked(folder, CountProcessors(), on_damage);
   Session session = LoadSession(folder, on_damage, RecordParts::kBrief);
   ReportDamage(session.damage);
   if (!session.findings.entries().empty()) PrintMessage(session.findings.Format());

@@ -22,6 +22,11 @@ std::filesystem::path WriteResultPage(const std::filesystem::path& folder,
                                       const std::filesystem::path& place, OnDamage on_damage,
                                       PageViews views = PageViews::kAsBefore);
 
+/** Explains shortly what the page of a complete session explains unasked (FindUnexplained), and
+keeps it in the folder, so that the next page costs nothing. Says so, and for how long, on the
+terminal. What cannot be explained, or is stopped, is said there and leaves the page as it is. */
+void ExplainUnasked(const std::filesystem::path& folder, int num_workers, OnDamage on_damage);
+
 /** Any trial of a session carried out again, for its report. Hands and objects are loaded once for
 all trials.
 @throws Error when a hand or an object of the session is gone. */

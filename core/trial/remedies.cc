@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/text/text.h"
@@ -18,8 +18,13 @@ namespace {
 constexpr double kPlaceboShift = 0.0002;      // [m]
 const double kPlaceboTurn = RadFromDeg(0.2);  // [rad]
 constexpr double kHeightChange = 0.008;       // [m]
-constexpr size_t kNumFinalists = 3;
+/** How many go on, and on how many draws. */
+constexpr struct {
+  size_t num_remedies;
+  int num_draws;
+} kRounds[] = {{4, 10}, {1, kNumFreshDraws}};
 constexpr char kGraspPrefix[] = "grasp-";
+constexpr char kGripPrefix[] = "grip-";
 constexpr char kFrictionPrefix[] = "friction-x";
 constexpr const char* kFrictionFactors[] = {"1.1", "1.25", "1.5", "2"};
 
@@ -27,20 +32,20 @@ constexpr const char* kFrictionFactors[] = {"1.1", "1.25", "1.5", "2"};
 struct RemedyRow {
   const char* id;
   const char* words;
-  bool is_usable;  ///< by a user; the others only explain
+  enum { kOften, kUsable, kExplains } use;  ///< helps often; else by a user; or it only explains
 };
 constexpr RemedyRow kRemedies[] = {
-    {"grip-x2", "twice the grip", true},
-    {"grip-x4", "four times the grip", true},
-    {"firm", "a firm grip (--preset firm)", true},
-    {"regulated", "a regulated grip (--preset people)", true},
-    {"together", "digits that touch together", true},
-    {"slower", "closing at half the speed", true},
-    {"higher", "the hand 8 mm higher", true},
-    {"lower", "the hand 8 mm lower", true},
-    {"no-offset", "no offset of the object", false},
-    {"no-joint-error", "no joint error", false},
-    {"half-mass", "half the mass", false},
+    {"grip-x2", "twice the grip", RemedyRow::kUsable},
+    {"grip-x4", "four times the grip", RemedyRow::kOften},
+    {"firm", "a firm grip (--preset firm)", RemedyRow::kOften},
+    {"regulated", "a regulated grip (--preset people)", RemedyRow::kOften},
+    {"together", "digits that touch together", RemedyRow::kUsable},
+    {"slower", "closing at half the speed", RemedyRow::kUsable},
+    {"higher", "the hand 8 mm higher", RemedyRow::kUsable},
+    {"lower", "the hand 8 mm lower", RemedyRow::kOften},
+    {"no-offset", "no offset of the object", RemedyRow::kExplains},
+    {"no-joint-error", "no joint error", RemedyRow::kExplains},
+    {"half-mass", "half the mass", RemedyRow::kExplains},
 };
 
 bool HasPrefix(const std::string& id, const char* prefix) { return id.rfind(prefix, 0) == 0; }
@@ -102,9 +107,13 @@ class RemedyTrials {
  public:
   RemedyTrials(TrialRunner& runner, const FailedTrial& failed) : runner_(runner), failed_(failed) {}
 
+  Explanation FindShortly();
   Explanation Find();
 
  private:
+  void RunAsItIs(int num_draws);
+  void RunFirst(const std::string& id);
+  void RunFinalists(bool is_grasp);
   bool HoldsWith(const std::string& id, const TrialDraw& draw);
   void RunOn(int num_draws, RemedyResult& remedy);
   void AddFriction();
@@ -143,33 +152,58 @@ void RemedyTrials::AddFriction() {
   }
 }
 
-Explanation RemedyTrials::Find() {
-  GRASPBENCH_DEMAND(failed_.fresh.size() == kNumFreshDraws, std::to_string(failed_.fresh.size()));
-  const TrialDraw& draw = failed_.setup.draw;
-  TrialDraw beside = draw;
+/** And a little aside. */
+void RemedyTrials::RunAsItIs(int num_draws) {
+  TrialDraw beside = failed_.setup.draw;
   beside.offset_x += kPlaceboShift;
   beside.offset_yaw += kPlaceboTurn;
   found_.is_on_edge = HoldsWith("", beside);
-  for (const TrialDraw& fresh : failed_.fresh) found_.held.push_back(HoldsWith("", fresh));
+  for (size_t i = 0; i < static_cast<size_t>(num_draws); ++i) {
+    found_.held.push_back(HoldsWith("", failed_.fresh[i]));
+  }
+}
 
-  std::vector<std::string> usable, explaining;
-  for (const RemedyRow& row : kRemedies) {
-    if (IsApplicable(row, failed_)) (row.is_usable ? usable : explaining).push_back(row.id);
-  }
-  for (const Grasp& grasp : failed_.grasps) usable.push_back(kGraspPrefix + grasp.id);
-  for (const std::string& id : usable) {
-    found_.remedies.push_back({id, HoldsWith(id, draw)});
-    RunOn(kNumFirstDraws, found_.remedies.back());
-  }
-  std::vector<int> gains;
-  for (const RemedyResult& remedy : found_.remedies) gains.push_back(remedy.net_gain());
-  std::sort(gains.rbegin(), gains.rend());
-  const int least = gains.empty() ? 0 : gains[std::min(kNumFinalists, gains.size()) - 1];
+void RemedyTrials::RunFirst(const std::string& id) {
+  found_.remedies.push_back({id, HoldsWith(id, failed_.setup.draw)});
+  RunOn(kNumFirstDraws, found_.remedies.back());
+}
+
+/** Among other grasps or among the rest. Of equal gains those go on that hold on the failed draw. */
+void RemedyTrials::RunFinalists(bool is_grasp) {
+  std::vector<RemedyResult*> left;
   for (RemedyResult& remedy : found_.remedies) {
-    if (remedy.net_gain() >= std::max(least, 1)) RunOn(kNumFreshDraws, remedy);
+    if (IsAnotherGrasp(remedy) == is_grasp && remedy.net_gain() >= 0) left.push_back(&remedy);
   }
+  for (const auto& round : kRounds) {
+    std::stable_sort(left.begin(), left.end(), [](const RemedyResult* a, const RemedyResult* b) {
+      return std::pair(a->net_gain(), a->holds) > std::pair(b->net_gain(), b->holds);
+    });
+    if (left.size() > round.num_remedies) left.resize(round.num_remedies);
+    for (RemedyResult* remedy : left) RunOn(round.num_draws, *remedy);
+  }
+}
+
+Explanation RemedyTrials::FindShortly() {
+  RunAsItIs(kNumFirstDraws);
+  for (const RemedyRow& row : kRemedies) {
+    if (row.use == RemedyRow::kOften && IsApplicable(row, failed_)) RunFirst(row.id);
+  }
+  for (const Grasp& grasp : failed_.grasps) RunFirst(kGraspPrefix + grasp.id);
+  return std::move(found_);
+}
+
+Explanation RemedyTrials::Find() {
+  RunAsItIs(kNumFreshDraws);
+  for (const RemedyRow& row : kRemedies) {
+    if (row.use != RemedyRow::kExplains && IsApplicable(row, failed_)) RunFirst(row.id);
+  }
+  for (const Grasp& grasp : failed_.grasps) RunFirst(kGraspPrefix + grasp.id);
+  for (const bool is_grasp : {false, true}) RunFinalists(is_grasp);
   AddFriction();
-  for (const std::string& id : explaining) found_.remedies.push_back({id, HoldsWith(id, draw)});
+  for (const RemedyRow& row : kRemedies) {
+    if (row.use != RemedyRow::kExplains) continue;
+    found_.remedies.push_back({row.id, HoldsWith(row.id, failed_.setup.draw)});
+  }
   return std::move(found_);
 }
 
@@ -178,13 +212,16 @@ std::string FormatShare(int num, int num_all) { return fmt::format("{} of {}", n
 std::string DescribeBest(const Explanation& explanation, const RemedyResult& best) {
   const int held = explanation.num_held() + best.net_gain();
   return fmt::format("{} holds {} fresh draws (mends {}, breaks {}){}", NameRemedy(best.id),
-                     FormatShare(held, kNumFreshDraws), best.num_mended, best.num_broken,
+                     FormatShare(held, explanation.num_draws()), best.num_mended, best.num_broken,
                      best.holds ? "" : ", though not this one");
 }
 
 }  // namespace
 
 std::string NameRemedy(const std::string& id) {
+  if (id == std::string(kGraspPrefix) + "rehearsed") {
+    return "the rehearsed grasp (--grasp rehearsed)";
+  }
   if (HasPrefix(id, kGraspPrefix)) return "grasp " + id.substr(sizeof(kGraspPrefix) - 1);
   if (HasPrefix(id, kFrictionPrefix)) {
     return "friction times " + id.substr(sizeof(kFrictionPrefix) - 1);
@@ -202,7 +239,8 @@ int Explanation::num_held() const {
 const RemedyResult* Explanation::FindBest(bool is_grasp) const {
   const RemedyResult* best = nullptr;
   for (const RemedyResult& remedy : remedies) {
-    if (remedy.num_draws < kNumFreshDraws || IsAnotherGrasp(remedy) != is_grasp) continue;
+    if (remedy.num_draws < std::max(num_draws(), 1)) continue;
+    if (IsAnotherGrasp(remedy) != is_grasp) continue;
     if (remedy.net_gain() < kLeastNetGain) continue;
     if (!best || remedy.net_gain() > best->net_gain()) best = &remedy;
   }
@@ -250,8 +288,10 @@ TrialSetup ApplyRemedy(const std::string& id, const FailedTrial& failed, TrialSe
   return setup;
 }
 
-Explanation ExplainFailure(TrialRunner& runner, const FailedTrial& failed) {
-  return RemedyTrials(runner, failed).Find();
+Explanation ExplainFailure(TrialRunner& runner, const FailedTrial& failed, ExplainDepth depth) {
+  GRASPBENCH_DEMAND(failed.fresh.size() == kNumFreshDraws, std::to_string(failed.fresh.size()));
+  RemedyTrials trials(runner, failed);
+  return depth == ExplainDepth::kShort ? trials.FindShortly() : trials.Find();
 }
 
 std::string DescribeExplanation(const Explanation& explanation) {
@@ -259,7 +299,7 @@ std::string DescribeExplanation(const Explanation& explanation) {
                          ? "On an edge: with the object 0.2 mm and 0.2 degrees aside it holds. "
                          : "";
   text += fmt::format("As it is, {} fresh draws of the condition hold. ",
-                      FormatShare(explanation.num_held(), kNumFreshDraws));
+                      FormatShare(explanation.num_held(), explanation.num_draws()));
   const RemedyResult* grasp = explanation.FindBest(true);
   const RemedyResult* same = explanation.FindBest(false);
   if (same) text += Capitalise(DescribeBest(explanation, *same)) + ". ";
@@ -272,12 +312,13 @@ std::string DescribeExplanation(const Explanation& explanation) {
   }
   const bool is_grip_tried =
       std::any_of(explanation.remedies.begin(), explanation.remedies.end(),
-                  [](const RemedyResult& remedy) { return remedy.id == "grip-x2"; });
+                  [](const RemedyResult& remedy) { return HasPrefix(remedy.id, kGripPrefix); });
   const bool grip_helps = std::any_of(
       explanation.remedies.begin(), explanation.remedies.end(), [](const RemedyResult& remedy) {
-        return HasPrefix(remedy.id, "grip-") && (remedy.holds || remedy.net_gain() > 0);
+        return HasPrefix(remedy.id, kGripPrefix) && (remedy.holds || remedy.net_gain() > 0);
       });
   if (is_grip_tried && !grip_helps) text += "More grip does not help. ";
+  if (explanation.is_short()) return text + "These are a few remedies, tried shortly.";
   std::string explains;
   for (const RemedyResult& remedy : explanation.remedies) {
     if (remedy.num_draws > 0 || !remedy.holds) continue;
@@ -288,6 +329,18 @@ std::string DescribeExplanation(const Explanation& explanation) {
                 "without offset or joint error."
               : "What only explains: this draw also holds with " + explains + ".";
   return text;
+}
+
+std::string SummariseExplanation(const Explanation& explanation) {
+  const int all = explanation.num_draws();
+  std::string text;
+  for (const bool is_grasp : {false, true}) {
+    const RemedyResult* best = explanation.FindBest(is_grasp);
+    if (!best) continue;
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", NameRemedy(best->id),
+                        FormatShare(explanation.num_held() + best->net_gain(), all));
+  }
+  return text.empty() ? "none of those tried" : text;
 }
 
 }  // namespace graspbench

@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr char kExplainFolder[] = "explain";
-constexpr int kExplainVersion = 1;
+constexpr int kExplainVersion = 2;
 
 fs::path MakeExplainPath(const fs::path& folder, int worker, const std::string& label) {
   MakeFolder(folder / kExplainFolder);
@@ -24,6 +24,10 @@ void AddExplanation(const std::string& id, const Explanation& explanation, const
                     Explanations& known) {
   const auto [first, is_new] = known.emplace(id, explanation);
   if (is_new || RecordToJson(first->second) == RecordToJson(explanation)) return;
+  if (first->second.is_short() != explanation.is_short()) {
+    if (first->second.is_short()) first->second = explanation;
+    return;
+  }
   throw Error(ErrorKind::kFormat,
               "trial " + id + " has two different explanations in \"" +
                   (folder / kExplainFolder).string() +
@@ -71,14 +75,19 @@ Explanations LoadExplanations(const fs::path& folder) {
 
 std::vector<PlannedTrial> FindUnexplained(const Session& session, ExplainScope scope) {
   const Explanations known = LoadExplanations(session.folder);
+  const auto is_explained = [&](const TrialRecord& record) {
+    const auto explained = known.find(record.plan.id);
+    return explained != known.end() &&
+           (scope == ExplainScope::kShortly || !explained->second.is_short());
+  };
   std::set<std::string> done;  // conditions
   for (const TrialRecord& record : session.records) {
-    if (known.count(record.plan.id) > 0) done.insert(NameCondition(record.plan));
+    if (is_explained(record)) done.insert(NameCondition(record.plan));
   }
   std::vector<PlannedTrial> trials;
   for (const TrialRecord& record : session.records) {
-    if (!record.result.diagnosis || record.result.policy) continue;
-    if (known.count(record.plan.id) > 0) continue;
+    if (!record.result.diagnosis || record.result.policy || is_explained(record)) continue;
+    if (scope == ExplainScope::kShortly && done.size() >= kMostShortly) break;
     const bool is_first = done.insert(NameCondition(record.plan)).second;
     if (is_first || scope == ExplainScope::kAll) trials.push_back(record.plan);
   }
@@ -89,7 +98,10 @@ void MergeExplanations(const fs::path& folder, const fs::path& other) {
   Explanations known = LoadExplanations(folder);
   std::vector<std::string> added;
   for (const auto& [id, explanation] : LoadExplanations(other)) {
-    if (known.count(id) == 0) added.push_back(id);
+    const auto before = known.find(id);
+    const bool is_better =
+        before == known.end() || (before->second.is_short() && !explanation.is_short());
+    if (is_better) added.push_back(id);
     AddExplanation(id, explanation, folder, known);
   }
   if (added.empty()) return;

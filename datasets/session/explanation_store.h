@@ -5,8 +5,9 @@ Explanations of a session's failures (core/trial/remedies.h), in its folder besi
     explain/<n>.jsonl   append-only, one file per worker; a line = trial id, version of the
                         explanation, explanation, checksum; synced
 
-Explained = a valid line with the trial's id and today's version. Equal duplicates are fine, unequal
-ones are an error. The session's records and ids stay what they were. */
+Explained = a valid line with the trial's id and today's version. A full explanation takes the place
+of a short one. Equal duplicates are fine, unequal ones of one depth are an error. The session's
+records and ids stay what they were. */
 
 #include <filesystem>
 #include <map>
@@ -37,7 +38,14 @@ not there; `graspbench verify` names them. @throws Error(kFormat) for unequal du
 Error(kIo). */
 Explanations LoadExplanations(const std::filesystem::path& folder);
 
-enum class ExplainScope { kOneOfEach, kAll };  ///< of a condition's failures
+/** Which failures. */
+enum class ExplainScope {
+  kShortly,  ///< one of each condition, in kMostShortly conditions at most; a short explanation is
+             ///< enough
+  kOneOfEach,  ///< of a condition
+  kAll
+};
+inline constexpr size_t kMostShortly = 20;
 
 /** Failures that can be explained and are not yet, in the plan's order: those with a mechanism and
 without a controller. Of each hand, object, grasp and condition the first one, unless one is

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "core/base/text/text.h"
 #include "datasets/session/explanation_store.h"
 #include "datasets/session/find_trial.h"
@@ -30,48 +32,64 @@ Html LinkToView(const ReportData& data, const PlannedTrial& planned) {
   return LinkTo(has_view ? anchor : "views", has_view ? "show" : "how");
 }
 
-/** What the session's explanations say of those in the table. */
-Html DrawExplanations(const ReportData& data, const std::vector<const TrialRecord*>& failures) {
-  const Explanations known = LoadExplanations(data.session.folder);
-  Table table("What would have held, found by running failed trials again.",
-              {{"Trial", "leads to all its values"}, "Remedies"});
-  int num_explained = 0;
-  for (const TrialRecord* record : failures) {
-    const auto explained = known.find(record->plan.id);
-    if (explained == known.end()) continue;
-    ++num_explained;
-    table.AddRow({LinkTo(MakeTrialAnchor(record->plan), NameTrial(record->plan)),
-                  DescribeExplanation(explained->second)});
-  }
-  const Html how =
-      Element("p", {},
-              Text("Of each condition at most one failure is explained unless "
-                   "all are asked for: ") +
-                  Element("code", {}, "graspbench explain FOLDER --all") +
-                  Text(". Here: " + std::to_string(num_explained) + " of " +
-                       FormatCount(static_cast<int64_t>(failures.size()), "failure") + "."));
-  return num_explained > 0 ? how + table.ToHtml() : how;
+/** How many of the failures are explained, and how to explain more. */
+Html DescribeExplained(const Explanations& known, const std::vector<const TrialRecord*>& failures) {
+  const auto num_explained =
+      std::count_if(failures.begin(), failures.end(),
+                    [&](const TrialRecord* record) { return known.count(record->plan.id) > 0; });
+  return Element(
+      "p", {},
+      Text("The report explains one failure of each condition unasked, in " +
+           std::to_string(kMostShortly) + " conditions at most, with a few remedies on " +
+           std::to_string(kNumFirstDraws) + " fresh draws. More remedies on " +
+           std::to_string(kNumFreshDraws) + " draws: ") +
+          Element("code", {}, "graspbench explain FOLDER") + Text(", with ") +
+          Element("code", {}, "--all") +
+          Text(" of every failure. Here " + std::to_string(num_explained) + " of " +
+               FormatCount(static_cast<int64_t>(failures.size()), "failure") + " are explained."));
+}
+
+/** "3 of 10": fresh draws that hold as the trial is; empty: not explained. */
+std::string FormatHeld(const Explanation* explanation) {
+  if (!explanation) return "";
+  return std::to_string(explanation->num_held()) + " of " +
+         std::to_string(explanation->num_draws());
+}
+
+/** Of a trial that ended before a mechanism could be found, why. */
+std::string NameMechanism(const TrialResult& result) {
+  return result.diagnosis ? NameOf(result.diagnosis->mechanism) : result.reason;
 }
 
 Html DrawFailedTrials(const ReportData& data) {
   const Tally& total = data.summary.total;
   if (total.finished == total.successes()) return MakeParagraph("No finished trial failed.");
   const std::vector<const TrialRecord*> failures = ListFailures(data.summary);
+  const Explanations known = LoadExplanations(data.session.folder);
   const size_t num_rows = std::min(failures.size(), kMaxRows);
-  Table table("Every trial that did not succeed, and why.",
+  Table table("Every trial that did not succeed, how it lost its object, and what would have held.",
               {{"Trial", "leads to all its values"},
                {"3-D", "leads to its scene, or says how to make it"},
                "Outcome",
-               "Why"});
+               {"Mechanism", "how the object was lost"},
+               {"Time [s]", "of the loss, since the start of placing"},
+               {"Held as it is", "of fresh draws of the condition"},
+               {"Holds more", "remedies with the largest net gain, of the same fresh draws"}});
   for (size_t i = 0; i < num_rows; ++i) {
     const PlannedTrial& planned = failures[i]->plan;
+    const TrialResult& result = failures[i]->result;
+    const auto at = known.find(planned.id);
+    const Explanation* explanation = at == known.end() ? nullptr : &at->second;
     table.AddRow({LinkTo(MakeTrialAnchor(planned), NameTrial(planned)), LinkToView(data, planned),
-                  WordsOf(failures[i]->result.outcome), ExplainEnd(failures[i]->result)});
+                  WordsOf(result.outcome), NameMechanism(result),
+                  result.diagnosis ? FormatFixed(result.diagnosis->time, 3) : "-",
+                  FormatHeld(explanation), explanation ? SummariseExplanation(*explanation) : ""});
   }
   Html html =
       Element("p", {},
-              Text("What happened in one of them, step by step, with forces and a picture: ") +
-                  Element("code", {}, "graspbench trial FOLDER TRIAL --render trial.png") +
+              Text("The name of a trial leads to its values, with a sentence on forces and works. "
+                   "All that was tried, with pictures: ") +
+                  Element("code", {}, "graspbench trial FOLDER TRIAL --page trial.html") +
                   Text(", with the session's folder and a name of the first column."));
   const int num_all = total.finished - total.successes();
   if (static_cast<size_t>(num_all) > num_rows) {
@@ -79,7 +97,7 @@ Html DrawFailedTrials(const ReportData& data) {
                           "; export/trials.csv has all of them.");
   }
   return Element("div", {{"class", "screen"}},
-                 html + table.ToHtml() + DrawExplanations(data, failures)) +
+                 html + DescribeExplained(known, failures) + table.ToHtml()) +
          Element("p", {{"class", "print"}},
                  FormatCount(num_all, "trial") + " failed; export/trials.csv names them.");
 }

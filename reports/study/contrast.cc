@@ -17,9 +17,10 @@ std::string DescribeContrast(const PersonContrast& contrast, const TrialMeasure&
                            NameOfCell(contrast.factor.levels.front(), factors) + ": ";
   if (!contrast.test) return text + "not tested (" + contrast.test.reason() + ").";
   const ContrastTest& test = *contrast.test;
+  const Interval interval = CutAt(FindPossibleDifference(measure), test.interval);
   return text + FormatWithUnit(test.difference, measure.unit) + ", 95\u00A0% interval " +
-         FormatValue(test.interval.low, measure.unit) + " to " +
-         FormatWithUnit(test.interval.high, measure.unit) + ", p\u00A0" +
+         FormatValue(interval.low, measure.unit) + " to " +
+         FormatWithUnit(interval.high, measure.unit) + ", p\u00A0" +
          (test.p < 0.001 ? "" : "=\u00A0") + FormatP(test.p) +
          (contrast.is_between
               ? " (Welch), n\u00A0=\u00A0" + std::to_string(test.num_first) + " and "

@@ -82,6 +82,7 @@ MakeBatchWorker MakeJudgeWorkers(const Session& session, const SessionInputs& in
 
 /** Workers that run failed trials again, with remedies, and write what held.
 @throws (in a worker) Error(kVersion) when a trial gives another result than its record. */
+template <ExplainDepth depth>
 MakeBatchWorker MakeExplainWorkers(const Session& session, const SessionInputs& inputs,
                                    const fs::path& folder, const std::string& label) {
   return [&session, &inputs, folder, label](int worker) {
@@ -93,11 +94,11 @@ MakeBatchWorker MakeExplainWorkers(const Session& session, const SessionInputs& 
                     explanation](const PlannedTrial& planned) -> std::function<TrialResult()> {
       TrialSetup setup = MakeTrialSetup(session.config, inputs, planned);
       TrialRunner& runner = bench->Prepare(setup);
-      const auto failed =
-          std::make_shared<FailedTrial>(MakeFailedTrial(session.config, inputs, planned, setup));
+      const auto failed = std::make_shared<FailedTrial>(
+          MakeFailedTrial(session.config, inputs, planned, setup, depth));
       return [bench, &runner, failed, explanation] {
         failed->result = runner.Run(failed->setup);
-        *explanation = ExplainFailure(runner, *failed);
+        *explanation = ExplainFailure(runner, *failed, depth);
         return failed->result;
       };
     };
@@ -110,22 +111,9 @@ MakeBatchWorker MakeExplainWorkers(const Session& session, const SessionInputs& 
   };
 }
 
-std::vector<PlannedTrial> FindOneOfEach(const Session& session) {
-  return FindUnexplained(session, ExplainScope::kOneOfEach);
-}
-
-std::vector<PlannedTrial> FindAllUnexplained(const Session& session) {
-  return FindUnexplained(session, ExplainScope::kAll);
-}
-
-/** A finished session, whose inputs are still those it was run with. */
-PreparedSession LoadFinished(const fs::path& folder, OnDamage on_damage) {
-  PreparedSession finished;
-  finished.session = LoadSession(folder, on_damage, RecordParts::kBrief);
-  const Session& session = finished.session;
-  finished.inputs = LoadSessionInputs(session.config, FieldUse::kLater, folder);
-  CheckSameSession(session, session.config, MakePlan(session.config, finished.inputs));
-  return finished;
+template <ExplainScope scope>
+std::vector<PlannedTrial> FindUnexplainedOf(const Session& session) {
+  return FindUnexplained(session, scope);
 }
 
 /** Trials go on where earlier runs ended. */
@@ -180,10 +168,15 @@ const RoundKind kBenchmarkRound = {StageKind::kBenchmark, "trial", "", FindUnfin
                                    MakeSessionWorkers};
 const RoundKind kJudgeRound = {StageKind::kJudge, "held grasp", kJudgeLabel, FindUnjudged,
                                MakeJudgeWorkers};
-const RoundKind kExplainRound = {StageKind::kExplain, "failure", kExplainLabel, FindOneOfEach,
-                                 MakeExplainWorkers};
+const RoundKind kExplainRound = {StageKind::kExplain, "failure", kExplainLabel,
+                                 FindUnexplainedOf<ExplainScope::kOneOfEach>,
+                                 MakeExplainWorkers<ExplainDepth::kFull>};
 const RoundKind kExplainAllRound = {StageKind::kExplain, "failure", kExplainLabel,
-                                    FindAllUnexplained, MakeExplainWorkers};
+                                    FindUnexplainedOf<ExplainScope::kAll>,
+                                    MakeExplainWorkers<ExplainDepth::kFull>};
+const RoundKind kExplainShortlyRound = {StageKind::kExplain, "failure", kExplainLabel,
+                                        FindUnexplainedOf<ExplainScope::kShortly>,
+                                        MakeExplainWorkers<ExplainDepth::kShort>};
 const RoundKind kThresholdRound = {StageKind::kRun, "trial", "", FindThresholdTrials,
                                    MakeSessionWorkers};
 
@@ -203,6 +196,15 @@ RunRecord RunRound(const RoundKind& kind, const PreparedSession& prepared, int n
   SealStore(kSessionStore, session.folder);
   if (trials.empty()) return {{}, 0.0, num_workers, 0, RunEnding::kFinished};
   return recorder.Keep(is_complete);
+}
+
+PreparedSession LoadFinished(const fs::path& folder, OnDamage on_damage) {
+  PreparedSession finished;
+  finished.session = LoadSession(folder, on_damage, RecordParts::kBrief);
+  const Session& session = finished.session;
+  finished.inputs = LoadSessionInputs(session.config, FieldUse::kLater, folder);
+  CheckSameSession(session, session.config, MakePlan(session.config, finished.inputs));
+  return finished;
 }
 
 JudgeRound JudgeSession(const fs::path& folder, int num_workers, Observer& observer,

@@ -67,6 +67,8 @@ extern const RoundKind kBenchmarkRound;  ///< those of a campaign's benchmark
 extern const RoundKind kJudgeRound;      ///< breaks what they held
 extern const RoundKind kExplainRound;    ///< one failure of each condition, run again with remedies
 extern const RoundKind kExplainAllRound;  ///< every failure
+/** The same one of each shortly, as far as a report explains it unasked. */
+extern const RoundKind kExplainShortlyRound;
 /** Of grip thresholds what the bisection of each draw asks for next; asked again until it is
 nothing. */
 extern const RoundKind kThresholdRound;
@@ -82,6 +84,10 @@ stays unjudged. @returns the run; finished: nothing is left but those.
 Error(kIo); as RunTasks of worker_pool.h. */
 RunRecord RunRound(const RoundKind& kind, const PreparedSession& prepared, int num_workers,
                    Observer& observer, double trial_time_limit = kTrialTimeLimit);
+
+/** A finished session whose inputs are still those it was run with.
+@throws Error(kUsage) when hands, objects or physics have changed since; as LoadSession. */
+PreparedSession LoadFinished(const std::filesystem::path& folder, OnDamage on_damage);
 
 struct JudgeRound {
   bool is_complete = true;      ///< false: stopped on request

@@ -333,7 +333,9 @@ Explanation FindExplanation(const Session& session, const SessionInputs& inputs,
                             const ExaminedTrial& trial, TrialRunner& runner) {
   const Explanations known = LoadExplanations(session.folder);
   const auto stored = known.find(trial.planned.id);
-  if (stored != known.end() && !trial.difference) return stored->second;
+  if (stored != known.end() && !stored->second.is_short() && !trial.difference) {
+    return stored->second;
+  }
   FailedTrial failed = MakeFailedTrial(session.config, inputs, trial.planned, trial.setup);
   failed.result = trial.traced.result;
   return ExplainFailure(runner, failed);

@@ -218,11 +218,12 @@ ThesisClaim JudgeBetter(const Scenes& scenes) {
   const double held = counts.both + counts.first_only;
   const double per_point = held > 0.0 ? counts.num_pairs() / held : kUnset;
   const int gained = counts.second_only - counts.first_only;
-  claim.evidence.push_back({"",
-                            "success",
-                            1.0 + per_point * gained / counts.num_pairs(),
-                            {1.0 + per_point * success.low, 1.0 + per_point * success.high},
-                            FormatCount(counts.num_pairs(), "pair")});
+  claim.evidence.push_back(
+      {"",
+       "success",
+       1.0 + per_point * gained / counts.num_pairs(),
+       {std::max(0.0, 1.0 + per_point * success.low), 1.0 + per_point * success.high},
+       FormatCount(counts.num_pairs(), "pair")});
   if (success.high < 0.0) {
     claim.verdict = ClaimVerdict::kDoesNotHold;
   } else if (claim.verdict == ClaimVerdict::kHolds && success.low < -kSuccessMargin) {

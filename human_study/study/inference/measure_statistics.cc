@@ -172,6 +172,11 @@ Interval FindPossible(const TrialMeasure& measure) {
   return std::string(measure.unit) == "1" ? Interval{0.0, 1.0} : Interval{-INFINITY, INFINITY};
 }
 
+Interval FindPossibleDifference(const TrialMeasure& measure) {
+  const Interval possible = FindPossible(measure);
+  return {possible.low - possible.high, possible.high - possible.low};
+}
+
 Interval CutAt(const Interval& possible, const Interval& interval) {
   return {std::max(interval.low, possible.low), std::min(interval.high, possible.high)};
 }

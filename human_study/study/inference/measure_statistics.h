@@ -63,6 +63,8 @@ struct MeasureStatistics {
 /** What a mean of the measure can be: 0 to 1 of shares (unit "1"), else anything. An interval
 of Student's t knows no such limits; cut at them it holds the true mean as often. */
 Interval FindPossible(const TrialMeasure& measure);
+/** What a difference of two such means can be: -1 to 1 of shares. */
+Interval FindPossibleDifference(const TrialMeasure& measure);
 Interval CutAt(const Interval& possible, const Interval& interval);
 
 MeasureStatistics CalcMeasureStatistics(const TrialMeasure& measure, const MeasureTable& table,

@@ -208,6 +208,13 @@ void AddEffectsModel(const MeasureStatistics& statistics, const Answer<EffectsMo
   add("SD of trials").estimate = model->residual_sd;
 }
 
+/** At what a difference of two means can be. */
+void CutDifference(const MeasureStatistics& statistics, StatisticRow& row) {
+  const Interval cut = CutAt(FindPossibleDifference(statistics.measure), {row.low, row.high});
+  row.low = cut.low;
+  row.high = cut.high;
+}
+
 void AddGroups(const MeasureStatistics& statistics, std::vector<StatisticRow>& rows) {
   for (const GroupComparison& pair : statistics.group_pairs) {
     const Factor& group = statistics.table.groups[pair.group];
@@ -223,6 +230,7 @@ void AddGroups(const MeasureStatistics& statistics, std::vector<StatisticRow>& r
     row.standard_error = pair.test->standard_error;
     row.low = pair.test->interval.low;
     row.high = pair.test->interval.high;
+    CutDifference(statistics, row);
     row.statistic = "t";
     row.value = pair.test->t;
     row.df_1 = pair.test->df;
@@ -243,6 +251,7 @@ void AddShifts(const MeasureStatistics& statistics, const Retest& retest,
                 "session " + retest.sessions[shift.b] + " minus " + retest.sessions[shift.a]));
     if (shift.test) {
       SetTTest(*shift.test, rows.back());
+      CutDifference(statistics, rows.back());
       rows.back().note = "assumes normal differences";
     } else {
       rows.back().note = "none: " + shift.test.reason();
@@ -257,6 +266,7 @@ void AddPair(const MeasureStatistics& statistics, const PairStatistics& pair,
   rows.push_back(MakeRow(statistics, "paired t test", effect));
   if (pair.means.test) {
     SetTTest(*pair.means.test, rows.back());
+    CutDifference(statistics, rows.back());
     rows.back().p_holm = pair.means.p_holm;
     rows.back().note = "assumes normal differences; the interval is not adjusted";
   } else {
@@ -290,6 +300,7 @@ void AddPair(const MeasureStatistics& statistics, const PairStatistics& pair,
     SetTTest(*pair.means.test, row);
     row.low = pair.equivalence->interval.low;
     row.high = pair.equivalence->interval.high;
+    CutDifference(statistics, row);
     row.confidence = 0.9;
     const bool is_low = pair.equivalence->p_low > pair.equivalence->p_high;
     row.value = is_low ? pair.equivalence->t_low : pair.equivalence->t_high;

@@ -47,6 +47,14 @@ TEST(Remedies, OfTooLittleGripTheOneThatCoulombAsksForHolds) {
   ASSERT_TRUE(found.FindBest(false));
   EXPECT_EQ(found.FindBest(true), nullptr) << "no other grasp was tried";
   EXPECT_EQ(RecordToJson(found), RecordToJson(ExplainFailure(runner, failed))) << "same bytes";
+
+  const Explanation few = ExplainFailure(runner, failed, ExplainDepth::kShort);
+  EXPECT_TRUE(few.is_short() && !found.is_short());
+  EXPECT_EQ(few.num_draws(), kNumFirstDraws);
+  EXPECT_EQ(Find(few, "grip-x4").num_mended, kNumFirstDraws);
+  for (const RemedyResult& remedy : few.remedies) EXPECT_EQ(remedy.num_draws, kNumFirstDraws);
+  ASSERT_TRUE(few.FindBest(false));
+  EXPECT_EQ(SummariseExplanation(few), "four times the grip: 4 of 4");
 }
 
 TEST(Remedies, OnlyOnesOfAllDrawsWithEnoughGainAreNamed) {
@@ -65,8 +73,9 @@ TEST(Remedies, OnlyOnesOfAllDrawsWithEnoughGainAreNamed) {
   ASSERT_TRUE(found.FindBest(false) && found.FindBest(true));
   EXPECT_EQ(found.FindBest(false)->id, "lower");
   EXPECT_EQ(found.FindBest(true)->id, "grasp-g3");
-  EXPECT_NE(DescribeExplanation(found).find("grasp g3 holds 9 of 10"), std::string::npos)
+  EXPECT_NE(DescribeExplanation(found).find("grasp g3 holds 9 of 20"), std::string::npos)
       << DescribeExplanation(found);
+  EXPECT_EQ(SummariseExplanation(found), "the hand 8 mm lower: 3 of 20; grasp g3: 9 of 20");
 }
 
 }  // namespace

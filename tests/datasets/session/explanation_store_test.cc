@@ -10,11 +10,11 @@
 namespace graspbench {
 namespace {
 
-Explanation MakeExplanation(bool is_on_edge) {
+Explanation MakeExplanation(bool is_on_edge, int num_draws = kNumFreshDraws) {
   Explanation explanation;
   explanation.is_on_edge = is_on_edge;
-  explanation.held.assign(kNumFreshDraws, 0);
-  explanation.remedies = {{"grip-x2", true, kNumFreshDraws, 3, 1}};
+  explanation.held.assign(static_cast<size_t>(num_draws), 0);
+  explanation.remedies = {{"grip-x2", true, num_draws, 3, 1}};
   return explanation;
 }
 
@@ -51,6 +51,24 @@ TEST_F(ExplanationStore, OneFailureOfEachConditionIsAskedForOrAll) {
   ExplanationWriter(folder(), 0).Append(plan_[1].id, MakeExplanation(false));
   EXPECT_EQ(list(ExplainScope::kOneOfEach).size(), num_conditions - 1);
   EXPECT_EQ(list(ExplainScope::kAll).size(), plan_.size() - 1);
+}
+
+TEST_F(ExplanationStore, AFullExplanationTakesThePlaceOfAShortOne) {
+  const auto count = [&](ExplainScope scope) {
+    return FindUnexplained(LoadSession(folder()), scope).size();
+  };
+  const size_t num_conditions = plan_.size() / 3;
+  ASSERT_EQ(count(ExplainScope::kShortly), num_conditions);
+  ExplanationWriter(folder(), 0).Append(plan_[0].id, MakeExplanation(true, kNumFirstDraws));
+  EXPECT_EQ(count(ExplainScope::kShortly), num_conditions - 1);
+  EXPECT_EQ(count(ExplainScope::kOneOfEach), num_conditions);
+  ExplanationWriter(folder(), 1).Append(plan_[0].id, MakeExplanation(false));
+  EXPECT_EQ(count(ExplainScope::kOneOfEach), num_conditions - 1);
+  EXPECT_FALSE(LoadExplanations(folder()).at(plan_[0].id).is_short());
+  const std::filesystem::path other = temporary_.path() / "other";
+  ExplanationWriter(other, 0).Append(plan_[0].id, MakeExplanation(true, kNumFirstDraws));
+  MergeExplanations(other, folder());
+  EXPECT_FALSE(LoadExplanations(other).at(plan_[0].id).is_short());
 }
 
 TEST_F(ExplanationStore, WhatIsWrittenIsReadAndTheRecordsStay) {

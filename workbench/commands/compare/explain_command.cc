@@ -57,11 +57,9 @@ ExitCode ExplainFailures(const SessionExplainOptions& options) {
   const std::filesystem::path folder = options.folder;
   TerminalObserver observer(
       [&](const Stage& stage) { return options.folder + ": " + DescribeTasks(stage); });
-  if (!ExplainSession(folder, options.with_all ? kExplainAllRound : kExplainRound,
-                      options.num_workers, observer, options.on_damage, options.trial_time_limit)) {
-    throw Error(ErrorKind::kInterrupted,
-                "stopped; what was explained is kept. Continue with the same command");
-  }
+  DemandFinished(ExplainSession(folder, options.with_all ? kExplainAllRound : kExplainRound,
+                                options.num_workers, observer, options.on_damage,
+                                options.trial_time_limit));
   const Session session = LoadSession(folder, options.on_damage, RecordParts::kBrief);
   const std::filesystem::path report = WriteResults(session, MakeKeptTracer(session));
   PrintExplained(session, options.json);

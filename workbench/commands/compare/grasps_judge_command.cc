@@ -68,10 +68,7 @@ ExitCode Judge(const JudgeGraspsOptions& options) {
            FormatCount(static_cast<int>(inputs.grasps.size()), "grasp") + " on " +
            FormatCount(request.num_workers, "worker");
   });
-  if (!JudgeGrasps(request, inputs, observer)) {
-    throw Error(ErrorKind::kInterrupted,
-                "stopped; what was judged is kept. The same command again continues");
-  }
+  DemandFinished(JudgeGrasps(request, inputs, observer));
   ShowJudged(request.out, inputs.unread.size(), options.json);
   return inputs.unread.empty() ? kExitOk : kExitBadInput;
 }

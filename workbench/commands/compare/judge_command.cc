@@ -67,10 +67,7 @@ ExitCode Judge(const JudgeOptions& options) {
       [&](const Stage& stage) { return options.folder + ": " + DescribeTasks(stage); });
   const JudgeRound round = JudgeSession(folder, options.num_workers, observer, options.on_damage,
                                         options.trial_time_limit);
-  if (!round.is_complete) {
-    throw Error(ErrorKind::kInterrupted,
-                "stopped; what was judged is kept. Continue with the same command");
-  }
+  DemandFinished(round.is_complete);
   const Session session = LoadSession(folder, options.on_damage, RecordParts::kBrief);
   const std::filesystem::path report = WriteResults(session, MakeKeptTracer(session));
   const JudgeEvidence evidence = CalcJudgeEvidence(session.records);

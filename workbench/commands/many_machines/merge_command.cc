@@ -101,6 +101,7 @@ ExitCode Merge(const MergeOptions& options) {
   fs::path report;
   std::string page = "\nthe command that planned this shows it with its session\n";
   if (!HasSession(options.folder / ".." / "..")) {
+    ExplainUnasked(options.folder, 1, OnDamage::kRefuse);
     report = WriteResults(session, MakeKeptTracer(session));
     page = FormatPlaces(report, options.folder / "export" / "trials.csv");
   }

@@ -34,11 +34,12 @@ int FindShards(const SubmitRequest& request, int num_cards) {
   return std::min(request.engine == "slurm" ? kShardsOfCluster : CountProcessors(), num_cards);
 }
 
-void CheckSomethingToJudge(const std::filesystem::path& folder) {
+/** @param what  "judge" or "explain". */
+void CheckSomethingTo(const std::string& what, const std::filesystem::path& folder) {
   if (ReadProgress(folder, 1.0).num_finished > 0) return;
   throw Error(ErrorKind::kUsage, "no trial of \"" + folder.string() +
-                                     "\" has run, so that there is nothing to judge; submit it "
-                                     "without --judge first");
+                                     "\" has run, so that there is nothing to " + what +
+                                     "; submit it without --" + what + " first");
 }
 
 void Submit(const SubmitOptions& options) {
@@ -46,10 +47,12 @@ void Submit(const SubmitOptions& options) {
   const int num_cards = CountCards(request.folder);
   request.num_rounds = FindStoreKind(request.folder) == &kCampaignStore ? 2 : 1;
   if (request.num_shards == 0) request.num_shards = FindShards(request, num_cards);
-  const ShardRequest shard = {request.folder, {1, request.num_shards}, request.judge};
+  const ShardRequest shard = {
+      request.folder, {1, request.num_shards}, request.judge, request.explain};
   CheckRequest(shard);
   CheckProgram(*FindStoreKind(request.folder), shard);
-  if (request.judge) CheckSomethingToJudge(request.folder);
+  if (request.judge) CheckSomethingTo("judge", request.folder);
+  if (request.explain) CheckSomethingTo("explain", request.folder);
   request.program = std::filesystem::read_symlink("/proc/self/exe");
   if (request.engine == "slurm") request.cluster = LoadClusterConfig(FindClusterFile());
   const std::string script = MakeSubmitScript(request);
@@ -84,6 +87,8 @@ void AddSubmitCommand(Command& program) {
       ->Within(1, 1000000)
       ->ShowDefault("as begun; or else processors, slurm: 10");
   command.AddFlag("--judge", request.judge, "break what was held, after a merge");
+  command.AddFlag("--explain", request.explain,
+                  "explain one failure of each condition, after a merge");
   command.AddFlag("--dry-run", options->dry_run, "print the script and start nothing");
   command.SetAction([options] { Submit(*options); });
 }

@@ -63,6 +63,7 @@ ExitCode Finish(PreparedSession& work, const RunCommandOptions& options) {
   const std::vector<Damage> damage = work.session.damage;
   work.session = {};  // before it is loaded again: two large ones would not fit
   work.inputs = {};
+  ExplainUnasked(folder, options.run.num_workers, options.run.on_damage);
   Session session = LoadSession(folder, options.run.on_damage, RecordParts::kBrief);
   session.damage = damage;  // what was found before the run sealed what is there
   ExportResult(folder, session);

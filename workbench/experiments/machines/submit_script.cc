@@ -72,9 +72,10 @@ struct Words {
 
 Words MakeWords(const SubmitRequest& request) {
   const std::string program = QuoteForShell(fs::absolute(request.program).string());
-  const std::string what = request.judge ? "judge" : "work";
-  return {program, program + " work ." + (request.judge ? " --judge" : "") + " --shard ",
-          std::to_string(request.num_shards), "logs/" + what};
+  const std::string what = request.judge ? "judge" : request.explain ? "explain" : "work";
+  const std::string round = what == "work" ? "" : " --" + what;
+  return {program, program + " work ." + round + " --shard ", std::to_string(request.num_shards),
+          "logs/" + what};
 }
 
 std::string MakeHead(const SubmitRequest& request, const Words& words, const std::string& by) {

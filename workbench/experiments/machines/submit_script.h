@@ -35,6 +35,7 @@ struct SubmitRequest {
   std::string engine;             ///< one of ListEngines()
   int num_shards = 1;
   bool judge = false;
+  bool explain = false;
   int num_rounds = 1;     ///< of work and merge: a campaign has two
   ClusterConfig cluster;  ///< for "slurm"
 };

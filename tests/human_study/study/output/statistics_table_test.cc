@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tests/human_study/faults.h"
 #include "tests/human_study/statistics/known_studies.h"
@@ -200,6 +201,52 @@ TEST(StatisticsTable, IndependenceHasARowForEveryClockOrTheReason) {
   EXPECT_NEAR(row.estimate, 0.8, 1e-12);
   EXPECT_EQ(row.p, 0.002);
   EXPECT_TRUE(std::isnan(row.low));  // two persons
+}
+
+// Of two persons that differ by 1 and 0 Student's t alone gives 0.5 -+ 12.7 / 2.
+TEST(StatisticsTable, IntervalsOfSharesAreWithinWhatIsPossible) {
+  const TrialMeasure share = {"gft_ratio", "GFT%", "1", [](const TrialAnalysis&) { return 0.0; }};
+  int num_intervals = 0;
+  for (const int num_persons : {2, 3, 6}) {
+    for (const int kind : {0, 1, 2, 3}) {  // all, none, opposed, one that differs
+      MeasureTable table;
+      table.factors = {{"size", {"30", "60"}, {30, 60}, ""}};
+      table.sessions = {"1", "2"};
+      for (int person = 0; person < num_persons; ++person) {
+        for (const int session : {0, 1}) {
+          for (const size_t level : {0u, 1u}) {
+            Observation row;
+            row.person = std::to_string(person);
+            row.session = table.sessions[static_cast<size_t>(session)];
+            row.levels = {table.factors[0].levels[level]};
+            const bool is_high = level == 1;
+            row.value = kind == 0   ? 1.0
+                        : kind == 1 ? 0.0
+                        : kind == 2 ? (is_high ? 1.0 - 0.1 * person : 0.1 * session)
+                                    : (is_high && person == 0 ? 1.0 : 0.0);
+            table.rows.push_back(row);
+          }
+        }
+      }
+      const MeasureStatistics statistics = CalcMeasureStatistics(share, table, {"gft_ratio"});
+      for (const StatisticRow& row : ListAll(statistics)) {
+        if (row.unit != "1" || std::isnan(row.low)) continue;
+        const bool is_mean = row.effect.rfind("mean in", 0) == 0;
+        EXPECT_GE(row.low, is_mean ? 0.0 : -1.0) << row.analysis << ", " << row.effect;
+        EXPECT_LE(row.high, 1.0) << row.analysis << ", " << row.effect;
+        EXPECT_LE(row.low, row.high) << row.analysis << ", " << row.effect;
+        ++num_intervals;
+      }
+      const ConditionEstimates estimates = CalcConditionEstimates(statistics);
+      if (!estimates.drawn) continue;
+      for (size_t cell = 0; cell < estimates.cells.size(); ++cell) {
+        const Interval interval = estimates.drawn_interval(cell);
+        EXPECT_GE(interval.low, 0.0);
+        EXPECT_LE(interval.high, 1.0);
+      }
+    }
+  }
+  EXPECT_GE(num_intervals, 20);
 }
 
 }  // namespace

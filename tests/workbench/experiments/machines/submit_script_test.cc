@@ -36,16 +36,17 @@ TEST(MakeSubmitScript, IsShortAndHasShellAndFolderRight) {
         "partition: long\naccount: me\ntime: 1:00:00\nmemory: 2G\n"
         "modules: [gcc/12, x]\noptions: [--qos=low]\n",
         "");
-    for (const int num_rounds : {1, 1, 2}) {
-      const bool judge = num_rounds == 1 && !request.judge;
-      request.judge = judge;
-      request.num_rounds = num_rounds;
+    for (const char* what : {"", "judge", "explain"}) {
+      request.judge = what == std::string("judge");
+      request.explain = what == std::string("explain");
+      request.num_rounds = *what ? 1 : 2;
       const std::string script = MakeSubmitScript(request);
       EXPECT_LE(std::count(script.begin(), script.end(), '\n'), 30) << script;
       EXPECT_NE(script.find("\ncd '/data/my pilot' || exit"), std::string::npos) << script;
       EXPECT_NE(script.find("/opt/graspbench merge ."), std::string::npos) << script;
       EXPECT_NE(script.find("OPENBLAS_NUM_THREADS=1 LP_NUM_THREADS=0"), std::string::npos);
-      EXPECT_EQ(script.find("work . --judge --shard") != std::string::npos, judge) << script;
+      const std::string round = *what ? std::string(" --") + what : "";
+      EXPECT_NE(script.find("work ." + round + " --shard"), std::string::npos) << script;
     }
   }
   SubmitRequest request = MakeRequest("sge");
