@@ -183,8 +183,10 @@ std::string FormatIsaacGrasp(const Hand& hand, const Grasp& grasp, const std::st
                              double confidence) {
   Pose X_OH = CalcPlacement(hand, grasp, object_size, p_OOcm).X_WH;
   X_OH.pretranslate(Vector3d(0.0, 0.0, -0.5 * object_size.z()));
-  const Vector3d p = X_OH.translation();
-  const Quaterniond q = MakeQuaternion(X_OH);
+  const HandLink& root = hand.links.front();
+  const Pose X_OR = X_OH * root.X_PJ;
+  const Vector3d p = X_OR.translation();
+  const Quaterniond q = MakeQuaternion(X_OR);
   const auto format_joints = [&](const Eigen::VectorXd& angles) {
     std::string lines;
     for (int joint = 0; joint < hand.num_joints(); ++joint) {
@@ -194,8 +196,8 @@ std::string FormatIsaacGrasp(const Hand& hand, const Grasp& grasp, const std::st
     return lines;
   };
   return "format: isaac_grasp\nformat_version: 1.0\n\nobject_frame: " + FormatYamlWord(object_id) +
-         "\ngripper_frame: " + FormatYamlWord(hand.links.front().name) + "\n\ngrasps:\n  " +
-         QuoteYaml(grasp.id) + ":\n    confidence: " + FormatFixed(confidence, 3) +
+         "\ngripper_frame: " + FormatYamlWord(root.name) + "\n\ngrasps:\n  " + QuoteYaml(grasp.id) +
+         ":\n    confidence: " + FormatFixed(confidence, 3) +
          "\n    position: " + FormatList({p.x(), p.y(), p.z()}) +
          "\n    orientation: {w: " + FormatFixed(q.w(), 9) +
          ", xyz: " + FormatList({q.x(), q.y(), q.z()}) + "}\n    cspace_position:\n" +

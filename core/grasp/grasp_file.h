@@ -20,8 +20,9 @@ A grasp of its own file: what the optimisation writes, and `graspbench run --gra
       closing_at_contact: 0.4
 
 The same grasp can be written as isaac_grasp 1.0 (https://nvidia-isaac-ros.github.io/concepts/
-manipulation/isaac_grasp.html) for other programs: the hand's pose in the object's frame O (centre
-of the bounding box, x along length, z up), metres, radians, the joint names of hand.urdf. That
+manipulation/isaac_grasp.html) for other programs: the pose of the hand's root link in the object's
+frame O (centre of the bounding box, x along length, z up), metres, radians, the joint names of
+hand.urdf. That
 format knows no digits, approach or closing law, so it is not read back. */
 
 #include <Eigen/Core>

@@ -135,7 +135,8 @@ const StoreKind kRehearsalStore = {
     /*command=*/"graspbench rehearse",
     /*remedy=*/"rehearse into a new folder",
     /*files=*/{"rehearsal.json"},
-    /*derived=*/{"candidates.csv", "types.json", "grasps/*/*.yaml"},
+    /*derived=*/
+    {"candidates.csv", "types.json", "grasps/*/*.yaml", "isaac/*/*.yaml", "dexgraspbench/*/*.npy"},
     /*journals=*/{"journal.jsonl"},
     /*stores=*/{},
     /*keeps_torn_lines=*/false,

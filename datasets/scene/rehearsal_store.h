@@ -7,6 +7,7 @@ Rehearsals of hands on objects (core/rehearse): the folder of `graspbench rehear
     journal.jsonl    a line for each pair of hand and object, in their order
     candidates.csv   a row for each candidate that was tried, when all pairs are rehearsed
     grasps/HAND/OBJECT.yaml   the chosen grasps, as grasp files
+    isaac/HAND/OBJECT.yaml, dexgraspbench/HAND/OBJECT.npy   the same for other programs
     report/          the page
 
 A journal line:

@@ -2,6 +2,8 @@
 
 #include "core/base/error.h"
 #include "core/grasp/standard_grasp.h"
+#include "datasets/plan/grasp_choice.h"
+#include "datasets/plan/rehearsed_grasps.h"
 #include "datasets/plan/session_inputs.h"
 #include "datasets/plan/session_plan.h"
 
@@ -13,6 +15,19 @@ std::shared_ptr<const T> FindIn(const std::map<std::string, std::shared_ptr<cons
                                 const std::string& id) {
   const auto found = models.find(id);
   return found == models.end() ? nullptr : found->second;
+}
+
+/** Stored types, where the camera chooses and the session has none of its own. */
+void AddShippedTypes(const SessionConfig& config, const SessionInputs& inputs,
+                     RehearsedTypes& types) {
+  if (!HasGraspBySight(config)) return;
+  for (const SessionHand& hand : inputs.hands) {
+    for (const auto& object : inputs.objects) {
+      const auto type =
+          FindShippedType(MakeRehearsalTask(config, {}, hand.hand, hand.grasps, object));
+      if (type) types.emplace(std::pair(hand.hand->id, object->id), *type);
+    }
+  }
 }
 
 }  // namespace
@@ -52,6 +67,7 @@ SessionModels LoadSessionModels(const Session& session) {
     for (const SessionHand& hand : inputs.hands) models.hands[hand.hand->id] = hand.hand;
     for (const auto& object : inputs.objects) models.objects[object->id] = object;
     models.types = inputs.types;
+    AddShippedTypes(session.config, inputs, models.types);
     if (!session.plan.empty() && !(MakePlan(session.config, inputs) == session.plan)) {
       models.problems.push_back(
           "a hand, an object, a grasp or the physics has changed since the session was planned; "

@@ -1,5 +1,8 @@
 #include "core/trial/measures/grasp_types.h"
 
+#include <map>
+#include <set>
+
 #include "core/base/text/text.h"
 #include "datasets/analysis/type_summary.h"
 #include "reports/page/layout.h"
@@ -33,12 +36,50 @@ Html DrawRehearsedTypes(const ReportData& data) {
   return table.ToHtml();
 }
 
+/** What a hand's camera chose where a rehearsed type is known. */
+struct SightAgreement {
+  int num_chosen = 0, num_same = 0;  ///< trials; of these with the rehearsed type
+  std::set<std::string> others;      ///< "matchbox: g1, rehearsed g2"
+};
+
+std::map<std::string, SightAgreement> ListSightAgreements(const ReportData& data) {
+  std::map<std::string, SightAgreement> hands;
+  for (const TrialRecord& record : data.session.records) {
+    const std::optional<std::string>& chosen = record.result.sight_grasp;
+    const auto type = data.models.types.find({record.plan.hand, record.plan.object});
+    if (!chosen || *chosen == kNotSeenGrasp || type == data.models.types.end()) continue;
+    SightAgreement& hand = hands[record.plan.hand];
+    ++hand.num_chosen;
+    const std::string& rehearsed = type->second.grasp;
+    if (FindGraspTaxon(*chosen).type == FindGraspTaxon(rehearsed).type) {
+      ++hand.num_same;
+    } else {
+      hand.others.insert(record.plan.object + ": " + *chosen + ", rehearsed " + rehearsed);
+    }
+  }
+  return hands;
+}
+
+/** Empty: the camera chose no grasp. */
+Html DrawSightAgreements(const ReportData& data) {
+  const std::map<std::string, SightAgreement> hands = ListSightAgreements(data);
+  if (hands.empty()) return Html();
+  Table table("Grasp types by sight against those by rehearsal, in trials whose object was seen.",
+              {"Hand", "Same type", "Trials", "Another type"});
+  for (const auto& [id, hand] : hands) {
+    std::string others;
+    for (const std::string& other : hand.others) others += (others.empty() ? "" : "; ") + other;
+    table.AddRow({data.models.NameOfHand(id), hand.num_same, hand.num_chosen, others});
+  }
+  return table.ToHtml();
+}
+
 Html DrawTypes(const ReportData& data) {
   const std::vector<TypeSummary> types = ListTypeSummaries(data.session);
   const std::string line = FormatTypeLine(types);
-  Html rules;
+  Html rules = DrawSightAgreements(data);
   if (!data.models.types.empty()) {
-    rules = MakeDetails("Type by rehearsal", DrawRehearsedTypes(data));
+    rules += MakeDetails("Type by rehearsal", DrawRehearsedTypes(data));
   }
   rules += MakeDetails("What each grasp is by its name", DrawRules());
   if (line.empty()) {

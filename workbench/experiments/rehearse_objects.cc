@@ -9,6 +9,9 @@
 
 #include "core/base/config.h"
 #include "core/base/error.h"
+#include "core/grasp/grasp_file.h"
+#include "datasets/grasps/map_to_hand.h"
+#include "datasets/grasps/write_grasps.h"
 #include "datasets/plan/conditions.h"
 #include "datasets/plan/frozen_folder.h"
 #include "datasets/plan/session_inputs.h"
@@ -24,6 +27,7 @@ namespace {
 
 /** Pairs of each worker that are rehearsed before their lines are written. */
 constexpr size_t kPairsOfWorker = 8;
+constexpr char kDexgraspbenchRoot[] = "wrist";
 
 Json DescribeRehearsals(const RehearseRequest& request) {
   Json pairs = Json::array();
@@ -109,6 +113,56 @@ std::map<std::string, Rehearsal> LoadParts(const std::vector<std::string>& parts
     for (RehearsedPair& pair : LoadRehearsals(part)) known.emplace(pair.hash, pair.result);
   }
   return known;
+}
+
+/** For a hand with the joints and the root of DexGraspBench's: the open hand, the posture in which
+its pads are as far apart as the object is wide, the target. Nothing: another hand. */
+std::optional<ForeignGrasp> MakeDexgraspbenchGrasp(const Hand& hand, const Grasp& grasp,
+                                                   const GraspObject& object) {
+  const auto root = std::find_if(hand.links.begin(), hand.links.end(), [](const HandLink& link) {
+    return link.name == kDexgraspbenchRoot;
+  });
+  if (root == hand.links.end()) return std::nullopt;
+  ForeignGrasp foreign;
+  foreign.root_link = root->name;
+  foreign.joint_names = ListDexgraspbenchJoints();
+  foreign.object = object.id;
+  const Placement placement = CalcPlacement(hand, grasp, object);
+  Pose X_OH = placement.X_WH;
+  X_OH.pretranslate(Eigen::Vector3d(0.0, 0.0, -0.5 * object.size.z()));
+  for (const auto& [name, closing] :
+       {std::pair("pregrasp", 0.0), std::pair("grasp", placement.closing_at_contact),
+        std::pair("squeeze", 1.0)}) {
+    const Eigen::VectorXd q = CalcClosingPosture(hand, grasp, closing);
+    GraspStage stage = {
+        name, X_OH * CalcLinkPose(hand, q, static_cast<int>(root - hand.links.begin())), {}};
+    for (const std::string& joint : foreign.joint_names) {
+      const auto found = std::find_if(hand.joints.begin(), hand.joints.end(),
+                                      [&](const HandJoint& one) { return one.name == joint; });
+      if (found == hand.joints.end()) return std::nullopt;
+      stage.joints.push_back(q[found - hand.joints.begin()]);
+    }
+    foreign.stages.push_back(std::move(stage));
+  }
+  return foreign;
+}
+
+/** The chosen grasp as a grasp file, and that grasp for other programs, by places in the folder. */
+void AddGraspFiles(const RehearsalTask& task, const RehearsedCandidate& choice,
+                   std::map<std::string, std::string>& files) {
+  const Hand& hand = *task.hand;
+  const GraspObject& object = *task.object;
+  const std::string place = hand.id + "/" + object.id;
+  std::string& text = files["grasps/" + place + ".yaml"];
+  text = FormatRehearsedGrasp(task, choice.candidate, NameRehearsed(task.config));
+  const Grasp grasp = ParseGraspFile(text, place, {&hand}).grasp;
+  const double held_share =
+      static_cast<double>(choice.CountHeld()) / static_cast<double>(choice.outcomes.size());
+  files["isaac/" + place + ".yaml"] = FormatIsaacGrasp(hand, grasp, object.id, object.size,
+                                                       object.mass_properties.p_OOcm, held_share);
+  if (const auto foreign = MakeDexgraspbenchGrasp(hand, grasp, object)) {
+    files["dexgraspbench/" + place + ".npy"] = WriteGrasps({*foreign}, "dexgraspbench").bytes;
+  }
 }
 
 }  // namespace
@@ -229,9 +283,7 @@ std::vector<RehearsedPair> RehearseObjects(const RehearseRequest& request, Obser
   std::vector<RehearsedPair> pairs = LoadRehearsals(request.out);
   std::map<std::string, std::string> grasps;
   for (const RehearsedPair& pair : pairs) {
-    const RehearsalTask& task = request.tasks[static_cast<size_t>(pair.request)];
-    grasps["grasps/" + pair.hand + "/" + pair.object + ".yaml"] =
-        FormatRehearsedGrasp(task, pair.result.choice().candidate, NameRehearsed(task.config));
+    AddGraspFiles(request.tasks[static_cast<size_t>(pair.request)], pair.result.choice(), grasps);
   }
   RehearsedTypes types;
   for (const RehearsedPair& pair : pairs) {
