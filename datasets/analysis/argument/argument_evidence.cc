@@ -161,7 +161,7 @@ std::vector<ArgumentNumber> ListPeopleNumbers(const std::vector<PeopleEvidence>&
                                         : "graspbench study run STUDY.yaml --out DIR";
     if (!std::isfinite(number.interval.low)) {
       number.would_decide =
-          "recordings of 5 persons or more; there are " + std::to_string(number.n);
+          "recordings of 5 persons or more instead of " + std::to_string(number.n);
     }
     Judge(number);
     // The study's verdict asks three clocks and a bound of their error; an interval cannot show it.
@@ -212,9 +212,15 @@ void AddMapNumber(const FromFolder<MapResult>& map, const MapPartResult& part, M
     }
     number.detail += std::to_string(num_costs) + " of " + std::to_string(num_regions);
   }
+  if (part.num_trials < part.num_planned) {
+    number.left_out = FormatCount(part.num_planned - part.num_trials, "planned trial") +
+                      " of the map, not finished";
+  }
   number.source = map.folder;
   number.command = "graspbench map simultaneity --hand " + hand + " --out DIR";
-  if (cell->verdict == MapVerdict::kCosts) {
+  if (part.num_trials < part.num_planned) {
+    number.would_decide = "the rest of the map; the same command continues it";
+  } else if (cell->verdict == MapVerdict::kCosts) {
     number.verdict = ArgumentVerdict::kShown;
   } else if (cell->verdict == MapVerdict::kGains || cell->verdict == MapVerdict::kNone) {
     number.verdict = ArgumentVerdict::kRefuted;

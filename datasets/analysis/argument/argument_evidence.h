@@ -5,7 +5,8 @@ the analysis which makes the table behind it:
 
     people     a study's statistics.csv: its verdict against independent digits and GFT's ratio, of
                five persons or more; synthetic participants decide nothing
-    robots     a map's cell of all regions, last digit, success (decides) and threshold
+    robots     a map's cell of all regions, last digit, success (decides) and threshold; a map that
+               is not finished is not decided
     step 1     result.json of optimisations: the median over scenes of GFT after less before, on the
                trials of the check; of the pre-grasp alone (decides), and of what was checked, which
                may make digits wait. Where nothing looked better the standard pre-grasp stays: 0.
