@@ -20,8 +20,8 @@ life of a connection, so that an answer too many is found. */
 
 namespace graspbench {
 
-/** The observations that a question gives, with their noise, in the order of ListPolicyObservations.
-A number has an empty shape, a picture has three sizes. */
+/** The observations of a question with their noise, in the order of ListPolicyObservations. A number
+has an empty shape, a picture has three sizes. */
 using PolicyValues = std::vector<std::pair<std::string_view, PackedArray>>;
 PolicyValues FindPolicyValues(const PolicyView& view);
 /** Pairs of a map: names and values, pictures as bytes. */

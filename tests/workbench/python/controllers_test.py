@@ -330,6 +330,10 @@ class Controllers(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(len(records(self.folder / "s")), 2)
 
+    def test_a_controller_may_take_longer_to_start_than_to_answer(self):
+        policy = self.write("a({**good, 'done': True})", "time.sleep(2); a({'number': n})")
+        run(self.folder / "s", "--set", "policy.timeout_s=1", policy=policy)
+
     def test_late_answers_change_nothing(self):
         run(self.folder / "prompt", policy=self.write("a({**good, 'done': count > 5})"))
         run(self.folder / "late", policy=self.write("time.sleep(0.05); a({**good, 'done': count > 5})"))

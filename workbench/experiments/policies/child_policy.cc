@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -36,6 +37,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr size_t kMostLastWords = 400;  ///< of standard error [bytes]
 constexpr std::chrono::milliseconds kFarewell(300);
+constexpr double kLeastStartTime = 60.0;  ///< for the answer to a reset, as weights load [s]
 
 /** Names, in the environment of a controller and of all that it starts, who started them. */
 std::string MakeMark() {
@@ -297,9 +299,11 @@ class ChildPolicy : public HandPolicy {
   PackedValue Exchange(const PolicyView& view, bool is_reset) {
     const uint64_t number = ++number_;
     if (is_reset) first_number_ = number;
+    const double given = view.setup.policy.timeout;
+    const double timeout = is_reset ? std::max(given, kLeastStartTime) : given;
     process_->Send(is_reset ? FormatPolicyReset(number, view) : FormatPolicyQuestion(number, view));
     while (true) {
-      PackedValue answer = ParsePolicyAnswer(process_->Receive(view.setup.policy.timeout));
+      PackedValue answer = ParsePolicyAnswer(process_->Receive(timeout));
       const uint64_t answered = ReadPolicyAnswerNumber(answer);
       if (answered == number) return answer;
       if (answered < first_number_) continue;  // one too many of an earlier trial
