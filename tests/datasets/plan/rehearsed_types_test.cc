@@ -174,7 +174,8 @@ TEST_F(OwnBlock, ARehearsedGraspIsChosenAgainUnderACondition) {
 TEST(RehearsedTypes, TheSingleYawThatHoldsIsFound) {
   const auto hand = std::make_shared<const Hand>(LoadHand("tum"));
   auto bar = std::make_shared<GraspObject>(*LoadObject("remote_control", FieldUse::kLater));
-  bar->id = bar->content_hash = "turned_bar";
+  bar->id = "turned_bar";
+  bar->content_hash = "turned_bar, 50 mm, mu 0.3";  // of what is kept between runs
   bar->mesh = MakeRoundedBox({0.24, 0.05, 0.04}, 0.001);
   for (Eigen::Vector3d& p : bar->mesh.vertices) {
     p = MakeRotationRpy(0.0, 0.0, RadFromDeg(40.0)) * p;
