@@ -49,8 +49,8 @@ TEST_P(ArgumentWorlds, AHundredOfEachTruthGetTheirName) {
   }
 }
 
-// Effects between none and what the evidence resolves: from which size on they are decided. An effect
-// of at least twice the smallest effect of interest is hardly ever refuted.
+// Effects between none and what the evidence resolves: from which size on they are decided. An
+// effect of at least twice the smallest effect of interest is hardly ever refuted.
 TEST_P(ArgumentWorlds, SmallEffectsAreDecidedFromTheirFloorOn) {
   struct Size {
     const char* name;

@@ -108,8 +108,8 @@ void AddSessions(const FromFolder<Session>& first, const std::string& hand,
   const int num_left_out = comparison.num_only_before + comparison.num_only_after;
   if (num_left_out > 0) number.left_out = FormatCount(num_left_out, "trial") + " without a partner";
   // The interval comes from drawing objects, so more draws of the same ones hardly narrow it.
-  const int num_objects = CountToDecide(*number.measure, number.value, number.interval,
-                                        change.num_objects);
+  const int num_objects =
+      CountToDecide(*number.measure, number.value, number.interval, change.num_objects);
   if (!change.no_interval.empty()) {
     number.would_decide = "other objects: " + change.no_interval;
   } else if (num_objects > 0) {

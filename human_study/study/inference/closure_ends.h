@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-How the grasp closure time depends on what ends the closure. It begins at the widest hand opening, t0;
-ends that are in use:
+How the grasp closure time depends on what ends the closure. It begins at the widest hand opening,
+t0; ends that are in use:
 
     contact  the last digit's first contact: GCT (core/grasp/contact_timing.h)
     object   the object first leaves its place, in any direction
