@@ -222,7 +222,7 @@ ThesisClaim JudgeBetter(const Scenes& scenes) {
       {"",
        "success",
        1.0 + per_point * gained / counts.num_pairs(),
-       {std::max(0.0, 1.0 + per_point * success.low), 1.0 + per_point * success.high},
+       {std::max(1.0 + per_point * success.low, 0.0), 1.0 + per_point * success.high},
        FormatCount(counts.num_pairs(), "pair")});
   if (success.high < 0.0) {
     claim.verdict = ClaimVerdict::kDoesNotHold;
