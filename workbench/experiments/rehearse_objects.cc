@@ -28,6 +28,10 @@ namespace {
 /** Pairs of each worker that are rehearsed before their lines are written. */
 constexpr size_t kPairsOfWorker = 8;
 constexpr char kDexgraspbenchRoot[] = "wrist";
+/** Other programs press with drives alone, without a regulated grip. So they get a posture this
+share of the way from contact to target. Of 0.1, 0.25, 0.5 and 1 it passed most of the TUM Hand's
+grasps under dexgraspbench-fc. */
+constexpr double kSqueezeShare = 0.5;
 
 Json DescribeRehearsals(const RehearseRequest& request) {
   Json pairs = Json::array();
@@ -115,8 +119,13 @@ std::map<std::string, Rehearsal> LoadParts(const std::vector<std::string>& parts
   return known;
 }
 
+double CalcSqueeze(const Grasp& grasp) {
+  const double contact = grasp.placement ? grasp.placement->closing_at_contact : 0.0;
+  return contact + kSqueezeShare * (1.0 - contact);
+}
+
 /** For a hand with the joints and the root of DexGraspBench's: the open hand, the posture in which
-its pads are as far apart as the object is wide, the target. Nothing: another hand. */
+its pads are as far apart as the object is wide, the squeeze. Nothing: another hand. */
 std::optional<ForeignGrasp> MakeDexgraspbenchGrasp(const Hand& hand, const Grasp& grasp,
                                                    const GraspObject& object) {
   const auto root = std::find_if(hand.links.begin(), hand.links.end(), [](const HandLink& link) {
@@ -132,7 +141,7 @@ std::optional<ForeignGrasp> MakeDexgraspbenchGrasp(const Hand& hand, const Grasp
   X_OH.pretranslate(Eigen::Vector3d(0.0, 0.0, -0.5 * object.size.z()));
   for (const auto& [name, closing] :
        {std::pair("pregrasp", 0.0), std::pair("grasp", placement.closing_at_contact),
-        std::pair("squeeze", 1.0)}) {
+        std::pair("squeeze", CalcSqueeze(grasp))}) {
     const Eigen::VectorXd q = CalcClosingPosture(hand, grasp, closing);
     GraspStage stage = {
         name, X_OH * CalcLinkPose(hand, q, static_cast<int>(root - hand.links.begin())), {}};
@@ -156,9 +165,11 @@ void AddGraspFiles(const RehearsalTask& task, const RehearsedCandidate& choice,
   std::string& text = files["grasps/" + place + ".yaml"];
   text = FormatRehearsedGrasp(task, choice.candidate, NameRehearsed(task.config));
   const Grasp grasp = ParseGraspFile(text, place, {&hand}).grasp;
+  Grasp pressed = grasp;
+  pressed.q_target = CalcClosingPosture(hand, grasp, CalcSqueeze(grasp));
   const double held_share =
       static_cast<double>(choice.CountHeld()) / static_cast<double>(choice.outcomes.size());
-  files["isaac/" + place + ".yaml"] = FormatIsaacGrasp(hand, grasp, object.id, object.size,
+  files["isaac/" + place + ".yaml"] = FormatIsaacGrasp(hand, pressed, object.id, object.size,
                                                        object.mass_properties.p_OOcm, held_share);
   if (const auto foreign = MakeDexgraspbenchGrasp(hand, grasp, object)) {
     files["dexgraspbench/" + place + ".npy"] = WriteGrasps({*foreign}, "dexgraspbench").bytes;

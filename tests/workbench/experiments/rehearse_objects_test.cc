@@ -119,7 +119,8 @@ TEST_F(RehearseObjectsTest, AnotherRequestAndADamagedLineAreRefused) {
   EXPECT_THROW(RehearseObjects(request, nobody), Error);
 }
 
-// Read and mapped onto the hand again, a written grasp has the poses and postures of the grasp file.
+// Read and mapped onto the hand again, a written grasp has the poses and postures of the grasp file,
+// closed half way from contact to target.
 TEST_F(RehearseObjectsTest, OtherProgramsGetTheChosenGrasp) {
   const TemporaryFolder folder;
   Observer nobody;
@@ -132,6 +133,8 @@ TEST_F(RehearseObjectsTest, OtherProgramsGetTheChosenGrasp) {
           .grasp;
   Pose X_OH = grasp.placement->X_WH;
   X_OH.pretranslate(Eigen::Vector3d(0.0, 0.0, -0.5 * task.object->size.z()));
+  const Eigen::VectorXd pressed =
+      CalcClosingPosture(*task.hand, grasp, 0.5 * (grasp.placement->closing_at_contact + 1.0));
   GraspReadOptions frames;
   frames.hand_frame = task.hand->links.front().name;
   frames.object_frame = "mesh";
@@ -150,7 +153,7 @@ TEST_F(RehearseObjectsTest, OtherProgramsGetTheChosenGrasp) {
       EXPECT_TRUE(mapped.stages[i].X_OH.isApprox(X_OH, 1e-7)) << name << ", " << stages[i];
     }
     EXPECT_TRUE(mapped.stages.front().q.isApprox(grasp.q_pre, 1e-7)) << name;
-    EXPECT_TRUE(mapped.stages.back().q.isApprox(grasp.q_target, 1e-7)) << name;
+    EXPECT_TRUE(mapped.stages.back().q.isApprox(pressed, 1e-7)) << name;
   }
 }
 
