@@ -40,7 +40,7 @@ TEST(Remedies, OfTooLittleGripTheOneThatCoulombAsksForHolds) {
   EXPECT_FALSE(Find(found, "grip-x2").holds);
   EXPECT_TRUE(Find(found, "grip-x4").holds);
   EXPECT_EQ(Find(found, "grip-x4").num_mended, kNumFreshDraws);
-  EXPECT_EQ(Find(found, "grip-x2").num_draws, kNumFirstDraws);
+  EXPECT_LT(Find(found, "grip-x2").num_draws, kNumFreshDraws) << "nothing gained, not the best";
   EXPECT_FALSE(Find(found, "half-mass").holds);
   EXPECT_FALSE(Find(found, "no-offset").holds);
   for (const RemedyResult& remedy : found.remedies) EXPECT_NE(remedy.id, "friction-x2");
