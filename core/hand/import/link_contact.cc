@@ -141,6 +141,18 @@ void CoverLinks(const LinkSolids& solids, int num_points, ImportedHand& imported
             FormatCount(static_cast<int64_t>(capsules.size()), "capsule") +
             " for contact with the hand itself";
   }
+  // Balls and capsules are not drawn.
+  const bool is_unseen = imported.visuals.empty() &&
+                         std::any_of(imported.shapes.begin(), imported.shapes.end(),
+                                     [](const CollisionShape& s) { return s.is_self_contact; });
+  for (int link = 0; is_unseen && link < static_cast<int>(hand.links.size()); ++link) {
+    for (const TriMesh& solid : imported.solids[static_cast<size_t>(link)]) {
+      ImportedHand::Visual& seen = imported.visuals.emplace_back();
+      seen.link = link;
+      seen.visual.mesh = solid;
+      seen.visual.name = "touch";
+    }
+  }
 }
 
 void MeasureLinks(const std::string& file, bool accepts_coarse, const LinkSolids& solids,

@@ -12,7 +12,8 @@ What the links of an imported hand touch with: packed balls for objects and the 
 namespace graspbench {
 
 /** Packs balls into every link with a solid (pack_balls.h) where its spheres, capsules and boxes do
-not reach its surface; what stood for meshes and discs is replaced. @param num_points  on a link.
+not reach its surface; what stood for meshes and discs is replaced. A hand without a picture whose
+meshes touch is drawn as these meshes. @param num_points  on a link.
 @pre the digits are known. */
 void CoverLinks(const LinkSolids& solids, int num_points, ImportedHand& imported);
 

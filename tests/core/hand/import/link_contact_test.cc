@@ -42,6 +42,7 @@ TEST(CoverLinksTest, EveryLinkGetsBallsThatOtherLinksDoNotMeet) {
     EXPECT_GE(imported.shapes[k].size.x(), imported.shapes[k].link == 1 ? 0.002 : 0.0);  // a pad's
   }
   EXPECT_GT(num_of_palm, 10);
+  EXPECT_TRUE(imported.visuals.empty()) << "its boxes are drawn";
 }
 
 TEST(CoverLinksTest, WhatStoodForAMeshIsReplacedByCapsulesForTheHandItself) {
@@ -55,6 +56,9 @@ TEST(CoverLinksTest, WhatStoodForAMeshIsReplacedByCapsulesForTheHandItself) {
   }
   EXPECT_GE(num_capsules, 1);
   EXPECT_LE(num_capsules, 8);
+  ASSERT_EQ(imported.visuals.size(), 2u) << "else there is nothing to see";
+  EXPECT_EQ(imported.visuals[1].link, 1);
+  EXPECT_EQ(imported.visuals[1].visual.mesh.num_vertices(), imported.solids[1][0].num_vertices());
 }
 
 // A ball of 40 mm for a link of 20 x 27 x 54 mm sticks out of it by 10 mm.
