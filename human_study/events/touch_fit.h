@@ -22,10 +22,10 @@ contacts of a study (LearnDepths), and then one contact whose own samples cannot
 without bias.
 
 Skin resists exponentially (Pawluk & Howe 1999, J. Biomech. Eng. 121:178), F = b/m (exp(m d) - 1),
-with some 0.19 N/mm at first contact, about the stiffness of a finger. So its first 0.65 mm (SD 0.3
+with some 0.19 N/mm at first contact, about the stiffness of a finger. So its first 0.55 mm (SD 0.3
 mm) give way without a trace that a fit could find, and the touch is earlier than the path tells by
 that way at the speed of the touch. A fingertip of 20 g on finger and skin stops within a quarter of
-its period whatever its speed, so that this is never longer than 13 ms (CalcTouchTime). The spread
+its period whatever its speed, so that this is never longer than 10 ms (CalcTouchTime). The spread
 holds stiff tips, which do not give way at all, and pads half as stiff. Skin that moves the object,
 or that stops one that comes, carries more than the table's friction: it gives way deeper, by
 another 0.4 mm (SD), which is stated and not corrected (TouchFit::pressed).
@@ -87,8 +87,8 @@ TouchFit FitTouch(const TouchSamples& samples);
 TouchFit MixFits(const TouchFit& a, const TouchFit& b, double share);
 
 /** The touch half way between what the usual depths and these weights say, less the time in which
-skin gives way unseen. Unsure are half of that time, the time that the noise takes at the
-touch's speed, what skin gives way that moves the object (at most 20 ms), and 1.5 times the time between
+skin gives way unseen. Unsure are 0.55 of that time, the time that half the noise takes at the
+touch's speed, what skin gives way that moves the object (at most 20 ms), and 0.6 of the time between
 the two weights beyond half a standard deviation (at most 20 ms). */
 EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights);
 
