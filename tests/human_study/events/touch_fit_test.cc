@@ -13,7 +13,7 @@ namespace {
 
 struct Approach {
   double touch = 0.4;     // of skin and surface [s]
-  double toe = 0.55e-3;   // of skin that gives way as if nothing were there [m]
+  double toe = 0.45e-3;   // of skin that gives way as if nothing were there [m]
   double speed = 0.1;     // at touch [m/s]
   double slowing = 0.7;   // before it [m/s^2]
   double depth = 0.0;     // that it goes on by [m]
@@ -174,6 +174,24 @@ TEST(FitTouch, TremorMakesATouchLessCertain) {
   EXPECT_GT(CalcTouchTime(FitTouch(samples), kUsualDepths).uncertainty, 1.3 * still);
 }
 
+TEST(FitTouch, AGivenPadOffsetTellsShallowFromDeep) {
+  RandomStream random("touch", "pad");
+  double blind = 0.0, seen = 0.0, covered = 0.0;
+  for (int i = 0; i < 40; ++i) {
+    Approach approach;
+    approach.depth = 2e-3;
+    approach.toe = 0.0;  // where skin and surface meet is given
+    TouchSamples samples = Sample(approach, random);
+    blind += CalcTouchTime(FitTouch(samples), kUsualDepths).time - approach.touch;
+    samples.touch_place = approach.depth;
+    const EventTime found = CalcTouchTime(FitTouch(samples), kUsualDepths);
+    seen += found.time - approach.touch;
+    covered += std::abs(found.time - approach.touch) <= found.CalcHalfWidth();
+  }
+  EXPECT_LT(std::abs(seen), 0.5 * std::abs(blind));
+  EXPECT_GE(covered, 36.0);
+}
+
 // From all contacts of a study the depth becomes known, and with it each contact.
 TEST(LearnDepths, UncertaintiesCoverAndNoBiasIsLeft) {
   for (const double depth : {0.0, 2e-3}) {
@@ -209,20 +227,20 @@ TEST(LearnDepths, UncertaintiesCoverAndNoBiasIsLeft) {
   }
 }
 
-// A soft arrival looks like settling: the touch is said to be half way, and both are covered.
+// A soft arrival looks like settling: the more learned depths move it, the less it is known.
 TEST(CalcTouchTime, WhatWasLearnedIsStatedAsUncertain) {
   RandomStream random("touch", "learned");
   Approach soft;
   soft.speed = 0.02;
   soft.noise = 0.5e-3;
   const TouchFit fit = FitTouch(Sample(soft, random));
-  const EventTime usual = CalcTouchTime(fit, kUsualDepths);
-  // Weights of one depth alone have all of their way to the usual ones between depths.
-  const EventTime learned = CalcTouchTime(fit, OnlyDepth(5));
-  const double half = std::abs(learned.time - usual.time);
-  ASSERT_GT(2.0 * half, CalcOwnUncertainty(fit, OnlyDepth(5)));
-  EXPECT_GT(learned.CalcHalfWidth(), half);
-  EXPECT_LT(learned.uncertainty, usual.uncertainty + 0.02);
+  const DepthWeights deep = OnlyDepth(5);
+  const EventTime learned = CalcTouchTime(fit, deep);
+  const double moved = std::abs(learned.time - CalcTouchTime(fit, kUsualDepths).time);
+  const double own = CalcOwnUncertainty(fit, deep);
+  ASSERT_GT(moved, own);
+  EXPECT_GT(learned.uncertainty, std::min(1.4 * moved, 0.02));
+  EXPECT_LT(learned.uncertainty, std::hypot(own, 0.021));
 }
 
 // Two touches that nothing tells apart: the mean between them, and their distance in what is
