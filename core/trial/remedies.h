@@ -56,7 +56,8 @@ struct RemedyResult {
   }
 };
 
-/** How much is tried: all of the above, or the remedies that help most often, on four fresh draws. */
+/** How much is tried: all of the above, or the remedies that help most often, on four fresh
+draws. */
 enum class ExplainDepth { kShort, kFull };
 
 struct Explanation {
@@ -103,7 +104,8 @@ Explanation ExplainFailure(TrialRunner& runner, const FailedTrial& failed,
 /** "As it is, 0 of 20 fresh draws hold. Another grasp: g3 holds 18 of 20; ..". One paragraph. */
 std::string DescribeExplanation(const Explanation& explanation);
 
-/** "the hand 8 mm lower: 12 of 20; grasp g3: 18 of 20": what holds more fresh draws, for a table. */
+/** "the hand 8 mm lower: 12 of 20; grasp g3: 18 of 20": what holds more fresh draws, for a
+table. */
 std::string SummariseExplanation(const Explanation& explanation);
 
 }  // namespace graspbench

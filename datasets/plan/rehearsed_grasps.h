@@ -6,7 +6,8 @@ with draws of a stream of their own, so that no session meets the draws of its r
 its seed.
 
 What was found is kept between runs (core/base/files/kept.h) under the hash of all that decides it
-and of the sources; a session keeps the grasps themselves among its inputs (session_inputs.h), as grasp files. */
+and of the sources; a session keeps the grasps themselves among its inputs (session_inputs.h),
+as grasp files. */
 
 #include <memory>
 #include <optional>

@@ -28,7 +28,8 @@ struct ExaminedTrial {
   std::optional<Explanation> explanation;
 };
 
-/** Of a failure that the session has not explained in full some 90 trials run (core/trial/remedies.h).
+/** Of a failure that the session has not explained in full some 160 trials at most run
+(core/trial/remedies.h).
 @param interval  of the trace [s]; 0: every step.
 @throws Error when the session's hand or object cannot be loaded any more. */
 ExaminedTrial ExamineTrial(const Session& session, const PlannedTrial& planned, double interval);

@@ -472,7 +472,7 @@ std::vector<StatisticRow> ListIndependenceVerdicts(const Answer<IndependenceNull
     row.analysis = kIndependenceVerdictAnalysis;
     row.effect = "not testable";
     row.unit = "1";
-    row.note = SayIndependence(null);
+    row.note = null ? SayIndependence(null) : "none: independence was not calculated";
     if (null) {
       const auto& tests = (*null).*member;
       const IndependenceTest& test = tests[IndependenceNull::FindStrictest(tests)];

@@ -1,5 +1,5 @@
-// Intervals of judged sessions, thresholds, relations and campaigns lie within what their numbers can
-// be, whatever comes in: all, none, one cell, ties, one that differs.
+// Intervals of judged sessions, thresholds, relations and campaigns lie within what their numbers
+// can be, whatever comes in: all, none, one cell, ties, one that differs.
 
 #include <gtest/gtest.h>
 

@@ -108,6 +108,7 @@ void Check(const Diagnosis& found, const std::vector<Sight>& sights) {
 std::map<Mechanism, int> CheckFailures(const std::vector<std::string>& objects, double offset) {
   SessionConfig config;
   config.objects = objects;
+  config.grasps = {"predicted"};  // types by rehearsal seldom fail
   config.variation.offset = offset;
   const SessionInputs inputs = LoadSessionInputs(config);
   std::map<Mechanism, int> causes;
@@ -129,7 +130,7 @@ std::map<Mechanism, int> CheckFailures(const std::vector<std::string>& objects, 
   return causes;
 }
 
-TEST(FailureCauses, OfTheDefaultSessionAreSeenInTheTrajectories) {
+TEST(FailureCauses, OfPredictedGraspsAreSeenInTheTrajectories) {
   std::map<Mechanism, int> causes =
       CheckFailures({"can", "golf_ball", "light_bulb", "folding_rule"}, 0.005);
   EXPECT_GE(causes[Mechanism::kSqueezedOut], 10);

@@ -93,6 +93,7 @@ TEST_F(SessionExperiment, TakesWhatTheSessionKnowsAndStandsWithinIt) {
 // Under less friction these would be grasped otherwise; no pair may vanish for it.
 TEST_F(SessionExperiment, EveryConditionHasTheDrawsOfTheBase) {
   config_.objects = {"light_bulb", "bunch_of_keys"};
+  config_.grasps = {"predicted"};
   SessionConfig slippery = config_;
   slippery.model.friction_scale = 0.5;
   const auto list_draws = [](const std::vector<PlannedTrial>& plan, const auto& condition) {
@@ -182,7 +183,9 @@ TEST_F(SessionExperiment, NeedsATrialAndNoConditions) {
 
 // Without a delay it is the session's trial; with one the digit comes later.
 TEST_F(SessionExperiment, ADelayedDigitTouchesLater) {
-  ExperimentRequest request = RunNew("session", MakeConfig({"golf_ball"}, 2));
+  SessionConfig config = MakeConfig({"golf_ball"}, 2);
+  config.grasps = {"g2"};
+  ExperimentRequest request = RunNew("session", config);
   request.trials_per_cell = 1;
   const Session session = LoadSession(request.folder);
   const PreparedSession experiment = PrepareExperiment(request, "delays", ListDelayConditions);
@@ -314,6 +317,7 @@ TEST_F(SessionExperiment, SweepSensitivityAndCompareGiveOneAnswerOverAllPairs) {
   SweepConfig config;
   static_cast<SessionConfig&>(config) =
       MakeConfig({"bunch_of_keys", "golf_ball", "cup", "eraser", "light_bulb"}, 2);
+  config.grasps = {"predicted"};
   const auto run = [this](const std::string& name, const SessionConfig& asked) {
     return LoadSession(RunNew(name, asked).folder);
   };

@@ -67,6 +67,7 @@ class GraspCards : public testing::Test {
  protected:
   GraspCards() {
     SceneChoice choice = SceneChoice::MakeDefault();
+    choice.config.grasps = {"g1"};
     choice.config.strategy = StrategyConfig();  // by posture: all three digits press
     scene_.Choose(choice);
   }

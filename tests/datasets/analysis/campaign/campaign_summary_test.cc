@@ -171,9 +171,9 @@ TEST(ExportCampaign, WritesALineForEachVariantAndSearch) {
             "gft_ratio_floor,median_got_ratio,median_gft_s,median_got_s,median_gct_s,mean_breaking_"
             "force_n,median_grip_n,"
             "median_sigma_per_grip,median_breaking_per_grip,headroom_share\n"
-            "tum,mug,g2,standard,2,1,1.5,,,,0.5,0.0,,,,\n"
-            "tum,mug,new-pregrasp,new-pregrasp,2,1,1.5,,,,0.5,0.0,,,,0.5\n"
-            "tum,mug,new-target,new-target,2,1,1.5,,,,0.5,0.0,,,,0.75\n");
+            "tum,mug,g2,standard,2,1,1.5,,,,0.25,0.25,0.5,0.0,,,,\n"
+            "tum,mug,new-pregrasp,new-pregrasp,2,1,1.5,,,,0.25,0.25,0.5,0.0,,,,0.5\n"
+            "tum,mug,new-target,new-target,2,1,1.5,,,,0.25,0.25,0.5,0.0,,,,0.75\n");
   EXPECT_EQ(ReadFile(folder.path() / "comparison.csv"),
             "hand,object,method,seed,evaluations,start_fitness,best_fitness,evaluations_to_90\n"
             "tum,mug,es,1,3,1.0,2.0,3\n"
