@@ -65,7 +65,7 @@ TEST(ShellSignals, AnIgnoredSignalStaysIgnored) {
 TEST_F(ShellTest, ThePromptSaysWhatIsChosenAndWhen) {
   EXPECT_EQ(FormatPrompt(shell_), "tum golf_ball best> ");
   shell_.Execute("goto 0.1");
-  EXPECT_EQ(FormatPrompt(shell_), "tum golf_ball g6, closure 0.100 s> ");
+  EXPECT_EQ(FormatPrompt(shell_), "tum golf_ball g6, placing 0.100 s> ");
   shell_.Execute("draw 2");
   EXPECT_EQ(FormatPrompt(shell_), "tum golf_ball g6, placing 0.000 s, 1 change> ");
 }
