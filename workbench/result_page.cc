@@ -36,7 +36,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kInstantInterval = 0.01;  // finer than the keys of a view [s]
-constexpr int kRunsOfShort = 45;           // of a short explanation, some
+constexpr int kRunsOfShort = 45;           // trials of a short explanation, roughly
 
 /** Whether its page has a section of failures, and is final. */
 bool HasFailuresToExplain(const Session& session) {

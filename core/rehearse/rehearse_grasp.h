@@ -51,7 +51,7 @@ using RunRehearsal = std::function<RehearsalAnswer(const Grasp& grasp, const Reh
 /** A candidate and what was found of it. */
 struct RehearsedCandidate {
   GraspCandidate candidate;
-  std::vector<Outcome> outcomes;  ///< by draw, until one is not held; of the last ones all
+  std::vector<Outcome> outcomes;  ///< by draw, until one is not held; of finalists all
   std::string reason;             ///< of its first failure
   double grip_threshold = 1.0;    ///< share of the grip; 1 where it was not looked for
 

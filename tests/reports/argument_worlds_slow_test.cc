@@ -9,7 +9,7 @@ namespace graspbench {
 namespace {
 
 constexpr int kNumWorlds = 100;
-constexpr uint64_t kFirstSeed = 1000;  // nobody looked at these while the rules were written
+constexpr uint64_t kFirstSeed = 1000;  // seen: pairs of (d) were doubled after a first count
 
 struct Named {
   int shown = 0, refuted = 0, open = 0;

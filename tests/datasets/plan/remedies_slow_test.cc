@@ -1,7 +1,7 @@
 // What the named remedy is worth on draws that nobody has looked at: of every condition of a
 // session with failures the first is explained, and the remedy that is named runs, beside the trial
 // as it is, on eight draws beyond those that it was chosen by. Beside it what could be gained there:
-// by the best remedy that is the same everywhere, and by whoever knows the best one of each
+// by the best remedy that is the same everywhere, and by an oracle that knows the best of each
 // condition, both chosen on the very draws that they are judged on. Another seed:
 // --gtest_random_seed=NUMBER.
 
