@@ -224,6 +224,11 @@ TrialDraw MakeHaltonDraw(const VariationConfig& box, int index) {
 
 }  // namespace
 
+void CheckSensorsExist(const SessionConfig& config, const SessionInputs& inputs) {
+  CheckCamerasExist(config, inputs);
+  CheckSkinsExist(config, inputs);
+}
+
 bool operator==(const PlannedTrial& a, const PlannedTrial& b) {
   return a.id == b.id && a.hand == b.hand && a.object == b.object && a.grasp == b.grasp &&
          a.trial == b.trial && a.condition == b.condition;
@@ -281,8 +286,7 @@ std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInp
   const std::vector<ConditionBlock> blocks = ListBlocks(config, inputs);
   for (const ConditionBlock& block : blocks) CheckGraspsExist(*block.config, *block.inputs);
   for (const ConditionBlock& block : blocks) {
-    CheckCamerasExist(*block.config, *block.inputs);
-    CheckSkinsExist(*block.config, *block.inputs);
+    CheckSensorsExist(*block.config, *block.inputs);
   }
   const bool is_threshold = FindThresholdScale(config) != nullptr;
   for (const ConditionBlock& block : blocks) {

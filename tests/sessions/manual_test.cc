@@ -120,7 +120,9 @@ class ManualTest : public testing::Test {
   */
   static bool Check(const fs::path& folder, Piece& piece) {
     WriteFileAtomically(folder / "command", "cd '" + (folder / "work").string() + "'\nPATH='" +
-                                                GRASPBENCH_PROGRAM_FOLDER + "':/usr/bin:$PATH\n" +
+                                                GRASPBENCH_PROGRAM_FOLDER +
+                                                "':/usr/bin:$PATH\nexport XDG_CACHE_HOME='" +
+                                                (folder / "cache").string() + "'\n" +
                                                 piece.command + "\n");
     const fs::path output = folder / "output";
     const int status = std::system(

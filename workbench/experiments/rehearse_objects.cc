@@ -15,6 +15,7 @@
 #include "datasets/plan/conditions.h"
 #include "datasets/plan/frozen_folder.h"
 #include "datasets/plan/session_inputs.h"
+#include "datasets/plan/session_plan.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/experiments/pool/worker_pool.h"
 #include "workbench/experiments/run_record.h"
@@ -185,6 +186,7 @@ std::vector<RehearsalTask> ListRehearsalTasks(const SessionConfig& config,
   plain.conditions.clear();
   CheckSessionConfig(plain);
   const SessionInputs inputs = LoadSessionInputs(plain, FieldUse::kLater);
+  CheckSensorsExist(config, inputs);
   std::vector<RehearsalTask> tasks;
   for (const SessionHand& hand : inputs.hands) {
     for (const auto& object : inputs.objects) {
