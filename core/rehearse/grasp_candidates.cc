@@ -14,11 +14,12 @@ namespace graspbench {
 namespace {
 
 const double kSameYaw = RadFromDeg(10.0);  ///< nearer angles are one
-constexpr double kRound = 0.05;            ///< of the moments: less is as long as wide
-constexpr double kRiseShare = 0.2;         ///< of the object's height
-constexpr double kLeastRise = 0.006;       ///< [m]
-constexpr double kAlongShare = 0.2;        ///< of the object's length in the turned axes
-constexpr double kMoreOpening = 0.3;       ///< see GraspCandidate::opening
+constexpr char kPostureSpace[] = "all-digits";
+constexpr double kRound = 0.05;       ///< of the moments: less is as long as wide
+constexpr double kRiseShare = 0.2;    ///< of the object's height
+constexpr double kLeastRise = 0.006;  ///< [m]
+constexpr double kAlongShare = 0.2;   ///< of the object's length in the turned axes
+constexpr double kMoreOpening = 0.3;  ///< see GraspCandidate::opening
 const double kSmallTurn = RadFromDeg(20.0);
 
 /** In (-pi, pi]. */
@@ -28,13 +29,17 @@ double Wrap(double angle) { return std::remainder(angle, 2.0 * kPi); }
 
 bool operator==(const GraspCandidate& a, const GraspCandidate& b) {
   const auto tie = [](const GraspCandidate& c) {
-    return std::tie(c.standard, c.approach, c.place.yaw, c.place.rise, c.place.along, c.opening);
+    return std::tie(c.standard, c.approach, c.place.yaw, c.place.rise, c.place.along, c.opening,
+                    c.posture);
   };
   return tie(a) == tie(b);
 }
 
 std::string Describe(const GraspCandidate& candidate) {
-  if (candidate.approach == Approach::kAutomatic) return candidate.standard + ", by rule";
+  const char* searched = candidate.posture.empty() ? "" : ", posture searched";
+  if (candidate.approach == Approach::kAutomatic) {
+    return candidate.standard + ", by rule" + searched;
+  }
   const PlaceChange& place = candidate.place;
   std::string text = candidate.standard + ", from " +
                      (candidate.approach == Approach::kSide ? "the side" : "above");
@@ -51,7 +56,7 @@ std::string Describe(const GraspCandidate& candidate) {
   if (candidate.opening > 0.0) {
     text += ", opened by " + FormatFixed(100.0 * candidate.opening, 0) + " %";
   }
-  return text;
+  return text + searched;
 }
 
 double CalcPrincipalYaw(const GraspObject& object) {
@@ -92,7 +97,17 @@ Grasp CandidateMaker::Make(const GraspCandidate& candidate) const {
     grasp = FitGraspAt(hand_, grasp, object_, candidate.place, candidate.opening);
   }
   grasp.object = object_.id;
-  return grasp;
+  if (candidate.posture.empty()) return grasp;
+  return MakePostureSpace(grasp)->MakeGrasp(Eigen::Map<const Eigen::VectorXd>(
+      candidate.posture.data(), static_cast<Eigen::Index>(candidate.posture.size())));
+}
+
+std::unique_ptr<GraspSpace> CandidateMaker::MakePostureSpace(const Grasp& grasp) const {
+  return MakeGraspSpace(kPostureSpace, {hand_, object_, grasp});
+}
+
+RandomStream CandidateMaker::MakePostureStream() const {
+  return RandomStream(FormatJson({hand_.id, object_.id}), "posture of rehearsal");
 }
 
 std::vector<GraspCandidate> CandidateMaker::Sort(const std::vector<GraspCandidate>& candidates,

@@ -9,16 +9,20 @@ core/grasp/predict_grasp.h). Rounds of candidates, each dearer than the one befo
                 axis, and half way between; only those that reach the object and meet it by geometry
     variation   of what held longest so far: height, offset along the axis, opening of the
                 pre-grasp, a turn by half a circle, small turns
+    posture     of what held most: target angles of all grasping digits (core/optimise/grasp_space.h,
+                "all-digits"), where a search is asked for
 
 The principal axes are those of the object's inertia about the vertical. Proposed by graspbench; the
 thesis (4.2) tries every grasp on every object and takes the best, without placement. */
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/base/text/record_fields.h"
 #include "core/grasp/placement.h"
 #include "core/grasp/standard_grasp.h"
+#include "core/optimise/grasp_space.h"
 #include "core/shape/grasp_object.h"
 
 namespace graspbench {
@@ -29,6 +33,8 @@ struct GraspCandidate {
   Approach approach = Approach::kAutomatic;
   PlaceChange place;
   double opening = 0.0;  ///< of the pre-grasp, share of the way from target to pre-grasp once more
+  /** Coordinates of the space "all-digits" [rad]; empty: the target of the standard grasp. */
+  std::vector<double> posture = {};
 
   template <class V>
   static void ListFields(V&& field) {
@@ -39,6 +45,7 @@ struct GraspCandidate {
     field("rise_m", &C::place, &PlaceChange::rise);
     field("along_m", &C::place, &PlaceChange::along);
     field("opening", &C::opening);
+    field("posture_rad", &C::posture);
   }
 };
 
@@ -68,6 +75,11 @@ class CandidateMaker {
   std::vector<GraspCandidate> ListByYaw() const;
   /** Of one candidate; not sorted, most promising kind of change first. */
   std::vector<GraspCandidate> ListVariations(const GraspCandidate& candidate) const;
+
+  /** From a grasp of Make. @pre this and the grasp outlive it. */
+  std::unique_ptr<GraspSpace> MakePostureSpace(const Grasp& grasp) const;
+  /** Named by hand and object: of the search of a posture. */
+  RandomStream MakePostureStream() const;
 
   /** The grasp with its placement, for this object alone; its id is that of the standard grasp. */
   Grasp Make(const GraspCandidate& candidate) const;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/optimise/methods/search.h"
 
 namespace graspbench {
 namespace {
@@ -11,6 +12,8 @@ namespace {
 constexpr double kYawShare = 0.4;    ///< of all candidates
 constexpr size_t kNumVaried = 3;     ///< candidates that are varied in one go
 constexpr size_t kNumFinalists = 3;  ///< candidates that are tried on all draws, at least
+constexpr size_t kNumPostureFinalists = 8;
+constexpr int kPostureDraws = 4;  ///< times the draws, on which they are compared
 constexpr double kGripShares[] = {0.5, 0.25, 0.125};
 
 /** The tried ones in the order of their runs. */
@@ -20,6 +23,19 @@ std::vector<size_t> SortByRun(const std::vector<RehearsedCandidate>& tried) {
   std::stable_sort(order.begin(), order.end(),
                    [&](size_t a, size_t b) { return tried[a].FindRun() > tried[b].FindRun(); });
   return order;
+}
+
+/** The run, and of the first lost draw the share of the outcomes of closing, lift-off and hold that
+it came through. */
+double CalcFitness(const RehearsedCandidate& tried) {
+  constexpr Outcome kCourse[] = {Outcome::kNoContact, Outcome::kPushedAway,
+                                 Outcome::kLostWhileClosing, Outcome::kSlippedInLiftOff,
+                                 Outcome::kDroppedWhileHolding};
+  const auto* const passed =
+      std::find(std::begin(kCourse), std::end(kCourse), tried.outcomes.back());
+  const double share = static_cast<double>(passed - kCourse) / std::size(kCourse);
+  const bool is_lost = !IsSuccess(tried.outcomes.back()) && passed != std::end(kCourse);
+  return tried.FindRun() + (is_lost ? share : 0.0);
 }
 
 class Rehearser {
@@ -35,6 +51,9 @@ class Rehearser {
       }
     }
     if (!is_found_) ChooseMostHeld();
+    if (!is_found_ && config_.num_postures > 0) {
+      SearchPosture();
+    }
     return std::move(rehearsal_);
   }
 
@@ -60,6 +79,18 @@ class Rehearser {
     if (!IsSuccess(answer.outcome) && tried.reason.empty()) tried.reason = answer.reason;
   }
 
+  /** Until one is not held. */
+  RehearsedCandidate TryDraws(const GraspCandidate& candidate) {
+    const Grasp grasp = maker_.Make(candidate);
+    RehearsedCandidate tried;
+    tried.candidate = candidate;
+    do {
+      TryDraw(grasp, tried);
+    } while (IsSuccess(tried.outcomes.back()) &&
+             static_cast<int>(tried.outcomes.size()) < config_.num_draws);
+    return tried;
+  }
+
   /** @returns whether one is held in all draws, which is chosen then. */
   bool TryAll(const std::vector<GraspCandidate>& candidates) {
     for (const GraspCandidate& candidate : candidates) {
@@ -67,15 +98,8 @@ class Rehearser {
           std::any_of(rehearsal_.tried.begin(), rehearsal_.tried.end(),
                       [&](const RehearsedCandidate& one) { return one.candidate == candidate; });
       if (IsFull() || is_known) continue;
-      const Grasp grasp = maker_.Make(candidate);
-      RehearsedCandidate tried;
-      tried.candidate = candidate;
-      do {
-        TryDraw(grasp, tried);
-      } while (IsSuccess(tried.outcomes.back()) &&
-               static_cast<int>(tried.outcomes.size()) < config_.num_draws);
-      is_found_ = tried.FindRun() == config_.num_draws;
-      rehearsal_.tried.push_back(std::move(tried));
+      rehearsal_.tried.push_back(TryDraws(candidate));
+      is_found_ = rehearsal_.tried.back().FindRun() == config_.num_draws;
       if (!is_found_) continue;
       rehearsal_.chosen = static_cast<int>(rehearsal_.tried.size()) - 1;
       return true;
@@ -95,6 +119,46 @@ class Rehearser {
       if (TryAll(maker_.ListVariations(GraspCandidate(rehearsal_.tried[i].candidate)))) return true;
     }
     return rehearsal_.tried.size() > num_before;
+  }
+
+  /** From the choice on. */
+  void SearchPosture() {
+    const auto start_of_search = static_cast<size_t>(rehearsal_.chosen);
+    GraspCandidate candidate = rehearsal_.choice().candidate;
+    const Grasp start = maker_.Make(candidate);
+    const auto space = maker_.MakePostureSpace(start);
+    RunSearch("es", space->box(), config_.num_postures, maker_.MakePostureStream(),
+              [&](const std::vector<Individual>& generation) {
+                std::vector<double> fitness;
+                for (const Individual& individual : generation) {
+                  const Eigen::VectorXd& genome = individual.genome;
+                  candidate.posture.assign(genome.data(), genome.data() + genome.size());
+                  rehearsal_.tried.push_back(TryDraws(candidate));
+                  fitness.push_back(CalcFitness(rehearsal_.tried.back()));
+                }
+                return fitness;
+              });
+    ChooseOnMoreDraws(start_of_search);
+  }
+
+  /** The start of the search against the postures that held most. */
+  void ChooseOnMoreDraws(size_t start) {
+    std::vector<size_t> finalists = {start};
+    for (const size_t i : SortByRun(rehearsal_.tried)) {
+      const bool is_searched = !rehearsal_.tried[i].candidate.posture.empty();
+      if (is_searched && finalists.size() <= kNumPostureFinalists) finalists.push_back(i);
+    }
+    for (const size_t i : finalists) TryOn(kPostureDraws * config_.num_draws, i);
+    rehearsal_.chosen = static_cast<int>(
+        *std::max_element(finalists.begin(), finalists.end(), [&](size_t a, size_t b) {
+          return rehearsal_.tried[a].CountHeld() < rehearsal_.tried[b].CountHeld();
+        }));
+  }
+
+  void TryOn(int num_draws, size_t candidate) {
+    RehearsedCandidate& tried = rehearsal_.tried[candidate];
+    const Grasp grasp = maker_.Make(tried.candidate);
+    while (static_cast<int>(tried.outcomes.size()) < num_draws) TryDraw(grasp, tried);
   }
 
   void FindThreshold(RehearsedCandidate& tried) {
@@ -119,11 +183,7 @@ class Rehearser {
 
   void ChooseMostHeld() {
     const std::vector<size_t> finalists = ListFinalists();
-    for (const size_t i : finalists) {
-      RehearsedCandidate& tried = rehearsal_.tried[i];
-      const Grasp grasp = maker_.Make(tried.candidate);
-      while (static_cast<int>(tried.outcomes.size()) < config_.num_draws) TryDraw(grasp, tried);
-    }
+    for (const size_t i : finalists) TryOn(config_.num_draws, i);
     const auto value = [&](size_t i) {
       return std::pair(rehearsal_.tried[i].CountHeld(), rehearsal_.tried[i].FindRun());
     };
@@ -153,7 +213,8 @@ class Rehearser {
 }  // namespace
 
 bool operator==(const RehearsalConfig& a, const RehearsalConfig& b) {
-  return a.num_candidates == b.num_candidates && a.num_draws == b.num_draws;
+  return a.num_candidates == b.num_candidates && a.num_draws == b.num_draws &&
+         a.num_postures == b.num_postures;
 }
 
 int RehearsedCandidate::CountHeld() const {

@@ -6,6 +6,10 @@ Chooses a grasp by trying candidates (grasp_candidates.h) on imagined draws befo
     choice     the first that is held in all `num_draws`; else those of the longest run, and at
                least three, are tried on all draws, and that held most is taken, of equal ones that
                with the longest run, then that with the lowest grip threshold, else the first
+    posture    where nothing was held in all draws and a search is asked for: an evolution strategy
+               (core/optimise/methods/search.h) starts from the choice and tries so many postures;
+               fitness is the run, of equal ones how far the first lost draw came. The choice is
+               made again among all
     threshold  the smallest of the shares 1/2, 1/4, 1/8 of the grip with which draw 0 is still
                held; 1 where none is
 
@@ -34,6 +38,7 @@ inline bool IsDoubtful(int draw) { return draw % 2 == 1; }
 struct RehearsalConfig {
   int num_candidates = 40;  ///< at most
   int num_draws = 4;
+  int num_postures = 0;  ///< that a search tries where no candidate is held in all draws; 0: none
 };
 bool operator==(const RehearsalConfig& a, const RehearsalConfig& b);
 

@@ -241,7 +241,7 @@ const RemedyResult* Explanation::FindBest(bool is_grasp) const {
   for (const RemedyResult& remedy : remedies) {
     if (remedy.num_draws < std::max(num_draws(), 1)) continue;
     if (IsAnotherGrasp(remedy) != is_grasp) continue;
-    if (remedy.net_gain() < kLeastNetGain) continue;
+    if (remedy.net_gain() < CalcLeastNetGain(num_draws())) continue;
     if (!best || remedy.net_gain() > best->net_gain()) best = &remedy;
   }
   return best;
@@ -295,11 +295,14 @@ Explanation ExplainFailure(TrialRunner& runner, const FailedTrial& failed, Expla
 }
 
 std::string DescribeExplanation(const Explanation& explanation) {
-  std::string text = explanation.is_on_edge
-                         ? "On an edge: with the object 0.2 mm and 0.2 degrees aside it holds. "
-                         : "";
-  text += fmt::format("As it is, {} fresh draws of the condition hold. ",
-                      FormatShare(explanation.num_held(), explanation.num_draws()));
+  const std::string as_it_is =
+      fmt::format("As it is, {} fresh draws of the condition hold. ",
+                  FormatShare(explanation.num_held(), explanation.num_draws()));
+  const std::string aside = "with the object 0.2 mm and 0.2 degrees aside it holds. ";
+  const bool mostly_holds = 2 * explanation.num_held() >= explanation.num_draws();
+  std::string text = !explanation.is_on_edge ? as_it_is
+                     : mostly_holds          ? "On an edge: " + aside + as_it_is
+                                             : as_it_is + "Of this draw alone: " + aside;
   const RemedyResult* grasp = explanation.FindBest(true);
   const RemedyResult* same = explanation.FindBest(false);
   if (same) text += Capitalise(DescribeBest(explanation, *same)) + ". ";
@@ -308,7 +311,8 @@ std::string DescribeExplanation(const Explanation& explanation) {
             DescribeBest(explanation, *grasp) + ". ";
   }
   if (!same && !grasp) {
-    text += fmt::format("Nothing that was tried gains {} or more of them. ", kLeastNetGain);
+    text += fmt::format("Nothing that was tried gains {} or more of them. ",
+                        CalcLeastNetGain(explanation.num_draws()));
   }
   const bool is_grip_tried =
       std::any_of(explanation.remedies.begin(), explanation.remedies.end(),

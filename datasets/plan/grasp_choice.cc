@@ -129,20 +129,19 @@ std::string DescribeMiss(const SessionInputs& inputs, const SessionHand& hand,
               : "");
 }
 
-/** What imagined trials say of the session's best grasps. */
+/** What imagined trials say of the session's rehearsed and best grasps. */
 std::vector<std::string> ListDoubtfulTypes(const SessionConfig& config,
                                            const SessionInputs& inputs) {
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = inputs.doubts;
   if (std::count(config.grasps.begin(), config.grasps.end(), kBestGrasp) == 0) return warnings;
   for (const SessionHand& hand : inputs.hands) {
     for (const auto& object : inputs.objects) {
       const auto found = inputs.types.find({hand.hand->id, object->id});
       if (found == inputs.types.end()) continue;
       const RehearsedType& type = found->second;
-      if (2 * type.held > type.draws) continue;
-      warnings.push_back(type.hand + ", " + type.object + ": the grasp that rehearsal chose, " +
-                         type.grasp + ", held " + std::to_string(type.held) + " of " +
-                         std::to_string(type.draws) + " imagined trials");
+      const std::string doubt =
+          DescribeDoubt(type.hand, type.object, type.grasp, type.held, type.draws);
+      if (!doubt.empty()) warnings.push_back(doubt);
     }
   }
   return warnings;

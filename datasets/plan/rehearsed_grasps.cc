@@ -145,16 +145,18 @@ std::string CalcRehearsalHash(const RehearsalTask& task) {
     grasps.push_back({ToJson(grasp), JsonNumber(grasp.held_share)});
   }
   const Hand& hand = *task.hand;
-  return CalcHashHex(FormatJson({{"rules", kRehearsalKind},
-                                 {"physics", kPhysicsVersion},
-                                 {"hand", {hand.id, hand.content_hash}},
-                                 {"grasps", grasps},
-                                 {"object", {task.object->id, task.object->content_hash}},
-                                 {"approach", RowOf(kApproaches, task.object->approach).name},
-                                 {"conditions", ConfigToJson(conditions)},
-                                 {"imperfections", ConfigToJson(task.imperfections)},
-                                 {"candidates", task.config.num_candidates},
-                                 {"draws", task.config.num_draws}}));
+  Json content = {{"rules", kRehearsalKind},
+                  {"physics", kPhysicsVersion},
+                  {"hand", {hand.id, hand.content_hash}},
+                  {"grasps", grasps},
+                  {"object", {task.object->id, task.object->content_hash}},
+                  {"approach", RowOf(kApproaches, task.object->approach).name},
+                  {"conditions", ConfigToJson(conditions)},
+                  {"imperfections", ConfigToJson(task.imperfections)},
+                  {"candidates", task.config.num_candidates},
+                  {"draws", task.config.num_draws}};
+  if (task.config.num_postures > 0) content["postures"] = task.config.num_postures;
+  return CalcHashHex(FormatJson(content));
 }
 
 TrialSetup MakeRehearsalSetup(const RehearsalTask& task,
@@ -210,6 +212,13 @@ Rehearsal FindRehearsal(const RehearsalTask& task) {
   const std::string hash = CalcRehearsalHash(task);
   Keep(FindKeptPath(hash), kRehearsalKind, CalcKeptKey(hash), FormatJson(RecordToJson(rehearsal)));
   return rehearsal;
+}
+
+std::string DescribeDoubt(const std::string& hand, const std::string& object,
+                          const std::string& grasp, int held, int draws) {
+  if (2 * held > draws) return {};
+  return hand + ", " + object + ": the grasp that rehearsal chose, " + grasp + ", held " +
+         std::to_string(held) + " of " + std::to_string(draws) + " imagined trials";
 }
 
 std::string FormatRehearsedGrasp(const RehearsalTask& task, const GraspCandidate& candidate,

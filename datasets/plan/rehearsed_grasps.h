@@ -64,6 +64,10 @@ std::optional<Rehearsal> FindKeptRehearsal(const RehearsalTask& task);
 @throws Error(kUsage) for a hand without a standard grasp; as TrialRunner. */
 Rehearsal FindRehearsal(const RehearsalTask& task);
 
+/** What a person is told of a grasp that held half of its imagined trials or fewer; else empty. */
+std::string DescribeDoubt(const std::string& hand, const std::string& object,
+                          const std::string& grasp, int held, int draws);
+
 /** The chosen grasp as the text of a grasp file (core/grasp/grasp_file.h), and any other one.
 @param id  of the grasp in the file. */
 std::string FormatRehearsedGrasp(const RehearsalTask& task, const GraspCandidate& candidate,

@@ -75,6 +75,7 @@ std::string FindGraspId(const std::string& given) {
     if (MakeComparable(given) == MakeComparable(taxon.name)) return taxon.id;
     if (MakeComparable(given) == taxon.id) return taxon.id;
   }
+  if (std::count(given.begin(), given.end(), ',') > 1) return given;  // a list: JoinRehearsed
   const std::optional<RehearsalConfig> rehearsal = ParseRehearsed(given);
   return rehearsal ? NameRehearsed(*rehearsal) : given;
 }

@@ -167,7 +167,12 @@ void AddRehearsed(const SessionConfig& config, const fs::path& folder, const std
           text = ReadFile(copy);
         } else {
           const RehearsalTask task = MakeRehearsalTask(config, rehearsal, hand, grasps, object);
-          text = FormatRehearsedGrasp(task, FindRehearsal(task).choice().candidate, id);
+          const RehearsedCandidate choice = FindRehearsal(task).choice();
+          text = FormatRehearsedGrasp(task, choice.candidate, id);
+          const std::string doubt =
+              DescribeDoubt(hand->id, object->id, Describe(choice.candidate), choice.CountHeld(),
+                            static_cast<int>(choice.outcomes.size()));
+          if (!doubt.empty()) inputs.doubts.push_back(doubt);
         }
         AddGrasp(text, place, inputs);
       }

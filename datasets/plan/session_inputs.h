@@ -45,6 +45,8 @@ struct SessionInputs {
   /** What was rehearsed, types and grasp files, as texts by place in the folder of copies; with
   that of conditions which choose again. */
   std::map<std::string, std::string> rehearsed;
+  /** What imagined trials say of rehearsed grasps that held half of them or fewer. */
+  std::vector<std::string> doubts;
   std::map<std::string, ConditionInputs> conditions;                        ///< by name
   std::shared_ptr<FittedGrasps> fitted = std::make_shared<FittedGrasps>();  ///< those asked for
   /** Of a condition with other hands or objects: the base's, where "best" is chosen for both, so

@@ -224,7 +224,14 @@ TrialDraw MakeHaltonDraw(const VariationConfig& box, int index) {
 
 }  // namespace
 
-void CheckSensorsExist(const SessionConfig& config, const SessionInputs& inputs) {
+void CheckInputs(const SessionConfig& config, const SessionInputs& inputs) {
+  std::vector<std::string> hand_names, object_names;
+  for (const SessionHand& hand : inputs.hands) hand_names.push_back(hand.hand->id);
+  for (const auto& object : inputs.objects) object_names.push_back(object->id);
+  CheckNamesFit("hand", hand_names);
+  CheckNamesFit("object", object_names);
+  CheckNamesDiffer("hands", hand_names);
+  CheckNamesDiffer("objects", object_names);
   CheckCamerasExist(config, inputs);
   CheckSkinsExist(config, inputs);
 }
@@ -272,22 +279,13 @@ Json ToJson(const Grasp& grasp) {
 
 std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInputs& inputs) {
   CheckSessionConfig(config);
-  std::vector<std::string> hand_names, object_names;
   for (const SessionHand& hand : inputs.hands) {
-    hand_names.push_back(hand.hand->id);
     CheckGraspsDiffer(hand);
     for (const Grasp& grasp : hand.grasps) CheckNamesFit("grasp", {grasp.id});
   }
-  for (const auto& object : inputs.objects) object_names.push_back(object->id);
-  CheckNamesFit("hand", hand_names);
-  CheckNamesFit("object", object_names);
-  CheckNamesDiffer("hands", hand_names);
-  CheckNamesDiffer("objects", object_names);
   const std::vector<ConditionBlock> blocks = ListBlocks(config, inputs);
+  for (const ConditionBlock& block : blocks) CheckInputs(*block.config, *block.inputs);
   for (const ConditionBlock& block : blocks) CheckGraspsExist(*block.config, *block.inputs);
-  for (const ConditionBlock& block : blocks) {
-    CheckSensorsExist(*block.config, *block.inputs);
-  }
   const bool is_threshold = FindThresholdScale(config) != nullptr;
   for (const ConditionBlock& block : blocks) {
     CheckGripMargins(*block.config, *block.inputs);

@@ -50,9 +50,9 @@ std::string DescribeTrial(const PlannedTrial& planned);
 /** The same without the condition: what the trials of one draw share. */
 std::string NameDraw(PlannedTrial planned);
 
-/** The hands have the camera and the skin that the configuration asks for.
-@throws Error(kUsage) that names the first hand which lacks one. */
-void CheckSensorsExist(const SessionConfig& config, const SessionInputs& inputs);
+/** Hands and objects have names of their own, and the hands the camera and the skin that the
+configuration asks for. @throws Error(kUsage) that names the first offender. */
+void CheckInputs(const SessionConfig& config, const SessionInputs& inputs);
 
 /** Cells in the order hand, object, grasp. Under several conditions: hand, object, settings, grasp,
 trial, condition, so that a world serves as many trials in a row as it can and the same trial with

@@ -42,7 +42,8 @@ message(STATUS "compiled: ${objects}")
 set(scratch ${BUILD}/optional)
 file(REMOVE_RECURSE ${scratch})
 execute_process(
-  COMMAND ${CMAKE_COMMAND} --preset release -B ${scratch} -D BUILD_TESTING=ON ${absent}
+  COMMAND ${CMAKE_COMMAND} --preset release -B ${scratch} -D BUILD_TESTING=ON
+    -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON ${absent}
   WORKING_DIRECTORY ${SOURCE} RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE error)
 if(result EQUAL 0 AND objects)
   execute_process(COMMAND ${CMAKE_COMMAND} --build ${scratch} -j1 --target ${objects}

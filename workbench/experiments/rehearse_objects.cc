@@ -46,6 +46,7 @@ Json DescribeRehearsals(const RehearseRequest& request) {
                  {"conditions", ConfigToJson(first.conditions)},
                  {"imperfections", ConfigToJson(first.imperfections)},
                  {"pairs", pairs}};
+  if (first.config.num_postures > 0) config["postures"] = first.config.num_postures;
   if (request.shard.count > 1) config["shard"] = FormatShard(request.shard);
   return config;
 }
@@ -186,7 +187,7 @@ std::vector<RehearsalTask> ListRehearsalTasks(const SessionConfig& config,
   plain.conditions.clear();
   CheckSessionConfig(plain);
   const SessionInputs inputs = LoadSessionInputs(plain, FieldUse::kLater);
-  CheckSensorsExist(config, inputs);
+  CheckInputs(config, inputs);
   std::vector<RehearsalTask> tasks;
   for (const SessionHand& hand : inputs.hands) {
     for (const auto& object : inputs.objects) {

@@ -36,7 +36,8 @@ void FindDecoration(const std::string& file, Diagnostics& problems, ForeignHand&
                   "link \"" + link.name + "\" has a picture and no collision shape, and \"" +
                       other->name +
                       "\", to which it is fixed, has some: its picture is decoration, left out of "
-                      "contact and mass");
+                      "contact" +
+                      (link.weights.empty() ? " and mass" : ""));
   }
 }
 

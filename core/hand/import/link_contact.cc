@@ -164,14 +164,17 @@ void MeasureLinks(const std::string& file, bool accepts_coarse, const LinkSolids
   imported.fits = MeasureContact(hand, solids);
   for (const ContactFit& fit : imported.fits) {
     const bool is_tip = IsTip(hand, hand.FindLink(fit.link));
-    const double all = std::max(fit.out.most, fit.sink.at_95);
-    const double palmar = std::max(fit.palmar_out.most, fit.palmar_sink.at_95);
+    const bool is_full = static_cast<size_t>(fit.num_balls) >= kMostBalls;  // and leaves holes
+    const auto count_sink = [&](const ContactError& s) { return is_full ? s.most : s.at_95; };
+    const double all = std::max(fit.out.most, count_sink(fit.sink));
+    const double palmar = std::max(fit.palmar_out.most, count_sink(fit.palmar_sink));
     const std::string told = "link \"" + fit.link + "\": " + DescribeContactError(fit);
     if ((is_tip ? all : palmar) > kMostContactError && !accepts_coarse) {
       problems.Fail(file, 0,
-                    told +
-                        "; expected 5 mm at most on the palmar side and on tips. Is its mesh "
-                        "whole? --coarse-contact takes it as it is");
+                    told + "; expected 5 mm at most on the palmar side and on tips. " +
+                        (is_full ? "A link may have 600 balls, too few for this surface."
+                                 : "Is its mesh whole?") +
+                        " --coarse-contact takes it as it is");
     } else if (all > kFairContactError) {
       problems.Warn(file, 0, told);
     }

@@ -184,5 +184,40 @@ TEST_F(RehearseGraspTest, ARehearsalSurvivesItsRecord) {
   EXPECT_TRUE(read.choice().candidate == rehearsal.choice().candidate);
 }
 
+TEST_F(RehearseGraspTest, ASearchFindsTheTargetThatNoPlacementHas) {
+  const auto standard = LoadStandardGrasps(hand_);
+  const Digit& thumb = hand_.digits[static_cast<size_t>(FindOpposingDigit(hand_, standard[0]))];
+  const int joint = FindDrivenJoints(hand_, thumb).back();
+  const auto run = [&](const Grasp& grasp, const RehearsalQuestion&) {
+    const auto same = std::find_if(standard.begin(), standard.end(),
+                                   [&](const Grasp& one) { return one.id == grasp.id; });
+    return Hold(std::abs(grasp.q_target[joint] - same->q_target[joint]) > RadFromDeg(8.0));
+  };
+  EXPECT_EQ(RehearseGrasp(maker_, {40, 4}, run).choice().CountHeld(), 0);
+  const Rehearsal searched = RehearseGrasp(maker_, {40, 4, 60}, run);
+  EXPECT_TRUE(searched.is_robust());
+  EXPECT_FALSE(searched.choice().candidate.posture.empty());
+  EXPECT_EQ(searched.choice().outcomes.size(), 16u);
+}
+
+TEST_F(RehearseGraspTest, ASearchDoesNotChooseAPostureByLuck) {
+  int num_lucky = 0;
+  const auto run = [&](const Grasp& grasp, const RehearsalQuestion& question) {
+    if (grasp.q_target.isApprox(maker_.Make({grasp.id, Approach::kAutomatic, {}, 0.0}).q_target,
+                                1e-12)) {
+      return Hold(question.draw != 1);
+    }
+    const Json name = {grasp.q_target.sum(), question.draw};
+    return Hold(CalcHash64(FormatJson(name)) % 2 == 0);
+  };
+  const Rehearsal searched = RehearseGrasp(maker_, {40, 4, 200}, run);
+  for (const RehearsedCandidate& one : searched.tried) {
+    num_lucky += !one.candidate.posture.empty() && one.FindRun() >= 4;
+  }
+  EXPECT_GT(num_lucky, 3);
+  EXPECT_TRUE(searched.choice().candidate.posture.empty());
+  EXPECT_EQ(searched.choice().CountHeld(), 15);
+}
+
 }  // namespace
 }  // namespace graspbench

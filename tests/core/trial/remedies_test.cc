@@ -62,20 +62,20 @@ TEST(Remedies, OnlyOnesOfAllDrawsWithEnoughGainAreNamed) {
   found.held.assign(kNumFreshDraws, 0);
   found.held[0] = 1;
   found.remedies = {{"grip-x2", true, kNumFirstDraws, 4, 0},
-                    {"slower", true, kNumFreshDraws, 2, 1},
+                    {"slower", true, kNumFreshDraws, 4, 1},
                     {"no-offset", true}};
   EXPECT_EQ(found.FindBest(false), nullptr);
-  EXPECT_NE(DescribeExplanation(found).find("Nothing that was tried gains 2"), std::string::npos);
+  EXPECT_NE(DescribeExplanation(found).find("Nothing that was tried gains 4"), std::string::npos);
   EXPECT_NE(DescribeExplanation(found).find("only explains: this draw also holds with no offset"),
             std::string::npos);
-  found.remedies.push_back({"lower", false, kNumFreshDraws, 3, 1});
+  found.remedies.push_back({"lower", false, kNumFreshDraws, 5, 1});
   found.remedies.push_back({"grasp-g3", true, kNumFreshDraws, 8, 0});
   ASSERT_TRUE(found.FindBest(false) && found.FindBest(true));
   EXPECT_EQ(found.FindBest(false)->id, "lower");
   EXPECT_EQ(found.FindBest(true)->id, "grasp-g3");
   EXPECT_NE(DescribeExplanation(found).find("grasp g3 holds 9 of 20"), std::string::npos)
       << DescribeExplanation(found);
-  EXPECT_EQ(SummariseExplanation(found), "the hand 8 mm lower: 3 of 20; grasp g3: 9 of 20");
+  EXPECT_EQ(SummariseExplanation(found), "the hand 8 mm lower: 5 of 20; grasp g3: 9 of 20");
 }
 
 }  // namespace

@@ -43,6 +43,7 @@ TEST(RehearsedGrasps, NamesAreReadInEveryForm) {
   const std::vector<std::string> joined = {"g1", "rehearsed-80-8", "rehearsed", "best"};
   EXPECT_EQ(JoinRehearsed(parted), joined);
   EXPECT_EQ(FindGraspId("rehearsed:80,8"), "rehearsed-80-8");
+  EXPECT_EQ(FindGraspId("rehearsed:80,8,g1"), "rehearsed:80,8,g1") << "parted later";
 }
 
 TEST(RehearsedGrasps, ConditionsAskForThemToo) {

@@ -83,6 +83,7 @@ void RemediesTest::Explain(const SessionConfig& config, const SessionInputs& inp
 TEST_F(RemediesTest, NoHandLosesByTheNamedOne) {
   SessionConfig config;
   config.seed = 1000 + testing::GTEST_FLAG(random_seed);
+  config.grasps = {"predicted"};  // rehearsed types leave nearly nothing to mend
   const SessionInputs inputs = LoadSessionInputs(config);
   std::set<std::string> done;
   std::string pair;

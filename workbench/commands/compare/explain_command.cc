@@ -1,5 +1,8 @@
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "core/base/text/text.h"
@@ -35,9 +38,15 @@ Json MakeExplainedJson(const TrialRecord& record, const Explanation& explanation
 void PrintExplained(const Session& session, bool json) {
   const Explanations explanations = LoadExplanations(session.folder);
   Json all = Json::array();
-  int num_failed = 0, num_explained = 0;
+  int num_failed = 0, num_explained = 0, num_without = 0;
+  std::set<std::string> without;  // outcomes of failures that no remedy is tried on
   std::string text;
   for (const TrialRecord& record : session.records) {
+    const Outcome outcome = record.result.outcome;
+    if (!record.result.diagnosis && !IsSuccess(outcome)) {
+      ++num_without;
+      without.insert(RowOf(kOutcomes, outcome).name);
+    }
     if (!record.result.diagnosis) continue;
     ++num_failed;
     const auto explained = explanations.find(record.plan.id);
@@ -50,7 +59,10 @@ void PrintExplained(const Session& session, bool json) {
   if (json) return PrintJson(all);
   PrintResult(text + (text.empty() ? "" : "\n") + std::to_string(num_explained) + " of " +
               FormatCount(num_failed, "failure") + " explained" +
-              (num_explained < num_failed ? "; --all explains every one\n" : "\n"));
+              (num_explained < num_failed ? "; --all explains every one\n" : "\n") +
+              (num_without > 0 ? FormatCount(num_without, "failure") + " without explanation: " +
+                                     fmt::format("{}", fmt::join(without, ", ")) + "\n"
+                               : ""));
 }
 
 ExitCode ExplainFailures(const SessionExplainOptions& options) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -16,13 +17,18 @@
 namespace graspbench {
 namespace {
 
+/** Some 30 s of processor time. */
+constexpr int kNumPostures = 300;
+/** A search that tries so many postures finds by chance one that holds four draws. */
+constexpr int kLeastPostureDraws = 12;
+
 struct RehearseOptions {
   SessionConfig scene;
   std::vector<std::string> settings;
   RehearsalConfig config;
   RehearseRequest request;
   std::string shard;  ///< empty: all
-  bool plan_only = false, json = false;
+  bool posture = false, plan_only = false, json = false;
 };
 
 std::string FormatHeldDraws(const RehearsedCandidate& tried) {
@@ -79,6 +85,10 @@ void RunRehearse(RehearseOptions options) {
   options.scene.objects = ExpandObjects(options.scene.objects);
   for (const std::string& setting : options.settings) ApplySetting(setting, options.scene);
   RehearseRequest& request = options.request;
+  if (options.posture) {
+    options.config.num_postures = kNumPostures;
+    options.config.num_draws = std::max(options.config.num_draws, kLeastPostureDraws);
+  }
   request.tasks = ListRehearsalTasks(options.scene, options.config);
   for (RehearsalTask& task : request.tasks) {
     if (request.types_only) task = MakeTypeTask(task, options.config.num_draws);
@@ -118,6 +128,11 @@ void AddRehearseCommand(Command& program) {
                  "sampled initial poses that a grasp must hold to be chosen at once", "K")
       ->Within(1, 100)
       ->ShowDefault();
+  command.AddFlag(
+      "--posture", options->posture,
+      "where no candidate holds all draws, search the target angles of the digits too: " +
+          std::to_string(kNumPostures) + " postures, at least " +
+          std::to_string(kLeastPostureDraws) + " draws");
   command.AddFlag("--types", options->request.types_only,
                   "the standard grasps alone, each where the rule places it, into types.json; "
                   "--candidates has no effect");

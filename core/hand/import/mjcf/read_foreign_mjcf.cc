@@ -449,9 +449,11 @@ class MjcfReader {
       std::vector<std::string> known;
       for (const auto& [known_name, unused] : meshes_) known.push_back(known_name);
       document_.Warn(*node.xml, where + ": no mesh \"" + std::string(name ? name : "") +
-                                    "\" that is read" + SuggestNames(name ? name : "", known) +
-                                    "; left out");
-      return false;
+                                    "\" that is read" + SuggestNames(name ? name : "", known));
+      if (!name) return false;
+      shape.kind = ForeignShape::Kind::kMesh;
+      shape.mesh = name;  // no file: an error if the hand touches with it
+      return true;
     }
     shape.kind = ForeignShape::Kind::kMesh;
     shape.mesh = mesh->second.solid ? mesh->first : mesh->second.address;

@@ -17,6 +17,7 @@ constexpr int kFewestCells = 32;  // along the longest side
 constexpr int kThinCells = 8;     // wished for along the shortest side
 constexpr int kMostSamples = 3000;
 constexpr int kIterations = 15;
+constexpr double kMostBeside = 0.1;  // of the mesh's diagonal, beyond its box
 
 enum Cell : uint8_t { kUnknown, kSurface, kOutside };
 
@@ -31,20 +32,20 @@ struct Solid {
   std::vector<double> weights;  // 1, or 1/2 on the surface
   std::vector<Sample> samples;  // `cell` an index into cells
   double cell_size = 0.0;
+  Eigen::AlignedBox3d box;  // of the mesh
 };
 
 class Voxels {
  public:
   explicit Voxels(const TriMesh& mesh) {
-    Eigen::AlignedBox3d box;
     for (const Eigen::Vector3i& t : mesh.triangles) {
-      for (int k = 0; k < 3; ++k) box.extend(mesh.vertices[t[k]]);
+      for (int k = 0; k < 3; ++k) box_.extend(mesh.vertices[t[k]]);
     }
-    const Vector3d extent = box.sizes();
+    const Vector3d extent = box_.sizes();
     const double longest = std::max(extent.maxCoeff(), 1e-6);
     size_ =
         std::clamp(extent.minCoeff() / kThinCells, longest / kMostCells, longest / kFewestCells);
-    lower_ = box.min() - Vector3d::Constant(1.5 * size_);
+    lower_ = box_.min() - Vector3d::Constant(1.5 * size_);
     for (int k = 0; k < 3; ++k) num_[k] = static_cast<int>(extent[k] / size_) + 4;
     kind_.assign(static_cast<size_t>(num_.cast<int64_t>().prod()), kUnknown);
   }
@@ -86,6 +87,7 @@ class Voxels {
   Solid MakeSolid() const {
     Solid solid;
     solid.cell_size = size_;
+    solid.box = box_;
     std::vector<int> index(kind_.size(), -1);
     for (size_t i = 0; i < kind_.size(); ++i) {
       if (kind_[i] == kOutside) continue;
@@ -130,6 +132,7 @@ class Voxels {
     }
   }
 
+  Eigen::AlignedBox3d box_;
   double size_ = 0.0;
   Vector3d lower_ = Vector3d::Zero();
   Vector3i num_ = Vector3i::Zero();
@@ -219,6 +222,16 @@ void Refine(const Solid& solid, const std::vector<bool>& is_own, double most_rad
   }
 }
 
+/** Least squares let a capsule run far through the opening of a bent piece. */
+bool IsNearBox(const Solid& solid, const FittedCapsule& capsule) {
+  const double beside = kMostBeside * solid.box.diagonal().norm();
+  const auto reaches = [&](const Vector3d& end) {
+    const Eigen::Array3d out = (solid.box.min() - end).cwiseMax(end - solid.box.max()).array();
+    return out.maxCoeff() + capsule.radius;
+  };
+  return std::max(reaches(capsule.p_A), reaches(capsule.p_B)) <= beside;
+}
+
 void FitPiece(const Solid& solid, Piece& piece) {
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   double weight = 0.0;
@@ -256,7 +269,9 @@ void FitPiece(const Solid& solid, Piece& piece) {
                    radius};
   std::vector<bool> is_own(solid.samples.size(), false);
   for (int s : piece.samples) is_own[static_cast<size_t>(s)] = true;
+  const FittedCapsule start = piece.capsule;
   Refine(solid, is_own, std::max(1.5 * half[1], solid.cell_size), piece.capsule);
+  if (!IsNearBox(solid, piece.capsule)) piece.capsule = start;
   piece.squares = CalcSquares(solid, is_own, piece.capsule);
 }
 

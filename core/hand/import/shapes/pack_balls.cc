@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 using BoundaryPoint = LinkSolid::BoundaryPoint;
 
-constexpr size_t kMostBalls = 600, kMostNearBalls = 590;
+constexpr size_t kMostNearBalls = kMostBalls - 10;
 constexpr size_t kMostCandidates = 3500;
 constexpr double kSlack = 0.00015, kOut = 0.00035;       // [m]
 constexpr double kLargestBall = 0.03;                    // [m]

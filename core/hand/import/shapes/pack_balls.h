@@ -27,6 +27,8 @@ namespace graspbench {
 
 /** Boundary points that are to be covered, where they are open. */
 constexpr int kNumCoverPoints = 16000;
+/** Of a link. */
+constexpr size_t kMostBalls = 600;
 
 /** A soft pad has no smaller ones where larger ones fit [m]. */
 constexpr double kSmallestPadBall = 0.001;

@@ -76,5 +76,28 @@ TEST(FitCapsulesTest, AnOpenMeshAndOneTriangleHaveAFitToo) {
   }
 }
 
+TEST(FitCapsulesTest, ARingsCapsulesStayAtTheRing) {
+  constexpr int kAround = 40, kAcross = 20;
+  constexpr double kRadius = 0.034, kTube = 0.009;
+  TriMesh torus;
+  for (int i = 0; i < kAround; ++i) {
+    for (int k = 0; k < kAcross; ++k) {
+      const double u = 2.0 * M_PI * i / kAround, v = 2.0 * M_PI * k / kAcross;
+      const double r = kRadius + kTube * std::cos(v);
+      torus.vertices.emplace_back(r * std::cos(u), r * std::sin(u), kTube * std::sin(v));
+      const auto at = [](int a, int b) { return a % kAround * kAcross + b % kAcross; };
+      torus.triangles.emplace_back(at(i, k), at(i + 1, k), at(i + 1, k + 1));
+      torus.triangles.emplace_back(at(i, k), at(i + 1, k + 1), at(i, k + 1));
+    }
+  }
+  const double beside = 0.1 * std::hypot(2.0 * (kRadius + kTube) * std::sqrt(2.0), 2.0 * kTube);
+  for (const FittedCapsule& c : FitCapsules(torus, 0.001, 16).capsules) {
+    for (const Vector3d& end : {c.p_A, c.p_B}) {
+      EXPECT_LE(end.head<2>().cwiseAbs().maxCoeff() + c.radius, kRadius + kTube + beside);
+      EXPECT_LE(std::abs(end.z()) + c.radius, kTube + beside);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace graspbench
