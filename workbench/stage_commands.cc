@@ -38,6 +38,8 @@ constexpr std::pair<const char*, StagePlace> kStageCommands[] = {
     {"basin", StagePlace::kOwn},
     {"map simultaneity", StagePlace::kOwn},
     {"argument", StagePlace::kOwn},
+    {"entry", StagePlace::kOwn},
+    {"board", StagePlace::kOwn},
     {"study run", StagePlace::kOwn},
     {"study demo", StagePlace::kOwn},
     {"judge", StagePlace::kCopy},

@@ -20,7 +20,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr char kKind[] = "pipeline";
 constexpr size_t kPiece = 1 << 16;  // [bytes]
 
 /** Regular files below the folder, sorted. */
@@ -87,9 +86,8 @@ void AddFile(const fs::path& folder, const std::string& name, const PackOutput& 
 }
 
 [[noreturn]] void FailOnPack(const fs::path& pack, const std::string& text) {
-  throw Error(ErrorKind::kFormat, "\"" + pack.string() + "\" " + text +
-                                      "; expected a pack of graspbench pipeline pack, as it was "
-                                      "written");
+  throw Error(ErrorKind::kFormat,
+              "\"" + pack.string() + "\" " + text + "; expected a pack as graspbench wrote it");
 }
 
 bool IsSafeName(const std::string& name) {
@@ -147,7 +145,7 @@ void ExtractAll(const fs::path& pack, archive* in, const fs::path& folder) {
   CheckEnd(pack, in);
 }
 
-Manifest CheckUnpacked(const fs::path& pack, const fs::path& folder) {
+Manifest CheckUnpacked(const fs::path& pack, const fs::path& folder, const std::string& kind) {
   if (!HasManifest(folder)) FailOnPack(pack, "has no manifest.json");
   Manifest manifest;
   try {
@@ -155,7 +153,9 @@ Manifest CheckUnpacked(const fs::path& pack, const fs::path& folder) {
   } catch (const Error&) {
     FailOnPack(pack, "has a manifest.json that is not as it was written");
   }
-  if (manifest.kind != kKind) FailOnPack(pack, "is of another kind: " + manifest.kind);
+  if (manifest.kind != kind) {
+    FailOnPack(pack, "is a pack of kind \"" + manifest.kind + "\" and not \"" + kind + "\"");
+  }
   for (const ManifestFile& file : manifest.files) {
     if (!IsSafeName(file.path)) FailOnPack(pack, "names \"" + file.path + "\" in its manifest");
   }
@@ -224,22 +224,27 @@ void GatherPack(const Pipeline& pipeline, const fs::path& results, const Manifes
     for (const PipelineStage& stage : pipeline.stages) {
       CopyStableFiles(results / stage.name, folder / kPackedResults / stage.name);
     }
-    Manifest manifest;
-    manifest.kind = kKind;
-    manifest.versions = origin.versions;
-    manifest.origin = origin;
     const std::string file = std::string(kPackedPipeline) + "/" + name;
-    manifest.origin->inputs = {{file, SealFile(folder, file).sha256}};
-    for (const std::string& path : ListFilesBelow(folder)) {
-      manifest.files.push_back(SealFile(folder, path));
-    }
-    WriteManifest(folder, manifest);
+    ManifestOrigin made = origin;
+    made.inputs = {{file, SealFile(folder, file).sha256}};
+    SealPack(folder, kPipelinePack, made);
   } catch (const fs::filesystem_error& fault) {
     throw Error(ErrorKind::kIo, std::string("cannot gather the pack: ") + fault.what());
   }
 }
 
-Manifest Unpack(const fs::path& pack, const fs::path& folder) {
+void SealPack(const fs::path& folder, const std::string& kind, const ManifestOrigin& origin) {
+  Manifest manifest;
+  manifest.kind = kind;
+  manifest.versions = origin.versions;
+  manifest.origin = origin;
+  for (const std::string& path : ListFilesBelow(folder)) {
+    manifest.files.push_back(SealFile(folder, path));
+  }
+  WriteManifest(folder, manifest);
+}
+
+Manifest Unpack(const fs::path& pack, const fs::path& folder, const std::string& kind) {
   std::error_code fault;
   if (!fs::is_regular_file(pack, fault)) {
     throw Error(ErrorKind::kNotFound, "no file \"" + pack.string() + "\"");
@@ -251,7 +256,7 @@ Manifest Unpack(const fs::path& pack, const fs::path& folder) {
   }
   MakeFolder(folder);
   ExtractAll(pack, in.get(), folder);
-  return CheckUnpacked(pack, folder);
+  return CheckUnpacked(pack, folder, kind);
 }
 
 fs::path FindPackedFile(const fs::path& folder, const Manifest& manifest) {

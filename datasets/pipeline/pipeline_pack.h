@@ -17,6 +17,7 @@ host, no path but those inside. Links among the inputs are packed as what they p
 
 namespace graspbench {
 
+inline constexpr char kPipelinePack[] = "pipeline";  ///< kind in the manifest
 inline constexpr char kPackedPipeline[] = "pipeline";
 inline constexpr char kPackedResults[] = "results";
 
@@ -27,10 +28,16 @@ void WritePack(const std::filesystem::path& folder, const std::filesystem::path&
 void GatherPack(const Pipeline& pipeline, const std::filesystem::path& results,
                 const ManifestOrigin& origin, const std::filesystem::path& folder);
 
+/** Writes the manifest of such a folder, whose other files are complete. @throws Error(kIo). */
+void SealPack(const std::filesystem::path& folder, const std::string& kind,
+              const ManifestOrigin& origin);
+
 /** Into a new folder, and nowhere else: only regular files and folders with names below it, no
 more than one of a name, and exactly those of the manifest.
+@param kind  that the manifest must have.
 @returns the manifest. @throws Error(kNotFound); Error(kFormat) naming what is wrong; Error(kIo). */
-Manifest Unpack(const std::filesystem::path& pack, const std::filesystem::path& folder);
+Manifest Unpack(const std::filesystem::path& pack, const std::filesystem::path& folder,
+                const std::string& kind = kPipelinePack);
 
 /** The pipeline's file in an unpacked folder. @throws Error(kFormat). */
 std::filesystem::path FindPackedFile(const std::filesystem::path& folder, const Manifest& manifest);

@@ -15,6 +15,7 @@
 #include "datasets/analysis/conditions/sweep_summary.h"
 #include "datasets/analysis/conditions/threshold_summary.h"
 #include "datasets/analysis/map/map_result.h"
+#include "datasets/benchmark/benchmark_file.h"
 #include "datasets/judged_grasps/grasp_store.h"
 #include "datasets/judged_grasps/profile_file.h"
 #include "datasets/mjcf/mjcf_export.h"
@@ -262,6 +263,10 @@ const std::vector<FileFormat>& ListFileFormats() {
          ListProfileKeys()},
         {"pipeline.yaml", "stages that make results, for graspbench pipeline run",
          ListPipelineKeys()},
+        {"benchmark.yaml",
+         "what the entries of a benchmark have in common, for graspbench run, entry, "
+         "board --benchmark FILE",
+         ListBenchmarkKeys()},
         {"policy.yaml", "what a policy server is told, for graspbench run --policy FILE",
          ListPolicyServerKeys()},
         {"scene.json", "settings of graspbench optimise, written into its folder",

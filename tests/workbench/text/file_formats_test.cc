@@ -11,6 +11,7 @@
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/load_hand.h"
 #include "core/hand/tactile.h"
+#include "datasets/benchmark/benchmark_file.h"
 #include "datasets/pipeline/pipeline_file.h"
 #include "human_study/recording/importers/table_mapping.h"
 #include "objects/object_file.h"
@@ -126,6 +127,12 @@ TEST(FileFormatsTest, PipelinesAreReadByTheirRows) {
   KeyRecorder recorder;
   EXPECT_THROW(ParsePipeline("stages: {a: {}}\n", "pipeline.yaml", {}), Error);
   ExpectSameKeys(recorder.keys(), FindKeys("pipeline.yaml"));
+}
+
+TEST(FileFormatsTest, BenchmarksAreReadByTheirRows) {
+  KeyRecorder recorder;
+  EXPECT_THROW(ParseBenchmark("about: a\n", "benchmark.yaml"), Error);
+  ExpectSameKeys(recorder.keys(), FindKeys("benchmark.yaml"));
 }
 
 const FileFormat kFormat = {

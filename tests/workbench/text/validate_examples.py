@@ -20,6 +20,7 @@ EXAMPLES = {
     "tactile.yaml": "core/hand/models/*/tactile.yaml",
     "session.yaml": "datasets/presets/*.yaml",
     "study.yaml": "human_study/examples/*/study.yaml",
+    "benchmark.yaml": "datasets/benchmarks/*.yaml",
     "profile.yaml": "datasets/profiles/*.yaml",
     "policy.yaml": "workbench/python/examples/*.yaml",
     "columns.yaml": "human_study/examples/*/columns.yaml",

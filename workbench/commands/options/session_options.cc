@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iterator>
 
+#include "datasets/benchmark/benchmark_file.h"
 #include "datasets/plan/grip_check.h"
 #include "datasets/plan/rehearsed_grasps.h"
 #include "datasets/plan/scene_names.h"
@@ -74,10 +75,25 @@ void SessionOptions::AddTo(Command& command, const std::string& file_text) {
   command_ = &command;
 }
 
+void SessionOptions::AddBenchmarkTo(Command& command) {
+  command
+      .AddOption("--benchmark", benchmark_,
+                 "a named benchmark, or its file; settings that it does not leave open are refused",
+                 "NAME|FILE")
+      ->Suggest(ListBenchmarks());
+}
+
+SessionConfig SessionOptions::FindBase() const {
+  if (benchmark_.empty()) return {};
+  const Benchmark benchmark = LoadBenchmark(benchmark_);
+  LoadPinned(benchmark);
+  return benchmark.session;
+}
+
 bool SessionOptions::IsGiven(const char* option) const { return command_->IsGiven(option); }
 
 bool SessionOptions::HasAny() const {
-  return IsGiven("session") || IsGiven("--preset") || IsGiven("--set") ||
+  return !benchmark_.empty() || IsGiven("session") || IsGiven("--preset") || IsGiven("--set") ||
          std::any_of(std::begin(kOptions), std::end(kOptions),
                      [this](const SettingOption& row) { return IsGiven(row.option); });
 }
@@ -115,10 +131,12 @@ void SessionOptions::ApplyTo(SessionConfig& config) const {
   for (const SettingOption& row : kOptions) {
     if (IsGiven(row.option)) row.copy(given_, config);
   }
+  if (!benchmark_.empty()) CheckSettings(LoadBenchmark(benchmark_), config);
 }
 
 std::string SessionOptions::name() const {
   if (!preset_.empty()) return preset_;
+  if (!benchmark_.empty()) return NameBenchmarkFile(LoadBenchmark(benchmark_).name);
   return session_file_.empty() ? "benchmark" : std::filesystem::path(session_file_).stem().string();
 }
 

@@ -102,7 +102,7 @@ ExitCode Run(const RunCommandOptions& options) {
   if (options.session.HasAny()) {  // what is resumed must agree with what is given, and no more
     const bool goes_on = options.run.resume && HasSession(options.run.out);
     request.config = options.session.MakeConfig(goes_on ? LoadPlannedSession(options.run.out).config
-                                                        : SessionConfig());
+                                                        : options.session.FindBase());
   }
   if (request.config) RehearseGrasps(*request.config, options.run.num_workers);
   PreparedSession work = PrepareSession(request);
@@ -140,6 +140,7 @@ void AddRunCommand(Command& program) {
       "  graspbench run --hand shadow --object can,cup --grasp all --trials 3");
   const auto options = std::make_shared<RunCommandOptions>();
   options->session.AddTo(command);
+  options->session.AddBenchmarkTo(command);
   AddRunOptions(command, options->run, "session", "results/NAME-HASH");
   command.SetAction([options] { return Run(*options); });
 }

@@ -1,9 +1,6 @@
 #include "workbench/experiments/pipelines/replay_pack.h"
 
-#include <stdlib.h>
-
 #include <algorithm>
-#include <cstring>
 #include <map>
 #include <set>
 
@@ -13,39 +10,12 @@
 #include "datasets/pipeline/stable_files.h"
 #include "datasets/session/ro_crate.h"
 #include "workbench/experiments/output_folder.h"
+#include "workbench/experiments/scratch_folder.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
 
 namespace {
-
-/** A folder of our own that goes with it. */
-class ScratchFolder {
- public:
-  /** Beside `path`; empty: where the system keeps what is temporary. */
-  explicit ScratchFolder(const fs::path& beside) {
-    const fs::path above = beside.empty()             ? fs::temp_directory_path()
-                           : beside.has_parent_path() ? beside.parent_path()
-                                                      : fs::path(".");
-    MakeFolder(above);
-    std::string name = (above / ".graspbench-pipeline-XXXXXX").string();
-    if (!::mkdtemp(name.data())) {
-      throw Error(ErrorKind::kIo,
-                  "cannot make a folder in \"" + above.string() + "\": " + std::strerror(errno));
-    }
-    path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code status;
-    fs::remove_all(path_, status);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 /** "differs from line 3 on, byte 120": one-based. */
 std::string DescribeFirstByte(const std::string& a, const std::string& b) {

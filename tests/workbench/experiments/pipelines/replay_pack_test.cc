@@ -10,7 +10,8 @@ using ReplayPackTest = PackFolder;
 
 TEST_F(ReplayPackTest, SmallBenchmark) { ExpectSameBytes("small_benchmark"); }
 
-// Three are in replay_pack_slow_test.cc; no test has the half hour of "argument".
+// Three are in replay_pack_slow_test.cc; no test has the half hours of "argument" and
+// "board".
 TEST_F(ReplayPackTest, EveryPipelineThatIsShippedHasItsTest) {
   std::set<std::string> names;
   for (const auto& entry : fs::directory_iterator(GRASPBENCH_PIPELINES_FOLDER)) {
@@ -19,7 +20,7 @@ TEST_F(ReplayPackTest, EveryPipelineThatIsShippedHasItsTest) {
       names.insert(entry.path().stem());
     }
   }
-  EXPECT_EQ(names, (std::set<std::string>{"argument", "small_benchmark", "synthetic_study",
+  EXPECT_EQ(names, (std::set<std::string>{"argument", "board", "small_benchmark", "synthetic_study",
                                           "one_object_campaign", "people_beside_robots"}));
 }
 

@@ -1,0 +1,77 @@
+#pragma once
+/** @file
+An entry of a benchmark as one tar file (datasets/pipeline/pipeline_pack.h):
+
+    manifest.json   SHA-256 of every other file; program version and commit
+    entry.json      name, author, licence, method in the author's words; the benchmark
+    session/..      the session's configuration, plan, grasps and journal, a store of its own
+
+The same session, the same bytes, whoever worked on it and how often it was continued. A session of
+a controller is an entry by its recorded actions. What an entry says of its results counts for
+nothing: a board simulates its trials again. */
+
+#include <filesystem>
+#include <string>
+
+#include "core/base/text/record_fields.h"
+#include "datasets/benchmark/benchmark_file.h"
+#include "datasets/session/session_store.h"
+
+namespace graspbench {
+
+inline constexpr char kEntryPack[] = "entry";  ///< kind in the manifest
+inline constexpr size_t kLongestName = 40;     ///< of an entry and its author [characters]
+inline constexpr size_t kLongestNotes = 10000;
+
+/** What the author says. */
+struct EntryFacts {
+  std::string name, by, licence;
+  std::string notes;      ///< the method
+  std::string benchmark;  ///< its name
+  std::string benchmark_sha256;
+
+  template <class V>
+  static void ListFields(V&& field) {
+    using F = EntryFacts;
+    field("name", &F::name);
+    field("by", &F::by);
+    field("licence", &F::licence);
+    field("notes", &F::notes);
+    field("benchmark", &F::benchmark);
+    field("benchmark_sha256", &F::benchmark_sha256);
+  }
+};
+/** @throws Error(kUsage) for an empty, long or unreadable text. */
+void CheckFacts(const EntryFacts& facts);
+
+struct Entry {
+  EntryFacts facts;
+  Session session;  ///< brief
+  SessionInputs inputs;
+};
+
+/** A session may be an entry: the benchmark's settings, hands and objects, the plan that follows
+from them with each draw once, every trial finished, actions recorded where a controller acts.
+@throws Error(kUsage, kVersion) with the reason. */
+void CheckEntry(const Session& session, const SessionInputs& inputs, const Benchmark& benchmark);
+
+/** Makes the folder that WritePack packs. @pre CheckEntry. @throws Error(kUsage, kIo). */
+void GatherEntry(const Session& session, const EntryFacts& facts,
+                 const std::filesystem::path& folder);
+
+/** Unpacks into a new folder and checks all but what a simulation must say. Nothing is run, and no
+file outside the folder is read but those of the program.
+@throws Error with the reason: as Unpack, CheckFacts, LoadSession, CheckEntry. */
+Entry LoadEntry(const std::filesystem::path& pack, const std::filesystem::path& folder,
+                const Benchmark& benchmark);
+
+/** The session of an entry on held-out draws. */
+SessionConfig MakeHeldOut(SessionConfig config, int seed);
+
+/** "strategy" or "recorded actions"; "pose nominal, touch exact": what an entry declares. */
+///@{
+std::string DescribeController(const SessionConfig& config);
+std::string DescribeSensing(const SessionConfig& config);
+///@}
+
+}  // namespace graspbench

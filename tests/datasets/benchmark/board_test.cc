@@ -1,0 +1,125 @@
+#include "datasets/benchmark/board.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "tests/datasets/benchmark/made_board.h"
+#include "tests/datasets/find_error.h"
+
+namespace graspbench {
+namespace {
+
+std::vector<std::string> ListRanked(const Board& board) {
+  std::vector<std::string> lines;
+  for (const BoardLine& line : board.lines) {
+    lines.push_back((line.rank ? std::to_string(*line.rank) : "-") + " " + line.entry->facts.name);
+  }
+  return lines;
+}
+
+using Names = std::vector<std::string>;
+
+// 9 of 10 on each of 9 objects against 1 of 10 differs beyond chance; 9 against 8 on one does not.
+TEST(BoardTest, LinesShareARankUnlessTheirDifferenceIsSure) {
+  const std::vector<int> good(9, 9), bad(9, 1);
+  std::vector<int> nearly = good;
+  nearly[3] = 8;
+  const Board board = MakeBoard({MakeBoardEntry("bad", bad, 10), MakeBoardEntry("good", good, 10),
+                                 MakeBoardEntry("nearly", nearly, 10)},
+                                9);
+  EXPECT_EQ(ListRanked(board), (Names{"1 good", "1 nearly", "3 bad"}));
+  EXPECT_EQ(board.lines[0].tally.successes(), 81);
+  EXPECT_NEAR(board.lines[1].behind.estimate, -1.0 / 90.0, 1e-12);
+  EXPECT_NEAR(board.lines[2].behind.estimate, -0.8, 1e-12);
+  EXPECT_LT(board.lines[2].behind.interval->high, 0.0);
+  EXPECT_GE(board.lines[1].behind.interval->high, 0.0);
+}
+
+TEST(BoardTest, TheOrderOfThePacksChangesNoRank) {
+  const auto a = MakeBoardEntry("a", {9, 9, 9, 9, 9, 9}, 10);
+  const auto b = MakeBoardEntry("b", {9, 9, 9, 9, 9, 9}, 10);
+  const auto c = MakeBoardEntry("c", {1, 2, 1, 0, 1, 1}, 10);
+  EXPECT_EQ(ListRanked(MakeBoard({a, b, c}, 6)), ListRanked(MakeBoard({c, b, a}, 6)));
+}
+
+TEST(BoardTest, WhoRepeatsAnothersResultsHasNoRank) {
+  BoardEntry first = MakeBoardEntry("first", {3, 2}, 4), copy = MakeBoardEntry("copy", {3, 2}, 4);
+  for (TrialRecord& record : copy.trials.records) record.result.reason = "first";
+  copy.reproduction = CompareRecords(copy.trials, copy.trials);
+  const Board board = MakeBoard({first, copy}, 2);
+  EXPECT_EQ(ListRanked(board), Names{"1 first"});
+  ASSERT_EQ(board.refused.size(), 1u);
+  EXPECT_EQ(board.refused[0].pack, "copy.tar");
+  EXPECT_TRUE(Has(board.refused[0].reason, "same results in every trial as \"first\""));
+}
+
+// "lucky" was chosen on the public draws: 30 points of its success do not stand there.
+TEST(BoardTest, HeldOutDrawsRankAndTheDifferenceStandsBeside) {
+  BoardEntry lucky = MakeBoardEntry("lucky", std::vector<int>(8, 10), 10);
+  BoardEntry sound = MakeBoardEntry("sound", std::vector<int>(8, 9), 10);
+  const BoardEntry actions = MakeBoardEntry("actions", std::vector<int>(8, 10), 10);
+  lucky.held_out = MakeBoardSession("l", {7, 7, 6, 7, 8, 7, 7, 7}, 10, 7);
+  sound.held_out = MakeBoardSession("s", std::vector<int>(8, 9), 10, 7);
+  Board board;
+  board.benchmark.name = "made/1";
+  board.held_out_seed = 7;
+  board.entries = {lucky, actions, sound};
+  RankEntries(MakeBoardInputs(8), board);
+  EXPECT_EQ(ListRanked(board), (Names{"1 sound", "2 lucky", "- actions"}));
+  EXPECT_NEAR(*board.lines[0].gap, 0.0, 1e-12);
+  EXPECT_NEAR(*board.lines[1].gap, 0.3, 1e-12);
+  EXPECT_FALSE(board.lines[2].gap);
+}
+
+// "grippy" holds the three objects with least friction, "strong" the three heaviest, which are the
+// same ones here; "other" the rest.
+TEST(BoardTest, TheBestOnSlipperyObjectsIsNamed) {
+  const Board board = MakeBoard({MakeBoardEntry("grippy", {9, 9, 9, 1, 1, 1, 1, 1, 1}, 10),
+                                 MakeBoardEntry("other", {1, 1, 1, 9, 9, 9, 9, 9, 9}, 10)},
+                                9);
+  EXPECT_EQ(ListRanked(board)[0], "1 other");
+  std::map<std::string, const GroupWinner*> winners;
+  for (const GroupWinner& one : board.winners) winners[one.group] = &one;
+  const GroupWinner& slippery = *winners.at("least friction");
+  EXPECT_EQ(slippery.objects, (Names{"o0", "o1", "o2"}));
+  EXPECT_EQ(slippery.best->entry->facts.name, "grippy");
+  EXPECT_EQ(slippery.tally.successes(), 27);
+  EXPECT_NEAR(slippery.lead.estimate, 0.8, 1e-12);
+  EXPECT_TRUE(IsSure(slippery.lead));
+  EXPECT_EQ(winners.at("most friction")->best->entry->facts.name, "other");
+  EXPECT_EQ(winners.at("heaviest")->best->entry->facts.name, "grippy");
+  EXPECT_EQ(winners.at("lightest")->best->entry->facts.name, "other");
+  EXPECT_EQ(winners.at("o0")->best->entry->facts.name, "grippy");
+  EXPECT_EQ(winners.at("all objects")->best->entry->facts.name, "other");
+}
+
+// Of trials 3, 4 and 5 of three, one ends otherwise and one differs in a number.
+TEST(BoardTest, RecordsAreComparedFieldByField) {
+  const Session entry = MakeBoardSession("e", {2, 2}, 3);
+  Session again = entry;
+  EXPECT_EQ(CompareRecords(entry, again).num_identical, 6);
+  EXPECT_TRUE(CompareRecords(entry, again).first.empty());
+  again.records[3].result.lift_height = 0.6;
+  again.records[4].result.outcome = Outcome::kNoContact;
+  const Reproduction found = CompareRecords(entry, again);
+  EXPECT_EQ(found.num_trials, 6);
+  EXPECT_EQ(found.num_identical, 4);
+  EXPECT_EQ(found.num_other_outcome, 1);
+  EXPECT_TRUE(Has(found.first, "tum-o1-g1:0"));
+  EXPECT_FALSE(found.is_within_tolerance());
+  EXPECT_TRUE((Reproduction{200, 0, 2, ""}).is_within_tolerance());
+  EXPECT_FALSE((Reproduction{200, 0, 3, ""}).is_within_tolerance());
+  again.records.pop_back();
+  EXPECT_EQ(CompareRecords(entry, again).num_other_outcome, 2);
+}
+
+TEST(BoardTest, NoEntryAndOneEntryAreABoard) {
+  EXPECT_TRUE(MakeBoard({}, 3).lines.empty());
+  const Board board = MakeBoard({MakeBoardEntry("alone", {1, 0, 2}, 2)}, 3);
+  EXPECT_EQ(ListRanked(board), Names{"1 alone"});
+  EXPECT_EQ(board.winners.front().second, nullptr);
+}
+
+}  // namespace
+}  // namespace graspbench
