@@ -76,6 +76,20 @@ std::string DescribeTable(const Diagnosis& diagnosis) {
                            FormatFixed(diagnosis.table_share, 1));
 }
 
+/** Digits that could not give the force that the grip asked of them, and what kept them from it. */
+std::string DescribeWeakDigits(const TrialResult& result) {
+  std::string weak;
+  if (!result.grip) return weak;
+  for (const DigitGripRecord& digit : result.grip->digits) {
+    const bool is_short = digit.closed < (1.0 - kGripTolerance) * digit.asked;  // no force: false
+    if (!is_short || digit.fault == GripFault::kNone) continue;
+    weak += fmt::format("{}{} pressed with {} of the {} asked for ({}{})", weak.empty() ? "" : ", ",
+                        digit.digit, FormatNewtons(digit.closed), FormatNewtons(digit.asked),
+                        NameOf(digit.fault), digit.joint ? " of " + *digit.joint : "");
+  }
+  return weak.empty() ? weak : " At the start of lift-off " + weak + ".";
+}
+
 std::string DescribeMissing(const TrialResult& result, const Diagnosis& diagnosis) {
   std::string nearest;
   // A record that was read in brief has no touches.
@@ -121,23 +135,23 @@ std::string DescribeDiagnosis(const TrialResult& result) {
                  "{}, while {}.",
                  time, DescribeTouches(result), moved, DescribeForces(found),
                  DescribeTable(found)) +
-             DescribeWorks(found);
+             DescribeWorks(found) + DescribeWeakDigits(result);
     case Mechanism::kSagged:
       return fmt::format("Sagged {}: the object turned by {} degrees in the hand while {}; {}.",
                          time, FormatFixed(DegFromRad(found.turn), 0), DescribeForces(found),
                          DescribeTouches(result)) +
-             DescribeWorks(found);
+             DescribeWorks(found) + DescribeWeakDigits(result);
     case Mechanism::kSlid:
       return fmt::format("Slid out {}: the object turned by {} degrees in the hand while {}; {}.",
                          time, FormatFixed(DegFromRad(found.turn), 0), DescribeForces(found),
                          DescribeTouches(result)) +
-             DescribeWorks(found);
+             DescribeWorks(found) + DescribeWeakDigits(result);
     case Mechanism::kNotIdentified:
       break;
   }
   return fmt::format("The cause was not identified: lost {}, while {}; {}.", time,
                      DescribeForces(found), DescribeTable(found)) +
-         DescribeWorks(found);
+         DescribeWorks(found) + DescribeWeakDigits(result);
 }
 
 }  // namespace graspbench
