@@ -92,6 +92,12 @@ struct RehearsalPageData {
 /** Without a renderer it has no pictures and says why. */
 std::string MakeRehearsalPage(const RehearsalPageData& data);
 
+/** People's grasps on robot hands, of a session that transferred them: which hand follows people
+best and loses least, by object and digit, why grasps are not transferable, pictures.
+@pre IsTransfer(session). */
+std::string MakeTransferPage(const Session& session);
+bool IsTransfer(const Session& session);
+
 /** The five claims of the thesis on one page: the answers, then of each its picture, its numbers,
 the commands that made them and what was not run.
 @param sources  what was read: "1 study, 2 maps". */

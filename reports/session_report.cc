@@ -68,7 +68,8 @@ constexpr KindPage kKindPages[] = {
      [](const Session& session) {
        return MakeSweepPage(session, SummariseSweep(session, LoadThresholds(session)));
      }},
-    {IsBasin, MakeBasinPage}};
+    {IsBasin, MakeBasinPage},
+    {IsTransfer, MakeTransferPage}};
 
 /** The page of a session that is more than its trials; empty: it is not. */
 std::string MakeKindPage(const Session& session) {

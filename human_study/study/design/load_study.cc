@@ -218,8 +218,9 @@ void CheckRecordedOnce(const Study& study, const std::string& trials_file, Diagn
   }
 }
 
-SurfaceDistance ReadShape(DataTable& table, size_t row, Diagnostics& problems) {
-  const std::string& shape = table.Text(row, "shape");
+SurfaceDistance ReadShape(DataTable& table, size_t row, StudyObject& object,
+                          Diagnostics& problems) {
+  const std::string& shape = object.shape = table.Text(row, "shape");
   const auto fail = [&](const std::string& text) {
     problems.Fail(table.file(), table.LineOfRow(row), text);
   };
@@ -231,14 +232,19 @@ SurfaceDistance ReadShape(DataTable& table, size_t row, Diagnostics& problems) {
     }
     return length;
   };
-  if (shape == "sphere") return MakeSphereDistance(read_length("length_m") / 2.0);
+  if (shape == "sphere") {
+    object.size.setConstant(read_length("length_m"));
+    return MakeSphereDistance(object.size.x() / 2.0);
+  }
   if (shape == "cylinder") {
     const double diameter = read_length("length_m");
-    return MakeCylinderDistance(diameter / 2.0, read_length("height_m"));
+    object.size << diameter, diameter, read_length("height_m");
+    return MakeCylinderDistance(diameter / 2.0, object.size.z());
   }
   if (shape == "box") {
     const double length = read_length("length_m"), width = read_length("width_m");
-    return MakeBoxDistance({length, width, read_length("height_m")});
+    object.size << length, width, read_length("height_m");
+    return MakeBoxDistance(object.size);
   }
   if (shape == "catalogue") {
     try {
@@ -266,7 +272,7 @@ std::vector<StudyObject> ReadObjects(DataTable& table, bool has_markers, Diagnos
         problems.Fail(table.file(), table.LineOfRow(row), "\"" + object.id + "\" is listed twice");
       }
     }
-    object.distance = ReadShape(table, row, problems);
+    object.distance = ReadShape(table, row, object, problems);
     const char* const axes[] = {"centre_x_m", "centre_y_m", "centre_z_m"};
     int num_stated = 0;
     for (int axis = 0; axis < 3; ++axis) {

@@ -266,6 +266,8 @@ const FileKeys& ListStudyKeys();
 
 struct StudyObject {
   std::string id;
+  std::string shape;                                 ///< of objects.csv; empty: not known
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();    ///< of a shape but catalogue's [m]
   SurfaceDistance distance;                          ///< in O
   Eigen::Vector3d p_MO_L = Eigen::Vector3d::Zero();  ///< markers' middle to O at rest
 };

@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -8,6 +9,7 @@
 #include "workbench/experiments/output_folder.h"
 #include "workbench/text/new_files.h"
 #include "workbench/text/timed_grasp.h"
+#include "workbench/transfer/study_grasps.h"
 
 namespace graspbench {
 namespace {
@@ -17,6 +19,7 @@ constexpr char kMapping[] = "mapping";  // of a table, printed
 
 struct NewOptions {
   std::string kind, folder, study, object;
+  std::string from, trial;  ///< of people whose grasp is transferred
   std::string hand = "shadow", grasp = "g1";
 };
 
@@ -71,6 +74,24 @@ void WriteNewFiles(const NewOptions& options) {
   PrintResult(text + "next     graspbench " + FindNextCommand(options) + "\n");
 }
 
+/** A person's grasp, with its object where that is not of the catalogue. */
+ExitCode WriteTransfer(NewOptions options) {
+  StagedFolder staged({options.folder, "", false, {options.from}});
+  const NewTransfer made = MakeNewTransfer(
+      {options.from, "", options.hand, options.trial, options.object}, staged.path());
+  if (made.file.empty()) {
+    PrintResult(made.summary);
+    return kExitFailed;
+  }
+  WriteFile(staged.path() / "grasp.yaml", made.file);
+  const bool is_written = std::filesystem::exists(staged.path() / made.object);
+  staged.Commit();
+  options.object = is_written ? options.folder + "/" + made.object : made.object;
+  PrintResult(made.summary + options.folder + "/grasp.yaml\nnext     graspbench " +
+              FindNextCommand(options) + "\n");
+  return kExitOk;
+}
+
 }  // namespace
 
 void AddNewCommand(Command& program) {
@@ -81,7 +102,9 @@ void AddNewCommand(Command& program) {
                     "  graspbench new mapping p01_1.csv > study/columns.yaml\n"
                     "      from the table's heading\n"
                     "  graspbench new grasp timed --timing results/study --object golf_ball\n"
-                    "      as people close their hands");
+                    "      as people close their hands\n"
+                    "  graspbench new grasp like_people --from study.yaml --object cup --hand tum\n"
+                    "      where people's digits touched");
   const auto options = std::make_shared<NewOptions>();
   command.AddRequired("kind", options->kind, ListNames(ListKinds()), "KIND")->OneOf(ListKinds());
   command.AddRequired("folder", options->folder, "new or empty; of a mapping the table",
@@ -89,25 +112,38 @@ void AddNewCommand(Command& program) {
   std::vector<Option*> of_grasp = {
       command.AddOption("--timing", options->study,
                         "of a grasp: a study whose contact times it has", "STUDY"),
+      command.AddOption("--from", options->from,
+                        "of a grasp: a study whose people's contacts the pads take", "STUDY.YAML"),
+      command.AddOption("--trial", options->trial,
+                        "with --from: that trial alone; without, the median of all on --object",
+                        "ID"),
       command.AddOption("--object", options->object,
                         "with --timing: the object that the digits touch at these times; without, "
-                        "only the starts of closing are so",
+                        "only the starts of closing are so. With --from: the study's object",
                         "ID"),
       command.AddOption("--hand", options->hand, "of a grasp", "HAND")->ShowDefault(),
       command.AddOption("--grasp", options->grasp, "of the hand, to begin with", "ID")
           ->ShowDefault()};
+  of_grasp[1]->Excludes(of_grasp[0]);  // each makes another grasp
+  of_grasp[2]->Needs(of_grasp[1]);
   command.SetAction([options, of_grasp] {
     for (const Option* option : of_grasp) {
       if (options->kind == kGrasp || !option->IsGiven()) continue;
       throw Error(ErrorKind::kUsage, option->name() + " is for a grasp, and \"" + options->kind +
                                          "\" is not; leave it out");
     }
-    if (!options->object.empty() && options->study.empty()) {
+    if (!options->object.empty() && options->study.empty() && options->from.empty()) {
       throw Error(ErrorKind::kUsage,
-                  "--object says where the times of --timing hold; give a study");
+                  "--object says where the times of --timing hold, or of which object --from takes "
+                  "the grasp; give a study");
     }
-    if (options->kind == kMapping) return PrintResult(ProposeMapping(options->folder));
-    WriteNewFiles(*options);
+    if (!options->from.empty()) return WriteTransfer(*options);
+    if (options->kind == kMapping) {
+      PrintResult(ProposeMapping(options->folder));
+    } else {
+      WriteNewFiles(*options);
+    }
+    return kExitOk;
   });
 }
 

@@ -1,0 +1,361 @@
+#include "core/transfer/transfer_grasp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/base/text/text.h"
+#include "core/base/units.h"
+#include "core/develop/hand_pads.h"
+#include "core/develop/propose_grasps.h"
+#include "core/grasp/placement.h"
+#include "core/grasp/predict_grasp.h"
+#include "core/transfer/place_pads.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double kMostDepth = 0.003;   ///< of a link that is no fingertip, in the contact [m]
+constexpr double kOpenRoom = 0.011;    ///< beside the object where it nominally is [m]
+constexpr double kOpenLength = 0.004;  ///< by which an open pad may miss the person's [m]
+constexpr double kGripMargin = 2.0;    ///< of the smallest forces that bear the weight
+constexpr double kLeastGrip = 2.0;     ///< of the opposing digit [N]
+constexpr double kGravity = 9.81;      ///< [m/s^2]
+constexpr int kNumShares = 100;
+
+bool Grasps(const Grasp& grasp, const std::string& digit) {
+  return std::count(grasp.digits.begin(), grasp.digits.end(), digit) > 0;
+}
+
+/** The standard grasp of these digits; else that which shares most with them, the first of equals. */
+const Grasp& FindStandard(const Hand& hand, const std::vector<Grasp>& standard,
+                          const std::vector<PadGoal>& goals) {
+  const Grasp* best = &standard.front();
+  int most = std::numeric_limits<int>::min();
+  for (const Grasp& grasp : standard) {
+    int same = 0;
+    for (const Digit& digit : hand.digits) {
+      const bool is_goal = std::any_of(goals.begin(), goals.end(), [&](const PadGoal& goal) {
+        return hand.digits[static_cast<size_t>(goal.digit)].id == digit.id;
+      });
+      same += is_goal == Grasps(grasp, digit.id) ? 1 : -1;
+    }
+    if (same <= most) continue;
+    most = same;
+    best = &grasp;
+  }
+  return *best;
+}
+
+/** Distance of the first pad from the mean of the others. */
+double CalcWidth(const std::vector<Vector3d>& pads) {
+  Vector3d mean = Vector3d::Zero();
+  for (size_t k = 1; k < pads.size(); ++k) mean += pads[k] / static_cast<double>(pads.size() - 1);
+  return (mean - pads[0]).norm();
+}
+
+std::vector<Vector3d> ListPads(const Hand& hand, const std::vector<PadGoal>& goals,
+                               const VectorXd& q) {
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand, q);
+  std::vector<Vector3d> pads;
+  for (const PadGoal& goal : goals) {
+    const Digit& digit = hand.digits[static_cast<size_t>(goal.digit)];
+    pads.push_back(X_HL[static_cast<size_t>(digit.distal_link)] * digit.p_LPad);
+  }
+  return pads;
+}
+
+/** The standard grasp closed until its pads are as far apart as the goals; digits without a goal
+stay open. */
+VectorXd CloseStandard(const Hand& hand, const Grasp& grasp, const std::vector<PadGoal>& goals) {
+  std::vector<Vector3d> places;
+  std::vector<std::string> names;
+  for (const PadGoal& goal : goals) {
+    places.push_back(goal.p_O);
+    names.push_back(hand.digits[static_cast<size_t>(goal.digit)].id);
+  }
+  const double width = CalcWidth(places);
+  VectorXd best = grasp.q_pre;
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k <= kNumShares; ++k) {
+    const VectorXd q = CalcClosingPosture(hand, grasp, static_cast<double>(k) / kNumShares);
+    const double miss = std::abs(CalcWidth(ListPads(hand, goals, q)) - width);
+    if (miss >= least) continue;
+    least = miss;
+    best = q;
+  }
+  VectorXd q = grasp.q_pre;
+  for (const int joint : FindGraspJoints(hand, names)) q[joint] = best[joint];
+  ApplyCoupling(hand, q);
+  return q;
+}
+
+/** The closing parameter at which the pads are nearest to their goals. */
+double FindClosingAtContact(const Hand& hand, const std::vector<PadGoal>& goals, const Grasp& grasp,
+                            const Pose& X_OH) {
+  double best = 1.0, least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k <= kNumShares; ++k) {
+    const double s = static_cast<double>(k) / kNumShares;
+    const std::vector<Vector3d> pads = ListPads(hand, goals, CalcClosingPosture(hand, grasp, s));
+    double sum = 0.0;
+    for (size_t g = 0; g < goals.size(); ++g) sum += (X_OH * pads[g] - goals[g].p_O).squaredNorm();
+    if (sum >= least) continue;
+    least = sum;
+    best = s;
+  }
+  return best;
+}
+
+/** One transfer, step by step. */
+class Transfer {
+ public:
+  Transfer(const Hand& hand, const std::vector<Grasp>& standard, const PersonGrasp& person,
+           const GraspObject& object)
+      : hand_(hand),
+        standards_(standard),
+        person_(person),
+        object_(object),
+        placer_(hand, object) {}
+
+  TransferredGrasp Run(bool reverse) {
+    goals_ = PairDigits(hand_, person_, object_, reverse);
+    standard_ = &FindStandard(hand_, standards_, goals_);
+    if (PlaceContact() && MakePostures()) FindWay();
+    return std::move(result_);
+  }
+
+ private:
+  bool Fail(const std::string& reason) {
+    result_.not_transferable = reason;
+    return false;
+  }
+
+  PadTask MakeTask() const {
+    PadTask task;
+    task.goals = goals_;
+    task.q_standard = CloseStandard(hand_, *standard_, goals_);
+    return task;
+  }
+
+  /** Unreachable digits leave one after the other. */
+  bool PlaceContact() {
+    std::vector<PadMiss> left;
+    for (;;) {
+      PadTask task = MakeTask();
+      if (person_.p_OWrist) {
+        Vector3d middle = Vector3d::Zero();
+        for (const PadGoal& goal : goals_) {
+          middle += goal.p_O / static_cast<double>(goals_.size());
+        }
+        task.palm_O = (*person_.p_OWrist - middle).normalized();
+      }
+      met_ = placer_.PlaceAnywhere(task);
+      result_.pads = placer_.CalcMisses(goals_, met_);
+      const auto worst = std::max_element(
+          result_.pads.begin(), result_.pads.end(),
+          [](const PadMiss& a, const PadMiss& b) { return a.distance < b.distance; });
+      const bool is_reached = worst->is_reached();
+      const auto place = worst - result_.pads.begin();
+      if (!is_reached && goals_.size() > 2) {
+        // The thumb stays: without it nothing is opposed.
+        const auto leaves = place == 0 ? static_cast<std::ptrdiff_t>(goals_.size()) - 1 : place;
+        left.push_back(result_.pads[static_cast<size_t>(leaves)]);
+        goals_.erase(goals_.begin() + leaves);
+        continue;
+      }
+      const std::string unreachable = worst->digit + " stays " +
+                                      FormatFixed(MmFromM(worst->distance), 1) +
+                                      " mm from the contact of the person's " + worst->person;
+      result_.pads.insert(result_.pads.end(), left.begin(), left.end());
+      if (!is_reached) return Fail(unreachable);
+      const std::string collision = placer_.FindCollision(goals_, met_, kMostDepth);
+      return collision.empty() || Fail("at contact " + collision);
+    }
+  }
+
+  bool MakePostures() {
+    Grasp& grasp = result_.grasp;
+    grasp.type = standard_->type;
+    grasp.approach_distance = standard_->approach_distance;
+    grasp.alpha = standard_->alpha;
+    grasp.tilt = standard_->tilt;
+    grasp.object = object_.id;
+    grasp.palm_may_touch = standard_->palm_may_touch;
+    grasp.palm_gap = standard_->palm_gap;
+    result_.standard = standard_->id;
+    for (const Digit& digit : hand_.digits) {
+      for (const PadGoal& goal : goals_) {
+        if (&hand_.digits[static_cast<size_t>(goal.digit)] == &digit) {
+          grasp.digits.push_back(digit.id);
+        }
+      }
+    }
+    PadTask open = MakeTask();
+    open.moves_hand = false;
+    open.room = kOpenRoom;
+    open.pad_length = kOpenLength;
+    open.q_standard = standard_->q_pre;
+    for (PadGoal& goal : open.goals) goal.p_O += goal.opening_O;
+    constexpr int kCalls = 1500;
+    double cost = 0.0;
+    grasp.q_pre = placer_.Place(open, met_, kCalls, cost).q;
+    for (const Digit& digit : hand_.digits) {
+      if (Grasps(grasp, digit.id)) continue;
+      for (const int joint : FindDrivenJoints(hand_, digit)) met_.q[joint] = grasp.q_pre[joint];
+    }
+    ApplyCoupling(hand_, met_.q);
+    result_.q_contact = met_.q;
+    for (const PadGoal& goal : goals_) inwards_.push_back(-object_.field->Query(goal.p_O).gradient);
+    const Vector3d approach_H = met_.X_OH.linear().transpose() * ListApproaches().front();
+    const double weight = object_.mass_properties.mass * kGravity;
+    const double grip =
+        std::max(kLeastGrip, kGripMargin * weight / (2.0 * object_.surface.friction_static));
+    grasp.q_target = CalcSqueeze(hand_, grasp.digits, CloseOn(), approach_H, grip);
+    result_.undetermined = placer_.FindUndetermined(goals_, met_);
+    return true;
+  }
+
+  /** On from the opening through the contact, until every pad is as deep as it is to be. */
+  VectorXd CloseOn() const {
+    constexpr int kMostSteps = 20;
+    constexpr double kStep = 0.1;  // of the way from the opening to the contact
+    VectorXd q = met_.q;
+    for (int k = 1; k <= kMostSteps; ++k) {
+      q = met_.q + k * kStep * (met_.q - result_.grasp.q_pre);
+      ClampToLimits(q);
+      const std::vector<Vector3d> pads = ListPads(hand_, goals_, q);
+      double least = std::numeric_limits<double>::infinity();
+      for (size_t g = 0; g < goals_.size(); ++g) {
+        const Vector3d inside = met_.X_OH * pads[g] - goals_[g].p_O;
+        least = std::min(least, inside.dot(inwards_[g]));
+      }
+      if (least >= kPlacementOffset) break;
+    }
+    return q;
+  }
+
+  /** From where the hand may come, level or downwards: as the person did, as the palm looks, and
+  from the palm to the pads. */
+  std::vector<Vector3d> ListApproaches() const {
+    Vector3d middle = Vector3d::Zero();
+    for (const PadGoal& goal : goals_) middle += goal.p_O / static_cast<double>(goals_.size());
+    const Matrix3d& R_OH = met_.X_OH.linear();
+    const Vector3d candidates[] = {person_.approach_O,
+                                   R_OH * CalcApproachDirection(hand_, standard_->tilt),
+                                   (middle - met_.X_OH * hand_.p_HCentre).normalized(),
+                                   R_OH * CalcApproachDirection(hand_, 0.5 * kPi)};
+    std::vector<Vector3d> approaches;
+    for (Vector3d approach : candidates) {
+      approach.z() = std::min(approach.z(), 0.0);
+      if (approach.norm() > 0.5) approaches.push_back(approach.normalized());
+    }
+    return approaches;
+  }
+
+  /** Where the closing hand is clear of the table; the reason where it is not. */
+  std::string FindTableFault(const Grasp& grasp) const {
+    for (int k = 0; k <= kNumShares; ++k) {
+      const double s = grasp.placement->closing_at_contact * k / kNumShares;
+      const double room = placer_.CalcTableRoom({met_.X_OH, CalcClosingPosture(hand_, grasp, s)});
+      if (room >= 0.0) continue;
+      return "as it closes it is " + FormatFixed(-MmFromM(room), 1) + " mm inside the table";
+    }
+    return "";
+  }
+
+  /** Opens the pre-grasp, on its line with the target, until it is clear of object, table and
+  itself for one of the approaches. */
+  bool FindWay() {
+    constexpr int kOpenings = 10;
+    Grasp& grasp = result_.grasp;
+    const Vector3d p_WO(0.0, 0.0, 0.5 * object_.size.z());
+    const VectorXd q_first = grasp.q_pre;
+    double widest = -std::numeric_limits<double>::infinity();
+    std::string fault;
+    for (int k = 0; k <= kOpenings; ++k) {
+      grasp.q_pre = q_first + static_cast<double>(k) / kOpenings * (q_first - grasp.q_target);
+      ClampToLimits(grasp.q_pre);
+      for (const Vector3d& approach : ListApproaches()) {
+        const double s = FindClosingAtContact(hand_, goals_, grasp, met_.X_OH);
+        grasp.placement = {MakePose(p_WO) * met_.X_OH, approach, s, true};
+        result_.room = PredictGrasp(hand_, grasp, object_).room;
+        const std::string collision = placer_.FindCollision({}, {met_.X_OH, grasp.q_pre}, 0.0);
+        const std::string in_table = FindTableFault(grasp);
+        if (result_.room >= 0.0 && collision.empty() && in_table.empty()) return TakeMisses();
+        if (result_.room <= widest) continue;
+        widest = result_.room;
+        fault = !collision.empty() ? "open, " + collision
+                : !in_table.empty()
+                    ? in_table
+                    : "its open digits come " + FormatFixed(-MmFromM(result_.room), 1) +
+                          " mm too near to the object on their way, draws included";
+      }
+    }
+    return Fail(fault);
+  }
+
+  /** Those of the grasp as it closes. */
+  bool TakeMisses() {
+    const Grasp& grasp = result_.grasp;
+    const VectorXd q = CalcClosingPosture(hand_, grasp, grasp.placement->closing_at_contact);
+    const std::vector<PadMiss> closed = placer_.CalcMisses(goals_, {met_.X_OH, q});
+    std::copy(closed.begin(), closed.end(), result_.pads.begin());
+    for (const PadMiss& pad : closed) {
+      if (pad.is_reached()) continue;
+      return Fail("as it closes " + pad.digit + " passes " + FormatFixed(MmFromM(pad.distance), 1) +
+                  " mm from the contact of the person's " + pad.person);
+    }
+    return true;
+  }
+
+  void ClampToLimits(VectorXd& q) const {
+    for (size_t j = 0; j < hand_.joints.size(); ++j) {
+      double& angle = q[static_cast<Eigen::Index>(j)];
+      angle = std::clamp(angle, hand_.joints[j].lower, hand_.joints[j].upper);
+    }
+    ApplyCoupling(hand_, q);
+  }
+
+  const Hand& hand_;
+  const std::vector<Grasp>& standards_;
+  const PersonGrasp& person_;
+  const GraspObject& object_;
+  PadPlacer placer_;
+  const Grasp* standard_ = nullptr;
+  std::vector<PadGoal> goals_;
+  std::vector<Vector3d> inwards_;  // at the goals, unit
+  PlacedPosture met_;
+  TransferredGrasp result_;
+};
+
+}  // namespace
+
+TransferredGrasp TransferGrasp(const Hand& hand, const std::vector<Grasp>& standard,
+                               const PersonGrasp& person, const GraspObject& object) {
+  constexpr size_t kMostReversible = 2;  // fingers that may change places
+  TransferredGrasp failed;
+  failed.not_transferable = FindPersonFault(person, object);
+  if (hand.digits.size() < 2 || standard.empty()) {
+    failed.not_transferable = "the hand has no two digits or no standard grasp to go towards";
+  }
+  if (!failed.not_transferable.empty()) return failed;
+  const int of_person = FindHandedness(person);
+  const int of_hand = FindHandedness(hand, standard.front());
+  const bool differ = of_person * of_hand < 0;
+  if (differ && hand.digits.size() > kMostReversible + 1) {
+    const auto name = [](int side) { return side > 0 ? "left" : "right"; };
+    failed.not_transferable =
+        std::string("by thumb, fingers and wrist the person's is a ") + name(of_person) +
+        " hand, and the robot's is a " + name(of_hand) +
+        " one: choose the other hand, or check for mirrored axes and exchanged markers";
+    return failed;
+  }
+  return Transfer(hand, standard, person, object).Run(differ);
+}
+
+}  // namespace graspbench

@@ -1,0 +1,268 @@
+#include "datasets/analysis/transfer_summary.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "core/base/files/files.h"
+#include "core/base/text/text.h"
+#include "core/base/units.h"
+#include "core/statistics/summary.h"
+
+namespace graspbench {
+namespace {
+
+constexpr double kNearPad = 0.002;  // [m]
+constexpr const char* kRehearsedId = "rehearsed";
+
+enum class TransferSide { kTransferred, kRehearsed, kStandard };
+
+/** Which of the three a planned grasp is. */
+class TransferSides {
+ public:
+  explicit TransferSides(const TransferFile& file) {
+    for (const TransferRow& row : file.rows) ids_.insert(row.grasp);
+  }
+  TransferSide Find(const PlannedTrial& planned) const {
+    if (ids_.count(planned.grasp) > 0) return TransferSide::kTransferred;
+    return planned.grasp.rfind(kRehearsedId, 0) == 0 ? TransferSide::kRehearsed
+                                                     : TransferSide::kStandard;
+  }
+
+ private:
+  std::set<std::string> ids_;
+};
+
+double MedianOf(std::vector<double> values) { return values.empty() ? kUnset : CalcMedian(values); }
+
+/** Successes of the transferred grasps of each draw, in the mean, less those of another side. */
+ChangeEstimate EstimateTransfer(const std::vector<const TrialRecord*>& records,
+                                const TransferSides& sides, TransferSide other) {
+  struct Draw {
+    double own = 0.0, others = 0.0;
+    int num_own = 0, num_others = 0;
+  };
+  std::map<std::tuple<std::string, int>, Draw> draws;  // by object and trial
+  std::set<const TrialRecord*> compared;
+  for (const TrialRecord* record : records) {
+    const TransferSide side = sides.Find(record->plan);
+    if (side != TransferSide::kTransferred && side != other) continue;
+    compared.insert(record);
+    Draw& draw = draws[{record->plan.object, record->plan.trial}];
+    const double success = IsSuccess(record->result.outcome) ? 1.0 : 0.0;
+    (side == other ? draw.others : draw.own) += success;
+    ++(side == other ? draw.num_others : draw.num_own);
+  }
+  ObjectChanges changes;
+  for (const auto& [key, draw] : draws) {
+    if (draw.num_own == 0 || draw.num_others == 0) continue;
+    changes[std::get<0>(key)].push_back(draw.own / draw.num_own - draw.others / draw.num_others);
+  }
+  return EstimateSuccessChange(changes, std::nullopt, ExplainUndecided(CountOutcomes(compared)));
+}
+
+TransferSummary SummariseOne(const std::string& hand, const std::string& object,
+                             const TransferFile& file, const Session& session,
+                             const TransferSides& sides) {
+  TransferSummary summary;
+  summary.hand = hand;
+  summary.object = object;
+  std::vector<double> distances, angles;
+  for (const TransferRow& row : file.rows) {
+    if (row.hand != hand || (!object.empty() && row.object != object)) continue;
+    ++summary.num_grasps;
+    if (!row.not_transferable.empty()) continue;
+    ++summary.num_transferred;
+    for (const TransferPad& pad : row.pads) {
+      if (!pad.is_reached) continue;
+      distances.push_back(pad.distance);
+      angles.push_back(pad.angle);
+    }
+  }
+  const auto num_near = std::count_if(distances.begin(), distances.end(),
+                                      [](double distance) { return distance <= kNearPad; });
+  summary.near_share = CalcShare(num_near, static_cast<int64_t>(distances.size()));
+  summary.median_distance = MedianOf(distances);
+  summary.median_angle = MedianOf(angles);
+  std::vector<const TrialRecord*> records;
+  for (const TrialRecord& record : session.records) {
+    if (record.plan.hand != hand || (!object.empty() && record.plan.object != object)) continue;
+    records.push_back(&record);
+    const TransferSide side = sides.Find(record.plan);
+    (side == TransferSide::kTransferred ? summary.transferred
+     : side == TransferSide::kRehearsed ? summary.rehearsed
+                                        : summary.standard)
+        .Count(record.result.outcome);
+  }
+  summary.over_rehearsed = EstimateTransfer(records, sides, TransferSide::kRehearsed);
+  summary.over_standard = EstimateTransfer(records, sides, TransferSide::kStandard);
+  return summary;
+}
+
+template <class Value>
+std::vector<std::string> ListOnce(const std::vector<TransferRow>& rows, const Value& value) {
+  std::vector<std::string> once;
+  for (const TransferRow& row : rows) {
+    if (!std::count(once.begin(), once.end(), value(row))) once.push_back(value(row));
+  }
+  return once;
+}
+
+std::string FormatSuccess(const Tally& tally) {
+  if (tally.finished == 0) return "no trial";
+  const Interval interval = tally.rate_interval();
+  return FormatFixed(100.0 * tally.rate(), 0) + " (" + FormatFixed(100.0 * interval.low, 0) +
+         " to " + FormatFixed(100.0 * interval.high, 0) + ")";
+}
+
+std::string FormatPoints(const ChangeEstimate& change) {
+  if (change.num_draws == 0) return "n/a";
+  const std::string points = FormatFixed(100.0 * change.estimate, 1);
+  if (!change.interval) return points + " (no interval)";
+  return points + " (" + FormatFixed(100.0 * change.interval->low, 1) + " to " +
+         FormatFixed(100.0 * change.interval->high, 1) + ")";
+}
+
+}  // namespace
+
+TransferFile LoadTransferFile(const std::filesystem::path& folder) {
+  TransferFile file;
+  try {
+    ReadRecord(Json::parse(ReadFile(folder / kTransferPath)), file);
+  } catch (const Json::exception& error) {
+    throw Error(ErrorKind::kFormat, (folder / kTransferPath).string() +
+                                        " is no list of transferred grasps: " + error.what());
+  }
+  return file;
+}
+
+std::vector<TransferSummary> SummariseTransfers(const TransferFile& file, const Session& session) {
+  const TransferSides sides(file);
+  std::vector<TransferSummary> summaries;
+  const auto hands = ListOnce(file.rows, [](const TransferRow& row) { return row.hand; });
+  const auto objects = ListOnce(file.rows, [](const TransferRow& row) { return row.object; });
+  for (const std::string& hand : hands) {
+    summaries.push_back(SummariseOne(hand, "", file, session, sides));
+  }
+  for (const std::string& hand : hands) {
+    for (const std::string& object : objects) {
+      summaries.push_back(SummariseOne(hand, object, file, session, sides));
+    }
+  }
+  return summaries;
+}
+
+std::vector<CsvColumn<TransferSummary>> ListTransferColumns() {
+  using Row = TransferSummary;
+  using C = CsvColumn<Row>;
+  const auto success = [](Tally Row::*side) {
+    return [side](const Row& row) { return FormatSuccess(row.*side); };
+  };
+  return {
+      C("hand", "", "", &Row::hand).Shown("hand"),
+      C("object", "", "empty: all objects", &Row::object)
+          .Shown("object", [](const Row& row) { return row.object.empty() ? "all" : row.object; }),
+      C("grasps", "", "people's grasps that were tried", &Row::num_grasps).Shown("grasps"),
+      C("transferable", "", "of these, those that the hand can do", &Row::num_transferred)
+          .Shown("transferable"),
+      C("pad_distance_m", "m", "median distance of a pad from the person's contact",
+        &Row::median_distance)
+          .Shown("pad [mm]",
+                 [](const Row& row) { return FormatFixed(MmFromM(row.median_distance), 2); }),
+      C("pad_angle_rad", "rad", "median angle between the pad's direction and the surface's normal",
+        &Row::median_angle)
+          .Shown("angle [deg]",
+                 [](const Row& row) { return FormatFixed(DegFromRad(row.median_angle), 0); }),
+      C("pads_within_2mm", "", "share of pads", &Row::near_share),
+      C("success", "", "success rate of transferred grasps",
+        [](const Row& row) {
+          return row.transferred.rate();
+        }).Shown("success [%]", success(&Row::transferred)),
+      C("success_rehearsed", "", "the same of rehearsed grasps",
+        [](const Row& row) {
+          return row.rehearsed.rate();
+        }).Shown("rehearsed [%]", success(&Row::rehearsed)),
+      C("success_standard", "", "the same of standard grasps",
+        [](const Row& row) {
+          return row.standard.rate();
+        }).Shown("standard [%]", success(&Row::standard)),
+      C("over_rehearsed", "", "success of transferred less rehearsed grasps, same draws",
+        [](const Row& row) { return row.over_rehearsed.estimate; })
+          .Shown("over rehearsed [points]",
+                 [](const Row& row) { return FormatPoints(row.over_rehearsed); }),
+      C("over_standard", "", "success of transferred less standard grasps, same draws",
+        [](const Row& row) {
+          return row.over_standard.estimate;
+        }).Shown("over standard [points]", [](const Row& row) {
+        return FormatPoints(row.over_standard);
+      })};
+}
+
+std::vector<std::pair<std::string, int>> CountTransferReasons(const TransferFile& file,
+                                                              const std::string& hand) {
+  std::map<std::string, int> counts;
+  for (const TransferRow& row : file.rows) {
+    if (row.hand != hand || row.not_transferable.empty()) continue;
+    std::string reason = row.not_transferable;
+    for (char& c : reason) {
+      if (std::isdigit(static_cast<unsigned char>(c))) c = '#';
+    }
+    for (size_t at; (at = reason.find("##")) != std::string::npos;) reason.erase(at, 1);
+    ++counts[reason];
+  }
+  std::vector<std::pair<std::string, int>> sorted(counts.begin(), counts.end());
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  return sorted;
+}
+
+std::vector<TransferDigit> ListTransferDigits(const TransferFile& file) {
+  std::vector<TransferDigit> digits;
+  std::vector<std::pair<std::vector<double>, std::vector<double>>> values;
+  for (const TransferRow& row : file.rows) {
+    if (!row.not_transferable.empty()) continue;
+    for (const TransferPad& pad : row.pads) {
+      if (!pad.is_reached) continue;
+      const auto same = std::find_if(digits.begin(), digits.end(), [&](const TransferDigit& one) {
+        return one.hand == row.hand && one.digit == pad.digit;
+      });
+      const auto place = static_cast<size_t>(same - digits.begin());
+      if (same == digits.end()) {
+        digits.push_back({row.hand, pad.digit, 0, kUnset, kUnset, kUnset});
+        values.emplace_back();
+      }
+      values[place].first.push_back(pad.distance);
+      values[place].second.push_back(pad.angle);
+    }
+  }
+  for (size_t d = 0; d < digits.size(); ++d) {
+    const std::vector<double>& distances = values[d].first;
+    digits[d].num_pads = static_cast<int>(distances.size());
+    digits[d].largest_distance = *std::max_element(distances.begin(), distances.end());
+    digits[d].median_distance = MedianOf(distances);
+    digits[d].median_angle = MedianOf(values[d].second);
+  }
+  return digits;
+}
+
+std::vector<CsvColumn<TransferDigit>> ListTransferDigitColumns() {
+  using Row = TransferDigit;
+  using C = CsvColumn<Row>;
+  const auto mm = [](double Row::*length) {
+    return [length](const Row& row) { return FormatFixed(MmFromM(row.*length), 2); };
+  };
+  return {C("hand", "", "", &Row::hand).Shown("hand"),
+          C("digit", "", "", &Row::digit).Shown("digit"),
+          C("pads", "", "of transferred grasps", &Row::num_pads).Shown("pads"),
+          C("median_distance_m", "m", "from the person's contact", &Row::median_distance)
+              .Shown("median [mm]", mm(&Row::median_distance)),
+          C("largest_distance_m", "m", "from the person's contact", &Row::largest_distance)
+              .Shown("largest [mm]", mm(&Row::largest_distance)),
+          C("median_angle_rad", "rad", "to the surface's normal", &Row::median_angle)
+              .Shown("angle [deg]",
+                     [](const Row& row) { return FormatFixed(DegFromRad(row.median_angle), 0); })};
+}
+
+}  // namespace graspbench

@@ -1,0 +1,63 @@
+#include "human_study/study/run/hand_places.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/units.h"
+#include "human_study/study/synthetic/synthetic_study.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+
+// The generator puts markers 8 mm off a standing cylinder, the thumb at 180 deg and the fingers at
+// 15, 5, -5 and -15 deg, 10, 30, 10, -10 and -30 mm above its middle; the hand comes along +y.
+TEST(HandPlaces, AreWhereTheGeneratorPutTheMarkers) {
+  constexpr double kAzimuths_deg[] = {180.0, 15.0, 5.0, -5.0, -15.0};
+  constexpr double kHeights[] = {0.01, 0.03, 0.01, -0.01, -0.03};
+  SyntheticOptions options;
+  options.num_people = 1;
+  options.trials_per_size = 1;
+  AnalysisOptions analysis;
+  analysis.contact.detector = "surface";
+  std::vector<HandPlaces> all;
+  for (const SyntheticTrial& trial : MakeSyntheticStudy(options)) {
+    const ReachTrial reach = MakeReachTrial(trial);
+    const Answer<HandPlaces> places =
+        FindHandPlaces(AnalyseTrial(reach, analysis), reach, analysis);
+    ASSERT_TRUE(places) << places.reason();
+    ASSERT_EQ(places->digits.size(), 5u);
+    double sum = 0.0;
+    for (size_t d = 0; d < 5; ++d) {
+      const double azimuth = RadFromDeg(kAzimuths_deg[d]);
+      const double radius = trial.diameter / 2 + kSyntheticPadOffset;
+      const Vector3d truth(radius * std::cos(azimuth), radius * std::sin(azimuth), kHeights[d]);
+      EXPECT_LT((places->digits[d].p_OContact - truth).norm(), 0.002) << d;
+      sum += std::abs(places->digits[d].p_OOpen.x()) - std::abs(truth.x());
+    }
+    EXPECT_GT(sum / 5, 0.003);  // the hand was wider
+    EXPECT_GT(places->approach_O.y(), 0.9);
+    ASSERT_TRUE(places->p_OWrist);
+    EXPECT_LT(places->p_OWrist->y(), -0.1);
+    all.push_back(*places);
+  }
+  const HandPlaces median = CalcMedianPlaces({all[0], all[0], all[1]});
+  EXPECT_EQ(median.digits[3].p_OContact, all[0].digits[3].p_OContact);
+}
+
+TEST(HandPlaces, SayWhatIsMissing) {
+  SyntheticOptions options;
+  options.num_people = 1;
+  options.trials_per_size = 1;
+  ReachTrial reach = MakeReachTrial(MakeSyntheticStudy(options).front());
+  AnalysisOptions analysis;
+  const TrialAnalysis found = AnalyseTrial(reach, analysis);
+  reach.object = {};
+  EXPECT_NE(FindHandPlaces(found, reach, analysis).reason().find("markers.object"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace graspbench
