@@ -1,0 +1,65 @@
+#pragma once
+/** @file
+A robot arm as data: a chain of revolute joints in Denavit and Hartenberg's form (1955, "standard"),
+limits, speeds, torques, masses and capsules.
+
+Frame B is the arm's base, its z along joint 1. Frame i is fixed to link i, behind joint i:
+
+    X_(i-1)i(q) = Rot(z, q_i + offset_i) Shift(z, d_i) Shift(x, a_i) Rot(x, alpha_i)
+
+The last frame is the flange F, to which the hand is fixed. Not modelled: joints that slide,
+coupling between joints, play. */
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "core/base/pose.h"
+
+namespace graspbench {
+
+struct ArmJoint {
+  std::string name;
+  double a = 0.0, d = 0.0;            ///< [m]
+  double alpha = 0.0, offset = 0.0;   ///< [rad]
+  double lower = 0.0, upper = 0.0;    ///< of q [rad]
+  double speed = 0.0;                 ///< largest [rad/s]
+  double torque = 0.0;                ///< largest [N m]
+  double mass = 0.0;                  ///< of the link behind it [kg]
+  Eigen::Vector3d p_com = {0, 0, 0};  ///< its centre of mass in the link's frame [m]
+};
+
+struct ArmCapsule {
+  int link = 0;                                        ///< 0: the base, fixed to B
+  Eigen::Vector3d p_LA = {0, 0, 0}, p_LB = {0, 0, 0};  ///< ends of the axis [m]
+  double radius = 0.0;                                 ///< [m]
+};
+
+struct Arm {
+  std::string id;
+  std::string name;
+  std::string folder;
+  std::string content_hash;  ///< of arm.yaml
+  std::vector<ArmJoint> joints;
+  std::vector<ArmCapsule> capsules;
+  Eigen::VectorXd ready;  ///< where the gross motion starts [rad]
+
+  int num_joints() const { return static_cast<int>(joints.size()); }
+};
+
+/** X_BL of the base (identity) and of every link; the last is X_BF. @pre q has one angle a joint. */
+std::vector<Pose> CalcArmPoses(const Arm& arm, const Eigen::VectorXd& q);
+Pose CalcFlangePose(const Arm& arm, const Eigen::VectorXd& q);
+
+/** Of the flange: [v_BF; w_BF] = J qdot, both in B; (6, num_joints).
+@param X_BL  of CalcArmPoses. */
+Eigen::MatrixXd CalcArmJacobian(const std::vector<Pose>& X_BL);
+
+/** Longest distance of the flange from joint 1: the sum of the links' lengths [m]. */
+double CalcArmReach(const Arm& arm);
+
+/** How far from a singular posture: the smallest singular value of the Jacobian whose linear rows
+are divided by the arm's reach; 0 at a singular posture. */
+double CalcDexterity(const Arm& arm, const Eigen::MatrixXd& jacobian);
+
+}  // namespace graspbench

@@ -1,0 +1,87 @@
+#include "core/arm/load_arm.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "core/arm/mounted_arm.h"
+#include "core/hand/load_hand.h"
+
+namespace graspbench {
+namespace {
+
+constexpr char kOneJoint[] = R"(name: One joint
+ready_deg: [0]
+joints:
+  - {name: only, a_m: 0.5, d_m: 0, alpha_deg: 0, lower_deg: -90, upper_deg: 90, speed_deg_per_s: 90, torque_nm: 10, mass_kg: 1, com_m: [0, 0, 0]}
+capsules:
+  - {link: 1, from_m: [-0.5, 0, 0], to_m: [0, 0, 0], radius_m: 0.05}
+)";
+
+std::string Replace(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+TEST(LoadArm, ArmsOfTheProgram) {
+  EXPECT_EQ(ListArms(), (std::vector<std::string>{"pa10", "puma560"}));
+  EXPECT_EQ(LoadArm("puma560").num_joints(), 6);
+  EXPECT_EQ(LoadArm("pa10").num_joints(), 7);
+}
+
+TEST(LoadArm, WrongFilesAreRefusedByName) {
+  struct Case {
+    std::string text, expected;
+  };
+  const Case cases[] = {
+      {Replace(kOneJoint, "lower_deg: -90, upper_deg: 90, ", ""), "lower_deg"},
+      {Replace(kOneJoint, "upper_deg: 90", "upper_deg: -95"), "expected more than its lower_deg"},
+      {Replace(kOneJoint, "ready_deg: [0]", "ready_deg: [0, 1]"), "expected one angle for each of"},
+      {Replace(kOneJoint, "ready_deg: [0]", "ready_deg: [91]"), "outside its limits"},
+      {Replace(kOneJoint, "link: 1", "link: 2"), "no link 2; expected 0 (the base) to 1"},
+      {Replace(kOneJoint, "radius_m: 0.05", "radius_m: 0"), "radius_m"},
+      {Replace(kOneJoint, "mass_kg: 1,", "mass_kg: 1, colour: red,"), "colour"},
+  };
+  for (const Case& one : cases) {
+    Diagnostics problems;
+    ParseArm(one.text, "arms/one", problems);
+    EXPECT_GE(problems.num_errors(), 1);
+    EXPECT_NE(problems.Format().find(one.expected), std::string::npos) << problems.Format();
+  }
+  Diagnostics none;
+  EXPECT_EQ(ParseArm(kOneJoint, "arms/one", none).id, "one");
+  EXPECT_EQ(none.num_errors(), 0) << none.Format();
+  try {
+    LoadArm("pa-10");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean \"pa10\""), std::string::npos)
+        << error.what();
+  }
+}
+
+/** The palm of the TUM hand is a box whose back is 90 mm or so behind H. */
+TEST(MountArm, HindmostSurfaceTouchesFlange) {
+  const auto arm = std::make_shared<const Arm>(LoadArm("puma560"));
+  const Hand hand = LoadHand("tum");
+  ArmConfig config;
+  config.x = -0.6;
+  config.yaw = 0.5;
+  const MountedArm mounted = MountArm(config, arm, hand);
+  double hindmost = 1.0;
+  for (const LinkVisual& visual : hand.visuals) {
+    if (visual.link != 0) continue;
+    for (const Eigen::Vector3d& p : visual.mesh.vertices) {
+      hindmost = std::min(hindmost, (mounted.X_FH * hand.links[0].X_PJ * p).z());
+    }
+  }
+  EXPECT_NEAR(hindmost, 0.0, 1e-12);
+  EXPECT_LT((mounted.X_FH.linear() - Eigen::Matrix3d::Identity()).norm(), 1e-12);
+  EXPECT_LT((mounted.X_WB.translation() - Eigen::Vector3d(-0.6, 0.0, 0.0)).norm(), 1e-12);
+  config.mount = "-y";
+  const Eigen::Vector3d axis_F =
+      MountArm(config, arm, hand).X_FH.linear() * -Eigen::Vector3d::UnitY();
+  EXPECT_LT((axis_F - Eigen::Vector3d::UnitZ()).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace graspbench
