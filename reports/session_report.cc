@@ -31,13 +31,13 @@ std::string MakeSessionReport(const ReportData& data) {
       {"Clock, machine and run time", "not in this page; run.json in the session's folder"}};
   frame.references = {"roethling2007", "sherman2011", "wilson1927", "ferrari1992", "efron1987"};
   std::vector<Section> sections = ListSections();
-  if (session.config.policy.command.empty()) {
+  const auto leave_out = [&](const std::string& anchor) {
     sections.erase(std::remove_if(sections.begin(), sections.end(),
-                                  [](const Section& section) {
-                                    return section.anchor == std::string("controller");
-                                  }),
+                                  [&](const Section& section) { return section.anchor == anchor; }),
                    sections.end());
-  }
+  };
+  if (session.config.policy.command.empty()) leave_out("controller");
+  if (!HasArm(session.config.arm)) leave_out("arm");
   return AddScript(MakeSectionedPage(frame, sections, data), data.views.script);
 }
 

@@ -122,6 +122,14 @@ Html DrawMeasures(const DrawnTrial& data) {
   add("Lift [mm]", MmFromM(result.lift_height), 1);
   add("Slip while held [mm]", MmFromM(result.hold_slip), 2);
   add("Deepest penetration [mm]", MmFromM(result.worst_penetration), 2);
+  if (!result.arm) return table.ToHtml();
+  const ArmRecord& arm = *result.arm;
+  table.AddRow(
+      {"Arm: joint nearest its limit, or that binds", arm.joint.empty() ? "-" : arm.joint});
+  add("Arm: its margin to the limit [deg]", DegFromRad(arm.margin), 1);
+  add("Arm: largest joint speed over its limit [%]", 100.0 * arm.speed_share, 0);
+  add("Arm: time to the pre-grasp pose [s]", arm.reach_time, 2);
+  add("Arm: path of the hand to it [mm]", MmFromM(arm.reach_path), 0);
   return table.ToHtml();
 }
 

@@ -47,7 +47,8 @@ struct Arm {
   int num_joints() const { return static_cast<int>(joints.size()); }
 };
 
-/** X_BL of the base (identity) and of every link; the last is X_BF. @pre q has one angle a joint. */
+/** X_BL of the base (identity) and of every link; the last is X_BF.
+@pre q has one angle a joint. */
 std::vector<Pose> CalcArmPoses(const Arm& arm, const Eigen::VectorXd& q);
 Pose CalcFlangePose(const Arm& arm, const Eigen::VectorXd& q);
 

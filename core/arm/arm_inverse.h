@@ -2,12 +2,12 @@
 /** @file
 Inverse kinematics: all postures of an arm that put its flange to a pose.
 
-An arm whose first two axes meet (a_1 = 0) and whose last three meet in the wrist centre P (a spherical
-wrist), with six joints, or with seven and joint 3 held at an angle, is solved in closed form
-(Pieper 1968): the distance of P from the shoulder gives the elbow's angle (2 solutions), the height of
-P the two before it (2), the orientation the wrist's three (2): at most 8 postures. With seven joints
-joint 3 is the free parameter. Each posture is then made exact by Newton's method. All other arms are
-solved by Newton's method with damping from kNumStarts random postures, so that some may be missed.
+An arm whose first two axes meet (a_1 = 0) and whose last three meet in the wrist centre P (a
+spherical wrist), with six joints, or with seven and joint 3 held at an angle, is solved in closed
+form (Pieper 1968): the distance of P from the shoulder gives the elbow's angle (2 solutions), the
+height of P the two before it (2), the orientation the wrist's three (2): at most 8 postures. With
+seven joints joint 3 is the free parameter. All other arms are solved by Newton's method with
+damping from kNumStarts random postures, so that some may be missed.
 
 Joint angles are those nearest to the middle of their range. Postures beyond the limits are listed,
 too. */
@@ -44,8 +44,8 @@ equal parts of its range.
 ArmPostures FindArmPostures(const Arm& arm, const Pose& X_BF, int num_free,
                             std::optional<double> free_angle = {});
 
-/** Newton's method with damping from `q`, by the smallest motion; limits do not count. Unset: it did
-not come within kPoseTolerance. */
+/** Newton's method with damping from `q`, by the smallest motion; limits do not count. Unset: it
+did not come within kPoseTolerance. */
 std::optional<Eigen::VectorXd> RefinePosture(const Arm& arm, const Pose& X_BF, Eigen::VectorXd q);
 
 /** Nearest its limit, or farthest beyond. */

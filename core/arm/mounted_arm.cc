@@ -21,7 +21,8 @@ const std::vector<MountRow>& ListMountRows() {
   return rows;
 }
 
-/** Of the root's pictures, else of its contact surface, along an axis of H [m]; 0: it has neither. */
+/** Of the root's pictures, else of its contact surface, along an axis of H [m]; 0: it has neither.
+*/
 double FindHindmost(const Hand& hand, const Eigen::Vector3d& axis_H) {
   double hindmost = std::numeric_limits<double>::infinity();
   const Pose& X_HL = hand.links.front().X_PJ;

@@ -22,8 +22,9 @@ struct MountedArm {
 /** Names of ArmConfig::mount: x, -x, .. -z. */
 std::vector<std::string> ListMounts();
 
-/** The hand's axis `mount` lies along the flange's z, and the hindmost contact surface of the hand's
-root along it touches the flange. Rotated about z by the shortest way.
+/** The hand's axis `mount` lies along the flange's z; H is turned there by the shortest way. The
+hindmost point of the hand's root along this axis touches the flange: of its pictures, or where it
+has none of its contact surface.
 @pre config.mount is one of ListMounts(). */
 MountedArm MountArm(const ArmConfig& config, std::shared_ptr<const Arm> arm, const Hand& hand);
 

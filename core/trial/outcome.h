@@ -21,6 +21,9 @@ enum class Outcome {
   kSlippedInLiftOff,     ///< it did not come along
   kDroppedWhileHolding,  ///< lifted, then lost, touching the table or still slipping at the end
   kUnreachable,          ///< this grasp cannot hold this object without the palm inside it
+  kArmOutOfReach,        ///< the arm has no posture for the grasp (core/arm/arm_course.h)
+  kNoStraightPath,       ///< it has, but cannot approach or lift in a straight line
+  kNearSingularity,      ///< it can, but a joint would be too fast near a singular posture
   kNotSeen,              ///< the camera did not find the object; `reason` says why
   kArmOverloaded,        ///< object or table pushed harder on the hand than the arm can bear
   kNotPhysical,       ///< held, but in a way no real hand could: see protocols/table_lift_outcome.h
@@ -56,6 +59,9 @@ inline constexpr OutcomeRow kOutcomes[] = {
     {Outcome::kSlippedInLiftOff, "slipped in lift-off", "SL", OutcomeKind::kFailure},
     {Outcome::kDroppedWhileHolding, "dropped while holding", "DH", OutcomeKind::kMaybeInHand},
     {Outcome::kUnreachable, "unreachable", "UR", OutcomeKind::kFailure},
+    {Outcome::kArmOutOfReach, "arm cannot reach", "AR", OutcomeKind::kFailure},
+    {Outcome::kNoStraightPath, "no straight path", "SP", OutcomeKind::kFailure},
+    {Outcome::kNearSingularity, "near a singularity", "SG", OutcomeKind::kFailure},
     {Outcome::kNotSeen, "not seen", "NS", OutcomeKind::kFailure},
     {Outcome::kArmOverloaded, "arm overloaded", "AO", OutcomeKind::kMaybeInHand},
     {Outcome::kNotPhysical, "not physical", "NP", OutcomeKind::kMaybeInHand},

@@ -7,6 +7,7 @@ What is known of a trial after it was carried out. */
 #include <string>
 #include <vector>
 
+#include "core/arm/arm_record.h"
 #include "core/base/enum_table.h"
 #include "core/base/pose.h"
 #include "core/base/text/json.h"
@@ -148,6 +149,7 @@ struct TrialResult {
   How it knew: the session's positioning. */
   double believed_x = kUnset, believed_y = kUnset, believed_yaw = kUnset;
   std::optional<Opposition> opposition;  ///< at the end, of an object that is held
+  std::optional<ArmRecord> arm;          ///< of a trial with an arm
   std::optional<GripRecord> grip;        ///< of a trial that regulates its grip
   std::optional<PolicyRecord> policy;    ///< of a trial with a controller
   std::optional<TouchRecord> touch;      ///< of a trial that goes by sensed touch
@@ -207,6 +209,7 @@ struct TrialResult {
     field("believed_y_m", &R::believed_y, FieldMayMiss{});
     field("believed_yaw_rad", &R::believed_yaw, FieldMayMiss{});
     field("opposition_type", &R::opposition);
+    field("arm", &R::arm);
     field("grip", &R::grip);
     field("policy", &R::policy);
     field("touch", &R::touch);

@@ -37,7 +37,7 @@ bool IsSame(const TrialSetup& a, const TrialSetup& b) {
          a.draw.offset_yaw == b.draw.offset_yaw && a.draw.joint_error == b.draw.joint_error &&
          a.sight_grasps.empty() && b.sight_grasps.empty() &&
          a.sight.has_value() == b.sight.has_value() && a.protocol == b.protocol &&
-         a.positioning == b.positioning && a.touch == b.touch &&
+         a.positioning == b.positioning && a.arm == b.arm && a.touch == b.touch &&
          HaveEqualValues(a.strategy, b.strategy) && HaveEqualValues(a.camera, b.camera) &&
          HaveEqualValues(a.sensors, b.sensors);
 }

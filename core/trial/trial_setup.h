@@ -22,6 +22,7 @@ to trial. */
 namespace graspbench {
 
 class HandPolicy;
+struct MountedArm;
 
 /** What the hand knows of where the object lies before it places itself. */
 enum class Positioning {
@@ -72,6 +73,7 @@ struct TrialSetup {
   TrialDraw draw;
   Positioning positioning = Positioning::kNominal;
   CameraConfig camera = {};
+  std::shared_ptr<const MountedArm> arm = {};  ///< that carries the hand; null: none
   TouchSense touch = TouchSense::kExact;
   SensorConfig sensors = {};
   std::vector<DriveCommand> drives = {};  ///< a person's, by time; none in a session

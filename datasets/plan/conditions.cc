@@ -189,7 +189,7 @@ constexpr const char* kAgain = "again";
 /** What leaves the draws of a trial, as key or as group of keys. */
 const std::vector<std::string> kComparable = {"variation",     "strategy",    "sim",    "model",
                                               "imperfections", "positioning", "camera", "touch",
-                                              "sensors",       "approach",    "policy"};
+                                              "sensors",       "approach",    "policy", "arm"};
 
 struct Assignment {
   std::string key, value;
@@ -329,12 +329,13 @@ std::string NormaliseSetting(const std::string& assignment, const SessionConfig&
   const SessionConfig& changed = made.config;
   const std::string group = key.substr(0, key.find('.'));
   if (std::find(kComparable.begin(), kComparable.end(), group) == kComparable.end()) {
-    throw Error(ErrorKind::kUsage, "\"" + key +
-                                       "\" decides which trials there are; only what leaves their "
-                                       "draws can be compared pair by pair: variation.*, "
-                                       "strategy.*, sim.*, model.*, imperfections.*, "
-                                       "positioning, camera.*, touch, sensors.*, approach, grasp, "
-                                       "delay.last, delay.first, backend");
+    throw Error(ErrorKind::kUsage,
+                "\"" + key +
+                    "\" decides which trials there are; only what leaves their "
+                    "draws can be compared pair by pair: variation.*, "
+                    "strategy.*, sim.*, model.*, imperfections.*, "
+                    "positioning, camera.*, arm.*, touch, sensors.*, approach, grasp, "
+                    "delay.last, delay.first, backend");
   }
   if ((group == "camera" || group == "sensors") && !ToJson(changed).contains(group)) {
     throw Error(ErrorKind::kUsage,

@@ -13,7 +13,8 @@ namespace {
 std::vector<Grasp> ListRehearsed(const SessionConfig& config, const SessionHand& hand,
                                  const std::shared_ptr<const GraspObject>& object) {
   const RehearsalConfig rehearsal;
-  const RehearsalTask task = MakeRehearsalTask(config, rehearsal, hand.hand, hand.grasps, object);
+  RehearsalTask task = MakeRehearsalTask(config, rehearsal, hand.hand, hand.grasps, object);
+  task.arm = hand.arm;
   if (task.grasps.empty()) return {};
   const std::string id = NameRehearsed(rehearsal);
   const std::string text = FormatRehearsedGrasp(task, FindRehearsal(task).choice().candidate, id);

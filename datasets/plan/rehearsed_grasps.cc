@@ -135,7 +135,8 @@ RehearsalTask MakeRehearsalTask(const SessionConfig& config, const RehearsalConf
           object,
           std::move(conditions),
           config.imperfections,
-          rehearsal};
+          rehearsal,
+          nullptr};
 }
 
 std::string CalcRehearsalHash(const RehearsalTask& task) {
@@ -156,6 +157,7 @@ std::string CalcRehearsalHash(const RehearsalTask& task) {
                   {"candidates", task.config.num_candidates},
                   {"draws", task.config.num_draws}};
   if (task.config.num_postures > 0) content["postures"] = task.config.num_postures;
+  if (task.arm) content["arm"] = DescribeArm(*task.arm);
   return CalcHashHex(FormatJson(content));
 }
 
@@ -170,6 +172,7 @@ TrialSetup MakeRehearsalSetup(const RehearsalTask& task,
   setup.strategy.grip_force *= question.grip_share;
   setup.strategy.grip_margin = 1.0 + question.grip_share * (setup.strategy.grip_margin - 1.0);
   setup.sim = task.conditions.sim;
+  setup.arm = task.arm;
   const std::string names = FormatJson({task.hand->id, task.object->id, question.draw});
   setup.draw = DrawVariation(task.conditions.variation, *task.hand,
                              RandomStream(names, "object pose of rehearsal"),

@@ -43,6 +43,7 @@ struct RehearsalTask {
   TrialConditions conditions;                 ///< hand and object are already changed by its model
   ImperfectionConfig imperfections;           ///< likewise, of the hand
   RehearsalConfig config;
+  std::shared_ptr<const MountedArm> arm = {};  ///< of the session; null: none
 };
 RehearsalTask MakeRehearsalTask(const SessionConfig& config, const RehearsalConfig& rehearsal,
                                 const std::shared_ptr<const Hand>& hand,

@@ -60,6 +60,7 @@ bool HasBestGrasp(const SessionConfig& config) {
 }
 
 RehearsalTask MakeTypeTask(RehearsalTask task, int num_draws) {
+  task.arm = nullptr;  // a type is one for all arms
   task.config = {std::max(1, static_cast<int>(task.grasps.size())), num_draws};
   return task;
 }

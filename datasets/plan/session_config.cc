@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/arm/mounted_arm.h"
 #include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/base/files/files.h"
@@ -96,6 +97,23 @@ void CheckSensors(const SessionConfig& config, std::vector<ConfigProblem>& probl
     problems.push_back({"sensors.threshold",
                         "the elements would feel their own noise; expected at least five times "
                         "sensors.noise"});
+  }
+}
+
+void CheckArm(const ArmConfig& arm, std::vector<ConfigProblem>& problems) {
+  if (!HasArm(arm)) {
+    CheckUnused("arm", arm, "arm.model is none; set arm.model or leave it out", problems);
+    return;
+  }
+  if (arm.z < 0.0) {
+    problems.push_back({"arm.base_z_m", FormatJson(arm.z) +
+                                            ": the base would be inside the table, whose top is at "
+                                            "0; expected 0 or more"});
+  }
+  const std::vector<std::string> mounts = ListMounts();
+  if (std::find(mounts.begin(), mounts.end(), arm.mount) == mounts.end()) {
+    problems.push_back(
+        {"arm.mount", "no mount \"" + arm.mount + "\"" + SuggestNames(arm.mount, mounts)});
   }
 }
 
@@ -314,6 +332,7 @@ std::vector<ConfigProblem> Validate(const SessionConfig& config) {
                                                    "\" is no colour; expected one as \"#b4509b\""});
   }
   CheckSensors(config, problems);
+  CheckArm(config.arm, problems);
   CheckPolicy(config, problems);
   if (config.draws != "random" && config.draws != "halton") {
     problems.push_back({"draws", "no draws \"" + config.draws + "\"; expected random or halton"});
@@ -373,6 +392,7 @@ Json ToJson(const SessionConfig& config) {
   if (config.approach == defaults.approach) json.erase("approach");
   if (!NeedsCamera(config) && !ShowsCamera(config.policy)) json.erase("camera");
   if (config.positioning == defaults.positioning) json.erase("positioning");
+  if (!HasArm(config.arm)) json.erase("arm");
   if (config.touch == defaults.touch) {
     json.erase("touch");
     json.erase("sensors");
@@ -390,8 +410,8 @@ SessionConfig SessionConfigFromJson(const Json& json, const std::string& file) {
   Diagnostics problems;
   Json complete = json;
   const Json defaults = ConfigToJson(SessionConfig());
-  for (const char* key :
-       {"approach", "positioning", "camera", "touch", "sensors", "imperfections", "policy"}) {
+  for (const char* key : {"approach", "positioning", "arm", "camera", "touch", "sensors",
+                          "imperfections", "policy"}) {
     if (json.is_object() && !json.contains(key)) complete[key] = defaults.at(key);
   }
   AddFirmGrip(complete);

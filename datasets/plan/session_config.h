@@ -8,6 +8,7 @@ frozen in full into the session's folder. */
 #include <utility>
 #include <vector>
 
+#include "core/arm/arm_config.h"
 #include "core/base/file_keys.h"
 #include "core/base/text/json.h"
 #include "core/grasp/strategy.h"
@@ -138,6 +139,7 @@ struct SessionConfig : TrialConditions {
   std::vector<std::string> grasps = {"best"};  ///< "all", or words, ids, files
   std::string approach = "automatic";          ///< core/shape/grasp_object.h
   std::string positioning = "nominal";         ///< core/trial/trial_setup.h
+  ArmConfig arm;                               ///< that carries the hands; none by default
   CameraConfig camera;                         ///< for positioning, and grasps, by camera
   std::string touch = "exact";                 ///< core/trial/touch_sensors.h
   SensorConfig sensors;                        ///< for touch: sensed
@@ -158,6 +160,7 @@ struct SessionConfig : TrialConditions {
     v("positioning", positioning,
       "what the hand knows of the object's place: nominal (nothing), true (all), or camera (what "
       "the camera of its hand.yaml finds)");
+    v("arm", arm);
     v("camera", camera);
     v("touch", touch,
       "by what closure and stabilisation end: exact (the contacts) or sensed (what the elements of "
@@ -224,9 +227,8 @@ SessionConfig ParseSessionConfig(const std::string& text, const std::string& fil
 void ApplySetting(const std::string& assignment, SessionConfig& config);
 
 /** The complete configuration, every default written out, but for an automatic approach, nominal
-positioning, exact touch, a grip by posture with its keys, no imperfections, no controller, random
-draws, no conditions, and for camera and sensors
-of a session without them: sessions without a choice are what they were before there was one. */
+positioning, no arm, exact touch, a grip by posture with its keys, no imperfections, no controller,
+random draws, no conditions, and for camera and sensors of a session without them: sessions without a choice are what they were before there was one. */
 Json ToJson(const SessionConfig& config);
 /** @param file  name of the file in messages.
 @throws Error(kFormat) listing every missing, unknown or wrong key or value. */

@@ -4,6 +4,7 @@
 #include <regex>
 #include <string_view>
 
+#include "core/arm/load_arm.h"
 #include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/base/files/files.h"
@@ -166,7 +167,8 @@ void AddRehearsed(const SessionConfig& config, const fs::path& folder, const std
         if (!copy.empty()) {
           text = ReadFile(copy);
         } else {
-          const RehearsalTask task = MakeRehearsalTask(config, rehearsal, hand, grasps, object);
+          RehearsalTask task = MakeRehearsalTask(config, rehearsal, hand, grasps, object);
+          task.arm = inputs.hands[h].arm;
           const RehearsedCandidate choice = FindRehearsal(task).choice();
           text = FormatRehearsedGrasp(task, choice.candidate, id);
           const std::string doubt =
@@ -231,24 +233,33 @@ void ApplyApproach(const std::string& name, SessionInputs& inputs) {
 
 /** All that decides what hands and objects are. */
 Json DescribeInputs(const SessionConfig& config) {
-  return Json{ConfigToJson(config.model), ConfigToJson(config.imperfections), config.approach};
+  return Json{ConfigToJson(config.model), ConfigToJson(config.imperfections), config.approach,
+              ConfigToJson(config.arm)};
 }
 
 /** All that decides what is rehearsed. */
 Json DescribeRehearsals(const SessionConfig& config) {
-  return Json{ConfigToJson<TrialConditions>(config), ConfigToJson(config.imperfections),
-              config.approach};
+  Json decides = {ConfigToJson<TrialConditions>(config), ConfigToJson(config.imperfections),
+                  config.approach};
+  if (HasArm(config.arm)) decides.push_back(ConfigToJson(config.arm));
+  return decides;
 }
 
 SessionInputs LoadBaseInputs(const SessionConfig& config, FieldUse field_use,
                              const std::filesystem::path& folder) {
   SessionInputs inputs;
+  std::shared_ptr<const Arm> arm;
+  if (HasArm(config.arm)) {
+    arm = std::make_shared<Arm>(LoadArm(FindArmInput(config.arm.model, folder)));
+  }
   for (const std::string& name : config.hands == kAll ? ListHands() : config.hands) {
     auto hand = std::make_shared<Hand>(LoadHand(FindHandInput(name, folder)));
     ApplyModel(config.model, *hand);
     ApplyImperfections(config.imperfections, *hand);
     std::vector<Grasp> grasps = LoadStandardGrasps(*hand);
-    inputs.hands.push_back({std::move(hand), std::move(grasps)});
+    std::shared_ptr<const MountedArm> mounted;
+    if (arm) mounted = std::make_shared<MountedArm>(MountArm(config.arm, arm, *hand));
+    inputs.hands.push_back({std::move(hand), std::move(grasps), std::move(mounted)});
   }
   for (const std::string& name : config.objects == kAll ? ListObjects() : config.objects) {
     auto object =
@@ -313,6 +324,12 @@ void CopyInputs(const SessionConfig& config, const fs::path& folder) {
   for (const std::string& name : config.objects) {
     if (!IsOneOf(name, own)) CopyObject(FindOriginal(name), inputs / FindPlace("objects", name));
   }
+  own = ListArms();
+  own.push_back(ArmConfig::kNone);
+  if (!IsOneOf(config.arm.model, own)) {
+    CopyFiles(FindOriginal(config.arm.model), inputs / FindPlace("arms", config.arm.model),
+              {"arm.yaml"});
+  }
   for (size_t i = 0; i < config.grasps.size(); ++i) {
     if (!IsGraspFile(config.grasps[i])) continue;
     MakeFolder(inputs / "grasps");
@@ -334,6 +351,10 @@ std::string FindHandInput(const std::string& name, const fs::path& folder) {
 
 std::string FindObjectInput(const std::string& name, const fs::path& folder) {
   return ChooseInput(name, folder, FindPlace("objects", name));
+}
+
+std::string FindArmInput(const std::string& name, const fs::path& folder) {
+  return ChooseInput(name, folder, FindPlace("arms", name));
 }
 
 std::string FindGraspInput(const std::string& name, size_t number, const fs::path& folder) {

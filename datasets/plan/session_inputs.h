@@ -8,6 +8,7 @@ The hands and objects of a session, loaded once and shared between threads. */
 #include <string>
 #include <vector>
 
+#include "core/arm/mounted_arm.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/hand.h"
 #include "core/shape/grasp_object.h"
@@ -21,7 +22,8 @@ namespace graspbench {
 
 struct SessionHand {
   std::shared_ptr<const Hand> hand;
-  std::vector<Grasp> grasps;  ///< all it can do, then those of grasp files
+  std::vector<Grasp> grasps;                   ///< all it can do, then those of grasp files
+  std::shared_ptr<const MountedArm> arm = {};  ///< that carries it; null: none
 };
 
 struct SessionInputs;
@@ -67,11 +69,12 @@ goes to its hand; the benchmark of a campaign has the grasps of the campaign's s
 SessionInputs LoadSessionInputs(const SessionConfig& config, FieldUse field_use = FieldUse::kNow,
                                 const std::filesystem::path& folder = {});
 
-/** The user's own hands, objects and grasp files, copied into the folder of a session, an
+/** The user's own hands, objects, arm and grasp files, copied into the folder of a session, an
 optimisation or a campaign when it is made:
 
     inputs/hands/<id>/     hand.urdf, hand.yaml and the meshes that hand.urdf names
     inputs/objects/<id>/   object.yaml, its mesh and the files that a .gltf names
+    inputs/arms/<id>/      arm.yaml
     inputs/grasps/<n>.yaml the n-th of the configuration's grasps, from 0
     inputs/grasps/rehearsed/<hand>/<object>.yaml  a rehearsed grasp
     inputs/grasps/best/types.json  the types of best grasps
@@ -101,6 +104,7 @@ void GatherHand(const std::filesystem::path& from, const std::filesystem::path& 
 @param folder  empty: there is no store yet. */
 std::string FindHandInput(const std::string& name, const std::filesystem::path& folder);
 std::string FindObjectInput(const std::string& name, const std::filesystem::path& folder);
+std::string FindArmInput(const std::string& name, const std::filesystem::path& folder);
 /** @param number  in the configuration's list of grasps. */
 std::string FindGraspInput(const std::string& name, size_t number,
                            const std::filesystem::path& folder);

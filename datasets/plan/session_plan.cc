@@ -168,7 +168,8 @@ void PlanPair(const ConditionBlock& block, bool is_threshold, size_t hand_index,
     }
     const Json& grasp = entry.id == kBySight ? grasps : grasps.front();
     for (int trial = 0; trial < block.config->trials; ++trial) {
-      const std::string id = CalcTrialId(*block.config, *hand.hand, *object, grasp, trial);
+      const std::string id =
+          CalcTrialId(*block.config, *hand.hand, *object, grasp, trial, hand.arm.get());
       for (const auto& [name, condition] : block.members) {
         if (condition && condition->is_compliant && !can_be_compliant) continue;
         plan.push_back(
@@ -398,6 +399,7 @@ TrialSetup MakeTrialSetup(const SessionConfig& config, const SessionInputs& inpu
   setup.draw = MakeTrialDraw(config, *hand->hand, **object, planned.trial);
   setup.positioning = FindRow(kPositionings, config.positioning)->value;
   setup.camera = config.camera;
+  setup.arm = hand->arm;
   setup.touch = FindRow(kTouchSenses, config.touch)->value;
   setup.sensors = config.sensors;
   setup.keeps_closing = HasDelays(config);

@@ -1,5 +1,6 @@
 #include "datasets/plan/trial_id.h"
 
+#include "core/arm/mounted_arm.h"
 #include "core/base/config.h"
 #include "core/base/hash.h"
 #include "core/hand/tactile.h"
@@ -76,7 +77,7 @@ Json ToJson(const HandCamera& camera) {
 }  // namespace
 
 std::string CalcTrialId(const SessionConfig& config, const Hand& hand, const GraspObject& object,
-                        const Json& grasp, int trial) {
+                        const Json& grasp, int trial, const MountedArm* arm) {
   static const Json defaults = ConfigToJson(SessionConfig());
   Json content = {
       {"physics", kPhysicsVersion},
@@ -98,6 +99,7 @@ std::string CalcTrialId(const SessionConfig& config, const Hand& hand, const Gra
     content["camera"] = TakeHashed("camera", ConfigToJson(config.camera), defaults);
     content["mount"] = ToJson(*hand.camera);
   }
+  if (arm) content["arm"] = DescribeArm(*arm);
   if (config.touch != SessionConfig().touch) {
     content["touch"] = config.touch;
     content["sensors"] = TakeHashed("sensors", ConfigToJson(config.sensors), defaults);

@@ -12,9 +12,12 @@ stream derives from it. */
 
 namespace graspbench {
 
+struct MountedArm;
+
 /** @param grasp  one, or the list of those of which the camera chooses.
+@param arm  null: none.
 @pre a hand that looks has a camera, one that feels has a skin. */
 std::string CalcTrialId(const SessionConfig& config, const Hand& hand, const GraspObject& object,
-                        const Json& grasp, int trial);
+                        const Json& grasp, int trial, const MountedArm* arm = nullptr);
 
 }  // namespace graspbench

@@ -330,6 +330,34 @@ void AddConditionColumns(const SessionConfig& config, std::vector<TrialColumn>& 
   }
 }
 
+/** Of a session with an arm. */
+void AddArmColumns(const std::vector<TrialRecord>& records, std::vector<TrialColumn>& columns) {
+  if (std::none_of(records.begin(), records.end(),
+                   [](const TrialRecord& record) { return record.result.arm.has_value(); })) {
+    return;
+  }
+  columns.push_back({"arm_joint", "string", "",
+                     "joint of the arm nearest its limit on the course, or that prevents a course",
+                     [](const TrialRecord& record) {
+                       return record.result.arm ? Json(record.result.arm->joint) : Json();
+                     }});
+  const auto add = [&](const char* name, const char* unit, const char* meaning,
+                       double ArmRecord::*value) {
+    columns.push_back({name, unit, meaning, [value](const TrialRecord& record) {
+                         return record.result.arm ? (*record.result.arm).*value : kUnset;
+                       }});
+  };
+  add("arm_margin_rad", "rad", "of that joint to its limit; negative: beyond", &ArmRecord::margin);
+  add("arm_speed_share", "", "largest joint speed in placing and lift over its limit",
+      &ArmRecord::speed_share);
+  add("arm_dexterity", "", "least on the course; 0 at a singular posture", &ArmRecord::dexterity);
+  add("arm_reach_time_s", "s", "of the gross motion to the pre-grasp pose", &ArmRecord::reach_time);
+  add("arm_reach_path_m", "m", "path of the hand in the gross motion", &ArmRecord::reach_path);
+  add("arm_straight_time_s", "s", "of placing and lift", &ArmRecord::straight_time);
+  add("arm_straight_path_m", "m", "path of the hand in placing and lift",
+      &ArmRecord::straight_path);
+}
+
 }  // namespace
 
 std::string NameEpsilonColumn(const QualityConvention& convention) {
@@ -345,6 +373,7 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
       [](const TrialRecord& record) -> const PlannedTrial& { return record.plan; }, columns);
   AddSightColumn(config, columns);
   AddPolicyColumns(records, columns);
+  AddArmColumns(records, columns);
   AddConditionColumns(config, columns);
   const std::vector<TrialColumn> outcome_columns = {
       {"outcome", "", "how the trial ended",

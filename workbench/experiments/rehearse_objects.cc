@@ -192,6 +192,7 @@ std::vector<RehearsalTask> ListRehearsalTasks(const SessionConfig& config,
   for (const SessionHand& hand : inputs.hands) {
     for (const auto& object : inputs.objects) {
       tasks.push_back(MakeRehearsalTask(plain, rehearsal, hand.hand, hand.grasps, object));
+      tasks.back().arm = hand.arm;
     }
   }
   return tasks;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/arm/load_arm.h"
 #include "core/base/config.h"
 #include "core/grasp/grasp_yaml.h"
 #include "core/hand/hand_yaml.h"
@@ -247,6 +248,7 @@ const std::vector<FileFormat>& ListFileFormats() {
         {"hand.yaml", "what hand.urdf beside it cannot say", hand},
         {"tactile.yaml", "what a hand feels with, beside its hand.yaml; not needed",
          ListTactileKeys()},
+        {"arm.yaml", "an arm that carries hands, for graspbench run --arm FOLDER", ListArmKeys()},
         {"session.yaml",
          "what graspbench run simulates; its session.json has all that matter and is read, "
          "too",

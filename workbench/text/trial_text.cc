@@ -128,6 +128,22 @@ std::string FormatController(const TrialResult& result) {
                      FormatCount(policy.num_cut, "target"), hand);
 }
 
+/** Nothing without an arm. */
+std::string FormatArm(const TrialResult& result) {
+  if (!result.arm) return "";
+  const ArmRecord& arm = *result.arm;
+  if (arm.q.size() == 0) {
+    return "arm      no course" + (arm.joint.empty() ? "" : "; joint " + arm.joint) + "\n";
+  }
+  return fmt::format(
+      "arm      to the pre-grasp pose {} s, {} mm; placing and lift {} s, {} mm; joint {} {} deg "
+      "from "
+      "its limit; fastest joint at {} of its speed\n",
+      FormatFixed(arm.reach_time, 2), FormatFixed(MmFromM(arm.reach_path), 0),
+      FormatFixed(arm.straight_time, 2), FormatFixed(MmFromM(arm.straight_path), 0), arm.joint,
+      FormatFixed(DegFromRad(arm.margin), 1), FormatPercent(arm.speed_share));
+}
+
 std::string FormatJointErrors(const TrialSetup& setup) {
   const Eigen::VectorXd& error = setup.draw.joint_error;
   Eigen::Index worst = -1;
@@ -383,7 +399,7 @@ std::string FormatTrial(const ExaminedTrial& trial, const std::string& folder) {
       fmt::format("trial    {} ({}): {}, {}, {}\n", trial.planned.id, NameTrial(trial.planned),
                   trial.setup.hand->name, trial.setup.object->name, trial.planned.grasp) +
       FormatCompression(*trial.setup.object) + FormatSight(result) + FormatController(result) +
-      FormatOutcome(result) + "draw     " + FormatObjectDraw(trial.setup.draw) +
+      FormatArm(result) + FormatOutcome(result) + "draw     " + FormatObjectDraw(trial.setup.draw) +
       FormatJointErrors(trial.setup) + "\n" + "phases   " +
       FormatPhases(trial.traced, trial.setup.strategy) + "\n";
   if (!result.contacts.empty()) text += FormatDigits(trial);

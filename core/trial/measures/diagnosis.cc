@@ -293,6 +293,9 @@ bool SaysItAll(Outcome outcome) {
     case Outcome::kNotRun:
     case Outcome::kSuccess:
     case Outcome::kUnreachable:
+    case Outcome::kArmOutOfReach:
+    case Outcome::kNoStraightPath:
+    case Outcome::kNearSingularity:
     case Outcome::kNotSeen:
     case Outcome::kNotPhysical:
     case Outcome::kWrongAnswer:

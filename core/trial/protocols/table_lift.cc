@@ -182,6 +182,28 @@ void TableLift::Begin() {
   world_->Reset(state);
   notes_.start_gap = CalcGap(nullptr);
   notes_.rest_extent = CalcExtent();
+  if (setup_.arm) PlanArm();
+}
+
+void TableLift::PlanArm() {
+  const double distance = setup_.grasp.approach_distance;
+  // A hand that seeks the palm goes on as far as it may.
+  const double beyond = setup_.grasp.seeks_palm ? kPalmSearchLength - kPalmStandOff : 0.0;
+  ArmTask task;
+  task.object = setup_.object.get();
+  task.X_WO = CalcBelievedPose();
+  task.approach.X_WH = placement_.X_WH;
+  task.approach.X_WH.pretranslate(-distance * placement_.approach_W);
+  task.approach.motion_W = (distance + beyond) * placement_.approach_W;
+  task.approach.time = setup_.strategy.placing_time;
+  task.lift.X_WH = task.approach.X_WH;
+  task.lift.X_WH.pretranslate(task.approach.motion_W);
+  task.lift.motion_W = distance * Vector3d::UnitZ();
+  task.lift.time = setup_.strategy.lift_time;
+  ArmCourse course = PlanArmCourse(*setup_.arm, task);
+  notes_.result.arm = std::move(course.record);
+  notes_.arm_fault = course.fault;
+  notes_.arm_reason = std::move(course.reason);
 }
 
 WorldCommand TableLift::MakeCommand(const StrategyCommand& command) const {
@@ -334,6 +356,8 @@ TrialFacts TableLift::MakeFacts() const {
   facts.lift_distance = setup_.grasp.approach_distance;
   facts.not_seen = notes_.not_seen;
   facts.policy_fault = notes_.policy_fault;
+  facts.arm_fault = notes_.arm_fault;
+  facts.arm_reason = notes_.arm_reason;
   facts.is_reachable = placement_.reaches_object;
   facts.start_gap = notes_.start_gap;
   facts.report = notes_.report;

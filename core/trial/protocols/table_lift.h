@@ -51,6 +51,8 @@ struct TrialNotes {
   StepReport report = {};                    ///< of the last step
   std::optional<TouchSensors> sensors = {};  ///< of a trial that goes by them
   std::string policy_fault = {};             ///< what a controller answered wrongly
+  ArmFault arm_fault = ArmFault::kNone;      ///< why the arm cannot carry the hand there
+  std::string arm_reason = {};               ///< likewise, in words
   std::string not_seen = {};                 ///< why the camera did not find the object
   double time = 0.0;                         ///< since the start [s]
   double closure_start = kUnset;
@@ -128,6 +130,8 @@ class TableLift : public TrialCourse {
   Eigen::VectorXd CalcStartPosture() const;
   /** Moves the placement to where the hand believes the object. */
   void Position(WristCamera* camera);
+  /** Course of the arm, of a setup that has one. */
+  void PlanArm();
   double FindPlacingStart(const Pose& X_WO, const Eigen::VectorXd& q);
   /** X_WH so long before the hand arrives. */
   Pose CalcPlacingPose(double before_arrival) const;

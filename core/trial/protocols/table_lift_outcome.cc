@@ -31,7 +31,23 @@ bool IsArmOverloaded(const TrialFacts& facts) {
          facts.report.arm_moment >= facts.arm_moment_limit;
 }
 
-bool IsUnreachable(const TrialFacts& facts) { return !facts.is_reachable || facts.start_gap < 0.0; }
+bool IsUnreachable(const TrialFacts& facts) {
+  return !facts.is_reachable || facts.start_gap < 0.0 || facts.arm_fault != ArmFault::kNone;
+}
+
+Outcome FindArmOutcome(ArmFault fault) {
+  switch (fault) {
+    case ArmFault::kNone:
+      break;
+    case ArmFault::kOutOfReach:
+      return Outcome::kArmOutOfReach;
+    case ArmFault::kNoStraightPath:
+      return Outcome::kNoStraightPath;
+    case ArmFault::kNearSingularity:
+      return Outcome::kNearSingularity;
+  }
+  return Outcome::kNotRun;
+}
 
 /** Why a held object is not held as a real one would be; empty: it is. */
 std::string FindImplausibility(const TrialFacts& facts) {
@@ -61,6 +77,9 @@ OutcomeReason FindBreakdown(const TrialFacts& facts) {
   if (facts.start_gap < 0.0) {
     return {Outcome::kUnreachable, fmt::format("the hand would start {:.1f} mm inside the object",
                                                MmFromM(-facts.start_gap))};
+  }
+  if (facts.arm_fault != ArmFault::kNone) {
+    return {FindArmOutcome(facts.arm_fault), facts.arm_reason};
   }
   if (!facts.report.is_finite) {
     return {Outcome::kNumericalFailure,

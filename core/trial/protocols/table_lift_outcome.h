@@ -5,6 +5,7 @@ What a trial is called in the end, decided from a few observed facts. */
 #include <string>
 #include <vector>
 
+#include "core/arm/arm_course.h"
 #include "core/grasp/contact_timing.h"
 #include "core/grasp/strategy.h"
 #include "core/hand/hand.h"
@@ -23,7 +24,9 @@ struct TrialFacts {
 
   std::string not_seen = {};      ///< why the camera did not find the object; empty: nobody asks
   std::string policy_fault = {};  ///< what the controller answered wrongly; empty: nothing
-  bool is_reachable = true;       ///< the placement reaches the object
+  ArmFault arm_fault = ArmFault::kNone;  ///< why the arm cannot carry the hand there
+  std::string arm_reason = {};           ///< likewise, in words
+  bool is_reachable = true;              ///< the placement reaches the object
   double start_gap = 0.0;         ///< of hand and object at the start; negative: inside it [m]
   StepReport report = {};         ///< of the last step
   double unconverged_time = 0.0;  ///< since the solver last converged [s]

@@ -13,7 +13,8 @@ namespace {
 constexpr char kOneJoint[] = R"(name: One joint
 ready_deg: [0]
 joints:
-  - {name: only, a_m: 0.5, d_m: 0, alpha_deg: 0, lower_deg: -90, upper_deg: 90, speed_deg_per_s: 90, torque_nm: 10, mass_kg: 1, com_m: [0, 0, 0]}
+  - {name: only, a_m: 0.5, d_m: 0, alpha_deg: 0, lower_deg: -90, upper_deg: 90,
+     speed_deg_per_s: 90, torque_nm: 10, mass_kg: 1, com_m: [0, 0, 0]}
 capsules:
   - {link: 1, from_m: [-0.5, 0, 0], to_m: [0, 0, 0], radius_m: 0.05}
 )";
@@ -33,7 +34,7 @@ TEST(LoadArm, WrongFilesAreRefusedByName) {
     std::string text, expected;
   };
   const Case cases[] = {
-      {Replace(kOneJoint, "lower_deg: -90, upper_deg: 90, ", ""), "lower_deg"},
+      {Replace(kOneJoint, "lower_deg: -90, upper_deg: 90,", ""), "lower_deg"},
       {Replace(kOneJoint, "upper_deg: 90", "upper_deg: -95"), "expected more than its lower_deg"},
       {Replace(kOneJoint, "ready_deg: [0]", "ready_deg: [0, 1]"), "expected one angle for each of"},
       {Replace(kOneJoint, "ready_deg: [0]", "ready_deg: [91]"), "outside its limits"},

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "core/arm/load_arm.h"
+#include "core/arm/mounted_arm.h"
 #include "core/base/units.h"
 #include "core/physics/implicit_world.h"
 #include "core/physics/simbody/compliant_world.h"
@@ -76,6 +78,44 @@ TEST(Positioning, WhatIsNotSeenIsAResultWithItsReason) {
   EXPECT_EQ(result.reason, "what is seen reaches over the picture's edge");
   EXPECT_EQ(result.num_steps, 0);
   EXPECT_TRUE(std::isnan(result.believed_x));
+  ExpectSurvivesItsRecord(result);
+}
+
+/** Without an arm the record is as before; an arm that reaches changes nothing but its own part. */
+TEST(TrialWithArm, ReachedGraspIsThatWithoutArm) {
+  TrialSetup setup = MakeTrial();
+  const TrialResult alone = RunSetup(setup);
+  EXPECT_FALSE(ToJson(alone).contains("arm"));
+  for (const char* id : {"puma560", "pa10"}) {
+    setup.arm = std::make_shared<const MountedArm>(
+        MountArm(ArmConfig(), std::make_shared<const Arm>(LoadArm(id)), *setup.hand));
+    const TrialResult carried = RunSetup(setup);
+    ASSERT_TRUE(carried.arm) << id;
+    EXPECT_GT(carried.arm->margin, 0.0);
+    EXPECT_GT(carried.arm->reach_time, 0.0);
+    EXPECT_EQ(carried.arm->q.size(), setup.arm->arm->num_joints());
+    ExpectSurvivesItsRecord(carried);
+    Json json = ToJson(carried);
+    json.erase("arm");
+    EXPECT_EQ(json, ToJson(alone)) << id << ": " << carried.reason;
+  }
+}
+
+TEST(TrialWithArm, WhatIsOutOfReachEndsAtOnceWithItsJoint) {
+  TrialSetup setup = MakeTrial();
+  ArmConfig config;
+  config.x = -1.5;
+  setup.arm = std::make_shared<const MountedArm>(
+      MountArm(config, std::make_shared<const Arm>(LoadArm("puma560")), *setup.hand));
+  const TrialResult result = RunSetup(setup);
+  EXPECT_EQ(result.outcome, Outcome::kArmOutOfReach);
+  EXPECT_NE(result.reason.find("joint 3 (elbow) cannot go farther"), std::string::npos)
+      << result.reason;
+  EXPECT_EQ(result.num_steps, 0);
+  ASSERT_TRUE(result.arm);
+  EXPECT_EQ(result.arm->joint, "elbow");
+  EXPECT_EQ(result.arm->q.size(), 0);
+  EXPECT_FALSE(result.diagnosis);
   ExpectSurvivesItsRecord(result);
 }
 

@@ -175,6 +175,7 @@ TEST(SessionConfig, ADefaultChoiceIsNotWritten) {
   const Json plain = ToJson(SessionConfig());
   for (const auto& [setting, unused] : {std::pair("approach=above", ""),
                                         {"positioning=camera", "camera.noise_grey_levels=7"},
+                                        {"arm.model=pa10", "arm.base_x_m=-0.7"},
                                         {"touch=sensed", "sensors.noise=0.01"},
                                         {"imperfections.stick_slip=0.1", ""}}) {
     SessionConfig config;
@@ -232,6 +233,19 @@ TEST(SessionConfig, SettingsOfSensorsThatAreNotUsedAreTold) {
   EXPECT_TRUE(Validate(config).empty());
 }
 
+TEST(SessionConfig, WrongArmsAreRefusedByName) {
+  using Problem = std::pair<std::string, std::string>;
+  EXPECT_EQ(FindProblem({"arm.base_x_m=-0.7"}),
+            Problem("arm.base_x_m",
+                    "changes nothing while arm.model is none; set arm.model or leave it out"));
+  EXPECT_EQ(FindProblem({"arm.model=pa10", "arm.base_z_m=-0.1"}),
+            Problem("arm.base_z_m",
+                    "-0.1: the base would be inside the table, whose top is at 0; expected 0 or "
+                    "more"));
+  EXPECT_EQ(FindProblem({"arm.model=pa10", "arm.mount=up"}),
+            Problem("arm.mount", "no mount \"up\". Known: x, -x, y, -y, z, -z"));
+}
+
 TEST(SessionConfig, AFilesGripThatIsNotUsedIsRefusedAtItsLine) {
   EXPECT_TRUE(Has(FindProblems("strategy:\n  grip: posture\n  grip_margin: 3\n"),
                   "s.yaml:3: error: strategy.grip_margin: has no use where strategy.grip is "
@@ -256,7 +270,7 @@ TEST(SessionConfig, TellsEveryProblemOfAFrozenConfiguration) {
             "x/session.json: error: seed: is missing\n"
             "x/session.json: error: sim.: expected an object of keys and values\n"
             "x/session.json: error: more: unknown key. Known: hands, objects, grasps, "
-            "trials, seed, variation, strategy, sim, model, approach, positioning, camera, "
+            "trials, seed, variation, strategy, sim, model, approach, positioning, arm, camera, "
             "touch, sensors, imperfections, policy");
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/arm/mounted_arm.h"
 #include "core/base/config.h"
 #include "core/hand/tactile.h"
 #include "datasets/plan/session_config.h"
@@ -12,6 +13,7 @@ namespace {
 /** Of a hand with camera and skin, so that every part of the configuration can be hashed. */
 std::string CalcIdOf(const SessionConfig& config) {
   Hand hand;
+  hand.links.emplace_back();
   hand.id = "hand";
   hand.content_hash = "0a";
   hand.camera = HandCamera();
@@ -21,7 +23,9 @@ std::string CalcIdOf(const SessionConfig& config) {
   GraspObject object;
   object.id = "object";
   object.content_hash = "0c";
-  return CalcTrialId(config, hand, object, "g1", 3);
+  if (!HasArm(config.arm)) return CalcTrialId(config, hand, object, "g1", 3);
+  const MountedArm mounted = MountArm(config.arm, std::make_shared<const Arm>(), hand);
+  return CalcTrialId(config, hand, object, "g1", 3, &mounted);
 }
 
 // Ids of 2026: whatever key is added to the configuration or removed from it, they stay. The physics
@@ -40,7 +44,8 @@ TEST(TrialId, KnownConfigurationsKeepTheirIds) {
 
 TEST(TrialId, EverySettingOfATrialChangesIt) {
   SessionConfig of_strategy;
-  for (const char* setting : {"positioning=camera", "touch=sensed", "imperfections.stick_slip=0.1"})
+  for (const char* setting :
+       {"positioning=camera", "touch=sensed", "imperfections.stick_slip=0.1", "arm.model=pa10"})
     ApplySetting(setting, of_strategy);
   SessionConfig of_policy = of_strategy;  // which uses no grip
   ApplySetting("policy.command=x", of_policy);

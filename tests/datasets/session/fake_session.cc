@@ -78,7 +78,9 @@ TrialRecord MakeFakeRecord(const PlannedTrial& planned) {
   TrialRecord record;
   record.plan = planned;
   TrialResult& result = record.result;
-  const auto& outcomes = ListOutcomes();
+  std::vector<Outcome> outcomes = ListOutcomes();  // of trials without an arm
+  outcomes.erase(std::find(outcomes.begin(), outcomes.end(), Outcome::kArmOutOfReach),
+                 std::find(outcomes.begin(), outcomes.end(), Outcome::kNotSeen));
   result.outcome =
       outcomes[static_cast<size_t>(random.NextIndex(static_cast<int>(outcomes.size())))];
   if (result.outcome != Outcome::kSuccess) {

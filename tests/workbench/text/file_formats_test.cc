@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "core/arm/load_arm.h"
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "core/base/text/yaml.h"
@@ -94,6 +95,13 @@ TEST(FileFormatsTest, TactileElementsAreReadByTheirRows) {
   Diagnostics problems;
   ParseTactile("surfaces: [{elements: [{}]}]\n", "tactile.yaml", Hand(), problems);
   ExpectSameKeys(recorder.keys(), FindKeys("tactile.yaml"));
+}
+
+TEST(FileFormatsTest, ArmsAreReadByTheirRows) {
+  KeyRecorder recorder;
+  Diagnostics problems;
+  ParseArm("joints: [{}]\ncapsules: [{}]\n", "arm", problems);
+  ExpectSameKeys(recorder.keys(), FindKeys("arm.yaml"));
 }
 
 TEST(FileFormatsTest, GraspsAreReadByTheirRows) {

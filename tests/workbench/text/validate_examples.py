@@ -18,6 +18,7 @@ EXAMPLES = {
     "object.yaml": "objects/catalogue/*/object.yaml",
     "hand.yaml": "core/hand/models/*/hand.yaml",
     "tactile.yaml": "core/hand/models/*/tactile.yaml",
+    "arm.yaml": "core/arm/models/*/arm.yaml",
     "session.yaml": "datasets/presets/*.yaml",
     "study.yaml": "human_study/examples/*/study.yaml",
     "benchmark.yaml": "datasets/benchmarks/*.yaml",

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <sstream>
 
+#include "core/base/units.h"
 #include "datasets/benchmark/benchmark_file.h"
 #include "datasets/plan/grip_check.h"
 #include "datasets/plan/rehearsed_grasps.h"
@@ -31,11 +33,32 @@ constexpr SettingOption kOptions[] = {
      [](const SessionConfig& given, SessionConfig& c) { c.grasps = JoinRehearsed(given.grasps); }},
     {"--approach", "approach",
      [](const SessionConfig& given, SessionConfig& c) { c.approach = given.approach; }},
+    {"--arm", "arm.model",
+     [](const SessionConfig& given, SessionConfig& c) { c.arm.model = given.arm.model; }},
     {"--policy", "policy.command",
      [](const SessionConfig& given, SessionConfig& c) { c.policy.command = given.policy.command; }},
     {"--trials", "trials",
      [](const SessionConfig& given, SessionConfig& c) { c.trials = given.trials; }},
     {"--seed", "seed", [](const SessionConfig& given, SessionConfig& c) { c.seed = given.seed; }}};
+
+/** @throws Error(kUsage). */
+void SetArmBase(const std::string& text, ArmConfig& arm) {
+  std::vector<double> numbers;
+  bool are_numbers = true;
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, ',');) {
+    are_numbers = ReadNumber(word, numbers.emplace_back()) && are_numbers;
+  }
+  if (!are_numbers || numbers.size() != 4) {
+    throw Error(ErrorKind::kUsage, "--arm-base " + text +
+                                       ": expected four numbers X,Y,Z,YAW in m and degrees, as "
+                                       "-0.5,0,0,0");
+  }
+  arm.x = numbers[0];
+  arm.y = numbers[1];
+  arm.z = numbers[2];
+  arm.yaw = RadFromDeg(numbers[3]);
+}
 
 }  // namespace
 
@@ -64,6 +87,13 @@ void SessionOptions::AddTo(Command& command, const std::string& file_text) {
       .AddOption("--approach", given_.approach, "above or side, whatever objects and grasps say",
                  "FROM")
       ->ShowDefault();
+  command.AddOption("--arm", given_.arm.model,
+                    "arm that carries the hand, by id or folder: puma560, pa10; none: no arm",
+                    "ARM");
+  command.AddOption("--arm-base", arm_base_,
+                    "place of the arm's base [m] and its rotation about the vertical [deg]; the "
+                    "object stands at 0,0,0",
+                    "X,Y,Z,YAW");
   command.AddOption("--policy", given_.policy.command,
                     "a controller that closes the digits: a shell command ('python3 my.py'), the "
                     "address of a policy server (ws://127.0.0.1:8000) or a policy.yaml",
@@ -94,6 +124,7 @@ bool SessionOptions::IsGiven(const char* option) const { return command_->IsGive
 
 bool SessionOptions::HasAny() const {
   return !benchmark_.empty() || IsGiven("session") || IsGiven("--preset") || IsGiven("--set") ||
+         IsGiven("--arm-base") ||
          std::any_of(std::begin(kOptions), std::end(kOptions),
                      [this](const SettingOption& row) { return IsGiven(row.option); });
 }
@@ -132,6 +163,7 @@ void SessionOptions::ApplyTo(SessionConfig& config) const {
     if (IsGiven(row.option)) row.copy(given_, config);
   }
   if (!benchmark_.empty()) CheckSettings(LoadBenchmark(benchmark_), config);
+  if (IsGiven("--arm-base")) SetArmBase(arm_base_, config.arm);
 }
 
 std::string SessionOptions::name() const {

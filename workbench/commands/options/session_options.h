@@ -40,7 +40,8 @@ class SessionOptions {
   void RefuseTwice(const std::string& setting) const;
 
   std::string session_file_, preset_, benchmark_;
-  SessionConfig given_;  ///< the values of the options that were given, else defaults
+  std::string arm_base_;  ///< X,Y,Z,YAW [m], [deg]
+  SessionConfig given_;   ///< the values of the options that were given, else defaults
   std::vector<std::string> settings_;
   const Command* command_ = nullptr;
 };

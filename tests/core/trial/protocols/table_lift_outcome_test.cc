@@ -128,6 +128,21 @@ TEST(TrialOutcome, OfATrialThatCannotGoOn) {
        [](auto& f) { f.is_reachable = false; }},
       {Outcome::kUnreachable, "the hand would start 1.2 mm inside the object",
        [](auto& f) { f.start_gap = -0.0012; }},
+      {Outcome::kArmOutOfReach, "too far",
+       [](auto& f) {
+         f.arm_fault = ArmFault::kOutOfReach;
+         f.arm_reason = "too far";
+       }},
+      {Outcome::kNoStraightPath, "blocked",
+       [](auto& f) {
+         f.arm_fault = ArmFault::kNoStraightPath;
+         f.arm_reason = "blocked";
+       }},
+      {Outcome::kNearSingularity, "too fast",
+       [](auto& f) {
+         f.arm_fault = ArmFault::kNearSingularity;
+         f.arm_reason = "too fast";
+       }},
       {Outcome::kNotSeen, "nothing is seen", [](auto& f) {
          f.not_seen = "nothing is seen";
          f.is_reachable = false;
