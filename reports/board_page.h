@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-The page of a benchmark's entries (datasets/benchmark/board.h): ranks, success by object, who is best
-where, failures, entries in their authors' words, entries without a rank, and the rules. */
+The page of a benchmark's entries (datasets/benchmark/board.h): ranks, success by object, who is
+best where, failures, entries in their authors' words, entries without a rank, and the rules. */
 
 #include <string>
 

@@ -114,7 +114,8 @@ const FileKeys& ListBenchmarkKeys() {
   static const FileKeys keys = {
       {"name", kRequired, "what people call it, with its version: graspbench-21/1"},
       {"about", "", "what it is for, in a sentence"},
-      {"physics", kRequired, "version of the physics, as graspbench version prints it", 1, 1e6},
+      {"physics", kRequired, "version of the physics, as physics_version of session.json has it", 1,
+       1e6},
       {"open", "", "settings of session.yaml that an entry may choose, beside its hands"},
       {"commitment", "", "of held-out draws: SHA-256 of \"NAME SEED NONCE\""},
       {"hands", kRequired, KeyType::kMap, "a map: hands that an entry may choose, and their hash"},

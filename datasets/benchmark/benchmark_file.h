@@ -6,7 +6,7 @@ change is a new version with a file of its own.
     name: graspbench-21/1
     about: 21 everyday objects, two hands
     physics: 14                     # kPhysicsVersion
-    session: {trials: 10, seed: 1}  # as in session.yaml: protocol, draws, variation, rules of success
+    session: {trials: 10, seed: 1}  # as in session.yaml: protocol, draws, rules of success
     open: [grasps, strategy.grip]   # settings that an entry may choose, beside its hands
     hands: {tum: 0123456789abcdef}  # that an entry may choose, with the hash of their content
     objects: {can: ..}              # all of which an entry grasps, likewise

@@ -336,7 +336,7 @@ std::vector<CsvColumn<BoardLine>> ListBoardColumns() {
         [](const Row& row) {
           return row.gft_ratio.n == 0 ? kUnset : row.gft_ratio.median;
         }).Shown("GFT% [%]", [](const Row& row) { return FormatSpread(row.gft_ratio, 100.0, 1); }),
-      C("identical", "", "records of the entry that its trials give again in every field",
+      C("identical", "", "records of the entry that the re-simulation matches",
         [](const Row& row) { return row.entry->reproduction.num_identical; })
           .Shown("Records reproduced",
                  [](const Row& row) {

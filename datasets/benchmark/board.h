@@ -2,9 +2,9 @@
 /** @file
 What the entries of a benchmark hold, compared on the same draws.
 
-A line of the board is one entry with one hand. Its trials are those that the board's own machine has
-simulated again from the entry's configuration, grasps and recorded actions: no number comes from the
-entry's records, which only count as reproduced or not.
+A line of the board is one entry with one hand. Its trials are those that the board's own machine
+has simulated again from the entry's configuration, grasps and recorded actions: no number comes
+from the entry's records, which only count as reproduced or not.
 
 Ranks: lines are sorted by success. From the best on, a line shares the rank of the first line of
 that rank, unless the 95 % interval of their paired difference (datasets/analysis/pairs.h) excludes
@@ -31,7 +31,7 @@ inline constexpr double kOtherOutcomes = 0.01;
 /** The records of an entry beside its trials as simulated again. */
 struct Reproduction {
   int num_trials = 0;
-  int num_identical = 0;      ///< in every field
+  int num_identical = 0;      ///< the re-simulation matches the record
   int num_other_outcome = 0;  ///< that end otherwise
   std::string first;          ///< difference, in words; empty: all are identical
   /** Of the results as simulated again, by hand, object and number, whatever the trials' ids. */

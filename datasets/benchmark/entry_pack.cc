@@ -89,7 +89,7 @@ bool IsOfEntry(const std::string& path) {
          IsMatch(name, {"session.json", "plan.jsonl", "inputs/policies.json", "journal/0.jsonl"});
 }
 
-/** Only what GatherEntry writes: a hand or an object of its own would be taken for the program's. */
+/** Only what GatherEntry writes: a hand of its own would be taken for the program's. */
 void CheckFiles(const Manifest& manifest) {
   for (const ManifestFile& file : manifest.files) {
     if (!IsOfEntry(file.path)) Refuse("the pack holds \"" + file.path + "\", which no entry has");

@@ -20,8 +20,8 @@ namespace graspbench {
 namespace {
 namespace fs = std::filesystem;
 
-/** Entries whose plan is that of the tiny benchmark, with results that nobody has simulated: whether
-these are reproduced is for a simulation to say. */
+/** Entries whose plan is that of the tiny benchmark, with results that nobody has simulated:
+whether these are reproduced is for a simulation to say. */
 class EntryPackTest : public testing::Test {
  protected:
   static void SetUpTestSuite() { tiny_ = new Benchmark(MakeTinyBenchmark()); }

@@ -18,8 +18,7 @@ struct EntryOptions {
 void Pack(EntryOptions& options) {
   options.request.benchmark = LoadBenchmark(options.benchmark);
   options.request.facts.notes = ReadFile(options.notes);
-  MakeEntry(options.request);
-  PrintResult(options.request.pack.string() + "\n");
+  PrintResult(MakeEntry(options.request).string() + "\n");
 }
 
 }  // namespace
@@ -45,7 +44,10 @@ void AddEntryCommand(Command& program) {
   command.AddOption("--notes", options->notes, "the method in the author's words", "FILE")
       ->Require();
   command.AddOption("--licence", request.facts.licence, "of the pack", "TEXT")->ShowDefault();
-  command.AddOption("--out", request.pack, "new file", "PACK.TAR")->Require();
+  command
+      .AddOption("--out", request.out, "new file .tar, or folder DIR for DIR/DIR.tar",
+                 "PACK.TAR|DIR")
+      ->Require();
   command.SetAction([options] { Pack(*options); });
 }
 

@@ -7,8 +7,18 @@
 
 namespace graspbench {
 
-void MakeEntry(const EntryRequest& request) {
-  CheckOutputFile(request.pack);
+namespace {
+
+std::filesystem::path FindPack(const std::filesystem::path& out) {
+  if (out.extension() == ".tar") return out;
+  return out / (out.filename().string() + ".tar");
+}
+
+}  // namespace
+
+std::filesystem::path MakeEntry(const EntryRequest& request) {
+  const std::filesystem::path pack = FindPack(request.out);
+  CheckOutputFile(pack);
   EntryFacts facts = request.facts;
   facts.benchmark = request.benchmark.name;
   facts.benchmark_sha256 = request.benchmark.sha256;
@@ -22,9 +32,10 @@ void MakeEntry(const EntryRequest& request) {
     throw Error(fault.kind(), "the session in \"" + request.session.string() +
                                   "\" cannot be an entry: " + fault.what());
   }
-  const ScratchFolder scratch(request.pack);
+  const ScratchFolder scratch(pack);
   GatherEntry(session, facts, scratch.path() / "entry");
-  WritePack(scratch.path() / "entry", request.pack);
+  WritePack(scratch.path() / "entry", pack);
+  return pack;
 }
 
 }  // namespace graspbench

@@ -12,11 +12,12 @@ struct EntryRequest {
   std::filesystem::path session;
   Benchmark benchmark;
   EntryFacts facts;  ///< but the benchmark's
-  std::filesystem::path pack;
+  /** New file "NAME.tar", or a folder "DIR" for "DIR/DIR.tar", as a stage of a pipeline has one. */
+  std::filesystem::path out;
 };
 
-/** Writes the pack. @throws Error(kUsage) when the pack exists or the session cannot be an entry,
-saying why; as LoadSession, CheckEntry, GatherEntry. */
-void MakeEntry(const EntryRequest& request);
+/** @returns the pack that it wrote. @throws Error(kUsage) when the pack exists or the session
+cannot be an entry, saying why; as LoadSession, CheckEntry, GatherEntry. */
+std::filesystem::path MakeEntry(const EntryRequest& request);
 
 }  // namespace graspbench
