@@ -23,9 +23,12 @@ using Eigen::VectorXd;
 constexpr double kMostDepth = 0.003;   ///< of a link that is no fingertip, in the contact [m]
 constexpr double kOpenRoom = 0.011;    ///< beside the object where it nominally is [m]
 constexpr double kOpenLength = 0.004;  ///< by which an open pad may miss the person's [m]
-constexpr double kGripMargin = 2.0;    ///< of the smallest forces that bear the weight
-constexpr double kLeastGrip = 2.0;     ///< of the opposing digit [N]
-constexpr double kGravity = 9.81;      ///< [m/s^2]
+/** Draws move the object by kPlacementOffset in x and y: with less room than this an open digit would
+meet it where it nominally is. Fingertips may brush it in the others, as in placement.h. */
+constexpr double kBrush = 1.4142 * kPlacementOffset;
+constexpr double kGripMargin = 2.0;  ///< of the smallest forces that bear the weight
+constexpr double kLeastGrip = 2.0;   ///< of the opposing digit [N]
+constexpr double kGravity = 9.81;    ///< [m/s^2]
 constexpr int kNumShares = 100;
 
 bool Grasps(const Grasp& grasp, const std::string& digit) {
@@ -216,6 +219,13 @@ class Transfer {
     const double grip =
         std::max(kLeastGrip, kGripMargin * weight / (2.0 * object_.surface.friction_static));
     grasp.q_target = CalcSqueeze(hand_, grasp.digits, CloseOn(), approach_H, grip);
+    // Both ends are shifted so that the line passes through the contact again.
+    const double s = FindClosingAtContact(hand_, goals_, grasp, met_.X_OH);
+    const VectorXd beside = CalcClosingPosture(hand_, grasp, s) - met_.q;
+    for (VectorXd* q : {&grasp.q_pre, &grasp.q_target}) {
+      *q -= beside;
+      ClampToLimits(*q);
+    }
     result_.undetermined = placer_.FindUndetermined(goals_, met_);
     return true;
   }
@@ -268,35 +278,52 @@ class Transfer {
     return "";
   }
 
-  /** Opens the pre-grasp, on its line with the target, until it is clear of object, table and
-  itself for one of the approaches. */
+  /** The approach with the most room, for the grasp as it is. */
+  Placement FindPlacement() {
+    Grasp& grasp = result_.grasp;
+    const Vector3d p_WO(0.0, 0.0, 0.5 * object_.size.z());
+    const double s = FindClosingAtContact(hand_, goals_, grasp, met_.X_OH);
+    Placement best;
+    result_.room = -std::numeric_limits<double>::infinity();
+    for (const Vector3d& approach : ListApproaches()) {
+      grasp.placement = {MakePose(p_WO) * met_.X_OH, approach, s, true};
+      const double room = PredictGrasp(hand_, grasp, object_).room;
+      if (room <= result_.room) continue;
+      result_.room = room;
+      best = *grasp.placement;
+    }
+    return best;
+  }
+
+  /** Of the open hand where it starts and where it grasps, and of the way between. */
+  std::string FindOpenFault() const {
+    const Grasp& grasp = result_.grasp;
+    for (const double back : {0.0, grasp.approach_distance}) {
+      Pose X_OH = met_.X_OH;
+      X_OH.translation() -= back * grasp.placement->approach_W;
+      const std::string collision = placer_.FindCollision({}, {X_OH, grasp.q_pre}, 0.0);
+      if (!collision.empty()) return "open, " + collision;
+    }
+    if (result_.room >= -kBrush) return FindTableFault(grasp);
+    return "its open digits come " + FormatFixed(-MmFromM(result_.room), 1) +
+           " mm too near to the object on their way, draws included";
+  }
+
+  /** Opens the pre-grasp, on its line with the target, until nothing is in the way. */
   bool FindWay() {
     constexpr int kOpenings = 10;
     Grasp& grasp = result_.grasp;
-    const Vector3d p_WO(0.0, 0.0, 0.5 * object_.size.z());
     const VectorXd q_first = grasp.q_pre;
-    double widest = -std::numeric_limits<double>::infinity();
-    std::string fault;
+    std::string first_fault;
     for (int k = 0; k <= kOpenings; ++k) {
       grasp.q_pre = q_first + static_cast<double>(k) / kOpenings * (q_first - grasp.q_target);
       ClampToLimits(grasp.q_pre);
-      for (const Vector3d& approach : ListApproaches()) {
-        const double s = FindClosingAtContact(hand_, goals_, grasp, met_.X_OH);
-        grasp.placement = {MakePose(p_WO) * met_.X_OH, approach, s, true};
-        result_.room = PredictGrasp(hand_, grasp, object_).room;
-        const std::string collision = placer_.FindCollision({}, {met_.X_OH, grasp.q_pre}, 0.0);
-        const std::string in_table = FindTableFault(grasp);
-        if (result_.room >= 0.0 && collision.empty() && in_table.empty()) return TakeMisses();
-        if (result_.room <= widest) continue;
-        widest = result_.room;
-        fault = !collision.empty() ? "open, " + collision
-                : !in_table.empty()
-                    ? in_table
-                    : "its open digits come " + FormatFixed(-MmFromM(result_.room), 1) +
-                          " mm too near to the object on their way, draws included";
-      }
+      grasp.placement = FindPlacement();
+      const std::string fault = FindOpenFault();
+      if (fault.empty()) return TakeMisses();
+      if (first_fault.empty()) first_fault = fault;
     }
-    return Fail(fault);
+    return Fail(first_fault);
   }
 
   /** Those of the grasp as it closes. */
