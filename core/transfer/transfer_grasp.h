@@ -16,7 +16,8 @@ place of any hand.
               clear of object and table
     target    on the line from the opening through the contact, until every pad is kPlacementOffset
               behind the surface; then the squeeze by statics (CalcSqueeze,
-              core/develop/propose_grasps.h)
+              core/develop/propose_grasps.h). Opening and target are then shifted together, so that
+              the closing hand passes through the contact
 
 The person's hand is scaled by what is held: contacts stay where they are on the object. A pad
 farther than kReachedMiss from its goal is unreachable, and its digit leaves the grasp; without two
