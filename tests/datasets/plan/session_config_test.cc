@@ -85,7 +85,9 @@ TEST(SessionConfig, TellsEveryProblemWithItsLine) {
 TEST(SessionConfig, EveryNumberHasARange) {
   for (const std::string& key : ListConfigKeys(SessionConfig())) {
     if (key == "hands" || key == "objects" || key == "grasps") continue;
-    if (key == "camera.shadows" || key == "policy.command") continue;  // no number
+    if (key == "camera.shadows" || key == "policy.command" || key == "arm.model") {
+      continue;  // no number
+    }
     SessionConfig config;
     config.policy.command = "x";
     ApplySetting(key + "=-1", config);
@@ -117,6 +119,7 @@ TEST(SessionConfig, TheFrozenConfigurationIsCompleteAndReadsBack) {
   config.hands = {"../a \"hand\"", "tum"};
   config.approach = "side";
   config.positioning = "camera";
+  config.arm.model = "pa10";
   config.touch = "sensed";
   config.policy.command = "x";
   config.imperfections.stick_slip = 0.1;
