@@ -1,7 +1,8 @@
 #pragma once
 /** @file
 The courses of an arm in a trial: a gross motion from its ready posture to the pre-grasp pose,
-straight in joint space, then fine motions of the hand straight in the world: the approach, and the lift.
+straight in joint space, then fine motions of the hand straight in the world: the approach, and the
+lift.
 
 Postures at the grasp pose come from inverse kinematics (arm_inverse.h), those farthest from their
 limits first. Each is followed along the lines by Newton's method; the first is chosen whose whole

@@ -228,7 +228,8 @@ void ApplySetting(const std::string& assignment, SessionConfig& config);
 
 /** The complete configuration, every default written out, but for an automatic approach, nominal
 positioning, no arm, exact touch, a grip by posture with its keys, no imperfections, no controller,
-random draws, no conditions, and for camera and sensors of a session without them: sessions without a choice are what they were before there was one. */
+random draws, no conditions, and for camera and sensors of a session without them: sessions without
+a choice are what they were before there was one. */
 Json ToJson(const SessionConfig& config);
 /** @param file  name of the file in messages.
 @throws Error(kFormat) listing every missing, unknown or wrong key or value. */
