@@ -191,7 +191,7 @@ std::vector<FindingGroup> GroupFindings(const StudyResult& result) {
 
 namespace {
 
-constexpr double kRoughTouch = 0.04;  // [s]
+constexpr double kRoughTouch = 0.03;  // [s]
 constexpr double kClosesOn = 8e-3;    // [m]
 
 }  // namespace
@@ -226,7 +226,7 @@ const std::vector<TrialFlag>& TrialFlagList() {
            return digit.contact.IsFound() && !digit.has_pad_offset && digit.stands_off > 0.002;
          });
        }},
-      {"uncertain touch", "the instant of a touch is known to no better than 40 ms (95 %)",
+      {"uncertain touch", "the instant of a touch is known to no better than 30 ms (95 %)",
        [](const A& a) {
          return std::any_of(a.contacts.begin(), a.contacts.end(), [](const auto& digit) {
            return digit.contact.IsFound() && digit.contact.CalcHalfWidth() > kRoughTouch;

@@ -85,11 +85,11 @@ TEST(TrialFlags, RoughTouchesAndFilteredExportsAreFlagged) {
   TrialAnalysis analysis;
   DigitContactEvents& digit = analysis.contacts.emplace_back();
   digit.contact.time = 1.0;
-  digit.contact.uncertainty = 0.0203;
+  digit.contact.uncertainty = 0.0152;
   digit.is_verified = true;
   analysis.num_touching = 1;
   EXPECT_EQ(FormatFlags(analysis), "");
-  digit.contact.uncertainty = 0.0205;  // 1.96 times that is more than 40 ms
+  digit.contact.uncertainty = 0.0154;  // 1.96 times that is more than 30 ms
   EXPECT_EQ(FormatFlags(analysis), "uncertain touch");
   analysis.low_pass = 6.0;
   EXPECT_EQ(FormatFlags(analysis), "uncertain touch, filtered export");
