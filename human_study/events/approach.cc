@@ -254,13 +254,16 @@ Vector3d FindHoldPlace(const Trajectory& p_O, const Hold& hold) {
 }
 
 TouchSamples TakeApproachToSurface(const Trajectory& p_O, const SurfaceDistance& distance,
-                                   const Vector3d& place, const Hold& hold, double noise) {
+                                   const Vector3d& place, const Hold& hold, double noise,
+                                   double pad_offset) {
   if (place.hasNaN()) return {};
   const double rest = distance(place);
   Clearances clearances =
       MeasureBefore(p_O, hold, [&](const Vector3d& p) { return distance(p) - rest; });
   MarkAway(TakeWay(p_O, hold, noise), place, noise, clearances);
-  return CutApproach(clearances, hold.time, noise);
+  TouchSamples samples = CutApproach(clearances, hold.time, noise);
+  samples.touch_place = pad_offset - rest;
+  return samples;
 }
 
 TouchSamples TakeApproachToPlace(const Trajectory& p_O, const Vector3d& place, const Hold& hold,
@@ -312,8 +315,7 @@ TouchSamples TakeEarlierStop(const TouchSamples& samples, double touch) {
   constexpr double kWindow = 0.03, kApart = 0.04;  // [s]
   constexpr double kFast = 0.05;                   // [m/s]
   constexpr double kLeast = 0.3e-3, kMost = 4e-3;  // that it still goes [m]
-  constexpr double kStopped = 0.4;                 // of the speed before
-  constexpr double kClearStop = 4.0;               // SD of the change of speed
+  constexpr double kStopped = 0.25, kCrept = 0.4;  // of the speed before
   const auto slope = [&](double begin, double end) {
     return CalcSlope(samples, samples.places, begin, end);
   };
@@ -326,10 +328,17 @@ TouchSamples TakeEarlierStop(const TouchSamples& samples, double touch) {
     const Slope after = slope(time, time + kWindow);
     const double drop = after.value - before.value;
     if (!(-before.value > kFast && -after.value < kStopped * -before.value)) continue;
-    if (!(drop > kClearStop * std::hypot(before.sd, after.sd) && drop > most)) continue;
+    if (!(drop > kClear * std::hypot(before.sd, after.sd) && drop > most)) continue;
     const double own_drop = CalcSlope(samples, own, time, time + kWindow).value -
                             CalcSlope(samples, own, time - kWindow, time).value;
     if (!(own_drop > 0.5 * drop)) continue;  // an object that is pushed away stops no digit
+    bool creeps = true;
+    for (const double later : samples.times) {
+      if (later < time || later > touch) continue;
+      creeps = creeps &&
+               !(-slope(later, later + kWindow).value > kCrept * -before.value + 2.0 * after.sd);
+    }
+    if (!creeps) continue;
     at = time;
     most = drop;
   }

@@ -25,9 +25,11 @@ where it was last farther than 5 mm (or six standard deviations of the noise), b
 yields more, or farther than 25 mm from its place, to where it has come to rest.
 @param place  of the hold, in O.
 @param noise  SD of a coordinate [m].
+@param pad_offset  of the marker at the touch [m]; NaN: not known.
 @return no times when no such stretch is seen. */
 TouchSamples TakeApproachToSurface(const Trajectory& p_O, const SurfaceDistance& distance,
-                                   const Eigen::Vector3d& place, const Hold& hold, double noise);
+                                   const Eigen::Vector3d& place, const Hold& hold, double noise,
+                                   double pad_offset);
 
 /** TouchSamples::object_motion: how far the object's point `place` has gone along `direction`, step
 by step as the object turns; `direction` is fixed in O.
@@ -47,9 +49,9 @@ TouchSamples TakeApproachToPlace(
     const Eigen::Vector3d& from = Eigen::Vector3d::Constant(std::nan("")),
     double after = -std::numeric_limits<double>::infinity());
 
-/** Skin that has touched sinks in again when the grip is built up, by up to 4 mm and as fast as the
-grip grows, so that the last stop is not the touch: a tip that came fast and stopped at once within
-4 mm of its place touched where it stopped.
+/** Skin that has touched sinks in again when the grip is built up, so that the last stop is not the
+touch: a tip that came fast and stopped at once within 4 mm of its place, and only crept from there,
+touched where it stopped.
 @param touch  the instant believed so far [s].
 @return what was seen until just after that stop, its places counted from there; no times when there
 is no such stop 40 ms or more before `touch`. */

@@ -77,7 +77,7 @@ TouchFit FitIfSeen(const TouchSamples& samples) {
     return fit;
   }
   fit = FitTouch(samples);
-  if (!fit.missing.empty()) return fit;
+  if (!fit.missing.empty() || !std::isnan(samples.touch_place)) return fit;
   const TouchSamples stop = TakeEarlierStop(samples, CalcTouchTime(fit, kUsualDepths).time);
   if (stop.times.empty()) return fit;
   const TouchFit earlier = FitTouch(stop);
@@ -117,8 +117,9 @@ TouchFit FitPath(const TipAgainstObject& tip, const ObjectTrack& object, double 
 
 /** The touch of the surface, after which a tip does not go far. */
 TouchFit FitSurface(const TipAgainstObject& tip, const ObjectTrack& object, double tremor,
-                    const Eigen::Vector3d& place, const Hold& hold) {
-  TouchSamples samples = TakeApproachToSurface(tip.p_O, object.distance, place, hold, tip.noise);
+                    const Eigen::Vector3d& place, const Hold& hold, double pad_offset) {
+  TouchSamples samples =
+      TakeApproachToSurface(tip.p_O, object.distance, place, hold, tip.noise, pad_offset);
   samples.tremor = tremor;
   AddObjectMotion(tip.p_O.times, object.X_LO, place, FindNormal(object.distance, place), samples);
   TouchFit fit = FitIfSeen(samples);
@@ -187,7 +188,7 @@ const std::vector<TouchFits>& FilteredTrial::FitTouches(const std::vector<TipAga
     const double tremor = CalcTremor(trial_->digits[i].tip, hold.time);
     fit.path = FitPath(tip, object, tremor, place, hold);
     if (object.IsRecorded() && object.distance) {
-      fit.surface = FitSurface(tip, object, tremor, place, hold);
+      fit.surface = FitSurface(tip, object, tremor, place, hold, trial_->digits[i].pad_offset);
     } else {
       fit.surface.missing = "the object's pose or shape is not known";
     }

@@ -10,37 +10,31 @@
 namespace graspbench {
 namespace {
 
-// Unknowns: rest r [m], speed v [m/s], the next four derivatives of the approach, creep c [m/s].
-constexpr int kRest = 0, kSpeed = 1, kCreep = 6, kNumCreeps = 4, kNumBefore = 6;
-constexpr int kNumUnknowns = kCreep + kNumCreeps, kNumAfter = 2 + kNumCreeps;
-/** Since the touch, from where each creep goes on to the next [s]. */
-constexpr std::array<double, kNumCreeps> kCreepFrom = {0.0, 0.03, 0.07, 0.13};
+// Unknowns: rest r [m], drift c [m/s], speed v [m/s], and the next four derivatives of the approach.
+constexpr int kRest = 0, kSpeed = 1, kDrift = 6, kNumUnknowns = 7, kNumBefore = 6;
 using Vector = Eigen::Matrix<double, kNumUnknowns, 1>;
 using Matrix = Eigen::Matrix<double, kNumUnknowns, kNumUnknowns>;
 
 // Of reaches along minimum-jerk paths that close by 20 to 40 mm in 0.25 to 0.45 s.
-const Vector kPriorMean =
-    (Vector() << 0.0, 0.05, 0.8, 10.0, -400.0, 3000.0, 0.0, 0.0, 0.0, 0.0).finished();
-const Vector kPriorSd =
-    (Vector() << 2e-3, 0.15, 1.2, 30.0, 600.0, 4000.0, 2e-3, 2e-3, 2e-3, 2e-3).finished();
-// A pad goes on as the finger's command does, by the share of its stiffness in finger and pad.
-constexpr std::array<double, kNumCreeps> kPadCreep = {0.3, 0.2, 0.12, 0.05};        // of the speed
-constexpr std::array<double, kNumCreeps> kPadCreepSd = {0.015, 0.012, 0.01, 5e-3};  // [m/s]
+const Vector kPriorMean = (Vector() << 0.0, 0.05, 0.8, 10.0, -400.0, 3000.0, 0.0).finished();
+const Vector kPriorSd = (Vector() << 2e-3, 0.15, 1.2, 30.0, 600.0, 4000.0, 2e-3).finished();
 // What the model leaves out grows with the distance from the bracket.
-constexpr double kBeforeGrowth = 3.0;  // [m/s^3]
-constexpr double kAfterGrowth = 0.1;   // [m/s^2]: a phalanx that turns on its pad
-constexpr double kTremorRate = 60.0;   // of 9.5 Hz [rad/s]
-constexpr double kHeldTremor = 0.6;    // share of a tremor that a digit keeps as it settles
-constexpr double kModel = 0.5e-3;      // SD of what no model says [s]
-constexpr double kLearnedShare = 1.5;  // of the time by which learned depths move a touch ..
-constexpr double kMostLearned = 0.02;  // .. and no more [s]
-constexpr double kStiffToe = 0.2e-3, kStiffToeSd = 0.15e-3;  // that gives way unseen [m]
-constexpr double kPadToe = 0.4e-3, kPadToeSd = 0.3e-3;
-constexpr double kLongestToe = 0.013;     // a quarter of a period of fingertip on pad [s]
+constexpr double kBeforeGrowth = 3.0;     // [m/s^3]
+constexpr double kAfterGrowth = 0.1;      // [m/s^2]: a phalanx that turns on its pad
+constexpr double kTremorRate = 60.0;      // of 9.5 Hz [rad/s]
+constexpr double kHeldTremor = 0.6;       // share of a tremor that a digit keeps as it settles
+constexpr double kPadTolerance = 0.5e-3;  // of a given pad offset [m]
+constexpr double kModel = 0.5e-3;         // SD of what no model says [s]
+constexpr double kLearnedShare = 1.5;     // of the time by which learned depths move a touch ..
+constexpr double kToe = 0.45e-3;          // of skin that gives way unseen [m]
+constexpr double kToeUnsure = 0.35;       // of it (SD)
+constexpr double kLongestToe = 5e-3;      // [s]
 constexpr double kPressed = 0.4e-3;       // more of it where it moves the object (SD) [m]
 constexpr double kLongestPressed = 0.02;  // [s]
-constexpr double kNoisyShare = 0.9;       // of the noise, by which slow touches seem to come early
-constexpr double kMinStep = 0.5e-3;       // between the touches tried [s]
+constexpr double kMostLearned = 0.02;     // .. and no more, as deep settling is seen as such [s]
+/** Of noise beyond what cameras have, by which slow touches seem to come early. */
+constexpr double kNoisyShare = 0.75, kPlainNoise = 0.6e-3;  // [m]
+constexpr double kMinStep = 0.5e-3;                         // between the touches tried [s]
 constexpr double kMaxStep = 4e-3;
 constexpr size_t kCoarseDepths = 3;  // every third depth tells where to look closer
 constexpr double kVolume = 0.6;
@@ -135,11 +129,9 @@ BeforeSums SumBefore(const TouchSamples& samples, const std::vector<double>& wei
 /** The normal equations of the unknowns, priors included. */
 struct Equations {
   explicit Equations(const Vector& prior_sd)
-      : log_root_prior(-prior_sd.tail<kNumCreeps>().array().log().sum()),
-        A(prior_sd.cwiseInverse().cwiseAbs2().asDiagonal()),
+      : A(prior_sd.cwiseInverse().cwiseAbs2().asDiagonal()),
         b(kPriorMean.cwiseQuotient(prior_sd.cwiseAbs2())),
         squares(kPriorMean.cwiseQuotient(prior_sd).squaredNorm()) {}
-  double log_root_prior;
   Matrix A;
   Vector b;
   double squares;
@@ -159,9 +151,7 @@ struct Equations {
   }
 
   void AddAfter(const TouchSamples& samples, const std::vector<double>& weights, size_t first,
-                double tc, double tau, double known, bool is_pad) {
-    Eigen::Matrix<double, kNumAfter, kNumAfter> products = decltype(products)::Zero();
-    Eigen::Matrix<double, kNumAfter, 1> with_place = decltype(with_place)::Zero(), basis;
+                double tc, double tau, double known) {
     double decay = 0.0, step = -1.0, factor = 0.0;
     for (size_t i = first; i < samples.times.size(); ++i) {
       const double since = samples.times[i] - tc;
@@ -170,25 +160,32 @@ struct Equations {
         if (std::abs(interval - step) > 1e-9) factor = std::exp(-(step = interval) / tau);
         decay = i == first ? factor : decay * factor;
       }
-      basis[kRest] = 1.0;
-      basis[kSpeed] = tau * decay;
-      for (size_t k = 0; k < kNumCreeps; ++k) {
-        const double end = k + 1 < kNumCreeps ? kCreepFrom[k + 1] : INFINITY;
-        const double span = std::clamp(since, kCreepFrom[k], end) - kCreepFrom[k];
-        basis[static_cast<Eigen::Index>(k) + 2] = span;
-        if (is_pad) basis[kSpeed] -= kPadCreep[k] * span;
-      }
+      const double weight = weights[i];
+      const double sunk = tau * decay;
       const double y = samples.places[i] - known * decay;
-      products.noalias() += weights[i] * basis * basis.transpose();
-      with_place += weights[i] * y * basis;
-      squares += weights[i] * y * y;
+      A(kRest, kRest) += weight;
+      A(kRest, kSpeed) += weight * sunk;
+      A(kRest, kDrift) += weight * since;
+      A(kSpeed, kSpeed) += weight * sunk * sunk;
+      A(kSpeed, kDrift) += weight * sunk * since;
+      A(kDrift, kDrift) += weight * since * since;
+      b[kRest] += weight * y;
+      b[kSpeed] += weight * y * sunk;
+      b[kDrift] += weight * y * since;
+      squares += weight * y * y;
     }
-    A.topLeftCorner<2, 2>() += products.topLeftCorner<2, 2>();
-    A.topRightCorner<2, kNumCreeps>() += products.topRightCorner<2, kNumCreeps>();
-    A.bottomRightCorner<kNumCreeps, kNumCreeps>() +=
-        products.bottomRightCorner<kNumCreeps, kNumCreeps>();
-    b.head<2>() += with_place.head<2>();
-    b.tail<kNumCreeps>() += with_place.tail<kNumCreeps>();
+  }
+
+  /** The clearance at the touch is known. */
+  void AddTouchPlace(double given, double tau, double known) {
+    const double place = given - known;
+    const double weight = 1.0 / Square(kPadTolerance);
+    A(kRest, kRest) += weight;
+    A(kRest, kSpeed) += weight * tau;
+    A(kSpeed, kSpeed) += weight * tau * tau;
+    b[kRest] += weight * place;
+    b[kSpeed] += weight * place * tau;
+    squares += weight * place * place;
   }
 
   struct Solution {
@@ -202,7 +199,7 @@ struct Equations {
     solution.unknowns = llt.solve(b);
     solution.misfit = squares - b.dot(solution.unknowns);
     const double log_root = llt.matrixLLT().diagonal().array().log().sum();
-    solution.log_evidence = -0.5 * solution.misfit - kVolume * (log_root - log_root_prior);
+    solution.log_evidence = -0.5 * solution.misfit - kVolume * log_root;
     return solution;
   }
 };
@@ -217,10 +214,7 @@ struct Trial {
 class Fitter {
  public:
   explicit Fitter(const TouchSamples& samples)
-      : samples_(samples), weights_(CalcWeights(samples)), stiff_sd_(CalcPriorSd(samples)) {
-    pad_sd_ = stiff_sd_;
-    for (int k = 0; k < kNumCreeps; ++k) pad_sd_[kCreep + k] = kPadCreepSd[static_cast<size_t>(k)];
-  }
+      : samples_(samples), weights_(CalcWeights(samples)), prior_sd_(CalcPriorSd(samples)) {}
 
   Trial Try(double tc, size_t depth_step) {
     Trial trial;
@@ -234,12 +228,14 @@ class Fitter {
     const BeforeSums before = SumBefore(samples_, weights_, num_before, tc, object.way);
     double speed = 0.0;  // against the object
     for (size_t k = 0; k < kSettlingDepths.size(); k += depth_step) {
-      const bool is_pad = k >= kFirstPad;
       const double tau = k == 0 ? 0.0 : kSettlingDepths[k] / std::max(kMinSpeed, speed);
       const double known = tau * object.rate;
-      Equations equations(is_pad ? pad_sd_ : stiff_sd_);
+      Equations equations(prior_sd_);
       equations.AddBefore(before, tau, known);
-      equations.AddAfter(samples_, weights_, num_before, tc, tau, known, is_pad);
+      equations.AddAfter(samples_, weights_, num_before, tc, tau, known);
+      if (!std::isnan(samples_.touch_place)) {
+        equations.AddTouchPlace(samples_.touch_place, tau, known);
+      }
       const Equations::Solution solution = equations.Solve();
       speed = solution.unknowns[kSpeed] + object.rate;
       trial.log_evidence[k] = speed < kMinSpeed ? -INFINITY : solution.log_evidence;
@@ -264,7 +260,7 @@ class Fitter {
  private:
   const TouchSamples& samples_;
   std::vector<double> weights_;
-  Vector stiff_sd_, pad_sd_;
+  Vector prior_sd_;
   double least_misfit_ = INFINITY;
 };
 
@@ -291,16 +287,6 @@ std::pair<double, double> FindLikely(const std::vector<Trial>& trials) {
           trials[std::min(last + 1, trials.size() - 1)].time};
 }
 
-/** In which skin gives way unseen [s]. */
-struct Toe {
-  double time = 0.0, sd = 0.0;
-};
-Toe CalcToe(const TouchFit& fit, size_t depth) {
-  const bool is_pad = depth >= kFirstPad;
-  return {std::min((is_pad ? kPadToe : kStiffToe) / fit.speed, kLongestToe),
-          std::min((is_pad ? kPadToeSd : kStiffToeSd) / fit.speed, kLongestToe)};
-}
-
 /** Of the touch over all depths; weight 0: none explains the path. */
 struct TouchMoments {
   double weight = 0.0, time = 0.0, variance = 0.0;
@@ -312,11 +298,10 @@ TouchMoments CalcTouchMoments(const TouchFit& fit, const DepthWeights& weights) 
   double sum = 0.0, moment = 0.0, squares = 0.0;
   for (size_t k = 0; k < weights.size(); ++k) {
     const double weight = weights[k] * std::exp(fit.log_evidence[k] - best);
-    const Toe toe = CalcToe(fit, k);
-    const double time = fit.time[k] - toe.time - origin;
+    const double time = fit.time[k] - origin;
     sum += weight;
     moment += weight * time;
-    squares += weight * (time * time + fit.variance[k] + Square(toe.sd));
+    squares += weight * (time * time + fit.variance[k]);
   }
   if (!(sum > 0.0)) return {};
   return {sum, origin + moment / sum, std::max(0.0, squares / sum - Square(moment / sum))};
@@ -337,8 +322,7 @@ bool IsPressed(const TouchSamples& samples, double time) {
 
 }  // namespace
 
-const DepthWeights kUsualDepths = {30.0, 12.0, 0.8,  0.15, 0.06, 0.04,
-                                   0.03, 0.02, 20.0, 15.0, 5.0,  0.5};
+const DepthWeights kUsualDepths = {30.0, 12.0, 0.8, 0.15, 0.06, 0.04, 0.03, 0.02};
 
 TouchFit FitTouch(const TouchSamples& samples) {
   GRASPBENCH_DEMAND(samples.times.size() == samples.places.size() && samples.first < samples.last,
@@ -377,10 +361,12 @@ TouchFit FitTouch(const TouchSamples& samples) {
     fit.time[k] = sum > 0.0 ? first + moment / sum : samples.first;
     fit.variance[k] = sum > 0.0 ? std::max(0.0, squares / sum - Square(moment / sum)) : 0.0;
   }
-  fit.speed = speeds / all;
-  fit.noisy = kNoisyShare * samples.noise / fit.speed;
-  if (IsPressed(samples, CalcTouchMoments(fit, kUsualDepths).time)) {
-    fit.pressed = std::min(kPressed / fit.speed, kLongestPressed);
+  if (std::isnan(samples.touch_place)) {
+    fit.toe = std::min(kToe * all / speeds, kLongestToe);
+    fit.noisy = kNoisyShare * std::max(0.0, samples.noise - kPlainNoise) * all / speeds;
+    if (IsPressed(samples, CalcTouchMoments(fit, kUsualDepths).time - fit.toe)) {
+      fit.pressed = std::min(kPressed * all / speeds, kLongestPressed);
+    }
   }
   const double degrees = static_cast<double>(samples.times.size());
   fit.noise_ratio = std::sqrt(fitter.least_misfit() / degrees);
@@ -404,7 +390,7 @@ TouchFit MixFits(const TouchFit& a, const TouchFit& b, double share) {
     mix.variance[k] = (1.0 - share_b) * a.variance[k] + share_b * b.variance[k] +
                       (1.0 - share_b) * share_b * apart * apart;
   }
-  mix.speed = (1.0 - share) * a.speed + share * b.speed;
+  mix.toe = (1.0 - share) * a.toe + share * b.toe;
   mix.noisy = (1.0 - share) * a.noisy + share * b.noisy;
   mix.pressed = (1.0 - share) * a.pressed + share * b.pressed;
   mix.noise_ratio = std::max(a.noise_ratio, b.noise_ratio);
@@ -416,13 +402,13 @@ EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights) {
   const TouchMoments touch = CalcTouchMoments(fit, weights);
   if (touch.weight == 0.0) return MissingEvent("no depth of settling explains the path");
   EventTime event;
-  event.time = touch.time;
+  event.time = touch.time - fit.toe;
   // Soft arrivals look like settling: what was learned of it is as uncertain as it moves the touch.
-  const double moved = touch.time - CalcTouchMoments(fit, kUsualDepths).time;
   // Half a standard deviation of that is in the touch's own variance already.
+  const double moved = touch.time - CalcTouchMoments(fit, kUsualDepths).time;
   const double excess = std::sqrt(std::max(0.0, moved * moved - 0.25 * touch.variance));
   const double learned = std::min(kLearnedShare * excess, kMostLearned);
-  const double unseen = std::hypot(fit.noisy, fit.pressed);
+  const double unseen = std::hypot(std::hypot(kToeUnsure * fit.toe, fit.noisy), fit.pressed);
   // Where the best fit leaves more than the noise, the model is wrong by as much.
   const double own = std::max(1.0, fit.noise_ratio) * std::sqrt(touch.variance);
   event.uncertainty = std::hypot(std::hypot(kModel, learned), std::hypot(unseen, own));

@@ -6,35 +6,28 @@ A marker does not stop when the skin touches: the skin sinks in, a phalanx turns
 the time to the touch tc, the marker's clearance g is taken to be
 
     before   g = r + D + v s + a s^2 / 2 + j s^3 / 6 - (m - m_c)        s = tc - t > 0
-    after    g = r + D exp(-(v + w) (t - tc) / D) - creep(t - tc)
+    after    g = r + D exp(-(v + w) (t - tc) / D) + c (t - tc)
 
-r: place at rest; v: speed at touch; D: depth by which it goes on; m: how far the object has gone
-along the clearance by itself (another digit pushes or turns it), m_c and w: that and its rate at the
-touch. A digit's way is smooth in the laboratory before it touches and at rest against the object
-after. The speed against the object is continuous at the touch: a deep D and a late tc look alike,
-and noise decides how alike. So the answer is not one fit but all of them, weighed by how well they
-explain the samples (Bayes): D over a list of depths, tc over a bracket of time, the rest integrated
-out, as it is linear with normal priors (people's reaches: v about 0.1 m/s, a about 1 m/s^2).
-Samples far from the touch count less, as the polynomials hold near it only.
+r: place in the hold; v: speed at touch; D: depth by which it goes on; m: how far the object has
+gone along the clearance by itself (another digit pushes or turns it), m_c and w: that and its rate
+at the touch. A digit's way is smooth in the laboratory before it touches and at rest against the
+object after. The speed against the object is continuous at the touch: a deep D and a late tc look
+alike, and noise decides how alike. So the answer is not one fit but all of them, weighed by how
+well they explain the samples (Bayes): D over a list of depths, tc over a bracket of time, the rest
+integrated out, as it is linear with normal priors (people's reaches: v about 0.1 m/s, a about 1
+m/s^2). Samples far from the touch count less, as the polynomials hold near it only. The depth
+belongs to the skin and the marker's place, not to the trial: its weights may be learned from all
+contacts of a study (LearnDepths), and then one contact whose own samples cannot tell is found
+without bias.
 
-Creep: the command goes on into the object while the grip is built up, and the pad follows it by
-kf / (kf + kp), the share of the finger's stiffness. With kf some 260 N/m (Hajian & Howe 1997) and
-kp = b + m F (Pawluk & Howe 1999, J. Biomech. Eng. 121:178) this is 0.3 of v at first and less as
-the force grows. A stiff tip does not creep. Both are tried with each depth, so that the path
-after the touch tells the one from the other. The way of settling belongs to the skin and the
-marker's place, not to the trial: its weights may be learned from all contacts of a study
-(LearnDepths), and then one contact whose own samples cannot tell is found without bias.
+Skin resists exponentially (Pawluk & Howe 1999, J. Biomech. Eng. 121:178): its first 0.45 mm give
+way without a trace that a fit could find, so the touch is earlier than the path tells by that way
+at the speed of the touch (TouchFit::toe), more or less. Skin that moves the object, or that stops
+one that comes, carries more than the table's friction: it gives way deeper, by another 0.4 mm (SD),
+which is stated and not corrected (TouchFit::pressed).
 
-Skin resists exponentially, F = b/m (exp(m d) - 1), at first no more than the finger does. So the
-first part of it gives way without a trace that a fit could find, and the touch is earlier than the
-path tells by that way at the speed of the touch: of a pad 0.4 mm (SD 0.3), of a stiff tip 0.2 mm
-(0.15). A fingertip of 20 g on finger and skin stops within a quarter of its period whatever its
-speed, so that this is never longer than 13 ms (CalcTouchTime). Skin that moves the object, or that
-stops one that comes, carries more than the table's friction: it gives way deeper, by another 0.4 mm
-(SD), which is stated and not corrected (TouchFit::pressed).
-
-Known limits: a way of settling that is not like these; a digit that stops off the surface stops as
-one that touches does. */
+Known limits: a way of settling that is not like the exponential; a digit that stops off the surface
+stops as one that touches does. */
 
 #include <Eigen/Core>
 #include <array>
@@ -45,11 +38,9 @@ one that touches does. */
 
 namespace graspbench {
 
-/** Depths D that are weighed [m]: of tips that stay where they have settled, then of pads that creep
-on as the grip is built up. */
-inline constexpr std::array<double, 12> kSettlingDepths = {
-    0.0, 0.3e-3, 0.6e-3, 1.0e-3, 1.5e-3, 2.0e-3, 2.5e-3, 3.5e-3, 0.0, 0.3e-3, 0.6e-3, 1.0e-3};
-inline constexpr size_t kFirstPad = 8;  ///< of these depths
+/** Depths D that are weighed [m]. */
+inline constexpr std::array<double, 8> kSettlingDepths = {0.0,    0.3e-3, 0.6e-3, 1.0e-3,
+                                                          1.5e-3, 2.0e-3, 2.5e-3, 3.5e-3};
 /** A weight for each of them. */
 using DepthWeights = std::array<double, kSettlingDepths.size()>;
 
@@ -68,6 +59,8 @@ struct TouchSamples {
   double tremor = 0.0;  ///< RMS of a place while the digit is free (8 to 12 Hz) [m]
   double first = 0.0;   ///< the touch lies between first ..
   double last = 0.0;    ///< .. and last [s]
+  /** Clearance at the touch, where it is known from a given pad offset [m]; else NaN. */
+  double touch_place = std::numeric_limits<double>::quiet_NaN();
   /** Of the clearance, unit; zero: along a surface's normal. No part of the fit. */
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
 };
@@ -77,7 +70,9 @@ struct TouchFit {
   std::array<double, kSettlingDepths.size()> log_evidence{};
   std::array<double, kSettlingDepths.size()> time{};      ///< mean [s]
   std::array<double, kSettlingDepths.size()> variance{};  ///< of the time [s^2]
-  double speed = 0.0;        ///< at the touch, against the object [m/s]
+  /** In which 0.45 mm of skin give way at the touch's speed, at most 5 ms; 0 where the clearance at
+  the touch is known [s]. */
+  double toe = 0.0;
   double noisy = 0.0;        ///< by which noise may have moved it (SD) [s]
   double pressed = 0.0;      ///< in which skin that moves the object gives way deeper (SD) [s]
   double noise_ratio = 1.0;  ///< RMS of the best fit's residuals over the noise
@@ -91,11 +86,12 @@ TouchFit FitTouch(const TouchSamples& samples);
 @param share  how likely it is the second, between 0 and 1. @pre neither is missing. */
 TouchFit MixFits(const TouchFit& a, const TouchFit& b, double share);
 
-/** The touch under those weights: mean and standard deviation over all depths, each less the time in
-which its skin gives way unseen. Unsure are also the time that nine tenths of the noise take at the
-touch's speed, and what skin gives way that moves the object (at most 20 ms). Weights that were
-learned add one and a half times what they move the touch by beyond half a standard deviation, at
-most 20 ms: of a soft arrival that looks like settling the usual depths, too, make a part. */
+/** The touch under those weights: mean and standard deviation over all depths, less the toe, of
+which 0.35 is unsure, as is 0.75 of the time that noise beyond 0.6 mm takes at the touch's speed,
+and what skin gives way that moves the object (at most 20 ms).
+Weights that were learned add one and a half times what they move the touch by beyond half a
+standard deviation, at most 20 ms: of a soft arrival that looks like settling the usual depths, too,
+make a part. */
 EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights);
 
 /** The part of that standard deviation which is not about the depth [s]: digits do not share it, so

@@ -17,7 +17,7 @@ ContactDetector MakeSurfaceDetector() {
   return {"surface",
           "where the marker's unfiltered distance from the object's surface breaks from approach "
           "to rest: mean over all breaks and depths of settling, weighed by how well they explain "
-          "the samples; filled samples take no part",
+          "the samples; a given pad offset takes part, filled samples do not",
           "fingertip markers, the object's pose and shape", FindBySurface};
 }
 

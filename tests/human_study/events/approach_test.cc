@@ -39,8 +39,9 @@ TEST(TakeApproach, TheBracketHoldsTheTouchAndPlacesEndAtZero) {
   for (const double rate : {60.0, 100.0, 500.0}) {
     const Trajectory path = MakePath(rate);
     const Vector3d place = FindHoldPlace(path, kHold);
-    for (const TouchSamples& samples : {TakeApproachToSurface(path, distance, place, kHold, 2e-4),
-                                        TakeApproachToPlace(path, place, kHold, 2e-4)}) {
+    for (const TouchSamples& samples :
+         {TakeApproachToSurface(path, distance, place, kHold, 2e-4, std::nan("")),
+          TakeApproachToPlace(path, place, kHold, 2e-4)}) {
       ASSERT_GE(samples.times.size(), 8u) << rate;
       EXPECT_LT(samples.first, kTouch - 0.03);
       EXPECT_GT(samples.last, kTouch);
