@@ -120,7 +120,7 @@ std::string FormatSuccess(const Tally& tally) {
 std::string FormatPoints(const ChangeEstimate& change) {
   if (change.num_draws == 0) return "n/a";
   const std::string points = FormatFixed(100.0 * change.estimate, 1);
-  if (!change.interval) return points + " (no interval)";
+  if (!change.interval) return points;
   return points + " (" + FormatFixed(100.0 * change.interval->low, 1) + " to " +
          FormatFixed(100.0 * change.interval->high, 1) + ")";
 }
@@ -202,7 +202,7 @@ std::vector<CsvColumn<TransferSummary>> ListTransferColumns() {
 
 std::vector<std::pair<std::string, int>> CountTransferReasons(const TransferFile& file,
                                                               const std::string& hand) {
-  std::map<std::string, int> counts;
+  std::map<std::string, std::pair<std::string, int>> counts;  // by reason without its numbers
   for (const TransferRow& row : file.rows) {
     if (row.hand != hand || row.not_transferable.empty()) continue;
     std::string reason = row.not_transferable;
@@ -210,9 +210,11 @@ std::vector<std::pair<std::string, int>> CountTransferReasons(const TransferFile
       if (std::isdigit(static_cast<unsigned char>(c))) c = '#';
     }
     for (size_t at; (at = reason.find("##")) != std::string::npos;) reason.erase(at, 1);
-    ++counts[reason];
+    const auto [found, is_new] = counts.try_emplace(reason, row.not_transferable, 0);
+    ++found->second.second;
   }
-  std::vector<std::pair<std::string, int>> sorted(counts.begin(), counts.end());
+  std::vector<std::pair<std::string, int>> sorted;
+  for (const auto& [reason, count] : counts) sorted.push_back(count);
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
   return sorted;

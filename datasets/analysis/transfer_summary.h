@@ -90,7 +90,8 @@ struct TransferSummary {
 std::vector<TransferSummary> SummariseTransfers(const TransferFile& file, const Session& session);
 std::vector<CsvColumn<TransferSummary>> ListTransferColumns();
 
-/** Reasons why grasps were not transferable on a hand, numbers left out, most frequent first. */
+/** Reasons why grasps were not transferable on a hand, most frequent first. Those that differ in
+numbers alone are one, with the numbers of the first. */
 std::vector<std::pair<std::string, int>> CountTransferReasons(const TransferFile& file,
                                                               const std::string& hand);
 

@@ -95,7 +95,9 @@ std::string DescribePads(const TransferredGrasp& found) {
 
 StudyGrasps LoadStudyGrasps(const std::string& study_file, const std::string& data) {
   StudyGrasps grasps;
-  grasps.study = LeaveOutReport(LoadStudy(study_file, data));
+  const std::filesystem::path of_results = std::filesystem::path(study_file) / "input/study.yaml";
+  grasps.study = LeaveOutReport(
+      LoadStudy(std::filesystem::exists(of_results) ? of_results.string() : study_file, data));
   StudyWatch watch;
   std::map<std::string, Answer<HandPlaces>> places;
   watch.on_trial = [&](const StudyTrial& trial, const ReachTrial& reach) {

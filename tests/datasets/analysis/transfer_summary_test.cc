@@ -58,7 +58,7 @@ TEST(TransferSummary, CountsWhatWasTransferredAndWhatTrialsSay) {
 
   const auto reasons = CountTransferReasons(file, "tum");
   ASSERT_EQ(reasons.size(), 1u);  // alike but for their numbers
-  EXPECT_EQ(reasons[0].first, "FF stays #.# mm away");
+  EXPECT_EQ(reasons[0].first, "FF stays 12.5 mm away");
   EXPECT_EQ(reasons[0].second, 2);
 
   const std::vector<TransferDigit> digits = ListTransferDigits(file);

@@ -32,8 +32,8 @@ std::string FormatTransferReasons(const TransferFile& file,
   std::string text;
   for (const TransferSummary& hand : hands) {
     for (const auto& [reason, count] : CountTransferReasons(file, hand.hand)) {
-      text +=
-          "not transferable to " + hand.hand + ", " + std::to_string(count) + ": " + reason + "\n";
+      text += "not transferable to " + hand.hand + ", " + FormatCount(count, "grasp") + ": " +
+              reason + (count > 1 ? " (the first)\n" : "\n");
     }
   }
   return text;
@@ -72,7 +72,7 @@ void AddTransferCommand(Command& program) {
   const auto options = std::make_shared<TransferOptions>();
   TransferRequest& request = options->request;
   request.config.trials = 4;
-  command.AddRequired("study", request.study, "what was recorded", "STUDY.YAML");
+  command.AddRequired("study", request.study, "study.yaml, or the results of its study", "STUDY");
   command.AddOption("--data", request.data, "folder of the recordings", "DIR")
       ->ShowDefault("that of study.yaml");
   AddListOption(command, "--hand", request.config.hands, "hands by id or folder", "HAND,..");
