@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "core/arm/arm_config.h"
 #include "core/base/enum_table.h"
 #include "core/base/text/text.h"
+#include "core/base/units.h"
 #include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/experiments/policies/websocket_policy.h"
 #include "workbench/experiments/rehearse_objects.h"
@@ -99,6 +102,34 @@ void AddReplaceOption(Command& command, bool& replace) {
 
 void AddPlanOnlyOption(Command& command, bool& plan_only) {
   command.AddFlag("--plan-only", plan_only, "make the folder and run nothing: see work, submit");
+}
+
+void AddArmOptions(Command& command, ArmConfig& arm, std::string& base) {
+  command.AddOption("--arm", arm.model,
+                    "arm that carries the hand, by id or folder: puma560, pa10; none: no arm",
+                    "ARM");
+  command.AddOption("--arm-base", base,
+                    "place of the arm's base [m] and its rotation about the vertical [deg]; the "
+                    "object stands at 0,0,0",
+                    "X,Y,Z,YAW");
+}
+
+void ReadArmBase(const std::string& text, ArmConfig& arm) {
+  std::vector<double> numbers;
+  bool are_numbers = true;
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, ',');) {
+    are_numbers = ReadNumber(word, numbers.emplace_back()) && are_numbers;
+  }
+  if (!are_numbers || numbers.size() != 4) {
+    throw Error(
+        ErrorKind::kUsage,
+        "--arm-base " + text + ": expected four numbers X,Y,Z,YAW in m and degrees, as -0.5,0,0,0");
+  }
+  arm.x = numbers[0];
+  arm.y = numbers[1];
+  arm.z = numbers[2];
+  arm.yaw = std::remainder(RadFromDeg(numbers[3]), 2.0 * kPi);
 }
 
 void RehearseGrasps(const SessionConfig& config, int num_workers) {

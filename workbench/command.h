@@ -23,6 +23,11 @@ namespace graspbench {
 #include "workbench/commands/command_list.inc"
 #undef GRASPBENCH_COMMAND
 
+/** --arm, and --arm-base as a text for ReadArmBase. */
+void AddArmOptions(Command& command, ArmConfig& arm, std::string& base);
+/** Takes the place of the base from "X,Y,Z,YAW" [m], [deg]. @throws Error(kUsage). */
+void ReadArmBase(const std::string& text, ArmConfig& arm);
+
 /** Options that several commands share. */
 ///@{
 /** A list in one word: "--object can,cup"; what it holds is shown as the default. */

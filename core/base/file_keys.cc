@@ -21,6 +21,7 @@ constexpr std::pair<const char*, const char*> kUnits[] = {{"_grey_levels", "grey
                                                           {"_rad_per_nm", "rad/(N m)"},
                                                           {"_n_per_m", "N/m"},
                                                           {"_m_per_s", "m/s"},
+                                                          {"_deg_per_s", "deg/s"},
                                                           {"_hz", "Hz"},
                                                           {"_pa", "Pa"},
                                                           {"_m2", "m2"},

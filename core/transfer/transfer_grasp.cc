@@ -23,8 +23,8 @@ using Eigen::VectorXd;
 constexpr double kMostDepth = 0.003;   ///< of a link that is no fingertip, in the contact [m]
 constexpr double kOpenRoom = 0.011;    ///< beside the object where it nominally is [m]
 constexpr double kOpenLength = 0.004;  ///< by which an open pad may miss the person's [m]
-/** Draws move the object by kPlacementOffset in x and y: with less room than this an open digit would
-meet it where it nominally is. Fingertips may brush it in the others, as in placement.h. */
+/** Draws move the object by kPlacementOffset in x and y: with less room than this an open digit
+would meet it where it nominally is. Fingertips may brush it in the others, as in placement.h. */
 constexpr double kBrush = 1.4142 * kPlacementOffset;
 constexpr double kGripMargin = 2.0;  ///< of the smallest forces that bear the weight
 constexpr double kLeastGrip = 2.0;   ///< of the opposing digit [N]
@@ -35,7 +35,8 @@ bool Grasps(const Grasp& grasp, const std::string& digit) {
   return std::count(grasp.digits.begin(), grasp.digits.end(), digit) > 0;
 }
 
-/** The standard grasp of these digits; else that which shares most with them, the first of equals. */
+/** The standard grasp of these digits; else that which shares most with them, the first of equals.
+*/
 const Grasp& FindStandard(const Hand& hand, const std::vector<Grasp>& standard,
                           const std::vector<PadGoal>& goals) {
   const Grasp* best = &standard.front();

@@ -4,8 +4,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
+#include <optional>
 #include <sstream>
+#include <type_traits>
 
 #include "core/base/error.h"
 #include "core/base/text/text.h"
@@ -279,10 +282,26 @@ void Command::SetCodedAction(const std::function<ExitCode()>& action) {
 
 void Command::RequireSubcommand() { app_->require_subcommand(1); }
 
+namespace {
+
+/** CLI11 reads 010 as 8. @returns what is wrong; empty: a decimal number, or none. */
+std::string FindOctal(const std::string& text) {
+  const size_t first = text.find_first_not_of("+-");
+  const bool is_octal = first != std::string::npos && first + 1 < text.size() &&
+                        text[first] == '0' && std::isalnum(text[first + 1] & 0x7f) != 0;
+  return is_octal ? text + ": a whole number without leading zeros is expected" : "";
+}
+
+}  // namespace
+
 template <class T>
 Option* Command::AddOption(const std::string& name, T& value, const std::string& text,
                            const std::string& form) {
-  return Keep(app_->add_option(name, value, text), form);
+  CLI::Option* option = app_->add_option(name, value, text);
+  if constexpr (std::is_same_v<T, int> || std::is_same_v<T, std::optional<int>>) {
+    option->check(&FindOctal, "", "");
+  }
+  return Keep(option, form);
 }
 
 template <class T>

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kContactSpan = 0.05;  ///< [s]
-constexpr double kLeastWay = 0.02;     ///< of a hand that moves to the object [m]
+constexpr double kLeastWay = 0.01;     ///< of a hand that moves to the object [m]
 
 Vector3d CalcMedianPlace(const std::vector<Vector3d>& places) {
   Vector3d median;

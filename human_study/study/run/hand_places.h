@@ -24,7 +24,7 @@ struct HandPlaces {
   std::vector<DigitPlaces> digits;          ///< those that touched, in the trial's order
   std::optional<Eigen::Vector3d> p_OWrist;  ///< at contact; none: not recorded
   /** Unit: from where the fingertips' middle was at the widest opening to where it is at contact;
-  zero where that is less than 20 mm. */
+  zero where that is less than 10 mm. */
   Eigen::Vector3d approach_O = Eigen::Vector3d::Zero();
 };
 

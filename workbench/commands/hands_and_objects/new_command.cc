@@ -124,7 +124,7 @@ void AddNewCommand(Command& program) {
       command.AddOption("--hand", options->hand, "of a grasp", "HAND")->ShowDefault(),
       command.AddOption("--grasp", options->grasp, "of the hand, to begin with", "ID")
           ->ShowDefault()};
-  of_grasp[1]->Excludes(of_grasp[0]);  // each makes another grasp
+  for (const int other : {0, 5}) of_grasp[1]->Excludes(of_grasp[other]);  // contacts decide
   of_grasp[2]->Needs(of_grasp[1]);
   command.SetAction([options, of_grasp] {
     for (const Option* option : of_grasp) {

@@ -17,10 +17,8 @@
 namespace graspbench {
 namespace {
 
-/** Some 30 s of processor time. */
-constexpr int kNumPostures = 300;
-/** A search that tries so many postures finds by chance one that holds four draws. */
-constexpr int kLeastPostureDraws = 12;
+constexpr int kNumPostures = 300;       ///< some 30 s of processor time
+constexpr int kLeastPostureDraws = 12;  ///< one of so many postures holds four draws by chance
 
 struct RehearseOptions {
   SessionConfig scene;
@@ -31,17 +29,14 @@ struct RehearseOptions {
   bool posture = false, plan_only = false, json = false;
 };
 
-std::string FormatHeldDraws(const RehearsedCandidate& tried) {
-  return std::to_string(tried.CountHeld()) + " of " + std::to_string(tried.outcomes.size());
-}
-
 std::string FormatRehearsed(const std::vector<RehearsedPair>& pairs) {
   TextTable table({"hand", "object", "chosen", "held", "candidates tried", "trials"});
   for (const RehearsedPair& pair : pairs) {
     const Rehearsal& result = pair.result;
     table.AddRow({pair.hand, pair.object, Describe(result.choice().candidate),
-                  FormatHeldDraws(result.choice()), std::to_string(result.tried.size()),
-                  std::to_string(result.num_trials)});
+                  std::to_string(result.choice().CountHeld()) + " of " +
+                      std::to_string(result.choice().outcomes.size()),
+                  std::to_string(result.tried.size()), std::to_string(result.num_trials)});
   }
   return table.Format();
 }

@@ -1,11 +1,11 @@
 #include "workbench/commands/options/session_options.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <sstream>
 
-#include "core/base/units.h"
 #include "datasets/benchmark/benchmark_file.h"
 #include "datasets/plan/grip_check.h"
 #include "datasets/plan/rehearsed_grasps.h"
@@ -41,35 +41,13 @@ constexpr SettingOption kOptions[] = {
      [](const SessionConfig& given, SessionConfig& c) { c.trials = given.trials; }},
     {"--seed", "seed", [](const SessionConfig& given, SessionConfig& c) { c.seed = given.seed; }}};
 
-/** @throws Error(kUsage). */
-void SetArmBase(const std::string& text, ArmConfig& arm) {
-  std::vector<double> numbers;
-  bool are_numbers = true;
-  std::istringstream words(text);
-  for (std::string word; std::getline(words, word, ',');) {
-    are_numbers = ReadNumber(word, numbers.emplace_back()) && are_numbers;
-  }
-  if (!are_numbers || numbers.size() != 4) {
-    throw Error(ErrorKind::kUsage, "--arm-base " + text +
-                                       ": expected four numbers X,Y,Z,YAW in m and degrees, as "
-                                       "-0.5,0,0,0");
-  }
-  arm.x = numbers[0];
-  arm.y = numbers[1];
-  arm.z = numbers[2];
-  arm.yaw = RadFromDeg(numbers[3]);
-}
-
 }  // namespace
 
 void SessionOptions::AddTo(Command& command, const std::string& file_text) {
   command.AddOption("session", session_file_, file_text, "SESSION");
   std::vector<std::string> presets;
-  std::string names;
-  for (const Preset& preset : ListPresets()) {
-    presets.push_back(preset.name);
-    names += (names.empty() ? "" : ",") + preset.name;
-  }
+  for (const Preset& preset : ListPresets()) presets.push_back(preset.name);
+  const std::string names = fmt::format("{}", fmt::join(presets, ","));
   command
       .AddOption("--preset", preset_, "named settings instead of a session file: " + names, "NAME")
       ->Suggest(presets);
@@ -87,13 +65,7 @@ void SessionOptions::AddTo(Command& command, const std::string& file_text) {
       .AddOption("--approach", given_.approach, "above or side, whatever objects and grasps say",
                  "FROM")
       ->ShowDefault();
-  command.AddOption("--arm", given_.arm.model,
-                    "arm that carries the hand, by id or folder: puma560, pa10; none: no arm",
-                    "ARM");
-  command.AddOption("--arm-base", arm_base_,
-                    "place of the arm's base [m] and its rotation about the vertical [deg]; the "
-                    "object stands at 0,0,0",
-                    "X,Y,Z,YAW");
+  AddArmOptions(command, given_.arm, arm_base_);
   command.AddOption("--policy", given_.policy.command,
                     "a controller that closes the digits: a shell command ('python3 my.py'), the "
                     "address of a policy server (ws://127.0.0.1:8000) or a policy.yaml",
@@ -148,8 +120,7 @@ SessionConfig SessionOptions::MakeConfig(SessionConfig config) const {
 void SessionOptions::ApplyTo(SessionConfig& config) const {
   if (!session_file_.empty() && !preset_.empty()) {
     throw Error(ErrorKind::kUsage,
-                "a session file and --preset are both given; leave out --preset "
-                "and write into " +
+                "a session file and --preset are both given; leave out --preset and write into " +
                     session_file_ + ": preset: " + preset_);
   }
   if (!preset_.empty()) config = LoadPreset(preset_);
@@ -163,7 +134,7 @@ void SessionOptions::ApplyTo(SessionConfig& config) const {
     if (IsGiven(row.option)) row.copy(given_, config);
   }
   if (!benchmark_.empty()) CheckSettings(LoadBenchmark(benchmark_), config);
-  if (IsGiven("--arm-base")) SetArmBase(arm_base_, config.arm);
+  if (IsGiven("--arm-base")) ReadArmBase(arm_base_, config.arm);
 }
 
 std::string SessionOptions::name() const {
