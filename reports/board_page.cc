@@ -142,8 +142,8 @@ Html DrawFailures(const BoardPageData& data) {
   if (!has_failure) return bars + MakeParagraph("No public trial of any entry failed.");
   return bars +
          MakeParagraph(
-             "A trial is repeated from its pack and shown in 3-D, here trial "
-             "tum-can-g3:2 of entry.tar:") +
+             "A trial is repeated from its pack and shown in 3-D, for example "
+             "trial tum-can-g3:2 of entry.tar:") +
          MakeScroll("Commands",
                     Element("pre", {},
                             "mkdir entry && tar xf entry.tar -C entry\n"

@@ -105,8 +105,13 @@ Html DrawRehearsalMethods(const RehearsalPageData& data) {
       "and mass times 1.2. The first candidate that held all of them is chosen; else the longest "
       "run, of equal ones that with the lowest grip threshold. The poses belong to no session. At "
       "most " +
-      std::to_string(data.config.num_candidates) + " candidates were tried. graspbench " +
-      program_version() +
+      std::to_string(data.config.num_candidates) + " candidates were tried. " +
+      (data.config.num_postures > 0
+           ? "Where none held all, " + std::to_string(data.config.num_postures) +
+                 " target postures were searched from the choice on, and the best of them were "
+                 "compared with it on four times as many poses. "
+           : "") +
+      "graspbench " + program_version() +
       " proposes this rule; the thesis (4.2) tries every grasp on every object.");
 }
 

@@ -56,7 +56,7 @@ Html DrawTransferPictures(const Session& session, const TransferFile& file) {
 Html DrawReasons(const TransferFile& file, const std::vector<std::string>& hands) {
   Table table(
       "Grasps that a hand cannot take over, with the reason; numbers are those of the first.",
-      {"hand", "reason", "grasps"});
+      {"Hand", "Reason", "Grasps"});
   for (const std::string& hand : hands) {
     for (const auto& [reason, count] : CountTransferReasons(file, hand)) {
       table.AddRow({hand, reason, count});

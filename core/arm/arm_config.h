@@ -15,7 +15,7 @@ struct ArmConfig {
   double y = 0.0;             ///< [m]
   double z = 0.0;             ///< [m], not below the table's top
   double yaw = 0.0;           ///< of B about the vertical [rad]
-  std::string mount = "z";    ///< of kMounts (core/arm/mounted_arm.h)
+  std::string mount = "z";    ///< of ListMounts (core/arm/mounted_arm.h)
 
   template <class V>
   void Visit(V&& v) {

@@ -9,6 +9,7 @@
 
 #include "core/arm/arm_inverse.h"
 #include "core/base/units.h"
+#include "core/hand/contact_shape.h"
 
 namespace graspbench {
 namespace {
@@ -24,33 +25,6 @@ constexpr double kLowDexterity = 0.1;
 constexpr double kPeakSpeed = 15.0 / 8.0;
 
 double CalcMinimumJerk(double x) { return x * x * x * (10.0 + x * (6.0 * x - 15.0)); }
-
-/** Distance of two line segments, after Ericson (2005), 5.1.9 [m]. */
-double CalcSegmentDistance(const Vector3d& p1, const Vector3d& q1, const Vector3d& p2,
-                           const Vector3d& q2) {
-  const Vector3d d1 = q1 - p1, d2 = q2 - p2, r = p1 - p2;
-  const double a = d1.squaredNorm(), e = d2.squaredNorm(), f = d2.dot(r);
-  constexpr double kPoint = 1e-18;
-  double s = 0.0, t = 0.0;
-  if (a <= kPoint && e <= kPoint) return r.norm();
-  if (a <= kPoint) {
-    t = std::clamp(f / e, 0.0, 1.0);
-  } else {
-    const double c = d1.dot(r);
-    if (e <= kPoint) {
-      s = std::clamp(-c / a, 0.0, 1.0);
-    } else {
-      const double b = d1.dot(d2), det = a * e - b * b;
-      if (det > kPoint) s = std::clamp((b * f - c * e) / det, 0.0, 1.0);
-      t = (b * s + f) / e;
-      if (t < 0.0 || t > 1.0) {
-        t = std::clamp(t, 0.0, 1.0);
-        s = std::clamp((b * t - c) / a, 0.0, 1.0);
-      }
-    }
-  }
-  return (p1 + s * d1 - p2 - t * d2).norm();
-}
 
 std::string NameLink(int link) { return link == 0 ? "the base" : fmt::format("link {}", link); }
 
@@ -289,8 +263,9 @@ std::string FindArmCollision(const MountedArm& mounted, const VectorXd& q,
     }
     for (size_t k = 0; k < i; ++k) {
       if (std::abs(arm.capsules[k].link - capsule.link) < 2) continue;
-      if (CalcSegmentDistance(segment.a, segment.b, segments[k].a, segments[k].b) <
-          capsule.radius + arm.capsules[k].radius) {
+      const ClosestPoints nearest =
+          FindClosestPoints(segment.a, segment.b, segments[k].a, segments[k].b);
+      if ((nearest.on_a - nearest.on_b).norm() < capsule.radius + arm.capsules[k].radius) {
         return NameLink(arm.capsules[k].link) + " would meet " + NameLink(capsule.link);
       }
     }

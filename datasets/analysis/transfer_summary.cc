@@ -113,16 +113,13 @@ std::vector<std::string> ListOnce(const std::vector<TransferRow>& rows, const Va
 std::string FormatSuccess(const Tally& tally) {
   if (tally.finished == 0) return "no trial";
   const Interval interval = tally.rate_interval();
-  return FormatFixed(100.0 * tally.rate(), 0) + " (" + FormatFixed(100.0 * interval.low, 0) +
-         " to " + FormatFixed(100.0 * interval.high, 0) + ")";
+  return FormatWithRange(100.0 * tally.rate(), 100.0 * interval.low, 100.0 * interval.high, 0);
 }
 
 std::string FormatPoints(const ChangeEstimate& change) {
   if (change.num_draws == 0) return "n/a";
-  const std::string points = FormatFixed(100.0 * change.estimate, 1);
-  if (!change.interval) return points;
-  return points + " (" + FormatFixed(100.0 * change.interval->low, 1) + " to " +
-         FormatFixed(100.0 * change.interval->high, 1) + ")";
+  const Interval range = change.interval ? *change.interval : Interval{kUnset, kUnset};
+  return FormatWithRange(100.0 * change.estimate, 100.0 * range.low, 100.0 * range.high, 1);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ change is a new version with a file of its own.
     session: {trials: 10, seed: 1}  # as in session.yaml: protocol, draws, rules of success
     open: [grasps, strategy.grip]   # settings that an entry may choose, beside its hands
     hands: {tum: 0123456789abcdef}  # that an entry may choose, with the hash of their content
-    objects: {can: ..}              # all of which an entry grasps, likewise
+    objects: {can: ..}              # all of which an entry grasps, with their hashes
     commitment: ..                  # of held-out draws; may be left out
 
 Held-out draws are those of another seed. Their organiser publishes CalcCommitment of seed and nonce

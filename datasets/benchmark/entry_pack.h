@@ -6,7 +6,7 @@ An entry of a benchmark as one tar file (datasets/pipeline/pipeline_pack.h):
     entry.json      name, author, licence, method in the author's words; the benchmark
     session/..      the session's configuration, plan, grasps and journal, a store of its own
 
-The same session, the same bytes, whoever worked on it and how often it was continued. A session of
+A session gives the same bytes on every machine, however often it was continued. A session of
 a controller is an entry by its recorded actions. What an entry says of its results counts for
 nothing: a board simulates its trials again. */
 

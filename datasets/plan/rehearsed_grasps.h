@@ -65,7 +65,7 @@ std::optional<Rehearsal> FindKeptRehearsal(const RehearsalTask& task);
 @throws Error(kUsage) for a hand without a standard grasp; as TrialRunner. */
 Rehearsal FindRehearsal(const RehearsalTask& task);
 
-/** What a person is told of a grasp that held half of its imagined trials or fewer; else empty. */
+/** The warning about a grasp that held half of its imagined trials or fewer; else empty. */
 std::string DescribeDoubt(const std::string& hand, const std::string& object,
                           const std::string& grasp, int held, int draws);
 

@@ -41,6 +41,7 @@ message(STATUS "compiled: ${objects}")
 
 set(scratch ${BUILD}/optional)
 file(REMOVE_RECURSE ${scratch})
+# One file does not repay the precompiled header.
 execute_process(
   COMMAND ${CMAKE_COMMAND} --preset release -B ${scratch} -D BUILD_TESTING=ON
     -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON ${absent}

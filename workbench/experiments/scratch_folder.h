@@ -11,7 +11,7 @@
 
 namespace graspbench {
 
-/** A folder of our own that goes with it. */
+/** A folder that the program makes, and removes when this object is destroyed. */
 class ScratchFolder {
  public:
   /** Beside `path`; empty: where the system keeps what is temporary. */

@@ -170,11 +170,13 @@ void MeasureLinks(const std::string& file, bool accepts_coarse, const LinkSolids
     const double palmar = std::max(fit.palmar_out.most, count_sink(fit.palmar_sink));
     const std::string told = "link \"" + fit.link + "\": " + DescribeContactError(fit);
     if ((is_tip ? all : palmar) > kMostContactError && !accepts_coarse) {
-      problems.Fail(file, 0,
-                    told + "; expected 5 mm at most on the palmar side and on tips. " +
-                        (is_full ? "A link may have 600 balls, too few for this surface."
-                                 : "Is its mesh whole?") +
-                        " --coarse-contact takes it as it is");
+      problems.Fail(
+          file, 0,
+          told + "; expected 5 mm at most on the palmar side and on tips. " +
+              (is_full
+                   ? fmt::format("A link may have {} balls, too few for this surface.", kMostBalls)
+                   : "Is its mesh whole?") +
+              " --coarse-contact takes it as it is");
     } else if (all > kFairContactError) {
       problems.Warn(file, 0, told);
     }

@@ -52,7 +52,7 @@ struct TrialNotes {
   std::optional<TouchSensors> sensors = {};  ///< of a trial that goes by them
   std::string policy_fault = {};             ///< what a controller answered wrongly
   ArmFault arm_fault = ArmFault::kNone;      ///< why the arm cannot carry the hand there
-  std::string arm_reason = {};               ///< likewise, in words
+  std::string arm_reason = {};               ///< the same in words
   std::string not_seen = {};                 ///< why the camera did not find the object
   double time = 0.0;                         ///< since the start [s]
   double closure_start = kUnset;

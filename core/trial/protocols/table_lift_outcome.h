@@ -25,7 +25,7 @@ struct TrialFacts {
   std::string not_seen = {};      ///< why the camera did not find the object; empty: nobody asks
   std::string policy_fault = {};  ///< what the controller answered wrongly; empty: nothing
   ArmFault arm_fault = ArmFault::kNone;  ///< why the arm cannot carry the hand there
-  std::string arm_reason = {};           ///< likewise, in words
+  std::string arm_reason = {};           ///< the same in words
   bool is_reachable = true;              ///< the placement reaches the object
   double start_gap = 0.0;         ///< of hand and object at the start; negative: inside it [m]
   StepReport report = {};         ///< of the last step

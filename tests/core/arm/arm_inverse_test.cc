@@ -8,21 +8,13 @@
 #include "core/arm/load_arm.h"
 #include "core/base/random.h"
 #include "core/base/units.h"
+#include "tests/core/arm/draw_posture.h"
 
 namespace graspbench {
 namespace {
 
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-VectorXd DrawAnyPosture(const Arm& arm, RandomStream& random) {
-  VectorXd q(arm.num_joints());
-  for (int i = 0; i < arm.num_joints(); ++i) {
-    const ArmJoint& joint = arm.joints[static_cast<size_t>(i)];
-    q[i] = random.NextUniform(joint.lower, joint.upper);
-  }
-  return q;
-}
 
 /** Largest difference of angles, whole turns apart being equal. */
 double CalcDifference(const VectorXd& a, const VectorXd& b) {
@@ -44,7 +36,7 @@ TEST(ArmInverse, TenThousandPosesThereAndBack) {
     int num_found = 0, most = 0;
     double worst = 0.0;
     for (int n = 0; n < 10000; ++n) {
-      const VectorXd q = DrawAnyPosture(arm, random);
+      const VectorXd q = DrawPosture(arm, random);
       const Pose X_BF = CalcFlangePose(arm, q);
       const std::optional<double> free =
           arm.num_joints() == 7 ? std::optional<double>(q[2]) : std::nullopt;
@@ -137,7 +129,7 @@ TEST(ArmInverse, OtherArmsAreSolvedNumerically) {
   int num_own = 0;
   constexpr int kNumPoses = 50;
   for (int n = 0; n < kNumPoses; ++n) {
-    const VectorXd q = DrawAnyPosture(arm, random);
+    const VectorXd q = DrawPosture(arm, random);
     const Pose X_BF = CalcFlangePose(arm, q);
     const std::vector<VectorXd> all = FindArmPostures(arm, X_BF, 1).postures;
     EXPECT_GE(all.size(), 1u);

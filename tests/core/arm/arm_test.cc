@@ -10,21 +10,13 @@
 #include "core/base/random.h"
 #include "core/base/units.h"
 #include "core/physics/simbody/simtk_conversions.h"
+#include "tests/core/arm/draw_posture.h"
 
 namespace graspbench {
 namespace {
 
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-VectorXd DrawPosture(const Arm& arm, RandomStream& random) {
-  VectorXd q(arm.num_joints());
-  for (int i = 0; i < arm.num_joints(); ++i) {
-    const ArmJoint& joint = arm.joints[static_cast<size_t>(i)];
-    q[i] = random.NextUniform(joint.lower, joint.upper);
-  }
-  return q;
-}
 
 struct DhRow {
   double a, alpha_deg, d;

@@ -9,7 +9,7 @@
 namespace graspbench {
 namespace {
 
-// A released benchmark stays: whoever changes a hand, an object or the physics adds a new version.
+// A released benchmark stays: a change of a hand, an object or the physics needs a new version.
 TEST(BenchmarkFileTest, TheProgramIsThatOfEveryShippedBenchmark) {
   ASSERT_FALSE(ListBenchmarks().empty());
   for (const std::string& name : ListBenchmarks()) {

@@ -53,7 +53,7 @@ class RunBoardTest : public testing::Test {
     Observer observer;
     return RunBoard(request_, observer);
   }
-  /** A pack whose journal somebody has written anew, with all its hashes. */
+  /** A pack whose journal somebody has changed, with all its hashes made again. */
   fs::path Rewrite(const std::string& name, const std::function<void(TrialRecord&)>& change) {
     const fs::path folder = top_ / ("of-" + name), session = folder / "session";
     Unpack(Made("best.tar"), folder, kEntryPack);
