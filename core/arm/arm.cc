@@ -41,6 +41,70 @@ Eigen::MatrixXd CalcArmJacobian(const std::vector<Pose>& X_BL) {
   return jacobian;
 }
 
+Eigen::Matrix<double, 6, 1> CalcArmVelocityTerm(const std::vector<Pose>& X_BL,
+                                                const Eigen::VectorXd& u) {
+  Eigen::Vector3d w = Eigen::Vector3d::Zero(), alpha = w, a = w;
+  for (size_t i = 0; i + 1 < X_BL.size(); ++i) {
+    const Eigen::Vector3d turn = u[static_cast<Eigen::Index>(i)] * X_BL[i].linear().col(2);
+    alpha += w.cross(turn);
+    w += turn;
+    const Eigen::Vector3d r = X_BL[i + 1].translation() - X_BL[i].translation();
+    a += alpha.cross(r) + w.cross(w.cross(r));
+  }
+  Eigen::Matrix<double, 6, 1> result;
+  result << a, alpha;
+  return result;
+}
+
+namespace {
+
+/** By joint the speed of a link's centre of mass for a unit speed of the joint (3, link). */
+Eigen::Matrix3Xd CalcComJacobian(const Arm& arm, const std::vector<Pose>& X_BL, size_t link) {
+  const Eigen::Vector3d p_BCom = X_BL[link] * arm.joints[link - 1].p_com;
+  Eigen::Matrix3Xd jacobian(3, static_cast<Eigen::Index>(link));
+  for (size_t i = 0; i < link; ++i) {
+    jacobian.col(static_cast<Eigen::Index>(i)) =
+        X_BL[i].linear().col(2).cross(p_BCom - X_BL[i].translation());
+  }
+  return jacobian;
+}
+
+}  // namespace
+
+Eigen::MatrixXd CalcArmMass(const Arm& arm, const std::vector<Pose>& X_BL) {
+  Eigen::MatrixXd M = Eigen::MatrixXd::Zero(arm.num_joints(), arm.num_joints());
+  Eigen::Matrix3Xd axes(3, arm.num_joints());
+  for (size_t link = 1; link < X_BL.size(); ++link) {
+    const ArmJoint& joint = arm.joints[link - 1];
+    const auto n = static_cast<Eigen::Index>(link);
+    axes.col(n - 1) = X_BL[link - 1].linear().col(2);
+    const Eigen::Matrix3Xd linear = CalcComJacobian(arm, X_BL, link);
+    const Eigen::Matrix3Xd angular = X_BL[link].linear().transpose() * axes.leftCols(n);
+    M.topLeftCorner(n, n) += joint.mass * linear.transpose() * linear +
+                             angular.transpose() * joint.inertia.asDiagonal() * angular;
+    M(n - 1, n - 1) += joint.armature;
+  }
+  return M;
+}
+
+Eigen::VectorXd CalcArmWeight(const Arm& arm, const std::vector<Pose>& X_BL,
+                              const Eigen::Vector3d& gravity_B) {
+  Eigen::VectorXd torque = Eigen::VectorXd::Zero(arm.num_joints());
+  for (size_t link = 1; link < X_BL.size(); ++link) {
+    torque.head(static_cast<Eigen::Index>(link)) +=
+        CalcComJacobian(arm, X_BL, link).transpose() * (arm.joints[link - 1].mass * gravity_B);
+  }
+  return torque;
+}
+
+Eigen::Matrix<double, 6, 6> CalcArmCompliance(const Arm& arm, const Eigen::MatrixXd& jacobian) {
+  Eigen::VectorXd compliance(arm.num_joints());
+  for (int i = 0; i < arm.num_joints(); ++i) {
+    compliance[i] = 1.0 / arm.joints[static_cast<size_t>(i)].stiffness;
+  }
+  return jacobian * compliance.asDiagonal() * jacobian.transpose();
+}
+
 double CalcArmReach(const Arm& arm) {
   double reach = 0.0;
   for (size_t i = 1; i < arm.joints.size(); ++i) {

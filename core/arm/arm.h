@@ -1,14 +1,15 @@
 #pragma once
 /** @file
 A robot arm as data: a chain of revolute joints in Denavit and Hartenberg's form (1955, "standard"),
-limits, speeds, torques, masses and capsules.
+limits, speeds, torques, stiffnesses, masses and capsules.
 
 Frame B is the arm's base, its z along joint 1. Frame i is fixed to link i, behind joint i:
 
     X_(i-1)i(q) = Rot(z, q_i + offset_i) Shift(z, d_i) Shift(x, a_i) Rot(x, alpha_i)
 
-The last frame is the flange F, to which the hand is fixed. Not modelled: joints that slide,
-coupling between joints, play. */
+The last frame is the flange F, to which the hand is fixed. Each joint's drive is a spring between
+its commanded angle and its angle, so that a force f at the flange moves it by J K^-1 J^T f (Salisbury
+1980). Not modelled: joints that slide, coupling between joints, play, links that bend. */
 
 #include <Eigen/Core>
 #include <string>
@@ -25,8 +26,13 @@ struct ArmJoint {
   double lower = 0.0, upper = 0.0;    ///< of q [rad]
   double speed = 0.0;                 ///< largest [rad/s]
   double torque = 0.0;                ///< largest [N m]
+  double stiffness = 0.0;             ///< of drive and gear, seen at the joint [N m/rad]
+  double armature = 0.0;              ///< rotor's inertia, seen at the joint [kg m^2]
   double mass = 0.0;                  ///< of the link behind it [kg]
   Eigen::Vector3d p_com = {0, 0, 0};  ///< its centre of mass in the link's frame [m]
+  /** Moments of inertia about the axes of the link's frame through its centre of mass; products of
+  inertia are 0 [kg m^2]. */
+  Eigen::Vector3d inertia = {0, 0, 0};
 };
 
 struct ArmCapsule {
@@ -55,6 +61,23 @@ Pose CalcFlangePose(const Arm& arm, const Eigen::VectorXd& q);
 /** Of the flange: [v_BF; w_BF] = J qdot, both in B; (6, num_joints).
 @param X_BL  of CalcArmPoses. */
 Eigen::MatrixXd CalcArmJacobian(const std::vector<Pose>& X_BL);
+
+/** Acceleration of the flange while no joint accelerates, Jdot qdot: [linear; angular] in B.
+@param X_BL  of CalcArmPoses.   @param u  joint speeds [rad/s]. */
+Eigen::Matrix<double, 6, 1> CalcArmVelocityTerm(const std::vector<Pose>& X_BL,
+                                                const Eigen::VectorXd& u);
+
+/** Mass matrix of links and rotors (num_joints, num_joints) [kg m^2].
+@param X_BL  of CalcArmPoses; the last is not used but for the last link. */
+Eigen::MatrixXd CalcArmMass(const Arm& arm, const std::vector<Pose>& X_BL);
+/** Torques of the links' weight on the joints (num_joints) [N m]. @param gravity_B [m/s^2]. */
+Eigen::VectorXd CalcArmWeight(const Arm& arm, const std::vector<Pose>& X_BL,
+                              const Eigen::Vector3d& gravity_B);
+
+/** How the flange yields to a force and moment on it: [linear; angular] = C [force; moment], with
+C = J K^-1 J^T, in the Jacobian's frame. Along a direction that a singular posture has lost C is 0:
+the arm is stiff there. */
+Eigen::Matrix<double, 6, 6> CalcArmCompliance(const Arm& arm, const Eigen::MatrixXd& jacobian);
 
 /** Longest distance of the flange from joint 1: the sum of the links' lengths [m]. */
 double CalcArmReach(const Arm& arm);

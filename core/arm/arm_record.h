@@ -21,6 +21,11 @@ struct ArmRecord {
   double straight_time = kUnset;  ///< of placing and lift [s]
   double straight_path = kUnset;  ///< [m]
   Eigen::VectorXd q;              ///< at the grasp [rad]; empty: there is none
+  /** Largest distance and turn of the hand from its commanded pose in the trial, by which the joints
+  gave way. */
+  double deflection = kUnset, deflection_angle = kUnset;  ///< [m], [rad]
+  double torque_share = kUnset;  ///< largest torque of a joint, weights included, over its limit
+  std::string torque_joint;      ///< of that joint; empty: there is no course
 
   template <class V>
   static void ListFields(V&& field) {
@@ -34,6 +39,10 @@ struct ArmRecord {
     field("straight_time_s", &R::straight_time, FieldMayMiss{});
     field("straight_path_m", &R::straight_path, FieldMayMiss{});
     field("q_rad", &R::q);
+    field("deflection_m", &R::deflection, FieldMayMiss{});
+    field("deflection_rad", &R::deflection_angle, FieldMayMiss{});
+    field("torque_share", &R::torque_share, FieldMayMiss{});
+    field("torque_joint", &R::torque_joint);
   }
 };
 

@@ -13,7 +13,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kMostJoints = 10;
+/** A pose of the hand has six numbers; the simulation takes no more than ten. */
+constexpr int kLeastJoints = 6, kMostJoints = 10;
+
+/** A joint whose limits are no farther apart was given in radians [deg]. */
+constexpr double kRadiansOfTurn = 4.0 * kPi;
 
 fs::path FindArmModels() { return FindDataRoot() / "core" / "arm" / "models"; }
 
@@ -45,10 +49,20 @@ ArmJoint ReadArmJoint(YamlMap& map) {
   ReadAngle("upper_deg", Needed::kYes, map, joint.upper);
   ReadAngle("speed_deg_per_s", Needed::kYes, map, joint.speed);
   map.Read("torque_nm", joint.torque);
+  map.Read("stiffness_nm_per_rad", joint.stiffness);
+  map.Read("armature_kg_m2", joint.armature);
   map.Read("mass_kg", joint.mass);
   map.Read("com_m", joint.p_com);
-  if (map.Has("lower_deg") && map.Has("upper_deg") && joint.lower >= joint.upper) {
-    map.Fail("upper_deg", "joint \"" + joint.name + "\": expected more than its lower_deg");
+  map.Read("inertia_kg_m2", joint.inertia);
+  if (map.Has("lower_deg") && map.Has("upper_deg")) {
+    const std::string who = "joint \"" + joint.name + "\": ";
+    const double range_deg = DegFromRad(joint.upper - joint.lower);
+    if (range_deg <= 0.0) {
+      map.Fail("upper_deg", who + "expected more than its lower_deg");
+    } else if (range_deg <= kRadiansOfTurn) {
+      map.Fail("upper_deg", who + "turns by " + FormatFixed(range_deg, 2) +
+                                " deg only; expected degrees, these look like radians");
+    }
   }
   map.FinishKnownKeys();
   return joint;
@@ -122,8 +136,15 @@ const FileKeys& ListArmKeys() {
       {"joints.upper_deg", kRequired, "upper limit", -720, 720},
       {"joints.speed_deg_per_s", kRequired, "largest speed", kAboveZero, 3600},
       {"joints.torque_nm", kRequired, "largest torque", kAboveZero, 10000},
+      {"joints.stiffness_nm_per_rad", kRequired,
+       "of drive and gear at the joint: torque over deflection", kAboveZero, 1e8},
+      {"joints.armature_kg_m2", kRequired, "inertia of the rotor, seen at the joint", kAboveZero,
+       1000},
       {"joints.mass_kg", kRequired, "of the link behind the joint", 0, 1000},
       {"joints.com_m", kRequired, "centre of mass of that link, in its frame", -3, 3},
+      {"joints.inertia_kg_m2", kRequired,
+       "moments of inertia of that link about its frame's axes through the centre of mass", 0,
+       1000},
       {"capsules", kRequired, KeyType::kList, "list: the arm's shape for collisions"},
       {"capsules.link", kRequired, "0: the base; n: the link behind joint n"},
       {"capsules.from_m", kRequired, "end of the axis, in the link's frame", -3, 3},
@@ -146,8 +167,10 @@ Arm ParseArm(const std::string& text, const fs::path& folder, Diagnostics& probl
     YamlMap map(item, file, "joint", problems, &ListArmKeys(), "joints.");
     arm.joints.push_back(ReadArmJoint(map));
   }
-  if (arm.num_joints() > kMostJoints) {
-    root.Fail("joints", "expected at most " + std::to_string(kMostJoints));
+  if (arm.num_joints() > 0 && (arm.num_joints() < kLeastJoints || arm.num_joints() > kMostJoints)) {
+    root.Fail("joints", "found " + FormatCount(arm.num_joints(), "joint") + "; expected " +
+                            std::to_string(kLeastJoints) + " to " + std::to_string(kMostJoints) +
+                            ", for the hand to take any pose");
   }
   ReadReady(root, arm);
   for (const YAML::Node& item : ListItems("capsules", root)) {

@@ -43,8 +43,10 @@ Matrix3d Orthonormalize(const Matrix3d& R) {
 
 }  // namespace
 
-void DemandShortChains(const Hand& hand) {
+void DemandShortChains(const Hand& hand, int num_base) {
   const HandDynamics dynamics(hand);
+  const size_t most =
+      std::min<size_t>(ContactPoint::kMaxChain, ContactPoint::kMaxDofs - 6 - num_base);
   for (size_t link = 0; link < hand.links.size(); ++link) {
     const std::vector<int>& chain = dynamics.chain(static_cast<int>(link));
     std::set<int> dofs;
@@ -52,12 +54,12 @@ void DemandShortChains(const Hand& hand) {
       dynamics.ForEachSpeed(joint, [&](int dof, double) { dofs.insert(dof); });
     }
     const size_t length = std::max(chain.size(), dofs.size());
-    if (length > ContactPoint::kMaxChain) {
+    if (length > most) {
       throw Error(ErrorKind::kUnsupported,
                   "hand \"" + hand.id + "\" has " + std::to_string(length) +
                       " joints between its root and link \"" + hand.links[link].name +
-                      "\"; the simulation takes at most " +
-                      std::to_string(ContactPoint::kMaxChain));
+                      "\"; the simulation takes at most " + std::to_string(most) +
+                      (num_base > 6 ? " on an arm with " + std::to_string(num_base) : ""));
     }
   }
 }
@@ -65,11 +67,7 @@ void DemandShortChains(const Hand& hand) {
 ImplicitWorld::ImplicitWorld(const Hand& hand, const GraspObject& object, const SimConfig& config,
                              TablePresence table)
     : World(hand, object, config, table), config_(config) {
-  const int n = dynamics_.num_speeds() + 6;
   problem_.h = config.step;
-  problem_.M = Eigen::MatrixXd::Zero(n, n);
-  problem_.u = VectorXd::Zero(n);
-  problem_.bias = VectorXd::Zero(n);
   problem_.contacts.reserve(128);
 }
 
@@ -79,8 +77,12 @@ std::unique_ptr<World> ImplicitWorld::Clone() const {
 
 void ImplicitWorld::Reset(const WorldState& state) {
   ResetScene(state);
-  v_ = VectorXd::Zero(dynamics_.num_speeds() + 6);
-  v_ << CalcHandSpeeds(), state.w_WO, state.v_WOcm;
+  ResetArm();
+  const int n = object_dof() + 6;
+  problem_.M = Eigen::MatrixXd::Zero(n, n);
+  problem_.u = VectorXd::Zero(n);
+  problem_.bias = VectorXd::Zero(n);
+  v_ = FindSpeeds();
   commanded_v_WH_ = state.v_WH;
   problem_.contacts.clear();
   drives_.assign(static_cast<size_t>(dynamics_.num_dofs()), DriveMemory());
@@ -95,7 +97,7 @@ void ImplicitWorld::Reset(const WorldState& state) {
 }
 
 void ImplicitWorld::MovePositions(double h, const VectorXd& u, WorldState& state) const {
-  const int base = dynamics_.num_dofs(), object = dynamics_.num_speeds();
+  const int base = dynamics_.num_dofs(), object = object_dof();
   for (int joint = 0; joint < dynamics_.num_joints(); ++joint) {
     state.q[joint] += h * dynamics_.rate_of_joint(joint) * u[dynamics_.dof_of_joint(joint)];
     if (const int dof = dynamics_.deviation_dof(joint); dof >= 0) {
@@ -103,30 +105,14 @@ void ImplicitWorld::MovePositions(double h, const VectorXd& u, WorldState& state
       state.deviation[joint] += h * u[dof];
     }
   }
-  state.X_WH.linear() = MakeRotation(h * u.segment<3>(base)) * state.X_WH.linear();
-  state.X_WH.translation() += h * u.segment<3>(base + 3);
+  if (arm_) {
+    state.q_arm += h * u.segment(base, num_base_);  // X_WH follows from it
+  } else {
+    state.X_WH.linear() = MakeRotation(h * u.segment<3>(base)) * state.X_WH.linear();
+    state.X_WH.translation() += h * u.segment<3>(base + 3);
+  }
   state.R_WO = MakeRotation(h * u.segment<3>(object)) * state.R_WO;
   state.p_WOcm += h * u.segment<3>(object + 3);
-}
-
-void ImplicitWorld::AddArm(const WorldCommand& command) {
-  const double h = problem_.h;
-  const Eigen::AngleAxisd turn(Matrix3d(command.X_WH.linear() * middle_.X_WH.linear().transpose()));
-  const Vector3d turned = turn.angle() * turn.axis();
-  const Vector3d moved = command.X_WH.translation() - middle_.X_WH.translation();
-  const auto add = [&](int dof, double stiffness, double distance, double speed, double limit) {
-    const double damping = stiffness * config_.arm_damping_time;
-    problem_.scalars.push_back({dof, stiffness * distance + damping * speed,
-                                0.5 * stiffness * h + damping, -limit, limit});
-  };
-  const int base = dynamics_.num_dofs();
-  for (int k = 0; k < 3; ++k) {
-    add(base + k, config_.arm_angular_stiffness, turned[k], command.w_WH[k],
-        config_.arm_moment_limit);
-  }
-  for (int k = 0; k < 3; ++k) {
-    add(base + 3 + k, config_.arm_stiffness, moved[k], command.v_WH[k], config_.arm_force_limit);
-  }
 }
 
 void ImplicitWorld::AddDrives(const WorldCommand& command) {
@@ -214,20 +200,24 @@ void ImplicitWorld::AddRollingResistance() {
   const double speed = turn.norm();
   for (int k = 0; k < 2; ++k) {
     const double share = speed > kRollingRestSpeed ? std::abs(turn[k]) / speed : std::sqrt(0.5);
-    problem_.scalars.push_back({dynamics_.num_speeds() + k, 0.0, moment / kRollingRestSpeed,
-                                -share * moment, share * moment});
+    problem_.scalars.push_back(
+        {object_dof() + k, 0.0, moment / kRollingRestSpeed, -share * moment, share * moment});
   }
 }
 
 /** Fills problem_.bias for an arm that carries the hand with `acceleration_W`. */
 void ImplicitWorld::CalcBias(const VectorXd& mean_speeds, const Vector3d& acceleration_W) {
-  const int base = dynamics_.num_dofs(), object = dynamics_.num_speeds();
+  const int base = dynamics_.num_dofs(), object = object_dof();
   VectorXd& bias = problem_.bias;
-  dynamics_.CalcBias(mean_speeds.head(object), state_.gravity_W, bias.head(object));
-  const Eigen::Matrix<double, 6, 1> inertia =
-      problem_.M.block<6, 3>(base, base + 3) * acceleration_W;
-  carrying_ = bias.segment<6>(base) + inertia;
-  bias.segment<6>(base) = -inertia;
+  if (arm_) {
+    CalcArmBias(mean_speeds);
+  } else {
+    dynamics_.CalcBias(mean_speeds.head(object), state_.gravity_W, bias.head(object));
+    const Eigen::Matrix<double, 6, 1> inertia =
+        problem_.M.block<6, 3>(base, base + 3) * acceleration_W;
+    carrying_ = bias.segment<6>(base) + inertia;
+    bias.segment<6>(base) = -inertia;
+  }
   const Vector3d w = mean_speeds.segment<3>(object);
   const Vector3d momentum = problem_.M.block<3, 3>(object, object) * w;
   bias.segment<3>(object) = w.cross(momentum) - external_moment_W_;
@@ -235,24 +225,32 @@ void ImplicitWorld::CalcBias(const VectorXd& mean_speeds, const Vector3d& accele
 }
 
 void ImplicitWorld::UpdateHandMass() {
-  const int object = dynamics_.num_speeds();
   bool is_kept = mass_place_.q.size() > 0 &&
                  (middle_.q - mass_place_.q).cwiseAbs().maxCoeff() < kKeptAngle &&
-                 (middle_.X_WH.linear() - mass_place_.R_WH).cwiseAbs().maxCoeff() < kKeptAngle;
+                 (middle_.X_WH.linear() - mass_place_.R_WH).cwiseAbs().maxCoeff() < kKeptAngle &&
+                 (!arm_ || (middle_.q_arm - mass_place_.q_arm).cwiseAbs().maxCoeff() < kKeptAngle);
   for (int joint = 0; joint < dynamics_.num_joints() && is_kept; ++joint) {
     is_kept = mass_place_.rates[joint] == dynamics_.rate_of_joint(joint);
   }
   if (is_kept) return;
-  dynamics_.CalcMassMatrix(problem_.M.topLeftCorner(object, object));
-  AddArmatures(problem_.M);
-  mass_place_ = {middle_.q, middle_.X_WH.linear(), {}};
+  if (arm_) {
+    CalcArmMasses();
+  } else {
+    dynamics_.CalcMassMatrix(problem_.M.topLeftCorner(object_dof(), object_dof()));
+    AddArmatures(problem_.M);
+  }
+  mass_place_ = {middle_.q, middle_.X_WH.linear(), {}, middle_.q_arm};
   for (int joint = 0; joint < dynamics_.num_joints(); ++joint) {
     mass_place_.rates.push_back(dynamics_.rate_of_joint(joint));
   }
 }
 
 void ImplicitWorld::UpdateDynamics() {
-  const int object = dynamics_.num_speeds();
+  const int object = object_dof();
+  if (arm_) {
+    arm_->Update(middle_.q_arm);
+    middle_.X_WH = arm_->X_WH();
+  }
   dynamics_.UpdatePositions(middle_.X_WH, middle_.q);
   UpdateHandMass();
   problem_.M.block<3, 3>(object, object) = middle_.R_WO * mass_.I_OOcm * middle_.R_WO.transpose();
@@ -281,9 +279,10 @@ StepReport ImplicitWorld::Step(const WorldCommand& command) {
     v_before_.resize(0);
   }
   problem_.h = h;
-  const int dofs = dynamics_.num_dofs(), object = dynamics_.num_speeds();
+  const int dofs = dynamics_.num_dofs(), object = object_dof();
   ChooseDistalModes(command, energy_.limits);
-  problem_.u << CalcHandSpeeds(), state_.w_WO, state_.v_WOcm;
+  problem_.u = FindSpeeds();
+  const bool is_followed = !arm_ || arm_->Follow(command, h);
 
   middle_ = state_;
   MovePositions(0.5 * h, problem_.u, middle_);
@@ -293,6 +292,7 @@ StepReport ImplicitWorld::Step(const WorldCommand& command) {
   collider_.FindContacts(dynamics_, X_WO, middle_.p_WOcm, step_number_, problem_.contacts);
   problem_.scalars.clear();
   AddDrives(command);
+  if (arm_) ProjectContacts();
   AddArm(command);
   AddLimits();
   AddRollingResistance();
@@ -321,6 +321,7 @@ StepReport ImplicitWorld::Step(const WorldCommand& command) {
   }
   FinishForces(v_);
   StepReport report = MakeReport(v_, converged);
+  report.is_followed = is_followed;
   UpdateBlocks(report.link_touches_object);
 
   state_ = middle_;
@@ -328,8 +329,13 @@ StepReport ImplicitWorld::Step(const WorldCommand& command) {
   state_.R_WO = Orthonormalize(state_.R_WO);
   state_.X_WH.linear() = Orthonormalize(state_.X_WH.linear());
   state_.u = v_.head(dofs);
-  state_.w_WH = v_.segment<3>(dofs);
-  state_.v_WH = v_.segment<3>(dofs + 3);
+  if (arm_) {
+    state_.u_arm = v_.segment(dofs, num_base_);
+    FinishArm();
+  } else {
+    state_.w_WH = v_.segment<3>(dofs);
+    state_.v_WH = v_.segment<3>(dofs + 3);
+  }
   state_.w_WO = v_.segment<3>(object);
   state_.v_WOcm = v_.segment<3>(object + 3);
   ++step_number_;
@@ -348,21 +354,25 @@ void ImplicitWorld::FinishForces(const VectorXd& v) {
   const double h = problem_.h;
   const VectorXd mean = 0.5 * (problem_.u + v);
   // Momentum along W's axes of unit speeds, times gravity: the weight's generalised force.
-  const int base = dynamics_.num_dofs(), object = dynamics_.num_speeds();
-  energy_.gravity +=
-      h * mean.head(object).dot(problem_.M.block(0, base + 3, object, 3) * state_.gravity_W) +
-      h * mass_.mass * state_.gravity_W.dot(mean.tail<3>());
+  const int base = dynamics_.num_dofs(), object = object_dof();
+  if (arm_) {
+    FinishArmForces(v, mean);
+  } else {
+    energy_.gravity +=
+        h * mean.head(object).dot(problem_.M.block(0, base + 3, object, 3) * state_.gravity_W) +
+        h * mass_.mass * state_.gravity_W.dot(mean.tail<3>());
+    energy_.arm += h * carrying_.dot(mean.segment<6>(base));
+  }
   energy_.external += h * (external_moment_W_.dot(mean.tail<6>().head<3>()) +
                            external_force_W_.dot(mean.tail<3>()));
-  energy_.arm += h * carrying_.dot(mean.segment<6>(base));
   for (size_t i = 0; i < problem_.scalars.size(); ++i) {
     const ScalarForce& scalar = problem_.scalars[i];
     const double work = h * scalar.Calc(v[scalar.dof]) * mean[scalar.dof];
     const int index = static_cast<int>(i);
-    (index < num_drives_       ? energy_.drives
-     : index < num_drives_ + 6 ? energy_.arm
-     : index < first_rolling_  ? energy_.limits
-                               : energy_.contacts) += work;
+    (index < num_drives_               ? energy_.drives
+     : index < num_drives_ + num_base_ ? energy_.arm
+     : index < first_rolling_          ? energy_.limits
+                                       : energy_.contacts) += work;
   }
   for (size_t c = 0; c < problem_.contacts.size(); ++c) {
     const ContactPoint& contact = problem_.contacts[c];
@@ -453,11 +463,14 @@ StepReport ImplicitWorld::MakeReport(const VectorXd& v, bool converged) const {
     report.worst_penetration =
         std::max(report.worst_penetration, depth - contact.material.pad.depth);
   }
-  Eigen::Matrix<double, 6, 1> arm;
-  for (int k = 0; k < 6; ++k) {
+  VectorXd torques(num_base_);
+  for (int k = 0; k < num_base_; ++k) {
     const ScalarForce& scalar = problem_.scalars[num_drives_ + k];
-    arm[k] = scalar.Calc(v[scalar.dof]);
+    torques[k] = scalar.Calc(v[scalar.dof]);
   }
+  if (arm_) ReportTorques(torques, report);
+  const Eigen::Matrix<double, 6, 1> arm =
+      arm_ ? arm_->CalcBaseForce(torques) : Eigen::Matrix<double, 6, 1>(torques);
   report.arm_moment = arm.head<3>().norm();
   report.arm_force = arm.tail<3>().norm();
   report.is_finite = v.allFinite();

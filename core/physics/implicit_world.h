@@ -24,6 +24,7 @@ The hand hangs on an arm: a spring with damping beside it, in six dimensions, be
 base and where it is commanded to be, that gives no more than the arm can (SimConfig). The arm
 carries the hand itself: its weight and inertia along the commanded motion load no spring, so that
 a hand that touches nothing is where it is commanded to be. The arm's own inertia is not modelled.
+Where WorldState names a robot arm, its joints take the place of that spring (carrying_arm.h).
 
 Where everything stands and nothing that acts has changed, a step changes nothing: it is not
 calculated and its report is that of the last one.
@@ -35,6 +36,7 @@ solver starts from, the blocked links, the drives' imperfections, loads and the 
 #include <memory>
 #include <optional>
 
+#include "core/physics/carrying_arm.h"
 #include "core/physics/imperfect_drive.h"
 #include "core/physics/step_solver.h"
 #include "core/physics/world.h"
@@ -58,8 +60,9 @@ struct EnergyAccount {
 };
 
 /** The solver keeps room for contacts of links behind so many joints (ContactPoint::kMaxChain).
+@param num_base  speeds that move the hand's base: six, or the joints of a robot arm.
 @throws Error(kUnsupported) for a hand with a longer chain. */
-void DemandShortChains(const Hand& hand);
+void DemandShortChains(const Hand& hand, int num_base = 6);
 
 class ImplicitWorld : public World {
  public:
@@ -93,7 +96,22 @@ class ImplicitWorld : public World {
   /** Whether the step asks for nothing new. */
   bool IsAsBefore(const WorldCommand& command) const;
   void AddDrives(const WorldCommand& command);
+  /** Forces of what carries the base, one for each of its speeds. */
   void AddArm(const WorldCommand& command);
+  /** Of the first of the object's six speeds. */
+  int object_dof() const { return dynamics_.num_dofs() + num_base_; }
+  /** Of state_, as the problem has them. */
+  Eigen::VectorXd FindSpeeds() const;
+  // With a robot arm, whose joints' speeds take the place of the base's six (carried_world.cc):
+  void ResetArm();
+  /** Speeds of the hand as HandDynamics has them, of speeds of the problem. */
+  Eigen::VectorXd CalcHandPart(const Eigen::VectorXd& speeds) const;
+  void CalcArmMasses();
+  void ProjectContacts();
+  void CalcArmBias(const Eigen::VectorXd& mean_speeds);
+  void FinishArmForces(const Eigen::VectorXd& v, const Eigen::VectorXd& mean);
+  void FinishArm();
+  void ReportTorques(const Eigen::VectorXd& torques, StepReport& report) const;
   void AddLimits();
   void AddRollingResistance();
   void AddStops(int dof, double rate, double q, double lower, double upper, double stiffness);
@@ -112,9 +130,16 @@ class ImplicitWorld : public World {
     Eigen::VectorXd q;  ///< empty: nowhere
     Eigen::Matrix3d R_WH = Eigen::Matrix3d::Identity();
     std::vector<double> rates;  ///< by joint
+    Eigen::VectorXd q_arm = {};
   };
   MassPlace mass_place_;
-  WorldState middle_;         // of the current step
+  int num_base_ = 6;                // speeds that move the base: six, or the arm's joints
+  std::optional<CarryingArm> arm_;  // a robot arm, at middle_ within a step
+  Eigen::MatrixXd hand_mass_;       // with it, as HandDynamics has it
+  Eigen::MatrixXd arm_mass_;        // of the arm alone
+  Eigen::VectorXd arm_weight_;      // of arm and hand on its joints [N m]
+  Eigen::VectorXd arm_carrying_;    // torques of its drives beside their springs [N m]
+  WorldState middle_;               // of the current step
   Eigen::VectorXd v_;         // speeds at the end of the last step: [u, w_WH, v_WH, w_WO, v_WOcm]
   Eigen::VectorXd v_before_;  // at its start; empty where the next step has another length
   Eigen::Vector3d commanded_v_WH_ = Eigen::Vector3d::Zero();
@@ -123,7 +148,7 @@ class ImplicitWorld : public World {
   Eigen::Vector3d external_moment_W_ = Eigen::Vector3d::Zero();
   std::vector<DriveMemory> drives_;  // by dof
   // The first entries of problem_.scalars: drives and couplings by dof, then the drives' friction
-  // from first_friction_ on, num_drives_ in all; then six of the arm, the limits, and from
+  // from first_friction_ on, num_drives_ in all; then those of the arm, the limits, and from
   // first_rolling_ on the object's rolling resistance.
   int first_friction_ = 0;
   int num_drives_ = 0;

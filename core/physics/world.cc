@@ -2,7 +2,18 @@
 
 #include <algorithm>
 
+#include "core/arm/mounted_arm.h"
+
 namespace graspbench {
+
+void SetArm(const MountedArm& arm, const Eigen::VectorXd& q, WorldState& state) {
+  state.arm = &arm;
+  state.q_arm = q;
+  state.u_arm = Eigen::VectorXd::Zero(q.size());
+  state.X_WH = arm.X_WB * CalcFlangePose(*arm.arm, q) * arm.X_FH;
+  state.w_WH.setZero();
+  state.v_WH.setZero();
+}
 
 Pose CalcPalmPose(const Hand& hand, const WorldState& state) {
   return state.X_WH * CalcLinkPose(hand, state.q, hand.palm_link);

@@ -21,6 +21,8 @@ and object, which must outlive it, and belongs to one thread. */
 
 namespace graspbench {
 
+struct MountedArm;
+
 struct WorldState {
   Pose X_WH = Pose::Identity();
   Eigen::Vector3d w_WH = Eigen::Vector3d::Zero();  ///< of the hand's base [rad/s]
@@ -29,12 +31,19 @@ struct WorldState {
   Eigen::VectorXd u;                               ///< (num_dofs) [rad/s]
   /** Part of q by which a joint has left its coupling (num_joints); empty at a start: none [rad]. */
   Eigen::VectorXd deviation;
+  /** That carries the hand, and outlives the world; null: the springs of SimConfig. Its posture then
+  decides X_WH and its speeds w_WH and v_WH. A backend without (compliant_world.h) has the springs. */
+  const MountedArm* arm = nullptr;
+  Eigen::VectorXd q_arm, u_arm;  ///< of its joints [rad], [rad/s]
   Eigen::Matrix3d R_WO = Eigen::Matrix3d::Identity();
   Eigen::Vector3d p_WOcm = Eigen::Vector3d::Zero();
   Eigen::Vector3d w_WO = Eigen::Vector3d::Zero();                            ///< [rad/s]
   Eigen::Vector3d v_WOcm = Eigen::Vector3d::Zero();                          ///< [m/s]
   Eigen::Vector3d gravity_W = Eigen::Vector3d(0.0, 0.0, -kStandardGravity);  ///< [m/s^2]
 };
+
+/** At rest in this posture. */
+void SetArm(const MountedArm& arm, const Eigen::VectorXd& q, WorldState& state);
 
 /** X_W<palm>: the palm's, which a wrist may turn against H. */
 Pose CalcPalmPose(const Hand& hand, const WorldState& state);
@@ -64,14 +73,17 @@ struct WorldCommand {
 struct StepReport {
   bool is_finite = true;
   bool converged = true;
-  double grip_force = 0.0;                ///< sum of normal forces of the hand on the object [N]
-  double table_force = 0.0;               ///< normal force of the table on the object [N]
-  double worst_penetration = 0.0;         ///< deepest point of the hand in the object beyond the
-                                          ///< depth of its pad and, of a compressible one, of
-                                          ///< its surface under the force [m]
-  double worst_contact_force = 0.0;       ///< largest normal force of one hand contact [N]
-  double arm_force = 0.0;                 ///< that the arm bears beside the hand itself [N]
-  double arm_moment = 0.0;                ///< the same about H's origin [N m]
+  double grip_force = 0.0;           ///< sum of normal forces of the hand on the object [N]
+  double table_force = 0.0;          ///< normal force of the table on the object [N]
+  double worst_penetration = 0.0;    ///< deepest point of the hand in the object beyond the
+                                     ///< depth of its pad and, of a compressible one, of
+                                     ///< its surface under the force [m]
+  double worst_contact_force = 0.0;  ///< largest normal force of one hand contact [N]
+  double arm_force = 0.0;            ///< that the arm bears beside the hand itself [N]
+  double arm_moment = 0.0;           ///< the same about H's origin [N m]
+  int arm_joint = -1;             ///< of a robot arm, whose torque is nearest its limit; -1: no arm
+  double arm_torque_share = 0.0;  ///< that torque over its limit, with the weights it holds
+  bool is_followed = true;        ///< the robot arm has a posture for the commanded pose
   std::vector<bool> link_touches_object;  ///< (num_links)
   /** Time since a link that touches met the object within this step, at most the step, by the speed
   of approach at its start (num_links) [s]; empty where the backend does not look into its steps. */

@@ -336,11 +336,14 @@ void AddArmColumns(const std::vector<TrialRecord>& records, std::vector<TrialCol
                    [](const TrialRecord& record) { return record.result.arm.has_value(); })) {
     return;
   }
-  columns.push_back({"arm_joint", "string", "",
-                     "joint of the arm nearest its limit on the course, or that prevents a course",
-                     [](const TrialRecord& record) {
-                       return record.result.arm ? Json(record.result.arm->joint) : Json();
-                     }});
+  const auto add_joint = [&](const char* name, const char* meaning, std::string ArmRecord::*joint) {
+    columns.push_back({name, "string", "", meaning, [joint](const TrialRecord& record) {
+                         return record.result.arm ? Json((*record.result.arm).*joint) : Json();
+                       }});
+  };
+  add_joint("arm_joint",
+            "joint of the arm nearest its limit on the course, or that prevents a course",
+            &ArmRecord::joint);
   const auto add = [&](const char* name, const char* unit, const char* meaning,
                        double ArmRecord::*value) {
     columns.push_back({name, unit, meaning, [value](const TrialRecord& record) {
@@ -356,6 +359,12 @@ void AddArmColumns(const std::vector<TrialRecord>& records, std::vector<TrialCol
   add("arm_straight_time_s", "s", "of placing and lift", &ArmRecord::straight_time);
   add("arm_straight_path_m", "m", "path of the hand in placing and lift",
       &ArmRecord::straight_path);
+  add("arm_deflection_m", "m", "largest distance of the hand from its commanded place",
+      &ArmRecord::deflection);
+  add("arm_deflection_rad", "rad", "largest turn of the hand from its commanded orientation",
+      &ArmRecord::deflection_angle);
+  add("arm_torque_share", "", "largest joint torque over its limit", &ArmRecord::torque_share);
+  add_joint("arm_torque_joint", "joint of the arm with that torque", &ArmRecord::torque_joint);
 }
 
 }  // namespace

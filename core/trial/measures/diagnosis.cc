@@ -279,6 +279,7 @@ Diagnosis LossFinder::Find() {
   AddWorks();
   if (result_.outcome == Outcome::kArmOverloaded) {
     found_.mechanism = Mechanism::kArmAtLimit;
+    if (result_.arm) found_.joint = result_.arm->torque_joint;
     SetTime(samples_.back().time);
     return found_;
   }

@@ -88,7 +88,9 @@ struct Diagnosis {
   /** That did not touch, pushed or gave way; of "squeezed out" with the most normal work, of
   "sagged" and "slid" the one along which most friction was lost; empty: none. */
   std::string part;
-  std::string joint;  ///< whose drive is at its limit; empty: not known, or another mechanism
+  /** Of the hand or, of "arm at limit", of its robot arm, whose drive is at its limit; empty: not
+  known, or another mechanism. */
+  std::string joint;
   std::string phase;  ///< in which the object was lost, of kPhases
   /** At which it was, since the start of placing; of "pushed" and "outside push" when that began, of
   "sagged" and still in the hand when it had turned so far [s]. */

@@ -111,7 +111,9 @@ std::string DescribeDiagnosis(const TrialResult& result) {
   const std::string moved = "the object had moved by " + FormatShift(found.shift);
   switch (found.mechanism) {
     case Mechanism::kArmAtLimit:
-      return fmt::format("The arm gave way at its limit, at {}.", FormatSeconds(found.time));
+      return fmt::format("The arm gave way at {}, at {}.",
+                         found.joint.empty() ? "its limit" : "the limit of joint " + found.joint,
+                         FormatSeconds(found.time));
     case Mechanism::kOutsidePush:
       return fmt::format(
           "Something other than hand, table and gravity pushed the object with {} at {}.",

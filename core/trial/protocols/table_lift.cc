@@ -179,31 +179,10 @@ void TableLift::Begin() {
   notes_.strategy.StartPlacing(before_arrival);
   notes_.phase = notes_.strategy.phase();
   state.X_WH = CalcPlacingPose(before_arrival);
+  if (setup_.arm) PlanArm(state);
   world_->Reset(state);
   notes_.start_gap = CalcGap(nullptr);
   notes_.rest_extent = CalcExtent();
-  if (setup_.arm) PlanArm();
-}
-
-void TableLift::PlanArm() {
-  const double distance = setup_.grasp.approach_distance;
-  // A hand that seeks the palm goes on as far as it may.
-  const double beyond = setup_.grasp.seeks_palm ? kPalmSearchLength - kPalmStandOff : 0.0;
-  ArmTask task;
-  task.object = setup_.object.get();
-  task.X_WO = CalcBelievedPose();
-  task.approach.X_WH = placement_.X_WH;
-  task.approach.X_WH.pretranslate(-distance * placement_.approach_W);
-  task.approach.motion_W = (distance + beyond) * placement_.approach_W;
-  task.approach.time = setup_.strategy.placing_time;
-  task.lift.X_WH = task.approach.X_WH;
-  task.lift.X_WH.pretranslate(task.approach.motion_W);
-  task.lift.motion_W = distance * Vector3d::UnitZ();
-  task.lift.time = setup_.strategy.lift_time;
-  ArmCourse course = PlanArmCourse(*setup_.arm, task);
-  notes_.result.arm = std::move(course.record);
-  notes_.arm_fault = course.fault;
-  notes_.arm_reason = std::move(course.reason);
 }
 
 WorldCommand TableLift::MakeCommand(const StrategyCommand& command) const {
@@ -268,6 +247,7 @@ void TableLift::Observe(const StepReport& report) {
     notes_.last_touch = notes_.time;
     if (!notes_.seat.has_begun()) notes_.seat.Begin(FindPlace());
   }
+  if (report.arm_joint >= 0) ObserveArm();
   ObserveTouches();
   world_->FindHandContacts(hand_contacts_);
   if (notes_.strategy.phase() < Phase::kLiftOff) {
@@ -369,6 +349,9 @@ TrialFacts TableLift::MakeFacts() const {
   facts.relative_speed = CalcSlipSpeed(world_->state(), object_radius_);
   facts.arm_force_limit = setup_.sim.arm_force_limit;
   facts.arm_moment_limit = setup_.sim.arm_moment_limit;
+  if (setup_.arm && notes_.report.arm_joint >= 0) {
+    facts.arm_joint = &setup_.arm->arm->joints[static_cast<size_t>(notes_.report.arm_joint)];
+  }
   return facts;
 }
 
@@ -473,7 +456,7 @@ StrategyCommand TableLift::NextCommand(const StrategyObservation& observation, i
   const double arrival = setup_.strategy.placing_time - setup_.strategy.closure_lead;
   if (phase == Phase::kPlacing && !notes_.palm.has_ended() &&
       notes_.strategy.time_in_phase() + duration >= arrival) {
-    notes_.palm.Advance(duration, notes_.report.arm_force, setup_.sim.arm_stiffness);
+    notes_.palm.Advance(duration, notes_.report.arm_force, CalcArmStiffness(placement_.approach_W));
     StrategyCommand stays;
     stays.distance = notes_.strategy.CalcPlacingDistance(setup_.strategy.closure_lead);
     return stays;

@@ -131,7 +131,10 @@ class TableLift : public TrialCourse {
   /** Moves the placement to where the hand believes the object. */
   void Position(WristCamera* camera);
   /** Course of the arm, of a setup that has one. */
-  void PlanArm();
+  void PlanArm(WorldState& state);
+  /** What the arm's joints do in a step. */
+  void ObserveArm();
+  double CalcArmStiffness(const Eigen::Vector3d& direction_W) const;
   double FindPlacingStart(const Pose& X_WO, const Eigen::VectorXd& q);
   /** X_WH so long before the hand arrives. */
   Pose CalcPlacingPose(double before_arrival) const;

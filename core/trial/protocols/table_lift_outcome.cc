@@ -26,7 +26,11 @@ constexpr double kShortestLever = 0.01;       ///< of a contact about a joint [m
 /** The object counts as lost when the hand has not touched it for this long [s]. */
 constexpr double kLostTime = 0.15;
 
+/** A torque that is cut at its limit may miss it by rounding. */
+constexpr double kWholeTorque = 1.0 - 1e-9;
+
 bool IsArmOverloaded(const TrialFacts& facts) {
+  if (facts.arm_joint) return facts.report.arm_torque_share >= kWholeTorque;
   return facts.report.arm_force >= facts.arm_force_limit ||
          facts.report.arm_moment >= facts.arm_moment_limit;
 }
@@ -89,6 +93,13 @@ OutcomeReason FindBreakdown(const TrialFacts& facts) {
     return {Outcome::kNumericalFailure,
             fmt::format("the solver did not converge for {:.2f} s, up to {:.3f} s into the trial",
                         facts.unconverged_time, facts.time)};
+  }
+  if (IsArmOverloaded(facts) && facts.arm_joint) {
+    return {Outcome::kArmOverloaded,
+            fmt::format("joint \"{}\" of the arm is at its limit of {:.1f} N m, with the weight "
+                        "that it holds; the hand bears {:.0f} N and {:.1f} N m besides",
+                        facts.arm_joint->name, facts.arm_joint->torque, facts.report.arm_force,
+                        facts.report.arm_moment)};
   }
   if (IsArmOverloaded(facts)) {
     return {

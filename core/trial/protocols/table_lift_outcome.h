@@ -39,6 +39,9 @@ struct TrialFacts {
 
   double arm_force_limit = 0.0;   ///< [N]
   double arm_moment_limit = 0.0;  ///< [N m]
+  /** Of a robot arm that carries the hand, nearest its torque's limit, which holds instead of both
+  limits; null: there is none. */
+  const ArmJoint* arm_joint = nullptr;
 
   // For FindOutcome alone.
   double contact_force_limit = 0.0;  ///< what drives and arm can give [N]
