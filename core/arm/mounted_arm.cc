@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/shape/primitives.h"
 
 namespace graspbench {
 namespace {
@@ -59,6 +60,10 @@ MountedArm MountArm(const ArmConfig& config, std::shared_ptr<const Arm> arm, con
       Eigen::Quaterniond::FromTwoVectors(row->axis_H, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   mounted.X_FH = MakePose(R_FH, Eigen::Vector3d(0.0, 0.0, -FindHindmost(hand, row->axis_H)));
   return mounted;
+}
+
+TriMesh MakeCapsuleMesh(const ArmCapsule& capsule) {
+  return MakeTaperedCapsule(capsule.p_LA, capsule.radius, capsule.p_LB, capsule.radius);
 }
 
 Json DescribeArm(const MountedArm& arm) {

@@ -28,6 +28,11 @@ has none of its contact surface.
 @pre config.mount is one of ListMounts(). */
 MountedArm MountArm(const ArmConfig& config, std::shared_ptr<const Arm> arm, const Hand& hand);
 
+/** In its link's frame. */
+TriMesh MakeCapsuleMesh(const ArmCapsule& capsule);
+/** Of every arm in pictures and scenes, linear RGB. */
+inline const Eigen::Vector3f kArmColour(0.55f, 0.56f, 0.58f);
+
 /** All that decides what the arm does, for ids: its hash and both poses. */
 Json DescribeArm(const MountedArm& arm);
 

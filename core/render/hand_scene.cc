@@ -39,6 +39,19 @@ void AddObject(const std::shared_ptr<const GraspObject>& object, const Pose& X_W
   scene->drawables.push_back(std::move(drawable));
 }
 
+void AddArm(const MountedArm* arm, const Eigen::VectorXd& q, Scene* scene) {
+  if (!arm || q.size() == 0) return;
+  const std::vector<Pose> X_BL = CalcArmPoses(*arm->arm, q);
+  for (const ArmCapsule& capsule : arm->arm->capsules) {
+    Drawable drawable;
+    drawable.mesh = std::make_shared<const TriMesh>(MakeCapsuleMesh(capsule));
+    drawable.X_WM = arm->X_WB * X_BL[static_cast<size_t>(capsule.link)];
+    drawable.colour = kArmColour;
+    drawable.must_be_seen = false;
+    scene->drawables.push_back(std::move(drawable));
+  }
+}
+
 Scene MakeGraspScene(const std::shared_ptr<const Hand>& hand, const Eigen::VectorXd& q,
                      const Pose& X_WH, const std::shared_ptr<const GraspObject>& object,
                      const Pose& X_WO) {

@@ -9,6 +9,7 @@ for all pictures of a study. */
 #include <memory>
 #include <vector>
 
+#include "core/arm/mounted_arm.h"
 #include "core/hand/hand.h"
 #include "core/render/scene.h"
 #include "core/shape/grasp_object.h"
@@ -20,6 +21,8 @@ namespace graspbench {
 void AddHand(const std::shared_ptr<const Hand>& hand, const Eigen::VectorXd& q, const Pose& X_WH,
              Scene* scene);
 void AddObject(const std::shared_ptr<const GraspObject>& object, const Pose& X_WO, Scene* scene);
+/** The capsules of a robot arm, which may fade away as the forearm. @param q  empty: nothing. */
+void AddArm(const MountedArm* arm, const Eigen::VectorXd& q, Scene* scene);
 /** Both of them, on the table. */
 Scene MakeGraspScene(const std::shared_ptr<const Hand>& hand, const Eigen::VectorXd& q,
                      const Pose& X_WH, const std::shared_ptr<const GraspObject>& object,

@@ -16,6 +16,7 @@ TraceInstant MakeTraceInstant(const World& world, double time, Phase phase,
   instant.X_WO = world.CalcObjectPose();
   instant.q = world.state().q;
   instant.q_asked = command.q;
+  instant.q_arm = world.state().q_arm;
   world.FindHandContacts(instant.contacts);
   instant.grip_force = report.grip_force;
   instant.table_force = report.table_force;
@@ -26,6 +27,7 @@ TracedTrial TraceTrial(TrialRunner& runner, const TrialSetup& setup, double inte
   const double num_steps = std::ceil(interval / setup.sim.step - 1e-9);
   const long every = std::max(1L, std::lround(num_steps));
   TracedTrial traced;
+  traced.arm = setup.arm;
   TraceInstant latest;
   long next_kept = 0;
   bool is_kept = true;

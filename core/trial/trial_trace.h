@@ -22,6 +22,7 @@ struct TraceInstant {
   Pose X_WO = Pose::Identity();
   Eigen::VectorXd q;        ///< (num_joints) [rad], [m]
   Eigen::VectorXd q_asked;  ///< of the drives, in the order of q; empty before the first step
+  Eigen::VectorXd q_arm;    ///< of the robot arm [rad]; empty: there is none, or it has no course
   std::vector<HandContact> contacts;
   double grip_force = 0.0;   ///< sum of the hand's normal forces on the object [N]
   double table_force = 0.0;  ///< normal force of the table on the object [N]
@@ -37,6 +38,7 @@ struct TracedTrial {
   std::vector<TraceInstant> trace;
   /** Since the start of placing [s]; the result's times count from it. NaN: it was not reached. */
   double closure_start = kUnset;
+  std::shared_ptr<const MountedArm> arm;  ///< that carries the hand; null: none
 };
 
 /** Runs a trial and keeps its instants, some 2 kB each. Never throws for what happens inside it.

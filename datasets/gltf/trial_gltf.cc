@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/arm/mounted_arm.h"
 #include "core/base/error.h"
 #include "datasets/gltf/glb_file.h"
 
@@ -36,6 +37,7 @@ bool CanBeShown(const TraceInstant& instant) {
   };
   if (!is_near(instant.X_WH.matrix()) || !is_near(instant.X_WO.matrix())) return false;
   if (instant.q.size() > 0 && !is_near(instant.q)) return false;
+  if (instant.q_arm.size() > 0 && !is_near(instant.q_arm)) return false;
   return std::all_of(
       instant.contacts.begin(), instant.contacts.end(), [&](const HandContact& contact) {
         return is_near(contact.p_WC) && is_near(contact.nhat_W) && is_near(contact.friction_W) &&
@@ -243,7 +245,28 @@ std::string MakeGlb(const Hand& hand, const GraspObject& object, const TracedTri
   const int object_node =
       scene.AddNode(make_node("object", MakePartExtras(kObjectPart)), world_node);
   set_poses(object_node, [](const TraceInstant& key) { return key.X_WO; });
+  std::vector<int> arm_nodes;  // of the base and of every link
+  if (traced.arm && keys.front()->q_arm.size() > 0) {
+    std::vector<std::vector<Pose>> X_BL;  // by key
+    for (const TraceInstant* key : keys) X_BL.push_back(CalcArmPoses(*traced.arm->arm, key->q_arm));
+    for (size_t link = 0; link < X_BL[0].size(); ++link) {
+      const std::string name = link == 0 ? "arm" : "arm/" + traced.arm->arm->joints[link - 1].name;
+      const auto part = static_cast<int>(hand.links.size() + link);
+      arm_nodes.push_back(scene.AddNode(make_node(name, MakePartExtras(part)),
+                                        link == 0 ? world_node : arm_nodes.back()));
+      std::vector<Pose> poses;
+      for (const std::vector<Pose>& at_key : X_BL) {
+        poses.push_back(link == 0 ? traced.arm->X_WB : at_key[link - 1].inverse() * at_key[link]);
+      }
+      scene.SetPoses(arm_nodes.back(), poses);
+    }
+  }
   if (is_whole) {
+    for (size_t i = 0; !arm_nodes.empty() && i < traced.arm->arm->capsules.size(); ++i) {
+      const ArmCapsule& capsule = traced.arm->arm->capsules[i];
+      scene.AddMesh(MakeCapsuleMesh(capsule), kArmColour, 1.0,
+                    arm_nodes[static_cast<size_t>(capsule.link)], {});
+    }
     for (const LinkVisual& visual : hand.visuals) {
       scene.AddMesh(visual.mesh, visual.colour, CalcHandShare(hand),
                     nodes[static_cast<size_t>(visual.link)], {});
@@ -264,11 +287,16 @@ std::string MakeMotionGlb(const Hand& hand, const GraspObject& object, const Tra
   return MakeGlb(hand, object, traced, false);
 }
 
-std::string MakeHandGlb(const Hand& hand) {
+std::string MakeHandGlb(const Hand& hand, const MountedArm* arm) {
   GlbFile file;
   GltfScene scene(file);
   for (const LinkVisual& visual : hand.visuals) {
     scene.AddMesh(visual.mesh, visual.colour, CalcHandShare(hand), -1, MakePartExtras(visual.link));
+  }
+  for (size_t i = 0; arm && i < arm->arm->capsules.size(); ++i) {
+    const ArmCapsule& capsule = arm->arm->capsules[i];
+    scene.AddMesh(MakeCapsuleMesh(capsule), kArmColour, 1.0, -1,
+                  MakePartExtras(static_cast<int>(hand.links.size()) + capsule.link));
   }
   return scene.Finish({});
 }

@@ -7,6 +7,8 @@ A trial as binary glTF 2.0 (GLB), for viewers of 3-D models and for the pages of
         <link> ..   the hand's tree as in hand.urdf: node frame L, joints as rotations, sliding
                     joints as translations; below each the meshes of its looks
       object        X_WO, moving
+      arm           X_WB of a robot arm that carries the hand; its links in a chain below it, each
+                    with its capsules
 
 Lengths are metres, times seconds since the start of placing. All channels share one row of key
 times and are linear (rotations spherically) between them; what does not move has no channel. The
@@ -40,10 +42,12 @@ std::string MakeTrialGlb(const Hand& hand, const GraspObject& object, const Trac
 
 /** The same in parts, for a page that shows many trials with few hands and objects: the motion
 without meshes and names, the meshes without motion. A node of either says where it belongs in its
-`extras`: {"part": link's index, -1 for the object}. */
+`extras`: {"part": link's index, -1 for the object;
+behind the hand's links come those of the arm, its base first}. The hand's meshes are with the
+arm's. */
 ///@{
 std::string MakeMotionGlb(const Hand& hand, const GraspObject& object, const TracedTrial& traced);
-std::string MakeHandGlb(const Hand& hand);
+std::string MakeHandGlb(const Hand& hand, const MountedArm* arm = nullptr);
 std::string MakeObjectGlb(const GraspObject& object);
 ///@}
 

@@ -148,6 +148,7 @@ Html TrialViews::DrawPoster(const TrialView& view, const TraceInstant& shown,
                             const Camera& camera) {
   if (!renderer_) renderer_ = std::make_unique<Renderer>(kPosterWidth, kPosterHeight);
   Scene scene = MakeGraspScene(view.hand, shown.q, shown.X_WH, view.object, shown.X_WO);
+  AddArm(view.traced.arm.get(), shown.q_arm, &scene);
   const std::vector<int> failed = FindFailedLinks(view, shown);
   std::vector<ContactMark> marks = MakeContactMarks(shown);
   for (size_t i = 0; i < marks.size(); ++i) {
@@ -212,8 +213,10 @@ Html TrialViews::Add(const TrialView& view) {
   const TraceInstant& shown = FindShownInstant(view.traced, ends);
   const Camera camera = PlaceViewCamera(view, ends);
   const std::string motion = view.anchor + "-motion";
-  const std::string hand = FindOrAddModel(view.hand->content_hash + view.hand->id, "hand ",
-                                          [&] { return MakeHandGlb(*view.hand); });
+  const MountedArm* arm = view.traced.arm.get();
+  const std::string hand =
+      FindOrAddModel(view.hand->content_hash + view.hand->id + (arm ? arm->arm->content_hash : ""),
+                     "hand ", [&] { return MakeHandGlb(*view.hand, arm); });
   const std::string object = FindOrAddModel(view.object->content_hash + view.object->id, "object ",
                                             [&] { return MakeObjectGlb(*view.object); });
   const Html poster = DrawWherePossible([&] { return DrawPoster(view, shown, camera); });

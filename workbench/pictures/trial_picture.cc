@@ -220,6 +220,7 @@ Image DrawTrial(const TrialSetup& setup, const TracedTrial& traced, const TraceI
   Scene scene = MakeGraspScene(setup.hand, instant.q, instant.X_WH, setup.object, instant.X_WO);
   const Camera camera = PlaceCamera(view, {scene}, *setup.hand, instant.q, instant.X_WH,
                                     static_cast<double>(size.width) / size.height);
+  AddArm(traced.arm.get(), instant.q_arm, &scene);
   AddContactMarks(MakeContactMarks(instant), FindArrowScale(traced), &scene);
   CompileShadersQuickly();
   return Renderer(size.width, size.height).Render(scene, camera);

@@ -19,8 +19,10 @@ namespace {
 Scene MakeSceneNow(ShellScene& scene) {
   const TrialSetup& setup = scene.setup();
   World& world = scene.course().world();
-  return MakeGraspScene(setup.hand, world.state().q, world.state().X_WH, setup.object,
-                        world.CalcObjectPose());
+  Scene drawn = MakeGraspScene(setup.hand, world.state().q, world.state().X_WH, setup.object,
+                               world.CalcObjectPose());
+  AddArm(world.state().arm, world.state().q_arm, &drawn);
+  return drawn;
 }
 
 template <class T, void (*kUnref)(T*)>
