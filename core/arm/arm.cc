@@ -25,6 +25,12 @@ std::vector<Pose> CalcArmPoses(const Arm& arm, const Eigen::VectorXd& q) {
   return X_BL;
 }
 
+Pose CalcArmPoseAtZero(const ArmJoint& joint) {
+  Arm one;
+  one.joints = {joint};
+  return CalcFlangePose(one, Eigen::VectorXd::Zero(1));
+}
+
 Pose CalcFlangePose(const Arm& arm, const Eigen::VectorXd& q) {
   return CalcArmPoses(arm, q).back();
 }

@@ -53,6 +53,9 @@ struct Arm {
   int num_joints() const { return static_cast<int>(joints.size()); }
 };
 
+/** X_(i-1)i of the link behind it, at angle 0. */
+Pose CalcArmPoseAtZero(const ArmJoint& joint);
+
 /** X_BL of the base (identity) and of every link; the last is X_BF.
 @pre q has one angle a joint. */
 std::vector<Pose> CalcArmPoses(const Arm& arm, const Eigen::VectorXd& q);

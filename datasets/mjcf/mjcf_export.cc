@@ -12,6 +12,7 @@
 #include "core/base/files/files.h"
 #include "core/base/text/csv.h"
 #include "core/hand/hand.h"
+#include "core/physics/carrying_arm.h"
 #include "core/physics/contact.h"
 #include "core/physics/implicit_world.h"
 #include "core/trial/protocols/table_lift.h"
@@ -76,7 +77,8 @@ class SceneWriter {
                  {"priority", "1"},
                  {"friction", {setup_.sim.table_friction_static, 0.0, 0.0}},
                  {"rgba", "0.8 0.8 0.78 1"}});
-    WriteLink(0);
+    if (start_.arm) WriteArmLink(0);
+    if (!start_.arm) WriteLink(0);
     WriteObject();
     Close();
     WriteExcludes();
@@ -118,6 +120,8 @@ class SceneWriter {
 
   void WriteSettings();
   void WriteAssets();
+  void WriteArmLink(int link);
+  void WriteArmActuators();
   void WriteLink(int link);
   void WriteInertial(double mass, const Vector3d& p_com, const Eigen::Matrix3d& I_com);
   void WriteArmJoints(const Pose& X_WL);
@@ -184,12 +188,13 @@ void SceneWriter::WriteInertial(double mass, const Vector3d& p_com, const Eigen:
 
 void SceneWriter::WriteLink(int link) {
   const HandLink& data = hand_.links[link];
-  const Pose X_PJ = link == 0 ? start_.X_WH * data.X_PJ : data.X_PJ;
+  const Pose& X_PH = start_.arm ? start_.arm->X_FH : start_.X_WH;  // in the arm's flange, or world
+  const Pose X_PJ = link == 0 ? X_PH * data.X_PJ : data.X_PJ;
   Open("body", {{"name", BodyName(link)},
                 {"pos", Vector3d(X_PJ.translation())},
                 {"quat", QuaternionOf(X_PJ)}});
   WriteInertial(data.mass, data.p_LLcm, data.I_LLcm);
-  if (link == 0) WriteArmJoints(X_PJ);
+  if (link == 0 && !start_.arm) WriteArmJoints(X_PJ);
   if (data.joint >= 0) WriteJoint(data);
   WriteSurface(link);
   WriteTaxels(link);
@@ -197,6 +202,57 @@ void SceneWriter::WriteLink(int link) {
   for (int child = 0; child < static_cast<int>(hand_.links.size()); ++child) {
     if (hand_.links[child].parent == link) WriteLink(child);
   }
+  Close();
+}
+
+/** Moments of inertia as bodies have them: none is larger than the other two together. What an arm's
+data leave at 0, because no joint moves it, is raised. */
+Vector3d MakePossible(Vector3d inertia) {
+  for (int i = 0; i < 3; ++i) {
+    const double missing = inertia[i] - inertia[(i + 1) % 3] - inertia[(i + 2) % 3];
+    if (missing <= 0.0) continue;
+    inertia[(i + 1) % 3] += 0.5 * missing;
+    inertia[(i + 2) % 3] += 0.5 * missing;
+  }
+  return inertia.cwiseMax(1e-9);
+}
+
+/** The link's body lies on its joint's axis, turned and shifted as at zero; the next one, and the
+hand behind the last, hang in its frame. */
+void SceneWriter::WriteArmLink(int link) {
+  const Arm& arm = *start_.arm->arm;
+  const Pose X_PL = link == 0 ? start_.arm->X_WB : CalcArmPoseAtZero(arm.joints[link - 1]);
+  const std::string name = link == 0 ? "arm" : "arm/" + arm.joints[link - 1].name;
+  Open("body", {{"name", name},
+                {"pos", Vector3d(X_PL.translation())},
+                {"quat", QuaternionOf(X_PL)},
+                {"gravcomp", "1"}});
+  if (link > 0) {
+    const ArmJoint& joint = arm.joints[link - 1];
+    WriteInertial(std::max(joint.mass, 1e-6), joint.p_com,
+                  MakePossible(joint.inertia).asDiagonal().toDenseMatrix());
+    const Pose X_LP = X_PL.inverse();
+    Add("joint", {{"name", name},
+                  {"pos", Vector3d(X_LP.translation())},
+                  {"axis", Vector3d(X_LP.linear().col(2))},
+                  {"range", {joint.lower, joint.upper}},
+                  {"armature", joint.armature},
+                  {"actuatorfrcrange", {-joint.torque, joint.torque}}});
+    qpos_.push_back(start_.q_arm[link - 1]);
+  }
+  for (const ArmCapsule& capsule : arm.capsules) {
+    if (capsule.link != link) continue;
+    const bool is_ball = (capsule.p_LA - capsule.p_LB).norm() < 1e-9;
+    Open("geom", {{"type", is_ball ? "sphere" : "capsule"},
+                  {"size", capsule.radius},
+                  {"contype", "0"},
+                  {"conaffinity", "0"},
+                  {"rgba", "0.7 0.7 0.72 1"}});
+    Set(is_ball ? "pos" : "fromto",
+        Value(capsule.p_LA).text + (is_ball ? "" : " " + Value(capsule.p_LB).text));
+    Close();
+  }
+  link < arm.num_joints() ? WriteArmLink(link + 1) : WriteLink(0);
   Close();
 }
 
@@ -386,9 +442,24 @@ void SceneWriter::WriteCouplings() {
   Close();
 }
 
+void SceneWriter::WriteArmActuators() {
+  const Arm& arm = *start_.arm->arm;
+  for (int i = 0; i < arm.num_joints(); ++i) {
+    const ArmJoint& joint = arm.joints[static_cast<size_t>(i)];
+    const std::string name = "arm/" + joint.name;
+    Add("position", {{"name", name}, {"joint", name}, {"kp", joint.stiffness}});
+    Add("velocity", {{"name", name + "/speed"},
+                     {"joint", name},
+                     {"kv", joint.stiffness * setup_.sim.arm_damping_time}});
+    ctrl_.insert(ctrl_.end(), {start_.q_arm[i], 0.0});
+  }
+}
+
 void SceneWriter::WriteActuators() {
   Open("actuator");
+  if (start_.arm) WriteArmActuators();
   for (const char axis : {'x', 'y', 'z'}) {
+    if (start_.arm) break;
     const std::string joint = std::string("arm/") + axis;
     Add("position", {{"name", joint}, {"joint", joint}, {"kp", setup_.sim.arm_stiffness}});
     Add("velocity", {{"name", joint + "/speed"},
@@ -460,9 +531,18 @@ CommandedMotion RecordMotion(const TrialSetup& recorded) {
   while (const std::optional<WorldCommand> command = course.ComputeOpenLoopCommand()) {
     motion.steps.push_back({course.phase(), *command});
   }
+  if (motion.start.arm) {
+    CarryingArm arm(*motion.start.arm, motion.start.q_arm);
+    for (MotionStep& step : motion.steps) {
+      arm.Follow(step.command, motion.step);
+      step.q_arm = arm.q_command();
+      step.u_arm = arm.u_command();
+    }
+  }
   for (const MotionStep& step : motion.steps) {
     if (step.command.stiffness.size() == 0 &&
-        step.command.X_WH.linear().isApprox(motion.start.X_WH.linear(), 1e-9)) {
+        (motion.start.arm ||
+         step.command.X_WH.linear().isApprox(motion.start.X_WH.linear(), 1e-9))) {
       continue;
     }
     throw Error(ErrorKind::kUnsupported,
@@ -479,21 +559,35 @@ struct MotionRow {
   MotionStep step;
 };
 
-/** @param p_WStart  of the hand's root. */
-std::vector<CsvColumn<MotionRow>> ListMotionColumns(const Hand& hand,
-                                                    const Eigen::Vector3d& p_WStart) {
+/** In place of the hand's root. */
+void AddArmColumns(const Arm& arm, std::vector<CsvColumn<MotionRow>>& columns) {
+  for (int i = 0; i < arm.num_joints(); ++i) {
+    columns.push_back({"arm/" + arm.joints[static_cast<size_t>(i)].name + "_rad", "rad",
+                       "command of the arm's joint",
+                       [i](const MotionRow& row) { return row.step.q_arm[i]; }});
+  }
+  for (int i = 0; i < arm.num_joints(); ++i) {
+    columns.push_back({"arm/" + arm.joints[static_cast<size_t>(i)].name + "_rad_per_s", "rad/s",
+                       "its rate", [i](const MotionRow& row) { return row.step.u_arm[i]; }});
+  }
+}
+
+/** @param start  of the motion. */
+std::vector<CsvColumn<MotionRow>> ListMotionColumns(const Hand& hand, const WorldState& start) {
   using Row = MotionRow;
+  const Eigen::Vector3d p_WStart = start.X_WH.translation();
   std::vector<CsvColumn<Row>> columns = {
       {"time_s", "s", "since the start", &Row::time},
       {"phase", "", "of the strategy", [](const Row& row) { return NameOf(row.step.phase); }}};
-  for (int axis = 0; axis < 3; ++axis) {
+  if (start.arm) AddArmColumns(*start.arm->arm, columns);
+  for (int axis = 0; !start.arm && axis < 3; ++axis) {
     const std::string name = std::string("arm_") + "xyz"[axis];
     columns.push_back(
         {name + "_m", "m", "displacement of the hand's root", [axis, p_WStart](const Row& row) {
            return row.step.command.X_WH.translation()[axis] - p_WStart[axis];
          }});
   }
-  for (int axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; !start.arm && axis < 3; ++axis) {
     const std::string name = std::string("arm_") + "xyz"[axis];
     columns.push_back({name + "_m_per_s", "m/s", "its rate",
                        [axis](const Row& row) { return row.step.command.v_WH[axis]; }});
@@ -509,15 +603,19 @@ std::vector<CsvColumn<MotionRow>> ListMotionColumns(const Hand& hand,
 }  // namespace
 
 std::string FormatMotionCsv(const Hand& hand, const CommandedMotion& motion) {
-  std::vector<MotionRow> rows = {{0.0, {Phase::kPlacing, {motion.start.q, motion.start.X_WH}}}};
+  std::vector<MotionRow> rows = {{0.0,
+                                  {Phase::kPlacing,
+                                   {motion.start.q, motion.start.X_WH},
+                                   motion.start.q_arm,
+                                   motion.start.u_arm}}};
   for (size_t i = 0; i < motion.steps.size(); ++i) {
     rows.push_back({motion.step * static_cast<double>(i + 1), motion.steps[i]});
   }
-  return FormatCsv(ListMotionColumns(hand, motion.start.X_WH.translation()), rows);
+  return FormatCsv(ListMotionColumns(hand, motion.start), rows);
 }
 
 Json MakeMotionSchema(const Hand& hand) {
-  return MakeTableSchema(ListMotionColumns(hand, Eigen::Vector3d::Zero()), "");
+  return MakeTableSchema(ListMotionColumns(hand, WorldState()), "");
 }
 
 void MjcfExporter::Export(const TrialSetup& setup, const std::filesystem::path& folder) {

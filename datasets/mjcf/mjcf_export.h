@@ -40,7 +40,8 @@ to its end as if nothing touched: whether it is lost elsewhere too is for the ot
 find. */
 struct MotionStep {
   Phase phase = Phase::kPlacing;
-  WorldCommand command;  ///< for the step's end
+  WorldCommand command;                    ///< for the step's end
+  Eigen::VectorXd q_arm = {}, u_arm = {};  ///< of a robot arm that carries the hand
 };
 
 struct CommandedMotion {
@@ -54,7 +55,8 @@ for a controller that turns the hand or scales its drives' stiffness. */
 CommandedMotion RecordMotion(const TrialSetup& setup);
 
 /** One row a step, the start first: time_s, phase, arm_x_m .. arm_z_m and arm_x_m_per_s .. of the
-root's displacement from the start along the world's axes, `<joint>_rad` of every drive. */
+root's displacement from the start along the world's axes, `<joint>_rad` of every drive. With a robot
+arm `arm/<joint>_rad` and `_rad_per_s` of its joints in place of the root's. */
 std::string FormatMotionCsv(const Hand& hand, const CommandedMotion& motion);
 /** Its data dictionary. */
 Json MakeMotionSchema(const Hand& hand);
@@ -64,7 +66,9 @@ Json MakeMotionSchema(const Hand& hand);
     bodies      "hand/<link>" as in hand.urdf, masses and inertias given; "object" in frame O
     arm         slide joints arm/x, arm/y, arm/z along the world's axes with a position and a
                 velocity actuator each, together at most the arm's force; arm/turn, a ball joint
-                about H's origin with spring and damping. "carried" takes the hand's weight off them
+                about H's origin with spring and damping. "carried" takes the hand's weight off them.
+                A robot arm instead: bodies "arm" and "arm/<joint>" with the same two actuators for
+                each joint, together at most its torque, and capsules that do not collide
     drives      a position actuator per drive with stiffness, damping and torque limit
     coupling    even and fixed: an equality of both joints. middle-first: the drive pulls on the sum
                 of both joints, a tendon keeps distal <= middle, and of the equalities lock/<joint>
