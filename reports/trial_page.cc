@@ -7,6 +7,7 @@
 #include "core/base/units.h"
 #include "core/base/version.h"
 #include "core/hand/tactile.h"
+#include "core/render/hand_scene.h"
 #include "core/trial/measures/diagnosis_text.h"
 #include "core/trial/taxel_forces.h"
 #include "objects/catalogue.h"
@@ -130,6 +131,10 @@ Html DrawMeasures(const DrawnTrial& data) {
   add("Arm: largest joint speed over its limit [%]", 100.0 * arm.speed_share, 0);
   add("Arm: time to the pre-grasp pose [s]", arm.reach_time, 2);
   add("Arm: path of the hand to it [mm]", MmFromM(arm.reach_path), 0);
+  add("Arm: largest deflection of the hand [mm]", MmFromM(arm.deflection), 2);
+  add("Arm: largest turn of the hand by it [deg]", DegFromRad(arm.deflection_angle), 2);
+  add("Arm: largest joint torque over its limit [%]", 100.0 * arm.torque_share, 0);
+  table.AddRow({"Arm: joint with that torque", arm.torque_joint.empty() ? "-" : arm.torque_joint});
   return table.ToHtml();
 }
 
@@ -157,8 +162,42 @@ Html DrawContacts(const DrawnTrial& data) {
          DrawTaxels(data);
 }
 
+/** All of a robot arm before the lift, from the side; nothing without. */
+Html DrawWholeArm(const DrawnTrial& data) {
+  if (!data.traced || !data.traced->arm) return Html();
+  const MountedArm& arm = *data.traced->arm;
+  const std::vector<const TraceInstant*> ends = ListPhaseEnds(data.traced->trace);
+  const auto closed = std::find_if(ends.begin(), ends.end(), [](const TraceInstant* end) {
+    return end->phase == Phase::kStabilisation;
+  });
+  if (ends.empty() || ends.back()->q_arm.size() == 0) return Html();
+  const TraceInstant& shown = closed == ends.end() ? *ends.back() : **closed;
+  Scene scene = MakeGraspScene(data.setup.hand, shown.q, shown.X_WH, data.setup.object, shown.X_WO);
+  AddArm(&arm, shown.q_arm, &scene);
+  for (Drawable& drawable : scene.drawables) drawable.must_be_seen = true;
+  const Eigen::Vector3d ahead_W = shown.X_WH.translation() - arm.X_WB.translation();
+  const Eigen::Vector3d to_eye_W(0.4 * ahead_W.x() + ahead_W.y(), 0.4 * ahead_W.y() - ahead_W.x(),
+                                 0.3 * ahead_W.head<2>().norm());
+  const std::string caption = "The arm at " + FormatFixed(shown.time, 3) + " s";
+  try {
+    Renderer renderer(kPictureWidth, kPictureHeight);
+    const Camera camera =
+        FrameScenes({scene}, to_eye_W, static_cast<double>(kPictureWidth) / kPictureHeight);
+    return MakeFigure(
+        caption + ".", "links that stand clear of table and object.",
+        Element("img",
+                {{"src", MakeDataUri("image/webp", EncodeWebp(renderer.Render(scene, camera)))},
+                 {"width", std::to_string(kPictureWidth)},
+                 {"height", std::to_string(kPictureHeight)},
+                 {"alt", NameOfScene(data) + ": " + caption}}));
+  } catch (const Error& fault) {
+    if (fault.kind() != ErrorKind::kEnvironment) throw;
+    return Html();  // the page's other pictures say why
+  }
+}
+
 Html DrawCourse(const DrawnTrial& data) {
-  if (!data.course.empty()) return data.course;
+  if (!data.course.empty()) return data.course + DrawWholeArm(data);
   return DrawPictures(data) + MakeParagraph(
                                   "No scene to turn: the trial was changed on its way, so it "
                                   "cannot be carried out again.");

@@ -12,6 +12,7 @@
 #include "core/base/text/json.h"
 #include "core/grasp/grasp_file.h"
 #include "core/hand/load_hand.h"
+#include "core/physics/implicit_world.h"
 #include "datasets/journal/store_kind.h"
 #include "datasets/plan/conditions.h"
 #include "datasets/plan/rehearsed_grasps.h"
@@ -258,7 +259,10 @@ SessionInputs LoadBaseInputs(const SessionConfig& config, FieldUse field_use,
     ApplyImperfections(config.imperfections, *hand);
     std::vector<Grasp> grasps = LoadStandardGrasps(*hand);
     std::shared_ptr<const MountedArm> mounted;
-    if (arm) mounted = std::make_shared<MountedArm>(MountArm(config.arm, arm, *hand));
+    if (arm) {
+      DemandShortChains(*hand, arm->num_joints());
+      mounted = std::make_shared<MountedArm>(MountArm(config.arm, arm, *hand));
+    }
     inputs.hands.push_back({std::move(hand), std::move(grasps), std::move(mounted)});
   }
   for (const std::string& name : config.objects == kAll ? ListObjects() : config.objects) {

@@ -344,8 +344,10 @@ void CheckSameSession(const Session& session, const SessionConfig& config,
     text += "\n  and " + std::to_string(changed.size() - kMaxListed) + " more";
   }
   throw Error(ErrorKind::kUsage,
-              "the session was started with the same settings, but a hand, an object, a grasp or "
-              "the physics has changed since; its results and new ones do not belong together:" +
+              "the session was started with the same settings, but a hand, an object, a grasp" +
+                  (HasArm(config.arm) ? ", the arm \"" + config.arm.model + "\"" : "") +
+                  " or the physics has changed since; its results and new ones do not belong "
+                  "together:" +
                   text + "\nstart another session with --out");
 }
 

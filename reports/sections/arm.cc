@@ -14,9 +14,12 @@ namespace {
 struct ArmCounts {
   int num_trials = 0, num_success = 0;
   std::map<Outcome, int> faults;
-  std::map<std::string, int> joints;  ///< nearest their limit, or that bind
-  std::vector<double> times;          ///< of the gross motion [s]
-  double least_margin = kUnset;       ///< [rad]
+  std::map<std::string, int> joints;                      ///< nearest their limit, or that bind
+  std::vector<double> times;                              ///< of the gross motion [s]
+  double least_margin = kUnset;                           ///< [rad]
+  double deflection = kUnset, deflection_angle = kUnset;  ///< largest of the hand [m], [rad]
+  double torque_share = kUnset;                           ///< largest of a joint
+  std::string torque_joint = "-";                         ///< that joint
 };
 
 std::string NameMostFrequent(const std::map<std::string, int>& counts) {
@@ -50,6 +53,11 @@ Html DrawArm(const ReportData& data) {
     }
     counts.times.push_back(arm.reach_time);
     counts.least_margin = std::fmin(counts.least_margin, arm.margin);
+    counts.deflection = std::fmax(counts.deflection, arm.deflection);
+    counts.deflection_angle = std::fmax(counts.deflection_angle, arm.deflection_angle);
+    if (arm.torque_share <= counts.torque_share || std::isnan(arm.torque_share)) continue;
+    counts.torque_share = arm.torque_share;
+    counts.torque_joint = arm.torque_joint;
   }
   const ArmConfig& arm = data.session.config.arm;
   Table table("The arm by hand and object.",
@@ -63,7 +71,11 @@ Html DrawArm(const ReportData& data) {
                "Success",
                {"Time to pre-grasp [s]", "median"},
                {"Joint", "most often nearest its limit, or that binds"},
-               {"Least margin [deg]", "of a joint to its limit on a course"}});
+               {"Least margin [deg]", "of a joint to its limit on a course"},
+               {"Deflection [mm]", "largest distance of the hand from its commanded place"},
+               {"Deflection [deg]", "largest turn of the hand from its commanded orientation"},
+               {"Torque [%]", "largest of a joint over its limit, with the weights it holds"},
+               {"Joint with it", "that has the largest torque over its limit"}});
   int num_trials = 0, num_courses = 0;
   for (const auto& [names, counts] : conditions) {
     const auto count = [&faults = counts.faults](Outcome outcome) {
@@ -77,14 +89,16 @@ Html DrawArm(const ReportData& data) {
                   counts.num_trials, num_with, count(Outcome::kArmOutOfReach),
                   count(Outcome::kNoStraightPath), count(Outcome::kNearSingularity),
                   counts.num_success, FormatMedianTime(counts.times),
-                  NameMostFrequent(counts.joints),
-                  FormatFixed(DegFromRad(counts.least_margin), 1)});
+                  NameMostFrequent(counts.joints), FormatFixed(DegFromRad(counts.least_margin), 1),
+                  FormatFixed(MmFromM(counts.deflection), 2),
+                  FormatFixed(DegFromRad(counts.deflection_angle), 2),
+                  FormatFixed(100.0 * counts.torque_share, 0), counts.torque_joint});
   }
   return MakeParagraph("Arm: " + arm.model + ", base at " + FormatFixed(arm.x, 3) + ", " +
                        FormatFixed(arm.y, 3) + ", " + FormatFixed(arm.z, 3) + " m, turned by " +
                        FormatFixed(DegFromRad(arm.yaw), 1) + " deg. It has a course in " +
                        std::to_string(num_courses) + " of " + FormatCount(num_trials, "trial") +
-                       ". The hand's base yields as without an arm.") +
+                       ". The hand yields as the arm's joints do.") +
          table.ToHtml();
 }
 

@@ -52,6 +52,7 @@ bool LoadsTheSame(const SceneChoice& a, const SceneChoice& b) {
     for (const auto* names : {&config->hands, &config->objects, &config->grasps}) {
       if (std::filesystem::exists(names->front())) return false;
     }
+    if (std::filesystem::exists(config->arm.model)) return false;
   }
   for (const SceneChoice* one : {&a, &b}) {
     const bool is_rehearsed = HasBestGrasp(one->config) || !ListRehearsals(one->config).empty();
@@ -59,7 +60,8 @@ bool LoadsTheSame(const SceneChoice& a, const SceneChoice& b) {
   }
   return a.config.hands == b.config.hands && a.config.approach == b.config.approach &&
          a.config.objects == b.config.objects && a.folder.empty() && b.folder.empty() &&
-         HaveEqualValues(a.config.model, b.config.model);
+         HaveEqualValues(a.config.model, b.config.model) &&
+         HaveEqualValues(a.config.arm, b.config.arm);
 }
 
 /** Moves the place at which the hand grasps, and from where it comes. */

@@ -135,13 +135,19 @@ std::string FormatArm(const TrialResult& result) {
   if (arm.q.size() == 0) {
     return "arm      no course" + (arm.joint.empty() ? "" : "; joint " + arm.joint) + "\n";
   }
+  const std::string yields =
+      arm.torque_joint.empty()
+          ? ""
+          : fmt::format("arm      gave way by {} mm, {} deg; joint {} at {} of its torque\n",
+                        FormatFixed(MmFromM(arm.deflection), 2),
+                        FormatFixed(DegFromRad(arm.deflection_angle), 2), arm.torque_joint,
+                        FormatPercent(arm.torque_share));
   return fmt::format(
       "arm      to the pre-grasp pose {} s, {} mm; placing and lift {} s, {} mm; joint {} {} deg "
-      "from "
-      "its limit; fastest joint at {} of its speed\n",
+      "from its limit; fastest joint at {} of its speed\n{}",
       FormatFixed(arm.reach_time, 2), FormatFixed(MmFromM(arm.reach_path), 0),
       FormatFixed(arm.straight_time, 2), FormatFixed(MmFromM(arm.straight_path), 0), arm.joint,
-      FormatFixed(DegFromRad(arm.margin), 1), FormatPercent(arm.speed_share));
+      FormatFixed(DegFromRad(arm.margin), 1), FormatPercent(arm.speed_share), yields);
 }
 
 std::string FormatJointErrors(const TrialSetup& setup) {

@@ -70,15 +70,28 @@ TEST(Arm, Pa10StandsUpAtZero) {
   EXPECT_LT((X_BF.linear() - Eigen::Matrix3d::Identity()).norm(), 1e-12);
 }
 
-TEST(Arm, PosesAndJacobianAreThoseOfSimbody) {
+/** Moments that a rigid body can have: those of the PUMA are in part unmeasured and 0. */
+Arm LoadArmWithInertias(const char* id) {
+  Arm arm = LoadArm(id);
+  double size = 0.05;
+  for (ArmJoint& joint : arm.joints) {
+    joint.inertia = size * Vector3d(1.0, 1.2, 1.4);
+    size *= 0.8;
+  }
+  return arm;
+}
+
+/** Poses, speeds, mass matrix, weight and accelerations. */
+TEST(Arm, MotionIsThatOfSimbody) {
   for (const char* id : {"puma560", "pa10"}) {
-    const Arm arm = LoadArm(id);
+    const Arm arm = LoadArmWithInertias(id);
+    const Vector3d gravity_B(1.0, -2.0, -9.0);
     SimTK::MultibodySystem system;
     SimTK::SimbodyMatterSubsystem matter(system);
     SimTK::MobilizedBody last = matter.Ground();
     for (const ArmJoint& joint : arm.joints) {
       const SimTK::Body::Rigid body(
-          SimTK::MassProperties(1.0, SimTK::Vec3(0), SimTK::Inertia(1.0)));
+          MakeMassProperties(joint.mass, joint.p_com, joint.inertia.asDiagonal().toDenseMatrix()));
       // Simbody turns about z of the frame in the parent; the link's own frame lies behind it.
       const SimTK::Transform outboard(SimTK::Rotation(joint.alpha, SimTK::XAxis),
                                       SimTK::Vec3(joint.a, 0.0, joint.d));
@@ -106,6 +119,63 @@ TEST(Arm, PosesAndJacobianAreThoseOfSimbody) {
           EXPECT_NEAR(X_BL.back().linear()(r, c), X_GF.R()[r][c], 1e-12);
         }
       }
+      SimTK::Matrix M;
+      matter.calcM(state, M);
+      SimTK::Vector_<SimTK::SpatialVec> weights(arm.num_joints() + 1,
+                                                SimTK::SpatialVec(SimTK::Vec3(0)));
+      for (int i = 0; i < arm.num_joints(); ++i) {
+        const SimTK::MobilizedBody& link =
+            matter.getMobilizedBody(SimTK::MobilizedBodyIndex(i + 1));
+        const SimTK::Vec3 weight = link.getBodyMass(state) * ToSimTK(gravity_B);
+        weights[i + 1] = {
+            (link.getBodyRotation(state) * link.getBodyMassCenterStation(state)) % weight, weight};
+      }
+      SimTK::Vector torques;
+      matter.multiplyBySystemJacobianTranspose(state, weights, torques);
+      const Eigen::MatrixXd own_M = CalcArmMass(arm, X_BL);
+      const VectorXd own_torques = CalcArmWeight(arm, X_BL, gravity_B);
+      for (int i = 0; i < arm.num_joints(); ++i) {
+        EXPECT_NEAR(own_torques[i], torques[i], 1e-10);
+        for (int k = 0; k < arm.num_joints(); ++k) {
+          const double armature = i == k ? arm.joints[static_cast<size_t>(i)].armature : 0.0;
+          EXPECT_NEAR(own_M(i, k), M(i, k) + armature, 1e-10);
+        }
+      }
+      SimTK::Vector_<SimTK::SpatialVec> accelerations;
+      matter.calcBodyAccelerationFromUDot(state, SimTK::Vector(arm.num_joints(), 0.0),
+                                          accelerations);
+      const auto own = CalcArmVelocityTerm(X_BL, u);
+      for (int r = 0; r < 3; ++r) {
+        EXPECT_NEAR(own[r], accelerations[arm.num_joints()][1][r], 1e-9);
+        EXPECT_NEAR(own[3 + r], accelerations[arm.num_joints()][0][r], 1e-9);
+      }
+    }
+  }
+}
+
+/** Two links in the plane, l1 and l2, written out: C = J K^-1 J^T. */
+TEST(Arm, ComplianceOfTwoLinksIsItsClosedForm) {
+  constexpr double kL1 = 0.5, kL2 = 0.4, kK1 = 4000.0, kK2 = 2500.0;
+  Arm arm;
+  arm.joints.resize(2);
+  arm.joints[0].a = kL1;
+  arm.joints[0].stiffness = kK1;
+  arm.joints[1].a = kL2;
+  arm.joints[1].stiffness = kK2;
+  for (const double bend : {1.2, 0.0}) {
+    const Eigen::Vector2d q(0.3, bend);
+    const auto C = CalcArmCompliance(arm, CalcArmJacobian(CalcArmPoses(arm, q)));
+    const Eigen::Vector2d elbow = kL1 * Eigen::Vector2d(std::cos(0.3), std::sin(0.3));
+    const Eigen::Vector2d fore = kL2 * Eigen::Vector2d(std::cos(0.3 + bend), std::sin(0.3 + bend));
+    const auto turn = [](const Eigen::Vector2d& r) { return Eigen::Vector2d(-r.y(), r.x()); };
+    const Eigen::Vector2d by_shoulder = turn(elbow + fore), by_elbow = turn(fore);
+    const Eigen::Matrix2d expected =
+        by_shoulder * by_shoulder.transpose() / kK1 + by_elbow * by_elbow.transpose() / kK2;
+    EXPECT_LT((C.topLeftCorner<2, 2>() - expected).cwiseAbs().maxCoeff(), 1e-15);
+    EXPECT_NEAR(C(5, 5), 1.0 / kK1 + 1.0 / kK2, 1e-15);
+    EXPECT_EQ(C.row(2).norm(), 0.0);  // out of the plane
+    if (bend == 0.0) {
+      EXPECT_LT((C.topLeftCorner<2, 2>() * elbow.normalized()).norm(), 1e-17) << "lost, so stiff";
     }
   }
 }

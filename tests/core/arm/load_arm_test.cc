@@ -10,14 +10,20 @@
 namespace graspbench {
 namespace {
 
-constexpr char kOneJoint[] = R"(name: One joint
-ready_deg: [0]
-joints:
-  - {name: only, a_m: 0.5, d_m: 0, alpha_deg: 0, lower_deg: -90, upper_deg: 90,
-     speed_deg_per_s: 90, torque_nm: 10, mass_kg: 1, com_m: [0, 0, 0]}
-capsules:
-  - {link: 1, from_m: [-0.5, 0, 0], to_m: [0, 0, 0], radius_m: 0.05}
+/** Six joints alike. */
+std::string MakeText(int num_joints) {
+  std::string text = "name: Alike\nready_deg: [";
+  for (int i = 0; i < num_joints; ++i) text += i > 0 ? ", 0" : "0";
+  text += "]\njoints:\n";
+  for (int i = 0; i < num_joints; ++i) {
+    text += "  - {name: j" + std::to_string(i + 1) +
+            R"(, a_m: 0.5, d_m: 0, alpha_deg: 0, lower_deg: -90, upper_deg: 90,
+     speed_deg_per_s: 90, torque_nm: 10, stiffness_nm_per_rad: 2000, armature_kg_m2: 0.1,
+     mass_kg: 1, com_m: [0, 0, 0], inertia_kg_m2: [0.01, 0.01, 0.01]}
 )";
+  }
+  return text + "capsules:\n  - {link: 1, from_m: [-0.5, 0, 0], to_m: [0, 0, 0], radius_m: 0.05}\n";
+}
 
 std::string Replace(std::string text, const std::string& from, const std::string& to) {
   return text.replace(text.find(from), from.size(), to);
@@ -33,14 +39,23 @@ TEST(LoadArm, WrongFilesAreRefusedByName) {
   struct Case {
     std::string text, expected;
   };
+  const std::string text = MakeText(6);
   const Case cases[] = {
-      {Replace(kOneJoint, "lower_deg: -90, upper_deg: 90,", ""), "lower_deg"},
-      {Replace(kOneJoint, "upper_deg: 90", "upper_deg: -95"), "expected more than its lower_deg"},
-      {Replace(kOneJoint, "ready_deg: [0]", "ready_deg: [0, 1]"), "expected one angle for each of"},
-      {Replace(kOneJoint, "ready_deg: [0]", "ready_deg: [91]"), "outside its limits"},
-      {Replace(kOneJoint, "link: 1", "link: 2"), "no link 2; expected 0 (the base) to 1"},
-      {Replace(kOneJoint, "radius_m: 0.05", "radius_m: 0"), "radius_m"},
-      {Replace(kOneJoint, "mass_kg: 1,", "mass_kg: 1, colour: red,"), "colour"},
+      {Replace(text, "lower_deg: -90, upper_deg: 90,", ""), "lower_deg"},
+      {Replace(text, "upper_deg: 90", "upper_deg: -95"), "expected more than its lower_deg"},
+      {Replace(text, "lower_deg: -90, upper_deg: 90", "lower_deg: -3.14, upper_deg: 3.14"),
+       "joint \"j1\": turns by 6.28 deg only; expected degrees, these look like radians"},
+      {Replace(text, "a_m: 0.5, ", ""), "a_m"},
+      {Replace(text, "stiffness_nm_per_rad: 2000", "stiffness_nm_per_rad: 0"),
+       "stiffness_nm_per_rad"},
+      {Replace(text, "armature_kg_m2: 0.1,", ""), "armature_kg_m2"},
+      {Replace(text, "ready_deg: [0,", "ready_deg: [0, 1,"), "expected one angle for each of"},
+      {Replace(text, "ready_deg: [0", "ready_deg: [91"), "outside its limits"},
+      {Replace(text, "link: 1", "link: 7"), "no link 7; expected 0 (the base) to 6"},
+      {Replace(text, "radius_m: 0.05", "radius_m: 0"), "radius_m"},
+      {Replace(text, "mass_kg: 1,", "mass_kg: 1, colour: red,"), "colour"},
+      {MakeText(5), "found 5 joints; expected 6 to 10, for the hand to take any pose"},
+      {MakeText(11), "found 11 joints; expected 6 to 10"},
   };
   for (const Case& one : cases) {
     Diagnostics problems;
@@ -49,7 +64,7 @@ TEST(LoadArm, WrongFilesAreRefusedByName) {
     EXPECT_NE(problems.Format().find(one.expected), std::string::npos) << problems.Format();
   }
   Diagnostics none;
-  EXPECT_EQ(ParseArm(kOneJoint, "arms/one", none).id, "one");
+  EXPECT_EQ(ParseArm(MakeText(6), "arms/one", none).id, "one");
   EXPECT_EQ(none.num_errors(), 0) << none.Format();
   try {
     LoadArm("pa-10");

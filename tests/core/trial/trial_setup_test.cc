@@ -9,6 +9,7 @@
 #include "core/base/units.h"
 #include "core/physics/implicit_world.h"
 #include "core/physics/simbody/compliant_world.h"
+#include "core/trial/measures/diagnosis_text.h"
 #include "core/trial/protocols/table_lift.h"
 #include "objects/catalogue.h"
 #include "tests/core/trial/trial_setups.h"
@@ -81,24 +82,53 @@ TEST(Positioning, WhatIsNotSeenIsAResultWithItsReason) {
   ExpectSurvivesItsRecord(result);
 }
 
-/** Without an arm the record is as before; an arm that reaches changes nothing but its own part. */
-TEST(TrialWithArm, ReachedGraspIsThatWithoutArm) {
+TrialSetup MakeTrialWithArm(const Arm& arm) {
   TrialSetup setup = MakeTrial();
-  const TrialResult alone = RunSetup(setup);
+  setup.arm = std::make_shared<const MountedArm>(
+      MountArm(ArmConfig(), std::make_shared<const Arm>(arm), *setup.hand));
+  return setup;
+}
+
+/** Without an arm the record is as before; with it the hand gives way, the more the softer. */
+TEST(TrialWithArm, HandYieldsAsTheJointsDo) {
+  const TrialResult alone = RunSetup(MakeTrial());
   EXPECT_FALSE(ToJson(alone).contains("arm"));
   for (const char* id : {"puma560", "pa10"}) {
-    setup.arm = std::make_shared<const MountedArm>(
-        MountArm(ArmConfig(), std::make_shared<const Arm>(LoadArm(id)), *setup.hand));
-    const TrialResult carried = RunSetup(setup);
+    Arm arm = LoadArm(id);
+    const TrialResult carried = RunSetup(MakeTrialWithArm(arm));
+    EXPECT_EQ(carried.outcome, alone.outcome) << id << ": " << carried.reason;
     ASSERT_TRUE(carried.arm) << id;
     EXPECT_GT(carried.arm->margin, 0.0);
     EXPECT_GT(carried.arm->reach_time, 0.0);
-    EXPECT_EQ(carried.arm->q.size(), setup.arm->arm->num_joints());
+    EXPECT_EQ(carried.arm->q.size(), arm.num_joints());
+    EXPECT_GT(carried.arm->deflection, 1e-6);
+    EXPECT_LT(carried.arm->deflection, 2e-3);
+    EXPECT_GT(carried.arm->deflection_angle, 0.0);
+    EXPECT_GT(carried.arm->torque_share, 0.0);
+    EXPECT_LT(carried.arm->torque_share, 1.0);
+    EXPECT_FALSE(carried.arm->torque_joint.empty());
     ExpectSurvivesItsRecord(carried);
-    Json json = ToJson(carried);
-    json.erase("arm");
-    EXPECT_EQ(json, ToJson(alone)) << id << ": " << carried.reason;
+    for (ArmJoint& joint : arm.joints) joint.stiffness *= 0.2;
+    const TrialResult soft = RunSetup(MakeTrialWithArm(arm));
+    EXPECT_GT(soft.arm->deflection, 2.0 * carried.arm->deflection) << id;
   }
+}
+
+TEST(TrialWithArm, JointThatCannotHoldTheWeightIsNamed) {
+  Arm arm = LoadArm("puma560");
+  arm.joints[1].torque = 5.0;
+  const TrialResult result = RunSetup(MakeTrialWithArm(arm));
+  EXPECT_EQ(result.outcome, Outcome::kArmOverloaded);
+  EXPECT_EQ(result.reason.find("joint \"shoulder\" of the arm is at its limit of 5.0 N m"), 0U)
+      << result.reason;
+  EXPECT_EQ(result.arm->torque_joint, "shoulder");
+  EXPECT_NEAR(result.arm->torque_share, 1.0, 1e-9);
+  ASSERT_TRUE(result.diagnosis);
+  EXPECT_EQ(result.diagnosis->mechanism, Mechanism::kArmAtLimit);
+  EXPECT_EQ(DescribeDiagnosis(result).find("The arm gave way at the limit of joint shoulder, at"),
+            0U)
+      << DescribeDiagnosis(result);
+  ExpectSurvivesItsRecord(result);
 }
 
 TEST(TrialWithArm, WhatIsOutOfReachEndsAtOnceWithItsJoint) {

@@ -308,6 +308,25 @@ TEST_F(SessionStore, NamesTheCellsWhoseInputsChangedOnResume) {
   EXPECT_EQ(FindError(resume).find("pencil"), std::string::npos);
 }
 
+TEST_F(SessionStore, NamesTheArmWhoseFileChangedOnResume) {
+  CreateFakeSession(folder(), 3);
+  Session session = LoadSession(folder());
+  session.config.arm.model = "arms/mine";
+  SessionInputs inputs = MakeFakeInputs();
+  MountedArm mounted;
+  for (const char* hash : {"a", "b"}) {  // started with, and edited
+    auto arm = std::make_shared<Arm>();
+    arm->content_hash = hash;
+    mounted.arm = arm;
+    for (HandInputs& hand : inputs.hands) hand.arm = std::make_shared<MountedArm>(mounted);
+    if (hash[0] == 'a') session.plan = MakePlan(session.config, inputs);
+  }
+  EXPECT_TRUE(Has(FindError([&] {
+                    CheckSameSession(session, session.config, MakePlan(session.config, inputs));
+                  }),
+                  "a hand, an object, a grasp, the arm \"arms/mine\" or the physics has changed"));
+}
+
 TEST_F(SessionStore, AFullDiskIsAnErrorAndTheNextLineIsWhole) {
   const auto plan = CreateFakeSession(folder(), 1);
   fs::create_symlink("/dev/full", journal(0));
