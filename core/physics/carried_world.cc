@@ -14,8 +14,11 @@ using Eigen::VectorXd;
 
 void ImplicitWorld::ResetArm() {
   arm_.reset();
-  if (state_.arm) arm_.emplace(*state_.arm, state_.q_arm);
-  num_base_ = arm_ ? arm_->num_joints() : 6;
+  num_base_ = 6;
+  if (!state_.arm) return;
+  arm_.emplace(*state_.arm, state_.q_arm, state_.u_arm);
+  num_base_ = arm_->num_joints();
+  FinishArm();
 }
 
 VectorXd ImplicitWorld::FindSpeeds() const {

@@ -43,10 +43,10 @@ ArmJacobian CalcHandJacobian(const MountedArm& arm, const std::vector<Pose>& X_B
 
 }  // namespace
 
-CarryingArm::CarryingArm(const MountedArm& arm, const VectorXd& q)
+CarryingArm::CarryingArm(const MountedArm& arm, const VectorXd& q, const VectorXd& u)
     : arm_(&arm),
       q_command_(q),
-      u_command_(VectorXd::Zero(q.size())),
+      u_command_(u),
       acceleration_command_(VectorXd::Zero(q.size())) {
   Update(q);
   X_WH_command_ = X_WH_;

@@ -30,8 +30,9 @@ using ArmJacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
 class CarryingArm {
  public:
-  /** @param arm  outlives this.   @param q  commanded until Follow says otherwise [rad]. */
-  CarryingArm(const MountedArm& arm, const Eigen::VectorXd& q);
+  /** @param arm  outlives this.   @param q, u  commanded until Follow says otherwise [rad],
+  [rad/s]. */
+  CarryingArm(const MountedArm& arm, const Eigen::VectorXd& q, const Eigen::VectorXd& u);
 
   int num_joints() const { return arm_->arm->num_joints(); }
   const ArmJoint& joint(int i) const { return arm_->arm->joints[static_cast<size_t>(i)]; }

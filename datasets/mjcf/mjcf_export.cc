@@ -532,7 +532,7 @@ CommandedMotion RecordMotion(const TrialSetup& recorded) {
     motion.steps.push_back({course.phase(), *command});
   }
   if (motion.start.arm) {
-    CarryingArm arm(*motion.start.arm, motion.start.q_arm);
+    CarryingArm arm(*motion.start.arm, motion.start.q_arm, motion.start.u_arm);
     for (MotionStep& step : motion.steps) {
       arm.Follow(step.command, motion.step);
       step.q_arm = arm.q_command();

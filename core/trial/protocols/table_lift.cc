@@ -179,7 +179,7 @@ void TableLift::Begin() {
   notes_.strategy.StartPlacing(before_arrival);
   notes_.phase = notes_.strategy.phase();
   state.X_WH = CalcPlacingPose(before_arrival);
-  if (setup_.arm) PlanArm(state);
+  if (setup_.arm) PlanArm(before_arrival, state);
   world_->Reset(state);
   notes_.start_gap = CalcGap(nullptr);
   notes_.rest_extent = CalcExtent();

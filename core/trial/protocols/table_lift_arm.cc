@@ -11,7 +11,7 @@ namespace graspbench {
 
 using Eigen::Vector3d;
 
-void TableLift::PlanArm(WorldState& state) {
+void TableLift::PlanArm(double before_arrival, WorldState& state) {
   const double distance = setup_.grasp.approach_distance;
   // A hand that seeks the palm goes on as far as it may.
   const double beyond = setup_.grasp.seeks_palm ? kPalmSearchLength - kPalmStandOff : 0.0;
@@ -40,8 +40,15 @@ void TableLift::PlanArm(WorldState& state) {
       *std::min_element(course.approach.begin(), course.approach.end(),
                         [&](const auto& a, const auto& b) { return miss(a) < miss(b); });
   const std::optional<Eigen::VectorXd> q = RefinePosture(*setup_.arm->arm, X_BF, knot);
-  if (q) {
+  Pose X_BNext = X_BF;  // a step later
+  X_BNext.pretranslate(
+      setup_.arm->X_WB.linear().transpose() *
+      (CalcPlacingPose(before_arrival - setup_.sim.step).translation() - state.X_WH.translation()));
+  const std::optional<Eigen::VectorXd> next =
+      q ? RefinePosture(*setup_.arm->arm, X_BNext, *q) : std::nullopt;
+  if (next) {
     SetArm(*setup_.arm, *q, state);
+    state.u_arm = (*next - *q) / setup_.sim.step;
   } else {
     notes_.arm_fault = ArmFault::kNoStraightPath;
     notes_.arm_reason = "the arm has no posture on the approach";

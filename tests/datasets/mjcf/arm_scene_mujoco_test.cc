@@ -71,7 +71,7 @@ TEST_P(ArmScene, HasPoseMassAndDrivesOfTheTrial) {
   hand.UpdatePositions(start.X_WH, start.q);
   Eigen::MatrixXd M(hand.num_speeds(), hand.num_speeds());
   hand.CalcMassMatrix(M);
-  CarryingArm arm(*setup_.arm, start.q_arm);
+  CarryingArm arm(*setup_.arm, start.q_arm, start.u_arm);
   const Eigen::MatrixXd expected =
       arm.jacobian().transpose() * M.bottomRightCorner<6, 6>() * arm.jacobian() + arm.CalcMass();
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> full(model_->nv,
