@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/text/text.h"
 #include "core/optimise/methods/search.h"
+#include "core/statistics/proportion.h"
 
 namespace graspbench {
 namespace {
@@ -230,6 +232,16 @@ bool operator==(const RehearsalConfig& a, const RehearsalConfig& b) {
 int RehearsedCandidate::CountHeld() const {
   return static_cast<int>(std::count_if(outcomes.begin(), outcomes.end(),
                                         [](Outcome outcome) { return IsSuccess(outcome); }));
+}
+
+std::string RehearsedCandidate::FormatHeld() const {
+  return std::to_string(CountHeld()) + " of " + std::to_string(outcomes.size());
+}
+
+std::string RehearsedCandidate::FormatInterval() const {
+  const Interval interval = CalcWilsonInterval(CountHeld(), static_cast<int>(outcomes.size()));
+  return FormatFixed(100.0 * interval.low, 0) + " to " + FormatFixed(100.0 * interval.high, 0) +
+         " %";
 }
 
 int RehearsedCandidate::FindRun() const {

@@ -65,6 +65,8 @@ struct RehearsedCandidate {
   double grip_threshold = 1.0;    ///< share of the grip; 1 where it was not looked for
 
   int CountHeld() const;
+  std::string FormatHeld() const;      ///< "11 of 12"
+  std::string FormatInterval() const;  ///< Wilson's at 95 %: "65 to 99 %"
   /** Held draws before the first that was not. */
   int FindRun() const;
 
