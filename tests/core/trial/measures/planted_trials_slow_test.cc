@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -171,9 +172,11 @@ const std::vector<Cause> kCauses = {
 
 /** What the trajectory shows, by instants 2 ms apart. */
 struct Evidence {
-  double opposed_time = 0.0;   ///< with parts that press more than 110 degrees apart [s]
-  double shift_before = 0.0;   ///< of the object before that, horizontally [m]
-  double work[2] = {0, 0};     ///< by normal forces in the last 0.1 and 0.3 s of it [J]
+  double opposed_time = 0.0;  ///< with parts that press more than 110 degrees apart [s]
+  double shift_before = 0.0;  ///< of the object before that, horizontally [m]
+  /** By normal forces in the last 0.1 and 0.3 s of it, and, of what is in the hand at the end, since
+  lift-off [J]. */
+  double work[3] = {0, 0, 0};
   double largest_turn = 0.0;   ///< of the object in the palm from its begin on [rad]
   double largest_slide = 0.0;  ///< likewise, downwards [m]
   double drive_share = 0.0;    ///< of its limit, the hardest working drive's, while touching
@@ -181,6 +184,7 @@ struct Evidence {
 
 Evidence FindEvidence(const TrialSetup& setup, const std::vector<TraceInstant>& trace) {
   const double kOpposed = std::cos(RadFromDeg(110.0));
+  constexpr double kGlance = 0.02;  // shorter ones hold nothing [s]
   const Hand& hand = *setup.hand;
   Evidence evidence;
   std::vector<bool> opposed;
@@ -196,11 +200,12 @@ Evidence FindEvidence(const TrialSetup& setup, const std::vector<TraceInstant>& 
   }
   size_t first = trace.size(), last = 0;
   for (size_t i = 0; i < trace.size(); ++i) {
-    if (!opposed[i]) continue;
-    first = std::min(first, i);
+    if (!opposed[i] || i == 0) continue;
+    evidence.opposed_time += trace[i].time - trace[i - 1].time;
+    if (evidence.opposed_time > kGlance) first = std::min(first, i);
     last = i;
-    if (i > 0) evidence.opposed_time += trace[i].time - trace[i - 1].time;
   }
+  const bool is_held = first < trace.size() && trace.back().time - trace[last].time < kGlance;
   const auto in_hand = [](const TraceInstant& at) { return at.X_WH.inverse() * at.X_WO; };
   for (size_t i = 1; i < trace.size(); ++i) {
     const TraceInstant &before = trace[i - 1], &now = trace[i];
@@ -235,6 +240,7 @@ Evidence FindEvidence(const TrialSetup& setup, const std::vector<TraceInstant>& 
       const double work = contact.normal_force * contact.nhat_W.dot(moved_W);
       if (now.time > trace[last].time - 0.1) evidence.work[0] += work;
       if (now.time > trace[last].time - 0.3) evidence.work[1] += work;
+      if (is_held && now.phase >= Phase::kLiftOff) evidence.work[2] += work;
     }
   }
   return evidence;
@@ -253,7 +259,9 @@ std::string FindContradiction(const std::string& cause, const TrialResult& resul
       return seen.shift_before < 0.003 ? "it had not moved before" : "";
     case Mechanism::kSqueezedOut:
       if (seen.opposed_time == 0.0) return "nothing opposed";
-      return std::max(seen.work[0], seen.work[1]) <= 0.0 ? "normal forces did no work" : "";
+      return *std::max_element(std::begin(seen.work), std::end(seen.work)) <= 0.0
+                 ? "normal forces did no work"
+                 : "";
     case Mechanism::kSagged:
       return seen.largest_turn < RadFromDeg(10.0) ? "it did not turn" : "";
     case Mechanism::kSlid:
