@@ -16,10 +16,6 @@ constexpr int kRehearsedWidth = 360, kRehearsedHeight = 300;  // [pixels]
 constexpr size_t kMostPictured = 4;                           // candidates of a pair
 constexpr size_t kMostPairs = 12;                             // that have all their pictures
 
-std::string FormatHeld(const RehearsedCandidate& tried) {
-  return std::to_string(tried.CountHeld()) + " of " + std::to_string(tried.outcomes.size());
-}
-
 std::string NameOfPair(const RehearsedPair& pair) { return pair.hand + ", " + pair.object; }
 std::string IdOfPair(const RehearsedPair& pair) {
   return "pair-" + std::to_string(pair.request + 1);
@@ -39,12 +35,12 @@ std::vector<size_t> ListBest(const Rehearsal& rehearsal) {
 
 Html DrawChoices(const RehearsalPageData& data) {
   Table table("Chosen grasps. Held: of the draws of rehearsal, not of any session.",
-              {"hand", "object", "chosen", "held", "candidates tried", "trials"});
+              {"hand", "object", "chosen", "held", "95 % interval", "candidates tried", "trials"});
   for (const RehearsedPair& pair : data.pairs) {
     const RehearsedCandidate& choice = pair.result.choice();
     table.AddRow({pair.hand, LinkTo(IdOfPair(pair), pair.object), Describe(choice.candidate),
-                  FormatHeld(choice), static_cast<int>(pair.result.tried.size()),
-                  pair.result.num_trials});
+                  choice.FormatHeld(), choice.FormatInterval(),
+                  static_cast<int>(pair.result.tried.size()), pair.result.num_trials});
   }
   return table.ToHtml();
 }
@@ -59,7 +55,7 @@ Html DrawCandidates(const Rehearsal& rehearsal) {
         failed == tried.outcomes.end()
             ? ""
             : WordsOf(*failed) + (tried.reason.empty() ? "" : ": ") + tried.reason;
-    table.AddRow({Describe(tried.candidate), FormatHeld(tried), why});
+    table.AddRow({Describe(tried.candidate), tried.FormatHeld(), why});
   }
   return table.ToHtml();
 }
@@ -82,7 +78,7 @@ Html DrawPairPictures(const RehearsalTask& task, const Rehearsal& rehearsal, siz
     const Camera camera = FrameScenes({scene}, FindGraspView(*task.hand, q, X_WH),
                                       static_cast<double>(kRehearsedWidth) / kRehearsedHeight);
     const std::string text = (i == 0 ? "Chosen: " : "Next: ") + Describe(tried.candidate) +
-                             ", held " + FormatHeld(tried);
+                             ", held " + tried.FormatHeld();
     frames += Element(
         "figure", {},
         Element("img",
@@ -102,8 +98,13 @@ Html DrawRehearsalMethods(const RehearsalPageData& data) {
       "was tried on up to " +
       std::to_string(data.config.num_draws) +
       " sampled initial poses, until one was not held. Every second pose has friction times 0.8 "
-      "and mass times 1.2. The first candidate that held all of them is chosen; else the longest "
-      "run, of equal ones that with the lowest grip threshold. The poses belong to no session. At "
+      "and mass times 1.2. " +
+      (data.config.num_draws < kNumProofDraws
+           ? "One that held all of them was tried on " + std::to_string(kNumProofDraws) +
+                 " in all, of which it may lose one. "
+           : "") +
+      "The first that held is chosen; else the one that held most of those with the longest run, "
+      "of equal ones that with the lowest grip threshold. The poses belong to no session. At "
       "most " +
       std::to_string(data.config.num_candidates) + " candidates were tried. " +
       (data.config.num_postures > 0
@@ -127,8 +128,9 @@ std::string MakeRehearsalPage(const RehearsalPageData& data) {
       Element("h2", {}, "Choices") +
           MakeParagraph(std::to_string(num_robust) + " of " +
                         FormatCount(static_cast<int>(data.pairs.size()), "pair") +
-                        " held every draw of rehearsal. On new draws a choice holds less, since "
-                        "it was chosen for these; a session says how much.") +
+                        " held every draw of rehearsal. The interval is Wilson's at 95 %. On new "
+                        "draws expect a share in its lower half, since the grasp was chosen for "
+                        "these draws; a session says how much.") +
           DrawChoices(data));
   body += Element("section", {{"id", "methods"}},
                   Element("h2", {}, "Methods") + DrawRehearsalMethods(data));
@@ -147,7 +149,7 @@ std::string MakeRehearsalPage(const RehearsalPageData& data) {
         MakeParagraph(pair.result.is_robust()
                           ? "Chosen: " + Describe(choice.candidate) + ". It held every draw."
                           : "No candidate held every draw. The best, " +
-                                Describe(choice.candidate) + ", held " + FormatHeld(choice) + ".");
+                                Describe(choice.candidate) + ", held " + choice.FormatHeld() + ".");
     if (renderer) {
       const RehearsalTask& task = data.tasks[static_cast<size_t>(pair.request)];
       section += MakeFigure("The hand where it would meet the object, at its nominal pose.",

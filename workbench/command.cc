@@ -141,7 +141,7 @@ void RehearseGrasps(const SessionConfig& config, int num_workers) {
   PrintMessage("grasps of " + FormatCount(static_cast<int>(tasks.size()), "pair") +
                " of hand and object are rehearsed first: at most " +
                FormatCount(num_candidates, "candidate") + ", about " +
-               FormatFixed(EstimateRehearsalTime(tasks), 0) +
+               FormatFixed(EstimateRehearsalTime(tasks).candidates, 0) +
                " s of one processor, judged by the first pair of each hand");
   RehearseTasks(tasks, num_workers, observer);
 }

@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/text/text.h"
 #include "core/optimise/methods/search.h"
+#include "core/statistics/proportion.h"
 
 namespace graspbench {
 namespace {
@@ -14,6 +16,7 @@ constexpr size_t kNumVaried = 3;     ///< candidates that are varied in one go
 constexpr size_t kNumFinalists = 3;  ///< candidates that are tried on all draws, at least
 constexpr size_t kNumPostureFinalists = 8;
 constexpr int kPostureDraws = 4;  ///< times the draws, on which they are compared
+constexpr int kMostLost = 1;      ///< of kNumProofDraws, that a choice may lose
 constexpr double kGripShares[] = {0.5, 0.25, 0.125};
 
 /** The tried ones in the order of their runs. */
@@ -79,27 +82,35 @@ class Rehearser {
     if (!IsSuccess(answer.outcome) && tried.reason.empty()) tried.reason = answer.reason;
   }
 
-  /** Until one is not held. */
-  RehearsedCandidate TryDraws(const GraspCandidate& candidate) {
+  int CalcNumProofDraws() const { return std::max(config_.num_draws, kNumProofDraws); }
+
+  /** So far; it holds all draws, and of those that prove it enough. */
+  bool MayBeChosen(const RehearsedCandidate& tried) const {
+    const auto num = static_cast<int>(tried.outcomes.size());
+    return tried.FindRun() >= std::min(num, config_.num_draws) &&
+           num - tried.CountHeld() <= kMostLost;
+  }
+
+  /** Until it cannot be chosen any more. */
+  RehearsedCandidate TryDraws(const GraspCandidate& candidate, int num_draws) {
     const Grasp grasp = maker_.Make(candidate);
     RehearsedCandidate tried;
     tried.candidate = candidate;
     do {
       TryDraw(grasp, tried);
-    } while (IsSuccess(tried.outcomes.back()) &&
-             static_cast<int>(tried.outcomes.size()) < config_.num_draws);
+    } while (MayBeChosen(tried) && static_cast<int>(tried.outcomes.size()) < num_draws);
     return tried;
   }
 
-  /** @returns whether one is held in all draws, which is chosen then. */
+  /** @returns whether one proves itself, which is chosen then. */
   bool TryAll(const std::vector<GraspCandidate>& candidates) {
     for (const GraspCandidate& candidate : candidates) {
       const bool is_known =
           std::any_of(rehearsal_.tried.begin(), rehearsal_.tried.end(),
                       [&](const RehearsedCandidate& one) { return one.candidate == candidate; });
       if (IsFull() || is_known) continue;
-      rehearsal_.tried.push_back(TryDraws(candidate));
-      is_found_ = rehearsal_.tried.back().FindRun() == config_.num_draws;
+      rehearsal_.tried.push_back(TryDraws(candidate, CalcNumProofDraws()));
+      is_found_ = MayBeChosen(rehearsal_.tried.back());
       if (!is_found_) continue;
       rehearsal_.chosen = static_cast<int>(rehearsal_.tried.size()) - 1;
       return true;
@@ -133,7 +144,7 @@ class Rehearser {
                 for (const Individual& individual : generation) {
                   const Eigen::VectorXd& genome = individual.genome;
                   candidate.posture.assign(genome.data(), genome.data() + genome.size());
-                  rehearsal_.tried.push_back(TryDraws(candidate));
+                  rehearsal_.tried.push_back(TryDraws(candidate, config_.num_draws));
                   fitness.push_back(CalcFitness(rehearsal_.tried.back()));
                 }
                 return fitness;
@@ -183,7 +194,8 @@ class Rehearser {
 
   void ChooseMostHeld() {
     const std::vector<size_t> finalists = ListFinalists();
-    for (const size_t i : finalists) TryOn(config_.num_draws, i);
+    const bool has_run = rehearsal_.tried[finalists.front()].FindRun() >= config_.num_draws;
+    for (const size_t i : finalists) TryOn(has_run ? CalcNumProofDraws() : config_.num_draws, i);
     const auto value = [&](size_t i) {
       return std::pair(rehearsal_.tried[i].CountHeld(), rehearsal_.tried[i].FindRun());
     };
@@ -220,6 +232,16 @@ bool operator==(const RehearsalConfig& a, const RehearsalConfig& b) {
 int RehearsedCandidate::CountHeld() const {
   return static_cast<int>(std::count_if(outcomes.begin(), outcomes.end(),
                                         [](Outcome outcome) { return IsSuccess(outcome); }));
+}
+
+std::string RehearsedCandidate::FormatHeld() const {
+  return std::to_string(CountHeld()) + " of " + std::to_string(outcomes.size());
+}
+
+std::string RehearsedCandidate::FormatInterval() const {
+  const Interval interval = CalcWilsonInterval(CountHeld(), static_cast<int>(outcomes.size()));
+  return FormatFixed(100.0 * interval.low, 0) + " to " + FormatFixed(100.0 * interval.high, 0) +
+         " %";
 }
 
 int RehearsedCandidate::FindRun() const {

@@ -3,9 +3,12 @@
 Chooses a grasp by trying candidates (grasp_candidates.h) on imagined draws before the first trial.
 
     order      candidates one after the other, each on draws 0, 1, .. until one is not held
-    choice     the first that is held in all `num_draws`; else those of the longest run, and at
-               least three, are tried on all draws, and that held most is taken, of equal ones that
-               with the longest run, then that with the lowest grip threshold, else the first
+    proof      one that is held in all `num_draws` goes on to kNumProofDraws, until a second one is
+               lost: the first of many candidates that holds a few draws often does so by luck
+    choice     the first that proves itself; else those of the longest run, and at least three, are
+               tried on all draws (of the proof, where one came to it), and that held most is taken,
+               of equal ones that with the longest run, then that with the lowest grip threshold,
+               else the first
     posture    where nothing was held in all draws and a search is asked for: an evolution strategy
                (core/optimise/methods/search.h) starts from the choice and tries so many postures;
                fitness is the run, of equal ones how far the first lost draw came. The choice is
@@ -31,6 +34,7 @@ draws of its choice it looks better than it is. Proposed by graspbench. */
 
 namespace graspbench {
 
+inline constexpr int kNumProofDraws = 12;  ///< in all
 inline constexpr double kDoubtFriction = 0.8, kDoubtMass = 1.2;
 /** Whether the draw of this number has the wrong model. */
 inline bool IsDoubtful(int draw) { return draw % 2 == 1; }
@@ -61,6 +65,8 @@ struct RehearsedCandidate {
   double grip_threshold = 1.0;    ///< share of the grip; 1 where it was not looked for
 
   int CountHeld() const;
+  std::string FormatHeld() const;      ///< "11 of 12"
+  std::string FormatInterval() const;  ///< Wilson's at 95 %: "65 to 99 %"
   /** Held draws before the first that was not. */
   int FindRun() const;
 

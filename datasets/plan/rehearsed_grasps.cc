@@ -156,6 +156,7 @@ std::string CalcRehearsalHash(const RehearsalTask& task) {
                   {"imperfections", ConfigToJson(task.imperfections)},
                   {"candidates", task.config.num_candidates},
                   {"draws", task.config.num_draws}};
+  if (task.config.num_draws < kNumProofDraws) content["proof_draws"] = kNumProofDraws;
   if (task.config.num_postures > 0) content["postures"] = task.config.num_postures;
   if (task.arm) content["arm"] = DescribeArm(*task.arm);
   return CalcHashHex(FormatJson(content));

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Writes objects of shapes that are in no family of the program: convex stones, bumpy bodies and bent
-tubes. rehearsal_objects.py DIR [COUNT_OF_EACH]
+tubes. rehearsal_objects.py DIR [COUNT_OF_EACH] [SEED]
 
 Nobody looked at what any hand holds when the ranges were chosen; the numbers follow from the seed."""
 import math
@@ -175,9 +175,10 @@ def write(folder, name, points, triangles, rng):
 def main():
     folder = sys.argv[1]
     count = int(sys.argv[2]) if len(sys.argv) > 2 else 20
+    seed = sys.argv[3:4]
     for kind, make in (("stone", make_stone), ("bumpy", make_bumpy), ("tube", make_tube)):
         for number in range(count):
-            rng = random.Random("graspbench rehearsal %s %d" % (kind, number))
+            rng = random.Random(" ".join(["graspbench rehearsal", kind, str(number)] + seed))
             points, triangles = make(rng)
             write(folder, "%s_%02d" % (kind, number), points, triangles, rng)
 

@@ -225,18 +225,23 @@ std::vector<RehearsalTask> ListUnrehearsed(const SessionConfig& config) {
   return tasks;
 }
 
-double EstimateRehearsalTime(const std::vector<RehearsalTask>& tasks) {
-  std::map<std::string, double> times;
-  double sum = 0.0;
+RehearsalTime EstimateRehearsalTime(const std::vector<RehearsalTask>& tasks) {
+  std::map<std::string, RehearsalTime> times;
+  RehearsalTime sum;
   for (const RehearsalTask& task : tasks) {
     if (FindKeptRehearsal(task)) continue;
     if (times.count(task.hand->id) == 0) {
+      RehearsalTask without = task;
+      without.config.num_postures = 0;
       const auto start = std::chrono::steady_clock::now();
-      FindRehearsal(task);
-      times[task.hand->id] =
+      const Rehearsal found = FindRehearsal(without);
+      const double time =
           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      times[task.hand->id] = {
+          time, time * task.config.num_postures / static_cast<double>(found.tried.size())};
     }
-    sum += times[task.hand->id];
+    sum.candidates += times[task.hand->id].candidates;
+    sum.postures += times[task.hand->id].postures;
   }
   return sum;
 }

@@ -23,9 +23,14 @@ std::vector<RehearsalTask> ListRehearsalTasks(const SessionConfig& config,
 not stored and that no earlier run has found. */
 std::vector<RehearsalTask> ListUnrehearsed(const SessionConfig& config);
 
-/** Processor time of all tasks [s], by that of the first of each hand, which is rehearsed and kept:
-for a person, in no result. 0 without a task. */
-double EstimateRehearsalTime(const std::vector<RehearsalTask>& tasks);
+/** Processor time: for a person, in no result [s]. */
+struct RehearsalTime {
+  double candidates = 0.0;
+  double postures = 0.0;  ///< of a search of all pairs, where one is asked for
+};
+/** Of all tasks, by the first of each hand, which is rehearsed without postures and kept. A posture
+takes as long as a candidate. 0 without a task. */
+RehearsalTime EstimateRehearsalTime(const std::vector<RehearsalTask>& tasks);
 
 /** Rehearses and keeps what was found. @throws Error(kInterrupted) when stopped; as FindRehearsal.
 */

@@ -14,6 +14,7 @@ constexpr double kOpposingForce = 0.05;     // of each of two parts [N]
 constexpr double kOpposingTime = 0.02;      // [s]
 const double kOpposingCosine = std::cos(RadFromDeg(110.0));
 constexpr double kPushedAside = 0.005;  // [m]
+constexpr double kGraspedTime = 0.5;    // of opposition: the object was grasped [s]
 constexpr double kLeastPush = 0.2;      // [N]
 constexpr double kLeastPushWeights = 0.5;
 constexpr double kLeastFall = 0.0002;  // whose work counts [m]
@@ -84,6 +85,7 @@ class LossFinder {
   void AddLoss(const std::vector<OpposedRun>& runs);
   void AddWorks();
   bool IsPushedFromOutside();
+  bool IsGrasped(const std::vector<OpposedRun>& runs) const;
   bool IsPushed(const std::vector<OpposedRun>& runs);
   bool IsNotReached(const std::vector<OpposedRun>& runs);
   void BlameDrive();
@@ -200,22 +202,34 @@ bool LossFinder::IsPushedFromOutside() {
   return false;
 }
 
-/** By what pressed most until the object had moved so far. */
+/** Whether two parts opposed each other for so long, once. */
+bool LossFinder::IsGrasped(const std::vector<OpposedRun>& runs) const {
+  return std::any_of(runs.begin(), runs.end(), [&](const OpposedRun& run) {
+    return samples_[run.last].time - samples_[run.first].time >= kGraspedTime - kTimeRounding;
+  });
+}
+
+/** By what pressed most until the object had moved so far, from its first touch on. An object that
+was grasped afterwards is lost otherwise. */
 bool LossFinder::IsPushed(const std::vector<OpposedRun>& runs) {
   const size_t until = runs.empty() ? samples_.size() : runs.front().first;
   std::vector<double> pressed(samples_.front().parts.size(), 0.0);
+  std::vector<double> touched(pressed.size(), kUnset);
   found_.shift = 0.0;
   for (size_t at = 0; at < until; ++at) {
     found_.shift = std::max(found_.shift, samples_[at].shift);
+    if (found_.mechanism == Mechanism::kPushed || IsGrasped(runs)) continue;
     for (size_t part = 0; part < pressed.size(); ++part) {
-      pressed[part] += samples_[at].parts[part].force;
+      const double force = samples_[at].parts[part].force;
+      pressed[part] += force;
+      if (force > 0.0) touched[part] = std::fmin(touched[part], samples_[at].time);
     }
     const auto most = std::max_element(pressed.begin(), pressed.end());
     if (*most == 0.0 || found_.shift <= kPushedAside) continue;
-    if (found_.mechanism == Mechanism::kPushed) continue;
     found_.mechanism = Mechanism::kPushed;
-    SetTime(samples_[at].time);
-    found_.part = NameOfPart(static_cast<size_t>(most - pressed.begin()));
+    const auto part = static_cast<size_t>(most - pressed.begin());
+    SetTime(touched[part]);
+    found_.part = NameOfPart(part);
   }
   return found_.mechanism == Mechanism::kPushed;
 }
@@ -260,6 +274,7 @@ void LossFinder::CompareWorks() {
   const double normal = found_.CalcNormalWork(), gravity = found_.gravity_work;
   if (std::max(normal, gravity) < kLeastFall * result_.weight) return;  // not identified
   if (normal > gravity) {
+    if (found_.CalcFrictionWork() > normal) return;  // it was dragged
     found_.mechanism = Mechanism::kSqueezedOut;
     found_.part = FindPart([](const PartWork& part) { return part.normal_work; });
     return;

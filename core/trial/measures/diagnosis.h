@@ -13,16 +13,19 @@ first of these that holds (all limits proposed by graspbench):
     arm at limit    the outcome is "arm overloaded"
     outside push    a force beyond table and hand above 0.2 N and half the weight; of an object that
                     was lifted while the hand still touched it
-    pushed          the object moved by more than 5 mm along the table before two parts opposed
+    pushed          the object moved by more than 5 mm along the table before two parts opposed, and
+                    none did for half a second afterwards; dated by the first touch of the part that
+                    pressed most until then
     not reached     no two parts ever opposed
     drive at limit  some, not all, of the digits had a drive at its limit in most of the 150 ms, and
                     the object sagged or slid as below, or one of them gave way: its normal work is
                     negative, and at least half of what the other parts' normal forces and gravity
                     did
-    squeezed out    the normal forces did more work than gravity, and that of 0.2 mm of fall or more
+    squeezed out    the normal forces did more work than gravity and than the friction of the hand,
+                    and that of 0.2 mm of fall or more
     sagged, slid    gravity did the more work; the object turned in the hand by more than 15 degrees
                     since two parts first opposed (since lift-off, where they did then), or not
-    cause not identified   neither */
+    cause not identified   neither, as where friction dragged it along */
 
 #include <optional>
 #include <string>

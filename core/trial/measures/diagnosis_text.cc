@@ -120,9 +120,9 @@ std::string DescribeDiagnosis(const TrialResult& result) {
           FormatNewtons(found.push), FormatSeconds(found.time));
     case Mechanism::kPushed:
       return fmt::format(
-          "{} pushed the object: it had moved by more than 5 mm at {}, before two parts of the "
-          "hand pressed against each other; {}.",
-          found.part, FormatSeconds(found.time), DescribeTouches(result));
+          "{} touched the object {}, and pushed it by more than 5 mm before two parts of the hand "
+          "pressed against each other; {}.",
+          found.part, time, DescribeTouches(result));
     case Mechanism::kNotReached:
       return DescribeMissing(result, found);
     case Mechanism::kDriveAtLimit:

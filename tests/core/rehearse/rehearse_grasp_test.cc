@@ -58,13 +58,36 @@ TEST_F(RehearseGraspTest, TheFirstThatHoldsEveryDrawIsChosen) {
   EXPECT_EQ(rehearsal.choice().candidate.standard, "g2");
   EXPECT_TRUE(rehearsal.is_robust());
   EXPECT_EQ(rehearsal.chosen, static_cast<int>(rehearsal.tried.size()) - 1);
-  // Three trials of each that fails in the third draw, four of the one that holds.
-  EXPECT_EQ(num_asked, 3 * rehearsal.chosen + 4);
+  // Three trials of each that fails in the third draw; the one that holds proves itself on twelve.
+  EXPECT_EQ(num_asked, 3 * rehearsal.chosen + 12);
   EXPECT_EQ(rehearsal.num_trials, num_asked);
   for (int i = 0; i < rehearsal.chosen; ++i) {
     EXPECT_EQ(rehearsal.tried[static_cast<size_t>(i)].FindRun(), 2);
     EXPECT_EQ(rehearsal.tried[static_cast<size_t>(i)].reason, "was pushed away");
   }
+}
+
+// The last of the rule holds 11 of 12; the others hold the first five and lose the next two.
+TEST_F(RehearseGraspTest, WhatHoldsTheFirstDrawsByLuckIsNotChosen) {
+  const std::string last = maker_.ListByRule().back().standard;
+  const auto run = [&](const Grasp& grasp, const RehearsalQuestion& question) {
+    return Hold(grasp.id == last ? question.draw != 9 : question.draw < 5 || question.draw > 6);
+  };
+  const Rehearsal rehearsal = RehearseGrasp(maker_, {40, 4}, run);
+  EXPECT_EQ(rehearsal.choice().candidate.standard, last);
+  EXPECT_EQ(rehearsal.choice().FormatHeld(), "11 of 12");
+  EXPECT_EQ(rehearsal.choice().FormatInterval(), "65 to 99 %");  // 64.6 to 98.5
+  EXPECT_EQ(rehearsal.num_trials, 7 * rehearsal.chosen + 12);
+  EXPECT_GT(rehearsal.chosen, 0);
+  // Of those that fail, too, twelve are compared: without the last one the others hold 10.
+  const Rehearsal lucky =
+      RehearseGrasp(maker_, {3, 4}, [&](const Grasp&, const RehearsalQuestion& question) {
+        return Hold(question.draw < 5 || question.draw > 6);
+      });
+  EXPECT_EQ(lucky.choice().FormatHeld(), "10 of 12");
+  // As many draws as prove a choice, or more: each of them must be held.
+  const Rehearsal strict = RehearseGrasp(maker_, {40, 12}, run);
+  EXPECT_FALSE(strict.is_robust());
 }
 
 // Planted: only a hand that closes across the bar holds it, within 8 degrees.
@@ -133,8 +156,8 @@ TEST_F(RehearseGraspTest, TheLowestGripThresholdDecidesBetweenEqualRuns) {
   }
 }
 
-// A world in which every trial is a fair coin, whatever the candidate. The chosen one has held every
-// draw of its rehearsal; on other draws it holds half. Draws of another stream see that, and those
+// A world in which every trial is a fair coin, whatever the candidate. The chosen one has held most
+// draws of its rehearsal; on other draws it holds half. Draws of another stream see that, and those
 // of the rehearsal itself do not.
 TEST_F(RehearseGraspTest, EvaluatedOnItsOwnDrawsTheChoiceLooksBetterThanItIs) {
   const auto holds = [](const Grasp& grasp, const std::string& stream) {
@@ -152,16 +175,16 @@ TEST_F(RehearseGraspTest, EvaluatedOnItsOwnDrawsTheChoiceLooksBetterThanItIs) {
         RehearseGrasp(maker_, {40, 4}, [&](const Grasp& grasp, const RehearsalQuestion& question) {
           return Hold(holds(grasp, name("rehearsal", question.draw)));
         });
-    if (!rehearsal.is_robust()) continue;
+    const auto num_own = static_cast<int>(rehearsal.choice().outcomes.size());
     const Grasp chosen = maker_.Make(rehearsal.choice().candidate);
     for (int draw = 0; draw < 40; ++draw) {
       num_fresh += holds(chosen, name("session", draw));
-      num_rehearsed += holds(chosen, name("rehearsal", draw % 4));
+      num_rehearsed += holds(chosen, name("rehearsal", draw % num_own));
       ++num;
     }
   }
   ASSERT_GE(num, 200);
-  EXPECT_EQ(num_rehearsed, num);
+  EXPECT_GT(num_rehearsed, 0.65 * num);
   // Three standard deviations of a fair coin.
   EXPECT_NEAR(static_cast<double>(num_fresh) / num, 0.5, 3.0 * 0.5 / std::sqrt(num));
 }

@@ -30,15 +30,18 @@ struct RehearseOptions {
 };
 
 std::string FormatRehearsed(const std::vector<RehearsedPair>& pairs) {
-  TextTable table({"hand", "object", "chosen", "held", "candidates tried", "trials"});
+  TextTable table(
+      {"hand", "object", "chosen", "held", "95 % interval", "candidates tried", "trials"});
   for (const RehearsedPair& pair : pairs) {
     const Rehearsal& result = pair.result;
-    table.AddRow({pair.hand, pair.object, Describe(result.choice().candidate),
-                  std::to_string(result.choice().CountHeld()) + " of " +
-                      std::to_string(result.choice().outcomes.size()),
-                  std::to_string(result.tried.size()), std::to_string(result.num_trials)});
+    const RehearsedCandidate& choice = result.choice();
+    table.AddRow({pair.hand, pair.object, Describe(choice.candidate), choice.FormatHeld(),
+                  choice.FormatInterval(), std::to_string(result.tried.size()),
+                  std::to_string(result.num_trials)});
   }
-  return table.Format();
+  return table.Format() +
+         "held: of the draws of rehearsal, for which it was chosen; on new draws rather the lower "
+         "half of the interval\n";
 }
 
 Json MakeJson(const std::vector<RehearsedPair>& pairs) {
@@ -59,21 +62,29 @@ Json MakeJson(const std::vector<RehearsedPair>& pairs) {
 /** Of what no earlier run has found. */
 void PlanRehearsals(const RehearseOptions& options) {
   const auto num_pairs = static_cast<int>(options.request.tasks.size());
-  const double time = EstimateRehearsalTime(options.request.tasks);
+  const RehearsalTime time = EstimateRehearsalTime(options.request.tasks);
   if (options.json) {
     return PrintJson({{"pairs", num_pairs},
                       {"candidates", options.config.num_candidates},
+                      {"postures", options.config.num_postures},
                       {"draws", options.config.num_draws},
-                      {"seconds", time}});
+                      {"seconds", time.candidates},
+                      {"posture_seconds", time.postures}});
   }
   const std::string tried =
       options.request.types_only
           ? "the standard grasps"
           : "at most " + FormatCount(options.config.num_candidates, "candidate");
+  const std::string postures =
+      options.posture ? "where no candidate holds all draws, " +
+                            FormatCount(options.config.num_postures, "posture") + " more: about " +
+                            FormatFixed(time.postures, 0) + " s if that is so for all pairs\n"
+                      : "";
   PrintResult(FormatCount(num_pairs, "pair") + " of hand and object, " + tried + " with " +
               FormatCount(options.config.num_draws, "draw") + " each\nabout " +
-              FormatFixed(time, 0) +
-              " s of one processor for what is left, judged by the first pair of each hand\n");
+              FormatFixed(time.candidates, 0) +
+              " s of one processor for what is left, judged by the first pair of each hand\n" +
+              postures);
 }
 
 void RunRehearse(RehearseOptions options) {

@@ -139,20 +139,55 @@ TEST(Diagnosis, RunsThatAreInterruptedByLessThan30MillisecondsAreOne) {
   EXPECT_NEAR(story.Find().opposed_since, 1.5, 1e-9);
 }
 
+/** FF presses from 0.95 s on, before closure, TH with less from 0.9 s on; both until 1.5 s, and it
+has moved by the shift at 1.2 s. */
+void Push(double shift, Story& story) {
+  story.ForEach([shift](auto& s) {
+    s.shift = s.time < 1.195 ? 0.0 : s.time < 1.5 ? shift : 0.05;
+    if (s.time > 0.945 && s.time < 1.5) s.parts[1].force = 0.5f;
+    if (s.time > 0.895 && s.time < 1.5) s.parts[0].force = 0.1f;
+  });
+}
+
 TEST(Diagnosis, AnObjectThatMovesMoreThan5MillimetresBeforeTwoPartsOpposeWasPushed) {
-  Story story(2.2);
-  const auto move = [&](double shift) {
-    story.ForEach([shift](auto& s) {
-      s.shift = s.time < 1.2 ? 0.0 : s.time < 1.5 ? shift : 0.05;
-      if (s.time > 1.1 && s.time < 1.5) s.parts[1].force = 0.5f;  // of FF, whoever touches first
-    });
-  };
-  move(0.0051);
+  Story story(1.9);
+  Push(0.0051, story);
   story.Expect(Mechanism::kPushed, "FF");
-  EXPECT_NEAR(story.Find().time, 1.2, 0.011);
-  move(0.0049);
+  EXPECT_NEAR(story.Find().time, 0.95, 1e-9) << "its touch";
+  EXPECT_EQ(story.Find().phase, "placing");
+  story.result.diagnosis = story.Find();
+  EXPECT_NE(DescribeDiagnosis(story.result).find("FF touched the object while placing, at 0.950 s"),
+            std::string::npos);
+  Push(0.0049, story);
   EXPECT_NE(story.Find().mechanism, Mechanism::kPushed);
   EXPECT_NEAR(story.Find().shift, 0.0049, 1e-9);
+}
+
+// Two parts oppose each other from 1.5 s on.
+TEST(Diagnosis, APushedObjectThatWasGraspedForHalfASecondIsLostOtherwise) {
+  for (const auto& [lost_at, mechanism] :
+       {std::pair(1.99, Mechanism::kPushed), std::pair(2.01, Mechanism::kSlid)}) {
+    Story story(lost_at);
+    Push(0.02, story);
+    story.ForEach([](auto& s) { s.gravity_work = 1e-3; });
+    EXPECT_STREQ(NameOf(story.Find().mechanism), NameOf(mechanism)) << lost_at;
+    EXPECT_NEAR(story.Find().shift, 0.02, 1e-9);
+  }
+}
+
+// 16 samples of FF's normal force and of MF's friction.
+TEST(Diagnosis, WhatFrictionDragsMoreThanNormalForcesPushIsNotSqueezedOut) {
+  Story story(2.2);
+  const auto drag = [&](float friction_work) {
+    story.ForEach([friction_work](auto& s) {
+      s.parts[1].normal_work = 1e-3f;
+      s.parts[2].friction_work = friction_work;
+    });
+  };
+  drag(0.99e-3f);
+  story.Expect(Mechanism::kSqueezedOut, "FF");
+  drag(1.01e-3f);
+  story.Expect(Mechanism::kNotIdentified);
 }
 
 // What others do between them without it decides; the words name it.
