@@ -247,9 +247,9 @@ std::string FormatSpread(const Spread& spread, double unit, int decimals) {
   return spread.n == 0 ? "n/a" : FormatFixed(unit * spread.median, decimals);
 }
 
-/** "1.19 (1.09 to 1.41)", with the interval of order statistics. */
+/** "1.19 (1.09 to 1.41)", with the interval of order statistics; empty: not looked for. */
 std::string FormatLineThreshold(const BoardLine& line) {
-  if (line.thresholds.empty()) return "n/a";
+  if (line.thresholds.empty()) return {};
   const ThresholdScale& scale = kThresholdScales[0];
   const std::string text = FormatThreshold(scale, CalcMedian(line.thresholds));
   const auto interval = CalcMedianInterval(line.thresholds);
@@ -380,6 +380,30 @@ std::vector<CsvColumn<BoardLine>> ListBoardColumns() {
                  [](const Row& row) {
                    return row.gap ? FormatFixed(100.0 * *row.gap, 1) : std::string();
                  }),
+      C("grip_threshold", "",
+        "median of the smallest margins with which a draw succeeds; empty: not looked for, or none "
+        "held",
+        [](const Row& row) {
+          return row.thresholds.empty() ? kUnset : CalcMedian(row.thresholds);
+        }).Shown("Grip threshold [margin]", FormatLineThreshold),
+      C("breaking_force_n", "N",
+        "median of the smallest pulls that took a held object out; empty: not judged",
+        [](const Row& row) {
+          return row.breaking_force.n == 0 ? kUnset : row.breaking_force.median;
+        })
+          .Shown("Breaking load [N]",
+                 [](const Row& row) {
+                   return row.breaking_force.n == 0 ? std::string()
+                                                    : FormatSpread(row.breaking_force, 1.0, 1);
+                 }),
+      C("gct_s", "s", "median grasp closure time",
+        [](const Row& row) {
+          return row.gct.n == 0 ? kUnset : row.gct.median;
+        }).Shown("GCT [s]", [](const Row& row) { return FormatSpread(row.gct, 1.0, 3); }),
+      C("gft_ratio", "", "median of GFT / GCT: simultaneity of contacts",
+        [](const Row& row) {
+          return row.gft_ratio.n == 0 ? kUnset : row.gft_ratio.median;
+        }).Shown("GFT% [%]", [](const Row& row) { return FormatSpread(row.gft_ratio, 100.0, 1); }),
       C("rank_of_hand", "integer", "", "the same among the lines of this hand",
         [](const Row& row) {
           return row.rank_of_hand ? Json(*row.rank_of_hand) : Json(nullptr);
@@ -397,27 +421,6 @@ std::vector<CsvColumn<BoardLine>> ListBoardColumns() {
         [](const Row& row) {
           return DescribeYear(row.entry->facts);
         }).Shown("Year (declared)"),
-      C("grip_threshold", "",
-        "median of the smallest margins with which a draw succeeds; empty: not looked for, or none "
-        "held",
-        [](const Row& row) {
-          return row.thresholds.empty() ? kUnset : CalcMedian(row.thresholds);
-        }).Shown("Grip threshold [margin]", FormatLineThreshold),
-      C("breaking_force_n", "N",
-        "median of the smallest pulls that took a held object out; empty: not judged",
-        [](const Row& row) {
-          return row.breaking_force.n == 0 ? kUnset : row.breaking_force.median;
-        })
-          .Shown("Breaking load [N]",
-                 [](const Row& row) { return FormatSpread(row.breaking_force, 1.0, 1); }),
-      C("gct_s", "s", "median grasp closure time",
-        [](const Row& row) {
-          return row.gct.n == 0 ? kUnset : row.gct.median;
-        }).Shown("GCT [s]", [](const Row& row) { return FormatSpread(row.gct, 1.0, 3); }),
-      C("gft_ratio", "", "median of GFT / GCT: simultaneity of contacts",
-        [](const Row& row) {
-          return row.gft_ratio.n == 0 ? kUnset : row.gft_ratio.median;
-        }).Shown("GFT% [%]", [](const Row& row) { return FormatSpread(row.gft_ratio, 100.0, 1); }),
       C("identical", "", "records of the entry that the re-simulation matches",
         [](const Row& row) { return row.entry->reproduction.num_identical; })
           .Shown("Records reproduced",
@@ -452,7 +455,8 @@ std::vector<CsvColumn<GroupWinner>> ListWinnerColumns() {
           C("successes", "", "of the best", [](const Row& row) { return row.tally.successes(); })
               .Shown("Successes",
                      [](const Row& row) {
-                       return FormatCountOf(row.tally.successes(), row.tally.finished);
+                       return std::to_string(row.tally.successes()) + " of " +
+                              std::to_string(row.tally.finished);
                      }),
           C("second", "", "entry and hand",
             [name](const Row& row) {

@@ -131,15 +131,10 @@ TEST(BoardTest, ThresholdsAndBreakingLoadsAreMediansOfTheLine) {
   entry.thresholds = thresholds;
   const Board board = MakeBoard({entry, MakeBoardEntry("two", {1, 1}, 3)}, 2);
   const auto show = [&](const char* heading) {
-    std::vector<std::string> cells;
-    for (const auto& column : ListBoardColumns()) {
-      if (column.heading != heading) continue;
-      for (const BoardLine& line : board.lines) cells.push_back(column.show(line));
-    }
-    return cells;
+    return ShowTable(ListBoardColumns(), board.lines, {heading}).columns.at(0).cells;
   };
-  EXPECT_EQ(show("Grip threshold [margin]"), (Names{"2.00", "n/a"}));
-  EXPECT_EQ(show("Breaking load [N]"), (Names{"5.0", "n/a"}));
+  EXPECT_EQ(show("Grip threshold [margin]"), (Names{"2.00", ""}));
+  EXPECT_EQ(show("Breaking load [N]"), (Names{"5.0", ""}));
   EXPECT_EQ(show("Year (declared)"), (Names{"not declared", "not declared"}));
 }
 
