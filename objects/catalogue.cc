@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <optional>
+#include <regex>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
@@ -16,8 +18,10 @@
 #include "core/base/text/yaml.h"
 #include "core/base/units.h"
 #include "core/base/version.h"
+#include "core/base/whole_number.h"
 #include "core/shape/repair/mesh_repair.h"
 #include "core/shape/resting_pose.h"
+#include "core/shape/synthetic_shapes.h"
 #include "objects/load_mesh.h"
 #include "objects/object_file.h"
 
@@ -71,6 +75,37 @@ void CheckSize(const GraspObject& object, const ObjectFile& file, const fs::path
                                       "\" measures " + FormatSizeInMm(object.size, 2) +
                                       " mm if its unit is " + NameOf(file.mesh_unit) +
                                       "; correct " + key + " or mesh_unit");
+}
+
+struct SyntheticId {
+  int seed = 0;
+  std::string grasp;
+  int number = 0;
+};
+
+std::string Format(const SyntheticId& id) {
+  return fmt::format("synthetic_{}_{}_{}", id.seed, id.grasp, id.number);
+}
+
+/** One id for each object: no leading zeros. */
+std::optional<SyntheticId> ParseSynthetic(const std::string& text) {
+  static const std::regex pattern("synthetic_([0-9]{1,10})_(g[1-6])_([0-9]{1,2})");
+  std::smatch match;
+  if (!std::regex_match(text, match, pattern)) return std::nullopt;
+  const SyntheticId id = {ToWhole<int>(std::stod(match[1])), match[2], std::stoi(match[3])};
+  return Format(id) == text ? std::optional(id) : std::nullopt;
+}
+
+std::shared_ptr<const GraspObject> MakeSynthetic(const SyntheticId& id, FieldUse field_use) {
+  constexpr double kNoLimit = 1.0;  // of the width [m]: no hand decides it
+  auto object = std::make_shared<GraspObject>(
+      *MakeShapes(id.grasp, ShapeUse::kBenchmark, id.seed, id.number + 1, kNoLimit, {}).back());
+  object->id = Format(id);
+  object->name =
+      fmt::format("{} {}-{}", object->name.substr(0, object->name.find(',')), id.grasp, id.number);
+  object->content_hash = CalcContentHash(*object);
+  if (field_use == FieldUse::kNow) object->field = LoadField(object->mesh);
+  return object;
 }
 
 struct Solid {
@@ -191,7 +226,20 @@ std::vector<std::string> ListObjects() {
   return ids;
 }
 
+bool ComesWithProgram(const std::string& object) {
+  const std::vector<std::string> ids = ListObjects();
+  return std::find(ids.begin(), ids.end(), object) != ids.end() || ParseSynthetic(object);
+}
+
+std::string ChangeSyntheticSeed(const std::string& id, int seed) {
+  std::optional<SyntheticId> synthetic = ParseSynthetic(id);
+  if (!synthetic) return id;
+  synthetic->seed = seed;
+  return Format(*synthetic);
+}
+
 std::shared_ptr<const GraspObject> LoadObject(const std::string& id_or_path, FieldUse field_use) {
+  if (const auto id = ParseSynthetic(id_or_path)) return MakeSynthetic(*id, field_use);
   const std::vector<std::string> ids = ListObjects();
   if (std::find(ids.begin(), ids.end(), id_or_path) != ids.end()) {
     return LoadFolder(FindCatalogue() / id_or_path, id_or_path, field_use);

@@ -1,6 +1,10 @@
 #pragma once
 /** @file
-Things to grasp: the catalogue's 21 objects by id, or any mesh of a user by path.
+Things to grasp: the catalogue's 21 objects by id, synthetic ones by id, or any mesh of a user by
+path.
+
+"synthetic_7_g3_0" is the first object for grasp g3 of seed 7 (core/shape/synthetic_shapes.h). No
+file has it: its id decides it.
 
 The mesh is turned to how the object rests on the table when it is set down as the mesh lies
 (core/shape/resting_pose.h; the catalogue's lie as they rest), and moved so that its bounding box is
@@ -34,13 +38,19 @@ std::string DescribeCompression(const GraspObject& object);
 objects/catalogue/catalogue.yaml. */
 std::vector<std::string> ListObjects();
 
+/** Those of the catalogue and the synthetic ones, which come with the program; not "all". */
+bool ComesWithProgram(const std::string& object);
+
+/** Of a synthetic object the one of another seed; other ids stay. */
+std::string ChangeSyntheticSeed(const std::string& id, int seed);
+
 /** A distance field takes some 4 MB, all the rest of an object a few kB to 100 kB. */
 enum class FieldUse {
   kNow,
   kLater  ///< `field` stays empty, see CompleteObject
 };
 
-/** Loads a catalogue object by its id, or a user's object by the path of its folder (object.yaml
+/** Loads a catalogue object or a synthetic one by its id, or a user's object by the path of its folder (object.yaml
 and a mesh, see object_file.h) or of its object.yaml. The mesh is checked (mesh_check.h); the
 check's result and the distance field are kept between runs (core/base/files/kept.h).
 @throws Error(kNotFound) with suggestions; Error(kFormat) listing every problem. */

@@ -3,15 +3,18 @@
 #include <algorithm>
 
 #include "core/base/text/text.h"
+#include "datasets/session/find_trial.h"
 #include "reports/page/layout.h"
 #include "reports/page/models.h"
 #include "reports/plots/svg_plot.h"
+#include "reports/scenes/cell_pictures.h"
 
 namespace graspbench {
 namespace {
 
 struct BoardPageData {
   const Board& board;
+  bool has_trials;
   SessionModels models;
 };
 
@@ -22,6 +25,17 @@ std::string LabelLine(const BoardLine& line) {
 
 std::string AnchorFailure(size_t line, const std::string& object) {
   return "failed-" + std::to_string(line) + "-" + object;
+}
+
+/** Where the line's trial on an object is shown, or what shows it; empty: nowhere. */
+std::string FindExample(const BoardPageData& data, size_t line, const std::string& object) {
+  const BoardLine& of = data.board.lines[line];
+  const auto example = of.examples.find(object);
+  if (example == of.examples.end()) return {};
+  if (data.has_trials) {
+    return NameTrialsPage(data.board, of) + "#" + MakeViewAnchor(example->second->plan);
+  }
+  return IsSuccess(example->second->result.outcome) ? "" : AnchorFailure(line, object);
 }
 
 std::string DescribeDraws(const Board& board) {
@@ -59,13 +73,13 @@ Html DrawMap(const BoardPageData& data) {
   map.text = {"Successes by entry and object",
               "A table of entries in rows and objects in columns; every cell gives successes and "
               "trials."};
-  for (const auto& [object, hash] : board.benchmark.objects) {
+  for (const std::string& object : board.objects) {
     map.columns.push_back(data.models.NameOfObject(object));
   }
   for (size_t i = 0; i < board.lines.size(); ++i) {
     const BoardLine& line = board.lines[i];
     map.rows.push_back(LabelLine(line));
-    for (const auto& [object, hash] : board.benchmark.objects) {
+    for (const std::string& object : board.objects) {
       HeatMap::Cell cell;
       const auto found = line.objects.find(object);
       if (found != line.objects.end()) {
@@ -74,15 +88,18 @@ Html DrawMap(const BoardPageData& data) {
         cell.text = std::to_string(tally.successes()) + " / " + std::to_string(tally.finished);
         cell.hint =
             LabelLine(line) + ", " + data.models.NameOfObject(object) + ": " + FormatRate(tally);
-        if (line.failures.count(object) > 0) cell.anchor = AnchorFailure(i, object);
+        cell.anchor = FindExample(data, i, object);
       }
       map.cells.push_back(cell);
     }
   }
-  return MakeFigure("Successes of every entry on every object.",
-                    "columns that are weak with every entry, and entries that are weak on few "
-                    "objects. A cell with a failure leads to a failed trial.",
-                    MakeScroll(map.text.title, DrawHeatMap(map)));
+  return MakeFigure(
+      "Successes of every entry on every object.",
+      std::string("columns that are weak with every entry, and entries that are weak "
+                  "on few objects. ") +
+          (data.has_trials ? "Each cell opens a trial on the public draws, in 3-D."
+                           : "A cell with a failure leads to a failed trial of its own."),
+      MakeScroll(map.text.title, DrawHeatMap(map)));
 }
 
 Html DrawWinners(const BoardPageData& data) {
@@ -97,7 +114,7 @@ Html DrawWinners(const BoardPageData& data) {
     }
     if (winner.objects.size() == 1) {
       winner.group = names;
-    } else if (winner.objects.size() < data.board.benchmark.objects.size()) {
+    } else if (winner.objects.size() < data.board.objects.size()) {
       winner.group += ": " + names;
     }
   }
@@ -118,20 +135,22 @@ Html DrawFailures(const BoardPageData& data) {
   for (const Outcome outcome : ListOutcomes()) {
     plot.classes.push_back({WordsOf(outcome), CodeOf(outcome)});
   }
-  Table table(
-      "A failed trial of each entry on each object, of the public draws.",
-      {"Entry", "Hand", "Object", "Successes", {"Failed trial", "and how it ended"}, "Pack"});
-  bool has_failure = false;
+  Table table("A failed trial of each entry on each object, of the public draws.",
+              {"Entry", "Hand", "Object", "Failed trial", "Ended as", "Pack"});
+  const TrialRecord* first = nullptr;
   for (size_t i = 0; i < board.lines.size(); ++i) {
     const BoardLine& line = board.lines[i];
     plot.rows.push_back(
         {LabelLine(line), {}, {line.tally.outcomes.begin(), line.tally.outcomes.end()}, false});
-    for (const auto& [object, trial] : line.failures) {
-      const Tally& tally = line.objects.at(object);
+    for (const auto& [object, record] : line.examples) {
+      if (IsSuccess(record->result.outcome)) continue;
+      const std::string name = NameTrial(record->plan);
       table.AddRow({line.entry->facts.name, line.hand, data.models.NameOfObject(object),
-                    FormatCountOf(tally.successes(), tally.finished), trial, line.entry->pack},
+                    data.has_trials ? Element("a", {{"href", FindExample(data, i, object)}}, name)
+                                    : Text(name),
+                    WordsOf(record->result.outcome), line.entry->pack},
                    AnchorFailure(i, object));
-      has_failure = true;
+      if (!first) first = record;
     }
   }
   if (board.lines.empty()) return MakeParagraph("There is nothing to show.");
@@ -139,16 +158,16 @@ Html DrawFailures(const BoardPageData& data) {
                                "one class of failure in many entries (the benchmark's difficulty) "
                                "against one in few (the entry's fault).",
                                MakeScroll(plot.text.title, DrawStackedBars(plot)));
-  if (!has_failure) return bars + MakeParagraph("No public trial of any entry failed.");
+  if (!first) return bars + MakeParagraph("No public trial of any entry failed.");
   return bars +
          MakeParagraph(
-             "A trial is repeated from its pack and shown in 3-D, for example "
-             "trial tum-can-g3:2 of entry.tar:") +
-         MakeScroll("Commands",
-                    Element("pre", {},
-                            "mkdir entry && tar xf entry.tar -C entry\n"
-                            "graspbench replay entry/session tum-can-g3:2 --trajectory trial.mcap\n"
-                            "graspbench report entry/session --3d")) +
+             "These commands repeat a trial from its pack, compare it with the entry's record, and "
+             "make a page with the trial in 3-D. PACK and the trial's name stand in the table; "
+             "here is the trial of the first row:") +
+         MakeScroll("Commands", Element("pre", {},
+                                        "mkdir entry && tar xf PACK -C entry\n"
+                                        "graspbench trial entry/session " +
+                                            NameTrial(first->plan) + " --page trial.html")) +
          table.ToHtml();
 }
 
@@ -224,9 +243,11 @@ Html DrawRules(const BoardPageData& data) {
 
 }  // namespace
 
-std::string MakeBoardPage(const Board& board) {
-  BoardPageData data = {board, {}};
-  if (!board.entries.empty()) data.models = LoadSessionModels(board.entries.front().trials);
+std::string MakeBoardPage(const Board& board, bool has_trials) {
+  BoardPageData data = {board, has_trials, {}};
+  if (!board.lines.empty()) {
+    data.models = LoadSessionModels(board.lines.front().entry->ranking());
+  }
   const std::vector<PageSection<BoardPageData>> sections = {
       {"ranks", "Ranks", DrawRanks},
       {"map", "Success by object", DrawMap},

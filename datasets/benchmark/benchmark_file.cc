@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/arm/load_arm.h"
 #include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "core/base/hash.h"
+#include "core/base/text/text.h"
 #include "core/base/text/yaml.h"
 #include "core/physics/sim_config.h"
 
@@ -14,6 +16,8 @@ namespace graspbench {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr size_t kCommitmentDigits = 64;
 
 const std::string* FindPin(const BenchmarkPins& pins, const std::string& id) {
   for (const auto& [name, hash] : pins) {
@@ -108,6 +112,14 @@ std::string FindOther(const BenchmarkPins& pins, const char* what, const std::st
          (pinned ? "pinned " + *pinned : "not one of the benchmark's");
 }
 
+/** With all its hands, and grasps that cost nothing. */
+SessionConfig MakeWhole(const Benchmark& benchmark) {
+  SessionConfig all = benchmark.session;
+  all.hands = ListPinned(benchmark.hands);
+  all.grasps = {kPredictedGrasp};
+  return all;
+}
+
 }  // namespace
 
 const FileKeys& ListBenchmarkKeys() {
@@ -142,7 +154,8 @@ Benchmark ParseBenchmark(const std::string& text, const std::string& file) {
   benchmark.objects = ReadPins(map, "objects");
   ReadSession(map, file, benchmark, problems);
   map.FinishKnownKeys();
-  if (!benchmark.commitment.empty() && !IsHex(benchmark.commitment, 64)) {
+  benchmark.commitment = ToLower(benchmark.commitment);
+  if (!benchmark.commitment.empty() && !IsHex(benchmark.commitment, kCommitmentDigits)) {
     map.Fail("commitment", "expected 64 hexadecimal digits");
   }
   problems.ThrowIfErrors(ErrorKind::kFormat, "the benchmark cannot be used");
@@ -200,12 +213,19 @@ void CheckPins(const Benchmark& benchmark, const SessionInputs& inputs) {
 }
 
 SessionInputs LoadPinned(const Benchmark& benchmark) {
-  SessionConfig all = benchmark.session;
-  all.hands = ListPinned(benchmark.hands);
-  all.grasps = {kPredictedGrasp};
-  SessionInputs inputs = LoadSessionInputs(all, FieldUse::kLater);
+  SessionInputs inputs = LoadSessionInputs(MakeWhole(benchmark), FieldUse::kLater);
   CheckPins(benchmark, inputs);
   return inputs;
+}
+
+SessionConfig MakeHeldOut(SessionConfig config, int seed) {
+  config.seed = seed;
+  for (std::string& object : config.objects) object = ChangeSyntheticSeed(object, seed);
+  return config;
+}
+
+SessionInputs LoadHeldOut(const Benchmark& benchmark, int seed) {
+  return LoadSessionInputs(MakeHeldOut(MakeWhole(benchmark), seed), FieldUse::kLater);
 }
 
 std::vector<std::string> FindOtherSettings(const Benchmark& benchmark,
@@ -220,6 +240,11 @@ std::vector<std::string> FindOtherSettings(const Benchmark& benchmark,
     if (!IsOpen(benchmark, difference)) others.push_back(std::move(difference));
   }
   if (config.draws != benchmark.session.draws) others.push_back("draws: " + config.draws);
+  const std::vector<std::string> arms = ListArms();
+  const std::string& arm = config.arm.model;
+  if (HasArm(config.arm) && std::find(arms.begin(), arms.end(), arm) == arms.end()) {
+    others.push_back("arm.model: \"" + arm + "\"" + SuggestNames(arm, arms));
+  }
   if (!config.conditions.empty()) others.push_back("conditions: a sweep");
   return others;
 }
@@ -231,6 +256,13 @@ void CheckSettings(const Benchmark& benchmark, const SessionConfig& config) {
   throw Error(ErrorKind::kUsage,
               "not as " + benchmark.name + " has it, of the benchmark and here:" + text +
                   "\nAn entry may choose its hands and what the benchmark's file lists as open");
+}
+
+std::string ReadCommitment(const std::string& text) {
+  std::string commitment = ToLower(text);
+  if (IsHex(commitment, kCommitmentDigits)) return commitment;
+  throw Error(ErrorKind::kUsage,
+              "the commitment \"" + text + "\" is no SHA-256; expected 64 hexadecimal digits");
 }
 
 std::string CalcCommitment(const std::string& benchmark, int seed, const std::string& nonce) {

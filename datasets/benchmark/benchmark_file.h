@@ -12,7 +12,8 @@ change is a new version with a file of its own.
     objects: {can: ..}              # all of which an entry grasps, with their hashes
     commitment: ..                  # of held-out draws; may be left out
 
-Held-out draws are those of another seed. Their organiser publishes CalcCommitment of seed and nonce
+Held-out draws are those of another seed, and synthetic objects (objects/catalogue.h) are those of
+that seed, too, which nobody has seen. Their organiser publishes CalcCommitment of seed and nonce
 before entries are made, and reveals both when the entries are there. */
 
 #include <string>
@@ -62,6 +63,11 @@ void CheckPins(const Benchmark& benchmark, const SessionInputs& inputs);
 /** All hands and objects of the benchmark, checked. @throws as CheckPins, LoadSessionInputs. */
 SessionInputs LoadPinned(const Benchmark& benchmark);
 
+/** A configuration on held-out draws. */
+SessionConfig MakeHeldOut(SessionConfig config, int seed);
+/** Hands and objects of the held-out draws. @throws as LoadSessionInputs. */
+SessionInputs LoadHeldOut(const Benchmark& benchmark, int seed);
+
 /** What a configuration has that the benchmark does not leave open, in words. */
 std::vector<std::string> FindOtherSettings(const Benchmark& benchmark, const SessionConfig& config);
 /** @throws Error(kUsage) naming all of them. */
@@ -69,6 +75,8 @@ void CheckSettings(const Benchmark& benchmark, const SessionConfig& config);
 
 /** A nonce has at least so many characters: a seed alone could be found by trying all. */
 inline constexpr size_t kShortestNonce = 16;
+/** In lower case. @throws Error(kUsage) when it is not 64 hexadecimal digits. */
+std::string ReadCommitment(const std::string& text);
 /** SHA-256 of "NAME SEED NONCE". */
 std::string CalcCommitment(const std::string& benchmark, int seed, const std::string& nonce);
 

@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include "core/base/hash.h"
 #include "core/base/text/text.h"
+#include "core/statistics/summary.h"
 #include "datasets/session/find_trial.h"
 
 namespace graspbench {
 namespace {
 
 constexpr size_t kGroupParts = 3;  // the third of the objects with least friction, mass, ..
-
-const Session& FindRanking(const BoardEntry& entry) {
-  return entry.held_out ? *entry.held_out : entry.trials;
-}
 
 bool IsRanked(const Board& board, const BoardLine& line) {
   return !board.held_out_seed || line.entry->held_out.has_value();
@@ -33,7 +31,7 @@ DrawTable MakeDrawTable(const std::vector<BoardLine>& lines) {
   std::map<std::pair<std::string, int>, size_t> places;
   table.successes.resize(lines.size());
   for (size_t i = 0; i < lines.size(); ++i) {
-    for (const TrialRecord& record : FindRanking(*lines[i].entry).records) {
+    for (const TrialRecord& record : lines[i].entry->ranking().records) {
       if (record.plan.hand != lines[i].hand) continue;
       const auto [place, is_new] =
           places.emplace(std::pair(record.plan.object, record.plan.trial), table.objects.size());
@@ -67,13 +65,15 @@ BoardLine MakeLine(const BoardEntry& entry, const std::string& hand) {
   BoardLine line;
   line.entry = &entry;
   line.hand = hand;
-  std::vector<double> gct, gft_ratio;
-  const Session& ranking = FindRanking(entry);
-  for (const TrialRecord& record : ranking.records) {
+  std::vector<double> gct, gft_ratio, breaking_force;
+  for (const TrialRecord& record : entry.ranking().records) {
     if (record.plan.hand != hand) continue;
     const Outcome outcome = record.result.outcome;
     line.tally.Count(outcome);
     line.objects[record.plan.object].Count(outcome);
+    if (record.judgement && std::isfinite(record.judgement->breaking_force)) {
+      breaking_force.push_back(record.judgement->breaking_force);
+    }
     const ContactTiming& timing = record.result.timing;
     if (outcome == Outcome::kNumericalFailure || timing.contact_before_start) continue;
     gct.push_back(timing.gct);
@@ -82,13 +82,20 @@ BoardLine MakeLine(const BoardEntry& entry, const std::string& hand) {
   for (const TrialRecord& record : entry.trials.records) {
     if (record.plan.hand != hand) continue;
     line.public_tally.Count(record.result.outcome);
-    if (IsSuccess(record.result.outcome)) continue;
-    line.failures.emplace(record.plan.object,
-                          NameTrial(record.plan) + ": " + NameOf(record.result.outcome));
+    const TrialRecord*& example = line.examples[record.plan.object];
+    if (!example || (IsSuccess(example->result.outcome) && !IsSuccess(record.result.outcome))) {
+      example = &record;
+    }
+  }
+  if (entry.thresholds) {
+    for (const DrawThreshold& draw : entry.thresholds->draws) {
+      if (draw.draw.hand == hand && !std::isnan(draw.value)) line.thresholds.push_back(draw.value);
+    }
   }
   if (entry.held_out) line.gap = line.public_tally.rate() - line.tally.rate();
   line.gct = CalcSpread(std::move(gct));
   line.gft_ratio = CalcSpread(std::move(gft_ratio));
+  line.breaking_force = CalcSpread(std::move(breaking_force));
   return line;
 }
 
@@ -128,7 +135,7 @@ std::vector<std::string> TakeThird(std::vector<std::pair<double, std::string>> v
 }
 
 std::vector<GroupWinner> ListGroups(const SessionInputs& inputs) {
-  std::vector<std::pair<double, std::string>> friction, mass, size;
+  std::vector<std::pair<double, std::string>> friction, mass;
   std::vector<GroupWinner> groups(1);
   groups[0].group = "all objects";
   for (const auto& object : inputs.objects) {
@@ -137,19 +144,34 @@ std::vector<GroupWinner> ListGroups(const SessionInputs& inputs) {
     mass.emplace_back(object->mass_properties.mass, object->id);
   }
   if (friction.size() >= kGroupParts) {
-    groups.push_back({"least friction", TakeThird(friction, false), {}, {}, {}, {}});
-    groups.push_back({"most friction", TakeThird(friction, true), {}, {}, {}, {}});
-    groups.push_back({"lightest", TakeThird(mass, false), {}, {}, {}, {}});
-    groups.push_back({"heaviest", TakeThird(mass, true), {}, {}, {}, {}});
+    groups.push_back({"least friction", TakeThird(friction, false)});
+    groups.push_back({"most friction", TakeThird(friction, true)});
+    groups.push_back({"lightest", TakeThird(mass, false)});
+    groups.push_back({"heaviest", TakeThird(mass, true)});
   }
   if (groups[0].objects.size() == 1) groups.clear();
   for (const auto& object : inputs.objects) {
-    groups.push_back({object->id, {object->id}, {}, {}, {}, {}});
+    groups.push_back({object->id, {object->id}});
   }
   return groups;
 }
 
-void FindWinner(const Board& board, const DrawTable& table, GroupWinner& group) {
+/** What distinguishes lines, and what a line says of it. */
+struct LineDivision {
+  const char* name;
+  std::string (*describe)(const BoardLine& line);
+};
+constexpr LineDivision kDivisions[] = {
+    {"hand", [](const BoardLine& line) { return line.hand; }},
+    {"controller",
+     [](const BoardLine& line) { return DescribeController(line.entry->trials.config); }},
+    {"sensing", [](const BoardLine& line) { return DescribeSensing(line.entry->trials.config); }},
+    {"year", [](const BoardLine& line) { return DescribeYear(line.entry->facts); }}};
+
+using TakeLine = std::function<bool(const BoardLine& line)>;
+
+void FindWinner(const Board& board, const DrawTable& table, const TakeLine& is_of,
+                GroupWinner& group) {
   std::vector<std::pair<double, size_t>> order;  // of equal rates the better rank first
   std::vector<Tally> tallies(board.lines.size());
   for (size_t i = 0; i < board.lines.size(); ++i) {
@@ -158,8 +180,9 @@ void FindWinner(const Board& board, const DrawTable& table, GroupWinner& group) 
       const auto found = line.objects.find(object);
       if (found != line.objects.end()) AddTally(found->second, tallies[i]);
     }
-    if (IsRanked(board, line)) order.emplace_back(-tallies[i].rate(), i);
+    if (IsRanked(board, line) && is_of(line)) order.emplace_back(-tallies[i].rate(), i);
   }
+  group.num_lines = static_cast<int>(order.size());
   std::stable_sort(order.begin(), order.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   if (order.empty()) return;
@@ -169,6 +192,36 @@ void FindWinner(const Board& board, const DrawTable& table, GroupWinner& group) 
   group.second = &board.lines[order[1].second];
   group.lead = CompareLines(table, order[1].second, order[0].second,
                             {group.objects.begin(), group.objects.end()});
+}
+
+/** On groups of objects, of each kind of lines where there are several, and on each object. */
+std::vector<GroupWinner> FindWinners(const Board& board, const SessionInputs& inputs,
+                                     const DrawTable& table) {
+  std::vector<GroupWinner> winners;
+  for (const LineDivision& division : kDivisions) {
+    std::set<std::string> kinds;
+    for (const BoardLine& line : board.lines) {
+      if (IsRanked(board, line)) kinds.insert(division.describe(line));
+    }
+    if (kinds.size() < 2) continue;
+    for (const std::string& kind : kinds) {
+      winners.push_back({division.name + (" " + kind), board.objects});
+      FindWinner(
+          board, table, [&](const BoardLine& line) { return division.describe(line) == kind; },
+          winners.back());
+    }
+  }
+  std::vector<GroupWinner> groups = ListGroups(inputs);
+  for (GroupWinner& group : groups) {
+    FindWinner(
+        board, table, [](const BoardLine&) { return true; }, group);
+  }
+  const auto single = std::find_if(groups.begin(), groups.end(), [](const GroupWinner& group) {
+    return group.objects.size() == 1;
+  });
+  winners.insert(winners.begin(), groups.begin(), single);
+  winners.insert(winners.end(), single, groups.end());
+  return winners;
 }
 
 /** Who repeats another's results in every trial has nothing of its own. */
@@ -192,6 +245,17 @@ std::string NameLine(const BoardLine& line) { return line.entry->facts.name + ",
 
 std::string FormatSpread(const Spread& spread, double unit, int decimals) {
   return spread.n == 0 ? "n/a" : FormatFixed(unit * spread.median, decimals);
+}
+
+/** "1.19 (1.09 to 1.41)", with the interval of order statistics; empty: not looked for. */
+std::string FormatLineThreshold(const BoardLine& line) {
+  if (line.thresholds.empty()) return {};
+  const ThresholdScale& scale = kThresholdScales[0];
+  const std::string text = FormatThreshold(scale, CalcMedian(line.thresholds));
+  const auto interval = CalcMedianInterval(line.thresholds);
+  if (!interval) return text;
+  return text + " (" + FormatThreshold(scale, interval->low) + " to " +
+         FormatThreshold(scale, interval->high) + ")";
 }
 
 std::string FormatPoints(const ChangeEstimate& change) {
@@ -251,6 +315,8 @@ bool IsSure(const ChangeEstimate& change) { return change.interval && change.int
 void RankEntries(const SessionInputs& inputs, Board& board) {
   SetRepeatedAside(board);
   board.lines.clear();
+  board.objects.clear();
+  for (const auto& object : inputs.objects) board.objects.push_back(object->id);
   std::set<std::string> hands;
   for (const BoardEntry& entry : board.entries) {
     for (const std::string& hand : entry.trials.config.hands) {
@@ -267,8 +333,7 @@ void RankEntries(const SessionInputs& inputs, Board& board) {
   for (size_t i = 1; i < board.lines.size(); ++i) {
     if (IsRanked(board, board.lines[i])) board.lines[i].behind = CompareLines(table, 0, i);
   }
-  board.winners = ListGroups(inputs);
-  for (GroupWinner& group : board.winners) FindWinner(board, table, group);
+  board.winners = FindWinners(board, inputs, table);
 }
 
 std::vector<CsvColumn<BoardLine>> ListBoardColumns() {
@@ -315,6 +380,30 @@ std::vector<CsvColumn<BoardLine>> ListBoardColumns() {
                  [](const Row& row) {
                    return row.gap ? FormatFixed(100.0 * *row.gap, 1) : std::string();
                  }),
+      C("grip_threshold", "",
+        "median of the smallest margins with which a draw succeeds; empty: not looked for, or none "
+        "held",
+        [](const Row& row) {
+          return row.thresholds.empty() ? kUnset : CalcMedian(row.thresholds);
+        }).Shown("Grip threshold [margin]", FormatLineThreshold),
+      C("breaking_force_n", "N",
+        "median of the smallest pulls that took a held object out; empty: not judged",
+        [](const Row& row) {
+          return row.breaking_force.n == 0 ? kUnset : row.breaking_force.median;
+        })
+          .Shown("Breaking load [N]",
+                 [](const Row& row) {
+                   return row.breaking_force.n == 0 ? std::string()
+                                                    : FormatSpread(row.breaking_force, 1.0, 1);
+                 }),
+      C("gct_s", "s", "median grasp closure time",
+        [](const Row& row) {
+          return row.gct.n == 0 ? kUnset : row.gct.median;
+        }).Shown("GCT [s]", [](const Row& row) { return FormatSpread(row.gct, 1.0, 3); }),
+      C("gft_ratio", "", "median of GFT / GCT: simultaneity of contacts",
+        [](const Row& row) {
+          return row.gft_ratio.n == 0 ? kUnset : row.gft_ratio.median;
+        }).Shown("GFT% [%]", [](const Row& row) { return FormatSpread(row.gft_ratio, 100.0, 1); }),
       C("rank_of_hand", "integer", "", "the same among the lines of this hand",
         [](const Row& row) {
           return row.rank_of_hand ? Json(*row.rank_of_hand) : Json(nullptr);
@@ -328,14 +417,10 @@ std::vector<CsvColumn<BoardLine>> ListBoardColumns() {
           return DescribeSensing(row.entry->trials.config);
         }).Shown("Sensing (declared)"),
       C("by", "", "author", [](const Row& row) { return row.entry->facts.by; }).Shown("By"),
-      C("gct_s", "s", "median grasp closure time",
+      C("year", "", "declared by the author",
         [](const Row& row) {
-          return row.gct.n == 0 ? kUnset : row.gct.median;
-        }).Shown("GCT [s]", [](const Row& row) { return FormatSpread(row.gct, 1.0, 3); }),
-      C("gft_ratio", "", "median of GFT / GCT: simultaneity of contacts",
-        [](const Row& row) {
-          return row.gft_ratio.n == 0 ? kUnset : row.gft_ratio.median;
-        }).Shown("GFT% [%]", [](const Row& row) { return FormatSpread(row.gft_ratio, 100.0, 1); }),
+          return DescribeYear(row.entry->facts);
+        }).Shown("Year (declared)"),
       C("identical", "", "records of the entry that the re-simulation matches",
         [](const Row& row) { return row.entry->reproduction.num_identical; })
           .Shown("Records reproduced",
@@ -357,11 +442,12 @@ std::vector<CsvColumn<GroupWinner>> ListWinnerColumns() {
   using Row = GroupWinner;
   using C = CsvColumn<Row>;
   const auto name = [](const BoardLine* line) { return line ? NameLine(*line) : std::string(); };
-  return {C("group", "", "objects", &Row::group).Shown("Objects"),
-          C("num_objects", "", "how many these are",
+  return {C("group", "", "of objects or of lines", &Row::group).Shown("Group"),
+          C("num_objects", "", "how many objects count",
             [](const Row& row) {
               return static_cast<int>(row.objects.size());
-            }).Shown("Number"),
+            }).Shown("Objects"),
+          C("num_lines", "", "how many lines are compared", &Row::num_lines).Shown("Lines"),
           C("best", "", "entry and hand",
             [name](const Row& row) {
               return name(row.best);
@@ -369,7 +455,8 @@ std::vector<CsvColumn<GroupWinner>> ListWinnerColumns() {
           C("successes", "", "of the best", [](const Row& row) { return row.tally.successes(); })
               .Shown("Successes",
                      [](const Row& row) {
-                       return FormatCountOf(row.tally.successes(), row.tally.finished);
+                       return std::to_string(row.tally.successes()) + " of " +
+                              std::to_string(row.tally.finished);
                      }),
           C("second", "", "entry and hand",
             [name](const Row& row) {

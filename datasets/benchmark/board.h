@@ -17,6 +17,7 @@ not corrected for the number of entries. */
 #include <vector>
 
 #include "core/base/text/csv.h"
+#include "datasets/analysis/conditions/threshold_summary.h"
 #include "datasets/analysis/pairs.h"
 #include "datasets/analysis/session_summary.h"
 #include "datasets/benchmark/benchmark_file.h"
@@ -49,6 +50,10 @@ struct BoardEntry {
   Reproduction reproduction;
   Session trials;                        ///< public draws, simulated again
   std::optional<Session> held_out = {};  ///< none: not asked for, or recorded actions
+  /** Margins of the draws that rank, where somebody has looked for them. */
+  std::optional<ThresholdSummary> thresholds = {};
+
+  const Session& ranking() const { return held_out ? *held_out : trials; }
 };
 struct RefusedEntry {
   std::string pack, name;  ///< name is empty where it cannot be read
@@ -60,24 +65,27 @@ struct BoardLine {
   const BoardEntry* entry = nullptr;
   std::string hand;
   std::optional<int> rank, rank_of_hand;
-  Tally tally;                ///< of the draws that rank
-  Tally public_tally;         ///< of the public draws
-  std::optional<double> gap;  ///< public success less held-out success
-  ChangeEstimate behind;      ///< success less that of the first line
-  Spread gct, gft_ratio;      ///< [s]; of the draws that rank
-  std::map<std::string, Tally> objects;
-  /** Name of the first failed public trial, by object. */
-  std::map<std::string, std::string> failures;
+  Tally tally;                           ///< of the draws that rank
+  Tally public_tally;                    ///< of the public draws
+  std::optional<double> gap;             ///< public success less held-out success
+  ChangeEstimate behind;                 ///< success less that of the first line
+  Spread gct, gft_ratio;                 ///< [s]; of the draws that rank
+  Spread breaking_force;                 ///< of the held objects that were judged [N]
+  std::vector<double> thresholds;        ///< margins of the draws that rank; infinite: none held
+  std::map<std::string, Tally> objects;  ///< of the draws that rank
+  /** The first failed public trial, else the first, by object. */
+  std::map<std::string, const TrialRecord*> examples;
 };
 
-/** The best line on some of the objects. */
+/** The best of some lines on some objects. */
 struct GroupWinner {
-  std::string group;  ///< "least friction"
+  std::string group;  ///< "least friction", "hand tum"
   std::vector<std::string> objects;
+  int num_lines = 0;  ///< that are compared
   const BoardLine* best = nullptr;
   const BoardLine* second = nullptr;  ///< null: there is one line
-  Tally tally;                        ///< of the best
-  ChangeEstimate lead;                ///< success of the best less that of the second
+  Tally tally = {};                   ///< of the best
+  ChangeEstimate lead = {};           ///< success of the best less that of the second
 };
 
 struct Board {
@@ -86,12 +94,13 @@ struct Board {
   std::string commitment;  ///< that the seed was checked against
   std::vector<BoardEntry> entries;
   std::vector<RefusedEntry> refused;
-  std::vector<BoardLine> lines;  ///< by rank; point to entries
+  std::vector<std::string> objects;  ///< of the draws that rank
+  std::vector<BoardLine> lines;      ///< by rank; point to entries
   std::vector<GroupWinner> winners;
 };
 
 /** Fills lines and winners, and moves entries that repeat the results of an earlier one to those
-refused. @param inputs  of the benchmark, for its objects' friction and mass. */
+refused. @param inputs  of the draws that rank, for the objects' friction and mass. */
 void RankEntries(const SessionInputs& inputs, Board& board);
 
 /** The 95 % interval of a difference lies above zero. */

@@ -1,11 +1,13 @@
 #include "datasets/benchmark/entry_pack.h"
 
+#include <regex>
 #include <set>
 #include <tuple>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "core/base/text/text.h"
+#include "datasets/journal/checked_line.h"
 #include "datasets/journal/sealed_store.h"
 #include "datasets/pipeline/pipeline_pack.h"
 #include "datasets/pipeline/stable_files.h"
@@ -96,6 +98,16 @@ void CheckFiles(const Manifest& manifest) {
   }
 }
 
+/** Equal lines cost a store nothing, but whoever packs a session writes each once. */
+void CheckLines(const Session& session) {
+  size_t num_lines = 0;
+  ForEachLine(ReadFile(session.folder / "journal" / "0.jsonl"),
+              [&](std::string_view, int, bool) { ++num_lines; });
+  if (num_lines == session.records.size()) return;
+  Refuse("its journal has " + FormatCount(int64_t(num_lines), "line") + " for " +
+         FormatCount(int64_t(session.records.size()), "trial") + "; expected one for each");
+}
+
 /** A grasp file without its copy would be looked for on this machine. */
 void CheckGraspCopies(const Session& session) {
   const std::vector<std::string>& grasps = session.config.grasps;
@@ -124,6 +136,9 @@ void CheckFacts(const EntryFacts& facts) {
   CheckText("author", facts.by, kLongestName);
   CheckText("licence", facts.licence, kLongestName);
   CheckText("text on its method", facts.notes, kLongestNotes);
+  static const std::regex date("[0-9]{4}-(0[1-9]|1[0-2])-(0[1-9]|[12][0-9]|3[01])");
+  if (facts.date.empty() || std::regex_match(facts.date, date)) return;
+  Refuse("the entry's date \"" + facts.date + "\" is none; expected one as 2026-11-28");
 }
 
 void CheckEntry(const Session& session, const SessionInputs& inputs, const Benchmark& benchmark) {
@@ -174,16 +189,17 @@ Entry LoadEntry(const fs::path& pack, const fs::path& folder, const Benchmark& b
   CheckGraspCopies(entry.session);
   entry.inputs = LoadSessionInputs(entry.session.config, FieldUse::kLater, entry.session.folder);
   CheckEntry(entry.session, entry.inputs, benchmark);
+  CheckLines(entry.session);
   return entry;
 }
 
-SessionConfig MakeHeldOut(SessionConfig config, int seed) {
-  config.seed = seed;
-  return config;
+std::string DescribeYear(const EntryFacts& facts) {
+  return facts.date.empty() ? "not declared" : facts.date.substr(0, 4);
 }
 
 std::string DescribeController(const SessionConfig& config) {
-  return config.policy.command.empty() ? "strategy" : "recorded actions";
+  const std::string text = config.policy.command.empty() ? "strategy" : "recorded actions";
+  return HasArm(config.arm) ? text + ", arm " + config.arm.model : text;
 }
 
 std::string DescribeSensing(const SessionConfig& config) {

@@ -26,6 +26,7 @@ inline constexpr size_t kLongestNotes = 10000;
 /** What the author says. */
 struct EntryFacts {
   std::string name, by, licence;
+  std::string date;       ///< that the author declares, "2026-11-28"; empty: none
   std::string notes;      ///< the method
   std::string benchmark;  ///< its name
   std::string benchmark_sha256;
@@ -36,13 +37,16 @@ struct EntryFacts {
     field("name", &F::name);
     field("by", &F::by);
     field("licence", &F::licence);
+    field("date", &F::date);
     field("notes", &F::notes);
     field("benchmark", &F::benchmark);
     field("benchmark_sha256", &F::benchmark_sha256);
   }
 };
-/** @throws Error(kUsage) for an empty, long or unreadable text. */
+/** @throws Error(kUsage) for an empty, long or unreadable text, and for a date that is none. */
 void CheckFacts(const EntryFacts& facts);
+/** "2026", as declared; "not declared". */
+std::string DescribeYear(const EntryFacts& facts);
 
 struct Entry {
   EntryFacts facts;
@@ -65,10 +69,7 @@ file outside the folder is read but those of the program.
 Entry LoadEntry(const std::filesystem::path& pack, const std::filesystem::path& folder,
                 const Benchmark& benchmark);
 
-/** The session of an entry on held-out draws. */
-SessionConfig MakeHeldOut(SessionConfig config, int seed);
-
-/** "strategy" or "recorded actions"; "pose nominal, touch exact": what an entry declares. */
+/** "strategy" or "recorded actions", with the arm; "pose nominal, touch exact": what an entry declares. */
 ///@{
 std::string DescribeController(const SessionConfig& config);
 std::string DescribeSensing(const SessionConfig& config);

@@ -125,6 +125,10 @@ std::string DescribeObjectNames(const std::vector<std::string>& names) {
       count("the catalogue", is_known ? 1 : catalogue.size());
       continue;
     }
+    if (ComesWithProgram(name)) {
+      count("the synthetic ones", 1);
+      continue;
+    }
     std::filesystem::path path = std::filesystem::path(name).lexically_normal();
     if (path.filename() == "object.yaml" || !path.has_filename()) path = path.parent_path();
     const std::string folder = path.parent_path().filename().string();

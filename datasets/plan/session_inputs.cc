@@ -323,10 +323,9 @@ void CopyInputs(const SessionConfig& config, const fs::path& folder) {
   for (const std::string& name : config.hands) {
     if (!IsOneOf(name, own)) CopyHand(FindOriginal(name), inputs / FindPlace("hands", name));
   }
-  own = ListObjects();
-  own.push_back("all");
   for (const std::string& name : config.objects) {
-    if (!IsOneOf(name, own)) CopyObject(FindOriginal(name), inputs / FindPlace("objects", name));
+    if (name == "all" || ComesWithProgram(name)) continue;
+    CopyObject(FindOriginal(name), inputs / FindPlace("objects", name));
   }
   own = ListArms();
   own.push_back(ArmConfig::kNone);

@@ -53,7 +53,9 @@ Html Label(const std::string& css_class, double x, double y, const std::string& 
 }
 
 Html MaybeLink(const std::string& anchor, const Html& content) {
-  return anchor.empty() ? content : Element("a", {{"href", "#" + anchor}}, content);
+  if (anchor.empty()) return content;
+  const bool is_elsewhere = anchor.find('#') != anchor.npos;
+  return Element("a", {{"href", is_elsewhere ? anchor : "#" + anchor}}, content);
 }
 
 double CalcLabelWidth(const std::vector<std::string>& labels) {

@@ -21,7 +21,7 @@ struct HeatMap {
     double rate = 0.0;     ///< 0..1 shades the cell; NaN: nothing known, hatched
     std::string text;      ///< in the cell; empty: no such cell
     std::string hint;      ///< shown when pointed at
-    std::string anchor;    ///< where the cell leads
+    std::string anchor;    ///< where the cell leads; with the page where it is another: "a.html#b"
     bool is_gain = false;  ///< shaded in another colour
   };
   PlotText text;

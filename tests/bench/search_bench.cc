@@ -22,11 +22,11 @@
 #include "core/base/files/files.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
-#include "core/develop/training_shapes.h"
 #include "core/grasp/placement.h"
 #include "core/hand/load_hand.h"
 #include "core/optimise/learning_trial.h"
 #include "core/optimise/methods/search.h"
+#include "core/shape/synthetic_shapes.h"
 #include "core/statistics/bootstrap.h"
 #include "core/statistics/proportion.h"
 #include "core/statistics/summary.h"
@@ -96,8 +96,8 @@ std::vector<BenchScene> ListTrainingScenes(const Options& options) {
         if (grasp.id != taxon) continue;
         const int number = k / static_cast<int>(taxa.size());
         const double largest = kLargestShape * CalcPreGraspWidth(*hand, grasp);
-        const auto shapes = MakeShapes(FindGraspTaxon(taxon), ShapeUse::kTraining, kShapeSeed,
-                                       number + 1, largest, judges);
+        const auto shapes =
+            MakeShapes(taxon, ShapeUse::kTraining, kShapeSeed, number + 1, largest, judges);
         SceneConfig config;
         config.hand = id;
         config.object = shapes.back()->id;

@@ -139,6 +139,37 @@ TEST_F(CatalogueTest, UnknownNamesAndBareMeshesAreExplained) {
 // What carries an object on the table is its lowest vertex; a round side of n equal sides, which
 // lies
 // on one of them, carries by the circle through its corners, lower by r (1 - cos(pi / n)).
+TEST(SyntheticObjects, TheIdDecidesTheObject) {
+  const auto first = LoadObject("synthetic_7_g3_0", FieldUse::kLater);
+  EXPECT_EQ(first->id, "synthetic_7_g3_0");
+  EXPECT_EQ(first->name, "cylinder g3-0");
+  EXPECT_EQ(first->approach, Approach::kSide);
+  EXPECT_EQ(LoadObject("synthetic_7_g3_0", FieldUse::kLater)->content_hash, first->content_hash);
+  EXPECT_NE(LoadObject("synthetic_8_g3_0", FieldUse::kLater)->content_hash, first->content_hash);
+  EXPECT_NE(LoadObject("synthetic_7_g3_4", FieldUse::kLater)->content_hash, first->content_hash);
+  // The limits of the row "cylinder" of grasp g3, and its density.
+  EXPECT_GE(first->size.y(), 0.045 - 1e-9);
+  EXPECT_LE(first->size.y(), 0.084);
+  EXPECT_GE(first->size.z(), 0.072);
+  EXPECT_LE(first->size.z(), 0.125);
+  const double density = first->mass_properties.mass / CalcVolume(first->mesh);
+  EXPECT_GE(density, 200.0);
+  EXPECT_LE(density, 800.0);
+  EXPECT_EQ(ChangeSyntheticSeed("synthetic_7_g3_0", 12), "synthetic_12_g3_0");
+  EXPECT_EQ(ChangeSyntheticSeed("can", 12), "can");
+}
+
+TEST(SyntheticObjects, AnIdIsWrittenInOneWay) {
+  EXPECT_TRUE(ComesWithProgram("can"));
+  EXPECT_TRUE(ComesWithProgram("synthetic_2147483647_g6_99"));
+  for (const char* id :
+       {"synthetic_07_g3_0", "synthetic_7_g3_00", "synthetic_7_g7_0", "synthetic_2147483648_g3_0",
+        "synthetic_-1_g3_0", "synthetic_7_g3_100", "synthetic_7_g3_0/object.yaml", "all"}) {
+    EXPECT_FALSE(ComesWithProgram(id)) << id;
+    EXPECT_THROW(LoadObject(id, FieldUse::kLater), Error) << id;
+  }
+}
+
 TEST(Catalogue, EveryObjectRestsOnItsMesh) {
   const std::map<std::string, int> num_sides = {{"board_marker", 32}, {"light_bulb", 48}};
   for (const std::string& id : ListObjects()) {

@@ -24,9 +24,24 @@ TEST(BoardPageTest, ItSaysWhoIsBestWhereAndWhatHasNoRank) {
               {"Best: 1. first, tum with 30 of 60 trials", "5.0", "the public draws"});
   ExpectParts(TextOfId(page, "winners"),
               {"least friction: o0, o1", "first, tum", "18 of 20", "yes"});
-  ExpectParts(TextOfId(page, "failures"), {"tum-o0-g1:9: slipped in lift-off"});
+  ExpectParts(TextOfId(page, "failures"),
+              {"tum-o0-g1:9", "slipped in lift-off", "trial entry/session tum-o0-g1:9 --page"});
+  EXPECT_TRUE(Has(page, "href=\"#failed-0-o0\""));
   ExpectParts(TextOfId(page, "refused"), {"bad.tar", "is cut off"});
   ExpectParts(TextOfId(page, "rules"), {"Not found: grasps or controllers that were chosen"});
+}
+
+// One entry never fails on o1: its cell leads to a success.
+TEST(BoardPageTest, WhereTrialsAreShownEveryCellLeadsToOneOfItsOwn) {
+  const Board board = MakeBoard({MakeBoardEntry("first", {1, 2}, 2)}, 2);
+  const std::string page = MakeBoardPage(board, true);
+  EXPECT_TRUE(Has(page, "href=\"trials/0.html#view-first0-1\""));
+  EXPECT_TRUE(Has(page, "href=\"trials/0.html#view-first1-0\""));
+  const std::string trials = MakeTrialsPage(
+      board, board.lines[0],
+      [](const PlannedTrial&) -> TracedTrial { throw Error(ErrorKind::kIo, "gone"); });
+  ExpectSoundPage(trials);
+  ExpectParts(TextOfId(trials, "trials"), {"tum-o0-g1:1", "tum-o1-g1:0"});
 }
 
 TEST(BoardPageTest, NamesAreTextWhateverTheyHold) {

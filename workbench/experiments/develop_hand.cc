@@ -6,10 +6,10 @@
 #include "core/base/config.h"
 #include "core/base/files/files.h"
 #include "core/base/hash.h"
-#include "core/develop/training_shapes.h"
 #include "core/develop/write_grasps.h"
 #include "core/hand/hand.h"
 #include "core/hand/load_hand.h"
+#include "core/shape/synthetic_shapes.h"
 #include "datasets/plan/session_inputs.h"
 #include "datasets/plan/session_plan.h"
 #include "datasets/scene/development_store.h"
@@ -220,7 +220,7 @@ std::vector<std::shared_ptr<const GraspObject>> MakeAllShapes(
   std::vector<std::shared_ptr<const GraspObject>> shapes;
   for (const ShapeUse use : {ShapeUse::kTraining, ShapeUse::kValidation}) {
     for (const auto& shape :
-         MakeShapes(taxon, use, seed, kNumTrainingShapes, kLargestShape * widest, judges)) {
+         MakeShapes(taxon.id, use, seed, kNumTrainingShapes, kLargestShape * widest, judges)) {
       shapes.push_back(CompleteObject(shape));
     }
   }

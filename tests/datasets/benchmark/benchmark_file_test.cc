@@ -2,12 +2,31 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
+
 #include "core/base/config.h"
 #include "tests/datasets/benchmark/tiny_benchmark.h"
 #include "tests/datasets/find_error.h"
 
 namespace graspbench {
 namespace {
+
+// Its objects are of no catalogue, and of one seed, which held-out draws change.
+TEST(BenchmarkFileTest, HeldOutDrawsOfUnseenObjectsHaveOtherObjects) {
+  const Benchmark unseen = LoadBenchmark("graspbench-unseen/1");
+  EXPECT_EQ(unseen.objects.size(), 24u);
+  const SessionConfig held_out = MakeHeldOut(unseen.session, 4711);
+  EXPECT_EQ(held_out.seed, 4711);
+  EXPECT_EQ(unseen.session.objects[0], "synthetic_1_g1_0");
+  EXPECT_EQ(held_out.objects[0], "synthetic_4711_g1_0");
+  const SessionInputs inputs = LoadHeldOut(unseen, 4711);
+  for (size_t i = 0; i < inputs.objects.size(); ++i) {
+    EXPECT_NE(inputs.objects[i]->content_hash, unseen.objects[i].second);
+  }
+  EXPECT_EQ(MakeHeldOut(MakeTinyBenchmark().session, 7).objects,
+            (std::vector<std::string>{"golf_ball", "tea_light"}));
+}
 
 // A released benchmark stays: a change of a hand, an object or the physics needs a new version.
 TEST(BenchmarkFileTest, TheProgramIsThatOfEveryShippedBenchmark) {
@@ -58,10 +77,11 @@ TEST(BenchmarkFileTest, OnlyOpenSettingsMayDiffer) {
   config.objects = {"golf_ball"};
   config.sim.step = 0.001;
   config.conditions = {{"a", {"model.mass_scale=2.0"}}};
+  config.arm.model = "/elsewhere/arm";
   const std::string text = FindError([&] { CheckSettings(tiny, config); });
-  for (const char* part :
-       {"hands: \"shadow\"", "seed: 1 and 2", "sim.step_s: 0.002 and 0.001",
-        "objects: [\"golf_ball\",\"tea_light\"] and [\"golf_ball\"]", "conditions"}) {
+  for (const char* part : {"hands: \"shadow\"", "seed: 1 and 2", "sim.step_s: 0.002 and 0.001",
+                           "objects: [\"golf_ball\",\"tea_light\"] and [\"golf_ball\"]",
+                           "arm.model: \"/elsewhere/arm\". Known: pa10, puma560", "conditions"}) {
     EXPECT_TRUE(Has(text, part));
   }
 }
@@ -91,6 +111,23 @@ TEST(BenchmarkFileTest, ItsHashIsOfWhatItSaysAndNotOfItsLayout) {
   EXPECT_NE(
       ParseBenchmark(MakeTinyText("commitment: " + std::string(64, '0') + "\n"), "b.yaml").sha256,
       sha256);
+}
+
+TEST(BenchmarkFileTest, ACommitmentHas64HexadecimalDigitsInEitherCase) {
+  const std::string digits = "49ac969b9923d926e47d4da71f644c3aa2dd25da8d1506ddeb603d8a587076df";
+  std::string upper = digits;
+  std::transform(upper.begin(), upper.end(), upper.begin(), ::toupper);
+  EXPECT_EQ(ReadCommitment(digits), digits);
+  EXPECT_EQ(ReadCommitment(upper), digits);
+  const auto parse = [](const std::string& text) {
+    return ParseBenchmark(MakeTinyText("commitment: " + text + "\n"), "b.yaml");
+  };
+  EXPECT_EQ(parse(upper).commitment, digits);
+  EXPECT_EQ(parse(upper).sha256, parse(digits).sha256);
+  for (const std::string& wrong : {std::string("00"), digits.substr(1) + "g", digits + "0"}) {
+    EXPECT_TRUE(Throws([&] { ReadCommitment(wrong); }, ErrorKind::kUsage,
+                       "\"" + wrong + "\" is no SHA-256; expected 64 hexadecimal digits"));
+  }
 }
 
 // printf 'tiny/1 7 a nonce of letters' | sha256sum

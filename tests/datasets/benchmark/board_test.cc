@@ -2,8 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <cmath>
 
+#include "datasets/session/find_trial.h"
 #include "tests/datasets/benchmark/made_board.h"
 #include "tests/datasets/find_error.h"
 
@@ -87,11 +88,54 @@ TEST(BoardTest, TheBestOnSlipperyObjectsIsNamed) {
   EXPECT_EQ(slippery.tally.successes(), 27);
   EXPECT_NEAR(slippery.lead.estimate, 0.8, 1e-12);
   EXPECT_TRUE(IsSure(slippery.lead));
+  EXPECT_EQ(NameTrial(board.lines[0].examples.at("o0")->plan), "tum-o0-g1:1");  // failed first
   EXPECT_EQ(winners.at("most friction")->best->entry->facts.name, "other");
   EXPECT_EQ(winners.at("heaviest")->best->entry->facts.name, "grippy");
   EXPECT_EQ(winners.at("lightest")->best->entry->facts.name, "other");
   EXPECT_EQ(winners.at("o0")->best->entry->facts.name, "grippy");
   EXPECT_EQ(winners.at("all objects")->best->entry->facts.name, "other");
+}
+
+// "arm" is best of one kind of lines and "bare" of the other; all are of the same hand and sensing.
+TEST(BoardTest, TheBestOfEachControllerAndYearIsNamed) {
+  BoardEntry arm = MakeBoardEntry("arm", std::vector<int>(8, 5), 10);
+  BoardEntry bare = MakeBoardEntry("bare", std::vector<int>(8, 9), 10);
+  BoardEntry other = MakeBoardEntry("other", std::vector<int>(8, 1), 10);
+  arm.trials.config.arm.model = "puma560";
+  bare.facts.date = "2025-01-01";
+  std::map<std::string, const GroupWinner*> winners;
+  const Board board = MakeBoard({arm, bare, other}, 8);
+  for (const GroupWinner& one : board.winners) winners[one.group] = &one;
+  EXPECT_EQ(winners.count("hand tum"), 0u);
+  EXPECT_EQ(winners.at("controller strategy")->best->entry->facts.name, "bare");
+  EXPECT_EQ(winners.at("controller strategy")->num_lines, 2);
+  EXPECT_EQ(winners.at("controller strategy, arm puma560")->best->entry->facts.name, "arm");
+  EXPECT_EQ(winners.at("controller strategy, arm puma560")->second, nullptr);
+  EXPECT_EQ(winners.at("year 2025")->best->entry->facts.name, "bare");
+  EXPECT_EQ(winners.at("year not declared")->best->entry->facts.name, "arm");
+  EXPECT_EQ(winners.at("year not declared")->tally.successes(), 40);
+}
+
+TEST(BoardTest, ThresholdsAndBreakingLoadsAreMediansOfTheLine) {
+  BoardEntry entry = MakeBoardEntry("one", {2, 2}, 3);
+  ThresholdSummary thresholds;
+  thresholds.scale = &kThresholdScales[0];
+  const std::vector<double> margins = {1.0, 2.0, HUGE_VAL, 1.5, 4.0, kUnset};
+  for (size_t i = 0; i < margins.size(); ++i) {
+    TrialRecord& record = entry.trials.records[i];
+    thresholds.draws.push_back({record.plan, 0, {}, margins[i]});
+    if (!IsSuccess(record.result.outcome)) continue;
+    record.judgement.emplace();
+    record.judgement->breaking_force = 3.0 + double(i);  // of draws 0, 1, 3 and 4
+  }
+  entry.thresholds = thresholds;
+  const Board board = MakeBoard({entry, MakeBoardEntry("two", {1, 1}, 3)}, 2);
+  const auto show = [&](const char* heading) {
+    return ShowTable(ListBoardColumns(), board.lines, {heading}).columns.at(0).cells;
+  };
+  EXPECT_EQ(show("Grip threshold [margin]"), (Names{"2.00", ""}));
+  EXPECT_EQ(show("Breaking load [N]"), (Names{"5.0", ""}));
+  EXPECT_EQ(show("Year (declared)"), (Names{"not declared", "not declared"}));
 }
 
 // Of trials 3, 4 and 5 of three, one ends otherwise and one differs in a number.

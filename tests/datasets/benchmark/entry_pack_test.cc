@@ -28,7 +28,8 @@ class EntryPackTest : public testing::Test {
   static void TearDownTestSuite() { delete tiny_; }
 
   static EntryFacts MakeFacts() {
-    return {"Mine", "A. Person", "CC0-1.0", "As shipped.", tiny_->name, tiny_->sha256};
+    return {"Mine",        "A. Person", "CC0-1.0",    "2026-11-28",
+            "As shipped.", tiny_->name, tiny_->sha256};
   }
   /** @param num_left  trials that are not finished. */
   Session MakeSession(const std::string& name, const SessionConfig& config, size_t num_left = 0) {
@@ -178,6 +179,13 @@ TEST_F(EntryPackTest, ChangedPacksAreFoundWhoeverMadeTheirHashesAgain) {
   };
   EXPECT_TRUE(Has(FindReason(pack, without(1, 1)), "1 trial is not finished"));
   EXPECT_TRUE(Has(FindReason(pack, without(0, 4)), "4 trials are not finished"));
+  EXPECT_TRUE(Has(FindReason(pack,
+                             [&](const fs::path& folder) {
+                               const std::string text = ReadFile(folder / journal);
+                               WriteFile(folder / journal,
+                                         text + text.substr(0, text.find('\n') + 1));
+                             }),
+                  "its journal has 5 lines for 4 trials; expected one for each"));
   EXPECT_TRUE(
       Has(FindReason(pack,
                      [&](const fs::path& folder) {
@@ -298,6 +306,15 @@ TEST_F(EntryPackTest, TextsHaveALengthAndCanBeRead) {
   EXPECT_TRUE(Has(FindError([&] { CheckFacts(facts); }), "name is empty"));
   facts.name = "\xff";
   EXPECT_TRUE(Has(FindError([&] { CheckFacts(facts); }), "not UTF-8"));
+  facts = MakeFacts();
+  for (const char* date : {"2026", "2026-13-01", "2026-11-28T10:00", "28.11.2026"}) {
+    facts.date = date;
+    EXPECT_TRUE(Has(FindError([&] { CheckFacts(facts); }), "is none; expected one as 2026-11-28"));
+  }
+  facts.date = "";
+  CheckFacts(facts);
+  EXPECT_EQ(DescribeYear(facts), "not declared");
+  EXPECT_EQ(DescribeYear(MakeFacts()), "2026");
 }
 
 }  // namespace

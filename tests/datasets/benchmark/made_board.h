@@ -55,7 +55,7 @@ inline Session MakeBoardSession(const std::string& id, const std::vector<int>& s
 inline BoardEntry MakeBoardEntry(const std::string& name, const std::vector<int>& successes,
                                  int trials) {
   BoardEntry entry;
-  entry.facts = {name, "A. Person", "CC0-1.0", "As shipped.", "made/1", ""};
+  entry.facts = {name, "A. Person", "CC0-1.0", "", "As shipped.", "made/1", ""};
   entry.pack = name + ".tar";
   entry.sha256 = name;
   entry.trials = MakeBoardSession(name, successes, trials);

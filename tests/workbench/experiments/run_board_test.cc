@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/base/files/files.h"
+#include "core/statistics/summary.h"
 #include "datasets/journal/checked_line.h"
 #include "datasets/journal/sealed_store.h"
 #include "datasets/pipeline/pipeline_pack.h"
@@ -14,6 +15,7 @@
 #include "tests/datasets/session/fake_session.h"
 #include "workbench/experiments/board/make_entry.h"
 #include "workbench/experiments/run_session.h"
+#include "workbench/experiments/session_experiment.h"
 
 namespace graspbench {
 namespace {
@@ -43,7 +45,7 @@ class RunBoardTest : public testing::Test {
   }
   static fs::path Made(const std::string& name) { return made_->path() / name; }
   static EntryFacts MakeFacts(const std::string& name) {
-    return {name, "A. Person", "CC0-1.0", "As shipped.", {}, {}};
+    return {name, "A. Person", "CC0-1.0", "2026-11-28", "As shipped.", {}, {}};
   }
 
   Board Run(const std::vector<fs::path>& packs) {
@@ -167,6 +169,8 @@ TEST_F(RunBoardTest, HeldOutDrawsNeedWhatWasCommittedTo) {
   request_.held_out_seed = 1;
   EXPECT_TRUE(Throws(run, ErrorKind::kUsage, "that of the public draws"));
   request_.held_out_seed = 7;
+  request_.commitment = "00";
+  EXPECT_TRUE(Throws(run, ErrorKind::kUsage, "expected 64 hexadecimal digits"));
   request_.commitment = CalcCommitment("tiny/1", 7, kNonce);
   const Board board = Run({Made("best.tar")});
   ASSERT_EQ(board.entries.size(), 1u);
@@ -174,6 +178,69 @@ TEST_F(RunBoardTest, HeldOutDrawsNeedWhatWasCommittedTo) {
   EXPECT_EQ(board.entries[0].held_out->config.seed, 7);
   EXPECT_EQ(board.lines[0].tally.finished, 4);
   EXPECT_TRUE(board.lines[0].gap);
+}
+
+// The same judge and the same bisection as of the entry's own session.
+TEST_F(RunBoardTest, BreakingLoadsAndThresholdsAreFoundWhereTheyAreAskedFor) {
+  EXPECT_TRUE(Run({Made("best.tar")}).lines[0].thresholds.empty());
+  request_.with_judge = request_.with_thresholds = true;
+  const Board board = Run({Made("best.tar")});
+  ASSERT_EQ(board.lines.size(), 1u);
+  const BoardLine& line = board.lines[0];
+  EXPECT_EQ(line.thresholds.size(), 4u);
+  Observer observer;
+  JudgeSession(Made("best"), 1, observer);
+  std::vector<double> forces;
+  for (const TrialRecord& record : LoadSession(Made("best")).records) {
+    if (record.judgement) forces.push_back(record.judgement->breaking_force);
+  }
+  EXPECT_EQ(size_t(line.breaking_force.n), forces.size());
+  EXPECT_EQ(line.breaking_force.median, CalcMedian(forces));
+  ExperimentRequest request;
+  request.folder = Made("best");
+  const PreparedSession grips = PrepareThresholds(request, kThresholdScales[0]);
+  RunExperiment(grips, request, observer);
+  const ThresholdSummary summary = LoadThresholds(LoadSession(Made("best"))).front();
+  for (size_t i = 0; i < summary.draws.size(); ++i) {
+    EXPECT_EQ(line.thresholds[i], summary.draws[i].value);
+  }
+  // What was found stays in the folder of work.
+  request_.with_judge = request_.with_thresholds = false;
+  EXPECT_EQ(Run({Made("best.tar")}).lines[0].thresholds, line.thresholds);
+}
+
+// A benchmark of two synthetic objects of seed 1: those of the held-out draws are others, whose
+// rehearsed grasps the board makes.
+TEST_F(RunBoardTest, HeldOutDrawsOfUnseenObjectsAreGraspedAnew) {
+  std::string text = MakeTinyText();
+  text = text.substr(0, text.find("objects:")) + "objects:\n";
+  for (const char* id : {"synthetic_1_g1_0", "synthetic_1_g6_0"}) {
+    text +=
+        std::string("  ") + id + ": \"" + LoadObject(id, FieldUse::kLater)->content_hash + "\"\n";
+  }
+  const Benchmark unseen = ParseBenchmark(text, "unseen.yaml");
+  SessionRequest request;
+  request.config = unseen.session;
+  request.config->grasps = {"rehearsed:4,2"};
+  request.out = top_ / "unseen";
+  Observer observer;
+  RunRound(kTrialRound, PrepareSession(request), 1, observer);
+  const fs::path pack = top_ / "unseen.tar";
+  MakeEntry({request.out, unseen, MakeFacts("unseen"), pack});
+  request_.held_out_seed = 7;
+  request_.nonce = kNonce;
+  request_.commitment = CalcCommitment("tiny/1", 7, kNonce);
+  request_.benchmark = unseen;
+  request_.packs = {pack};
+  request_.work = top_ / "work";
+  const Board board = RunBoard(request_, observer);
+  ASSERT_TRUE(board.refused.empty()) << board.refused[0].reason;
+  EXPECT_EQ(board.objects, (std::vector<std::string>{"synthetic_7_g1_0", "synthetic_7_g6_0"}));
+  EXPECT_EQ(board.lines[0].objects.size(), 2u);
+  EXPECT_EQ(board.lines[0].objects.at("synthetic_7_g6_0").finished, 2);
+  EXPECT_EQ(board.lines[0].tally.finished, 4);
+  EXPECT_TRUE(board.lines[0].gap);
+  EXPECT_EQ(RunBoard(request_, observer).lines.size(), 1u);  // from what is kept
 }
 
 TEST_F(RunBoardTest, SessionsThatAreNotTheBenchmarksAreNoEntries) {

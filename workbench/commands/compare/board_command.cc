@@ -24,7 +24,7 @@ struct BoardOptions {
   std::vector<std::string> given;  ///< packs, or folders of them
   std::string out, work;
   int held_out_seed = 0;
-  bool replace = false, json = false;
+  bool replace = false, json = false, with_scenes = false;
   BoardRequest request;
 };
 
@@ -73,15 +73,20 @@ ExitCode ShowBoard(const Command& command, BoardOptions& options) {
   StagedFolder staged(output);
   WriteFile(staged.path() / "board.json", FormatJson(MakeBoardJson(board), 2) + "\n");
   WriteFile(staged.path() / "board.csv", FormatCsv(ListBoardColumns(), board.lines));
-  WriteFile(staged.path() / "index.html", MakeBoardPage(board));
+  WriteFile(staged.path() / "index.html", MakeBoardPage(board, options.with_scenes));
+  for (const BoardLine& line : options.with_scenes ? board.lines : std::vector<BoardLine>()) {
+    MakeFolder(staged.path() / kTrialPages);
+    WriteFile(staged.path() / NameTrialsPage(board, line),
+              MakeTrialsPage(board, line, MakeTrialTracer(line.entry->trials)));
+  }
   staged.Commit();
   if (options.json) {
     PrintJson(MakeBoardJson(board));
   } else {
-    std::string text =
-        FormatTable(ShowTable(ListBoardColumns(), board.lines,
-                              {"Rank", "Entry", "Hand", "n", "Success [%]", "95 % interval [%]",
-                               "Public less held-out [points]", "Records reproduced"}));
+    std::string text = FormatTable(
+        ShowTable(ListBoardColumns(), board.lines,
+                  {"Rank", "Entry", "By", "Hand", "n", "Success [%]", "95 % interval [%]",
+                   "Public less held-out [points]", "Records reproduced"}));
     for (const RefusedEntry& one : board.refused) {
       text += "no rank: " + one.pack + ": " + one.reason + "\n";
     }
@@ -122,6 +127,13 @@ void AddBoardCommand(Command& program) {
       .AddOption("--commitment", request.commitment,
                  "published before: SHA-256 of \"BENCHMARK SEED NONCE\"", "SHA256")
       ->ShowDefault("that of the benchmark");
+  command.AddFlag("--judge", request.with_judge,
+                  "break what the entries hold, too: breaking loads; some five times as long");
+  command.AddFlag("--thresholds", request.with_thresholds,
+                  "find each draw's smallest grip margin, too, but of recorded actions; some six "
+                  "times as long");
+  command.AddFlag("--3d", options->with_scenes,
+                  "a trial of every entry, hand and object as a scene to turn and play");
   AddReplaceOption(command, options->replace);
   AddJobsOption(command, request.num_workers);
   AddTrialTimeoutOption(command, request.trial_time_limit);

@@ -43,6 +43,8 @@ void AddEntryCommand(Command& program) {
       ->Require();
   command.AddOption("--notes", options->notes, "the method in the author's words", "FILE")
       ->Require();
+  command.AddOption("--date", request.facts.date, "that you declare; boards show its year",
+                    "YYYY-MM-DD");
   command.AddOption("--licence", request.facts.licence, "of the pack", "TEXT")->ShowDefault();
   command
       .AddOption("--out", request.out, "new file .tar, or folder DIR for DIR/DIR.tar",

@@ -9,6 +9,7 @@
 #include "workbench/experiments/output_folder.h"
 #include "workbench/experiments/run_record.h"
 #include "workbench/experiments/scratch_folder.h"
+#include "workbench/experiments/session_experiment.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -20,13 +21,13 @@ constexpr size_t kNameDigits = 16;  // of a hash in a folder's name
 /** @returns what seed and nonce were checked against. */
 std::string CheckCommitment(const BoardRequest& request) {
   const Benchmark& benchmark = request.benchmark;
-  const std::string& commitment =
-      request.commitment.empty() ? benchmark.commitment : request.commitment;
-  if (commitment.empty()) {
+  if (request.commitment.empty() && benchmark.commitment.empty()) {
     throw Error(ErrorKind::kUsage, benchmark.name +
                                        " has no commitment of held-out draws; give the published "
                                        "one with --commitment");
   }
+  const std::string commitment =
+      request.commitment.empty() ? benchmark.commitment : ReadCommitment(request.commitment);
   if (request.nonce.size() < kShortestNonce) {
     throw Error(ErrorKind::kUsage, "the nonce has " + std::to_string(request.nonce.size()) +
                                        " characters; expected at least " +
@@ -46,8 +47,13 @@ std::string CheckCommitment(const BoardRequest& request) {
 taken. */
 Session SimulateAgain(const Entry& entry, int seed, const fs::path& folder,
                       const BoardRequest& request, Observer& observer) {
-  const SessionConfig config = MakeHeldOut(entry.session.config, seed);
-  const std::vector<PlannedTrial> plan = MakePlan(config, entry.inputs);
+  const bool is_held_out = seed != entry.session.config.seed;
+  const SessionConfig config =
+      is_held_out ? MakeHeldOut(entry.session.config, seed) : entry.session.config;
+  const SessionInputs inputs =
+      is_held_out ? LoadSessionInputs(config, FieldUse::kLater, entry.session.folder)
+                  : entry.inputs;
+  const std::vector<PlannedTrial> plan = MakePlan(config, inputs);
   if (!HasSession(folder)) {
     MakeFolder(folder.parent_path());
     StagedFolder staged({folder, "", false, {}});
@@ -55,6 +61,7 @@ Session SimulateAgain(const Entry& entry, int seed, const fs::path& folder,
       fs::copy(entry.session.folder / "inputs", staged.path() / "inputs",
                fs::copy_options::recursive);
     }
+    CopyRehearsed(inputs, staged.path());
     CreateSession(staged.path(), config, plan);
     staged.Commit();
   }
@@ -65,8 +72,8 @@ Session SimulateAgain(const Entry& entry, int seed, const fs::path& folder,
   const auto make_worker = [&](int worker) {
     const auto journal = std::make_shared<JournalWriter>(folder, worker);
     return MakeTrialWorker(
-        config, entry.inputs, [journal](const TrialRecord& record) { journal->Append(record); },
-        nullptr, MakeRecordedPolicies(entry.session));
+        config, inputs, [journal](const TrialRecord& record) { journal->Append(record); }, nullptr,
+        MakeRecordedPolicies(entry.session));
   };
   SealStore(kSessionStore, folder);
   const bool is_complete =
@@ -79,6 +86,30 @@ Session SimulateAgain(const Entry& entry, int seed, const fs::path& folder,
                                              "\". The same command goes on");
   }
   return LoadSession(folder, OnDamage::kRefuse, RecordParts::kBrief);
+}
+
+/** @returns the session with what was found. */
+Session Measure(Session session, const BoardRequest& request, Observer& observer) {
+  const auto demand = [&](bool is_complete) {
+    if (is_complete) return;
+    throw Error(ErrorKind::kInterrupted, "stopped; what was found is kept in \"" +
+                                             request.work.string() +
+                                             "\". The same command goes on");
+  };
+  if (request.with_judge) {
+    demand(JudgeSession(session.folder, request.num_workers, observer, OnDamage::kRefuse,
+                        request.trial_time_limit)
+               .is_complete);
+  }
+  if (request.with_thresholds && session.config.policy.command.empty()) {
+    ExperimentRequest experiment;
+    experiment.folder = session.folder;
+    experiment.trial_time_limit = request.trial_time_limit;
+    experiment.num_workers = request.num_workers;
+    demand(RunExperiment(PrepareThresholds(experiment, kThresholdScales[0]), experiment, observer));
+  }
+  if (!request.with_judge) return session;
+  return LoadSession(session.folder, OnDamage::kRefuse, RecordParts::kBrief);
 }
 
 void ReplaceAll(const std::string& from, const std::string& to, std::string& text) {
@@ -128,6 +159,11 @@ BoardEntry CheckOne(const fs::path& pack, const BoardRequest& request, Observer&
     checked.held_out =
         SimulateAgain(entry, seed, work / ("seed-" + std::to_string(seed)), request, observer);
   }
+  Session& ranking = checked.held_out ? *checked.held_out : checked.trials;
+  ranking = Measure(std::move(ranking), request, observer);
+  for (ThresholdSummary& summary : LoadThresholds(ranking)) {
+    if (summary.scale == &kThresholdScales[0]) checked.thresholds = std::move(summary);
+  }
   return checked;
 }
 
@@ -138,7 +174,8 @@ Board RunBoard(const BoardRequest& request, Observer& observer) {
   board.benchmark = request.benchmark;
   board.held_out_seed = request.held_out_seed;
   if (request.held_out_seed) board.commitment = CheckCommitment(request);
-  const SessionInputs inputs = LoadPinned(request.benchmark);
+  SessionInputs inputs = LoadPinned(request.benchmark);
+  if (request.held_out_seed) inputs = LoadHeldOut(request.benchmark, *request.held_out_seed);
   for (const fs::path& pack : request.packs) {
     std::string name;
     try {

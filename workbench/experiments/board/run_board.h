@@ -8,6 +8,9 @@ sessions named by the pack's SHA-256 and the program's build, which stopping and
     WORK/<pack>-<build>/public/     on the benchmark's draws
     WORK/<pack>-<build>/seed-7/     on held-out draws
 
+What is asked for beside success, breaking loads and grip thresholds, is found in them, on the draws
+that rank.
+
 No command of an entry is run: a controller repeats its recorded actions, so on held-out draws,
 which it has not met, it has none. */
 
@@ -27,8 +30,10 @@ struct BoardRequest {
   std::vector<std::filesystem::path> packs;
   std::filesystem::path work;
   std::optional<int> held_out_seed;
-  std::string nonce;       ///< of the commitment
-  std::string commitment;  ///< that was published; empty: the benchmark's
+  std::string nonce;             ///< of the commitment
+  std::string commitment;        ///< that was published; empty: the benchmark's
+  bool with_judge = false;       ///< break what is held: some five times as long
+  bool with_thresholds = false;  ///< grip thresholds, but of recorded actions: some six times
   int num_workers = 1;
   double trial_time_limit = kTrialTimeLimit;  ///< [s of processor time]
 };

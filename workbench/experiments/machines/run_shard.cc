@@ -128,15 +128,13 @@ class ShardPresence {
   WorkerLog log_;
 };
 
-/** Leaves out the objects of the catalogue that no trial needs. */
+/** Leaves out the program's objects that no trial needs. */
 void DropIdleObjects(const std::vector<PlannedTrial>& trials, SessionConfig& config) {
   std::set<std::string> needed;
   for (const PlannedTrial& planned : trials) needed.insert(planned.object);
-  const std::vector<std::string> catalogue = ListObjects();
-  if (config.objects == std::vector<std::string>{"all"}) config.objects = catalogue;
+  if (config.objects == std::vector<std::string>{"all"}) config.objects = ListObjects();
   const auto is_idle = [&](const std::string& name) {
-    return needed.count(name) == 0 &&
-           std::find(catalogue.begin(), catalogue.end(), name) != catalogue.end();
+    return needed.count(name) == 0 && ComesWithProgram(name);
   };
   config.objects.erase(std::remove_if(config.objects.begin(), config.objects.end(), is_idle),
                        config.objects.end());

@@ -14,6 +14,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -26,6 +27,7 @@ extern "C" {  // the header of glibc 2.36 does not say so itself
 #include <sys/pidfd.h>
 }
 
+#include "core/base/files/files.h"
 #include "core/base/text/text.h"
 #include "core/trial/policy/policy_messages.h"
 #include "core/trial/trial_setup.h"
@@ -43,6 +45,15 @@ constexpr double kLeastStartTime = 60.0;  ///< for the answer to a reset, as wei
 std::string MakeMark() {
   static std::atomic<int> count{0};
   return fmt::format("GRASPBENCH_CONTROLLER={}-{}", ::getpid(), ++count);
+}
+
+/** PYTHONPATH with the program's own package behind all else. */
+std::string MakePythonPath() {
+  const std::filesystem::path root = FindDataRoot();
+  const bool is_installed = std::filesystem::exists(root / "python");
+  const std::string own = (is_installed ? root / "python" : root / "workbench" / "python").string();
+  const char* path = std::getenv("PYTHONPATH");
+  return "PYTHONPATH=" + (path && *path ? path + (":" + own) : own);
 }
 
 std::vector<pid_t> FindMarked(const std::string& mark) {
@@ -163,7 +174,11 @@ class ControllerProcess {
     ::posix_spawnattr_init(&attributes);
     ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);  // out of reach of Ctrl-C
     std::vector<char*> environment;
-    for (char** variable = environ; *variable; ++variable) environment.push_back(*variable);
+    std::string python_path = MakePythonPath();
+    environment.push_back(python_path.data());
+    for (char** variable = environ; *variable; ++variable) {
+      if (std::strncmp(*variable, "PYTHONPATH=", 11) != 0) environment.push_back(*variable);
+    }
     environment.push_back(mark_.data());
     environment.push_back(nullptr);
     std::string shell = "/bin/sh", option = "-c", text = command;

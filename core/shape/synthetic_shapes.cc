@@ -1,4 +1,4 @@
-#include "core/develop/training_shapes.h"
+#include "core/shape/synthetic_shapes.h"
 
 #include <fmt/core.h>
 
@@ -22,9 +22,11 @@ enum class Family { kSphere, kBox, kCylinder, kRod, kRing, kBulb, kCross };
 constexpr const char* kFamilyNames[] = {"sphere", "box",  "cylinder", "rod",
                                         "ring",   "bulb", "cross"};
 
+constexpr const char* kUseNames[] = {"training", "validation", "benchmark"};
+
 /** Sizes in mm; the length of a sphere, a cylinder and a ring is their width. */
 struct ShapeRow {
-  const char* taxon;
+  const char* grasp;
   Family family;
   DrawnRange length_mm, width_mm, height_mm, density;
   Approach approach = Approach::kAutomatic;
@@ -247,21 +249,21 @@ std::shared_ptr<const GraspObject> MakeShape(const ShapeRow& row, const std::str
 
 }  // namespace
 
-std::vector<std::shared_ptr<const GraspObject>> MakeShapes(const GraspTaxon& taxon, ShapeUse use,
+std::vector<std::shared_ptr<const GraspObject>> MakeShapes(const std::string& grasp, ShapeUse use,
                                                            int seed, int count, double largest,
                                                            const std::vector<Vector3d>& judges) {
   std::vector<const ShapeRow*> rows;
   for (const ShapeRow& row : kShapes) {
-    if (taxon.id == row.taxon) rows.push_back(&row);
+    if (grasp == row.grasp) rows.push_back(&row);
   }
-  GRASPBENCH_DEMAND(!rows.empty() && largest > 0.0, taxon.id);
-  const std::string name = use == ShapeUse::kTraining ? "training" : "validation";
+  GRASPBENCH_DEMAND(!rows.empty() && largest > 0.0, grasp);
+  const std::string name = kUseNames[static_cast<size_t>(use)];
   std::vector<std::shared_ptr<const GraspObject>> shapes;
   for (int k = 0; k < count; ++k) {
     const ShapeRow& row = *rows[static_cast<size_t>(k) % rows.size()];
-    RandomStream stream(fmt::format("{} {} {}", seed, taxon.id, k), name + " shape");
+    RandomStream stream(fmt::format("{} {} {}", seed, grasp, k), name + " shape");
     const Vector3d size = DrawOtherSize(row, largest, judges, stream);
-    shapes.push_back(MakeShape(row, fmt::format("{}-{}-{}", name, taxon.id, k), size, stream));
+    shapes.push_back(MakeShape(row, fmt::format("{}-{}-{}", name, grasp, k), size, stream));
   }
   return shapes;
 }
