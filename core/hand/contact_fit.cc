@@ -5,6 +5,7 @@
 
 #include "core/base/text/text.h"
 #include "core/base/units.h"
+#include "core/hand/contact_shape.h"
 
 namespace graspbench {
 namespace {
@@ -24,6 +25,11 @@ ContactError Summarise(std::vector<double>& values) {
   if (values.empty()) return {};
   std::sort(values.begin(), values.end());
   return {values[(values.size() - 1) * 95 / 100], values.back()};
+}
+
+/** Of a point of the link from the capsule's surface [m]. */
+double CalcDistance(const LinkCapsule& capsule, const Vector3d& p) {
+  return (FindClosestPoints(capsule.p_LA, capsule.p_LB, p, p).on_a - p).norm() - capsule.radius;
 }
 
 }  // namespace
@@ -78,7 +84,13 @@ std::vector<ContactFit> MeasureContact(const Hand& hand, const LinkSolids& solid
       }
       return false;
     };
+    std::vector<LinkCapsule> capsules;
+    for (const LinkCapsule& capsule : hand.capsules) {
+      if (capsule.link == static_cast<int>(link)) capsules.push_back(capsule);
+    }
+    fit.num_capsules = static_cast<int>(capsules.size());
     std::vector<double> out, palmar_out, sink, palmar_sink;
+    int num_near = 0;
     const Pose X_LH = X_HL[link].inverse();
     for (size_t k = 0; k < own.size(); ++k) {
       for (const Vector3d& direction : SpreadOnSphere(own[k].r)) {
@@ -96,8 +108,12 @@ std::vector<ContactFit> MeasureContact(const Hand& hand, const LinkSolids& solid
       for (const PlacedBall& ball : near)
         least = std::min(least, CalcSink(p, nhat, ball.c, ball.r));
       sink.push_back(std::max(0.0, least));
+      num_near += std::any_of(capsules.begin(), capsules.end(), [&](const LinkCapsule& capsule) {
+        return CalcDistance(capsule, point.p) < kNearSelfContact;
+      });
       if (nhat.dot(hand.palm_normal) > kPalmarCosine) palmar_sink.push_back(sink.back());
     }
+    if (!sink.empty()) fit.self_contact = num_near / static_cast<double>(sink.size());
     fit.out = Summarise(out);
     fit.palmar_out = Summarise(palmar_out);
     fit.sink = Summarise(sink);
@@ -119,6 +135,13 @@ std::string DescribeContactError(const ContactFit& fit) {
   return "its " + FormatCount(fit.num_balls, "ball") + " stick out of its surface by up to " +
          FormatFixed(MmFromM(fit.out.most), 1) + " mm, a ball of 5 mm sinks in by " +
          FormatFixed(MmFromM(fit.sink.at_95), 1) + " mm at 95 of 100 points";
+}
+
+std::string DescribeSelfContact(const ContactFit& fit) {
+  return "its " + FormatCount(fit.num_capsules, "capsule") + " for contact with the hand itself " +
+         (fit.num_capsules == 1 ? "is" : "are") + " within " +
+         FormatFixed(MmFromM(kNearSelfContact), 0) + " mm of " +
+         FormatFixed(100.0 * fit.self_contact, 0) + " % of its surface; other links enter the rest";
 }
 
 }  // namespace graspbench

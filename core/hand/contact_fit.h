@@ -10,7 +10,9 @@ How well balls cover the solid of a link (link_solid.h), measured both ways:
       sink = n.v - sqrt((n.v)^2 - v.v + (R + r)^2),
 
   the least of all balls of the hand at zero posture that it meets, at least 0. Where none is met it
-  counts as 10 mm.
+  counts as 10 mm;
+- self contact: which share of the boundary points lies within 2 mm of a capsule of the link. Other
+  links of the hand meet the capsules alone.
 
 Points inside a ball of a neighbouring link do not count. A point is palmar where its normal is
 within 60 deg of the palm's, all joints at zero. */
@@ -27,6 +29,8 @@ namespace graspbench {
 /** Farther out or in at the palmar side or a tip, a hand is not believed; a warning from the second
 on [m]. */
 inline constexpr double kMostContactError = 0.005, kFairContactError = 0.001;
+/** A point is near a capsule [m]; a warning where a smaller share of a link's points is. */
+inline constexpr double kNearSelfContact = 0.002, kFairSelfContact = 0.5;
 
 /** Of a quantity over points: 95 of 100 have no more; the most [m]. */
 struct ContactError {
@@ -37,6 +41,8 @@ struct ContactFit {
   std::string link;  ///< its name
   int num_balls = 0;
   ContactError out, sink, palmar_out, palmar_sink;
+  int num_capsules = 0;
+  double self_contact = 0.0;  ///< share of the boundary points
 };
 
 /** One place where a ball of radius `radius` comes along -nhat to p. @returns its sink, 10 mm where
@@ -57,5 +63,9 @@ std::vector<ContactFit> MeasureContact(const Hand& hand);
 /** "its 12 balls stick out of its surface by up to 0.5 mm, a ball of 5 mm sinks in by 0.8 mm at 95
 of 100 points". */
 std::string DescribeContactError(const ContactFit& fit);
+
+/** "its 2 capsules for contact with the hand itself are within 2 mm of 31 % of its surface; other
+links enter the rest". */
+std::string DescribeSelfContact(const ContactFit& fit);
 
 }  // namespace graspbench

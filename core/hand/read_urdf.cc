@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 #include <map>
+#include <numeric>
 
 #include "core/base/text/text.h"
 #include "core/hand/xml_text.h"
@@ -33,20 +34,6 @@ Eigen::Matrix3d MakeRotation(const Vector3d& rpy) {
   return Eigen::Quaterniond(w / norm, x / norm, y / norm, z / norm).normalized().toRotationMatrix();
 }
 
-/** What an <origin> has beside `xyz` and `rpy`: another attribute (`quat_xyzw`), an element, text.
-Whoever ignored it would put its part elsewhere. Empty: nothing. */
-std::string FindUnknownInOrigin(const XMLElement& origin) {
-  for (const tinyxml2::XMLAttribute* a = origin.FirstAttribute(); a; a = a->Next()) {
-    const std::string name = a->Name();
-    if (name != "xyz" && name != "rpy") return "attribute \"" + name + "\"";
-  }
-  for (const tinyxml2::XMLNode* n = origin.FirstChild(); n; n = n->NextSibling()) {
-    if (n->ToElement()) return std::string("element <") + n->Value() + ">";
-    if (n->ToText()) return std::string("text \"") + n->Value() + "\"";
-  }
-  return "";
-}
-
 class UrdfReader : UrdfElements {
  public:
   UrdfReader(std::string file, const std::optional<std::filesystem::path>& own_folder,
@@ -54,7 +41,6 @@ class UrdfReader : UrdfElements {
       : UrdfElements(std::move(file), own_folder.has_value(), problems), folder_(own_folder) {}
 
   Urdf Read(const std::string& text) {
-    const int num_errors_before = problems_.num_errors();
     tinyxml2::XMLDocument document;
     XMLElement* robot = FindRobot(document, text);
     if (!robot) return {};
@@ -84,12 +70,24 @@ class UrdfReader : UrdfElements {
       }
       ReadColour(material, "material");
     });
-    for_each("link", [this](XMLElement& link) { ReadLink(link); });
+    for_each("link", [this](XMLElement& link) {
+      const size_t first = problems_.entries().size();
+      ReadLink(link);
+      if (!is_own_) urdf_.links.back().told = ListEntriesFrom(first);
+    });
     if (urdf_.links.empty())
       Fail(*robot, is_own_ ? "the hand has no link" : "the file has no link");
-    for_each("joint", [this](XMLElement& joint) { ReadJoint(joint); });
+    for_each("joint", [this](XMLElement& element) {
+      const size_t first = problems_.entries().size();
+      ReadJoint(element);
+      UrdfJoint& joint = urdf_.joints.back();
+      if (std::min(joint.parent, joint.child) >= 0)
+        joint.told = ListEntriesFrom(first);
+      else
+        are_ends_known_ = false;
+    });
     if (is_own_ && urdf_.ListMovingJoints().empty()) Fail(*robot, "the hand has no moving joint");
-    if (is_own_ || problems_.num_errors() == num_errors_before) CheckTree();
+    if (is_own_ || are_ends_known_) CheckTree();
     return std::move(urdf_);
   }
 
@@ -116,6 +114,12 @@ class UrdfReader : UrdfElements {
                         std::to_string(known->second));
     }
     return name;
+  }
+
+  std::vector<size_t> ListEntriesFrom(size_t first) const {
+    std::vector<size_t> entries(problems_.entries().size() - first);
+    std::iota(entries.begin(), entries.end(), first);
+    return entries;
   }
 
   Pose ReadOrigin(XMLElement& parent, const std::string& where) {
@@ -470,6 +474,7 @@ class UrdfReader : UrdfElements {
   Urdf urdf_;
   Names link_names_{"link"}, joint_names_{"joint"};
   std::map<std::string, int> link_index_;  // by the name in the file
+  bool are_ends_known_ = true;             // of all joints
   std::map<std::string, Vector3d> colours_;
 };
 

@@ -54,6 +54,7 @@ struct UrdfLink {
   int line = 0;
   std::optional<UrdfInertia> inertia;
   std::vector<UrdfShape> visuals, collisions;
+  std::vector<size_t> told;  ///< indices into the problems: those of this link
 };
 
 struct UrdfLimit {
@@ -79,6 +80,7 @@ struct UrdfJoint {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  ///< unit, in J
   std::optional<UrdfLimit> limit;
   std::optional<UrdfMimic> mimic;  ///< foreign descriptions only
+  std::vector<size_t> told;        ///< as of a link; not that an end of it is missing
 };
 
 /** Links and joints in the file's order; a tree when there are no errors. */

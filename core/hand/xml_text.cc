@@ -177,6 +177,18 @@ bool IsTooLarge(const char* text) {
   return false;
 }
 
+std::string FindUnknownInOrigin(const tinyxml2::XMLElement& origin) {
+  for (const tinyxml2::XMLAttribute* a = origin.FirstAttribute(); a; a = a->Next()) {
+    const std::string name = a->Name();
+    if (name != "xyz" && name != "rpy") return "attribute \"" + name + "\"";
+  }
+  for (const tinyxml2::XMLNode* n = origin.FirstChild(); n; n = n->NextSibling()) {
+    if (n->ToElement()) return std::string("element <") + n->Value() + ">";
+    if (n->ToText()) return std::string("text \"") + n->Value() + "\"";
+  }
+  return "";
+}
+
 std::string JoinSome(const std::vector<std::string>& names) {
   constexpr size_t kMost = 3;
   std::string text;

@@ -24,6 +24,10 @@ bool IsTooLarge(const char* text);
 /** What a file is that holds no XML in UTF-8: UTF-16, a Git LFS pointer. Empty: neither. */
 std::string NameOtherText(const std::string& text);
 
+/** What an <origin> has beside `xyz` and `rpy`: another attribute (`quat_xyzw`), an element, text.
+Whoever ignored it would put its part elsewhere. Empty: nothing. */
+std::string FindUnknownInOrigin(const tinyxml2::XMLElement& origin);
+
 /** The first three in quotes, "a", "b", "c" and 4 more. */
 std::string JoinSome(const std::vector<std::string>& names);
 

@@ -20,6 +20,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr char kOpenHandAlone[] =
+    "the file states the open hand alone, not how it closes; a profile that closes it judges it "
+    "(closing.to: limits, as in multigripper)";
 constexpr double kJitterShift = 0.001;           // [m]
 constexpr double kJitterTurn = RadFromDeg(1.0);  // [rad]
 
@@ -168,11 +171,12 @@ fs::path FindObjectMesh(const fs::path& folder, const std::string& name) {
 
 GraspInputs LoadGraspInputs(GraspCollection collection, const std::string& hand,
                             const fs::path& folder, const std::vector<FreeSpaceProfile>& profiles) {
-  const bool is_closed_by_profiles =
-      std::all_of(profiles.begin(), profiles.end(), [](const FreeSpaceProfile& profile) {
-        return RowFromName(kClosingRules, profile.closing.to, "rule for closing").value ==
-               ClosingRule::kLimits;
-      });
+  std::set<size_t> without_closing;
+  for (size_t p = 0; p < profiles.size(); ++p) {
+    const std::string& to = profiles[p].closing.to;
+    if (RowFromName(kClosingRules, to, "rule for closing").value != ClosingRule::kLimits)
+      without_closing.insert(p);
+  }
   GraspInputs inputs;
   inputs.hand = std::make_shared<const Hand>(LoadHand(hand));
   DemandShortChains(*inputs.hand);
@@ -187,12 +191,10 @@ GraspInputs LoadGraspInputs(GraspCollection collection, const std::string& hand,
     }
     GraspInput input;
     try {
-      if (grasp.stages.size() == 1 && grasp.stages.front().name == "pregrasp" &&
-          !is_closed_by_profiles) {
-        throw Error(ErrorKind::kFormat,
-                    "the file states the open hand alone, not how it closes; a profile that closes "
-                    "it judges it alone (closing.to: limits, as in multigripper)");
-      }
+      if (grasp.stages.size() == 1 && grasp.stages.front().name == "pregrasp")
+        input.unfit = without_closing;
+      if (!profiles.empty() && input.unfit.size() == profiles.size())
+        throw Error(ErrorKind::kFormat, kOpenHandAlone);
       const HandGrasp mapped = MapToHand(grasp, *inputs.hand);
       input.table = mapped.table;
       for (const HandStage& stage : mapped.stages) {
@@ -214,6 +216,16 @@ GraspInputs LoadGraspInputs(GraspCollection collection, const std::string& hand,
     }
     throw Error(ErrorKind::kFormat, "no grasp can be judged:" + reasons);
   }
+  for (size_t p = 0; p < profiles.size(); ++p) {
+    const auto num_unfit =
+        std::count_if(inputs.grasps.begin(), inputs.grasps.end(),
+                      [&](const GraspInput& input) { return input.unfit.count(p) > 0; });
+    if (num_unfit == 0) continue;
+    inputs.unread.push_back({"profile " + profiles[p].name,
+                             "does not fit " + std::to_string(num_unfit) + " of " +
+                                 FormatCount(static_cast<int64_t>(inputs.grasps.size()), "grasp") +
+                                 ": " + kOpenHandAlone});
+  }
   inputs.is_asked = FindAsked(*inputs.hand, inputs.grasps);
   Json grasps = Json::array();
   for (const GraspInput& input : inputs.grasps) {
@@ -232,7 +244,9 @@ std::string NameGrasp(const ForeignGrasp& grasp) {
 
 const GraspInput& FindGraspInput(const GraspInputs& inputs, int number) {
   if (number >= 0 && number < static_cast<int>(inputs.grasps.size())) {
-    return inputs.grasps[static_cast<size_t>(number)];
+    const GraspInput& input = inputs.grasps[static_cast<size_t>(number)];
+    if (input.unfit.empty()) return input;
+    throw Error(ErrorKind::kFormat, NameGrasp(input.grasp) + ": " + kOpenHandAlone);
   }
   throw Error(ErrorKind::kUsage, "--grasp " + std::to_string(number) + ": there are " +
                                      FormatCount(static_cast<int>(inputs.grasps.size()), "grasp") +

@@ -6,6 +6,7 @@ the objects they are of. */
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,14 +22,16 @@ struct GraspInput {
   std::vector<ScriptedStage> stages;
   std::optional<ClosingTable> table;
   std::shared_ptr<const GraspObject> object;  ///< its mesh in the grasp's scale
+  std::set<size_t> unfit;                     ///< indices of profiles that cannot judge it
 };
 
 struct GraspInputs {
   std::shared_ptr<const Hand> hand;
   std::vector<bool> is_asked;      ///< by joint: see MakeProfiledHand
   std::vector<GraspInput> grasps;  ///< that can be judged
-  std::vector<UnreadFile> unread;  ///< files, and grasps that the hand cannot do, with the reason
-  Json description;                ///< hashes of all of it, without names of places
+  /** Files, grasps that the hand cannot do, and profiles that do not fit grasps, with the reason. */
+  std::vector<UnreadFile> unread;
+  Json description;  ///< hashes of all of it, without names of places
 };
 
 /** The mesh that a file means by `name`, below `folder`: the path itself or any end of it, as a
@@ -38,8 +41,8 @@ The longest end that there is counts. @returns empty: there is none.
 std::filesystem::path FindObjectMesh(const std::filesystem::path& folder, const std::string& name);
 
 /** @param hand  by id or folder.   @param objects  folder of the meshes; empty: the current one.
-A grasp whose mesh is missing or of no use is not judged, nor one that states the open hand alone
-where a profile does not close it; with the reason.
+A grasp whose mesh is missing or of no use is not judged. One that states the open hand alone is
+judged under those profiles that close it.
 @throws Error(kUsage) for two grasps of one name; Error(kFormat) when no grasp is left; as LoadHand,
 DemandShortChains. */
 GraspInputs LoadGraspInputs(GraspCollection collection, const std::string& hand,
@@ -49,7 +52,7 @@ GraspInputs LoadGraspInputs(GraspCollection collection, const std::string& hand,
 /** "mug.npy, grasp 3", the same in every message and page. */
 std::string NameGrasp(const ForeignGrasp& grasp);
 
-/** @throws Error(kUsage) when there is no such grasp. */
+/** @throws Error(kUsage) when there is no such grasp; kFormat when a profile does not fit it. */
 const GraspInput& FindGraspInput(const GraspInputs& inputs, int number);
 
 /** Hand, object and stages under a profile. @param jitter  0: as it is; else its root is disturbed

@@ -32,6 +32,9 @@ class Tasks {
   size_t size() const { return inputs_.grasps.size() * num_variants_ * profiles_.size(); }
   size_t GraspOf(size_t task) const { return task / (num_variants_ * profiles_.size()); }
   const GraspInput& InputOf(size_t task) const { return inputs_.grasps[GraspOf(task)]; }
+  bool DoesFit(size_t task) const {
+    return InputOf(task).unfit.count(task % profiles_.size()) == 0;
+  }
   JudgedGrasp Judge(size_t task) const {
     const GraspInput& input = InputOf(task);
     const FreeSpaceProfile& profile = profiles_[task % profiles_.size()];
@@ -107,7 +110,7 @@ bool JudgeGrasps(const JudgeGraspsRequest& request, const GraspInputs& inputs, O
   std::vector<size_t> left;
   size_t num_own = 0;
   for (size_t task = 0; task < tasks.size(); ++task) {
-    if (!IsCardOf(tasks.GraspOf(task), request.shard)) continue;
+    if (!IsCardOf(tasks.GraspOf(task), request.shard) || !tasks.DoesFit(task)) continue;
     ++num_own;
     if (!journal.Find(static_cast<int>(task))) left.push_back(task);
   }

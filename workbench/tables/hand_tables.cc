@@ -250,16 +250,20 @@ std::string FormatHand(const Hand& hand) {
 
 std::string FormatContact(const std::vector<ContactFit>& fits) {
   if (fits.empty()) return "";
-  TextTable table({"link", "balls", "out [mm]", "palmar", "sink [mm]", "palmar"});
+  TextTable table(
+      {"link", "balls", "out [mm]", "palmar", "sink [mm]", "palmar", "capsules", "near [%]"});
   const auto format = [](const ContactError& error) {
     return FormatFixed(MmFromM(error.at_95), 1) + " / " + FormatFixed(MmFromM(error.most), 1);
   };
   for (const ContactFit& fit : fits) {
     table.AddRow({fit.link, std::to_string(fit.num_balls), format(fit.out), format(fit.palmar_out),
-                  format(fit.sink), format(fit.palmar_sink)});
+                  format(fit.sink), format(fit.palmar_sink), std::to_string(fit.num_capsules),
+                  FormatFixed(100.0 * fit.self_contact, 0)});
   }
   return "\ncontact against the surface of each link, at 95 of 100 points / at most: how far balls "
-         "stick out,\nhow far a ball of 5 mm sinks in; all around and on the palmar side\n" +
+         "stick out,\nhow far a ball of 5 mm sinks in; all around and on the palmar side; "
+         "capsules for contact with\nthe hand itself, and the share of the surface within 2 mm of "
+         "them\n" +
          table.Format();
 }
 
@@ -278,6 +282,20 @@ std::string DescribeCoarseContact(const std::vector<ContactFit>& fits, const std
   return "contact differs from " + surface + " by more than 1 mm on " +
          FormatCount(num_links, "link") + ", most on \"" + worst->link +
          "\": " + DescribeContactError(*worst);
+}
+
+std::string DescribeThinSelfContact(const std::vector<ContactFit>& fits) {
+  int64_t num_links = 0;
+  const ContactFit* worst = nullptr;
+  for (const ContactFit& fit : fits) {
+    if (fit.self_contact >= kFairSelfContact) continue;
+    ++num_links;
+    if (!worst || fit.self_contact < worst->self_contact) worst = &fit;
+  }
+  if (!worst) return "";
+  return "contact of the hand with itself misses more than half of the surface of " +
+         FormatCount(num_links, "link") + ", most of \"" + worst->link +
+         "\": " + DescribeSelfContact(*worst);
 }
 
 }  // namespace graspbench

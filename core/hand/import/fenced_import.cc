@@ -29,7 +29,8 @@ void CrossMembers(Values& values, ContactError& error) {
 
 template <class Values>
 void CrossMembers(Values& values, ContactFit& fit) {
-  Cross(values, fit.link, fit.num_balls, fit.out, fit.sink, fit.palmar_out, fit.palmar_sink);
+  Cross(values, fit.link, fit.num_balls, fit.out, fit.sink, fit.palmar_out, fit.palmar_sink,
+        fit.num_capsules, fit.self_contact);
 }
 
 template <class Values>

@@ -41,6 +41,20 @@ void FindDecoration(const std::string& file, Diagnostics& problems, ForeignHand&
   }
 }
 
+bool AreErrorsLocal(const ForeignHand& hand, const Diagnostics& problems) {
+  std::vector<bool> is_local(problems.entries().size(), false);
+  for (const ForeignLink& link : hand.links) {
+    for (const size_t k : link.told) is_local[k] = true;
+  }
+  for (const ForeignJoint& joint : hand.joints) {
+    for (const size_t k : joint.told) is_local[k] = true;
+  }
+  for (size_t k = 0; k < is_local.size(); ++k) {
+    if (problems.entries()[k].severity == Severity::kError && !is_local[k]) return false;
+  }
+  return true;
+}
+
 void ResolveMimics(const std::vector<NamedMimic>& mimics, const std::string& what,
                    const std::string& file, Diagnostics& problems, ForeignHand& hand) {
   std::map<int, NamedMimic> own;  // by joint

@@ -40,6 +40,7 @@ struct ForeignLink {
   bool is_decoration = false;         ///< only looked at (FindDecoration)
   std::vector<ForeignShape> weights;  ///< make the inertia; shapes of the others among them
   Pose X_LF = Pose::Identity();  ///< the frame that bears the name, where its joint lies elsewhere
+  std::vector<size_t> told;      ///< of it by its reader: indices into the reader's problems
 };
 
 struct ForeignMimic {
@@ -74,6 +75,7 @@ struct ForeignJoint {
   double spring_stiffness = 0.0;  ///< [N m/rad], [N/m]; 0: none
   double spring_rest = 0.0;       ///< position where it is slack [rad], [m]
   double reference = 0.0;         ///< what the description calls its zero here [rad], [m]
+  std::vector<size_t> told;       ///< as of a link
   std::optional<ForeignMimic> mimic;
 };
 
@@ -94,6 +96,10 @@ void FixJoint(ForeignHand& hand, int index, double q);
 /** Raises mass and principal moments of a link that has an inertia to the bounds of the hand's
 format, as MuJoCo's compiler does; not those of the world. */
 void RaiseToBounds(const ForeignHand& hand, ForeignLink& link);
+
+/** Every error was told of a link or a joint (ForeignLink::told): a part without these can be used.
+@param problems  of the hand's reader. */
+bool AreErrorsLocal(const ForeignHand& hand, const Diagnostics& problems);
 
 /** What the readers of foreign descriptions have in common. q = offset + ratio q_other, the other
 joint by its name. */

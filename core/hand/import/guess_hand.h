@@ -58,8 +58,10 @@ struct DigitMeeting {
 };
 
 /** Nothing: no pair meets. @param left_out  by digit: it is not asked; the thumb always is.
+@param is_first  of the postures in which a pair comes as near, within 10 mm, that of least closing.
 @pre digits with tips and pads, one of them the thumb. */
-std::optional<DigitMeeting> FindMeeting(const Hand& hand, const std::vector<bool>& left_out);
+std::optional<DigitMeeting> FindMeeting(const Hand& hand, const std::vector<bool>& left_out,
+                                        bool is_first = false);
 
 /** Postures that move all joints of two digits, evenly spread (Kronecker sequence); the others stay
 as in `open`. @param number  from 1. */

@@ -20,6 +20,7 @@ using Eigen::Vector3d;
 constexpr double kHalfOpen = 0.5;      // of the open distance
 constexpr double kNearEnough = 0.025;  // [m], near enough whatever the open distance
 constexpr int kMeetingShares = 24, kMeetingSamples = 3000;
+constexpr double kAsNear = 0.01;  // [m] farther apart than where they are nearest
 
 struct Nearest {
   double gap = std::numeric_limits<double>::infinity();
@@ -31,21 +32,28 @@ class MeetingFinder {
   explicit MeetingFinder(const Hand& hand)
       : hand_(hand), closing_(FindClosing(hand)), open_(CalcClosedPosture(hand, closing_, 0.0)) {}
 
-  /** Nothing: the two do not meet. */
-  std::optional<Nearest> Find(const Digit& a, const Digit& b) const {
+  /** Nothing: the two do not meet. @param is_first  where they meet first, not where they are
+  nearest. */
+  std::optional<Nearest> Find(const Digit& a, const Digit& b, bool is_first) const {
     Nearest open;
     Try(a, b, open_, open);
     Nearest best = open;
-    for (int i = 0; i <= kMeetingShares; ++i) {
-      for (int k = 0; k <= kMeetingShares; ++k) {
+    std::vector<Nearest> by_closing;  // both shares together
+    for (int sum = 0; sum <= 2 * kMeetingShares; ++sum) {
+      Nearest& nearest = by_closing.emplace_back();
+      for (int i = std::max(0, sum - kMeetingShares); i <= std::min(sum, kMeetingShares); ++i) {
         Eigen::VectorXd q = open_;
         CloseDigit(hand_, closing_, a, static_cast<double>(i) / kMeetingShares, q);
-        CloseDigit(hand_, closing_, b, static_cast<double>(k) / kMeetingShares, q);
+        CloseDigit(hand_, closing_, b, static_cast<double>(sum - i) / kMeetingShares, q);
         ApplyCoupling(hand_, q);
-        Try(a, b, q, best);
+        Try(a, b, q, nearest);
       }
+      if (nearest.gap < best.gap) best = nearest;
     }
     const double enough = std::max(kHalfOpen * open.gap, kNearEnough);
+    for (const Nearest& nearest : by_closing) {
+      if (is_first && nearest.gap <= std::min(enough, best.gap + kAsNear)) return nearest;
+    }
     if (best.gap > enough) {
       for (int k = 1; k <= kMeetingSamples; ++k)
         Try(a, b, MakePairSample(hand_, open_, a, b, k), best);
@@ -83,7 +91,8 @@ Eigen::VectorXd MakePairSample(const Hand& hand, const Eigen::VectorXd& open, co
   return q;
 }
 
-std::optional<DigitMeeting> FindMeeting(const Hand& hand, const std::vector<bool>& left_out) {
+std::optional<DigitMeeting> FindMeeting(const Hand& hand, const std::vector<bool>& left_out,
+                                        bool is_first) {
   const auto thumb = std::find_if(hand.digits.begin(), hand.digits.end(),
                                   [](const Digit& digit) { return digit.is_thumb; });
   if (thumb == hand.digits.end()) return {};
@@ -102,7 +111,7 @@ std::optional<DigitMeeting> FindMeeting(const Hand& hand, const std::vector<bool
     if (&digit == &*thumb || left_out[d]) continue;
     others += base(digit);
     ++num_others;
-    const auto nearest = finder.Find(*thumb, digit);
+    const auto nearest = finder.Find(*thumb, digit, is_first);
     if (!nearest) continue;
     meeting.p_H += nearest->p_H;
     meeting.gap = std::min(meeting.gap, nearest->gap);
@@ -271,11 +280,21 @@ class PalmGuesser {
              "no digit approaches the thumb, \"" + hand_.links[thumb->distal_link].name +
              "\", however they close";
     }
-    hand_.palm_normal = GuessNormal(*meeting);
-    PlacePalm();
-    height_ = hand_.palm_normal.dot(meeting->p_H - hand_.p_HCentre);
+    TakeMeeting(*meeting);
+    // Digits that bend far pass each other and meet again within the palm.
+    if (height_ <= -kLeastHeight) {
+      const auto first = FindMeeting(hand_, is_outward_, true);
+      if (first && first->direction.norm() > 0.5) TakeMeeting(*first);
+      if (height_ <= -kLeastHeight) TakeMeeting(*meeting);
+    }
     if (height_ > -kMostDepth) return "";
     return "the digits meet " + FormatFixed(MmFromM(-height_), 0) + " mm behind the palm's surface";
+  }
+
+  void TakeMeeting(const DigitMeeting& meeting) {
+    hand_.palm_normal = GuessNormal(meeting);
+    PlacePalm();
+    height_ = hand_.palm_normal.dot(meeting.p_H - hand_.p_HCentre);
   }
 
   /** The middle of the palm's surface. */

@@ -14,18 +14,44 @@
 namespace graspbench {
 namespace {
 
+void Add(const Diagnostic& entry, Diagnostics& problems) {
+  entry.severity == Severity::kError ? problems.Fail(entry.file, entry.line, entry.text)
+                                     : problems.Warn(entry.file, entry.line, entry.text);
+}
+
+/** What the reader told, but for what concerns alone links and joints that are left out. */
+void TellOfKept(const Diagnostics& told, const ForeignHand& whole, const ForeignHand& kept,
+                Diagnostics& problems) {
+  std::set<size_t> of_whole, of_kept;
+  for (const auto& [hand, entries] : {std::pair{&whole, &of_whole}, std::pair{&kept, &of_kept}}) {
+    for (const ForeignLink& link : hand->links) entries->insert(link.told.begin(), link.told.end());
+    for (const ForeignJoint& joint : hand->joints)
+      entries->insert(joint.told.begin(), joint.told.end());
+  }
+  for (size_t k = 0; k < told.entries().size(); ++k) {
+    if (of_whole.count(k) > of_kept.count(k)) continue;
+    Add(told.entries()[k], problems);
+  }
+}
+
 ImportedFiles ImportInOrder(const std::string& text, const HandSource& source,
                             const std::string& palm, Diagnostics& problems) {
   const auto has_failed = [&] { return problems.num_errors() > 0; };
+  Diagnostics told;
   ForeignHand foreign =
-      IsMjcf(text) ? ReadForeignMjcf(text, source.file, source.folder, problems, source.in_degrees)
-                   : ReadForeignUrdf(text, source.file, problems, source.in_degrees);
+      IsMjcf(text) ? ReadForeignMjcf(text, source.file, source.folder, told, source.in_degrees)
+                   : ReadForeignUrdf(text, source.file, told, source.in_degrees);
+  // What a named palm leaves out need not be understood.
+  const ForeignHand whole = foreign;
+  const bool is_selected_first = !palm.empty() && !whole.links.empty();
+  if (!is_selected_first) TellOfKept(told, whole, whole, problems);
   if (has_failed()) return {};
   SetLengthUnit(source.unit, source.file, problems, foreign);
   if (has_failed()) return {};
   ShapeLoader loader(source, problems);
   const auto lacks_mesh = [&](const ForeignLink& link) { return loader.LacksMesh(link); };
   const int palm_link = SelectHand(palm, lacks_mesh, source.file, problems, foreign);
+  if (is_selected_first) TellOfKept(told, whole, palm_link < 0 ? whole : foreign, problems);
   if (has_failed()) return {};
   FindDecoration(source.file, problems, foreign);
   if (!loader.CheckMeshes(foreign)) return {};
@@ -79,11 +105,7 @@ ImportedFiles ImportHand(const std::string& text, const HandSource& source, cons
   std::vector<Diagnostic> entries = found.entries();
   std::stable_sort(entries.begin(), entries.end(),
                    [](const Diagnostic& a, const Diagnostic& b) { return a.line < b.line; });
-  for (const Diagnostic& entry : entries) {
-    const bool is_error = entry.severity == Severity::kError;
-    is_error ? problems.Fail(entry.file, entry.line, entry.text)
-             : problems.Warn(entry.file, entry.line, entry.text);
-  }
+  for (const Diagnostic& entry : entries) Add(entry, problems);
   return files;
 }
 

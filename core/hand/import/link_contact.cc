@@ -180,6 +180,9 @@ void MeasureLinks(const std::string& file, bool accepts_coarse, const LinkSolids
     } else if (all > kFairContactError) {
       problems.Warn(file, 0, told);
     }
+    if (fit.self_contact < kFairSelfContact) {
+      problems.Warn(file, 0, "link \"" + fit.link + "\": " + DescribeSelfContact(fit));
+    }
   }
 }
 

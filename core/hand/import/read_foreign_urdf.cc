@@ -24,6 +24,7 @@ class ForeignUrdfReader {
     hand_.name = urdf_.name;
     for (const UrdfLink& link : urdf_.links) AddLink(link);
     for (const UrdfJoint& joint : urdf_.joints) AddJoint(joint);
+    if (!AreErrorsLocal(hand_, problems_)) return {};
     ResolveMimics(mimics_, "<mimic>", file_, problems_, hand_);
     FixUnlimited(file_, problems_, hand_);
     TellEfforts();
@@ -35,6 +36,7 @@ class ForeignUrdfReader {
     ForeignLink& added = hand_.links.emplace_back();
     added.name = link.name;
     added.line = link.line;
+    added.told = link.told;
     if (link.inertia) added.inertia = ForeignInertia{*link.inertia};
     for (const UrdfShape& shape : link.visuals) added.visuals.push_back({shape});
     for (const UrdfShape& shape : link.collisions) added.collisions.push_back({shape});
@@ -44,6 +46,7 @@ class ForeignUrdfReader {
     ForeignJoint& joint = hand_.joints.emplace_back();
     joint.name = urdf.name;
     joint.line = urdf.line;
+    joint.told = urdf.told;
     joint.parent = urdf.parent;
     joint.child = urdf.child;
     joint.X_PJ = urdf.X_PJ;
@@ -61,12 +64,14 @@ class ForeignUrdfReader {
     const bool is_continuous = urdf.kind == UrdfJoint::Kind::kContinuous;
     const UrdfLimit limit = urdf.limit.value_or(UrdfLimit{0.0, 0.0, {}, urdf.line});
     const auto warn = [&](int line, const std::string& text) {
+      joint.told.push_back(problems_.entries().size());
       problems_.Warn(file_, line, "joint \"" + joint.name + "\"" + text);
     };
+    const size_t index = hand_.joints.size() - 1;
     joint.drive.effort = std::max(0.0, limit.effort.value_or(0.0));
-    if (limit.effort && !urdf.mimic && *limit.effort <= 0.0) without_effort_.push_back(joint.name);
+    if (limit.effort && !urdf.mimic && *limit.effort <= 0.0) without_effort_.push_back(index);
     const double most_effort = joint.kind == ForeignJoint::Kind::kRevolute ? 200.0 : 5000.0;
-    if (joint.drive.effort > most_effort) with_great_effort_.push_back(joint.name);
+    if (joint.drive.effort > most_effort) with_great_effort_.push_back(index);
     StatedLimits stated{"", limit.lower, limit.upper};
     if (!urdf.limit || is_continuous) stated.missing = "<limit>";
     if (std::isnan(limit.lower)) stated.missing = "lower limit to be read";
@@ -125,8 +130,13 @@ class ForeignUrdfReader {
   }
 
   void TellEfforts() {
-    const auto tell = [&](const std::vector<std::string>& joints, const std::string& what) {
-      if (joints.empty()) return;
+    const auto tell = [&](const std::vector<size_t>& indices, const std::string& what) {
+      if (indices.empty()) return;
+      std::vector<std::string> joints;
+      for (const size_t j : indices) {
+        joints.push_back(hand_.joints[j].name);
+        hand_.joints[j].told.push_back(problems_.entries().size());
+      }
       problems_.Warn(file_, 0,
                      "effort of " + FormatCount(static_cast<int64_t>(joints.size()), "joint") +
                          " (" + JoinSome(joints) + ") " + what + "; their drives are guessed");
@@ -141,7 +151,7 @@ class ForeignUrdfReader {
   Diagnostics& problems_;
   ForeignHand hand_;
   std::vector<NamedMimic> mimics_;
-  std::vector<std::string> without_effort_, with_great_effort_;  // joints
+  std::vector<size_t> without_effort_, with_great_effort_;  // indices of joints
 };
 
 }  // namespace
@@ -149,7 +159,10 @@ class ForeignUrdfReader {
 ForeignHand ReadForeignUrdf(const std::string& text, const std::string& file, Diagnostics& problems,
                             std::optional<bool> in_degrees) {
   const Urdf urdf = ReadUrdf(text, file, {}, problems);
-  if (problems.num_errors() > 0) return {};
+  const bool is_tree = std::all_of(urdf.joints.begin(), urdf.joints.end(), [](const UrdfJoint& j) {
+    return std::min(j.parent, j.child) >= 0;
+  });
+  if (!is_tree) return {};
   return ForeignUrdfReader(urdf, file, in_degrees, problems).Read();
 }
 

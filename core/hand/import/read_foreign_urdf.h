@@ -25,7 +25,8 @@ namespace graspbench {
 
 /** @param file  name of the text in messages. @param in_degrees  unit of the joints' limits;
 nothing: inferred. @returns a tree, links and joints in the file's order, mimics resolved to joints
-that follow nobody; of no use when there are errors. */
+that follow nobody. With errors that all belong to links and joints (AreErrorsLocal) it serves to
+select a part without these; with others it is empty. */
 ForeignHand ReadForeignUrdf(const std::string& text, const std::string& file, Diagnostics& problems,
                             std::optional<bool> in_degrees = {});
 

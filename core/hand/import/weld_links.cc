@@ -158,6 +158,7 @@ class Welder {
       hand.frames.push_back({foreign_.links[member].name, index, X_LF});
     }
     NarrowForFollowers(hand);
+    imported.are_masses_published = are_masses_published_;
     hand.palm_link = link_of[palm];
     return imported;
   }
@@ -179,6 +180,7 @@ class Welder {
       mass.I_OOcm = R * published->I_I * R.transpose();
       note = published->is_of_geoms ? "mass and inertia of its geoms, as MuJoCo takes them"
                                     : "mass and inertia as published";
+      are_masses_published_ = are_masses_published_ && !published->is_of_geoms;
       return mass;
     }
     const auto& shapes = shapes_[link].collisions;
@@ -194,6 +196,7 @@ class Welder {
       }
       return {};
     }
+    are_masses_published_ = false;
     MassProperties mass = CalcUnionMass(shapes, kDensity);
     const double published_mass = published ? published->mass : 0.0;
     const double density = published_mass / (mass.mass / kDensity);
@@ -433,6 +436,7 @@ class Welder {
   std::vector<Body> bodies_;
   std::vector<size_t> body_of_;  // by link
   std::vector<Pose> X_BM_;       // by link, in its body's first part
+  bool are_masses_published_ = true;
 };
 
 }  // namespace

@@ -35,6 +35,7 @@ struct ImportedHand {
   };
   std::vector<Visual> visuals;
   std::vector<std::string> notes;    ///< by link: where its mass and its contact come from
+  bool are_masses_published = true;  ///< of all links with shapes, and not computed from these
   std::vector<ForeignDrive> drives;  ///< by joint, as published
   std::vector<ContactFit> fits;      ///< by link with contact (MeasureLinks)
 };

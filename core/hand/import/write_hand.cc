@@ -99,7 +99,10 @@ Json MakeContactJson(const std::vector<ContactFit>& fits) {
                     {"out", round(fit.out)},
                     {"sink", round(fit.sink)},
                     {"palmar_out", round(fit.palmar_out)},
-                    {"palmar_sink", round(fit.palmar_sink)}});
+                    {"palmar_sink", round(fit.palmar_sink)},
+                    {"self_contact",
+                     {{"capsules", fit.num_capsules},
+                      {"within_2_mm", std::round(fit.self_contact * 1e3) / 1e3}}}});
   }
   return list;
 }
@@ -119,9 +122,11 @@ std::vector<ContactFit> ReadContactFits(const std::filesystem::path& folder) {
       return {};
     }
     for (const Json& fit : record.at("contact")) {
+      const Json& self_contact = fit.at("self_contact");
       fits.push_back({fit.at("link").get<std::string>(), fit.at("balls").get<int>(),
                       read(fit.at("out")), read(fit.at("sink")), read(fit.at("palmar_out")),
-                      read(fit.at("palmar_sink"))});
+                      read(fit.at("palmar_sink")), self_contact.at("capsules").get<int>(),
+                      self_contact.at("within_2_mm").get<double>()});
     }
   } catch (const Json::exception& error) {
     throw Error(ErrorKind::kFormat, path.string() + ": " + error.what());

@@ -31,12 +31,14 @@ compared.
                  "angle": ""},
      "repairs": [{"line": 12, "text": ".."}],
      "contact": [{"link": "palm", "balls": 140, "out": {"at_95_mm": 0.3, "most_mm": 0.5},
-                  "sink": {..}, "palmar_out": {..}, "palmar_sink": {..}}, ..],
+                  "sink": {..}, "palmar_out": {..}, "palmar_sink": {..},
+                  "self_contact": {"capsules": 8, "within_2_mm": 0.93}}, ..],
      "guesses": {"palm": {..}, "digits": [..], ..},
      "files": {"hand.urdf": "sha256..", ..}}
 
 `contact` is how far balls stick out of a link, and a probe ball of 5 mm sinks into it, at 95 of 100
-points and at most, rounded to 10 micrometres (core/hand/contact_fit.h). `read` is what the
+points and at most, rounded to 10 micrometres, and which share of its surface is near a capsule
+(core/hand/contact_fit.h). `read` is what the
 description refers to, meshes and included files. `unit_m` 0: inferred. Paths are names without
 their folder; of two files of one name the second is "palm.stl (2)". Folders of `package_path` are
 relative to that of the description.

@@ -85,6 +85,11 @@ int TurnShells(TriMesh& mesh) {
   return static_cast<int>(std::count(is_wrong.begin(), is_wrong.end(), true));
 }
 
+constexpr char kOneFlipped[] = "1 triangle flipped to face like its neighbours";
+constexpr char kManyFlipped[] = " triangles flipped to face like their neighbours";
+constexpr char kOneTurned[] = "1 shell turned the right way round";
+constexpr char kManyTurned[] = " shells turned the right way round";
+
 void Note(int count, const char* one, const char* many, MeshRepair& repair) {
   if (count > 0) repair.actions.push_back(count == 1 ? one : std::to_string(count) + many);
 }
@@ -124,6 +129,17 @@ MeshRepair MendMesh(const TriMesh& mesh) {
   return repair;
 }
 
+MeshRepair FaceOutwards(const TriMesh& mesh) {
+  MeshRepair repair = {mesh, {}};
+  const double extent = IsFinite(mesh) ? CalcExtent(mesh) : 0.0;
+  if (!(extent > 0.0) || !std::isfinite(extent)) return repair;
+  TriMesh turned = WeldVertices(mesh, kRelativeWeldTolerance * extent);
+  Note(Orient(turned), kOneFlipped, kManyFlipped, repair);
+  if (IsWhole(ListEdges(turned))) Note(TurnShells(turned), kOneTurned, kManyTurned, repair);
+  if (!repair.actions.empty()) repair.mesh = std::move(turned);
+  return repair;
+}
+
 MeshRepair RepairMesh(const TriMesh& mesh) {
   MeshRepair repair = {mesh, {}};
   const double extent = IsFinite(mesh) ? CalcExtent(mesh) : 0.0;
@@ -135,12 +151,10 @@ MeshRepair RepairMesh(const TriMesh& mesh) {
        " vertices merged into their neighbours or unused", repair);
   DropUseless(repair);
   if (repair.mesh.triangles.empty()) return repair;
-  Note(Orient(repair.mesh), "1 triangle flipped to face like its neighbours",
-       " triangles flipped to face like their neighbours", repair);
+  Note(Orient(repair.mesh), kOneFlipped, kManyFlipped, repair);
   CloseUp(kMaxRepairedHole, kMaxRepairedSeam, repair);
   Orient(repair.mesh);  // the fans belong to shells too
-  Note(TurnShells(repair.mesh), "1 shell turned the right way round",
-       " shells turned the right way round", repair);
+  Note(TurnShells(repair.mesh), kOneTurned, kManyTurned, repair);
   return repair;
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/units.h"
 #include "core/shape/primitives.h"
 
 namespace graspbench {
@@ -36,6 +37,22 @@ TEST(ContactFitTest, OfABallInACube) {
   EXPECT_EQ(small.out.most, 0.0);
   EXPECT_EQ(small.sink.most, 0.01);  // at the corners the probe passes
   EXPECT_EQ(small.num_balls, 1);
+}
+
+// On each face a disc of pi (21^2 - 20^2) mm^2 of 40^2 lies within 2 mm of a ball of 19 mm.
+TEST(ContactFitTest, SelfContactIsTheShareOfTheSurfaceNearACapsule) {
+  Hand hand;
+  hand.links.emplace_back().name = "palm";
+  hand.palm_link = 0;
+  hand.contact_spheres = {{0, Vector3d::Zero(), 0.019}};
+  hand.capsules = {{0, Vector3d::Zero(), Vector3d::Zero(), 0.019}};
+  const LinkSolids solids = MakeLinkSolids({{MakeRoundedBox({0.04, 0.04, 0.04}, 0.0)}});
+  const ContactFit fit = MeasureContact(hand, solids, 20000).at(0);
+  EXPECT_EQ(fit.num_capsules, 1);
+  EXPECT_NEAR(fit.self_contact, kPi * 41.0 / 1600.0, 0.004);
+  EXPECT_EQ(DescribeSelfContact(fit),
+            "its 1 capsule for contact with the hand itself is within 2 mm of 8 % of its surface; "
+            "other links enter the rest");
 }
 
 // Of the two faces that touch nothing sinks in where the neighbour's ball is.

@@ -122,7 +122,15 @@ TEST(GraspInputs, AMeshThatIsOfNoUseDoesNotStopTheOthers) {
     return LoadGraspInputs(collection, "shadow", folder.path(), profiles).grasps.size();
   };
   EXPECT_EQ(count({closing}), 2u) << "it closes the open hand";
-  EXPECT_EQ(count({closing, FreeSpaceProfile()}), 1u);
+  FreeSpaceProfile stated;
+  stated.name = "stated";
+  const GraspInputs both = LoadGraspInputs(collection, "shadow", folder.path(), {closing, stated});
+  ASSERT_EQ(both.grasps.size(), 2u) << "the first profile judges it";
+  EXPECT_EQ(both.grasps[1].unfit, std::set<size_t>{1});
+  ASSERT_EQ(both.unread.size(), 3u);
+  EXPECT_EQ(both.unread[2].name, "profile stated");
+  EXPECT_EQ(both.unread[2].reason.find("does not fit 1 of 2 grasps: the file states the open"), 0u);
+  EXPECT_THROW(FindGraspInput(both, 1), Error) << "one profile does not fit";
 }
 
 TEST(GraspInputs, TwoGraspsOfOneNameAreRefused) {

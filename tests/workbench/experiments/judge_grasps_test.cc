@@ -60,6 +60,26 @@ TEST(JudgeGrasps, VerdictsAreThoseOfMechanics) {
   EXPECT_EQ(summary.profiles.front().num_passed, 1);
 }
 
+// The other profile judges all three, as it does alone.
+TEST(JudgeGrasps, AProfileThatDoesNotFitLeavesTheOthersToJudge) {
+  const TemporaryFolder folder;
+  Observer nobody;
+  JudgeGraspsRequest request = MakeRequest(folder.path(), "judged");
+  request.jitter = 0;
+  request.profiles.push_back(request.profiles[0]);
+  request.profiles[1].name = "other";
+  GraspInputs inputs = MakePinchInputs();
+  inputs.grasps[1].unfit = {1};
+  EXPECT_TRUE(JudgeGrasps(request, inputs, nobody));
+  const std::vector<JudgedGrasp> judged = LoadJudgedGrasps(request.out);
+  ASSERT_EQ(judged.size(), 5u);
+  EXPECT_EQ(judged[2].profile, "pinch");
+  EXPECT_EQ(judged[2].index, inputs.grasps[1].grasp.index);
+  EXPECT_EQ(judged[3].index, inputs.grasps[2].grasp.index);
+  EXPECT_TRUE(JudgeGrasps(request, inputs, nobody)) << "the same request again has nothing to do";
+  EXPECT_EQ(LoadJudgedGrasps(request.out).size(), 5u);
+}
+
 TEST(JudgeGrasps, WorkersAndInterruptionsLeaveTheSameBytes) {
   const TemporaryFolder folder;
   Observer nobody;

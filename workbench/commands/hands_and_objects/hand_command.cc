@@ -38,7 +38,10 @@ ExitCode CheckHandCommand(const std::string& path, bool json) {
   const std::string off = DescribeCoarseContact(picture, "the picture");
   const std::string coarse =
       is_imported ? DescribeCoarseContact(fits, "the description's shapes") : off;
-  if (!coarse.empty()) problems.Warn(path, 0, coarse);
+  const std::string thin = DescribeThinSelfContact(is_imported ? fits : picture);
+  for (const std::string& told : {coarse, thin}) {
+    if (!told.empty()) problems.Warn(path, 0, told);
+  }
   if (json) {
     PrintJson({{"usable", problems.num_errors() == 0},
                {"problems", MakeJson(problems)},

@@ -168,31 +168,37 @@ void FindLightHand(const std::string& file, const Hand& hand, Diagnostics& probl
           " g in all, which no hand has; are its masses in another unit than the kilogram?");
 }
 
-/** Of all that touches. Lengths or masses in another unit show here by the third power. */
-void FindOddDensity(const std::string& file, const ImportedHand& imported, Diagnostics& problems) {
-  const Hand& hand = imported.hand;
-  double mass = 0.0, volume = 0.0;
-  for (int link = 0; link < static_cast<int>(hand.links.size()); ++link) {
+struct Fill {
+  double mass = 0.0, volume = 0.0;  // [kg], [m^3] of all that touches
+  bool IsOdd() const { return mass <= kLeastDensity * volume || mass >= kMostDensity * volume; }
+};
+
+Fill CalcFill(const ImportedHand& imported) {
+  Fill fill;
+  for (int link = 0; link < static_cast<int>(imported.hand.links.size()); ++link) {
     const auto shapes = ListShapesOf(imported.shapes, link);
     if (shapes.empty()) continue;
-    const double own = CalcUnionMass(shapes, 1.0).mass;
-    mass += hand.links[link].mass;
-    volume += own;
+    fill.mass += imported.hand.links[link].mass;
+    fill.volume += CalcUnionMass(shapes, 1.0).mass;
   }
-  if (volume == 0.0) return;
-  const double density = mass / volume;
-  if (density > kLeastDensity && density < kMostDensity) return;
-  problems.Warn(file, 0,
-                "a mass of " + FormatSignificant(mass, 3) + " kg in " +
-                    FormatSignificant(1e6 * volume, 3) + " cm^3 of shapes, " +
-                    FormatSignificant(density, 2) + " kg/m^3, with a longest digit of " +
-                    FormatFixed(MmFromM(CalcLongestDigit(hand)), 0) +
-                    " mm; are its lengths or its masses in another unit?");
+  return fill;
 }
 
-void FindOddSize(const std::string& file, const Hand& hand, Diagnostics& problems) {
-  const double longest = CalcLongestDigit(hand);
-  if (longest > kShortestDigit && longest < kLongDigit) return;
+/** Lengths or masses in another unit show in the density by the third power. Short digits are meant
+where masses of the description's own say so. */
+void FindOddSize(const std::string& file, const ImportedHand& imported, Diagnostics& problems) {
+  const double longest = CalcLongestDigit(imported.hand);
+  const Fill fill = CalcFill(imported);
+  if (fill.volume > 0.0 && fill.IsOdd()) {
+    problems.Warn(file, 0,
+                  "a mass of " + FormatSignificant(fill.mass, 3) + " kg in " +
+                      FormatSignificant(1e6 * fill.volume, 3) + " cm^3 of shapes, " +
+                      FormatSignificant(fill.mass / fill.volume, 2) +
+                      " kg/m^3, with a longest digit of " + FormatFixed(MmFromM(longest), 0) +
+                      " mm; are its lengths or its masses in another unit?");
+  }
+  const bool is_meant = fill.volume > 0.0 && !fill.IsOdd() && imported.are_masses_published;
+  if (longest < kLongDigit && (longest > kShortestDigit || is_meant)) return;
   problems.Warn(file, 0,
                 "the longest digit is " + FormatFixed(MmFromM(longest), 0) +
                     " mm long, those of hands are 30 to 250 mm; are its lengths in another unit? "
@@ -224,8 +230,7 @@ void FindImplausible(const std::string& file, const ImportedHand& imported, Diag
   FindDigitsTiedAcross(file, imported.hand, problems);
   FindNarrowLimits(file, imported.hand, problems);
   FindLightHand(file, imported.hand, problems);
-  FindOddDensity(file, imported, problems);
-  FindOddSize(file, imported.hand, problems);
+  FindOddSize(file, imported, problems);
   FindHeavyPalm(file, imported.hand, problems);
   FindMisplacedLinks(file, imported, problems);
 }

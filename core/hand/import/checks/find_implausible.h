@@ -3,7 +3,7 @@
 What an imported hand has that the reader can read but no hand has: what the searches below find;
 jaws that run the same way; a joint that moves by less than a degree or half a millimetre or by more
 than 3.6 rad, or follows a joint of another digit behind one with a drive of its own; a longest
-digit outside 30 to 250 mm, less than 10 g in all, less than 200 or more than 12,000 kg by cubic
+digit longer than 250 mm, or shorter than 30 mm without published masses that fit, less than 10 g in all, less than 200 or more than 12,000 kg by cubic
 metre of its shapes, a palm of more than 50 times the mass of all digits. Reported, not changed: who
 made the description knows what was meant. */
 
@@ -36,7 +36,7 @@ std::vector<bool> FindOpposedDigits(const ImportedHand& imported);
 within.
 
 By digit. While the others stand open, or closed by a quarter, all of the digit's joints close to
-0.4 of their ranges. If its pad recedes from one of theirs and comes nearer to none by a fifth of
+0.4 of their ranges, or 1.6 rad in all. If its pad recedes from one of theirs and comes nearer to none by a fifth of
 that, or 1 mm, it closes outward. @pre digits with tips and pads. */
 std::vector<bool> FindOutwardDigits(const Hand& hand);
 

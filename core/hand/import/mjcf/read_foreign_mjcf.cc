@@ -57,7 +57,7 @@ class MjcfReader {
     if (hand_.links.size() >= kMostLinks) {
       problems_.Fail(file_, 0, "the model has 1000 bodies or more: no hand");
     }
-    if (problems_.num_errors() > 0) return {};
+    if (!AreErrorsLocal(hand_, problems_)) return {};
     const std::string doubt = angles_.FindDoubt(document_.settings().in_degrees);
     if (!doubt.empty() && !is_angle_told_) problems_.Warn(file_, angles_.first_line, doubt);
     ReadMjcfCouplings(document_, bodies_, file_, problems_, hand_);
@@ -186,7 +186,9 @@ class MjcfReader {
     for (XMLElement* world : document_.FindSections("worldbody")) {
       Place place;
       place.childclass = document_.FindChildClass(*world, nullptr);
+      const size_t first = problems_.entries().size();
       ReadContent(*world, place, true);
+      ClaimEntriesFrom(first, 0);
     }
   }
 
@@ -200,7 +202,8 @@ class MjcfReader {
         const std::string text = type ? type : "hinge";
         if (text == "hinge" || text == "slide") return true;
       }
-      if ((kind == "body" || kind == "frame") && Moves(*element, own)) return true;
+      if ((kind == "body" || kind == "frame" || kind == "replicate") && Moves(*element, own))
+        return true;
     }
     return false;
   }
@@ -244,6 +247,7 @@ class MjcfReader {
   }
 
   void ReadBody(XMLElement& element, const Place& above) {
+    const size_t first = problems_.entries().size();
     const std::string name = FindName(element, link_names_, "");
     Place place;
     place.childclass = document_.FindChildClass(element, above.childclass);
@@ -255,6 +259,7 @@ class MjcfReader {
     hand_.links[static_cast<size_t>(link)].X_LF = place.X_LB;
     bodies_.emplace(name, MjcfBody{link, place.X_LB});
     ReadContent(element, place, false);
+    ClaimEntriesFrom(first, link);
     // Shapes that touch are seen, too, unless there is a picture.
     ForeignLink& own = hand_.links[static_cast<size_t>(link)];
     if (own.inertia) own.weights.clear();
@@ -269,6 +274,13 @@ class MjcfReader {
     };
     own.visuals.erase(std::remove_if(own.visuals.begin(), own.visuals.end(), is_plain),
                       own.visuals.end());
+  }
+
+  /** What was told since is of the link, but for what is of bodies on it. */
+  void ClaimEntriesFrom(size_t first, int link) {
+    for (size_t k = first; k < problems_.entries().size(); ++k) {
+      if (claimed_.insert(k).second) hand_.links[static_cast<size_t>(link)].told.push_back(k);
+    }
   }
 
   int AddLink(const std::string& name, int line) {
@@ -479,6 +491,7 @@ class MjcfReader {
 
   void WarnOnce(const XMLElement& at, const std::string& kind) {
     if (told_.insert(kind).second) {
+      claimed_.insert(problems_.entries().size());  // of all links
       document_.Warn(at, "<" + kind + "> is not read, here and below; left out");
     }
   }
@@ -509,6 +522,7 @@ class MjcfReader {
   std::map<std::string, MjcfBody> bodies_;
   std::map<std::string, XMLElement*> materials_;
   std::set<std::string> told_;
+  std::set<size_t> claimed_;       // indices into the problems
   std::vector<bool> has_picture_;  // by link: a geom that is only to be seen
   bool keeps_world_ = false;
   const bool is_angle_told_;  // by the user

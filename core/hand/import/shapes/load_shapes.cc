@@ -14,6 +14,7 @@
 #include "core/hand/import/shapes/fit_capsules.h"
 #include "core/hand/import/shapes/shape_distance.h"
 #include "core/shape/primitives.h"
+#include "core/shape/repair/mesh_repair.h"
 
 namespace graspbench {
 namespace {
@@ -392,6 +393,16 @@ void ShapeLoader::InferUnitOf(const std::vector<LinkRatio>& rows, const std::str
   }
 }
 
+TriMesh ShapeLoader::TurnOutwards(const TriMesh& mesh, const std::string& name, int line,
+                                  const std::string& where) {
+  MeshRepair repair = FaceOutwards(mesh);
+  for (const std::string& action : repair.actions) {
+    const std::string told = where + ": mesh \"" + name + "\": " + action;
+    if (turned_.insert(told).second) Report(Severity::kWarning, line, told);
+  }
+  return std::move(repair.mesh);
+}
+
 void ShapeLoader::AddMesh(const TriMesh& mesh, LoadedShapes& loaded) {
   const double tolerance = std::max(kLeastTolerance, kRelativeTolerance * CalcLargestExtent(mesh));
   loaded.solids.push_back(mesh);
@@ -494,7 +505,7 @@ LoadedShapes ShapeLoader::Load(const ForeignLink& link, bool is_palm) {
       continue;
     }
     const TriMesh mesh = LoadMesh(shape, where + ", collision", severity);
-    if (!mesh.triangles.empty()) AddMesh(mesh, loaded);
+    if (!mesh.triangles.empty()) AddMesh(TurnOutwards(mesh, shape.mesh, shape.line, where), loaded);
   }
   if (!loaded.collisions.empty() || loaded.visuals.empty() || link.is_decoration) return loaded;
   loaded.notes.push_back("guess: it touches with its picture");
@@ -506,7 +517,7 @@ LoadedShapes ShapeLoader::Load(const ForeignLink& link, bool is_palm) {
       loaded.collisions.push_back(visual.solid);
       loaded.solids.push_back(seen[k]);
     } else {
-      AddMesh(visual.mesh, loaded);
+      AddMesh(TurnOutwards(visual.mesh, visual.name, link.line, where), loaded);
     }
   }
   return loaded;
@@ -528,7 +539,8 @@ void ShapeLoader::Weigh(ForeignLink& link) {
   MassProperties sum;
   for (const ForeignShape& shape : link.weights) {
     const bool is_mesh = shape.kind == ForeignShape::Kind::kMesh;
-    const TriMesh mesh = is_mesh ? quiet.LoadMesh(shape, "", Severity::kWarning) : TriMesh();
+    TriMesh mesh = is_mesh ? quiet.LoadMesh(shape, "", Severity::kWarning) : TriMesh();
+    if (!mesh.triangles.empty()) mesh = TurnOutwards(mesh, shape.mesh, shape.line, "link \"" + link.name + "\"");
     sum = AddMass(sum, CalcGeomMass(shape, mesh));
   }
   meshes_.swap(quiet.meshes_);

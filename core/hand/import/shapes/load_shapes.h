@@ -87,6 +87,9 @@ class ShapeLoader {
   FoundMesh Find(const ForeignShape& shape) const;
   TriMesh ReadFile(const std::filesystem::path& path, int line, const std::string& where,
                    Severity severity);
+  /** What touches or weighs faces outwards; that it did not is told once. */
+  TriMesh TurnOutwards(const TriMesh& mesh, const std::string& name, int line,
+                       const std::string& where);
   void AddMesh(const TriMesh& mesh, LoadedShapes& loaded);
   void AddSolid(const ForeignShape& shape, const std::string& where, LoadedShapes& loaded);
   void Report(Severity severity, int line, const std::string& text);
@@ -109,7 +112,8 @@ class ShapeLoader {
   /** [m] by the ending of a mesh's file, inferred from the joints; without: the metre. */
   std::map<std::string, double> typical_units_;
   bool are_all_missing_ = false;
-  std::string why_;  // the large unit is that
+  std::set<std::string> turned_;  // messages
+  std::string why_;               // the large unit is that
 };
 
 }  // namespace graspbench

@@ -137,21 +137,25 @@ std::vector<Ball> PackBalls(const LinkSolid& solid, const std::vector<ContactSph
     ball.radius += kOut;
     candidates.push_back(ball);
   }
-  GreedyCover cover(solid, points, std::move(candidates), step);
-  for (const ContactSphere& ball : present) cover.Add({ball.p_LS, ball.radius});
   std::vector<Ball> taken;
-  cover.Cover(kNearSink, kLeftOver, smallest, kMostNearBalls, taken);
-  cover.Cover(kNearSink, kLeftOver, 0.0, kMostNearBalls, taken);
-  cover.Cover(kFarSink, 0.0, 0.0, kMostBalls, taken);
+  for (double near = kNearSink; near < kFarSink; near *= 2.0) {
+    GreedyCover cover(solid, points, candidates, step);
+    for (const ContactSphere& ball : present) cover.Add({ball.p_LS, ball.radius});
+    taken.clear();
+    cover.Cover(near, kLeftOver, smallest, kMostNearBalls, taken);
+    cover.Cover(near, kLeftOver, 0.0, kMostNearBalls, taken);
+    cover.Cover(kFarSink, 0.0, 0.0, kMostBalls, taken);
+    if (taken.size() < kMostBalls) break;
+  }
   return taken;
 }
 
 namespace {
 
-constexpr size_t kNumEnds = 30, kMostSelfCapsules = 8;
-constexpr double kNearCapsule = 0.002;  // [m] of a point that it stands for
-constexpr double kEnough = 0.9;         // of the points
-constexpr double kMostSlender = 40.0;   // length by radius; the loader takes 58
+constexpr size_t kNumEnds = 30, kMostSelfCapsules = 8, kMostOfThin = 48;
+constexpr double kEnough = 0.9;                              // of the points
+constexpr size_t kPerCapsule = 50, kPerCapsuleOfThin = 200;  // one more is near one of so many
+constexpr double kMostSlender = 40.0;  // length by radius; the loader takes 58
 
 double CalcDistance(const FittedCapsule& capsule, const Vector3d& p) {
   const Vector3d axis = capsule.p_B - capsule.p_A;
@@ -181,13 +185,8 @@ std::vector<Ball> ChooseEnds(std::vector<Ball> balls) {
   return ends;
 }
 
-}  // namespace
-
-std::vector<FittedCapsule> InscribeCapsules(const LinkSolid& solid) {
-  const std::vector<BoundaryPoint> points = solid.ListOpen(600);
-  std::vector<Ball> balls;
-  for (const BoundaryPoint& point : points) balls.push_back(FindLargest(solid, point));
-  const std::vector<Ball> ends = ChooseEnds(balls);
+/** Between the balls, as long as the solid allows. */
+std::vector<FittedCapsule> InscribeBetween(const LinkSolid& solid, const std::vector<Ball>& ends) {
   std::vector<FittedCapsule> candidates;
   for (size_t a = 0; a < ends.size(); ++a) {
     for (size_t b = a; b < ends.size(); ++b) {
@@ -202,34 +201,83 @@ std::vector<FittedCapsule> InscribeCapsules(const LinkSolid& solid) {
       if (capsule.radius > least) candidates.push_back(capsule);
     }
   }
-  std::vector<FittedCapsule> taken;
-  std::vector<bool> is_open(points.size(), true);
-  size_t num_open = points.size();
-  const auto is_near = [&](const FittedCapsule& capsule, size_t k) {
-    return CalcDistance(capsule, points[k].p) - capsule.radius <= kNearCapsule;
-  };
-  while (taken.size() < kMostSelfCapsules &&
-         static_cast<double>(num_open) > (1.0 - kEnough) * static_cast<double>(points.size())) {
-    const FittedCapsule* best = nullptr;
-    size_t most = 0;
-    for (const FittedCapsule& candidate : candidates) {
-      size_t gain = 0;
-      for (size_t k = 0; k < points.size(); ++k) gain += is_open[k] && is_near(candidate, k);
-      if (gain <= most) continue;
-      most = gain;
-      best = &candidate;
+  return candidates;
+}
+
+/** Capsules that are near points of the boundary, those near most first. */
+class CapsuleCover {
+ public:
+  CapsuleCover(const LinkSolid& solid, const std::vector<BoundaryPoint>& points)
+      : solid_(solid), points_(points), is_open_(points.size(), true) {}
+
+  const std::vector<FittedCapsule>& taken() const { return taken_; }
+  double CalcOpenShare() const {
+    const auto num_open = std::count(is_open_.begin(), is_open_.end(), true);
+    return static_cast<double>(num_open) / static_cast<double>(std::max<size_t>(1, points_.size()));
+  }
+  /** Those of the points, in their order, that no capsule is near. */
+  std::vector<Ball> ListOpen(const std::vector<Ball>& balls) const {
+    std::vector<Ball> open;
+    for (size_t k = 0; k < balls.size(); ++k) {
+      if (is_open_[k]) open.push_back(balls[k]);
     }
-    if (!best || (!taken.empty() && most < points.size() / 50)) break;
-    taken.push_back(*best);
-    for (size_t k = 0; k < points.size(); ++k) {
-      if (!is_open[k] || !is_near(*best, k)) continue;
-      is_open[k] = false;
-      --num_open;
+    return open;
+  }
+  /** @param most  in all. @param least_gain  of the points; a first one may have less. */
+  void Add(const std::vector<Ball>& ends, size_t most, size_t least_gain) {
+    const std::vector<FittedCapsule> candidates = InscribeBetween(solid_, ends);
+    while (taken_.size() < most && CalcOpenShare() > 1.0 - kEnough) {
+      const FittedCapsule* best = nullptr;
+      size_t most_near = 0;
+      for (const FittedCapsule& candidate : candidates) {
+        size_t gain = 0;
+        for (size_t k = 0; k < points_.size(); ++k) gain += is_open_[k] && IsNear(candidate, k);
+        if (gain <= most_near) continue;
+        most_near = gain;
+        best = &candidate;
+      }
+      if (!best || (!taken_.empty() && most_near < least_gain)) break;
+      Take(*best);
     }
   }
-  if (taken.empty() && !ends.empty())
-    taken.push_back({ends[0].centre, ends[0].centre, ends[0].radius});
-  return taken;
+  void AddLargest(const std::vector<Ball>& balls) {
+    const std::vector<Ball> ends = ChooseEnds(balls);
+    if (!ends.empty()) Take({ends[0].centre, ends[0].centre, ends[0].radius});
+  }
+
+ private:
+  void Take(const FittedCapsule& capsule) {
+    taken_.push_back(capsule);
+    for (size_t k = 0; k < points_.size(); ++k) {
+      if (IsNear(capsule, k)) is_open_[k] = false;
+    }
+  }
+  bool IsNear(const FittedCapsule& capsule, size_t k) const {
+    return CalcDistance(capsule, points_[k].p) - capsule.radius <= kNearSelfContact;
+  }
+
+  const LinkSolid& solid_;
+  const std::vector<BoundaryPoint>& points_;
+  std::vector<bool> is_open_;
+  std::vector<FittedCapsule> taken_;
+};
+
+}  // namespace
+
+std::vector<FittedCapsule> InscribeCapsules(const LinkSolid& solid) {
+  const std::vector<BoundaryPoint> points = solid.ListOpen(600);
+  std::vector<Ball> balls;
+  for (const BoundaryPoint& point : points) balls.push_back(FindLargest(solid, point));
+  CapsuleCover cover(solid, points);
+  cover.Add(ChooseEnds(balls), kMostSelfCapsules, points.size() / kPerCapsule);
+  if (cover.taken().empty()) cover.AddLargest(balls);
+  // Thin plates and shells: shorter ones, between balls of what is left.
+  while (cover.CalcOpenShare() > 1.0 - kFairSelfContact && cover.taken().size() < kMostOfThin) {
+    const size_t num_before = cover.taken().size();
+    cover.Add(ChooseEnds(cover.ListOpen(balls)), kMostOfThin, points.size() / kPerCapsuleOfThin);
+    if (cover.taken().size() == num_before) break;
+  }
+  return cover.taken();
 }
 
 }  // namespace graspbench

@@ -84,6 +84,14 @@ TEST(FindMeetingTest, OfAPinch) {
   EXPECT_GT(meeting->direction.z(), 0.999);
 }
 
+// Turned on by 1.8 rad each the pads meet again, 45 mm below.
+TEST(FindMeetingTest, OfTwoMeetingsTheFirst) {
+  const Hand hand = MakePinch(1.0, kPi);
+  const auto first = FindMeeting(hand, {false, false}, true);
+  ASSERT_TRUE(first.has_value());
+  EXPECT_NEAR(first->p_H.z(), 0.02 + std::sqrt(0.06 * 0.06 - 0.04 * 0.04), 0.006);
+}
+
 TEST(FindMeetingTest, DigitsThatCannotReachHalfWayDoNotMeet) {
   EXPECT_FALSE(FindMeeting(MakePinch(1.0, 0.3), {false, false})
                    .has_value());  // 80 to 2 (40 - 60 sin 0.3) = 45 mm

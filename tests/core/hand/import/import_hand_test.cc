@@ -197,6 +197,53 @@ TEST(ImportHandTest, AnotherUnitIsInferredOrSaidAndGivesTheSameHand) {
   }
 }
 
+/** The gripper on an arm whose joints and second link are as `joint` and `link` have it. */
+std::string PutOnArm(const std::string& joint, const std::string& link) {
+  const std::string solid = "<collision><geometry><sphere radius=\"0.05\"/></geometry></collision>";
+  return ReplaceOnce(
+      kSmallGripper, "<link name=\"world\"/>",
+      "<link name=\"floor\"/><link name=\"upper_arm\">" + solid + "</link><link name=\"world\">" +
+          link +
+          "</link><joint name=\"shoulder\" type=\"continuous\"><parent link=\"floor\"/>"
+          "<child link=\"upper_arm\"/>" +
+          joint +
+          "</joint>"
+          "<joint name=\"elbow\" type=\"revolute\"><parent link=\"upper_arm\"/>"
+          "<child link=\"world\"/><limit lower=\"-2\" upper=\"2\" effort=\"330\" velocity=\"1\"/>" +
+          joint + "</joint>");
+}
+
+std::string ImportWithPalm(const std::string& text, int& num_errors) {
+  Diagnostics problems;
+  ImportHand(text, MakeSourceWithoutMeshes(), "the hand", problems);
+  num_errors = problems.num_errors();
+  return problems.Format();
+}
+
+// A rotation by "quat_xyzw" and a joint of unknown type are refused where they are the hand's own.
+TEST(ImportHandTest, WhatANamedPalmLeavesOutNeedNotBeUnderstood) {
+  const std::string odd = "<origin xyz=\"0 0 0.3\" quat_xyzw=\"0 0 0 1\"/>";
+  const std::string solid =
+      "<collision>" + odd + "<geometry><box size=\"0.1 0.1 0.1\"/></geometry></collision>";
+  int num_errors = 0;
+  const std::string told = ImportWithPalm(PutOnArm(odd, solid), num_errors);
+  EXPECT_EQ(num_errors, 0) << told;
+  for (const char* of_arm : {"quat_xyzw", "continuous", "more than a finger bears"}) {
+    EXPECT_EQ(told.find(of_arm), told.npos) << told;
+  }
+  std::string own = PutOnArm("", "");
+  own = ReplaceOnce(own, "<origin xyz=\"0 0 0.06\"/><axis xyz=\"0 1 0\"/>",
+                    "<origin xyz=\"0 0 0.06\" quat_xyzw=\"0 0 0 1\"/><axis xyz=\"0 1 0\"/>");
+  EXPECT_NE(ImportWithPalm(own, num_errors)
+                .find("joint \"slide_left\": its <origin> has the attribute \"quat_xyzw\""),
+            std::string::npos);
+  EXPECT_EQ(num_errors, 1);
+  const std::string away =
+      ReplaceOnce(PutOnArm(odd, ""), "<child link=\"upper_arm\"/>", "<child link=\"nobody\"/>");
+  ImportWithPalm(away, num_errors);
+  EXPECT_GT(num_errors, 0) << "without a tree nothing can be selected";
+}
+
 TEST(ImportHandTest, AHandOfNoSizeIsRefused) {
   EXPECT_EQ(ErrorOf(InUnit(1000.0)),
             "the hand is 0.0002 m across; a hand is 15 mm to 2 m with its forearm. Descriptions "

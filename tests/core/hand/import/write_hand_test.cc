@@ -127,7 +127,8 @@ TEST(ImportRecordTest, ItsContactHoldsWhileTheHandIsTheImportedOne) {
   std::filesystem::remove_all(folder);
   MakeFolder(folder);
   EXPECT_TRUE(ReadContactFits(folder).empty());
-  const ContactFit fit{"palm", 12, {3e-4, 5e-4}, {1e-4, 2e-4}, {6e-4, 7e-4}, {8e-4, 9e-4}};
+  const ContactFit fit{"palm",       12, {3e-4, 5e-4}, {1e-4, 2e-4}, {6e-4, 7e-4},
+                       {8e-4, 9e-4}, 8,  0.625};
   const Json record = {{"files", {{"hand.urdf", CalcSha256("<robot/>")}}},
                        {"contact", MakeContactJson({fit})}};
   WriteFile(folder / "import.json", FormatJson(record));
@@ -136,6 +137,8 @@ TEST(ImportRecordTest, ItsContactHoldsWhileTheHandIsTheImportedOne) {
   ASSERT_EQ(fits.size(), 1u);
   EXPECT_EQ(fits[0].link, "palm");
   EXPECT_EQ(MakeContactJson(fits), record["contact"]);
+  EXPECT_EQ(record["contact"][0]["self_contact"],
+            Json::parse(R"({"capsules": 8, "within_2_mm": 0.625})"));
   WriteFile(folder / "hand.urdf", "<robot name='edited'/>");
   EXPECT_TRUE(ReadContactFits(folder).empty());
   WriteFile(folder / "import.json", "{}");

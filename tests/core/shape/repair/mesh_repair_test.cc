@@ -59,6 +59,20 @@ TEST(MeshRepairTest, TurnsFlippedFacesAndTheWholeSkin) {
   ExpectRepaired(all, {"1 shell turned the right way round"}, CalcVolume(MakeBall()), 1e-12);
 }
 
+TEST(MeshRepairTest, FacingOutwardsChangesNothingElse) {
+  TriMesh half = MakeBall();
+  half.triangles.resize(half.triangles.size() / 2);
+  EXPECT_TRUE(FaceOutwards(half).actions.empty());
+  std::swap(half.triangles[7][0], half.triangles[7][1]);
+  const MeshRepair turned = FaceOutwards(half);
+  EXPECT_EQ(turned.actions,
+            std::vector<std::string>{"1 triangle flipped to face like its neighbours"});
+  EXPECT_EQ(turned.mesh.num_triangles(), half.num_triangles()) << "the hole stays open";
+  TriMesh all = MakeBall();
+  for (Eigen::Vector3i& t : all.triangles) std::swap(t[0], t[1]);
+  EXPECT_NEAR(CalcVolume(FaceOutwards(all).mesh), CalcVolume(MakeBall()), 1e-12);
+}
+
 TEST(MeshRepairTest, ACavityStaysACavity) {
   TriMesh hollow = MakeBall();
   const TriMesh inner = MakeSphere(0.01, 24);

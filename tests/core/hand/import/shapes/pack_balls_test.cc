@@ -45,6 +45,13 @@ TEST(PackBallsTest, APadHasNoBallBelow1Mm) {
   EXPECT_LE(Pack({0.016, 0.014, 0.042}, kSmallestPadBall).sink.at_95, 0.0015);
 }
 
+// 600 balls within 0.65 mm are not enough for a palm of 0.3 m; within 1.3 mm they are.
+TEST(PackBallsTest, ALargePalmIsCoveredCoarserEverywhere) {
+  const ContactFit fit = Pack({0.12, 0.3, 0.12});
+  EXPECT_LT(fit.num_balls, 600);
+  EXPECT_LE(fit.sink.most, 0.005);
+}
+
 // 27 x 27 cubes, each with a ball of its own at least.
 TEST(PackBallsTest, AtMost600GoIntoALink) {
   TriMesh cubes;
@@ -118,6 +125,35 @@ TEST(PackBallsTest, AFlatPadIsNoStifferThanABox) {
                 CalcPadForce(of_box.contact_spheres, Vector3d::UnitY(), depth));
     }
   }
+}
+
+/** Share of points on the two large sides of a plate in the xy plane within 2 mm of a capsule. */
+double CalcNearShare(const Vector3d& size, const std::vector<FittedCapsule>& capsules) {
+  int num_near = 0, num_points = 0;
+  for (double x = -0.5 * size.x() + 0.001; x < 0.5 * size.x(); x += 0.002) {
+    for (double y = -0.5 * size.y() + 0.001; y < 0.5 * size.y(); y += 0.002) {
+      const Vector3d p(x, y, 0.5 * size.z());
+      ++num_points;
+      num_near += std::any_of(capsules.begin(), capsules.end(), [&](const FittedCapsule& capsule) {
+        const ClosestPoints nearest = FindClosestPoints(capsule.p_A, capsule.p_B, p, p);
+        return (nearest.on_a - p).norm() - capsule.radius < 0.002;
+      });
+    }
+  }
+  return num_near / static_cast<double>(num_points);
+}
+
+// Capsules as thick as the plate: 8 are not enough, and none sticks out.
+TEST(InscribeCapsulesTest, APlateHasAsManyAsItNeeds) {
+  for (const Vector3d& size : {Vector3d(0.08, 0.09, 0.003), Vector3d(0.06, 0.05, 0.0015)}) {
+    const std::vector<FittedCapsule> capsules =
+        InscribeCapsules(LinkSolid({MakeRoundedBox(size, 0.0)}));
+    EXPECT_GT(capsules.size(), 8u);
+    EXPECT_LE(capsules.size(), 48u);
+    EXPECT_GT(CalcNearShare(size, capsules), 0.5) << size.transpose();
+    for (const FittedCapsule& capsule : capsules) EXPECT_LE(capsule.radius, 0.5 * size.z() + 1e-4);
+  }
+  EXPECT_LE(InscribeCapsules(LinkSolid({MakeRoundedBox({0.08, 0.03, 0.09}, 0.0)})).size(), 8u);
 }
 
 TEST(InscribeCapsulesTest, LieWithinABarAndReachItsEnds) {
