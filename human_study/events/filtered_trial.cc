@@ -8,6 +8,7 @@
 #include "core/base/units.h"
 #include "core/statistics/summary.h"
 #include "human_study/events/approach.h"
+#include "human_study/events/hand_course.h"
 
 namespace graspbench {
 namespace {
@@ -144,6 +145,12 @@ const std::vector<SmoothPath>& FilteredTrial::FilterTips(double cutoff) {
     for (const DigitTrack& digit : trial_->digits) tips.push_back(Smooth(digit.tip, cutoff));
   }
   return tips;
+}
+
+std::shared_ptr<const HandCourse> FilteredTrial::FollowHand(double cutoff) {
+  std::shared_ptr<const HandCourse>& hand = hands_[cutoff];
+  if (!hand) hand = std::make_shared<const HandCourse>(CalcHandCourse(*this, cutoff));
+  return hand;
 }
 
 const ObjectTrack& FilteredTrial::FilterObject(double cutoff) {

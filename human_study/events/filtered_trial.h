@@ -6,6 +6,7 @@ openings or a multiverse costs little more than one analysis. */
 
 #include <array>
 #include <map>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,7 @@ openings or a multiverse costs little more than one analysis. */
 
 namespace graspbench {
 
+struct HandCourse;
 struct Hold;
 
 /** A fingertip in the frame of the object; in the laboratory's when the object was not recorded. */
@@ -44,6 +46,8 @@ class FilteredTrial {
   /** Tips in L, in the order of the digits. The reference stays valid, as that of all below.
   @throws Error(kRange), as all below, when a cut-off [Hz] does not fit the rate. */
   const std::vector<SmoothPath>& FilterTips(double cutoff);
+  /** Of tips and wrist, by CalcHandCourse. */
+  std::shared_ptr<const HandCourse> FollowHand(double cutoff);
   /** @param object_cutoff  of the object's pose. */
   const std::vector<TipAgainstObject>& FilterTipsAgainstObject(double cutoff, double object_cutoff);
   /** In the order of the digits. No cut-off of the tips matters.
@@ -56,6 +60,7 @@ class FilteredTrial {
 
   const ReachTrial* trial_;
   std::map<double, std::vector<SmoothPath>> tips_;
+  std::map<double, std::shared_ptr<const HandCourse>> hands_;
   std::map<double, ObjectTrack> objects_;
   std::map<std::pair<double, double>, std::vector<TipAgainstObject>> tips_against_object_;
   std::map<std::array<double, 4>, std::vector<TouchFits>> touch_fits_;  // by hold and cut-off

@@ -189,6 +189,13 @@ void CalcMeasures(const AnalysisOptions& options, TrialAnalysis& analysis) {
   analysis.final_opening = analysis.num_unresolved > 0
                                ? std::nan("")
                                : ValueNear(analysis.opening, FindLastContact(analysis.contacts));
+  const double touched = analysis.num_unresolved > 0 ? kUnset : FindLastContact(analysis.contacts);
+  const HandCourse& hand = *analysis.hand;
+  analysis.plane_residual = ValueNear(hand.plane, touched);
+  analysis.meeting_residual =
+      CalcMedianMeeting(hand, analysis.closure_start.time, FindFirstContact(analysis.contacts));
+  analysis.axis_turn = CalcAxisTurn(hand, analysis.movement.onset.time, touched);
+  analysis.axis_settled = FindAxisSettling(hand, analysis.movement.onset.time, touched);
   analysis.closes_on = analysis.final_opening - ValueNear(analysis.opening, analysis.hold.time);
   analysis.timing = CalcTiming(analysis.contacts, analysis.closure_start.time, false);
   analysis.timing_all = CalcTiming(analysis.contacts, analysis.closure_start.time, true);
@@ -343,6 +350,7 @@ TrialAnalysis AnalyseTrial(FilteredTrial& filtered, const AnalysisOptions& optio
       FindMovement(analysis.speed, trial.times.front(), FindReachEnd(analysis), options.movement);
   analysis.phases = FindPhases(analysis.speed, analysis.movement);
   const std::vector<SmoothPath>& tips = filtered.FilterTips(options.hold.cutoff);
+  analysis.hand = filtered.FollowHand(options.hold.cutoff);
   if (trial.object.IsRecorded() && !lift_off.IsFound()) {
     for (Doubt& doubt :
          FindLeftBehind(tips, travel, analysis.hold, options.lift_off, options.plausibility)) {
@@ -440,6 +448,17 @@ const std::vector<TrialMeasure>& TrialMeasureList() {
        [](const A& a) { return Between(a.phases.reacceleration, a.closure_start); }},
       {"contact_to_lift_s", "last contact to lift-off", "s",
        [](const A& a) { return a.object.lift_off.time - FindLastContact(a.contacts); }},
+      {"tip_plane_residual_m",
+       "distance of the tips from one plane at the last contact, four digits or more (RMS)", "m",
+       [](const A& a) { return a.plane_residual; }},
+      {"tip_meeting_residual_m",
+       "distance of the digits' courses from one point while they close (RMS)", "m",
+       [](const A& a) { return a.meeting_residual; }},
+      {"axis_turn_rad", "turn of the opposition axis from the onset to the last contact", "rad",
+       [](const A& a) { return a.axis_turn; }},
+      {"axis_settling_time_s",
+       "onset until the opposition axis stays within 5 deg of that at the last contact", "s",
+       [](const A& a) { return a.axis_settled - a.movement.onset.time; }},
   };
   return measures;
 }

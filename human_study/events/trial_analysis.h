@@ -8,6 +8,7 @@ movement (onset, end, before the hold) -> contacts (between onset and hold) -> w
 measures. */
 
 #include <limits>
+#include <memory>
 #include <set>
 #include <string>
 #include <utility>
@@ -17,6 +18,7 @@ measures. */
 #include "core/grasp/contact_timing.h"
 #include "human_study/events/contact_detector.h"
 #include "human_study/events/doubts/plausibility.h"
+#include "human_study/events/hand_course.h"
 #include "human_study/events/hand_opening.h"
 #include "human_study/events/hold.h"
 #include "human_study/events/movement.h"
@@ -100,6 +102,11 @@ struct TrialAnalysis {
   double final_opening = std::numeric_limits<double>::quiet_NaN();  ///< at the last contact [m]
   /** By how much the hand still closes after the last contact, until the hold [m]. */
   double closes_on = std::numeric_limits<double>::quiet_NaN();
+  std::shared_ptr<const HandCourse> hand;  ///< of the tips filtered as for the hold
+  double plane_residual = std::numeric_limits<double>::quiet_NaN();    ///< at the last contact [m]
+  double meeting_residual = std::numeric_limits<double>::quiet_NaN();  ///< while closing [m]
+  double axis_turn = std::numeric_limits<double>::quiet_NaN();     ///< onset to last contact [rad]
+  double axis_settled = std::numeric_limits<double>::quiet_NaN();  ///< FindAxisSettling [s]
   std::vector<DigitContactEvents> contacts;
   ContactOrder order;
   int num_touching = 0;        ///< digits with a contact

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/base/text/text.h"
+#include "core/base/units.h"
 
 namespace graspbench {
 
@@ -13,6 +14,7 @@ DisplayUnit FindDisplayUnit(const std::string& si_unit) {
   if (si_unit == "m") return {"mm", 1e3, 1};
   if (si_unit == "m/s") return {"mm/s", 1e3, 0};
   if (si_unit == "1") return {"%", 1e2, 1};
+  if (si_unit == "rad") return {"deg", 180.0 / kPi, 1};
   return {"", 1.0, 1};  // a count
 }
 

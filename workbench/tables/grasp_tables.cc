@@ -4,6 +4,7 @@
 #include "core/base/text/csv.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
+#include "core/grasp/pad_geometry.h"
 #include "core/grasp/placement.h"
 #include "core/grasp/standard_grasp.h"
 #include "workbench/tables/text_table.h"
@@ -13,6 +14,18 @@ namespace {
 
 constexpr char kPlacementPart[] = "placement", kPreGraspPart[] = "pre-grasp",
                kTargetPart[] = "target";
+
+/** In H, a column a digit of the grasp. */
+Eigen::Matrix3Xd FindPads(const Hand& hand, const Grasp& grasp, double s) {
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand, CalcClosingPosture(hand, grasp, s));
+  Eigen::Matrix3Xd pads(3, static_cast<Eigen::Index>(grasp.digits.size()));
+  Eigen::Index column = 0;
+  for (const Digit& digit : hand.digits) {
+    if (std::count(grasp.digits.begin(), grasp.digits.end(), digit.id) == 0) continue;
+    pads.col(column++) = X_HL[digit.distal_link] * digit.p_LPad;
+  }
+  return pads;
+}
 
 void AddPlacement(const Hand& hand, const Grasp& grasp, std::vector<GraspNumber>& numbers) {
   const auto add = [&](const char* name, const char* unit, double value) {
@@ -35,6 +48,11 @@ void AddPlacement(const Hand& hand, const Grasp& grasp, std::vector<GraspNumber>
   add("distance", "mm", MmFromM(grasp.approach_distance));
   add("alpha", "deg", DegFromRad(grasp.alpha));
   add("tilt", "deg", DegFromRad(grasp.tilt));
+  constexpr double kStep = 0.01;  // of closing, over which the pads' ways are taken
+  const Eigen::Matrix3Xd pads = FindPads(hand, grasp, placement.closing_at_contact);
+  const Eigen::Matrix3Xd before = FindPads(hand, grasp, placement.closing_at_contact - kStep);
+  add("pads off a plane", "mm", MmFromM(CalcPlaneResidual(pads)));
+  add("courses off a point", "mm", MmFromM(CalcMeetingResidual(pads, pads - before)));
 }
 
 std::string NameRow(const GraspNumber& number) {

@@ -47,6 +47,35 @@ int CountOf(const std::string& text, const std::string& part) {
   return count;
 }
 
+TEST(StudyReport, ThePhasesAreMediansOverTheTrialsThatHaveThem) {
+  StudyResult result = SmallStudy();
+  int num_kept = 0;
+  for (StudyTrial& trial : result.trials) {
+    if (!trial.IsKept()) continue;
+    TrialAnalysis& analysis = *trial.analysis;
+    analysis.movement.onset.time = 2.0;
+    analysis.phases.reacceleration.time = num_kept == 0 ? std::nan("") : 2.5;
+    analysis.closure_start.time = 2.6;
+    analysis.movement.end.time = 2.8;
+    analysis.timing.gct = 0.3;
+    analysis.object.lift_off.time = 3.0;
+    ++num_kept;
+  }
+  ASSERT_GT(num_kept, 2);
+  const std::string page = MakeStudyReport(result, nullptr);
+  ExpectSoundPage(page);
+  ExpectParts(TextOfId(page, "phases"),
+              {"medians of " + std::to_string(num_kept) + " trials", "fast approach, 0 to 50 %",
+               "slow approach, 50 to 80 %", "pre-grasp, 0 to 60 %", "closure, 60 to 90 %",
+               "stabilisation, 90 to 100 %", "Here 10 % of the time",
+               std::to_string(num_kept - 1) + " of " + std::to_string(num_kept)});
+  for (StudyTrial& trial : result.trials) {
+    if (trial.analysis) trial.analysis->phases.reacceleration.time = std::nan("");
+  }
+  ExpectParts(TextOfId(MakeStudyReport(result, nullptr), "phases"),
+              {"fast approach, 0 to 80 %", "no trial shows where the slow approach begins"});
+}
+
 TEST(StudyReport, WithoutATrialThatCountsItSaysWhyAndDrawsNothing) {
   StudyResult result = SmallStudy();
   for (StudyTrial& trial : result.trials) {

@@ -68,6 +68,9 @@ TEST_P(GraspTablesTest, TheNumbersAreTheGrasp) {
     EXPECT_NEAR(at["distance"], 100.0, 1e-9);
     EXPECT_NEAR(at["alpha"], grasp.id == "g4" || grasp.id == "g5" ? 90.0 : 75.0, 1e-9);
     EXPECT_NEAR(std::hypot(at["approach x"], at["approach y"], at["approach z"]), 1.0, 1e-12);
+    EXPECT_EQ(std::isnan(at["pads off a plane"]), grasp.digits.size() < 4);  // three are in one
+    EXPECT_GE(at["courses off a point"], 0.0);
+    EXPECT_LT(at["courses off a point"], 50.0);
   }
 }
 
