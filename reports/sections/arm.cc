@@ -56,14 +56,14 @@ Html DrawArm(const ReportData& data) {
               {"Hand",
                "Object",
                "Trials",
-               {"Course", "trials in which the arm has one"},
+               {"Course", "trials in which the arm has a path"},
                "Cannot reach",
                "No straight path",
                "Near a singularity",
                "Success",
                {"Time to pre-grasp [s]", "median"},
-               {"Joint", "most often nearest its limit, or that binds"},
-               {"Least margin [deg]", "of a joint to its limit on a course"}});
+               {"Joint", "most often nearest its limit, or limiting the path"},
+               {"Least margin [deg]", "smallest distance of a joint from its limit on the path"}});
   int num_trials = 0, num_courses = 0;
   for (const auto& [names, counts] : conditions) {
     const auto count = [&faults = counts.faults](Outcome outcome) {
@@ -82,9 +82,9 @@ Html DrawArm(const ReportData& data) {
   }
   return MakeParagraph("Arm: " + arm.model + ", base at " + FormatFixed(arm.x, 3) + ", " +
                        FormatFixed(arm.y, 3) + ", " + FormatFixed(arm.z, 3) + " m, turned by " +
-                       FormatFixed(DegFromRad(arm.yaw), 1) + " deg. It has a course in " +
+                       FormatFixed(DegFromRad(arm.yaw), 1) + " deg. It has a path in " +
                        std::to_string(num_courses) + " of " + FormatCount(num_trials, "trial") +
-                       ". The hand's base yields as without an arm.") +
+                       ". The compliance of the hand's base is that without an arm.") +
          table.ToHtml();
 }
 
