@@ -36,11 +36,11 @@ Html DrawAnswers(const Claims& claims) {
                   DescribeHeadline(claim)});
   }
   return MakeParagraph(
-             "The thesis argues: people strive to touch an object with all digits at once; this "
-             "helps robot hands, too; so a first step of optimisation makes the contacts of a "
-             "grasp simultaneous, and a second one finds the posture of the thumb that holds best. "
-             "Each answer below is what simulated trials, or recordings of people, say of one part "
-             "of this argument. \"Not decided\" means that the trials are too few to say either.") +
+             "The thesis argues that people strive for simultaneous contact of all digits and that "
+             "simultaneous contact also helps robot hands. Its first optimisation step makes the "
+             "contacts of a grasp simultaneous. Its second step finds the most stable thumb "
+             "posture. Each answer below is the evidence of simulated trials or of recordings for "
+             "one part of this argument. \"Not decided\" means that there are too few trials.") +
          table.ToHtml();
 }
 
@@ -51,7 +51,7 @@ Html DrawNumbers(const ArgumentClaim& claim) {
       measure.null_value == 0.0 ? "" : ", less " + FormatFixed(measure.null_value, 0);
   IntervalPlot plot;
   plot.text = {claim.question->question,
-               "One row per number with its 95 % interval; those that decide come first."};
+               "One row per number with its 95 % interval, deciding numbers first."};
   plot.axis = measure.text + less + (*measure.unit ? std::string(" [") + measure.unit + "]" : "");
   for (const bool decides : {true, false}) {
     bool is_first = true;
@@ -104,7 +104,7 @@ Html DrawClaim(const Claims& claims) {
 }
 
 Html DrawRules(const Claims&) {
-  Table table("What is measured, and from which size on an effect matters.",
+  Table table("Measured quantities and smallest effects of interest.",
               {"Number", "Claim expects", {"Smallest effect of interest", "proposed"}});
   for (const ArgumentMeasure* measure : {&kPeopleRatio, &kLateSuccess, &kLateThreshold,
                                          &kFormingTime, &kStability, &kSuccessChange}) {
@@ -115,21 +115,20 @@ Html DrawRules(const Claims&) {
                   FormatFixed(measure->least, measure->least < 1.0 ? 2 : 0) + unit});
   }
   return MakeParagraph(
-             "A number shows its claim when its 95 % interval lies on the claimed side of the null "
-             "value. It refutes the claim when the interval ends before the smallest effect of "
-             "interest: what there is, is smaller than what matters, or goes the other way. Else "
-             "it is not decided. A claim is shown when all numbers that decide it show it, and "
-             "refuted when one refutes it: what holds for one of two hands does not hold for "
-             "hands. What was not run decides nothing.") +
+             "A number shows its claim if its 95 % interval lies on the claimed side of the null "
+             "value. A number refutes its claim if the interval ends before the smallest effect of "
+             "interest. Otherwise the number is inconclusive. A claim is shown if all deciding "
+             "numbers show it, and refuted if one of them refutes it. Experiments that were not "
+             "run decide nothing.") +
          table.ToHtml() +
          MakeParagraph(
              "GFT is the time from the first to the last contact of the digits, GOT that between "
              "the thumb and the first finger, GCT that from the start of closure to the last "
-             "contact. The floor of GFT is what is left when every digit's times are shifted by "
-             "their own median: no pre-grasp takes it away. Candidates of step 1 and step 2 are "
-             "measured on fresh initial poses, before it is decided whether they are accepted. "
-             "Hands ending in -evolved have grasps that were evolved on the objects of the "
-             "catalogue; for them these objects are seen.");
+             "contact. The floor of GFT is the GFT that remains when the times of each digit are "
+             "shifted by their own median; no pre-grasp can remove it. Candidates of steps 1 and 2 "
+             "are measured on fresh initial poses before they are accepted or rejected. Hands "
+             "ending in -evolved have grasps that were optimised on the catalogue objects "
+             "(training set).");
 }
 
 }  // namespace

@@ -92,10 +92,10 @@ Html DrawSigmaMap(const BasinView& view) {
     const double share = most > 0.0 ? std::fmax(sample.sigma / most, 1e-3) : 1e-3;
     marks.push_back({sample.outcome == Outcome::kSuccess ? share : 0.0, DescribeSample(sample)});
   }
-  return DrawMap(view.data.samples, marks,
-                 {"Success by the object's offset",
-                  "Offsets in x and y in three slices of yaw; discs are successes, crosses "
-                  "failures."});
+  return DrawMap(
+      view.data.samples, marks,
+      {"Success by the object's offset",
+       "Offsets in x and y in three slices of yaw; discs are successes, crosses are failures."});
 }
 
 /** Discs whose area falls with the threshold: what the least margin holds is the largest. */
@@ -109,46 +109,47 @@ Html DrawBasinThresholdMap(const BasinView& view) {
   }
   return DrawMap(view.data.samples, marks,
                  {"Grip threshold by the object's offset",
-                  "Offsets in x and y in three slices of yaw; large discs are held by a small "
-                  "margin, crosses by none that was asked."});
+                  "Offsets in x and y in three slices of yaw; large discs succeed with a small "
+                  "margin, crosses with no tested margin."});
 }
 
 Html DrawBasinThresholds(const BasinView& view) {
   if (view.data.thresholds.empty()) {
     return Element("p", {},
-                   Text("How strong a grip each offset needs has not been looked for; ") +
+                   Text("The grip threshold per offset was not determined; ") +
                        Element("code", {}, "graspbench threshold") +
-                       Text(" with the basin's folder does it and shows it here."));
+                       Text(" with the folder of the basin adds it here."));
   }
   return MakeFigure(
-      "The smallest margin with which the object is held from each offset. Large discs need a "
-      "small one; crosses are held by none that was asked, or were not looked at.",
-      "discs that shrink towards an edge: there only a stronger grip holds.",
+      "The smallest margin with which the trial from each offset succeeds. Large discs need a "
+      "small margin. Crosses succeed with no tested margin or were not tested.",
+      "discs that shrink towards an edge: only a stronger grip holds there.",
       MakeScroll("Grip threshold by the object's offset", DrawBasinThresholdMap(view)));
 }
 
 Html DrawRadius(const BasinView& view) {
   const BasinSummary& summary = view.summary;
-  const Html sentence = Element(
-      "p", {{"class", "verdict"}},
-      view.data.title + ": basin radius " + FormatFixed(summary.radius, 2) +
-          " of at most 1. Every offset that was tried within " +
-          FormatFixed(MmFromM(summary.radius_offset), 1) + " mm and " +
-          FormatFixed(DegFromRad(summary.radius_yaw), 1) +
-          " degrees (an ellipsoid) succeeded; more samples can only lower it. In the whole box " +
-          summary.rate + " succeeded.");
+  const Html sentence =
+      Element("p", {{"class", "verdict"}},
+              view.data.title + ": basin radius " + FormatFixed(summary.radius, 2) +
+                  " of at most 1. Every offset that was tried within " +
+                  FormatFixed(MmFromM(summary.radius_offset), 1) + " mm and " +
+                  FormatFixed(DegFromRad(summary.radius_yaw), 1) +
+                  " degrees (an ellipsoid) succeeded; more samples can only lower this radius. In "
+                  "the whole box " +
+                  summary.rate + " succeeded.");
   return sentence +
          MakeFigure(
              "The object's offset from where the hand expects it, y upwards [mm]; joints without "
              "error. Discs are successes, their area is sigma (the largest " +
                  FormatFixed(summary.most_sigma, 1) + " N); crosses are failures.",
-             "crosses near the middle; crosses on one side only: the hand should stand farther to "
-             "that side; discs that shrink towards an edge.",
+             "crosses near the centre; crosses on one side only (the hand should move to that "
+             "side); discs that shrink towards an edge.",
              MakeScroll("Success by the object's offset", DrawSigmaMap(view)));
 }
 
 Html DrawSamples(const BasinView& view) {
-  Table table("Every offset that was tried; basin.csv has them exactly.",
+  Table table("All tested offsets; basin.csv has the exact values.",
               {"Sample",
                "x [mm]",
                "y [mm]",
@@ -176,13 +177,14 @@ Html DrawBasinFindings(const BasinView& view) {
   };
   if (const int failures = count(Outcome::kNumericalFailure); failures > 0) {
     findings.push_back(FormatCount(failures, "sample") +
-                       " ended as numerical failure; they count as failures of the grasp.");
+                       " failed numerically; they count as failures of the grasp.");
   }
   if (const int nonsense = count(Outcome::kNotPhysical); nonsense > 0) {
-    findings.push_back(FormatCount(nonsense, "sample") + " were not physical, so no successes.");
+    findings.push_back(FormatCount(nonsense, "sample") +
+                       " were not physical and do not count as successes.");
   }
   if (!samples.empty() && samples.front().outcome != Outcome::kSuccess) {
-    findings.push_back("The grasp fails without any offset, so the radius is 0.");
+    findings.push_back("The grasp fails even without an offset, so the radius is 0.");
   }
   return findings.empty() ? MakeParagraph("No errors and no warnings.") : MakeList(findings);
 }
@@ -190,8 +192,7 @@ Html DrawBasinFindings(const BasinView& view) {
 Html DrawBasinMethods(const BasinView& view) {
   return MakeMethodsText(
       {"The robustness of one grasp (" + view.data.title +
-       ") to the object's place was mapped in "
-       "simulation with graspbench " +
+       ") to the object's position was mapped in simulation with graspbench " +
        std::string(program_version()) + ": " + FormatCount(view.summary.num_samples, "trial") +
        ", the first without offset, the others "
        "at the points of a Halton sequence (bases 2, 3 and 5) in a box of +-" +

@@ -42,8 +42,8 @@ Html DrawVerdict(const DrawnGrasp& drawn) {
 
 Html DrawCourse(const DrawnGrasp& drawn) {
   return MakeParagraph(
-             "Closure: the stages of the grasp and the closing beyond. Hold: the push that "
-             "decides, or else the one that moved the object most. Lift-off: the lift.") +
+             "Closure: the stages of the grasp and further closing. Hold: the decisive push, or "
+             "the push that moved the object most. Lift-off: the lift.") +
          drawn.course;
 }
 
@@ -53,20 +53,21 @@ Html DrawMeasures(const DrawnGrasp& drawn) {
   const auto add = [&table](const char* name, const std::string& value) {
     table.AddRow({name, value.empty() ? "-" : value});
   };
-  add("Hand in the object at the start [mm]", FormatFixed(MmFromM(result.start_penetration), 2));
-  add("Hand in itself at the second stage [mm]", FormatFixed(MmFromM(result.self_penetration), 2));
-  add("Joints asked beyond their limits", std::to_string(result.num_beyond_limits));
+  add("Initial penetration of the object [mm]", FormatFixed(MmFromM(result.start_penetration), 2));
+  add("Self-penetration of the hand at the second stage [mm]",
+      FormatFixed(MmFromM(result.self_penetration), 2));
+  add("Joints commanded beyond their limits", std::to_string(result.num_beyond_limits));
   add("Touching after the last stage", result.touching);
-  add("Grip then, sum of normal forces [N]", FormatFixed(result.grip_force, 2));
+  add("Total grip after the last stage [N]", FormatFixed(result.grip_force, 2));
   add("Epsilon then, ferrari-canny", FormatFixed(result.epsilon, 4));
   add("Object moved by closing [mm]", FormatFixed(MmFromM(result.closing_shift), 1));
   add("Object turned by closing [deg]", FormatFixed(result.closing_turn_deg, 1));
-  add("Pushes or lifts stood", std::to_string(result.num_stood));
-  add("Object moved, the most in all looks [mm]", FormatFixed(MmFromM(result.worst_shift), 1));
-  add("Object turned, the most in all looks [deg]", FormatFixed(result.worst_turn_deg, 1));
+  add("Pushes or lifts resisted", std::to_string(result.num_stood));
+  add("Largest displacement of the object [mm]", FormatFixed(MmFromM(result.worst_shift), 1));
+  add("Largest rotation of the object [deg]", FormatFixed(result.worst_turn_deg, 1));
   if (drawn.data.profile.finds_breaking_load) {
-    add("Largest push stood along all axes [N]", FormatFixed(result.breaking_load, 2));
-    add("More breaks it along", result.breaks_along);
+    add("Largest push resisted along all axes [N]", FormatFixed(result.breaking_load, 2));
+    add("Weakest axis", result.breaks_along);
   }
   return table.ToHtml();
 }
@@ -77,18 +78,17 @@ Html DrawProfile(const DrawnGrasp& drawn) {
 }
 
 Html DrawAssumptions(const DrawnGrasp& drawn) {
-  return drawn.data.assumptions.empty() ? MakeParagraph("The file says all that was needed.")
+  return drawn.data.assumptions.empty() ? MakeParagraph("The file states everything needed.")
                                         : MakeList(drawn.data.assumptions);
 }
 
 Html DrawMethods(const DrawnGrasp& drawn) {
-  return MakeMethodsText(
-      {"A grasp of " + drawn.data.object_name + " was judged with graspbench " +
-       std::string(program_version()) + " on the " + drawn.data.hand->name + " under the profile " +
-       drawn.data.profile.name +
-       ": the hand began around the object at the first stage, was driven through the others, and "
-       "then the object was pushed or lifted as the profile says. The verdict holds under this "
-       "profile alone."});
+  return MakeMethodsText({"A grasp of " + drawn.data.object_name + " was judged with graspbench " +
+                          std::string(program_version()) + " on the " + drawn.data.hand->name +
+                          " under the profile " + drawn.data.profile.name +
+                          ". The hand started around the object at the first stage and passed "
+                          "through the other stages. Then the object was pushed or lifted "
+                          "according to the profile. The verdict holds for this profile only."});
 }
 
 }  // namespace

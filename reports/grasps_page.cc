@@ -28,16 +28,16 @@ std::string NameOf(const JudgedGrasp& judged) {
 }
 
 Html DrawSuccess(const GraspsView& view) {
-  Table table("Success under each profile.",
-              {"Profile",
-               "Grasps",
-               "Passed",
-               "Share",
-               {"95 % interval [%]", "Wilson"},
-               {"Gave up", "the simulation, counted as failures"},
-               {"Disturbed",
-                "share of the disturbances, 1 mm and 1 degree, of grasps that passed which pass, "
-                "too"}});
+  Table table(
+      "Success under each profile.",
+      {"Profile",
+       "Grasps",
+       "Passed",
+       "Share",
+       {"95 % interval [%]", "Wilson"},
+       {"Gave up", "numerical failures, counted as failures"},
+       {"Disturbed",
+        "for passing grasps: share of perturbed repetitions (1 mm, 1 degree) that also pass"}});
   for (const ProfileSummary& profile : view.summary.profiles) {
     table.AddRow({profile.profile, profile.num_judged, profile.num_passed,
                   FormatPercent(CalcShare(profile.num_passed, profile.num_judged)),
@@ -48,13 +48,14 @@ Html DrawSuccess(const GraspsView& view) {
 }
 
 Html DrawAgreement(const GraspsView& view) {
-  Table table("Verdicts against the files' own.", {"Profile",
-                                                   "Labelled",
-                                                   "Both pass",
-                                                   "Label only",
-                                                   "Verdict only",
-                                                   "Both fail",
-                                                   {"Kappa", "1: the same; 0: as by chance"}});
+  Table table("Verdicts compared with the labels in the files.",
+              {"Profile",
+               "Labelled",
+               "Both pass",
+               "Label only",
+               "Verdict only",
+               "Both fail",
+               {"Kappa", "1: full agreement; 0: chance level"}});
   bool has_any = false;
   for (const ProfileSummary& profile : view.summary.profiles) {
     const PairedCounts& counts = profile.labels;
@@ -63,12 +64,12 @@ Html DrawAgreement(const GraspsView& view) {
     table.AddRow({profile.profile, counts.num_pairs(), counts.both, counts.first_only,
                   counts.second_only, counts.neither, FormatNumber(CalcKappa(counts), 2)});
   }
-  return has_any ? table.ToHtml() : MakeParagraph("The files say nothing of success.");
+  return has_any ? table.ToHtml() : MakeParagraph("The files contain no labels.");
 }
 
 Html DrawTransitions(const GraspsView& view) {
-  if (view.summary.transitions.empty()) return MakeParagraph("There is one profile.");
-  Table table("The same grasps from profile to profile.",
+  if (view.summary.transitions.empty()) return MakeParagraph("Only one profile was used.");
+  Table table("Verdicts on the same grasps under pairs of profiles.",
               {"From", "To", "Pass both", "Lost", "Won", "Fail both"});
   for (const ProfileTransition& transition : view.summary.transitions) {
     const PairedCounts& counts = transition.counts;
@@ -79,13 +80,13 @@ Html DrawTransitions(const GraspsView& view) {
 }
 
 Html DrawGraspTable(const std::string& caption, const std::vector<const JudgedGrasp*>& grasps) {
-  Table table(caption, {{"Grasp", "file, number in it"},
+  Table table(caption, {{"Grasp", "file and index in it"},
                         "Profile",
                         "Verdict",
                         "Failed at",
-                        {"Moved [mm]", "the most in all looks"},
+                        {"Moved [mm]", "maximum over all checks"},
                         "Turned [deg]",
-                        "Deep at start [mm]",
+                        "Initial penetration [mm]",
                         {"Grip [N]", "after the last stage"},
                         {"Breaking load [N]",
                          "largest push stood along all six axes; -: not sought, or none"},
@@ -122,16 +123,16 @@ Html DrawFailures(const GraspsView& view) {
   }
   if (failures.empty()) return MakeParagraph("None.");
   return stages + DrawGraspTable("Grasps that failed, at most " + std::to_string(kMostFailures) +
-                                     "; grasps.csv has all.",
+                                     "; grasps.csv lists all.",
                                  failures);
 }
 
 Html DrawNearest(const GraspsView& view) {
   if (view.summary.nearest.empty()) return MakeParagraph("No grasp was tested.");
   return MakeParagraph(
-             "Those whose object moved or turned by the most similar amount to what the profile "
-             "allows; another step or friction may turn their verdict.") +
-         DrawGraspTable("Nearest the border of pass and fail.", view.summary.nearest);
+             "Grasps whose displacement or rotation is closest to the limit of the profile; "
+             "another time step or friction may change their verdict.") +
+         DrawGraspTable("Grasps nearest the limit between pass and fail.", view.summary.nearest);
 }
 
 Html DrawUnread(const GraspsView& view) {
@@ -139,7 +140,7 @@ Html DrawUnread(const GraspsView& view) {
   for (const Json& file : view.config.value("unread", Json::array())) {
     items.push_back(file.value("name", "") + ": " + file.value("reason", ""));
   }
-  return items.empty() ? MakeParagraph("Everything was read and mapped.") : MakeList(items);
+  return items.empty() ? MakeParagraph("All files were read and mapped.") : MakeList(items);
 }
 
 Html DrawProfiles(const GraspsView& view) {
@@ -156,11 +157,10 @@ Html DrawGraspsMethods(const GraspsView& view) {
   return MakeMethodsText(
       {"Grasps were judged with graspbench " + std::string(program_version()) + " on the hand " +
        view.config.value("hand", "") +
-       ". The hand began around the object at the first stage of each grasp and was driven through "
-       "the others; then the object was pushed, along six directions from the same instant each or "
-       "out of the palm, or lifted, as the profile says. A verdict holds under its profile alone. "
-       "Agreement is "
-       "Cohen's kappa, intervals are Wilson's at 95 %."});
+       ". The hand started around the object at the first stage of each grasp and passed through "
+       "the other stages. Then the object was pushed along six directions or out of the palm, or "
+       "lifted, according to the profile. A verdict holds for its profile only. Agreement is "
+       "Cohen's kappa; intervals are Wilson's at 95 %."});
 }
 
 }  // namespace
@@ -170,7 +170,7 @@ std::string MakeGraspsPage(const Json& config, const std::vector<JudgedGrasp>& j
   static const std::vector<PageSection<GraspsView>> sections = {
       {"success", "Success", &DrawSuccess},
       {"agreement", "Agreement with the files", &DrawAgreement},
-      {"transitions", "From profile to profile", &DrawTransitions},
+      {"transitions", "Comparison of profiles", &DrawTransitions},
       {"failed", "Failures", &DrawFailures},
       {"nearest", "Nearest the border", &DrawNearest},
       {"unread", "Not judged", &DrawUnread},

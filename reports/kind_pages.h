@@ -25,7 +25,7 @@ header and a row of kKindPages (session_report.cc). */
 namespace graspbench {
 
 /** What it finds of each hand, a map for each measure, the regions with the trials behind them, and
-what goes with success without delays. */
+what correlates with success without delays. */
 std::string MakeMapPage(const Session& session, const MapResult& result);
 
 /** Its conditions, a map for two factors (one for each level of a third), what each level changes

@@ -27,14 +27,14 @@ Html DrawLearningCurve(const std::vector<LearningPoint>& points) {
     best.y.push_back(i == 0 ? percent : std::fmax(percent, best.y.back()));
   }
   plot.series = {rate, best};
-  return MakeFigure(plot.text.title + ".",
-                    "whether the band leaves that of the first session; the best of many is "
-                    "partly luck.",
-                    MakeScroll(plot.text.title, DrawLinePlot(plot)));
+  return MakeFigure(
+      plot.text.title + ".",
+      "sessions whose band does not overlap that of the first; the best of many is partly chance.",
+      MakeScroll(plot.text.title, DrawLinePlot(plot)));
 }
 
 Html DrawLearningTable(const std::vector<LearningPoint>& points) {
-  return MakeTable("Sessions, and each against the first on the same draws.",
+  return MakeTable("Sessions, each compared with the first on the same draws.",
                    ShowTable(ListLearningColumns(), points));
 }
 

@@ -111,11 +111,10 @@ Html DrawPlane(const Plane& plane) {
                                                        : HeatMap::Cell());
     }
   }
-  return MakeFigure(
-      plane.Name() + ". Hatched: the 95 % interval includes 0.",
-      "shaded rows or columns: a factor with which a late digit matters; blue is cost, "
-      "ochre is gain, the darker the more.",
-      MakeScroll(plane.Name(), DrawHeatMap(drawn)));
+  return MakeFigure(plane.Name() + ". Hatched: the 95 % interval includes 0.",
+                    "shaded rows or columns: factors under which a delay has an effect; blue is a "
+                    "loss, ochre a gain, darker is more.",
+                    MakeScroll(plane.Name(), DrawHeatMap(drawn)));
 }
 
 Html DrawFindings(const MapView& view) {
@@ -134,8 +133,8 @@ Html DrawFindings(const MapView& view) {
 
 Html DrawPlanes(const MapView& view) {
   Html content = MakeParagraph(
-      "A region is one level, or two levels of two factors, with all levels of the others. Point "
-      "at an entry for its interval, pairs and verdict.");
+      "A region is one level, or two levels of two factors, over all levels of the other factors. "
+      "Hover over an entry for interval, pairs and verdict.");
   for (const Plane& plane : ListPlanes(view.result)) content += DrawPlane(plane);
   return content;
 }
@@ -175,22 +174,23 @@ Html DrawRegions(const MapView& view) {
            row.cell->where.empty();
   });
   return DrawPrecision(view.result.parts.front().map) +
-         MakeTable("Everywhere, and the regions in which a late digit costs or gains.",
+         MakeTable("All regions together, and the regions in which a delay changes success.",
                    ShowRegions(found)) +
          MakeDetails("All " + FormatCount(static_cast<int>(all.size()), "region"),
                      MakeTable("Every region of every measure.", ShowRegions(all)));
 }
 
 Html DrawObjects(const MapView& view) {
-  if (view.result.objects.empty()) return MakeParagraph("There is no pair.");
+  if (view.result.objects.empty()) return MakeParagraph("There are no pairs.");
   std::vector<Column> columns = {"Hand", "Late digit", "Object", "Pairs"};
   const std::vector<RateWithDelay>& delays = view.result.objects.front().rates;
   for (const RateWithDelay& rate : delays) {
     columns.push_back({FormatFixed(rate.delay, 1) + " s late [%]", "successes"});
   }
   columns.push_back("Points for 100 ms (95 % interval)");
-  columns.push_back({"A trial that changed", "of the first such: graspbench trial DIR NAME"});
-  Table table("Success of each object, all regions together.", columns);
+  columns.push_back(
+      {"A trial that changed", "name of the first such trial: graspbench trial DIR NAME"});
+  Table table("Success by object over all regions.", columns);
   for (const ObjectEffect& effect : view.result.objects) {
     std::vector<Cell> row = {effect.hand, NameLateDigit(effect.late), effect.object,
                              effect.num_pairs};
@@ -206,16 +206,15 @@ Html DrawObjects(const MapView& view) {
     table.AddRow(row);
   }
   return MakeParagraph(
-             "Intervals come from drawing an object's pairs with replacement: they are "
-             "of this object in these regions, and of twenty objects one excludes 0 by "
-             "chance.") +
+             "Intervals resample the pairs of an object and hold for this object in these regions. "
+             "Of twenty objects, one interval excludes 0 by chance.") +
          table.ToHtml();
 }
 
 Html DrawNatural(const MapView& view) {
-  Table table("Late digits and success among trials without delay.",
+  Table table("Late digits and success in trials without delay.",
               {"Hand", "Trials", "Objects", "Correlation (95 % interval)",
-               "With a cause held (95 % interval)", "Goes back to"});
+               "Partial correlation (95 % interval)", "Goes back to"});
   const auto format = [](double value, const Interval& interval) {
     return FormatFixed(value, 2) + " (" + FormatFixed(interval.low, 2) + " to " +
            FormatFixed(interval.high, 2) + ")";
@@ -234,8 +233,8 @@ Html DrawNatural(const MapView& view) {
                   relation->cause.empty() ? "-" : relation->cause});
   }
   return MakeParagraph(
-             "A correlation, not an effect: below 0, late digits go with failures between draws of "
-             "one object and region. Whether lateness is why is what the delays above decide.") +
+             "A correlation, not an effect: negative values mean that late digits accompany "
+             "failures between draws of one object and region. The delays above test causation.") +
          table.ToHtml();
 }
 
@@ -252,23 +251,20 @@ Html DrawMethods(const MapView& view) {
       {"Grasps were simulated with graspbench " + std::string(program_version()) + " on " +
        DescribeObjectNames(view.session.config.objects) +
        ", in a regular fraction of the combinations of " + factors +
-       ". In every region each draw was tried without delay and with the digit that touched last, "
-       "or first, closing later. Effects are means over such pairs, for 100 ms of delay by a line "
-       "through the trial without delay; of the push, the share of pairs in which the object was "
-       "pushed farther until all digits touched, less that in which it was pushed less far, a "
-       "digit "
-       "that never touched being the farthest. 95 % intervals come from drawing objects with "
-       "replacement, p values from the signs of objects' sums, adjusted for a false discovery rate "
-       "of 5 %, of what holds everywhere over hands and late digits, of regions over all regions "
-       "of a "
-       "measure."});
+       ". In every region each draw was tested without delay and with a delay of the last or first "
+       "digit. Effects are means over such pairs, scaled to a delay of 100 ms by a line through "
+       "the trial without delay. For the push, the effect is the share of pairs with a longer push "
+       "minus the share with a shorter push; a digit that never touches counts as the longest "
+       "push. 95 % intervals resample objects. P values come from the signs of object sums and are "
+       "adjusted for a false discovery rate of 5 %: overall effects over hands and delayed digits, "
+       "regions over all regions of a measure."});
 }
 
 }  // namespace
 
 std::string MakeMapPage(const Session& session, const MapResult& result) {
   static const std::vector<PageSection<MapView>> sections = {
-      {"findings", "Where it matters that the digits touch at once", &DrawFindings},
+      {"findings", "Where simultaneous contact matters", &DrawFindings},
       {"maps", "Maps", &DrawPlanes},
       {"regions", "Regions", &DrawRegions},
       {"objects", "Object by object", &DrawObjects},

@@ -52,9 +52,9 @@ Html DrawScheduleCell(const ScheduleCell& cell, const SessionModels& models) {
   IntervalPlot plot;
   plot.text.title = "When digits touch: " + NameScheduleCell(cell.of, models);
   plot.text.description =
-      "Each digit's first contact after that of the first digit, median and quartiles of trials, "
-      "for people and each schedule.";
-  plot.axis = "first contact after the first digit's [% of the closing time]";
+      "First contact of each digit relative to the first digit: median and quartiles over trials, "
+      "for participants and each schedule.";
+  plot.axis = "delay after the first contact [% of the closing time]";
   for (const std::string& digit : cell.of.digits) {
     plot.AddHeading(models.NameOfDigit(cell.of.hand, digit));
     if (cell.of.people) plot.rows.push_back(MakeTouchRow(kPeopleRow, 1, cell.of.people, digit));
@@ -64,8 +64,8 @@ Html DrawScheduleCell(const ScheduleCell& cell, const SessionModels& models) {
     }
   }
   return MakeFigure(plot.text.title + ".",
-                    "the order and the gaps of people's digits beside the robot's; a digit that "
-                    "never touches comes after every other.",
+                    "order and spacing of the digits in participants and robots; a digit that "
+                    "never touches counts as last.",
                     MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
 }
 
@@ -94,17 +94,16 @@ std::string FormatScheduleCost(const ScheduleRow& row) {
 }
 
 Html DrawScheduleCosts(const ScheduleComparison& comparison, const SessionModels& models) {
-  Table table("What each schedule costs, on the same draws.",
+  Table table("Cost of each schedule, on the same draws.",
               {"Condition",
                "Schedule",
                "Trials",
-               {"GFT [ms]", "median; n/a: a digit does not touch in half of the trials"},
+               {"GFT [ms]", "median; n/a: a digit does not touch in at least half of the trials"},
                "Held",
-               {"Threshold margin", "median over draws: the smallest margin that holds"},
-               {"Pairs", "draws with a threshold under this schedule and natural"},
+               {"Threshold margin", "median grip threshold over draws (margin)"},
+               {"Pairs", "draws with a threshold under this and the natural schedule"},
                {"Of natural",
-                "ratio of the draw's threshold to that under natural: median, 95 % interval; 1 "
-                "costs nothing"}});
+                "ratio of thresholds to the natural schedule: median, 95 % interval; 1: no cost"}});
   for (const ScheduleCell& cell : comparison.cells) {
     const std::string name = NameScheduleCell(cell.of, models);
     if (cell.of.people) {
@@ -147,11 +146,11 @@ Html DrawNotCompared(const ScheduleComparison& comparison, const SessionModels& 
 Html DrawPeopleAndRobots(const ScheduleComparison& comparison, const SessionModels& models) {
   const bool has_people = !comparison.study.empty();
   const std::string text =
-      "Times of contact count from the first digit's, in shares of the closing time, because a "
-      "robot closes at a set speed; only the digits of the robot's grasp are compared. " +
-      (has_people ? "People: " + comparison.study + "." : "No study of people was named.") +
-      " The delays of simultaneous and people-like closing are found in a trial without variation; "
-      "where an object stands spreads its contacts again.";
+      "Contact times are relative to the first contact, as shares of the closing time, because a "
+      "robot closes at a set speed. Only the digits of the robot's grasp are compared. " +
+      (has_people ? "People: " + comparison.study + "." : "No study of participants was named.") +
+      " The delays of simultaneous and people-like closing are determined in a trial without "
+      "variation; the sampled object pose spreads the contacts again.";
   return MakeParagraph(text) + DrawScheduleFigures(comparison, models) +
          DrawScheduleCosts(comparison, models) + DrawNotCompared(comparison, models);
 }
@@ -159,10 +158,9 @@ Html DrawPeopleAndRobots(const ScheduleComparison& comparison, const SessionMode
 Html DrawSchedules(const std::vector<ScheduleComparison>& comparisons, const SessionModels& models,
                    const std::string& session) {
   if (comparisons.empty()) {
-    return MakeParagraph("The grasps have one schedule, their own. graspbench simultaneity " +
-                         session +
-                         " --schedules --people STUDY puts people, simultaneous and people-like "
-                         "closing beside it, with what each costs in grip threshold.");
+    return MakeParagraph("Only the natural schedule was run. graspbench simultaneity " + session +
+                         " --schedules --people STUDY adds simultaneous and people-like closing "
+                         "and their cost in grip threshold.");
   }
   Html html;
   for (const ScheduleComparison& comparison : comparisons) {

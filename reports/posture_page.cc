@@ -83,7 +83,7 @@ Html DrawRules(const Hand& hand, const DevelopedGrasp& one) {
       CalcStand(hand, proposed, proposed.q_pre), CalcStand(hand, developed, developed.q_pre),
       CalcStand(hand, proposed, proposed.q_target), CalcStand(hand, developed, developed.q_target)};
   const PostureAim& aim = one.proposed.aim;
-  Table table("How the pads stand, by the rules of development. Geometry: before any simulation.",
+  Table table("Pad geometry, rated by the development rules, before and after simulation.",
               {"rule", "asked", "pre-grasp, geometry", "pre-grasp, developed", "target, geometry",
                "target, developed"});
   const auto add = [&](const char* rule, const std::string& asked, double PadStand::*value,
@@ -93,20 +93,20 @@ Html DrawRules(const Hand& hand, const DevelopedGrasp& one) {
     table.AddRow(cells);
   };
   add("opening [mm]", Mm(aim.opening) + ", met " + Mm(aim.meeting), &PadStand::opening, &Mm);
-  add("pads off facing each other [deg]", "0 when met", &PadStand::off_facing, &Deg);
-  add("pads off one level [mm]", "0", &PadStand::off_level, &Mm);
-  add("fingertips off pointing down [deg]", "at most " + Deg(std::acos(aim.tips_down)),
+  add("deviation of opposed pads from facing [deg]", "0 when met", &PadStand::off_facing, &Deg);
+  add("height difference of the pads [mm]", "0", &PadStand::off_level, &Mm);
+  add("deviation of the fingertips from vertical [deg]", "at most " + Deg(std::acos(aim.tips_down)),
       &PadStand::off_down, &Deg);
   add("pads beyond the palm [mm]", (aim.is_reach_exact ? "" : "at least ") + Mm(aim.reach),
       &PadStand::reach, &Mm);
   if (stands[0].pads.size() > 2) {
-    add("nearest neighbouring pads [mm]", Mm(aim.pad_gap), &PadStand::gap, &Mm);
+    add("smallest distance of neighbouring pads [mm]", Mm(aim.pad_gap), &PadStand::gap, &Mm);
   }
   return table.ToHtml();
 }
 
 Html DrawStages(const std::vector<DevelopmentStage>& stages) {
-  Table table("What the simulation was asked, and what held.",
+  Table table("Number of simulated shapes and successes.",
               {"stage", "postures on shapes", "trials", "held", "best mean score"});
   for (const DevelopmentStage& stage : stages) {
     table.AddRow({stage.name, stage.num_requests, stage.tally.finished, FormatRate(stage.tally),
@@ -140,11 +140,12 @@ bool HasPictures(const Hand& hand) {
 
 /** What the colours of its pictures are. */
 std::string DescribeColours(const Hand& hand) {
-  return std::string("The hand as it comes from above. Red arrows show where the pads face. ") +
-         (HasPictures(hand) ? "The hand has its own colours; how it touches is drawn by hand show "
-                              "--shapes."
-                            : "The description has no pictures, so what touches is drawn: blue "
-                              "balls of the pads, orange ones of other links, grey capsules.");
+  return std::string("The hand approaching from above. Red arrows are the normals of the pads. ") +
+         (HasPictures(hand)
+              ? "The visual shapes of the hand are shown; hand show --shapes draws the contact "
+                "shapes."
+              : "The description has no visual shapes, so the contact shapes are drawn: balls of "
+                "the pads (blue), balls of other links (orange), capsules (grey).");
 }
 
 /** The hand over the table as it comes to an object, its pads with arrows where they face. */
@@ -196,9 +197,8 @@ Html DrawPictures(const std::shared_ptr<const Hand>& hand, const Grasp& grasp,
 }
 
 Html DrawSummary(const PosturePageData& data) {
-  Table table("Developed grasps.",
-              {"grasp", "digits", "trials", "failed numerically", "score by geometry", "developed",
-               "held of shapes not met before"});
+  Table table("Developed grasps.", {"grasp", "digits", "trials", "failed numerically",
+                                    "score by geometry", "developed", "held-out shapes held"});
   for (size_t i = 0; i < data.developed.size(); ++i) {
     const DevelopedGrasp& one = data.developed[i];
     std::string digits, held = "n/a";
@@ -221,7 +221,7 @@ Html DrawWarnings(const Hand& hand, const std::vector<DevelopedGrasp>& developed
       list += MakeParagraph(one.grasp.id + ": " + warning + ".");
     }
   }
-  return list.empty() ? Html() : MakeNote("warning", "Look at these grasps", list);
+  return list.empty() ? Html() : MakeNote("warning", "Grasps to check", list);
 }
 
 }  // namespace
@@ -232,19 +232,19 @@ std::string MakePosturePage(const PosturePageData& data) {
   Html body = Element(
       "section", {{"id", "summary"}},
       Element("h2", {}, "Summary") +
-          MakeParagraph("Rules of geometry proposed postures of each grasp; simulation on shapes "
-                        "made for it, none of them an object of the catalogue, chose among them "
-                        "(race), changed the best one (search), compared the two (finals), and "
-                        "tried what was chosen on shapes that nothing had seen (check). A score "
-                        "above 1 means that all was held. Seed " +
-                        std::to_string(data.config.seed) + ", budget " +
-                        std::to_string(data.config.budget) + " trials.") +
+          MakeParagraph(
+              "Geometric rules proposed postures of each grasp. Simulation on synthetic shapes, "
+              "none of them a catalogue object, selected among them (race), varied the best "
+              "(search), compared both (finals), and tested the result on held-out shapes (check). "
+              "A score above 1 means that all shapes were held. Seed " +
+              std::to_string(data.config.seed) + ", budget " + std::to_string(data.config.budget) +
+              " trials.") +
           DrawWarnings(hand, data.developed) + DrawSummary(data));
   std::unique_ptr<Renderer> renderer;
   try {
     renderer = std::make_unique<Renderer>(kWidth, kHeight);
   } catch (const Error& error) {
-    body += MakeNote("warning", "There are no pictures", MakeParagraph(error.what()));
+    body += MakeNote("warning", "No pictures", MakeParagraph(error.what()));
   }
   for (size_t i = 0; i < data.developed.size(); ++i) {
     const DevelopedGrasp& one = data.developed[i];
@@ -255,8 +255,8 @@ std::string MakePosturePage(const PosturePageData& data) {
     if (renderer) {
       section += MakeFigure(
           DescribeColours(hand),
-          "pads that face each other at one height, and nothing of the hand below the fingertips; "
-          "in the target they may go through each other, as it lies behind the object's surface.",
+          "opposed pads at one height, and no part of the hand below the fingertips; in the target "
+          "posture pads may overlap, because it lies behind the object's surface.",
           DrawPictures(data.hand, one.grasp, name, *renderer));
     }
     section += DrawRules(hand, one);

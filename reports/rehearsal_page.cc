@@ -34,7 +34,7 @@ std::vector<size_t> ListBest(const Rehearsal& rehearsal) {
 }
 
 Html DrawChoices(const RehearsalPageData& data) {
-  Table table("Chosen grasps. Held: of the draws of rehearsal, not of any session.",
+  Table table("Chosen grasps. Held: share of the rehearsal draws, which belong to no session.",
               {"hand", "object", "chosen", "held", "95 % interval", "candidates tried", "trials"});
   for (const RehearsedPair& pair : data.pairs) {
     const RehearsedCandidate& choice = pair.result.choice();
@@ -46,8 +46,7 @@ Html DrawChoices(const RehearsalPageData& data) {
 }
 
 Html DrawCandidates(const Rehearsal& rehearsal) {
-  Table table("Candidates in the order in which they were tried.",
-              {"candidate", "held", "first failure"});
+  Table table("Candidates in the order of testing.", {"candidate", "held", "first failure"});
   for (const RehearsedCandidate& tried : rehearsal.tried) {
     const auto failed = std::find_if(tried.outcomes.begin(), tried.outcomes.end(),
                                      [](Outcome outcome) { return !IsSuccess(outcome); });
@@ -93,27 +92,27 @@ Html DrawPairPictures(const RehearsalTask& task, const Rehearsal& rehearsal, siz
 
 Html DrawRehearsalMethods(const RehearsalPageData& data) {
   return MakeParagraph(
-      "Candidates are the hand's standard grasps as the rule places them, from the other side, "
-      "turned about the vertical into the object's axes, and variations of what held longest. Each "
-      "was tried on up to " +
+      "Candidates are the standard grasps of the hand at the rule's placement, from the opposite "
+      "approach, turned about the vertical to the object's axes, and variations of the longest "
+      "runs. Each was tested on up to " +
       std::to_string(data.config.num_draws) +
-      " sampled initial poses, until one was not held. Every second pose has friction times 0.8 "
+      " sampled initial poses until the first failure. Every second pose has friction times 0.8 "
       "and mass times 1.2. " +
       (data.config.num_draws < kNumProofDraws
-           ? "One that held all of them was tried on " + std::to_string(kNumProofDraws) +
+           ? "A candidate that holds all of them is tested on " + std::to_string(kNumProofDraws) +
                  " in all, of which it may lose one. "
            : "") +
-      "The first that held is chosen; else the one that held most of those with the longest run, "
-      "of equal ones that with the lowest grip threshold. The poses belong to no session. At "
+      "The first candidate that passes is chosen, else the best share among the longest runs, and "
+      "among equal shares the lowest grip threshold. The poses belong to no session. At "
       "most " +
       std::to_string(data.config.num_candidates) + " candidates were tried. " +
       (data.config.num_postures > 0
-           ? "Where none held all, " + std::to_string(data.config.num_postures) +
-                 " target postures were searched from the choice on, and the best of them were "
+           ? "If no candidate held all poses, " + std::to_string(data.config.num_postures) +
+                 " target postures were searched from the choice, and the best of them were "
                  "compared with it on four times as many poses. "
            : "") +
       "graspbench " + program_version() +
-      " proposes this rule; the thesis (4.2) tries every grasp on every object.");
+      " proposes this rule; the thesis (4.2) tests every grasp on every object.");
 }
 
 }  // namespace
@@ -128,9 +127,9 @@ std::string MakeRehearsalPage(const RehearsalPageData& data) {
       Element("h2", {}, "Choices") +
           MakeParagraph(std::to_string(num_robust) + " of " +
                         FormatCount(static_cast<int>(data.pairs.size()), "pair") +
-                        " held every draw of rehearsal. The interval is Wilson's at 95 %. On new "
-                        "draws expect a share in its lower half, since the grasp was chosen for "
-                        "these draws; a session says how much.") +
+                         " held every rehearsal draw. The intervals are Wilson's at 95 %. On new "
+                         "draws expect a share in the lower half, because the grasp was selected on "
+                         "these draws; a session measures the rate.") +
           DrawChoices(data));
   body += Element("section", {{"id", "methods"}},
                   Element("h2", {}, "Methods") + DrawRehearsalMethods(data));
@@ -152,7 +151,7 @@ std::string MakeRehearsalPage(const RehearsalPageData& data) {
                                 Describe(choice.candidate) + ", held " + choice.FormatHeld() + ".");
     if (renderer) {
       const RehearsalTask& task = data.tasks[static_cast<size_t>(pair.request)];
-      section += MakeFigure("The hand where it would meet the object, at its nominal pose.",
+      section += MakeFigure("The hand at contact with the object at its nominal pose.",
                             "pads on opposite sides of the object.",
                             DrawPairPictures(task, pair.result, most, *renderer));
     }

@@ -28,7 +28,7 @@ std::string MakeSessionReport(const ReportData& data) {
       {"Trials", std::to_string(summary.total.finished) + " of " +
                      std::to_string(summary.total.planned) + " planned"},
       {"Hash of the configuration", CalcHashHex(FormatJson(ToJson(session.config)))},
-      {"Clock, machine and run time", "not in this page; run.json in the session's folder"}};
+      {"Clock, machine and run time", "not on this page; see run.json in the session's folder"}};
   frame.references = {"roethling2007", "sherman2011", "wilson1927", "ferrari1992", "efron1987"};
   std::vector<Section> sections = ListSections();
   const auto leave_out = [&](const std::string& anchor) {

@@ -54,7 +54,7 @@ Html DrawAgreement(const TrialResult& recorded, const TrialResult& now) {
   if (!difference) return {};
   return MakeNote(
       "warning", "Not as recorded",
-      MakeParagraph("Carried out again, the trial differs from its record in " + difference->field +
+      MakeParagraph("The re-simulated trial differs from its record in " + difference->field +
                     ": recorded " + difference->recorded + ", now " + difference->now + "."));
 }
 
@@ -87,13 +87,13 @@ SessionViews DrawSessionViews(const Session& session, const SessionSummary& summ
   }
   if (list.empty()) return {};
   Html body = MakeParagraph(
-      "Every failed trial and one success of each condition, carried out again: picture, forces at "
-      "the end of each phase, curves; with scripts a scene to turn and to play.");
+      "All failed trials and one success per condition, re-simulated: picture, forces at the end "
+      "of each phase, curves; with scripts enabled, an interactive 3-D scene.");
   if (num_shown < chosen.size()) {
-    body += MakeParagraph("The first " + std::to_string(num_shown) + " of " +
-                          FormatCount(static_cast<int64_t>(chosen.size()), "trial") +
-                          ", as many as fit into a page; any other: graspbench trial DIR TRIAL "
-                          "--page trial.html");
+    body += MakeParagraph(
+        "The first " + std::to_string(num_shown) + " of " +
+        FormatCount(static_cast<int64_t>(chosen.size()), "trial") +
+        ", as many as fit on a page; any other: graspbench trial DIR TRIAL --page trial.html");
   }
   return {body + list + views.MakeModels(), views.MakeScript()};
 }

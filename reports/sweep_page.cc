@@ -52,7 +52,7 @@ std::string DescribeHand(const SweepSummary& summary, const std::string& hand) {
 }
 
 Html DrawConditions(const SweepView& view) {
-  return MakeTable("Conditions and what their trials gave; medians of all but success.",
+  return MakeTable("Results by condition; success is a rate, other columns are medians.",
                    ShowConditions(view.summary));
 }
 
@@ -90,9 +90,9 @@ Html DrawEffectPlot(const SweepSummary& summary, const std::string& hand,
     plot.rows.push_back(row);
   }
   if (plot.rows.empty()) return {};
-  return MakeFigure(plot.text.title + ", against the base's, on the same draws.",
-                    "intervals that exclude 0. A row without an interval cannot "
-                    "decide; the table says why.",
+  return MakeFigure(plot.text.title + ", relative to the base level, on the same draws.",
+                    "intervals that exclude 0. A row without an interval is not testable; the "
+                    "table gives the reason.",
                     MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
 }
 
@@ -182,10 +182,9 @@ Html DrawMaps(const SweepView& view) {
           label + ": " + summary.factors[0].key + " by " + summary.factors[1].key +
               (summary.factors.size() >= 3 ? ", a map for each level of " + summary.factors[2].key
                                            : "") +
-              (summary.factors.size() > 3 ? "; all other factors as the base has them" : "") +
+              (summary.factors.size() > 3 ? "; all other factors at their base level" : "") +
               ". Success is a rate, the rest are medians over the trials that have a value.",
-          "rows or columns that change together; a corner that breaks the pattern is an "
-          "interaction.",
+          "rows or columns that change together; a deviating corner is an interaction.",
           MakeScroll(label, maps));
     }
   }
@@ -204,8 +203,8 @@ Html DrawEffects(const SweepView& view) {
   }
   if (!others.empty()) content += MakeDetails("Changes of the other measures", others);
   return content + MakeTable(
-                       "What each level changes: means over draws, with 95 % intervals. One "
-                       "interval in twenty misses 0 by chance.",
+                       "Effect of each level: means over draws with 95 % intervals. One interval "
+                       "in twenty excludes 0 by chance.",
                        ShowEffects(view.summary.effects));
 }
 
@@ -213,30 +212,31 @@ Html DrawInteractions(const SweepView& view) {
   const std::vector<SweepEffect>& all = view.summary.interactions;
   if (all.empty()) {
     return MakeParagraph(
-        "The design has no two factors that change alone and together, so that "
-        "it says nothing of interactions.");
+        "No two factors of the design change both alone and together, so interactions are not "
+        "testable.");
   }
   const std::vector<SweepEffect> named = view.summary.FindInteractions();
   const Html list =
       MakeDetails("All " + FormatCount(static_cast<int>(all.size()), "interaction"),
-                  MakeTable("What two levels change beyond the sum of both.", ShowEffects(all)));
+                  MakeTable("Interactions: effect of two levels beyond the sum of their effects.",
+                            ShowEffects(all)));
   if (named.empty()) {
-    return MakeParagraph("No 95 % interval of an interaction excludes 0.") + list;
+    return MakeParagraph("There is no significant interaction (95 % CI).") + list;
   }
-  return MakeTable("Interactions whose 95 % interval excludes 0.", ShowEffects(named)) + list;
+  return MakeTable("Significant interactions (95 % CI excludes 0).", ShowEffects(named)) + list;
 }
 
 Html DrawSweepThresholds(const SweepView& view) {
   if (view.summary.thresholds.empty()) {
     return Element("p", {},
-                   Text("They have not been looked for; ") +
+                   Text("Grip thresholds were not determined; ") +
                        Element("code", {}, "graspbench threshold") +
-                       Text(" with the sweep's folder does it."));
+                       Text(" with the folder of the sweep adds them."));
   }
   return MakeParagraph(
-             "The smallest grip with which each draw succeeds, by bisection. Medians are among the "
-             "conditions, changes among the effects as ratios; there a draw that no grip held "
-             "counts as one step above the largest.") +
+             "The smallest grip with which each draw succeeds, by bisection. Medians are listed "
+             "with the conditions, ratios with the effects. A draw that no grip holds counts there "
+             "as one step above the largest grip.") +
          MakeTable("Grip thresholds of the draws under each condition.",
                    ShowThresholds(view.summary));
 }
@@ -268,23 +268,20 @@ Html DrawSweepMethods(const SweepView& view) {
       {"Grasps were simulated with graspbench " + std::string(program_version()) + " under " +
        FormatCount(static_cast<int>(view.session.config.conditions.size()) + 1, "condition") +
        " of the factors " + factors +
-       ", the base's level first. Every condition met the same draws of the object's place and of "
-       "the joints' errors. " +
+       ", base level first. All conditions have the same draws of object pose and joint errors. " +
        (ChoosesGraspAgain(view.session.config.conditions.front())
             ? "Best grasps were chosen under each condition. "
-            : "A best grasp is chosen at the base's levels. ") +
-       "Effects are means over "
-       "draws of the differences between conditions "
-       "that differ in one factor alone (or, where a design has none, between means over "
-       "conditions); interactions are differences of such differences. 95 % intervals are "
-       "bias-corrected and accelerated, from drawing objects with replacement."});
+            : "Best grasps were chosen at the base levels. ") +
+       "Effects are mean differences over draws between conditions that differ in one factor only "
+       "(or, if the design has none, between means over conditions). Interactions are differences "
+       "of such differences. 95 % intervals are BCa bootstrap intervals that resample objects."});
 }
 
 }  // namespace
 
 std::string MakeSweepPage(const Session& session, const SweepSummary& summary) {
   static const std::vector<PageSection<SweepView>> sections = {
-      {"effects", "What each level changes", &DrawEffects},
+      {"effects", "Effect of each level", &DrawEffects},
       {"conditions", "Conditions", &DrawConditions},
       {"maps", "Maps", &DrawMaps},
       {"interactions", "Interactions", &DrawInteractions},

@@ -42,9 +42,10 @@ Html DrawController(const DrawnTrial& data) {
   const std::string hand =
       policy.num_hand_cut ? ", " + FormatCount(*policy.num_hand_cut, "pose") + " of the hand" : "";
   return MakeParagraph("A controller moved " + data.setup.policy.moves +
-                       "; object pose it was told: " + policy.object_pose + ". It was asked " +
-                       FormatCount(policy.num_questions, "time") +
-                       "; cut to limits: " + FormatCount(policy.num_cut, "target") + hand + ".");
+                       "; object pose given: " + policy.object_pose +
+                       ". Number of questions: " + FormatCount(policy.num_questions, "time") +
+                       "; clipped to limits: " + FormatCount(policy.num_cut, "target") + hand +
+                       ".");
 }
 
 /** What presses on the tactile elements before the lift, else at the end. */
@@ -66,7 +67,7 @@ Html DrawTaxels(const DrawnTrial& data) {
                                     : "Force on each tactile element before the lift";
   text.description = "At most " + most + " N.";
   return MakeFigure(text.title + ".",
-                    "the darkest element bears " + most +
+                    "the darkest element has " + most +
                         " N, an empty one nothing; seen from the palm's side, the hand stretched.",
                     MakeScroll(text.title, DrawHandMap(hand, forces, text)));
 }
@@ -74,7 +75,7 @@ Html DrawTaxels(const DrawnTrial& data) {
 /** What would have held, and each remedy that was tried. */
 Html DrawRemedies(const DrawnTrial& data) {
   if (!data.explanation) return Html();
-  Table table("Remedies, each tried by running the trial again.",
+  Table table("Remedies, each tested by repeating the trial.",
               {"Remedy", "This draw", "Fresh draws", "Mended", "Broken"});
   for (const RemedyResult& remedy : data.explanation->remedies) {
     const bool is_tried = remedy.num_draws > 0;
@@ -119,14 +120,14 @@ Html DrawMeasures(const DrawnTrial& data) {
   add_time("GOT% [%]", 100.0 * result.timing.got_ratio);
   add("Stability sigma [N]", result.stability.sigma, 2);
   add("Grip before lift-off [N]", result.grip_force, 2);
-  add("Rise in the hand before lift-off [mm]", MmFromM(result.closure_rise), 1);
+  add("In-grasp rise before lift-off [mm]", MmFromM(result.closure_rise), 1);
   add("Lift [mm]", MmFromM(result.lift_height), 1);
   add("Slip while held [mm]", MmFromM(result.hold_slip), 2);
   add("Deepest penetration [mm]", MmFromM(result.worst_penetration), 2);
   if (!result.arm) return table.ToHtml();
   const ArmRecord& arm = *result.arm;
   table.AddRow(
-      {"Arm: joint nearest its limit, or that binds", arm.joint.empty() ? "-" : arm.joint});
+      {"Arm: joint nearest its limit, or limiting the path", arm.joint.empty() ? "-" : arm.joint});
   add("Arm: its margin to the limit [deg]", DegFromRad(arm.margin), 1);
   add("Arm: largest joint speed over its limit [%]", 100.0 * arm.speed_share, 0);
   add("Arm: time to the pre-grasp pose [s]", arm.reach_time, 2);
@@ -198,9 +199,8 @@ Html DrawWholeArm(const DrawnTrial& data) {
 
 Html DrawCourse(const DrawnTrial& data) {
   if (!data.course.empty()) return data.course + DrawWholeArm(data);
-  return DrawPictures(data) + MakeParagraph(
-                                  "No scene to turn: the trial was changed on its way, so it "
-                                  "cannot be carried out again.");
+  return DrawPictures(data) +
+         MakeParagraph("No 3-D scene: the trial was changed while it ran and cannot be repeated.");
 }
 
 Html DrawCards(const DrawnTrial& data) {
@@ -214,7 +214,7 @@ Html DrawCards(const DrawnTrial& data) {
 Html DrawScript(const DrawnTrial& data) {
   std::string text;
   for (const std::string& line : data.script) text += line + "\n";
-  return MakeParagraph("Give these lines to graspbench shell.") +
+  return MakeParagraph("Enter these lines in graspbench shell.") +
          MakeScroll("Script", Element("pre", {}, text));
 }
 
@@ -226,13 +226,13 @@ Html DrawFindings(const DrawnTrial& data) {
                        FormatCount(result.num_steps, "step") + " the solver missed its tolerance.");
   }
   if (result.outcome == Outcome::kNumericalFailure || result.outcome == Outcome::kNotPhysical) {
-    findings.push_back("The simulation failed; nothing of the trial counts as measured.");
+    findings.push_back("The simulation failed; no value of this trial is valid.");
   }
   const bool is_early = std::any_of(result.contacts.begin(), result.contacts.end(),
                                     [](const DigitContact& contact) { return contact.time < 0.0; });
   if (is_early) {
     findings.push_back(
-        "A digit touched before closure began (early contact): its times are not comparable.");
+        "A digit touched before closure began (early contact); the times are not comparable.");
   }
   return findings.empty() ? MakeParagraph("No errors and no warnings.") : MakeList(findings);
 }
@@ -245,20 +245,20 @@ std::string DescribeMethod(const TrialSetup& setup, const TrialRecord& record) {
                                      : "") +
          "friction " + FormatFixed(setup.object->surface.friction_static, 2) + " static and " +
          FormatFixed(setup.object->surface.friction_dynamic, 2) + " dynamic) by the grasp " +
-         NameOfDone(record) + " in a physical simulation. The object stood " +
+         NameOfDone(record) + " in a physical simulation. The object was " +
          FormatFixed(MmFromM(draw.offset_x), 1) + " mm and " +
          FormatFixed(MmFromM(draw.offset_y), 1) +
-         " mm off its nominal place along the two horizontal axes and was turned by " +
+         " mm off its nominal position along the two horizontal axes and turned by " +
          FormatFixed(DegFromRad(draw.offset_yaw), 1) +
-         " degrees about the vertical; every drive had an error of its joint accuracy. The trial "
-         "ran the strategy pre-grasp, placing, closure, stabilisation and lift-off, closing from "
-         "the pre-grasp to the target posture in " +
+         " degrees about the vertical; every drive had a random error within its joint accuracy. "
+         "The trial ran the strategy pre-grasp, placing, closure, stabilisation and lift-off, "
+         "closing from the pre-grasp to the target posture in " +
          FormatFixed(setup.strategy.closure_time, 2) + " s, and then a hold of " +
          FormatFixed(setup.strategy.hold_time, 2) + " s, in steps of " +
          FormatFixed(MsFromS(setup.sim.step), 2) + " ms (graspbench " +
          std::string(program_version()) +
-         "). It is a success when the object left the table with the hand and stayed in it to the "
-         "end of the hold.";
+         "). A trial succeeds if the object leaves the table with the hand and stays in it until "
+         "the end of the hold.";
 }
 
 Html DrawMethods(const DrawnTrial& data) {

@@ -29,9 +29,9 @@ void SplitNames(const std::string& option, const std::string& given,
   for (size_t start = 0; start <= given.size(); ++number) {
     const size_t comma = std::min(given.find(',', start), given.size());
     if (comma == start) {
-      throw Error(ErrorKind::kUsage, option + " \"" + given + "\": name " + std::to_string(number) +
-                                         " of the list is empty; expected names with one comma "
-                                         "between two");
+      throw Error(ErrorKind::kUsage,
+                  option + " \"" + given + "\": name " + std::to_string(number) +
+                      " of the list is empty; expected names separated by single commas");
     }
     names.push_back(given.substr(start, comma - start));
     start = comma + 1;
@@ -73,7 +73,7 @@ void AddSearchOptions(Command& command, OptimiseConfig& config, const std::strin
   command.AddOption("--evaluations", config.evaluations, of, "N")->ShowDefault();
   command
       .AddOption("--fitness-trials", config.fitness_trials,
-                 "trials of an evaluation: 1 without variation, or so many drawn ones", "N")
+                 "trials per evaluation: 1 is without variation, more are sampled", "N")
       ->ShowDefault();
   command
       .AddOption("--search", config.search, "what step 2 changes: " + ListNames(ListGraspSpaces()),
@@ -81,27 +81,26 @@ void AddSearchOptions(Command& command, OptimiseConfig& config, const std::strin
       ->OneOf(ListGraspSpaces())
       ->ShowDefault();
   command.AddFlag("--race", config.race,
-                  "simulate only those individuals of which earlier ones promise most, 28 %");
+                  "simulate only the 28 % of individuals that earlier results rank highest");
   command
       .AddOption("--fitness", config.fitness,
-                 "what step 2 makes larger: sigma, by statics, or strength, by pulling", "FITNESS")
+                 "objective of step 2: sigma (statics) or strength (simulated pulls)", "FITNESS")
       ->OneOf(ListNames(kFitnessKinds))
       ->ShowDefault();
   command
       .AddOption("--grip", config.grip,
-                 "what a target may grip with: equal to the start, free, or limit", "GRIP")
+                 "grip force allowed to a new target: equal (to the start), free, or limit", "GRIP")
       ->OneOf(ListNames(kGripBudgets))
       ->ShowDefault();
   command.AddOption("--grip-limit", config.grip_limit, "for --grip limit [N]", "N");
 }
 
 void AddReplaceOption(Command& command, bool& replace) {
-  command.AddFlag("--replace", replace,
-                  "write in the place of an earlier result, if all its files are as written");
+  command.AddFlag("--replace", replace, "replace an earlier result if all its files are unchanged");
 }
 
 void AddPlanOnlyOption(Command& command, bool& plan_only) {
-  command.AddFlag("--plan-only", plan_only, "make the folder and run nothing: see work, submit");
+  command.AddFlag("--plan-only", plan_only, "prepare the folder and run nothing; see work, submit");
 }
 
 void AddArmOptions(Command& command, ArmConfig& arm, std::string& base) {
@@ -109,8 +108,8 @@ void AddArmOptions(Command& command, ArmConfig& arm, std::string& base) {
                     "arm that carries the hand, by id or folder: puma560, pa10; none: no arm",
                     "ARM");
   command.AddOption("--arm-base", base,
-                    "place of the arm's base [m] and its rotation about the vertical [deg]; the "
-                    "object stands at 0,0,0",
+                    "position of the arm's base [m] and its rotation about the vertical [deg]; the "
+                    "object is at 0,0,0",
                     "X,Y,Z,YAW");
 }
 
@@ -122,9 +121,9 @@ void ReadArmBase(const std::string& text, ArmConfig& arm) {
     are_numbers = ReadNumber(word, numbers.emplace_back()) && are_numbers;
   }
   if (!are_numbers || numbers.size() != 4) {
-    throw Error(
-        ErrorKind::kUsage,
-        "--arm-base " + text + ": expected four numbers X,Y,Z,YAW in m and degrees, as -0.5,0,0,0");
+    throw Error(ErrorKind::kUsage,
+                "--arm-base " + text +
+                    ": expected four numbers X,Y,Z,YAW in m and degrees, for example -0.5,0,0,0");
   }
   arm.x = numbers[0];
   arm.y = numbers[1];
@@ -142,7 +141,7 @@ void RehearseGrasps(const SessionConfig& config, int num_workers) {
                " of hand and object are rehearsed first: at most " +
                FormatCount(num_candidates, "candidate") + ", about " +
                FormatFixed(EstimateRehearsalTime(tasks).candidates, 0) +
-               " s of one processor, judged by the first pair of each hand");
+               " s of one processor, estimated from the first pair of each hand");
   RehearseTasks(tasks, num_workers, observer);
 }
 
@@ -174,7 +173,7 @@ bool RunOrPlan(const PreparedSession& experiment, const ExperimentRequest& reque
 void DemandFinished(bool is_finished) {
   if (is_finished) return;
   throw Error(ErrorKind::kInterrupted,
-              "stopped; what has run is kept. Continue with the same command");
+              "stopped; finished trials are kept. Repeat the command to continue");
 }
 
 void AddJsonOption(Command& command, bool& as_json, const std::string& text) {
@@ -183,7 +182,7 @@ void AddJsonOption(Command& command, bool& as_json, const std::string& text) {
 
 void AddResumeOption(Command& command, bool& resume) {
   command.AddFlag("--resume", resume,
-                  "continue what is in the folder of --out, with its own settings");
+                  "continue the session in the folder of --out with its stored settings");
 }
 
 void CheckResume(const Command& command, const std::vector<std::string>& settings) {
@@ -193,8 +192,8 @@ void CheckResume(const Command& command, const std::vector<std::string>& setting
   for (const std::string& name : settings) {
     if (!command.IsGiven(name)) continue;
     throw Error(ErrorKind::kUsage, name +
-                                       " does not go with --resume: what is continued keeps its "
-                                       "own settings; leave it out");
+                                       " cannot be combined with --resume: a continued session "
+                                       "keeps its settings; leave it out");
   }
 }
 
@@ -209,7 +208,7 @@ void AddRunOptions(Command& command, RunOptions& options, const std::string& wha
   AddTrialTimeoutOption(command, options.trial_time_limit);
   command.AddFlag(
       "--allow-remote", [] { AllowRemotePolicies(); },
-      "a policy server may be on another machine, which then gets the observations");
+      "allow a policy server on another machine, which then receives the observations");
   AddJsonOption(command, options.json, "print the summary as one JSON object");
 }
 
@@ -223,7 +222,7 @@ void AddSeedOption(Command& command, int& seed, const std::string& what) {
 }
 
 void AddGraspNumberOption(Command& command, int& number) {
-  command.AddOption("--grasp", number, "which of the files' grasps, from 0 on", "N")
+  command.AddOption("--grasp", number, "index of the grasp within the files, from 0", "N")
       ->Within(0, 100000000)
       ->ShowDefault();
 }
@@ -231,7 +230,7 @@ void AddGraspNumberOption(Command& command, int& number) {
 void AddAcceptDamageOption(Command& command, OnDamage& on_damage) {
   command.AddFlag(
       "--accept-damage", [&on_damage] { on_damage = OnDamage::kAccept; },
-      "go on with what is whole in a damaged folder; the report names the damage");
+      "use the intact part of a damaged folder; the report names the damage");
 }
 
 void AddSecondsOption(Command& command, const std::string& name, double& seconds,
@@ -259,10 +258,10 @@ void AddStoreFolder(Command& command, std::filesystem::path& folder, const std::
 
 std::vector<Option*> AddPictureOptions(Command& command, std::string& at,
                                        std::vector<std::string>& view, std::string& size) {
-  return {command.AddOption("--at,--phase", at,
-                            "which instant: a time as 1.25s, or the end of a phase; else of "
-                            "stabilisation",
-                            "TIME|PHASE"),
+  return {command.AddOption(
+              "--at,--phase", at,
+              "instant: a time such as 1.25s, or the end of a phase (default: stabilisation)",
+              "TIME|PHASE"),
           command
               .AddOption("--camera", view, "from where: " + ListNames(ListSceneViews()),
                          "VIEW [AZ EL [ZOOM]]")

@@ -74,7 +74,7 @@ uintmax_t CalcSize(const fs::path& folder) {
   return size;
 }
 
-constexpr char kNobodyWorks[] = "; no process of this machine works on it";
+constexpr char kNobodyWorks[] = "; no process of this machine is working on it";
 
 /** Of journals that no process of this machine writes: since the last line of one [s]. Shards say
 of themselves how they are. */
@@ -129,7 +129,7 @@ void AddSession(const fs::path& folder, const SessionProgress& progress, FolderS
   AddUnchecked(progress.unchecked, status);
   if (progress.num_foreign_lines > 0) {
     AddNote(FormatCount(progress.num_foreign_lines, "record is", "records are") +
-                " of trials that the plan does not have; nobody reads them",
+                " of trials that are not in the plan; these lines are ignored",
             status);
   }
   AddDamage(folder, progress.damages, progress.num_bad_lines, status);
@@ -201,8 +201,7 @@ FolderStatus ReadFolderStatus(const fs::path& folder, double stale_after, Status
 }
 
 std::string DescribeUncheckedStatus(const fs::path& folder) {
-  return "not verified: graspbench verify " + QuoteForShell(folder.string()) +
-         " looks at every byte";
+  return "not verified: graspbench verify " + QuoteForShell(folder.string()) + " checks every byte";
 }
 
 }  // namespace graspbench

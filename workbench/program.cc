@@ -130,17 +130,17 @@ int RunProgram(int argc, const char* const* argv) {
     return ExitCodeOf(error.kind());
   } catch (const std::bad_alloc&) {
     PrintFault(
-        "the machine, or a limit (ulimit -v), gives too little memory; finished trials are "
-        "kept. Use fewer workers (--jobs 1) or a smaller mesh, or allow more");
+        "the machine or a limit (ulimit -v) provides too little memory; finished trials are kept. "
+        "Use fewer workers (--jobs 1) or a smaller mesh, or raise the limit");
     return kExitEnvironment;
   } catch (const std::filesystem::filesystem_error& error) {
     const std::string path = error.path1().string();
-    PrintFault("the machine cannot give what is needed" +
-               (path.empty() ? ", the folder you are in for instance" : " at \"" + path + "\"") +
-               ": " + error.code().message());
+    PrintFault("the machine lacks a resource" +
+               (path.empty() ? ", for example the current folder" : " at \"" + path + "\"") + ": " +
+               error.code().message());
     return kExitEnvironment;
   } catch (const std::system_error& error) {  // of threads and locks
-    PrintFault(std::string("the machine cannot give what is needed: ") + error.what());
+    PrintFault(std::string("the machine lacks a resource: ") + error.what());
     return kExitEnvironment;
   } catch (const std::exception& error) {
     PrintFault(std::string("failed: ") + error.what());

@@ -79,10 +79,10 @@ void ExplainUnasked(const fs::path& folder, int num_workers, OnDamage on_damage)
     });
     const RunRecord record = RunRound(kExplainShortlyRound, finished, num_workers, observer);
     if (record.ending != RunEnding::kFinished) {
-      PrintMessage("stopped; the report shows the failures that were explained by then");
+      PrintMessage("stopped; the report shows the failures explained so far");
     }
   } catch (const Error& fault) {
-    PrintMessage("the report explains no more failures: " + std::string(fault.what()));
+    PrintMessage("the report explains no further failures: " + std::string(fault.what()));
   }
 }
 

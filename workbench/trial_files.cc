@@ -49,7 +49,7 @@ TrajectoryOutput::TrajectoryOutput(TrajectoryRequest request, size_t num_trials)
   if (!is_form && !request_.out.empty()) {
     throw Error(ErrorKind::kUsage,
                 "--trajectory \"" + request_.name + "\" is a file, and --out " +
-                    "asks for a folder; with --out name the form alone: " + form_.name);
+                    "needs a folder; with --out give the format only: " + form_.name);
   }
   if (!is_form && !form_.collect && num_trials > 1) {
     throw Error(ErrorKind::kUsage, "--trajectory \"" + request_.name +
@@ -171,16 +171,16 @@ std::string MakeWholePage(const TrialFileOptions& options, const ExaminedTrial& 
 
 const std::vector<TrialFile>& ListTrialFiles() {
   static const std::vector<TrialFile> files = {
-      {"--trace", ".csv", "FILE.csv|.svg",
-       "write every step as a table, or forces and joints as curves", true, &MakeTraceTable},
+      {"--trace", ".csv", "FILE.csv|.svg", "write every step as a table, or plot forces and joints",
+       true, &MakeTraceTable},
       {"--trace", ".svg", "", "", false, &MakeTraceDrawing},
-      {"--render", ".png", "FILE.png", "draw an instant with its forces", false, &MakeTrialPicture},
-      {"--film", ".webp", "FILE.webp", "draw the whole trial as a moving picture, in real time",
-       false, &MakeTrialFilm},
+      {"--render", ".png", "FILE.png", "draw one instant with its forces", false,
+       &MakeTrialPicture},
+      {"--film", ".webp", "FILE.webp", "draw the whole trial as an animation in real time", false,
+       &MakeTrialFilm},
       {"--trajectory", ".glb", "FILE.glb|.mcap|.h5|.npz",
-       "write the whole trial as a moving 3-D model (glTF), as messages (MCAP) or arrays (HDF5, "
-       "NumPy); "
-       "graspbench replay writes many",
+       "write the motion of the trial: animated 3-D model (glTF), messages (MCAP) or arrays (HDF5, "
+       "NumPy); graspbench replay writes several trials",
        false, &MakeTrialModel},
       {"--trajectory", ".mcap", "", "", true, &MakeTrialTrajectory<kMcap>},
       {"--trajectory", ".h5", "", "", true, &MakeTrialTrajectory<kH5>},
@@ -200,7 +200,7 @@ const TrialFile& FindTrialFile(const std::string& option, const std::string& fil
   }
   throw Error(ErrorKind::kUsage,
               option + ": \"" + file + "\" does not end in " + endings +
-                  (num_endings == 1 ? ", the only form there is" : ", the forms there are"));
+                  (num_endings == 1 ? ", the only format" : ", the available formats"));
 }
 
 }  // namespace graspbench

@@ -191,7 +191,7 @@ PreGraspStep LearnInTwoShots(const Hand& hand, const GraspObject& object, const 
   LearningTrial lesson = step.standard_trials.front();
   std::vector<Eigen::VectorXd> expected;
   for (const LearningStage stage : {LearningStage::kOneShot, LearningStage::kTwoShot}) {
-    if (lesson.closings.empty()) break;  // the simulation gave up
+    if (lesson.closings.empty()) break;  // the simulation failed
     const std::vector<Eigen::VectorXd> seen =
         CalcDeviations(hand, grasp, lesson.closings, lesson.touch_postures);
     if (expected.empty()) expected = seen;

@@ -22,7 +22,7 @@ LearningTrial MakeLearningTrial(int draw, const TrialResult& result, bool keep_p
   trial.stability = result.stability.hold;
   trial.contacts = result.contacts;
   trial.strength = result.strength;
-  trial.timing = CalcContactTiming(result.contacts, 0.0);  // NaN when the simulation gave up
+  trial.timing = CalcContactTiming(result.contacts, 0.0);  // NaN when the simulation failed
   trial.opposing_gap = kFarAway;
   for (size_t d = 0; d < result.touches.size(); ++d) {
     trial.closings.push_back(result.touches[d].closing);
@@ -35,7 +35,7 @@ LearningTrial MakeLearningTrial(int draw, const TrialResult& result, bool keep_p
 
 double CalcFitness(const LearningTrial& trial, double grip_limit) {
   const bool is_missing =
-      trial.contacts.empty() ||  // the simulation gave up
+      trial.contacts.empty() ||  // the simulation failed
       std::any_of(trial.contacts.begin(), trial.contacts.end(), [](const DigitContact& contact) {
         return contact.is_opposing && std::isnan(contact.time);
       });

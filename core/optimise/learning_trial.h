@@ -72,7 +72,7 @@ double CalcFitness(const LearningTrial& trial, double grip_limit = kAnyGrip);
 /** The mean. @pre at least one. */
 double CalcFitness(const std::vector<LearningTrial>& trials, double grip_limit = kAnyGrip);
 
-/** Those of each trial, in their order; empty where the simulation gave up. */
+/** Those of each trial, in their order; empty where the simulation failed. */
 std::vector<std::vector<DigitContact>> ListContacts(const std::vector<LearningTrial>& trials);
 int CountSuccesses(const std::vector<LearningTrial>& trials);
 /** Mean of what the grasps stand, 0 where the object is lost [N]; NaN when it was never asked for.

@@ -57,7 +57,7 @@ class TargetSearch {
 };
 
 /** The fittest individuals, so many at most, that differ by 2 deg or more in some coordinate; never
-the start. @param simulated  numbers of those that count, rising. */
+the start. @param simulated  numbers of the included trials, rising. */
 std::vector<Individual> FindCandidates(const SearchResult& search,
                                        const std::vector<int>& simulated, int most);
 

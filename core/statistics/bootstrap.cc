@@ -27,7 +27,7 @@ Answer<std::vector<double>> LeaveOneOut(size_t num_members, const GroupStatistic
     }
   }
   if (values.empty() || CalcMoments(values).is_constant) {
-    return NoAnswer{"the statistic does not depend on who is drawn"};
+    return NoAnswer{"the statistic is the same for every resample"};
   }
   return values;
 }
@@ -49,7 +49,7 @@ Answer<BootstrapInterval> CalcBootstrap(size_t num_members, const GroupStatistic
   GRASPBENCH_DEMAND(num_resamples >= 100, std::to_string(num_resamples));
   constexpr size_t kMinMembers = 5;
   if (num_members < kMinMembers) {
-    return NoAnswer{std::to_string(num_members) + " to draw from; expected " +
+    return NoAnswer{std::to_string(num_members) + " to resample; an interval needs " +
                     std::to_string(kMinMembers) + " or more"};
   }
   std::vector<size_t> members(num_members);
@@ -92,7 +92,7 @@ Answer<BootstrapInterval> CalcBootstrap(size_t num_members, const GroupStatistic
 Answer<JackknifeInterval> CalcJackknife(size_t num_members, const GroupStatistic& statistic) {
   constexpr size_t kMinMembers = 3;
   if (num_members < kMinMembers) {
-    return NoAnswer{std::to_string(num_members) + " to leave out; expected " +
+    return NoAnswer{std::to_string(num_members) + " to leave out; an interval needs " +
                     std::to_string(kMinMembers) + " or more"};
   }
   std::vector<size_t> all(num_members);

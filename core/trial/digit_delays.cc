@@ -71,7 +71,7 @@ LaggedClosing FitContactLags(TrialRunner& runner, TrialSetup setup, const Times&
     setup.grasp.closing = DelayBy(delays);
     const TrialResult result = runner.Run(setup);
     double first = HUGE_VAL;
-    bool all_touch = !result.contacts.empty();  // none: the simulation gave up
+    bool all_touch = !result.contacts.empty();  // none: the simulation failed
     for (const DigitContact& contact : result.contacts) {
       if (std::isnan(contact.time)) {
         all_touch = false;

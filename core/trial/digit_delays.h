@@ -49,7 +49,7 @@ Proposed by graspbench. */
 struct LaggedClosing {
   std::map<std::string, ClosingSchedule> closing;  ///< without digits that need none
   double largest_error = 0.0;  ///< of a lag, with that closing [s]; NaN: no such closing was found
-  std::string untouching;      ///< then: a digit that did not touch; empty: the simulation gave up
+  std::string untouching;      ///< then: a digit that did not touch; empty: the simulation failed
 };
 
 /** @param setup  of the undelayed trial; a closing schedule of its grasp is not looked at.

@@ -28,7 +28,7 @@ enum class Outcome {
   kArmOverloaded,        ///< object or table pushed harder on the hand than the arm can bear
   kNotPhysical,       ///< held, but in a way no real hand could: see protocols/table_lift_outcome.h
   kWrongAnswer,       ///< its controller answered what it must not; `reason` says what
-  kNumericalFailure,  ///< the simulation gave up; `reason` says why
+  kNumericalFailure,  ///< the simulation failed; `reason` says why
 };
 
 /** What an outcome says about the trial. */

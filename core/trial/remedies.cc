@@ -211,9 +211,9 @@ std::string FormatShare(int num, int num_all) { return fmt::format("{} of {}", n
 
 std::string DescribeBest(const Explanation& explanation, const RemedyResult& best) {
   const int held = explanation.num_held() + best.net_gain();
-  return fmt::format("{} holds {} fresh draws (mends {}, breaks {}){}", NameRemedy(best.id),
+  return fmt::format("{} holds {} fresh draws (improved {}, worsened {}){}", NameRemedy(best.id),
                      FormatShare(held, explanation.num_draws()), best.num_mended, best.num_broken,
-                     best.holds ? "" : ", though not this one");
+                     best.holds ? "" : ", but not this draw");
 }
 
 }  // namespace
@@ -296,22 +296,22 @@ Explanation ExplainFailure(TrialRunner& runner, const FailedTrial& failed, Expla
 
 std::string DescribeExplanation(const Explanation& explanation) {
   const std::string as_it_is =
-      fmt::format("As it is, {} fresh draws of the condition hold. ",
+      fmt::format("Without a remedy {} fresh draws of the condition hold. ",
                   FormatShare(explanation.num_held(), explanation.num_draws()));
-  const std::string aside = "with the object 0.2 mm and 0.2 degrees aside it holds. ";
+  const std::string aside = "with the object shifted by 0.2 mm and 0.2 degrees it holds. ";
   const bool mostly_holds = 2 * explanation.num_held() >= explanation.num_draws();
   std::string text = !explanation.is_on_edge ? as_it_is
-                     : mostly_holds          ? "On an edge: " + aside + as_it_is
-                                             : as_it_is + "Of this draw alone: " + aside;
+                     : mostly_holds          ? "Borderline: " + aside + as_it_is
+                                             : as_it_is + "Borderline draw: " + aside;
   const RemedyResult* grasp = explanation.FindBest(true);
   const RemedyResult* same = explanation.FindBest(false);
   if (same) text += Capitalise(DescribeBest(explanation, *same)) + ". ";
   if (grasp) {
-    text += (same ? "Another grasp: " : "With the same grasp nothing that was tried helps; ") +
+    text += (same ? "Another grasp: " : "No tested remedy with the same grasp helps; ") +
             DescribeBest(explanation, *grasp) + ". ";
   }
   if (!same && !grasp) {
-    text += fmt::format("Nothing that was tried gains {} or more of them. ",
+    text += fmt::format("No tested remedy gains {} or more of them. ",
                         CalcLeastNetGain(explanation.num_draws()));
   }
   const bool is_grip_tried =
@@ -322,16 +322,15 @@ std::string DescribeExplanation(const Explanation& explanation) {
         return HasPrefix(remedy.id, kGripPrefix) && (remedy.holds || remedy.net_gain() > 0);
       });
   if (is_grip_tried && !grip_helps) text += "More grip does not help. ";
-  if (explanation.is_short()) return text + "These are a few remedies, tried shortly.";
+  if (explanation.is_short()) return text + "Only a few remedies were tested.";
   std::string explains;
   for (const RemedyResult& remedy : explanation.remedies) {
     if (remedy.num_draws > 0 || !remedy.holds) continue;
     explains += (explains.empty() ? "" : ", ") + NameRemedy(remedy.id);
   }
-  text += explains.empty()
-              ? "This draw holds neither with twice the friction nor with half the mass, nor "
-                "without offset or joint error."
-              : "What only explains: this draw also holds with " + explains + ".";
+  text += explains.empty() ? "For diagnosis: this draw fails even with twice the friction, with "
+                             "half the mass, and without offset or joint error."
+                           : "For diagnosis: this draw also holds with " + explains + ".";
   return text;
 }
 
@@ -344,7 +343,7 @@ std::string SummariseExplanation(const Explanation& explanation) {
     text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", NameRemedy(best->id),
                         FormatShare(explanation.num_held() + best->net_gain(), all));
   }
-  return text.empty() ? "none of those tried" : text;
+  return text.empty() ? "no tested remedy" : text;
 }
 
 }  // namespace graspbench

@@ -187,7 +187,7 @@ std::vector<CsvColumn<ObjectComparison>> ListObjectComparisonColumns() {
         }).Shown("pairs"),
       C("failed_first", "", "failures of the first session", failed_first).Shown("first fails"),
       C("failed_second", "", "failures of the second session", failed_second).Shown("second fails"),
-      C("failed_both", "", "draws that fail in both: the floor of failure",
+      C("failed_both", "", "draws that fail in both sessions (floor of failure)",
         [](const Row& row) {
           return row.successes.neither;
         }).Shown("both fail"),
@@ -202,7 +202,7 @@ std::vector<CsvColumn<HandDecision>> ListHandDecisionColumns() {
   using C = CsvColumn<Row>;
   return {C("hand", "", "of the first session", &Row::hand).Shown("hand"),
           C("objects", "", "with pairs", &Row::num_objects).Shown("objects"),
-          C("p", "", "that both succeed as often: exact test clustered by object", &Row::p)
+          C("p", "", "equal success rates: exact test clustered by object", &Row::p)
               .Shown("p", [](const Row& row) { return FormatP(row.p); }),
           C("differing", "", "share of pairs in which one of the two succeeds",
             [](const Row& row) {
@@ -240,12 +240,12 @@ std::vector<CsvColumn<LoadChange>> ListLoadChangeColumns() {
           .Shown("first [N]", [](const Row& row) { return FormatFixed(row.before, 2); }),
       C("after_n", "N", "median breaking force of the second session", &Row::after)
           .Shown("second [N]", [](const Row& row) { return FormatFixed(row.after, 2); }),
-      C("ratio", "", "median over the pairs of second over first", &Row::ratio)
+      C("ratio", "", "median over pairs of the ratio second to first", &Row::ratio)
           .Shown("second over first",
                  [](const Row& row) { return FormatWithRange(row.ratio, row.low, row.high, 2); }),
       {"ratio_low", "", "95 % interval of ratio, lower end", &Row::low},
       {"ratio_high", "", "95 % interval of ratio, upper end", &Row::high},
-      {"left_out", "", "pairs that were not judged in both, or broke at no force",
+      {"left_out", "", "pairs not judged in both sessions, or without a breaking force",
        &Row::num_left_out}};
 }
 
@@ -277,7 +277,7 @@ std::vector<CsvColumn<LearningPoint>> ListLearningColumns() {
                  }),
       {"change_low", "", "95 % interval of change, lower end", &Row::change_low},
       {"change_high", "", "95 % interval of change, upper end", &Row::change_high},
-      C("p", "", "that both succeed as often: exact test clustered by hand and object", &Row::p)
+      C("p", "", "equal success rates: exact test clustered by hand and object", &Row::p)
           .Shown("p", [](const Row& row) { return row.num_pairs == 0 ? "" : FormatP(row.p); }),
       C("policy", "", "policy.command; empty: the strategy", &Row::command).Shown("policy")};
 }

@@ -62,7 +62,7 @@ std::vector<CsvColumn<SeatSummary>> ListSeatColumns() {
             [](const Row& row) {
               return row.seat == Seat::kUnknown ? Json() : Json(NameOf(row.seat));
             }).Shown("seat", [](const Row& row) { return NameOf(row.seat); }),
-          C("held", "", "successes that sit so", &Row::num_held).Shown("held"),
+          C("held", "", "successes in this seat", &Row::num_held).Shown("held"),
           C("caged", "", "of them", &Row::num_caged).Shown("caged"),
           MakeSpreadColumn("grip_n", "grip [N]", "mean sum of the normal forces over the hold",
                            &Row::grip, 1.0, 2),
@@ -196,8 +196,8 @@ GripShortfall FindShortfall(const SessionSummary& summary) {
 std::string DescribeExcess(const GripShortfall& shortfall) {
   if (shortfall.pressed.n == 0) return "";
   return fmt::format(
-      "grip     {} of {} pressed more than {} times as hard as asked: asked {} N, in truth {} N "
-      "(sums, medians)",
+      "grip     {} of {} exceeded {} times the setpoint: total setpoint {} N, true total {} N "
+      "(medians)",
       shortfall.pressed.n, FormatCount(shortfall.num_closed, "trial"), kExcess,
       FormatFixed(shortfall.asked_of_excess.median, 2), FormatFixed(shortfall.pressed.median, 2));
 }
@@ -205,7 +205,7 @@ std::string DescribeExcess(const GripShortfall& shortfall) {
 std::string DescribeShortfall(const GripShortfall& shortfall) {
   if (shortfall.num == 0) return "";
   return fmt::format(
-      "grip     {} of {} did not reach what was asked: asked {} N, reached {} N (sums, medians){}",
+      "grip     {} of {} missed the setpoint: total setpoint {} N, reached {} N (medians){}",
       shortfall.num, FormatCount(shortfall.num_closed, "trial"),
       FormatFixed(shortfall.asked.median, 2), FormatFixed(shortfall.reached.median, 2),
       shortfall.reason.empty() ? "" : "; mostly: " + shortfall.reason);

@@ -128,7 +128,7 @@ std::string ExplainUndecided(const OutcomeCounts& compared, const OutcomeCounts&
   const int num_others =
       succeed ? left_out.num_finished - left_out.num_successes : left_out.num_successes;
   if (num_others == 0) {
-    return "cannot decide success: all " + FormatCount(num, "trial") +
+    return "success not testable: all " + FormatCount(num, "trial") +
            (succeed ? " succeed" : " fail");
   }
   return "cannot decide success: " + std::to_string(num_others) + " of " +

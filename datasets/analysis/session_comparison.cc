@@ -28,9 +28,9 @@ std::string ExplainNoPair(const Session& before, const Session& after) {
     return what + ": " + FormatJson(a) + " and " + FormatJson(b);
   };
   const SessionConfig &a = before.config, &b = after.config;
-  if (a.seed != b.seed) return differ("they have other seeds", a.seed, b.seed);
+  if (a.seed != b.seed) return differ("they have different seeds", a.seed, b.seed);
   if (a.variation.offset != b.variation.offset || a.variation.yaw != b.variation.yaw) {
-    return "they vary the object's place by other amounts (variation.offset_m, variation.yaw_rad)";
+    return "they vary the object pose differently (variation.offset_m, variation.yaw_rad)";
   }
   const auto list_keys = [](const Session& session) {
     std::set<std::string> keys;

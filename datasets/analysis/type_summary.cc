@@ -89,17 +89,17 @@ std::vector<CsvColumn<TypeSummary>> ListTypeColumns() {
       C("hand", "", "", &Row::hand).Shown("hand"),
       C("grasp", "", "", &Row::grasp).Shown("grasp"),
       C("finished", "", "finished trials", &Row::num_finished).Shown("n"),
-      C("asked", "", "opposition that the grasp's name asks for", &Row::asked).Shown("asked"),
+      C("asked", "", "opposition intended by the grasp", &Row::asked).Shown("asked"),
       C("held", "", "trials that end with the object in the hand", &Row::num_held).Shown("held"),
       C("pad", "", "held by pad opposition", count(Opposition::kPad)).Shown("pad"),
       C("palm", "", "held by palm opposition: the palm bears 10 % of the normal force",
         count(Opposition::kPalm))
           .Shown("palm"),
       C("side", "", "held by side opposition", count(Opposition::kSide)).Shown("side"),
-      C("as_called_share", "", "of the held, with the opposition asked for", &Row::share)
+      C("as_called_share", "", "held trials with the intended opposition", &Row::share)
           .Shown("as called [%]",
                  [](const Row& row) { return FormatFixed(100.0 * row.share(), 0); }),
-      C("parts", "", "mean share of the normal force in the hold that each part bears", &Row::parts)
+      C("parts", "", "mean share of the normal force in the hold, by part", &Row::parts)
           .Shown("parts that bear")};
 }
 
@@ -111,8 +111,7 @@ std::string FormatTypeLine(const std::vector<TypeSummary>& types) {
     num_as_called += type.num_as_called;
   }
   if (num_held == 0) return "";
-  return fmt::format("{} of {} held trials have the opposition of their grasp's name",
-                     num_as_called, num_held);
+  return fmt::format("{} of {} held trials have the intended opposition", num_as_called, num_held);
 }
 
 }  // namespace graspbench

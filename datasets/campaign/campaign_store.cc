@@ -283,9 +283,8 @@ void CheckCampaignConfig(const CampaignConfig& config) {
   if (config.optimise.step != "both") {
     add("optimise",
         {{"step",
-          "a campaign compares three variants of a grasp and takes both steps for them; "
-          "expected \"both\"; one step alone: graspbench optimise --hand H --object O "
-          "--step N, scene by scene"}});
+          "a campaign compares three variants and needs both steps; expected \"both\". For one "
+          "step use graspbench optimise --hand H --object O --step N on each scene"}});
   }
   OptimiseConfig search;  // all else is checked above
   search.evaluations = config.comparison.evaluations;

@@ -75,8 +75,8 @@ void CheckRunRecord(const fs::path& folder, Diagnostics& findings) {
   } catch (const Json::exception&) {
   }
   findings.Warn("run.json", 0,
-                "cannot be read: when, where and how long the program ran is lost; no result rests "
-                "on it, and the next run begins a new one");
+                "cannot be read: date, host and duration of the runs are lost. No result depends "
+                "on them; the next run starts a new file");
 }
 
 }  // namespace

@@ -41,8 +41,8 @@ class RealTable {
       if (!digit.empty()) digits_.push_back(digit);
       if (digit.empty() && kKnown.count(column) == 0) {
         Fail(1, "unknown column \"" + column +
-                    "\"; expected hand, object, variant, trial, success, note and, a column a "
-                    "digit, t_TH_s for its first contact in seconds");
+                    "\"; expected hand, object, variant, trial, success, note and, per digit, a "
+                    "column such as t_TH_s with its first contact in seconds");
       }
     }
   }
@@ -53,7 +53,7 @@ class RealTable {
     for (size_t row = 0; row < table_.num_rows(); ++row) {
       RealTrial trial = ReadRow(row);
       if (!seen.insert({trial.hand, trial.object, trial.variant, trial.trial}).second) {
-        Fail(trial.line, "hand, object, variant and trial are those of a row before");
+        Fail(trial.line, "hand, object, variant and trial equal those of an earlier row");
       }
       if (!table_.Text(row, "success").empty()) trials.push_back(std::move(trial));
     }

@@ -7,7 +7,7 @@ trial a row, comma- or tab-separated:
     variant        standard, new-pregrasp or new-target
     trial          number, from 0; once per hand, object and variant
     success        1, yes, 0 or no; empty: not done yet, the row does not count
-    t_TH_s, ..     optional, a column a digit: its first contact since the start of closure [s];
+    t_TH_s, ..     optional, one column per digit: its first contact since the start of closure [s];
                    empty: it never touched
     note           optional; trials whose note has "made up" in it are called so on the page
 

@@ -34,7 +34,7 @@ const char* FindFault(std::string_view line) {
   const std::string_view body = line.substr(0, body_length), tail = line.substr(body_length);
   if (tail.size() != kSumLength || tail.substr(0, kSumKey.size()) != kSumKey ||
       tail.substr(kSumLength - 2) != "\"}") {
-    return "the line is cut off or is no record";
+    return "the line is truncated or not a record";
   }
   if (!IsHexOf(CalcHash64(body), tail.substr(kSumKey.size(), 16))) {
     return "its bytes do not match their checksum";
@@ -48,7 +48,7 @@ std::string DescribeJsonFault(const Json::exception& fault) {
   const std::string text = fault.what();
   if (text.rfind("[json.exception.parse_error", 0) == 0) {
     const std::string place = FindBetween(text, "parse error at ", ":");
-    return place.empty() ? "it is no JSON" : "it is no JSON from " + place + " on";
+    return place.empty() ? "it is not valid JSON" : "it is not valid JSON from " + place + " on";
   }
   const std::string key = FindBetween(text, "key '", "'");
   return key.empty() ? "a value is not of its type" : "its key \"" + key + "\" is missing";
@@ -73,7 +73,7 @@ Json ParseCheckedLine(std::string_view line) {
     return Json::parse(line);
   } catch (const Json::exception& e) {
     throw Error(ErrorKind::kFormat,
-                std::string("it is no record of this version: ") + DescribeJsonFault(e));
+                std::string("it is not a record of this version: ") + DescribeJsonFault(e));
   }
 }
 

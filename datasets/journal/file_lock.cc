@@ -144,8 +144,9 @@ std::string DescribeHolder(const fs::path& owner_file, const std::string& text) 
   const std::optional<Owner> owner = ParseOwner(text);
   const std::string who = owner ? "process " + std::to_string(owner->process) + " of host \"" +
                                       owner->host + "\" has it"
-                                : "\"" + owner_file.string() + "\" does not say who has it";
-  return "; " + who + ". If that has ended, this takes it over: rm \"" + owner_file.string() + "\"";
+                                : "\"" + owner_file.string() + "\" does not name its owner";
+  return "; " + who + ". If that process has ended, take over with: rm \"" + owner_file.string() +
+         "\"";
 }
 
 /** Two programs may find the same left file: who moves it away first has removed it. */

@@ -292,11 +292,10 @@ std::optional<Manifest> FindManifest(const fs::path& folder) {
 Manifest LoadManifest(const fs::path& folder) {
   const fs::path path = folder / kManifestFile;
   if (std::optional<Manifest> manifest = ParseManifest(ReadFile(path))) return *manifest;
-  throw Error(
-      ErrorKind::kFormat,
-      "\"" + path.string() +
-          "\" is damaged: the integrity of the files beside it cannot be verified; take it from a "
-          "backup, or make it again with graspbench verify --repair");
+  throw Error(ErrorKind::kFormat,
+              "\"" + path.string() +
+                  "\" is damaged: the integrity of the files beside it cannot be verified; restore "
+                  "it from a backup, or rebuild it with graspbench verify --repair");
 }
 
 void WriteManifest(const fs::path& folder, const Manifest& manifest) {

@@ -179,8 +179,7 @@ void ReadJournal(const std::filesystem::path& folder, const std::string& journal
     if (line.text.empty()) return;
     if (!line.is_whole) {
       findings.Warn(journal, line.number,
-                    "the last line was not finished when the program stopped; it counts as not "
-                    "there");
+                    "the last line is incomplete because the program was stopped; it is ignored");
       return;
     }
     try {
@@ -192,7 +191,7 @@ void ReadJournal(const std::filesystem::path& folder, const std::string& journal
         damage.push_back({journal, line.number, e.what()});
       } else {
         findings.Warn(journal, line.number,
-                      std::string("skipped: ") + e.what() + "; it counts as not there");
+                      std::string("skipped: ") + e.what() + "; it is ignored");
       }
     }
   });
@@ -202,9 +201,8 @@ void RefuseDamage(const std::string& store, const std::filesystem::path& folder,
                   const std::vector<Damage>& damage, OnDamage on_damage,
                   const std::string& remedy) {
   if (damage.empty() || on_damage == OnDamage::kAccept) return;
-  throw Error(ErrorKind::kFormat, store + " in \"" + folder.string() +
-                                      "\" holds what is not its own" + FormatDamage(damage) + "\n" +
-                                      remedy);
+  throw Error(ErrorKind::kFormat, store + " in \"" + folder.string() + "\" contains foreign lines" +
+                                      FormatDamage(damage) + "\n" + remedy);
 }
 
 }  // namespace graspbench

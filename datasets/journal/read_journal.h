@@ -3,7 +3,7 @@
 How every journal is read, whatever its lines say. A line
 
 - that ends without a line break was not finished when the program stopped: a finding;
-- whose checksum is wrong counts as not there: a finding, which the door calls damage
+- whose checksum is wrong is ignored: a finding, which the door calls damage
   (sealed_store.h);
 - whose checksum is right and which is no record of its journal, or one that nobody asked for:
   damage. */

@@ -208,7 +208,7 @@ bool RepairDerived(const StoreKind& kind, const fs::path& folder, const StoreSta
       SetFileAside(folder / damage.path, kDamaged);
       action += "set aside as " + damage.path + kDamaged + "; ";
     }
-    repair.actions.push_back(action + "continuing makes it again");
+    repair.actions.push_back(action + "it is rebuilt when the run continues");
   }
   return is_damaged;
 }
@@ -220,8 +220,7 @@ void RepairOwnFiles(const StoreKind& kind, const fs::path& folder, StoreRepair& 
   if (before.files.empty()) {
     before.versions = LoadVersions(kind, folder);
     before.is_made_anew = true;
-    repair.actions.push_back(std::string(kManifestFile) +
-                             ": made again from the files as they are now");
+    repair.actions.push_back(std::string(kManifestFile) + ": rebuilt from the present files");
   }
   RepairJournals(kind, folder, before, state, repair);
   const bool are_derived_damaged = RepairDerived(kind, folder, state, repair);
@@ -232,7 +231,8 @@ void RepairOwnFiles(const StoreKind& kind, const fs::path& folder, StoreRepair& 
   if (are_derived_damaged) Remove(after.files, kind.derived);
   KeepFirstSeals(kind, before, after);
   WriteManifest(folder, after);
-  repair.actions.push_back("sealed what is there; what is missing runs again when it is continued");
+  repair.actions.push_back(
+      "sealed the existing results; missing trials run when the session continues");
 }
 
 std::vector<Damage> CheckOutput(const fs::path& output) {
@@ -269,13 +269,13 @@ void RepairOutputs(const StoreKind& kind, const fs::path& folder, StoreRepair& r
 const StoreKind* DemandKind(const fs::path& folder) {
   const StoreKind* kind = FindStoreKind(folder);
   if (kind || HasManifest(folder)) return kind;
-  throw Error(ErrorKind::kNotFound,
-              "\"" + folder.string() +
-                  "\" holds no session, optimisation, campaign or other result of graspbench" +
-                  (fs::exists(folder / "pipeline.lock")
-                       ? "; of a pipeline's results each folder is checked by itself, and "
-                         "graspbench pipeline status says what is stale"
-                       : ""));
+  throw Error(
+      ErrorKind::kNotFound,
+      "\"" + folder.string() +
+          "\" holds no session, optimisation, campaign or other result of graspbench" +
+          (fs::exists(folder / "pipeline.lock") ? "; for a pipeline, check each result folder, and "
+                                                  "use graspbench pipeline status for stale stages"
+                                                : ""));
 }
 
 /** The stores inside that are begun or that the manifest knows. */
@@ -385,8 +385,8 @@ void SealStore(const StoreKind& kind, const fs::path& folder, const std::string&
 void UnsealOutput(const fs::path& output) {
   if (fs::is_symlink(output)) {
     throw Error(ErrorKind::kUsage, "\"" + output.string() +
-                                       "\" is a link to a folder that may be somebody else's; "
-                                       "remove the link, or name another place with --out");
+                                       "\" is a link to a folder that may belong to somebody else; "
+                                       "remove the link, or name another folder with --out");
   }
   for (const Damage& changed : CheckOutput(output)) {
     const fs::path file = output / changed.path;
@@ -423,8 +423,8 @@ StoreState VerifyStore(const fs::path& folder, OnDamage on_damage,
               "the " + state.kind + " in \"" + folder.string() + "\" is damaged" +
                   FormatDamage(state.damages) + "\n" +
                   (lost.empty() ? "graspbench verify --repair " + folder.string() +
-                                      " sets damaged lines aside and loses no whole one, and any "
-                                      "command goes on"
+                                      " sets damaged lines aside and keeps all intact ones; then "
+                                      "any command continues"
                                 : lost) +
                   DescribeAcceptance(FindStoreKind(folder)));
 }
@@ -438,9 +438,9 @@ std::string DescribeLostFiles(const fs::path& folder, const std::vector<Damage>&
     if (never_changes) lost.push_back(damage.path);
   }
   if (lost.empty()) return "";
-  return "no repair brings back " + lost[0] +
+  return "no repair can restore " + lost[0] +
          (lost.size() > 1 ? " and " + std::to_string(lost.size() - 1) + " more" : "") +
-         ": go on with a copy put back, or in a new folder";
+         ": restore a copy, or use a new folder";
 }
 
 void SetJournalAside(const fs::path& folder, const std::string& journal) {
@@ -503,7 +503,7 @@ std::vector<std::string> FindUnverified(const fs::path& folder) {
 }
 
 std::string DescribeUnverified(const std::string& file) {
-  return file + ": cannot be verified, no hash of it is kept";
+  return file + ": cannot be verified, because it has no stored hash";
 }
 
 }  // namespace graspbench

@@ -94,7 +94,7 @@ never change stays damage. Nothing is done in a store older than manifests.
 @throws as CheckStore; kFormat; kIo. */
 StoreRepair RepairStore(const std::filesystem::path& folder);
 
-/** Files that a store has made and of which no hash is kept, so that nobody can tell whether they
+/** Files that a store has made and of which no hash is kept, so that it is unknown whether they
 have changed: what a program that was killed had just written, and tables and pages whose manifest
 is gone. From the folder, those of stores inside it too; none in what is no store.
 @throws Error(kIo). */

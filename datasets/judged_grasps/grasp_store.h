@@ -33,7 +33,7 @@ struct JudgedGrasp {
   int index = 0;        ///< in its file
   std::string object;   ///< as the file names it
   std::string profile;  ///< its name
-  int jitter = 0;       ///< 0: as it is; else the how manieth disturbance
+  int jitter = 0;       ///< 0: as it is; else number of the disturbance
   std::string label;    ///< the file's own verdict: "success", "failure", empty: none
   FreeSpaceResult result;
   std::optional<std::string> search = {};  ///< see answer_journal.h
@@ -86,7 +86,7 @@ verdicts change from profile to profile, and what nearly passed or failed.
 
 Agreement beyond chance: Cohen's kappa = (p_o - p_e) / (1 - p_e), p_o the share of equal verdicts and
 p_e that of two judges who pass as often, independently (J. Cohen, Educ. Psychol. Meas. 20, 1960).
-Grasps whose simulation gave up fail, and are counted. */
+Grasps whose simulation failed fail, and are counted. */
 
 /** NaN where both always say the same. */
 double CalcKappa(const PairedCounts& counts);

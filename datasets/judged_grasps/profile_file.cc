@@ -44,7 +44,7 @@ Problems FindProblems(const FreeSpaceProfile& profile) {
   }
   if (profile.sim.gravity != 0.0) {
     problems.emplace_back("sim.gravity_m_per_s2",
-                          "expected 0: acceleration_m_per_s2 says what acts on the object");
+                          "expected 0: acceleration_m_per_s2 states what acts on the object");
   }
   return problems;
 }

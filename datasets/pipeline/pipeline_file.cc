@@ -145,7 +145,7 @@ class StageReader {
                 [&](const StageOption& option, const YAML::Node& value, int line) {
                   if (!option.takes_value) {
                     return Fail(line, "inputs: \"" + option.name +
-                                          "\" takes no file; put it under parameters");
+                                          "\" takes no file; list it under parameters");
                   }
                   for (const auto& [path, at] : ReadTexts(value, "inputs, " + option.name)) {
                     AddInput(option.name, path, at, stage);
@@ -157,8 +157,8 @@ class StageReader {
                 PipelineStage& stage) {
     if (!IsInside(path)) {
       return Fail(line, "the input \"" + path +
-                            "\" is not named from the pipeline's folder downwards; expected a name "
-                            "as study/study.yaml, so that the pipeline can be packed");
+                            "\" is not below the pipeline's folder; expected a path such as "
+                            "study/study.yaml, so that the pipeline can be packed");
     }
     const std::string first = path.substr(0, path.find('/'));
     const bool is_stage = names_.count(first) > 0;
@@ -179,8 +179,7 @@ class StageReader {
                      PipelineStage& stage) {
     if (option.is_argument) {
       return Fail(line, "parameters: \"" + option.name +
-                            "\" is what the command reads; put it "
-                            "under inputs");
+                            "\" is a file that the command reads; list it under inputs");
     }
     StageParameter parameter = {option.name, {}};
     if (!option.takes_value) {
@@ -194,7 +193,7 @@ class StageReader {
     for (const auto& [text, at] : ReadTexts(value, "parameters, " + option.name)) {
       if (text.find('/') != text.npos) {
         Fail(at, "parameters, " + option.name + ": \"" + text +
-                     "\" is a path; files and folders that a stage reads stand under inputs");
+                     "\" is a path; list files and folders that a stage reads under inputs");
       }
       parameter.values.push_back(text);
     }
@@ -240,7 +239,7 @@ void SortStages(const std::string& file, std::vector<PipelineStage>& stages,
         names += (names.empty() ? "" : ", ") + stage.name;
       }
       problems.Fail(file, stages.front().line,
-                    "these stages wait for each other, or for such that do: " + names);
+                    "these stages depend on each other in a cycle: " + names);
       return;
     }
     done.insert(next->name);
@@ -271,14 +270,15 @@ const FileKeys& ListPipelineKeys() {
   static const FileKeys keys = {
       {"about", "", "what it is for, in a sentence"},
       {"stages", kRequired, KeyType::kMap,
-       "a map: the name of a stage, which is its folder's, and what it is"},
-      {"stages.command", kRequired, "one of the program's own, as run or study run"},
+       "a map from the name of a stage (also of its folder) to its description"},
+      {"stages.command", kRequired, "a command of graspbench, for example run or study run"},
       {"stages.inputs", "", KeyType::kMap,
-       "a map: argument or option of the command, and the file, folder or stage that it gets; of a "
-       "stage also a part, as benchmark/export/trials.csv"},
-      {"stages.files", "", "what the command reads besides, as recordings that an input names"},
+       "a map from an argument or option of the command to a file, folder or stage; a part of a "
+       "stage is also possible, for example benchmark/export/trials.csv"},
+      {"stages.files", "",
+       "further files that the command reads, for example recordings named in an input"},
       {"stages.parameters", "", KeyType::kMap,
-       "a map: option of the command without its dashes, and its value, several, or true"},
+       "a map from an option of the command, without dashes, to its value, a list, or true"},
   };
   return keys;
 }

@@ -170,7 +170,7 @@ void FindReasons(const PipelineStage& stage, const fs::path& results, const Pipe
     const auto source = lock.find(needed);
     if (!state.reasons.empty() || source == lock.end()) continue;
     if (CalcStableSha256(source->second.files) != sha256) {
-      state.reasons.push_back("stage " + needed + " gave other bytes when it ran again");
+      state.reasons.push_back("stage " + needed + " gave different bytes in a repetition");
     }
   }
 }
@@ -192,11 +192,10 @@ PipelineLock LoadPipelineLock(const fs::path& results) {
     if (json.at("schema") == kLockSchema && FormatLock(lock) == text) return lock;
   } catch (const Json::exception&) {
   }
-  throw Error(
-      ErrorKind::kFormat,
-      "\"" + path.string() +
-          "\" is not as it was written; remove it, and the next run makes every stage again "
-          "and keeps what is there as <stage>.set-aside");
+  throw Error(ErrorKind::kFormat,
+              "\"" + path.string() +
+                  "\" was changed; remove it, and the next run makes every stage again and keeps "
+                  "the present results as <stage>.set-aside");
 }
 
 void WritePipelineLock(const fs::path& results, const PipelineLock& lock) {

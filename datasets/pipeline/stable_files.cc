@@ -42,11 +42,11 @@ class HiddenInputs {
     } else if (node.IsSequence()) {
       for (const auto& item : node) Check(item);
     } else if (node.IsScalar() && LeadsOutside(file_.parent_path(), node.Scalar())) {
-      problems_.Fail(file_.string(), node.Mark().line + 1,
-                     "stage " + stage_.name + " would read \"" + node.Scalar() +
-                         "\", which the pipeline does not name: its changes would not be seen, and "
-                         "no pack would hold it; put it beside the pipeline and give it to the "
-                         "stage by inputs or files");
+      problems_.Fail(
+          file_.string(), node.Mark().line + 1,
+          "stage " + stage_.name + " would read \"" + node.Scalar() +
+              "\", which the pipeline does not name: changes would stay undetected, and packs "
+              "would lack it; copy it beside the pipeline and list it under inputs or files");
     }
   }
 

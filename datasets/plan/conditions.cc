@@ -26,8 +26,9 @@ using Point = std::vector<size_t>;
 SweepFactor ParseFactor(const std::string& text, const SessionConfig& config) {
   const size_t sign = text.find('=');
   if (sign == text.npos || sign == 0) {
-    throw Error(ErrorKind::kUsage,
-                "--factor \"" + text + "\": expected KEY=VALUE,VALUE,.. as model.mass_scale=1,2");
+    throw Error(
+        ErrorKind::kUsage,
+        "--factor \"" + text + "\": expected KEY=VALUE,VALUE,.. for example model.mass_scale=1,2");
   }
   SweepFactor factor;
   for (size_t start = sign + 1; start <= text.size();) {
@@ -45,10 +46,11 @@ SweepFactor ParseFactor(const std::string& text, const SessionConfig& config) {
     start = comma + 1;
   }
   if (factor.levels.size() < 2) {
-    throw Error(ErrorKind::kUsage, "--factor " + text +
-                                       ": expected two levels or more, the base's first; a single "
-                                       "value is a setting, --set " +
-                                       text);
+    throw Error(
+        ErrorKind::kUsage,
+        "--factor " + text +
+            ": expected two levels or more, base level first; set a single value with --set " +
+            text);
   }
   return factor;
 }
@@ -56,7 +58,7 @@ SweepFactor ParseFactor(const std::string& text, const SessionConfig& config) {
 std::vector<SweepFactor> ParseFactors(const SweepConfig& sweep) {
   if (sweep.factors.empty()) {
     throw Error(ErrorKind::kUsage,
-                "a sweep needs a factor; name one with --factor KEY=VALUE,VALUE,.. as "
+                "a sweep needs a factor; name one with --factor KEY=VALUE,VALUE,.. for example "
                 "model.mass_scale=1,0.5,2");
   }
   std::vector<SweepFactor> factors;
@@ -155,11 +157,11 @@ void RefuseUnused(const std::vector<SweepFactor>& factors, const SessionConfig& 
     const std::string& grip = strategies.front().grip;
     throw Error(
         ErrorKind::kUsage,
-        "the factor \"" + factor.key + "\" has no use where strategy.grip is " + grip +
-            (used == strategies.end() ? "; leave it out, or set strategy.grip"
-                                      : ", the base's; name the grip that has one first: --factor "
-                                        "strategy.grip=" +
-                                            used->grip + "," + grip));
+        "the factor \"" + factor.key + "\" has no effect if strategy.grip is " + grip +
+            (used == strategies.end()
+                 ? "; leave it out, or set strategy.grip"
+                 : ", the base level; list the grip that uses it first: --factor strategy.grip=" +
+                       used->grip + "," + grip));
   }
 }
 
@@ -167,11 +169,10 @@ void RefuseUnused(const std::vector<SweepFactor>& factors, const SessionConfig& 
 void RefuseRepeated(const SweepFactor& factor, const StrategyConfig& strategy,
                     const Condition& condition) {
   if (CanMatter(factor.key, strategy)) return;
-  throw Error(ErrorKind::kUsage,
-              "the factor \"" + factor.key + "\" has no use under the condition \"" +
-                  condition.name +
-                  "\", whose trials would be those without it; use --design one-at-a-time, or "
-                  "sweep each grip by itself");
+  throw Error(ErrorKind::kUsage, "the factor \"" + factor.key +
+                                     "\" has no effect under the condition \"" + condition.name +
+                                     "\", whose trials would not change; use --design "
+                                     "one-at-a-time, or sweep each grip separately");
 }
 
 constexpr double kLongestDelay = 10.0;  // [s]
@@ -286,9 +287,9 @@ SessionConfig MakeSweep(const SweepConfig& sweep) {
   }
   const ConditionInputs made = ApplyCondition(base, sweep);
   if (made.late != LateDigit::kNone || made.is_compliant) {
-    throw Error(ErrorKind::kUsage,
-                "the first level of delay.last and delay.first must be 0, that of backend "
-                "implicit: it is the base's");
+    throw Error(
+        ErrorKind::kUsage,
+        "the first (base) level of delay.last and delay.first must be 0, that of backend implicit");
   }
   SessionConfig config = made.config;
   std::vector<StrategyConfig> strategies = {config.strategy};
@@ -329,25 +330,23 @@ std::string NormaliseSetting(const std::string& assignment, const SessionConfig&
   const SessionConfig& changed = made.config;
   const std::string group = key.substr(0, key.find('.'));
   if (std::find(kComparable.begin(), kComparable.end(), group) == kComparable.end()) {
-    throw Error(ErrorKind::kUsage,
-                "\"" + key +
-                    "\" decides which trials there are; only what leaves their "
-                    "draws can be compared pair by pair: variation.*, "
-                    "strategy.*, sim.*, model.*, imperfections.*, "
-                    "positioning, camera.*, arm.*, touch, sensors.*, approach, grasp, "
-                    "delay.last, delay.first, backend");
+    throw Error(
+        ErrorKind::kUsage,
+        "\"" + key +
+            "\" changes the plan; only settings that keep the draws can be compared pair by pair: "
+            "variation.*, strategy.*, sim.*, model.*, imperfections.*, positioning, camera.*, "
+            "arm.*, touch, sensors.*, approach, grasp, delay.last, delay.first, backend");
   }
   if ((group == "camera" || group == "sensors") && !ToJson(changed).contains(group)) {
     throw Error(ErrorKind::kUsage,
-                "\"" + key + "\" changes nothing here: the session has " +
+                "\"" + key + "\" has no effect here: the session has " +
                     (group == "camera" ? "positioning: " + config.positioning + ", not camera"
                                        : "touch: " + config.touch + ", not sensed"));
   }
   const std::string level = FindBaseLevel(changed, key);
   if (level != FindBaseLevel(config, key) && ToJson(changed) == ToJson(config)) {
     throw Error(ErrorKind::kUsage, "\"" + key + "=" + level +
-                                       "\" changes nothing here: the session's other settings "
-                                       "leave no use for it");
+                                       "\" has no effect here with the session's other settings");
   }
   // A session that looks, varied to one that does not, leaves the settings of the camera behind.
   CheckSessionConfig(SessionConfigFromJson(ToJson(changed), assignment));
@@ -411,10 +410,9 @@ std::vector<Condition> ChooseAgain(std::vector<Condition> conditions, const Sess
     condition.settings.push_back(std::string(kBest) + "=" + kAgain);
   }
   if (has_choice) return conditions;
-  throw Error(
-      ErrorKind::kUsage,
-      "--grasp-per-condition chooses grasps again, and they are named here; leave it out, or "
-      "take --grasp best, predicted or rehearsed and no factor grasp");
+  throw Error(ErrorKind::kUsage,
+              "--grasp-per-condition needs chosen grasps, but the grasps are named; leave it out, "
+              "or use --grasp best, predicted or rehearsed without the factor grasp");
 }
 
 std::vector<SweepFactor> ListFactors(const SessionConfig& config) {

@@ -70,7 +70,7 @@ Frozen LoadFrozen(const StoreKind& kind, const fs::path& folder, OnDamage on_dam
   frozen.damage = std::move(state.damages);
   if (state.is_made_anew) {
     frozen.damage.push_back(
-        {kManifestFile, 0, "was lost and made again: what had changed before is not noticed"});
+        {kManifestFile, 0, "was rebuilt after a loss: earlier changes cannot be detected"});
   }
   return frozen;
 }
@@ -96,7 +96,7 @@ void CheckSameFrozen(const StoreKind& kind, const fs::path& folder, const Json& 
   }
   if (differences.empty()) return;
   throw Error(ErrorKind::kUsage, "\"" + folder.string() +
-                                     "\" was begun with other inputs or settings; what differs:" +
+                                     "\" was started with other inputs or settings; differences:" +
                                      ListDifferences(differences) +
                                      "\nuse those, or choose another folder with --out");
 }

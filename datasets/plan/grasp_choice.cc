@@ -262,9 +262,9 @@ std::vector<std::string> ListObjectWarnings(const SessionConfig& config,
   }
   for (const auto& object : inputs.objects) {
     if (object->turned_to_rest <= kTipsOver) continue;
-    warnings.push_back(object->id + " tips over by " +
-                       FormatFixed(DegFromRad(object->turned_to_rest), 0) +
-                       " deg when it is set down as its mesh lies; it is grasped as it rests");
+    warnings.push_back(
+        object->id + " tips over by " + FormatFixed(DegFromRad(object->turned_to_rest), 0) +
+        " deg when it is placed in the orientation of its mesh; it is grasped in its resting pose");
   }
   return warnings;
 }

@@ -77,11 +77,12 @@ void CheckRange(const SessionConfig& config, const SessionInputs& inputs, const 
       const int num = CountElements(*hand.hand, digit);
       const double most = num * config.sensors.saturation;
       if (num == 0 || config.strategy.grip_force <= most) continue;
-      throw Error(ErrorKind::kRange,
-                  fmt::format("strategy.grip_force_n: {:.2f} N is asked of each digit, and the {} "
-                              "elements of {} of the hand \"{}\" feel at most {:.2f} N together "
-                              "(sensors.saturation_n each); ask for less, or raise it",
-                              config.strategy.grip_force, num, digit, hand.hand->id, most));
+      throw Error(
+          ErrorKind::kRange,
+          fmt::format("strategy.grip_force_n: the setpoint of each digit is {:.2f} N, but the {} "
+                      "elements of {} of the hand \"{}\" measure at most {:.2f} N together "
+                      "(sensors.saturation_n each); lower the setpoint or raise the saturation",
+                      config.strategy.grip_force, num, digit, hand.hand->id, most));
     }
   }
 }
@@ -90,15 +91,16 @@ void WarnOfFeeling(const SessionConfig& config, const Hand& hand,
                    std::vector<std::string>& warnings) {
   const double asked = config.strategy.grip_force, felt_from = CalcFeltFrom(config, hand);
   if (asked > config.sensors.saturation) {
-    warnings.push_back(fmt::format(
-        "strategy.grip_force_n is {:.2f} N, and an element of the hand \"{}\" feels at most {:.2f} "
-        "N (sensors.saturation_n): where few are pressed, the drives' torques alone say the rest",
-        asked, hand.id, config.sensors.saturation));
+    warnings.push_back(
+        fmt::format("strategy.grip_force_n is {:.2f} N, but an element of the hand \"{}\" measures "
+                    "at most {:.2f} N (sensors.saturation_n): if few elements are pressed, only "
+                    "drive torques measure the rest",
+                    asked, hand.id, config.sensors.saturation));
   }
   if (asked > 0.0 && asked <= felt_from) {
     warnings.push_back(fmt::format(
-        "an element of the hand \"{}\" feels nothing below {:.2f} N (sensors.threshold), and as "
-        "little as {:.2f} N is asked of a digit (strategy.grip_force_n)",
+        "the detection threshold of an element of the hand \"{}\" is {:.2f} N (sensors.threshold), "
+        "but the minimum setpoint of a digit is {:.2f} N (strategy.grip_force_n)",
         hand.id, felt_from, asked));
   }
 }
@@ -124,7 +126,7 @@ bool CanMatter(const std::string& key, const StrategyConfig& strategy) {
 }
 
 std::string DescribeUnusedGrip(const StrategyConfig& strategy) {
-  return "has no use where strategy.grip is " + strategy.grip +
+  return "has no effect if strategy.grip is " + strategy.grip +
          "; leave it out, or set strategy.grip";
 }
 
@@ -173,12 +175,11 @@ void CheckGripForces(const SessionConfig& config, const SessionInputs& inputs) {
     if (config.strategy.grip_force <= bound) continue;
     throw Error(
         ErrorKind::kRange,
-        fmt::format(
-            "strategy.grip_force_n: a digit of the hand \"{}\" cannot press with {:.2f} N in "
-            "the grasp {}: its drives' torque limits over their shortest levers give at "
-            "most {:.2f} N, at its pads some {:.2f} N; ask for less",
-            hand.hand->id, config.strategy.grip_force, grasp->id, bound,
-            CalcPadGrip(*hand.hand, *grasp)));
+        fmt::format("strategy.grip_force_n: a digit of the hand \"{}\" cannot press with {:.2f} N "
+                    "in the grasp {}: the torque limits of its drives allow at most {:.2f} N at "
+                    "the shortest lever, about {:.2f} N at its pads; lower the setpoint",
+                    hand.hand->id, config.strategy.grip_force, grasp->id, bound,
+                    CalcPadGrip(*hand.hand, *grasp)));
   }
 }
 
@@ -190,12 +191,11 @@ void CheckFeltForces(const SessionConfig& config, const SessionInputs& inputs) {
     const double felt_from = CalcFeltFrom(config, *hand.hand);
     const bool is_all = strategy.grip == RowOf(kGripModes, GripMode::kForce).name;
     if (!is_all || strategy.grip_force > felt_from) continue;
-    throw Error(
-        ErrorKind::kRange,
-        fmt::format("sensors.threshold: an element of the hand \"{}\" feels nothing below "
-                    "{:.2f} N, and {:.2f} N is asked of each digit (strategy.grip_force_n); "
-                    "lower the threshold, or ask for more",
-                    hand.hand->id, felt_from, strategy.grip_force));
+    throw Error(ErrorKind::kRange,
+                fmt::format("sensors.threshold: the detection threshold of an element of the hand "
+                            "\"{}\" is {:.2f} N, but the setpoint of each digit is {:.2f} N "
+                            "(strategy.grip_force_n); lower the threshold or raise the setpoint",
+                            hand.hand->id, felt_from, strategy.grip_force));
   }
 }
 
@@ -208,11 +208,11 @@ std::vector<std::string> ListGripWarnings(const SessionConfig& config,
   for (const SessionHand& hand : inputs.hands) {
     const auto [grasp, estimate] = FindLeast(config, inputs, hand, &CalcPadGrip);
     if (config.strategy.grip_force <= estimate) continue;
-    warnings.push_back(fmt::format(
-        "strategy.grip_force_n is {:.2f} N, and the drives of the hand \"{}\" give some {:.2f} N "
-        "at its pads in the grasp {}, more only by contacts nearer to the palm: digits may not "
-        "reach what is asked",
-        config.strategy.grip_force, hand.hand->id, estimate, grasp->id));
+    warnings.push_back(
+        fmt::format("strategy.grip_force_n is {:.2f} N, but the drives of the hand \"{}\" give "
+                    "about {:.2f} N at its pads in the grasp {} (more at contacts nearer to the "
+                    "palm): digits may not reach the setpoint",
+                    config.strategy.grip_force, hand.hand->id, estimate, grasp->id));
   }
   return warnings;
 }
@@ -225,7 +225,7 @@ void CheckGripMargins(const SessionConfig& config, const SessionInputs& inputs) 
     throw Error(
         ErrorKind::kRange,
         "strategy.grip: a margin needs friction, and the object \"" + object->id +
-            "\" has none; give it some (object.yaml, model.friction_scale) or choose force");
+            "\" has none; set its friction (object.yaml, model.friction_scale) or use force");
   }
 }
 

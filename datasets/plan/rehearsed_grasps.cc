@@ -196,9 +196,9 @@ std::optional<Rehearsal> FindKeptRehearsal(const RehearsalTask& task) {
 
 Rehearsal FindRehearsal(const RehearsalTask& task) {
   if (task.grasps.empty()) {
-    throw Error(ErrorKind::kUsage, "the hand \"" + task.hand->id +
-                                       "\" has no standard grasp to rehearse on \"" +
-                                       task.object->id + "\"; graspbench hand develop finds some");
+    throw Error(ErrorKind::kUsage,
+                "the hand \"" + task.hand->id + "\" has no standard grasp to rehearse on \"" +
+                    task.object->id + "\"; graspbench hand develop finds grasps");
   }
   if (std::optional<Rehearsal> kept = FindKeptRehearsal(task)) return *kept;
   const std::shared_ptr<const GraspObject> object = CompleteObject(task.object);
@@ -221,7 +221,7 @@ Rehearsal FindRehearsal(const RehearsalTask& task) {
 std::string DescribeDoubt(const std::string& hand, const std::string& object,
                           const std::string& grasp, int held, int draws) {
   if (2 * held > draws) return {};
-  return hand + ", " + object + ": the grasp that rehearsal chose, " + grasp + ", held " +
+  return hand + ", " + object + ": the grasp chosen by rehearsal, " + grasp + ", held " +
          std::to_string(held) + " of " + std::to_string(draws) + " imagined trials";
 }
 

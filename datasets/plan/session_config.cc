@@ -39,11 +39,9 @@ bool TurnsByCoupling(const HandJoint& joint) { return Turns(joint) && joint.coup
 void CheckConcerned(const Hand& hand, const char* key, bool (*is_concerned)(const HandJoint&),
                     const char* expected) {
   if (std::any_of(hand.joints.begin(), hand.joints.end(), is_concerned)) return;
-  throw Error(ErrorKind::kUsage, std::string("imperfections.") + key +
-                                     " concerns nothing of the "
-                                     "hand \"" +
-                                     hand.id + "\": it has no joint that " + expected +
-                                     "; leave the setting or the hand out");
+  throw Error(ErrorKind::kUsage,
+              std::string("imperfections.") + key + " has no effect on the hand \"" + hand.id +
+                  "\": it has no joint that " + expected + "; leave out the setting or the hand");
 }
 
 /** Over the noise: none of the 300,000 samples of a trial of the Shadow Hand is above by chance. */
@@ -95,8 +93,8 @@ void CheckSensors(const SessionConfig& config, std::vector<ConfigProblem>& probl
   } else if (config.touch == RowOf(kTouchSenses, TouchSense::kSensed).name &&
              config.sensors.threshold < kLeastThreshold * config.sensors.noise) {
     problems.push_back({"sensors.threshold",
-                        "the elements would feel their own noise; expected at least five times "
-                        "sensors.noise"});
+                        "the elements would respond to their own noise; expected at least five "
+                        "times sensors.noise"});
   }
 }
 
@@ -162,7 +160,7 @@ void CheckPolicy(const SessionConfig& config, std::vector<ConfigProblem>& proble
     if (value == usual || policy.moves == RowOf(kPolicyMoves, PolicyMoves::kHandAndDigits).name) {
       continue;
     }
-    problems.push_back({key, "changes nothing while policy.moves is " + policy.moves +
+    problems.push_back({key, "has no effect while policy.moves is " + policy.moves +
                                  "; set hand-and-digits or leave the key out"});
   }
 }

@@ -47,7 +47,7 @@ void CheckGraspsExist(const SessionConfig& config, const SessionInputs& inputs) 
   }
   if (known.empty())
     throw Error(ErrorKind::kUsage,
-                "none of the session's hands has any grasp; graspbench hand develop finds some");
+                "none of the session's hands has a grasp; graspbench hand develop finds grasps");
   for (const std::string& name : config.grasps) {
     if (name == kBestGrasp || name == kPredictedGrasp || name == "all" || name == kBySight)
       continue;
@@ -55,8 +55,8 @@ void CheckGraspsExist(const SessionConfig& config, const SessionInputs& inputs) 
     if (std::find(known.begin(), known.end(), id) == known.end()) {
       known.push_back(kBySight);
       known.push_back(NameRehearsed(RehearsalConfig()));
-      throw Error(ErrorKind::kNotFound, "none of the session's hands can do a grasp \"" + id +
-                                            "\"" + SuggestNames(id, known));
+      throw Error(ErrorKind::kNotFound, "none of the session's hands has a grasp \"" + id + "\"" +
+                                            SuggestNames(id, known));
     }
   }
 }
@@ -67,8 +67,8 @@ void CheckGraspsDiffer(const SessionHand& hand) {
   for (const Grasp& grasp : hand.grasps) {
     if (seen.emplace(grasp.id, grasp.object).second) continue;
     throw Error(ErrorKind::kUsage,
-                "two grasp files of the session bring a grasp \"" + grasp.id + "\" of the hand \"" +
-                    hand.hand->id + "\"" +
+                "two grasp files of the session define a grasp \"" + grasp.id +
+                    "\" of the hand \"" + hand.hand->id + "\"" +
                     (grasp.object.empty() ? "" : " for \"" + grasp.object + "\"") +
                     "; leave one out or change its id");
   }
@@ -104,7 +104,7 @@ void CheckSkinsExist(const SessionConfig& config, const SessionInputs& inputs) {
   for (const SessionHand& hand : inputs.hands) {
     if (hand.hand->skin) continue;
     throw Error(ErrorKind::kUsage, "the hand \"" + hand.hand->id +
-                                       "\" feels nothing; choose touch: exact, or give it a "
+                                       "\" has no tactile elements; use touch: exact, or add a "
                                        "tactile.yaml (graspbench help tactile.yaml)");
   }
 }
@@ -187,8 +187,8 @@ void CheckIdsDiffer(const std::vector<PlannedTrial>& plan) {
     const auto [first, is_new] = known.emplace(planned.id, &planned);
     if (is_new) continue;
     throw Error(ErrorKind::kUsage,
-                "two conditions come to the same trial: " + DescribeTrial(*first->second) +
-                    " and " + DescribeTrial(planned) + "; leave out a level that changes nothing");
+                "two conditions give the same trial: " + DescribeTrial(*first->second) + " and " +
+                    DescribeTrial(planned) + "; leave out the level without effect");
   }
 }
 
@@ -293,10 +293,9 @@ std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInp
     const PolicyConfig& policy = block.config->policy;
     if (is_threshold && !policy.command.empty() &&
         policy.moves != RowOf(kPolicyMoves, PolicyMoves::kUntilTouch).name) {
-      throw Error(ErrorKind::kUsage,
-                  "policy.moves is " + policy.moves +
-                      ": the controller grips, and has no setting of which a threshold could be "
-                      "searched; expected digits-until-touch");
+      throw Error(ErrorKind::kUsage, "policy.moves is " + policy.moves +
+                                         ": the controller sets the grip, so no threshold can be "
+                                         "searched; expected digits-until-touch");
     }
     if (is_threshold && !block.is_base)
       continue;  // a scale goes from less to more than is possible

@@ -3,7 +3,7 @@
 Which trials a journal holds, as short lines beside it, so that a million of them are counted
 without reading gigabytes of records:
 
-    progress/3of7-0.jsonl   of journal/3of7-0.jsonl, a line a trial: its id and where its record's
+    progress/3of7-0.jsonl   of journal/3of7-0.jsonl, one line per trial: its id and where its record's
                             line ends in the journal [bytes], as a checked line
 
 Made from the journal, never sealed, not synced, and may be deleted at any time: what it lacks is

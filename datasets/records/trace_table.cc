@@ -39,7 +39,7 @@ void AddJointColumns(const Hand& hand, std::vector<Column>& columns) {
                        [joint](const TraceInstant& i) { return i.q[joint]; }});
     if (moved.coupled_to >= 0) continue;
     columns.push_back({moved.name + "_asked_" + unit, "number", unit,
-                       "what the drive of joint " + moved.name + " was asked for",
+                       "command of the drive of joint " + moved.name + " was asked for",
                        [joint](const TraceInstant& i) {
                          return i.q_asked.size() ? JsonNumber(i.q_asked[joint]) : Json();
                        }});
@@ -93,7 +93,7 @@ double CalcDigitForce(const Hand& hand, const TraceInstant& instant, int digit) 
 std::vector<Column> ListTraceColumns(const Hand& hand) {
   std::vector<Column> columns = {
       {"time_s", "s", "since the start of placing", &TraceInstant::time},
-      {"phase", "", "phase of the strategy that begins or goes on at this time",
+      {"phase", "", "phase of the strategy at this time",
        [](const TraceInstant& instant) { return NameOf(instant.next_phase); }},
       {"grip_force_n", "N", "sum of the hand's normal forces on the object",
        &TraceInstant::grip_force},

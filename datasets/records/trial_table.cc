@@ -76,15 +76,15 @@ void AddDiagnosisColumns(std::vector<CsvColumn<TrialRecord>>& columns) {
   columns.push_back({"mechanism_phase", "string", "", "phase in which the object was lost",
                      take([text](const Diagnosis& d) { return text(d.phase); })});
   columns.push_back({"mechanism_time_s", "number", "s",
-                     "when it was, since the start of placing; of a push when it began",
+                     "time of the loss since the start of placing; for a push, its start",
                      take([](const Diagnosis& d) { return JsonNumber(d.time); })});
   columns.push_back({"loss_turn_rad", "number", "rad",
-                     "turn of the object in the hand until then, since two parts of the hand first "
-                     "pressed against each other, of a lifted one since lift-off",
+                     "rotation of the object in the hand until the loss, since two parts of the "
+                     "hand first opposed each other; for a lifted object since lift-off",
                      take([](const Diagnosis& d) { return JsonNumber(d.turn); })});
   columns.push_back({"normal_work_j", "number", "J",
-                     "work of the hand's normal forces on the object in the last 150 ms in which "
-                     "two parts pressed against each other, relative to the hand",
+                     "work of the hand's normal forces on the object in the last 150 ms of "
+                     "opposition, relative to the hand",
                      take([](const Diagnosis& d) { return Json(d.CalcNormalWork()); })});
   columns.push_back(
       {"friction_work_j", "number", "J",
@@ -107,33 +107,29 @@ void AddGripColumns(std::vector<CsvColumn<TrialRecord>>& columns) {
       return record.result.grip ? (*record.result.grip).*force : kUnset;
     };
   };
-  columns.push_back({"grip_asked_n", "N",
-                     "sum of the normal forces that the regulated grip asks of the hand, mean of "
-                     "the hold",
+  columns.push_back({"grip_asked_n", "N", "setpoint of the total grip force, mean of the hold",
                      take(&GripRecord::asked)});
-  columns.push_back(
-      {"grip_held_n", "N",
-       "filtered sum of normal forces that it had of them, mean of the hold: the true "
-       "one with touch exact, with touch sensed that of elements and drive torques",
-       take(&GripRecord::held)});
-  columns.push_back(
-      {"grip_faults", "string", "",
-       "digits that differ from what was asked of them by more than a fifth, each with the reason "
-       "and the joint that it means",
-       [](const TrialRecord& record) {
-         return record.result.grip ? Json(DescribeGripFaults(*record.result.grip)) : Json();
-       }});
-  columns.push_back(
-      {"grip_excess", "",
-       "with touch sensed: hold_force_n over grip_asked_n; above 1.5 the hand pressed "
-       "where its elements and drives say too little, and grip_faults names the digits",
-       [](const TrialRecord& record) {
-         const TrialResult& result = record.result;
-         if (!result.touch || !result.grip || !(result.grip->asked > 0.0)) {
-           return kUnset;
-         }
-         return result.stability.hold.normal_force / result.grip->asked;
-       }});
+  columns.push_back({"grip_held_n", "N",
+                     "filtered total grip force, mean of the hold: true with touch exact, "
+                     "estimated from elements and drive torques with touch sensed",
+                     take(&GripRecord::held)});
+  columns.push_back({"grip_faults", "string", "",
+                     "digits that deviate from their setpoint by more than 20 %, each with the "
+                     "reason and its joint",
+                     [](const TrialRecord& record) {
+                       return record.result.grip ? Json(DescribeGripFaults(*record.result.grip))
+                                                 : Json();
+                     }});
+  columns.push_back({"grip_excess", "",
+                     "with touch sensed: hold_force_n over grip_asked_n; above 1.5 the hand "
+                     "underestimated its force, and grip_faults names the digits",
+                     [](const TrialRecord& record) {
+                       const TrialResult& result = record.result;
+                       if (!result.touch || !result.grip || !(result.grip->asked > 0.0)) {
+                         return kUnset;
+                       }
+                       return result.stability.hold.normal_force / result.grip->asked;
+                     }});
 }
 
 void AddJudgementColumns(std::vector<TrialColumn>& columns) {
@@ -205,18 +201,17 @@ auto TakeOfDigit(const std::string& digit, Take take) {
 }
 
 void AddDigitColumns(const std::string& digit, std::vector<TrialColumn>& columns) {
-  columns.push_back(
-      {"t_" + digit + "_s", "s",
-       "first contact of digit " + digit +
-           ", since the start of closure; missing when it had not touched by lift-off or takes no "
-           "part",
-       TakeOfDigit(digit,
-                   [](const DigitContact& contact, const DigitTouch&) { return contact.time; })});
-  columns.push_back({"closing_" + digit, "",
-                     "how far the hand had closed at that contact: 0 pre-grasp, 1 target grasp",
-                     TakeOfDigit(digit, [](const DigitContact&, const DigitTouch& touch) {
-                       return touch.closing;
+  columns.push_back({"t_" + digit + "_s", "s",
+                     "first contact of digit " + digit +
+                         ", since the start of closure; missing if it had not touched by lift-off "
+                         "or does not grasp",
+                     TakeOfDigit(digit, [](const DigitContact& contact, const DigitTouch&) {
+                       return contact.time;
                      })});
+  columns.push_back(
+      {"closing_" + digit, "", "closure command at that contact: 0 pre-grasp, 1 target posture",
+       TakeOfDigit(digit,
+                   [](const DigitContact&, const DigitTouch& touch) { return touch.closing; })});
   columns.push_back(
       {"gap_" + digit + "_m", "m",
        "smallest distance of digit " + digit + " to the object up to lift-off; 0 when it touched",
@@ -229,42 +224,42 @@ void AddDigitColumns(const std::string& digit, std::vector<TrialColumn>& columns
 std::vector<TrialColumn> ListStabilityColumns() {
   return {
       {"sigma", "N",
-       "stability: smallest pull along the palm's axes that the contacts stand in the hold, as "
-       "their forces show; 0 when the object was lost",
+       "stability: smallest pull along the palm axes that the measured contact forces resist in "
+       "the hold; 0 if the object was lost",
        [](const TrialRecord& record) { return record.result.stability.sigma; }},
-      {"sigma_stabilisation", "N", "the same before lift-off, whatever came later",
+      {"sigma_stabilisation", "N", "sigma before lift-off, whatever the outcome",
        TakePart(&Stability::stabilisation, &StabilityPart::sigma)},
-      {"sigma_lift", "N", "the same over lift-off",
-       TakePart(&Stability::lift, &StabilityPart::sigma)},
+      {"sigma_lift", "N", "sigma over lift-off", TakePart(&Stability::lift, &StabilityPart::sigma)},
       {"sigma_proposed", "",
-       "the formula proposed first: epsilon times normal force by weight, less for slip and for "
-       "missing opposition, before lift-off",
+       "earlier proposal: epsilon times grip force over weight, reduced for slip and missing "
+       "opposition, before lift-off",
        [](const TrialRecord& record) { return record.result.stability.sigma_proposed; }},
       {"epsilon", "",
        "mean quality before lift-off, convention ferrari-canny: mixed cones of 8 edges, unit "
        "normal "
        "force, moments about the centre of mass divided by the object's radius",
        TakePart(&Stability::stabilisation, &StabilityPart::quality)},
-      {"epsilon_hold", "", "the same over the hold",
+      {"epsilon_hold", "", "epsilon over the hold",
        TakePart(&Stability::hold, &StabilityPart::quality)},
       {"normal_force_n", "N", "mean sum of the normal forces before lift-off",
        TakePart(&Stability::stabilisation, &StabilityPart::normal_force)},
-      {"slip_speed_m_per_s", "m/s", "mean speed against the hand before lift-off",
+      {"slip_speed_m_per_s", "m/s",
+       "mean speed of the contacts relative to the hand before lift-off",
        TakePart(&Stability::stabilisation, &StabilityPart::slip_speed)},
-      {"opposition", "", "share of the time before lift-off in which opposed digits touched",
+      {"opposition", "", "share of the time before lift-off with contact of opposed digits",
        TakePart(&Stability::stabilisation, &StabilityPart::opposition)}};
 }
 
 /** Of a session in which a camera chooses the grasp. */
 void AddSightColumn(const SessionConfig& config, std::vector<TrialColumn>& columns) {
   if (!HasGraspBySight(config)) return;
-  columns.push_back({"sight_grasp", "string", "",
-                     "id of the grasp that the camera chose, or not seen; missing where the grasp "
-                     "was given",
-                     [](const TrialRecord& record) {
-                       const std::optional<std::string>& grasp = record.result.sight_grasp;
-                       return grasp ? Json(*grasp) : Json();
-                     }});
+  columns.push_back(
+      {"sight_grasp", "string", "",
+       "id of the grasp chosen by the camera, or not seen; missing if the grasp was given",
+       [](const TrialRecord& record) {
+         const std::optional<std::string>& grasp = record.result.sight_grasp;
+         return grasp ? Json(*grasp) : Json();
+       }});
 }
 
 /** Of records in which a controller has a part. */
@@ -281,9 +276,9 @@ void AddPolicyColumns(const std::vector<TrialRecord>& records, std::vector<Trial
   add("policy_told_pose", "string",
       "object pose given to the controller: none, nominal, believed, camera or true",
       [](const PolicyRecord& policy) { return Json(policy.object_pose); });
-  add("policy_questions", "integer", "how often the controller was asked",
+  add("policy_questions", "integer", "number of questions to the controller",
       [](const PolicyRecord& policy) { return Json(policy.num_questions); });
-  add("policy_cut", "integer", "its targets and stiffness beyond limits, which were cut",
+  add("policy_cut", "integer", "number of its targets and stiffness values clipped to limits",
       [](const PolicyRecord& policy) { return Json(policy.num_cut); });
   add("policy_hand_cut", "integer", "its poses of the hand that were cut; missing: it moved none",
       [](const PolicyRecord& policy) {
@@ -299,9 +294,9 @@ void AddDrawColumns(const SessionConfig& config, std::vector<TrialColumn>& colum
                          return MakeObjectDraw(config, plan.object, plan.trial).*part;
                        }});
   };
-  add("draw_x_m", "m", "how far the object stood off its nominal place in x", &TrialDraw::offset_x);
-  add("draw_y_m", "m", "how far the object stood off its nominal place in y", &TrialDraw::offset_y);
-  add("draw_yaw_rad", "rad", "how far the object was turned from its nominal place",
+  add("draw_x_m", "m", "offset of the object from its nominal position in x", &TrialDraw::offset_x);
+  add("draw_y_m", "m", "offset of the object from its nominal position in y", &TrialDraw::offset_y);
+  add("draw_yaw_rad", "rad", "rotation of the object from its nominal orientation",
       &TrialDraw::offset_yaw);
 }
 
@@ -342,7 +337,7 @@ void AddArmColumns(const std::vector<TrialRecord>& records, std::vector<TrialCol
                        }});
   };
   add_joint("arm_joint",
-            "joint of the arm nearest its limit on the course, or that prevents a course",
+            "joint of the arm nearest its limit on the path, or the joint that prevents a path",
             &ArmRecord::joint);
   const auto add = [&](const char* name, const char* unit, const char* meaning,
                        double ArmRecord::*value) {
@@ -353,7 +348,8 @@ void AddArmColumns(const std::vector<TrialRecord>& records, std::vector<TrialCol
   add("arm_margin_rad", "rad", "of that joint to its limit; negative: beyond", &ArmRecord::margin);
   add("arm_speed_share", "", "largest joint speed in placing and lift over its limit",
       &ArmRecord::speed_share);
-  add("arm_dexterity", "", "least on the course; 0 at a singular posture", &ArmRecord::dexterity);
+  add("arm_dexterity", "", "smallest value on the path; 0 at a singular posture",
+      &ArmRecord::dexterity);
   add("arm_reach_time_s", "s", "of the gross motion to the pre-grasp pose", &ArmRecord::reach_time);
   add("arm_reach_path_m", "m", "path of the hand in the gross motion", &ArmRecord::reach_path);
   add("arm_straight_time_s", "s", "of placing and lift", &ArmRecord::straight_time);
@@ -398,14 +394,12 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
       {"gft_ratio", "", "gft_s / gct_s", TakeTiming(&ContactTiming::gft_ratio)},
       {"got_ratio", "", "got_s / gct_s", TakeTiming(&ContactTiming::got_ratio)},
       {"contact_before_start", "",
-       "1 when a digit touched before closure began (early contact): its times are not comparable, "
-       "and "
-       "the medians of the report leave them out",
+       "1 if a digit touched before closure began (early contact); the times are not comparable "
+       "and excluded from medians",
        [](const TrialRecord& record) { return record.result.timing.contact_before_start; }},
       {"contact_order", "",
-       "grasping digits by first contact: < before, = less than a step of the physics apart; "
-       "digits "
-       "that never touched are left out",
+       "grasping digits by first contact: < earlier, = within one physics step; without digits "
+       "that never touched",
        [](const TrialRecord& record) { return FindContactOrder(record.result).Format(); }},
   };
   columns.insert(columns.end(), outcome_columns.begin(), outcome_columns.end());
@@ -416,12 +410,11 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
   }
   columns.push_back(
       {"palm_touches", "",
-       "1 when the palm, or another link of no digit, touches at the end of the trial",
+       "1 if the palm, or another link outside the digits, touches at the end of the trial",
        [](const TrialRecord& record) { return TouchesPalmAtEnd(record.result); }});
   columns.push_back({"opposition_type", "string", "",
-                     "pad, palm or side: what opposes in the grasp that holds the object at the "
-                     "end; missing when "
-                     "it is not held or the record is older",
+                     "pad, palm or side: opposition that holds the object at the end; missing if "
+                     "not held or in older records",
                      [](const TrialRecord& record) {
                        const std::optional<Opposition>& found = record.result.opposition;
                        return found ? ToJson(*found) : Json();
@@ -429,24 +422,23 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
   columns.push_back({"hold_force_n", "N", "mean sum of the normal forces over the hold",
                      TakePart(&Stability::hold, &StabilityPart::normal_force)});
   AddGripColumns(columns);
-  columns.push_back(
-      {"seat", "string", "",
-       "kept, or reseated: closure_rise_m is above 5 mm and 43 % of object_height_m, and "
-       "closure_slide_m above 1 mm; grip forces of the two do not compare; missing when it was not "
-       "lifted",
-       [](const TrialRecord& record) {
-         const Seat seat = FindSeat(record.result);
-         return seat == Seat::kUnknown ? Json() : Json(NameOf(seat));
-       }});
+  columns.push_back({"seat", "string", "",
+                     "kept, or reseated (closure_rise_m above 5 mm and 43 % of object_height_m, "
+                     "and closure_slide_m above 1 mm); grip forces of the two are not comparable; "
+                     "missing if not lifted",
+                     [](const TrialRecord& record) {
+                       const Seat seat = FindSeat(record.result);
+                       return seat == Seat::kUnknown ? Json() : Json(NameOf(seat));
+                     }});
   columns.push_back({"caged", "boolean", "",
-                     "1 for a success that holds with less than 1.5 N or five weights, whichever "
-                     "is less; missing where the weight is not recorded",
+                     "1 for a success with a total grip below 1.5 N or five object weights, "
+                     "whichever is less; missing without a recorded weight",
                      [](const TrialRecord& record) {
                        if (std::isnan(record.result.weight)) return Json();
                        return Json(IsCaged(record.result) ? 1 : 0);
                      }});
   AddDrawColumns(config, columns);
-  columns.push_back({"reason", "", "why it ended so, for a person; empty for a success",
+  columns.push_back({"reason", "", "reason of the outcome in words; empty for a success",
                      [](const TrialRecord& record) { return record.result.reason; }});
   AddDiagnosisColumns(columns);
   return columns;
@@ -475,8 +467,7 @@ std::vector<CsvColumn<EventRow>> ListEventColumns() {
                   [](const EventRow& row) { return NameOf(row.event->kind); }});
   columns.push_back(
       {"contact_rank", "integer", "",
-       "on the first touch of a grasping digit: its place in contact_order, 1 first, tied "
-       "digits alike",
+       "at the first touch of a grasping digit: its rank in contact_order, equal for tied digits",
        [](const EventRow& row) { return row.rank > 0 ? Json(row.rank) : Json(); }});
   return columns;
 }

@@ -23,35 +23,34 @@ struct CandidateRow {
 
 std::vector<CsvColumn<CandidateRow>> ListCandidateColumns() {
   using Row = CandidateRow;
-  return {{"hand", "", "id of the hand", [](const Row& r) { return r.pair->hand; }},
-          {"object", "", "id of the object", [](const Row& r) { return r.pair->object; }},
-          {"candidate", "", "number in the order of trying, from 0",
-           [](const Row& r) { return static_cast<int>(r.number); }},
-          {"grasp", "", "id of the standard grasp",
-           [](const Row& r) { return r.tried().candidate.standard; }},
-          {"approach", "", "from where the hand comes; automatic: by the rule",
-           [](const Row& r) -> std::string {
-             return RowOf(kApproaches, r.tried().candidate.approach).name;
-           }},
-          {"yaw_deg", "deg", "turn of the axes in which the rule places the hand",
-           [](const Row& r) { return DegFromRad(r.tried().candidate.place.yaw); }},
-          {"rise_m", "m", "height above the rule's",
-           [](const Row& r) { return r.tried().candidate.place.rise; }},
-          {"along_m", "m", "shift along the first of the turned axes",
-           [](const Row& r) { return r.tried().candidate.place.along; }},
-          {"opening", "",
-           "opening of the pre-grasp, share of the way from target to pre-grasp once more",
-           [](const Row& r) { return r.tried().candidate.opening; }},
-          {"draws", "", "draws that it was tried on",
-           [](const Row& r) { return static_cast<int>(r.tried().outcomes.size()); }},
-          {"held", "", "of these, held", [](const Row& r) { return r.tried().CountHeld(); }},
-          {"grip_threshold", "",
-           "smallest share of the grip that held draw 0; 1 where it was not looked for",
-           [](const Row& r) { return r.tried().grip_threshold; }},
-          {"chosen", "", "1: the choice",
-           [](const Row& r) { return r.pair->result.chosen == static_cast<int>(r.number); }},
-          {"reason", "", "why its first failure failed",
-           [](const Row& r) { return r.tried().reason; }}};
+  return {
+      {"hand", "", "id of the hand", [](const Row& r) { return r.pair->hand; }},
+      {"object", "", "id of the object", [](const Row& r) { return r.pair->object; }},
+      {"candidate", "", "number in the order of trying, from 0",
+       [](const Row& r) { return static_cast<int>(r.number); }},
+      {"grasp", "", "id of the standard grasp",
+       [](const Row& r) { return r.tried().candidate.standard; }},
+      {"approach", "", "from where the hand comes; automatic: by the rule",
+       [](const Row& r) -> std::string {
+         return RowOf(kApproaches, r.tried().candidate.approach).name;
+       }},
+      {"yaw_deg", "deg", "rotation of the axes in which the rule places the hand",
+       [](const Row& r) { return DegFromRad(r.tried().candidate.place.yaw); }},
+      {"rise_m", "m", "height above the rule's",
+       [](const Row& r) { return r.tried().candidate.place.rise; }},
+      {"along_m", "m", "shift along the first of the turned axes",
+       [](const Row& r) { return r.tried().candidate.place.along; }},
+      {"opening", "",
+       "additional opening of the pre-grasp, share of the distance from target to pre-grasp",
+       [](const Row& r) { return r.tried().candidate.opening; }},
+      {"draws", "", "number of tested draws",
+       [](const Row& r) { return static_cast<int>(r.tried().outcomes.size()); }},
+      {"held", "", "of these, held", [](const Row& r) { return r.tried().CountHeld(); }},
+      {"grip_threshold", "", "smallest share of the grip that held draw 0; 1 if not searched",
+       [](const Row& r) { return r.tried().grip_threshold; }},
+      {"chosen", "", "1: the choice",
+       [](const Row& r) { return r.pair->result.chosen == static_cast<int>(r.number); }},
+      {"reason", "", "reason of its first failure", [](const Row& r) { return r.tried().reason; }}};
 }
 
 }  // namespace

@@ -238,7 +238,7 @@ std::vector<ConfigProblem> Validate(const OptimiseConfig& config) {
   if (config.check_pairs % kPairsPerLook != 0) {
     problems.push_back({"check_pairs", std::to_string(config.check_pairs) + " is no multiple of " +
                                            std::to_string(kPairsPerLook) +
-                                           ", the pairs between two looks at them"});
+                                           ", the number of pairs between two looks"});
   }
   check_range("seed", config.seed, 0, 2147483647);
   const auto check_name = [&](const char* key, const std::string& name,
@@ -389,7 +389,7 @@ SceneRecord LoadScene(const fs::path& folder, OnDamage on_damage) {
   } catch (const Json::exception& e) {
     throw Error(ErrorKind::kFormat, "\"" + path.string() +
                                         "\" is damaged: " + DescribeJsonFault(e) +
-                                        "; delete it and resume, it is made from the journal");
+                                        "; delete it and resume: it is rebuilt from the journal");
   }
   return scene;
 }

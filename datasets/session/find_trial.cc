@@ -45,9 +45,8 @@ constexpr size_t kMinLetters = 4;  // of an id that is cut short
 
 const std::string& HowToName() {
   static const std::string text =
-      "; a trial is named by the column trial_id of trials.csv, by the first four or more letters "
-      "of it, or by hand, "
-      "object, grasp and number as tum-can-g2:3; of a sweep with its condition, "
+      "; name a trial by its trial_id (column of trials.csv), by at least its first four letters, "
+      "or as tum-can-g2:3 (hand, object, grasp, number); in a sweep with its condition, "
       "tum-can-g2:3@model.mass_scale=2.0";
   return text;
 }
@@ -80,9 +79,9 @@ const PlannedTrial* FindByName(const Session& session, const std::string& given,
     if (ToLower(name) == lower) found.push_back(&planned);
   }
   if (found.size() > 1) {
-    throw Error(ErrorKind::kUsage, "\"" + given + "\" is " + NameTrial(*found[0]) + " and " +
-                                       NameTrial(*found[1]) +
-                                       ", which differ in capital letters; write them as they are");
+    throw Error(ErrorKind::kUsage,
+                "\"" + given + "\" is " + NameTrial(*found[0]) + " and " + NameTrial(*found[1]) +
+                    ", which differ only in capital letters; use the exact spelling");
   }
   return found.empty() ? nullptr : found.front();
 }

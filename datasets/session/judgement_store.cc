@@ -118,11 +118,10 @@ void LoadJudgements(const std::filesystem::path& folder, Session& session) {
     };
     ReadJournal(folder, file, take, session.findings, session.damage);
   }
-  conflicts.ThrowIfErrors(
-      ErrorKind::kFormat,
-      "two machines or versions of the program have judged this session or a file was edited; "
-      "graspbench merge DIR --set-aside FILE leaves out what one of these files holds and keeps it "
-      "beside, then judge again");
+  conflicts.ThrowIfErrors(ErrorKind::kFormat,
+                          "two machines or versions of the program have judged this session, or a "
+                          "file was edited; graspbench merge DIR --set-aside FILE ignores one of "
+                          "these files and keeps it aside; then judge again");
 }
 
 bool HasBegunJudge(const std::filesystem::path& folder) {

@@ -32,7 +32,7 @@ void CheckSamePlan(const fs::path& folder, const fs::path& other) {
   const auto seal_plan = [](const fs::path& of) { return SealFile(of, "plan.jsonl").sha256; };
   if (here == there && seal_plan(folder) == seal_plan(other)) return;
   throw Error(ErrorKind::kUsage,
-              "\"" + other.string() + "\" holds another session than \"" + folder.string() +
+              "\"" + other.string() + "\" holds a different session from \"" + folder.string() +
                   "\", nothing was merged:" + describe(folder, here) + describe(other, there));
 }
 

@@ -99,8 +99,8 @@ class Merger {
     conflicts_.ThrowIfErrors(
         ErrorKind::kFormat,
         "one trial has different results: two machines or versions of the program have written to "
-        "this session or a file was edited; graspbench merge DIR --set-aside FILE leaves out what "
-        "one of these files holds and keeps it beside, or rerun the session");
+        "this session, or a file was edited; graspbench merge DIR --set-aside FILE ignores one of "
+        "these files and keeps it aside, or rerun the session");
     if (parts_ == RecordParts::kPlaces) {
       lines_.judgements.resize(places_.size());
       lines_.trials = std::move(places_);
@@ -215,20 +215,21 @@ TrialRecord LoadWhole(const Session& session, const TrialRecord& record) {
   LinePlace place = lines.trials[index];
   try {
     TrialRecord whole = ParseJournalLine(ReadLine(lines, place));
-    if (!(whole.plan == record.plan)) throw Error(ErrorKind::kFormat, "it is another trial's");
+    if (!(whole.plan == record.plan))
+      throw Error(ErrorKind::kFormat, "it belongs to another trial");
     place = lines.judgements[index];
     if (place.file >= 0) whole.judgement = ParseJudgementLine(ReadLine(lines, place));
     return whole;
   } catch (const Error& e) {
     if (e.kind() != ErrorKind::kFormat) throw;
-    throw Error(ErrorKind::kFormat, NameOfLine(lines, place) +
-                                        " has changed since the session was loaded: " + e.what() +
-                                        "; let nobody else write there and start again");
+    throw Error(ErrorKind::kFormat,
+                NameOfLine(lines, place) + " has changed since the session was loaded: " +
+                    e.what() + "; make sure that no other process writes there, and start again");
   }
 }
 
 std::string DescribeForeign(const std::string& trial_id) {
-  return "trial " + trial_id + " is not in the plan: the line is another session's";
+  return "trial " + trial_id + " is not in the plan: the line belongs to another session";
 }
 
 std::vector<TrialRecord> ReadDamagedRecords(const Session& session) {
@@ -344,10 +345,9 @@ void CheckSameSession(const Session& session, const SessionConfig& config,
     text += "\n  and " + std::to_string(changed.size() - kMaxListed) + " more";
   }
   throw Error(ErrorKind::kUsage,
-              "the session was started with the same settings, but a hand, an object, a grasp" +
+              "the session has the same settings, but a hand, an object, a grasp" +
                   (HasArm(config.arm) ? ", the arm \"" + config.arm.model + "\"" : "") +
-                  " or the physics has changed since; its results and new ones do not belong "
-                  "together:" +
+                  " or the physics has changed since; old and new results must not be mixed:" +
                   text + "\nstart another session with --out");
 }
 

@@ -165,7 +165,7 @@ comparison with the trial run again, which names what has changed, and for nothi
 
 The records in the damaged lines of the session's journals whose trials are in the plan and have
 no whole line, in the plan's order. A line that is no record any more is left out.
-@pre the session was loaded in spite of its damage. @throws Error(kIo). */
+@pre the session was loaded despite its damage. @throws Error(kIo). */
 std::vector<TrialRecord> ReadDamagedRecords(const Session& session);
 
 }  // namespace graspbench

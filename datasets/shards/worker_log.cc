@@ -184,9 +184,9 @@ std::string DescribeUnchecked(const std::set<std::string>& labels) {
   }
   if (labels.size() > kMaxNamed)
     names += " and " + std::to_string(labels.size() - kMaxNamed) + " more";
-  return "no sentinel trials are kept of the machines of " +
+  return "no sentinel trials are stored for the machines of " +
          FormatCount(static_cast<int64_t>(labels.size()), "shard") + " (" + names +
-         "): whether they agree with the others is not known";
+         "): their agreement with the other machines is unknown";
 }
 
 std::string DescribeMachine(const Machine& machine) {
@@ -270,7 +270,7 @@ WorkerLog::WorkerLog(const fs::path& folder, const std::string& label)
         MakeFolder(folder / kWorkersFolder);
         return AppendFile(FindJournal(folder / kWorkersFolder, 0, label),
                           "another process works on shard " + label + " of \"" + folder.string() +
-                              "\"; it goes on, and this one is not needed");
+                              "\"; this process is not needed");
       }()) {}
 
 }  // namespace graspbench

@@ -18,7 +18,7 @@ memory has none but a lack of it. */
 class H5Handle {
  public:
   H5Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {
-    if (id < 0) throw Error(ErrorKind::kEnvironment, "the HDF5 library refuses to go on");
+    if (id < 0) throw Error(ErrorKind::kEnvironment, "the HDF5 library reports an error");
   }
   ~H5Handle() { close_(id_); }
   H5Handle(const H5Handle&) = delete;
@@ -31,7 +31,7 @@ class H5Handle {
 };
 
 void Check(herr_t status) {
-  if (status < 0) throw Error(ErrorKind::kEnvironment, "the HDF5 library refuses to go on");
+  if (status < 0) throw Error(ErrorKind::kEnvironment, "the HDF5 library reports an error");
 }
 
 hid_t MakeTextType() {

@@ -32,9 +32,9 @@ std::string CalcRecordSha256(const PlannedTrial& planned, const TrialResult& res
 TrialTrajectory MakeTrajectory(const PlannedTrial& planned, const TrialSetup& setup,
                                const TracedTrial& traced, double rate) {
   if (traced.trace.empty()) {
-    throw Error(ErrorKind::kUnsupported, "trial " + planned.id + " (" + DescribeTrial(planned) +
-                                             ") has no course: it could not begin; " +
-                                             traced.result.reason);
+    throw Error(ErrorKind::kUnsupported,
+                "trial " + planned.id + " (" + DescribeTrial(planned) +
+                    ") has no motion because it could not begin: " + traced.result.reason);
   }
   TrialTrajectory trajectory = {
       planned, CalcRecordSha256(planned, traced.result), setup.hand, setup.object, rate, {}};
@@ -148,7 +148,7 @@ const TrajectoryForm& FindTrajectoryForm(const std::string& name) {
     known += (known.empty() ? "." : ", .") + std::string(form.name);
   }
   throw Error(ErrorKind::kUsage,
-              "--trajectory: \"" + name + "\" ends in none of the forms there are: " + known);
+              "--trajectory: \"" + name + "\" has none of the known endings: " + known);
 }
 
 std::vector<TrajectoryFile> MakeTrajectoryFiles(const TrajectoryForm& form,

@@ -17,7 +17,7 @@ trajectory_form_list.inc each. Equal trajectories give equal bytes. */
 namespace graspbench {
 
 /** A trial as it went, thinned to a rate: what the files of trajectories hold. */
-inline constexpr double kTrajectoryRate = 60.0;  ///< instants a second where nobody asks
+inline constexpr double kTrajectoryRate = 60.0;  ///< samples per second by default
 
 struct TrialTrajectory {
   PlannedTrial planned;

@@ -86,7 +86,7 @@ struct ContactOptions {
 
 /** How the reason starts why a contact that is known too badly (max_uncertainty) is missing. */
 inline constexpr std::string_view kNotUsable = "not usable here";
-/** Touched, but nobody can say when. */
+/** Touched at an unresolved time. */
 inline bool IsUnresolved(const EventTime& contact) {
   return contact.missing.rfind(kNotUsable, 0) == 0;
 }

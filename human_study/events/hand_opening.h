@@ -32,7 +32,7 @@ namespace graspbench {
 struct HandOpening {
   const char* id;
   const char* text;
-  /** @param tips  a column a digit, thumb first, then from radial to ulnar. */
+  /** @param tips  one column per digit, thumb first, then from radial to ulnar. */
   double (*calc)(const Eigen::Matrix3Xd& tips);
   int min_digits;  ///< with fewer every sample is invalid; at most five take part
 };

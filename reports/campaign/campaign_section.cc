@@ -15,7 +15,7 @@ std::vector<std::string> ListCampaignFindings(const CampaignData& data) {
     if (scene.scene->result.is_null()) {
       findings.push_back(data.NameOfScene(scene) + ": not finished");
     } else if (!scene.IsComplete()) {
-      findings.push_back(data.NameOfScene(scene) + ": not all variants were tried");
+      findings.push_back(data.NameOfScene(scene) + ": not all variants were tested");
     }
     for (const Diagnostic& finding : scene.scene->findings.entries()) {
       findings.push_back(data.NameOfScene(scene) + ": " + finding.text);

@@ -172,8 +172,7 @@ std::string MakeJsonLd(const PageFrame& frame) {
 std::string DescribePhysics(int version) {
   if (version == kPhysicsVersion) return "";
   return "; simulated with " +
-         (version == 0 ? "a physics that its folder does not name"
-                       : "physics " + std::to_string(version)) +
+         (version == 0 ? "an unnamed physics version" : "physics " + std::to_string(version)) +
          ", this graspbench has " + std::to_string(kPhysicsVersion);
 }
 

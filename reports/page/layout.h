@@ -142,7 +142,7 @@ template <class Data>
 struct PageSection {
   const char* anchor;  ///< lower-case letters only, so that it never meets another anchor
   const char* title;
-  Html (*draw)(const Data& data);  ///< must bear empty data
+  Html (*draw)(const Data& data);  ///< must bear empty data; empty: the page leaves it out
 };
 
 template <class Data>
@@ -151,10 +151,11 @@ std::string MakeSectionedPage(const PageFrame& frame,
   std::vector<PageLink> contents;
   Html body;
   for (const PageSection<Data>& section : sections) {
+    const Html content = section.draw(data);
+    if (content.empty()) continue;
     contents.push_back({section.anchor, section.title});
-    Html content = Element("h2", {}, section.title);
-    content += section.draw(data);
-    body += Element("section", {{"id", section.anchor}}, content);
+    body +=
+        Element("section", {{"id", section.anchor}}, Element("h2", {}, section.title) + content);
   }
   return MakePage(frame, contents, std::move(body));
 }

@@ -71,7 +71,7 @@ SessionModels LoadSessionModels(const Session& session) {
     if (!session.plan.empty() && !(MakePlan(session.config, inputs) == session.plan)) {
       models.problems.push_back(
           "a hand, an object, a grasp or the physics has changed since the session was planned; "
-          "names, pictures and the tables of hands and objects show them as they are now");
+          "names, pictures and tables show the present state");
     }
   } catch (const Error& e) {
     models.problems.push_back(e.what());

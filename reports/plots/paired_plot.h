@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-A value of each person under several conditions, a line per person: who goes with the mean, who does
+A value of each person under several conditions, one line per person: who follows the mean, who does
 not. Inline SVG by the same rules as svg_plot.h. */
 
 #include <string>

@@ -48,7 +48,8 @@ Html DrawContactStrip(const TrialRecord& record, const std::string& name,
           ", contact of each link: T touched, L lost, R regained, S began to slip. Dashed lines: "
           "the phases of the "
           "trial.",
-      "links that let go and come back, slip late in the hold; rows stand in the order of contact.",
+      "links that lose and regain contact, and slip late in the hold; rows are in the order of "
+      "contact.",
       MakeScroll(chart.text.title, DrawStripChart(chart)));
 }
 
@@ -204,7 +205,7 @@ std::string MakeTrialSvg(const Hand& hand, const TracedTrial& traced, const std:
   const std::vector<Html> plots = DrawTrialPlots(hand, traced, name);
   if (plots.empty()) {
     throw Error(ErrorKind::kUnsupported,
-                "the trial has no course: it could not begin; " + traced.result.reason);
+                "the trial has no motion because it could not begin: " + traced.result.reason);
   }
   Html content = Element("style", {}, assets::kStyle);
   for (size_t i = 0; i < plots.size(); ++i) {

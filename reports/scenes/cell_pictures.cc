@@ -265,7 +265,7 @@ std::vector<StripJob> ListStrips(const Session& session, const SessionSummary& s
     std::vector<const TrialRecord*> records = ChooseTrialPerOutcome(cell, *hand, session);
     if (records.empty()) {
       pictures->problems.push_back("no trial of " + NameOfCell(cell, models) +
-                                   " has snapshots that fit the hand as it is now");
+                                   " has snapshots that fit the present hand");
       continue;
     }
     records.resize(std::min(records.size(), num_others_left + 1));

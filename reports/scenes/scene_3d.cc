@@ -193,21 +193,21 @@ Html TrialViews::DrawFilm(const TrialView& view, const std::vector<const TraceIn
     const Camera same_side = FrameScenes({room}, camera.p_WEye - camera.p_WTarget,
                                          static_cast<double>(kFilmWidth) / kFilmHeight);
     add(EncodeWebp(film_renderer_->Render(*space, same_side)),
-        "Forces that the contacts at " + FormatFixed(shown.time, 3) + " s can bear");
+        "Forces of the contacts at " + FormatFixed(shown.time, 3) + " s can bear");
   }
   return MakeFigure(
       "The phases of " + view.name + ". " + kContactLegend +
-          " The last picture, where there is one, is the force part of the wrench space, for "
-          "normal forces of 1 N in all, seen from the same side: the dot is no force.",
-      "arrows inside their cones; a dot well inside the last shape, so that a force in any "
-      "direction can be borne.",
+          " The last picture, if present, is the force part of the wrench space for a total normal "
+          "force of 1 N, seen from the same side; the dot is the origin.",
+      "arrows inside their cones; an origin well inside the last shape: the grasp resists forces "
+      "in every direction.",
       Element("div", {{"class", "film"}}, frames));
 }
 
 Html TrialViews::Add(const TrialView& view) {
   if (view.traced.trace.empty() || !CanBeDrawn(view)) {
     return Element("p", {{"class", "missing"}, {"id", view.anchor}},
-                   view.name + ": there is no course to show.");
+                   view.name + ": there is no motion to show.");
   }
   const std::vector<const TraceInstant*> ends = ListPhaseEnds(view.traced.trace);
   const TraceInstant& shown = FindShownInstant(view.traced, ends);
@@ -238,10 +238,10 @@ Html TrialViews::Add(const TrialView& view) {
        {"data-time", FormatFixed(shown.time, 4)}},
       Element("div", {{"class", "stage"}}, poster) +
           MakeScroll("Phases of " + view.name, DrawPhaseStrip(view.traced, view.name)) +
-          MakeFigure("Forces and joints over the trial. Dashed lines: the phases. Where scripts "
-                     "run, a click on a curve or a phase takes the 3-D scene to that time.",
-                     "forces that fall before lift-off; a digit that never presses; joints that go "
-                     "on closing while the object is held.",
+          MakeFigure("Forces and joints over the trial. Dashed lines: the phases. With scripts "
+                     "enabled, a click on a curve or a phase moves the 3-D scene to that time.",
+                     "forces that decrease before lift-off; a digit without force; joints that "
+                     "keep closing while the object is held.",
                      Element("div", {{"class", "plots"}}, plots)) +
           film + DrawPhaseTable(view, ends) +
           MakeDataBlock(motion, MakeMotionGlb(*view.hand, *view.object, view.traced)));

@@ -135,7 +135,7 @@ Html DrawSight(WristCamera& camera, const GraspObject& object, const Pose& X_WO,
   const Sighting found = LocateObject(picture, empty, camera.lens(), X_WK, outline, supposed);
   const double height = kSightWidth * camera.lens().height / camera.lens().width;
   PlotText text;
-  text.title = "The " + name + " as the camera sees it";
+  text.title = "The " + name + " in the camera picture";
   text.description =
       found.is_found ? "Found, with its outline." : "Not found: " + found.reason + ".";
   Html content = Element("image", {{"href", MakeDataUri("image/webp", EncodeWebp(picture))},

@@ -64,18 +64,18 @@ Html DrawArm(const ReportData& data) {
               {"Hand",
                "Object",
                "Trials",
-               {"Course", "trials in which the arm has one"},
+               {"Course", "trials in which the arm has a path"},
                "Cannot reach",
                "No straight path",
                "Near a singularity",
                "Success",
                {"Time to pre-grasp [s]", "median"},
-               {"Joint", "most often nearest its limit, or that binds"},
-               {"Least margin [deg]", "of a joint to its limit on a course"},
-               {"Deflection [mm]", "largest distance of the hand from its commanded place"},
-               {"Deflection [deg]", "largest turn of the hand from its commanded orientation"},
-               {"Torque [%]", "largest of a joint over its limit, with the weights it holds"},
-               {"Joint with it", "that has the largest torque over its limit"}});
+                {"Joint", "most often nearest its limit, or limiting the path"},
+                {"Least margin [deg]", "smallest distance of a joint from its limit on the path"},
+                {"Deflection [mm]", "largest distance of the hand from its commanded position"},
+                {"Deflection [deg]", "largest rotation of the hand from its commanded orientation"},
+                {"Torque [%]", "largest ratio of a joint torque to its limit, weights included"},
+                {"Joint with it", "the joint with the largest torque over its limit"}});
   int num_trials = 0, num_courses = 0;
   for (const auto& [names, counts] : conditions) {
     const auto count = [&faults = counts.faults](Outcome outcome) {
@@ -96,9 +96,9 @@ Html DrawArm(const ReportData& data) {
   }
   return MakeParagraph("Arm: " + arm.model + ", base at " + FormatFixed(arm.x, 3) + ", " +
                        FormatFixed(arm.y, 3) + ", " + FormatFixed(arm.z, 3) + " m, turned by " +
-                       FormatFixed(DegFromRad(arm.yaw), 1) + " deg. It has a course in " +
+                       FormatFixed(DegFromRad(arm.yaw), 1) + " deg. It has a path in " +
                        std::to_string(num_courses) + " of " + FormatCount(num_trials, "trial") +
-                       ". The hand yields as the arm's joints do.") +
+                        ". The hand yields as the arm's joints do.") +
          table.ToHtml();
 }
 

@@ -51,18 +51,18 @@ Html FormatMedians(const CellSummary& cell, Spread ContactTimes::*measure, doubl
 std::string ExplainCodes() {
   std::string text = "Grasps:";
   for (const GraspTaxon& taxon : ListGraspTaxa()) text += " " + taxon.id + " " + taxon.name + ",";
-  text += " by-sight what the hand's camera chose, with its number of trials.";
+  text += " by-sight: grasps chosen by the hand's camera, with the number of trials.";
   return text + " " + kEarly +
-         " a digit of some trial touched before the start of closure: that trial is left out of "
+         " early contact before the start of closure in some trial; such trials are excluded from "
          "the times. " +
          kFew + " median of fewer than " + std::to_string(Spread::kFew) + " trials. " + kReseated +
-         " of the trials in which the object was reseated; the others have the value before it.";
+         " of the reseated trials; the value before it is that of the others.";
 }
 
 Html DrawCellTable(const ReportData& data) {
   Table table(
       "Every condition: successes with 95 % Wilson interval, other outcomes, median contact times.",
-      {{"Object", "leads to the condition's section"},
+      {{"Object", "links to the section of the condition"},
        "Hand",
        "Grasp",
        {"n", "finished trials"},

@@ -94,8 +94,8 @@ Html DrawContactTimes(const CellSummary& cell, const std::vector<std::string>& d
   DotStrips plot;
   plot.text.title = "First contact of each digit, " + NameOfCell(cell, data.models);
   plot.text.description =
-      "One strip per digit, one mark per trial, in seconds since the start of closure; all values "
-      "stand in the table of trials.";
+      "One strip per digit, one mark per trial, in seconds since the start of closure; the table "
+      "of trials has all values.";
   plot.axis = "first contact since start of closure [s]";
   plot.missing = "not by lift-off";
   for (const std::string& digit : digits) {
@@ -111,7 +111,7 @@ Html DrawContactTimes(const CellSummary& cell, const std::vector<std::string>& d
     plot.rows.push_back(row);
   }
   return Element("div", {},
-                 MakeFigure(plot.text.title + ".", "digits that arrive late or never.",
+                 MakeFigure(plot.text.title + ".", "digits that touch late or never.",
                             MakeScroll(plot.text.title, DrawDotStrips(plot))) +
                      DrawShare(shown, cell));
 }
@@ -162,7 +162,7 @@ Html DrawTiming(const CellSummary& cell, const SessionModels& models) {
   Html html = table.ToHtml() + DescribeOrders(cell);
   if (cell.num_early > 0) {
     html += MakeSmall("In " + FormatCount(cell.num_early, "trial") +
-                      " a digit touched before the start of closure; these measures leave it out.");
+                      " early contact before the start of closure; excluded from these measures.");
   }
   if (has_few) {
     html += MakeSmall(std::string(kFewMark) + " of fewer than " + std::to_string(Spread::kFew) +
@@ -184,7 +184,7 @@ Html DrawTrials(const CellSummary& cell, const std::vector<std::string>& digits,
       std::any_of(cell.records.begin(), cell.records.end(),
                   [](const TrialRecord* record) { return record->result.sight_grasp.has_value(); });
   std::vector<Column> columns = {"Trial", "Outcome", "Why"};
-  if (is_by_sight) columns.push_back({"Grasp", "that the camera chose"});
+  if (is_by_sight) columns.push_back({"Grasp", "chosen by the camera"});
   for (const std::string& digit : digits) {
     columns.push_back({data.models.NameOfDigit(cell.hand, digit) + " [s]",
                        "first contact since the start of closure"});
@@ -195,13 +195,14 @@ Html DrawTrials(const CellSummary& cell, const std::vector<std::string>& digits,
   columns.push_back({"Order", "of first contacts; = in the same step"});
   columns.push_back({"Grip [N]", "sum of normal forces before lift-off"});
   columns.push_back({"Lift [mm]", "of the object's centre at the end"});
-  columns.push_back({"Slip [mm]", "motion relative to the palm while held"});
+  columns.push_back({"Slip [mm]", "motion relative to the palm in the hold"});
   columns.push_back({"End speed [mm/s]", "relative to the palm"});
   columns.push_back({"Penetration [mm]", "deepest finger contact"});
   columns.push_back({"Energy residual [mJ]", "unexplained energy"});
   columns.push_back("Steps");
   columns.push_back({"Not converged", "steps whose solve missed its tolerance"});
-  columns.push_back({"Drawn", "x, y [mm], yaw [deg] of the object, off its nominal place"});
+  columns.push_back(
+      {"Drawn", "offset x, y [mm] and yaw [deg] of the object from its nominal pose"});
   columns.push_back("Trial id");
   Table table("Trials of " + NameOfCell(cell, data.models) + ".", columns);
   const std::vector<const TrialRecord*> shown = ChooseShownTrials(cell, data.summary);
@@ -293,28 +294,23 @@ Html DrawCell(const CellSummary& cell, const ReportData& data) {
 Html DrawCells(const ReportData& data) {
   if (data.summary.cells.empty()) return MakeParagraph("There is nothing to show.");
   Html html = MakeParagraph(
-      "A click opens a condition. It shows one trial in pictures, the first successful one where "
-      "there is any, "
-      "and one "
-      "of each other outcome, seen by a camera that only rises with a hand that lifts the object. "
-      "The records hold these three moments; graspbench trial draws any other. Below them stand "
-      "the times at which each grasping digit first touched the object, one mark per trial: a disc "
-      "for a success, a "
-      "cross for any other outcome, a line at the median. Trials keep their order from top to "
-      "bottom of each strip.");
+      "A click opens a condition. Pictures show the first successful trial, if any, and one trial "
+      "of each other outcome. Records hold three instants per trial; graspbench trial draws any "
+      "other. Strips below show the first contact time of each grasping digit: a disc for a "
+      "success, a cross for any other outcome, a line at the median. The order of trials is the "
+      "same in all strips.");
   html += Element("p", {{"class", "look"}},
                   Element("b", {}, "What to look for: ") +
-                      Text("digits that arrive late or never, crosses apart from the discs, "
-                           "fingers that hold the object otherwise than the grasp intends."));
+                      Text("digits that touch late or never, crosses away from the discs, contacts "
+                           "that the grasp does not intend."));
   if (!IsDrawnInFull(data.summary.cells.back(), data.summary)) {
     html += MakeNote("info", "This session has too many conditions for one page.",
-                     MakeParagraph("The first of them are shown in full, the others by their rates "
-                                   "alone; export/trials.csv has all their trials."));
+                     MakeParagraph("The first conditions are shown in full, the others only by "
+                                   "their rates; export/trials.csv has all trials."));
   }
-  html +=
-      Element("p", {{"class", "print"}},
-              "Printed is one trial of each condition; the page on a screen has all trials, and "
-              "export/trials.csv beside it their values.");
+  html += Element("p", {{"class", "print"}},
+                  "The printed page shows one trial per condition; the page on screen shows all "
+                  "trials, and export/trials.csv has their values.");
   for (const std::string& hand : data.summary.hands) {
     Html cells;
     Html faultless;

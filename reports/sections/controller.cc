@@ -29,19 +29,19 @@ Html DrawController(const ReportData& data) {
     ++counts.num_wrong;
     ++counts.faults[*taken.fault];
   }
-  Html html = Element(
-      "p", {},
-      Text("A controller closed the digits: ") + Element("code", {}, policy.command) +
-          Text(". Object pose given to it: " + policy.object_pose +
-               ". The controller was asked every " + FormatSignificant(1e3 * policy.period, 3) +
-               " ms for " + FormatCount(policy.execute_steps, "row") + ", for at most " +
-               FormatSignificant(policy.time, 3) + " s."));
-  Table table("What the controller did, by hand.",
+  Html html =
+      Element("p", {},
+              Text("A controller closed the digits: ") + Element("code", {}, policy.command) +
+                  Text(". Object pose given to it: " + policy.object_pose +
+                       ". Control period: " + FormatSignificant(1e3 * policy.period, 3) +
+                       " ms for " + FormatCount(policy.execute_steps, "row") + ", for at most " +
+                       FormatSignificant(policy.time, 3) + " s."));
+  Table table("Actions of the controller, by hand.",
               {"Hand",
                {"Trials", "finished"},
                {"Questions", "per trial, mean"},
-               {"Said done", "trials; in the others its time was over, or the trial"},
-               {"Targets cut", "per trial, mean: beyond a joint's limits"},
+               {"Said done", "trials; the others ended by the time limit or with the trial"},
+               {"Targets cut", "mean per trial, beyond joint limits"},
                {"Wrong answers", "trials that ended with one"},
                "Most frequent fault"});
   for (const std::string& hand : data.summary.hands) {
@@ -59,7 +59,7 @@ Html DrawController(const ReportData& data) {
   }
   return html + table.ToHtml() +
          Element("p", {},
-                 Text("Beside another controller, or the strategy, on the same draws: ") +
+                 Text("Comparison with another controller or the strategy on the same draws: ") +
                      Element("code", {}, "graspbench compare OTHER THIS") + Text("."));
 }
 

@@ -29,7 +29,10 @@ std::vector<const TrialRecord*> ListFailures(const SessionSummary& summary) {
 Html LinkToView(const ReportData& data, const PlannedTrial& planned) {
   const std::string anchor = MakeViewAnchor(planned);
   const bool has_view = data.views.body.markup().find("id=\"" + anchor + "\"") != std::string::npos;
-  return LinkTo(has_view ? anchor : "views", has_view ? "show" : "how");
+  return LinkTo(has_view                  ? anchor
+                : data.views.body.empty() ? "further"
+                                          : "views",
+                has_view ? "show" : "how");
 }
 
 /** How many of the failures are explained, and how to explain more. */
@@ -39,8 +42,8 @@ Html DescribeExplained(const Explanations& known, const std::vector<const TrialR
                     [&](const TrialRecord* record) { return known.count(record->plan.id) > 0; });
   return Element(
       "p", {},
-      Text("The report explains one failure of each condition unasked, in " +
-           std::to_string(kMostShortly) + " conditions at most, with a few remedies on " +
+      Text("By default, the report explains one failure per condition, in at most " +
+           std::to_string(kMostShortly) + " conditions, with a few remedies on " +
            std::to_string(kNumFirstDraws) + " fresh draws. More remedies on " +
            std::to_string(kNumFreshDraws) + " draws: ") +
           Element("code", {}, "graspbench explain FOLDER") + Text(", with ") +
@@ -67,14 +70,14 @@ Html DrawFailedTrials(const ReportData& data) {
   const std::vector<const TrialRecord*> failures = ListFailures(data.summary);
   const Explanations known = LoadExplanations(data.session.folder);
   const size_t num_rows = std::min(failures.size(), kMaxRows);
-  Table table("Every trial that did not succeed, how it lost its object, and what would have held.",
-              {{"Trial", "leads to all its values"},
-               {"3-D", "leads to its scene, or says how to make it"},
+  Table table("All failed trials, with mechanism and remedies.",
+              {{"Trial", "links to all values of the trial"},
+               {"3-D", "links to its scene, or to the command that makes it"},
                "Outcome",
                {"Mechanism", "how the object was lost"},
-               {"Time [s]", "of the loss, since the start of placing"},
-               {"Held as it is", "of fresh draws of the condition"},
-               {"Holds more", "remedies with the largest net gain, of the same fresh draws"}});
+               {"Time [s]", "time of the loss since the start of placing"},
+               {"Success unchanged", "fresh draws of the condition without a remedy"},
+               {"Holds more", "remedies with the largest net gain on the same fresh draws"}});
   for (size_t i = 0; i < num_rows; ++i) {
     const PlannedTrial& planned = failures[i]->plan;
     const TrialResult& result = failures[i]->result;
@@ -85,12 +88,11 @@ Html DrawFailedTrials(const ReportData& data) {
                   result.diagnosis ? FormatFixed(result.diagnosis->time, 3) : "-",
                   FormatHeld(explanation), explanation ? SummariseExplanation(*explanation) : ""});
   }
-  Html html =
-      Element("p", {},
-              Text("The name of a trial leads to its values, with a sentence on forces and works. "
-                   "All that was tried, with pictures: ") +
-                  Element("code", {}, "graspbench trial FOLDER TRIAL --page trial.html") +
-                  Text(", with the session's folder and a name of the first column."));
+  Html html = Element("p", {},
+                      Text("The name of a trial links to its values and a description of forces "
+                           "and works. All remedies and pictures: ") +
+                          Element("code", {}, "graspbench trial FOLDER TRIAL --page trial.html") +
+                          Text(", with the session's folder and a name from the first column."));
   const int num_all = total.finished - total.successes();
   if (static_cast<size_t>(num_all) > num_rows) {
     html += MakeParagraph(std::to_string(num_rows) + " of " + FormatCount(num_all, "trial") +

@@ -20,7 +20,7 @@ IntervalPlot::Row MakeRow(const std::string& label, const Answer<BootstrapInterv
 
 Html DrawRanks(const JudgeEvidence& evidence) {
   IntervalPlot plot;
-  plot.text.title = "How measures rank grasps against the force that breaks them";
+  plot.text.title = "Rank correlation of quality measures with breaking force";
   plot.text.description = "Rank correlations with 95 % intervals, one row per measure.";
   plot.axis = "Spearman's rank correlation with the smallest breaking force";
   for (const RankEvidence& rank : evidence.ranks) {
@@ -32,22 +32,22 @@ Html DrawRanks(const JudgeEvidence& evidence) {
           FormatCount(evidence.num_judged, "judged grasp") + " of " +
           FormatCount(evidence.num_cells, "cell") +
           "; intervals at 95 % from drawing conditions with replacement.",
-      "1 ranks as the judge does, 0 knows nothing of it. Names of epsilons are conventions; "
-      "dexgraspbench counts down and is taken with its sign turned.",
+      "1: same ranking as the breaking force; 0: no relation. Names of epsilons are conventions; "
+      "dexgraspbench decreases with quality and is taken with reversed sign.",
       MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
 }
 
 Html DrawRoc(const JudgeEvidence& evidence) {
   IntervalPlot plot;
-  plot.text.title = "How measures before lift-off predict success";
+  plot.text.title = "Prediction of success by measures before lift-off";
   plot.text.description = "Areas under the ROC curve with 95 % intervals, one row per measure.";
   plot.axis = "area under the ROC curve";
   for (const RocEvidence& roc : evidence.roc) plot.rows.push_back(MakeRow(roc.measure, roc.area));
   return MakeFigure("Area under the ROC curve for success, over " +
                         FormatCount(evidence.num_finished, "finished trial") + ", " +
                         std::to_string(evidence.num_successes) +
-                        " of them successful; a grasp that was never closed counts as 0.",
-                    "0.5 is chance, 1 ranks every success above every failure before the lift.",
+                        " of them successful; a grasp that never closed counts as 0.",
+                    "0.5: chance level; 1: every success ranks above every failure.",
                     MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
 }
 
@@ -77,10 +77,10 @@ Html DrawQualityOfCells(const ReportData& data) {
               {"Condition",
                "Seat",
                "Judged",
-               {"Breaking force [N]", "smallest of six pulls, on top of the weight"},
+               {"Breaking force [N]", "smallest of six pulls, in addition to the weight"},
                "Lowest [N]",
                {"Breaking moment [N mm]", "smallest of six twists"},
-               {"sigma [N]", "what the contacts' forces predict"},
+               {"sigma [N]", "predicted by the contact forces"},
                {"epsilon", "ferrari-canny, before lift-off"}});
   for (const CellLoads& loads : ListCellLoads(data.summary)) {
     table.AddRow({LinkTo(loads.cell->key, NameOfCell(*loads.cell, data.models)),
@@ -93,13 +93,7 @@ Html DrawQualityOfCells(const ReportData& data) {
 
 Html DrawGraspQuality(const ReportData& data) {
   const JudgeEvidence evidence = CalcJudgeEvidence(data.session.records);
-  if (evidence.num_judged == 0) {
-    return Element("p", {},
-                   Text("No grasp of this session has been judged. ") +
-                       Element("code", {}, "graspbench judge") +
-                       Text(" with the session's folder pulls every held object until it leaves "
-                            "the hand, and adds what it finds here."));
-  }
+  if (evidence.num_judged == 0) return Html();
   return DrawRanks(evidence) + DrawRoc(evidence) + DrawAgreement(evidence) +
          DrawQualityOfCells(data);
 }

@@ -12,7 +12,7 @@ namespace graspbench {
 namespace {
 
 Html DrawRules() {
-  Table table("What each grasp is by its name.",
+  Table table("Definition of each grasp.",
               {"Grasp", "Name", "Digits", "Opposition", "Parts that bear", "Widths [mm]"});
   for (const GraspTypeRule& rule : ListGraspTypeRules()) {
     const std::string object = rule.object[0] == '\0' ? "" : std::string(", for ") + rule.object;
@@ -26,8 +26,8 @@ Html DrawRules() {
 
 Html DrawRehearsedTypes(const ReportData& data) {
   Table table(
-      "Standard grasps that rehearsal chose. Held: of the imagined trials of the choice, whose "
-      "draws are none of this session's.",
+      "Standard grasps chosen by rehearsal. Held: imagined trials of the rehearsal, whose draws "
+      "belong to no session.",
       {"Hand", "Object", "Grasp", "Held"});
   for (const auto& [pair, type] : data.models.types) {
     table.AddRow({type.hand, type.object, type.grasp,
@@ -64,8 +64,9 @@ std::map<std::string, SightAgreement> ListSightAgreements(const ReportData& data
 Html DrawSightAgreements(const ReportData& data) {
   const std::map<std::string, SightAgreement> hands = ListSightAgreements(data);
   if (hands.empty()) return Html();
-  Table table("Grasp types by sight against those by rehearsal, in trials whose object was seen.",
-              {"Hand", "Same type", "Trials", "Another type"});
+  Table table(
+      "Grasp types by sight compared with types by rehearsal, in trials whose object was seen.",
+      {"Hand", "Same type", "Trials", "Another type"});
   for (const auto& [id, hand] : hands) {
     std::string others;
     for (const std::string& other : hand.others) others += (others.empty() ? "" : "; ") + other;
@@ -81,7 +82,7 @@ Html DrawTypes(const ReportData& data) {
   if (!data.models.types.empty()) {
     rules += MakeDetails("Type by rehearsal", DrawRehearsedTypes(data));
   }
-  rules += MakeDetails("What each grasp is by its name", DrawRules());
+  rules += MakeDetails("Definition of each grasp", DrawRules());
   if (line.empty()) {
     return MakeParagraph("No trial with a standard grasp ended with the object in the hand.") +
            rules;
@@ -90,13 +91,13 @@ Html DrawTypes(const ReportData& data) {
              line +
              ". Pad: palmar surfaces press against each other; palm: the palm bears at least "
              "10 % of the normal force; side: sides of digits bear at least a third.") +
-         MakeTable("Grasps of each hand: opposition asked for and found in what was held.",
+         MakeTable("Grasps of each hand: intended opposition and opposition in held trials.",
                    ShowTable(ListTypeColumns(), types)) +
          rules;
 }
 
 }  // namespace
 
-Section grasp_types_section() { return {"types", "Grasps by name and by opposition", DrawTypes}; }
+Section grasp_types_section() { return {"types", "Intended and observed opposition", DrawTypes}; }
 
 }  // namespace graspbench

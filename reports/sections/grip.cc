@@ -16,21 +16,21 @@ Html DrawGrip(const ReportData& data) {
   const std::vector<GripSummary> grips = ListGrips(data.summary);
   if (grips.empty()) {
     return MakeParagraph(
-        "These trials close to their target posture: the grip is what posture and stiffness "
-        "give.");
+        "These trials close to the target posture; posture and stiffness determine the grip "
+        "force.");
   }
   const bool is_felt =
       std::any_of(grips.begin(), grips.end(), [](const GripSummary& grip) { return grip.is_felt; });
-  Table table("Regulated grips of each condition: medians of the trials that reached the hold.",
+  Table table("Regulated grip force by condition: medians over the trials that reached the hold.",
               {"Condition",
                {"Trials", "that reached the hold"},
-               {"Asked [N]", "sum over the hand"},
-               {"Held [N]", is_felt ? "sum over the hand as it estimates it, mean of the hold"
-                                    : "sum over the hand, mean of the hold"},
-               {"In truth [N]", "the true sum"},
-               {"Within 20 %", "trials whose held sum is"},
-               {"Digits without their force",
-                "more than a fifth off, with the reason and in how many of these trials"}});
+               {"Setpoint [N]", "total over the hand"},
+               {"Hold [N]", is_felt ? "total estimated by the hand, mean of the hold"
+                                    : "total, mean of the hold"},
+               {"True hold [N]", "true total, mean of the hold"},
+               {"Within 20 %", "trials whose total is within 20 % of the setpoint"},
+               {"Digits off their setpoint",
+                "deviation above 20 %, with the reason and the number of trials"}});
   int num_held = 0;
   int num_within = 0;
   std::string off;  // conditions whose grips are mostly not what was asked for
@@ -46,25 +46,23 @@ Html DrawGrip(const ReportData& data) {
                   FormatGripMedian(grip.pressed), grip.num_within, faults.empty() ? "-" : faults});
   }
   return MakeParagraph(
-             "A hand that regulates its grip closes until each digit has its share, then keeps "
-             "the sum. \"Posture ends\": the digit is closed as far as it goes; \"limit\": one of "
-             "its drives gives all it can; \"joint stop\", \"coupling\": a driven or a coupled "
-             "joint is at its stop; \"balance\": statics give the force to others; \"no touch\", "
-             "\"not felt\": it never touched, or neither its elements nor its drives' torques say "
-             "what it "
-             "presses with." +
-             std::string(is_felt ? " Forces here are those that the hand estimates from elements "
-                                   "and drive torques; elsewhere on this page forces are the true "
-                                   "ones."
+             "A regulated hand closes until each digit reaches its setpoint, then controls the "
+             "total force. Reasons for a deviation: \"posture ends\", the digit is fully closed; "
+             "\"limit\", a drive is at its limit; \"joint stop\" or \"coupling\", a driven or "
+             "coupled joint is at its stop; \"balance\", equilibrium shifts the force to other "
+             "digits; \"no touch\", the digit never touched; \"not felt\", neither tactile "
+             "elements nor drive torques measure its force." +
+             std::string(is_felt ? " Forces in this section are the hand's estimates from tactile "
+                                   "elements and drive torques; other sections give true forces."
                                  : "")) +
-         MakeParagraph("The sum is within 20 % of what was asked in " + std::to_string(num_within) +
+         MakeParagraph("The total is within 20 % of the setpoint in " + std::to_string(num_within) +
                        " of " + FormatCount(num_held, "trial") + " that reached the hold" +
-                       (off.empty() ? "." : "; in fewer than half of them with: " + off + ".")) +
-         MakeDetails("Grips of all conditions", table.ToHtml());
+                       (off.empty() ? "." : "; conditions with fewer than half: " + off + ".")) +
+         MakeDetails("Grip force of all conditions", table.ToHtml());
 }
 
 }  // namespace
 
-Section grip_section() { return {"grip", "What the grip was asked for and had", DrawGrip}; }
+Section grip_section() { return {"grip", "Grip force: setpoint and measured", DrawGrip}; }
 
 }  // namespace graspbench

@@ -13,14 +13,13 @@ namespace {
 
 std::string DescribeChoice(const SessionConfig& config) {
   if (HasBestGrasp(config)) {
-    return " The type of each best grasp was chosen by rehearsal: of the standard grasps, each as "
-           "the rule places it, the first that held all imagined trials, else the one that held "
-           "most. "
-           "Their draws are none of this session's.";
+    return " The type of each best grasp was chosen by rehearsal: the first standard grasp, at the "
+           "rule's placement, that held all imagined trials, else the one that held most. "
+           "Rehearsal uses its own draws.";
   }
   const bool is_predicted =
       std::count(config.grasps.begin(), config.grasps.end(), kPredictedGrasp) > 0;
-  return is_predicted ? " The type of each predicted grasp was chosen by geometry." : "";
+  return is_predicted ? " The type of each predicted grasp was chosen from geometry." : "";
 }
 
 std::string DescribeMethod(const ReportData& data) {
@@ -34,20 +33,20 @@ std::string DescribeMethod(const ReportData& data) {
          FormatFixed(MmFromM(config.variation.offset), 1) +
          " mm along each horizontal axis and turned by up to " +
          FormatFixed(DegFromRad(config.variation.yaw), 1) +
-         " degrees about the vertical, both uniform, and every drive of the hand was given a "
-         "uniform error of its joint accuracy; the draws of object poses are the same for every "
-         "hand and grasp (seed " +
+         " degrees about the vertical (uniform distributions), and every drive had a uniform "
+         "random error within its joint accuracy. All hands and grasps have the same draws of "
+         "object poses (seed " +
          std::to_string(config.seed) +
          "). Each trial ran the strategy pre-grasp, placing, closure, stabilisation and lift-off, "
          "closing from the pre-grasp to the target posture in " +
          FormatFixed(config.strategy.closure_time, 2) + " s, and then a hold of " +
          FormatFixed(config.strategy.hold_time, 2) +
-         " s. A trial is a success when the object left the table with the hand and stayed in it "
-         "to the end of the hold. The simulation advanced in steps of " +
+         " s. A trial succeeds if the object leaves the table with the hand and stays in it until "
+         "the end of the hold. The simulation used time steps of " +
          FormatFixed(MsFromS(config.sim.step), 2) + " ms (graspbench " +
          std::string(program_version()) +
-         "). Rates are given with 95 % Wilson score intervals, times as median and range over "
-         "the trials in which they are defined.";
+         "). Rates have 95 % Wilson score intervals; times are medians and ranges over the trials "
+         "in which they are defined.";
 }
 
 Html DrawMeasures() {
@@ -63,14 +62,14 @@ Html DrawMeasures() {
 }
 
 Html DrawOrigins() {
-  Table table("What stands in Röthling's thesis (Bielefeld, 2007) and what is graspbench's own.",
+  Table table("Origin of each rule: Röthling's thesis (Bielefeld, 2007) or graspbench.",
               {"Item", "Origin"});
   const auto add = [&](const char* item, const char* origin) { table.AddRow({item, origin}); };
   add("Five-phase strategy; four grasp types, five standard grasps", "known from the thesis");
   add("Mass, size, centre of mass and friction of the 21 objects; ten trials per condition",
       "known from the thesis, table 4.1");
   add("Type of a best grasp by trials on the object", "known from the thesis, 4.2");
-  add("Trials of that choice: their draws, their wrong models, their number",
+  add("Details of this choice: number, draws and model errors of its trials",
       "proposed by graspbench");
   add("Joint accuracy of 2 degrees of the TUM Hand", "known from the thesis");
   add("Names of GCT, GFT, GOT, GFT%, GOT%; the order GCT, GFT, GOT from large to small",
@@ -88,7 +87,7 @@ Html DrawTaxonomies() {
   for (const GraspType type : kGraspTypes) {
     columns.push_back(std::string(CodeOf(type)) + " " + NameOf(type));
   }
-  Table table("What earlier taxonomies call the four grasp types (Röthling 2007).", columns);
+  Table table("Names of the four grasp types in earlier taxonomies (Röthling 2007).", columns);
   for (const GraspTaxonomy& taxonomy : ListGraspTaxonomies()) {
     std::vector<Cell> row = {taxonomy.author + std::string(" ") + std::to_string(taxonomy.year)};
     for (const char* name : taxonomy.names) row.push_back(name);
@@ -98,7 +97,7 @@ Html DrawTaxonomies() {
 }
 
 Html DrawHands(const ReportData& data) {
-  Table table("Hands as they were when this page was made.",
+  Table table("Hands at the time of this page.",
               {"Hand",
                "Id",
                "Digits",
@@ -116,7 +115,7 @@ Html DrawHands(const ReportData& data) {
 }
 
 Html DrawObjects(const ReportData& data) {
-  Table table("Objects as they were when this page was made; sizes at rest.",
+  Table table("Objects at the time of this page; sizes at rest.",
               {"Object",
                "Id",
                "Mass [g]",
@@ -147,7 +146,7 @@ Html DrawObjects(const ReportData& data) {
 Html DrawMethods(const ReportData& data) {
   Html html = MakeMethodsText({DescribeMethod(data)}) + DrawMeasures() + DrawHands(data);
   html += MakeDetails("Objects and their content hashes", DrawObjects(data));
-  html += MakeDetails("What is the thesis's, what graspbench's", DrawOrigins());
+  html += MakeDetails("Known from the thesis, inferred, proposed", DrawOrigins());
   html += MakeDetails("Names of the grasp types in other taxonomies", DrawTaxonomies());
   return html + MakeDetails("The session's complete configuration",
                             MakeConfigTable("The session's complete configuration.",

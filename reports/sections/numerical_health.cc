@@ -15,7 +15,7 @@ Html DrawTotals(const ReportData& data) {
                {"Worst penetration [mm]", "deepest finger contact of any trial"},
                {"Largest energy residual [mJ]", "unexplained energy of a whole trial"},
                "Steps",
-               {"Steps not converged", "solves that did not reach their tolerance"},
+               {"Steps not converged", "steps whose solve missed its tolerance"},
                {"Share [%]", "of steps not converged"}});
   for (const std::string& hand : data.summary.hands) {
     const Tally tally = data.summary.TallyOf(hand);
@@ -31,8 +31,7 @@ Html DrawTotals(const ReportData& data) {
 Html DrawFailures(const ReportData& data) {
   constexpr int kMaxListed = 200;
   int num_listed = 0;
-  Table table("Trials that ended as numerical failure.",
-              {"Condition", "Trial", "Trial id", "Reason"});
+  Table table("Numerical failures.", {"Condition", "Trial", "Trial id", "Reason"});
   for (const CellSummary& cell : data.summary.cells) {
     for (const TrialRecord* record : cell.records) {
       if (record->result.outcome != Outcome::kNumericalFailure) continue;
@@ -49,26 +48,19 @@ Html DrawFailures(const ReportData& data) {
 
 /** What the step and its like make of the session's numbers. */
 Html DrawNumerics(const std::vector<NumericsSummary>& numerics) {
-  if (numerics.empty()) {
-    return Element("p", {},
-                   Text("Not checked: how far these numbers depend on the step. ") +
-                       Element("code", {}, "graspbench check-numerics") +
-                       Text(" with the session's folder repeats trials at other steps and "
-                            "stiffnesses and adds what it finds here."));
-  }
-  return MakeTable("Trials repeated under other numerics.", ShowVariants(numerics)) +
+  if (numerics.empty()) return Html();
+  return MakeTable("Trials repeated with other numerical settings.", ShowVariants(numerics)) +
          MakeTable("Median (and largest) relative change of trials held in the same seat.",
                    ShowSeatChanges(numerics));
 }
 
 Html DrawNumericalHealth(const ReportData& data) {
   Html html = MakeParagraph(
-      "What to look for: penetration well below the size of a fingertip, an energy residual small "
-      "against the work of lifting (0.1 J for 100 g through 0.1 m), and few steps whose solve "
-      "missed its tolerance.");
+      "What to look for: penetration well below the size of a fingertip, an energy residual well "
+      "below the work of lifting (0.1 J for 100 g through 0.1 m), and few unconverged steps.");
   html += DrawTotals(data) + DrawNumerics(data.numerics);
   if (data.summary.total.CountOf(Outcome::kNumericalFailure) == 0) {
-    return html + MakeParagraph("No trial ended as numerical failure.");
+    return html + MakeParagraph("No trial failed numerically.");
   }
   return html + DrawFailures(data);
 }

@@ -33,8 +33,8 @@ Html DrawOutcomeClasses(const ReportData& data) {
   StackedBars plot;
   plot.text.title = "Outcomes";
   plot.text.description =
-      "One bar per hand and one per condition with a failure, divided by outcome; the same counts "
-      "stand in the table of all conditions.";
+      "One bar per hand and one per condition with a failure, divided by outcome; the table of all "
+      "conditions has the counts.";
   for (Outcome outcome : ListOutcomes())
     plot.classes.push_back({WordsOf(outcome), CodeOf(outcome)});
   int num_without = 0;
@@ -44,8 +44,8 @@ Html DrawOutcomeClasses(const ReportData& data) {
                                    : " Not drawn: " + FormatCount(num_without, "condition") +
                                          " in which every finished trial succeeded.";
   return MakeFigure("Outcomes of all finished trials, by hand and condition." + left_out,
-                    "one class of failure over many objects (the strategy's fault) against "
-                    "one object failing in many ways (the object's).",
+                    "one failure class over many objects (cause: strategy) or many failure classes "
+                    "on one object (cause: object).",
                     MakeScroll(plot.text.title, DrawStackedBars(plot)));
 }
 

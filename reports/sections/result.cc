@@ -36,8 +36,8 @@ Html DescribeFailures(const ReportData& data) {
     most += (most.empty() ? "" : " and as ") + WordsOf(outcome);
   }
   Html text = LinkTo("failures", FormatCount(others, "trial")) +
-              Text(" ended otherwise, most often as " + most + " (" +
-                   std::to_string(total.CountOf(worst)) + " of " + std::to_string(others) + ")");
+              Text(" failed, most often as " + most + " (" + std::to_string(total.CountOf(worst)) +
+                   " of " + std::to_string(others) + ")");
   std::vector<const CellSummary*> without;
   for (const CellSummary& cell : data.summary.cells) {
     if (cell.tally.finished > 0 && cell.tally.successes() == 0) without.push_back(&cell);
@@ -87,9 +87,9 @@ Html DrawRates(const ReportData& data) {
     plot.text.description += bar.label + ": " + bar.text + ". ";
   }
   return MakeFigure("Success rate by hand and by standard grasp, with 95 % Wilson intervals.",
-                    "intervals that do not overlap. Grasps are used on different objects, so a "
-                    "low bar may be the objects' doing. Trials on one object resemble each other, "
-                    "so the true uncertainty of a pooled rate is larger than its interval.",
+                    "intervals that do not overlap. Grasps are used on different objects, so a low "
+                    "rate may come from the objects. Trials on one object are correlated, so the "
+                    "true uncertainty of a pooled rate exceeds its interval.",
                     MakeScroll(plot.text.title, DrawRateBars(plot)));
 }
 
@@ -98,7 +98,7 @@ Html DrawWarnings(const ReportData& data) {
   Html notes;
   if (total.planned == 0) {
     notes += MakeNote("warning", "This session has no trials.",
-                      MakeParagraph("Its plan is empty: no hand can do any of the chosen grasps."));
+                      MakeParagraph("Its plan is empty: no hand has any of the chosen grasps."));
   } else if (total.finished < total.planned) {
     notes += MakeNote(
         "warning", "This session is not complete.",

@@ -12,16 +12,16 @@ Html DrawSeats(const ReportData& data) {
   if (seats.empty()) return MakeParagraph("No grasp was held.");
   const std::string counts = DescribeSeats(seats);
   const std::string intro =
-      "An object may sit where the digits met it (kept), or be squeezed up between them before it "
-      "is lifted (reseated): by more than 43 % of its height, sliding through all that touch it. "
-      "Caged is a success that holds with less than 1.5 N or five weights. Figures of two seats "
-      "are not averaged. ";
+      "The object either keeps its position in the hand before lift-off (kept) or is squeezed "
+      "upwards by more than 43 % of its height while sliding along all contacts (reseated). A "
+      "success is caged if the total grip is below 1.5 N or five object weights. Values of "
+      "different seats are never averaged. ";
   std::vector<Html> names;
   for (const SeatSummary& seat : seats) {
     names.push_back(LinkTo(seat.cell->key, data.models.NameOfHand(seat.cell->hand)));
   }
-  return MakeParagraph(
-             intro + (counts.empty() ? "These records tell no seats." : Capitalise(counts) + ".")) +
+  return MakeParagraph(intro + (counts.empty() ? "These records contain no seats."
+                                               : Capitalise(counts) + ".")) +
          MakeDetails("Seats of all conditions",
                      MakeTable("Held grasps by condition and seat: medians, lowest to highest.",
                                ShowSeats(seats), names));
@@ -29,6 +29,8 @@ Html DrawSeats(const ReportData& data) {
 
 }  // namespace
 
-Section seats_section() { return {"seats", "Where objects sit in the hand", DrawSeats}; }
+Section seats_section() {
+  return {"seats", "Object position in the hand (in-grasp shift, enclosure)", DrawSeats};
+}
 
 }  // namespace graspbench

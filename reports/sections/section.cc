@@ -34,13 +34,15 @@ void AddNonsense(const ReportData& data, std::vector<std::string>& findings) {
     for (const TrialRecord* record : cell.records) {
       if (record->result.outcome != Outcome::kNotPhysical) continue;
       if (findings.size() == kMaxNamed) {
-        findings.push_back("Not physical, so no success: " + std::to_string(num_all - kMaxNamed) +
-                           " more trials; export/trials.csv names them.");
+        findings.push_back(
+            "Not physical and therefore not a success: " + std::to_string(num_all - kMaxNamed) +
+            " more trials; export/trials.csv names them.");
         return;
       }
-      findings.push_back("Not physical, so no success: " + NameOfCell(cell, data.models) +
-                         ", trial " + std::to_string(record->plan.trial) + ": " +
-                         record->result.reason + "; the condition's pictures show such a trial.");
+      findings.push_back(
+          "Not physical and therefore not a success: " + NameOfCell(cell, data.models) +
+          ", trial " + std::to_string(record->plan.trial) + ": " + record->result.reason +
+          "; the condition's pictures show such a trial.");
     }
   }
 }
@@ -48,15 +50,15 @@ void AddNonsense(const ReportData& data, std::vector<std::string>& findings) {
 void AddTrialFindings(const ReportData& data, std::vector<std::string>& findings) {
   const int failures = data.summary.total.CountOf(Outcome::kNumericalFailure);
   if (failures > 0) {
-    findings.push_back(FormatCount(failures, "trial") +
-                       " ended as numerical failure; they count as not successful and are listed "
-                       "under numerical health.");
+    findings.push_back(
+        FormatCount(failures, "trial") +
+        " failed numerically; they count as failures and are listed under numerical health.");
   }
   for (const CellSummary& cell : data.summary.cells) {
     if (cell.num_early == 0) continue;
-    findings.push_back(NameOfCell(cell, data.models) + ": in " +
-                       FormatCount(cell.num_early, "trial") +
-                       " a digit touched before the start of closure; the times leave it out.");
+    findings.push_back(
+        NameOfCell(cell, data.models) + ": in " + FormatCount(cell.num_early, "trial") +
+        " a digit touched before the start of closure; excluded from the timing statistics.");
   }
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 Html DrawRates(const std::string& hand, const SensitivitySummary& summary) {
   IntervalPlot plot;
-  plot.text.title = "What single settings change of the success rate of the " + hand;
+  plot.text.title = "Change of the success rate by single settings, " + hand;
   plot.text.description = "Changes with 95 % intervals, one row per setting.";
   plot.axis = "change of the success rate [percentage points]";
   for (const SettingChange& change : summary.changes) {
@@ -28,20 +28,20 @@ Html DrawRates(const std::string& hand, const SensitivitySummary& summary) {
     plot.rows.push_back(row);
   }
   return MakeFigure(plot.text.title + ", on the same draws.",
-                    "rows whose interval does not hold 0: what this rate depends on. The number "
-                    "behind = is the changed value.",
+                    "intervals that exclude 0. The number after = is the changed value.",
                     MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
 }
 
 Html DrawMeasures(const std::string& hand, const SensitivitySummary& summary) {
   return MakeDetails(
       "Times, ratios and sigma",
-      MakeTable("Mean changes under single settings, " + hand +
-                    ", with 95 % intervals from drawing objects; pairs in which both trials have "
-                    "the measure.",
-                ShowChanges(summary.changes, {"setting", "was", "pairs", "objects", "won", "lost",
-                                              "GCT [ms]", "GFT [ms]", "GFT% [%]", "GOT% [%]",
-                                              "sigma [N]", "other grasp", "left out"})));
+      MakeTable(
+          "Mean changes under single settings, " + hand +
+              ", with 95 % intervals from resampling objects; pairs in which both trials "
+              "have the measure.",
+          ShowChanges(summary.changes, {"setting", "was", "pairs", "objects", "improved",
+                                        "worsened", "GCT [ms]", "GFT [ms]", "GFT% [%]", "GOT% [%]",
+                                        "sigma [N]", "other grasp", "left out"})));
 }
 
 Html DrawHands(const ReportData& data, const SensitivitySummary& summary) {
@@ -58,15 +58,13 @@ Html DrawHands(const ReportData& data, const SensitivitySummary& summary) {
 }
 
 Html DrawSensitivity(const ReportData& data) {
-  Html html = MakeParagraph(
-      "Placement noise, friction, pads, drives, coupling and the arm are partly proposals: no data "
-      "sheet gives them. Here one of them at a time has another value, and the same trials run "
-      "again with the same draws.");
-  if (!data.sensitivity.changes.empty()) return html + DrawHands(data, data.sensitivity);
-  return html + Element("p", {},
-                        Text("This session has not been run so; ") +
-                            Element("code", {}, "graspbench sensitivity") +
-                            Text(" with its folder does it and shows the changes here."));
+  if (data.sensitivity.changes.empty()) return Html();
+  return MakeParagraph(
+             "No data sheet gives placement noise, friction, pads, drives, coupling and arm "
+             "stiffness "
+             "completely. Here one of these parameters at a time has another value, on the same "
+             "draws.") +
+         DrawHands(data, data.sensitivity);
 }
 
 }  // namespace

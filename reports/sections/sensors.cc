@@ -21,14 +21,14 @@ constexpr size_t kFewElements = 12;         // a table rather than a map
 std::string FormatMm(double length) { return FormatFixed(MmFromM(length), 2); }
 
 Html DrawPlaces(const SensorSummary& summary, const SessionModels& models) {
-  Table table("Where the hand took the objects to be, against where they lay.",
+  Table table("Estimated and true object poses.",
               {"Hand",
                "Object",
                "Trials",
                "Found",
                "Position, median [mm]",
                "Position, worst [mm]",
-               {"Direction, median [deg]", "half-turns apart; of what is longer than wide"},
+               {"Direction, median [deg]", "modulo half a turn; for elongated objects"},
                "Direction, worst [deg]"});
   for (const PlaceErrors& place : summary.places) {
     const auto object = models.FindObject(place.object);
@@ -52,7 +52,7 @@ Html DrawOffsets(const std::vector<OffsetClass>& offsets, const SessionModels& m
     positionings.push_back(offset.positioning);
     columns.push_back("Success, " + offset.positioning);
   }
-  Table table(std::string("Success by how far the object lay from where it should") +
+  Table table(std::string("Success rate by offset of the object") +
                   (positionings.size() > 1 ? ", on the same draws." : "."),
               columns);
   for (const OffsetClass& row : offsets) {
@@ -97,9 +97,9 @@ Html DrawSights(const ReportData& data) {
   }
   if (pictures.empty()) return Html();
   return MakeFigure(
-      "What the camera sees and finds.",
-      "the solid outline lies on the object's edge, the cross on its middle; the line "
-      "runs along its length, the dashed frame is the smallest rectangle.",
+      "Camera pictures and detected outlines.",
+      "the solid outline should lie on the object's edge and the cross on its centre; the line "
+      "marks its length, the dashed frame is the smallest rectangle.",
       Element("div", {{"class", "film"}}, pictures));
 }
 
@@ -109,14 +109,14 @@ std::string FormatShare(int count, int all) {
 }
 
 Html DrawTouches(const SensorSummary& summary, const SessionModels& models) {
-  Table table("Touches of more than 0.1 N, by link of the hand, and what was felt of them.",
+  Table table("Contacts above 0.1 N, by link of the hand, and their detection.",
               {"Hand",
                "Trials",
-               "On sensed surface: felt within 10 ms",
-               "Felt later",
-               "Never felt",
+               "On sensed surface: detected within 10 ms",
+               "Detected later",
+               "Never detected",
                "Longest delay [ms]",
-               {"Elsewhere", "of all touches those beside any sensed surface"}});
+               {"Elsewhere", "share of contacts outside the sensed surface"}});
   for (const FeltTouches& felt : summary.touches) {
     const TouchRecord& sum = felt.sum;
     const int missed = sum.num_touches - sum.num_felt_in_time - sum.num_felt_late;
@@ -148,9 +148,9 @@ Html DrawPeaks(const FeltTouches& felt, const SessionModels& models) {
   text.description = "At most " + FormatFixed(*std::max_element(peak.begin(), peak.end()), 2) +
                      " N, over all trials.";
   return MakeFigure(text.title + ".",
-                    "the darkest cell has borne " +
+                    "the darkest cell had " +
                         FormatFixed(*std::max_element(peak.begin(), peak.end()), 2) +
-                        " N, an empty one nothing; seen from the palm's side, the hand stretched.",
+                        " N, an empty cell none; palmar view of the stretched hand.",
                     MakeScroll(text.title, DrawHandMap(*hand, peak, text)));
 }
 
@@ -166,15 +166,12 @@ Html DrawSensors(const ReportData& data) {
   }
   const bool looks = NeedsCamera(config);
   if (config.positioning == defaults.positioning && config.touch == defaults.touch && !looks) {
-    return html + Element("p", {},
-                          Text("In the session itself no sensor took part: the hand went to where "
-                               "the object should be and knew every contact. With them: ") +
-                              Element("code", {}, "--set positioning=camera --set touch=sensed") +
-                              Text(" of graspbench run, or of graspbench sensitivity to see both "
-                                   "beside each other."));
+    return html;
   }
   if (data.session.records.size() > kMostSensedTrials) {
-    return html + MakeParagraph("So many trials would keep the page waiting for their sensors.");
+    return html +
+           MakeParagraph(
+               "Omitted: this session has too many trials for the sensor statistics of a page.");
   }
   const SensorSummary summary = SummariseSensors(data.session);
   if (looks) html += DrawSights(data);

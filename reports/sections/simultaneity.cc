@@ -52,8 +52,8 @@ Html DrawRatios(const std::string& name, const Relations& relations) {
   }
   if (plot.rows.empty()) return Html();
   return MakeFigure(plot.text.title + ".",
-                    "right of zero: the later the last digit, the more of it. A relation is no "
-                    "cause: where the object stood moves both.",
+                    "right of zero: the value grows with the delay of the last digit. A "
+                    "correlation is not a cause: the object position affects both.",
                     MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
 }
 
@@ -65,9 +65,9 @@ Html DrawAll(const Relations& relations, const SessionModels& models) {
     found.push_back(row);
     hands.push_back(Text(models.NameOfHand(row.hand)));
   }
-  return MakeDetails("All relations",
-                     MakeTable("Rank correlation of measures of simultaneity with what became of "
-                               "the trial, within conditions, with 95 % intervals.",
+  return MakeDetails("All correlations",
+                     MakeTable("Rank correlation of simultaneity measures with the outcome, within "
+                               "conditions, with 95 % intervals.",
                                ShowRelations(found), hands));
 }
 
@@ -75,15 +75,13 @@ Html DrawSimultaneity(const ReportData& data) {
   const Html command = Element("code", {}, "graspbench simultaneity");
   if (data.session.records.size() > kMostTrials) {
     return Element("p", {},
-                   command + Text(" with the session's folder tells it; so many trials "
-                                  "would keep the report waiting."));
+                   command + Text(" with the session's folder prints the correlations; this "
+                                  "session has too many trials for the page."));
   }
   const Relations relations = SummariseSimultaneity(data.session);
   Html html = MakeParagraph(
-      "Trials of one condition (hand, object, grasp) differ in where the object stood and in the "
-      "drives' "
-      "errors. Within conditions, how do GFT, GOT, GFT% and GOT% go with what became of the "
-      "trial?");
+      "Correlation of GFT, GOT, GFT% and GOT% with the outcome, within conditions (hand, object, "
+      "grasp). Trials of one condition differ in object pose and drive errors.");
   Html figures;
   for (const std::string& hand : data.summary.hands) {
     const std::string name = data.models.NameOfHand(hand);
@@ -92,9 +90,9 @@ Html DrawSimultaneity(const ReportData& data) {
     figures += DrawRatios(name, part);
   }
   return html + figures + DrawAll(relations, data.models) +
-         Element("p", {},
-                 command + Text(" --delay makes one digit late on the same draws, which tells what "
-                                "a lack of simultaneity causes."));
+         Element(
+             "p", {},
+             command + Text(" --delay delays one digit on the same draws and so tests causation."));
 }
 
 }  // namespace

@@ -65,8 +65,8 @@ Html DrawSuccessMap(const ReportData& data) {
   HeatMap map;
   map.text.title = "Successes by object and hand";
   map.text.description =
-      "A table of objects in rows and hands in columns; every entry gives successes, finished "
-      "trials and grasp, and leads to its section.";
+      "Objects in rows, hands in columns; every entry gives successes, finished trials and grasp, "
+      "and links to its section.";
   const bool has_groups = std::any_of(columns.begin(), columns.end(), [](const MapColumn& column) {
     return !column.grasp.empty();
   });
@@ -82,8 +82,8 @@ Html DrawSuccessMap(const ReportData& data) {
     }
   }
   return MakeFigure("Successes and finished trials of every condition; g1 to g6 is the grasp.",
-                    "dashed frames (no success at all) and objects that are weak with every hand. "
-                    "An entry leads to its pictures and times.",
+                    "dashed frames (no success) and objects that fail with every hand. Entries "
+                    "link to pictures and times.",
                     MakeScroll(map.text.title, DrawHeatMap(map)));
 }
 

@@ -41,25 +41,19 @@ Html DrawMedians(const ReportData& data, const ThresholdSummary& summary) {
     plot.rows.push_back({label, finite(cell.median), std::isfinite(cell.high) ? cell.low : kUnset,
                          finite(cell.high), FormatMedian(scale, cell)});
   }
-  return MakeFigure(
-      plot.text.title + ".",
-      "conditions far to the right need a strong grip; the text names those that no grip "
-      "holds in half of their draws.",
-      MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
+  return MakeFigure(plot.text.title + ".",
+                    "conditions far to the right need a strong grip; the text names conditions in "
+                    "which half of the draws fail with every grip.",
+                    MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
 }
 
 Html DrawThresholds(const ReportData& data) {
+  if (data.thresholds.empty()) return Html();
   Html html = MakeParagraph(
       "The grip threshold of a draw is the smallest grip with which its trial succeeds, found by "
-      "bisection: it tells hands, grasps and settings apart where success is at its ceiling. A "
-      "margin is a multiple of the smallest contact forces that bear the weight; a force is that "
-      "of each digit that does not oppose the others.");
-  if (data.thresholds.empty()) {
-    return html + Element("p", {},
-                          Text("They have not been looked for in this session; ") +
-                              Element("code", {}, "graspbench threshold") +
-                              Text(" with its folder does it and shows them here."));
-  }
+      "bisection. It discriminates between hands, grasps and settings where the success rate is at "
+      "its ceiling. A margin is a multiple of the smallest contact forces that bear the weight; a "
+      "force is the setpoint of each digit that does not oppose the others.");
   for (const ThresholdSummary& summary : data.thresholds) {
     html += DrawMedians(data, summary) + DrawCellThresholds(data, summary);
     const std::string ceilings = DescribeCeilings(summary);

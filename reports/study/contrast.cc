@@ -61,7 +61,7 @@ Html DrawContrast(const StudyResult& result) {
                           " is one person's mean; bars and the thick line are means over persons.",
                       contrast->is_between
                           ? "whether the groups overlap, and persons far from their group."
-                          : "whether most lines go the same way, and persons that go another.",
+                          : "whether most lines have the same direction, and persons that deviate.",
                       DrawPersons(*contrast, statistics.measure));
   }
   return {};

@@ -26,7 +26,7 @@ std::string FormatEvent(const EventTime& event) {
          (event.is_filled ? ", filled" : "");
 }
 
-/** A row a digit: what is believed, how well it is known, what every detector says. */
+/** One row per digit: what is believed, how well it is known, what every detector says. */
 Html DrawDigits(const StudyTrial& trial) {
   std::vector<Column> columns = {"Digit", "Believed", "\u00B1 95 % [ms]", "Reviewed"};
   for (const ContactDetector& detector : ContactDetectorList()) columns.push_back(detector.id);
@@ -98,7 +98,7 @@ void ReviewPages::WriteTrial(const StudyTrial& trial, const ReachTrial& reach,
 }
 
 void ReviewPages::Finish(const StudyResult& result) const {
-  Table table("All trials; what was removed may still be looked at.",
+  Table table("All trials, including removed trials.",
               {"Trial", "Kept", "GFT [ms]", "Reviewed", "Why not"});
   for (const StudyTrial& trial : result.trials) {
     const Html name = trial.analysis
@@ -111,10 +111,10 @@ void ReviewPages::Finish(const StudyResult& result) const {
   const PageFrame frame = {result.study.config.name + ", review",
                            FormatCount(static_cast<int>(result.trials.size()), "trial")};
   const Html how = MakeParagraph(
-      "Look at each trial and write a verdict beside its digits in reviews.csv: confirmed; "
-      "corrected, with contact_s; no_contact. Rows without a verdict count for nothing. Copy the "
-      "file beside study.yaml, name it there (reviews: reviews.csv), and run the study again: "
-      "reviewed contacts are replayed and named in the report.");
+      "Inspect each trial and enter a verdict per digit in reviews.csv: confirmed; corrected, with "
+      "contact_s; or no_contact. Rows without a verdict are ignored. Copy the file beside "
+      "study.yaml, name it there (reviews: reviews.csv), and run the study again: reviewed "
+      "contacts are applied and named in the report.");
   WriteFile(folder_ / "index.html", MakePage(frame, {}, how + table.ToHtml()));
   WriteFile(folder_ / "reviews.csv", FormatReviews(result));
 }
@@ -155,7 +155,7 @@ LinePlot MakeCurvePlot(const std::string& title, const char* axis, const char* l
                        const ScalarCurve& curve, const StudyTrial& trial) {
   LinePlot plot;
   plot.text.title = title + ", trial " + trial.id;
-  plot.text.description = title + " over time with the events that the measures rest on.";
+  plot.text.description = title + " over time with the events used for the measures.";
   plot.x_axis = "time [s]";
   plot.y_axis = axis;
   plot.series.push_back(MakeSeries(label, curve, kNumDrawn));
@@ -172,7 +172,7 @@ double FindThresholdOf(const Movement& movement, const MovementOptions& options)
 LinePlot MakeTipPlot(const StudyTrial& trial, const char* title, const char* axis) {
   LinePlot plot;
   plot.text.title = std::string(title) + ", trial " + trial.id;
-  plot.text.description = std::string(title) + " of every digit with the contacts believed.";
+  plot.text.description = std::string(title) + " of every digit with the accepted contacts.";
   plot.x_axis = "time [s]";
   plot.y_axis = axis;
   for (const DigitContactEvents& digit : trial.analysis->contacts) {
@@ -235,7 +235,7 @@ Html DrawTrialContacts(const StudyTrial& trial) {
   chart.text.title = "Contacts, trial " + trial.id;
   chart.text.description = "Contact times of each digit by each detector.";
   chart.axis = "time [s]";
-  chart.kinds = {"believed: 95 % of its uncertainty"};
+  chart.kinds = {"accepted contact, 95 % interval"};
   for (size_t i = 0; i < detectors.size(); ++i) {
     const auto has_found = [&](const DigitContactEvents& digit) {
       return digit.by_detector[i].IsFound();
@@ -292,11 +292,12 @@ Html DrawTrialTips(const StudyTrial& trial, const ReachTrial& reach,
   const bool has_shape = std::any_of(tips.begin(), tips.end(), [](const TipAgainstObject& tip) {
     return tip.distance.size() > 0;
   });
-  LinePlot speeds = MakeTipPlot(trial, "Speed of the tips against the object", "speed [mm/s]");
-  LinePlot distances = MakeTipPlot(trial,
-                                   has_shape ? "Distance of the markers from the surface"
-                                             : "Distance of the tips from their place in the hold",
-                                   "distance [mm]");
+  LinePlot speeds = MakeTipPlot(trial, "Speed of the tips relative to the object", "speed [mm/s]");
+  LinePlot distances =
+      MakeTipPlot(trial,
+                  has_shape ? "Distance of the markers from the surface"
+                            : "Distance of the tips from their position in the hold",
+                  "distance [mm]");
   for (size_t i = 0; i < tips.size(); ++i) {
     const std::string name = NameOfDigit(reach.digits[i].digit);
     speeds.series.push_back(MakeSeries(name, tips[i].speed, kMaxTipPoints));

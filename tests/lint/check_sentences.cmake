@@ -1,14 +1,11 @@
-# A sentence of the manual has at most 35 words. Blocks, tables and headings do not count, and a code span
+# A sentence of the manual or of README.md has at most 35 words. Blocks, tables and headings do not count, and a code span
 # is one word. A sentence ends before a capital, at a full stop, question mark, exclamation mark or colon;
 # an item of a list ends where the next one begins.
 include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 
 set(PAGES workbench/manual/pages)
 file(GLOB files RELATIVE ${SOURCE} ${SOURCE}/${PAGES}/*.md)
-# Not rewritten yet.
-foreach(page grasps failed-trial optimisation people first-study)
-  list(REMOVE_ITEM files ${PAGES}/${page}.md)
-endforeach()
+list(APPEND files README.md)
 
 set(offences "")
 foreach(file IN LISTS files)
@@ -26,7 +23,7 @@ foreach(file IN LISTS files)
     endif()
   endforeach()
   string(REGEX REPLACE "`[^`]*`" "X" prose "${prose}")
-  string(REGEX REPLACE "\n[|#][^\n]*" "\n\n" prose "${prose}")
+  string(REGEX REPLACE "\n([|#]|    )[^\n]*" "\n\n" prose "${prose}")
   string(REGEX REPLACE "\n( *\n|- |[0-9]+\\. )" ";" prose "${prose}")
   string(REGEX REPLACE "[ \n]+" " " prose "${prose}")
   string(REGEX REPLACE "[.?!:][*\")]* ([*\"(]*[A-Z])" ";\\1" sentences "${prose}")

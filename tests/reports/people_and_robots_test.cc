@@ -24,7 +24,7 @@ ScheduleComparison MakeComparison() {
   comparison.scale = &kThresholdScales[0];
   ScheduleCell cell;
   cell.of = {"a hand", "a cup", "g3", {"FF", "TH"}, MakeLags(0.123), {}};
-  cell.of.missing[kPeopleLike] = "its lags come out wrong by 30 ms";
+  cell.of.missing[kPeopleLike] = "its lags deviate by 30 ms";
   ScheduleRow natural = {kNatural, MakeLags(0.3), {}};
   natural.threshold_text = "1.41";
   natural.num_pairs = 8;
@@ -49,7 +49,7 @@ std::string ShowText(const Html& html) {
 TEST(PeopleAndRobots, PeopleStandBesideEachScheduleWithWhatItCosts) {
   const std::string text = ShowText(DrawPeopleAndRobots(MakeComparison(), {}));
   ExpectParts(text, {"12.3 (12.3 to 22.3)", "30.0 (30.0 to 40.0)", "1.25 (1.09 to 1.41)", "1.41",
-                     "People: pilot.", "people-like: its lags come out wrong by 30 ms"});
+                     "People: pilot.", "people-like: its lags deviate by 30 ms"});
 }
 
 TEST(PeopleAndRobots, ADigitThatNeverTouchesIsSaidAndNotDrawn) {

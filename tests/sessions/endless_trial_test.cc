@@ -65,7 +65,7 @@ TEST_F(EndlessTrial, TheOthersAreFinishedAndItIsNamed) {
   for (size_t i = 1; i < rows.size(); ++i) {
     const bool is_ball = rows[i].find(",golf_ball,") != std::string::npos;
     const bool is_named =
-        rows[i].find("the trial had not ended after 4.0 s and was given up") != std::string::npos;
+        rows[i].find("the trial did not end within 4.0 s and was abandoned") != std::string::npos;
     EXPECT_EQ(is_ball, is_named) << rows[i];
     (is_ball ? num_named : num_others) += 1;
     if (!is_ball) continue;

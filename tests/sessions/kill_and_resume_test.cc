@@ -94,7 +94,7 @@ TEST(KilledJudge, IsNamedByAWatch) {
     fs::last_write_time(journal, fs::file_time_type::clock::now() - std::chrono::minutes(1));
   }
   const pid_t watch = fork_watch();
-  const std::string sentence = "; no process of this machine works on it: graspbench judge " +
+  const std::string sentence = "; no process of this machine is working on it: graspbench judge " +
                                session + " goes on with it\n";
   const auto last = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   const auto is_told = [&] { return ReadFile(told).find(sentence) != std::string::npos; };

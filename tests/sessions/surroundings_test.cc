@@ -274,7 +274,8 @@ TEST_F(Surroundings, AStudyEndsAtASignalAndLeavesNothing) {
     EXPECT_FALSE(HasEnded(study)) << Log();
     ::kill(study, signal);
     EXPECT_EQ(WaitFor(study), 75) << Log();
-    EXPECT_EQ(Log(), "graspbench: stopped; nothing was written. The same command begins again\n");
+    EXPECT_EQ(Log(),
+              "graspbench: stopped; nothing was written. Repeat the command to start again\n");
     EXPECT_FALSE(is_staged());
     EXPECT_FALSE(fs::exists(top_ / "out"));
   }
@@ -324,10 +325,9 @@ TEST_F(Surroundings, AJudgeBesideARunSaysWhatFinishedMeanwhile) {
   ::kill(judge, SIGCONT);
   EXPECT_EQ(WaitFor(judge), 0);
   const std::string said = ReadFile(top_ / "judge_log");
-  EXPECT_NE(
-      said.find("of trials that finished meanwhile, not judged yet: graspbench judge s goes on "
-                "with them"),
-      std::string::npos)
+  EXPECT_NE(said.find("of trials that finished in the meantime: not judged yet; to judge: graspbench "
+                      "judge s"),
+            std::string::npos)
       << said;
   EXPECT_EQ(said.find("had not ended after"), std::string::npos) << said;
   EXPECT_EQ(Run({"judge", "s", "--jobs", "1"}), 0) << Log();

@@ -88,7 +88,7 @@ TEST(FolderStatus, SaysWhatJudgesOnWhenNobodyDoes) {
   };
   judge(0);
   const std::string count = " of " + std::to_string(held.size()) + " held grasps judged";
-  const std::string idle = "; no process of this machine works on it: graspbench judge ";
+  const std::string idle = "; no process of this machine is working on it: graspbench judge ";
   {
     const JudgementWriter writer(session, 0);
     EXPECT_EQ(ReadFolderStatus(session, 600.0).steps.back(), "1" + count) << "somebody judges";

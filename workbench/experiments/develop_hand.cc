@@ -97,8 +97,8 @@ class GraspTrials {
   static void CheckSame(const DevelopmentRecord& stored, const DevelopmentRecord& asked) {
     if (stored.stage == asked.stage && stored.id == asked.id) return;
     throw Error(ErrorKind::kUsage,
-                "the journal of the development was begun with another version of the hand, the "
-                "physics or the program; develop into a new folder");
+                "this development was started with another version of the hand, the physics or the "
+                "program; develop into a new folder");
   }
 
   TrialSetup MakeSetup(const DevelopRequest& request, const DevelopRequest::Trial& trial) const {
@@ -168,8 +168,7 @@ std::vector<const GraspTaxon*> FindTaxa(const Hand& hand) {
   if (taxa.empty()) {
     throw Error(ErrorKind::kUsage,
                 "\"" + hand.id + "\" has " + std::to_string(hand.digits.size()) +
-                    " digits; a grasp needs two at least, and they stand under `digits` of its "
-                    "hand.yaml");
+                    " digits; a grasp needs at least two, listed under `digits` of hand.yaml");
   }
   return taxa;
 }

@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr char kOpenHandAlone[] =
-    "the file states the open hand alone, not how it closes; a profile that closes it judges it "
-    "(closing.to: limits, as in multigripper)";
+    "the file states only the open hand; it needs a profile that closes the hand (closing.to: "
+    "limits, as in multigripper)";
 constexpr double kJitterShift = 0.001;           // [m]
 constexpr double kJitterTurn = RadFromDeg(1.0);  // [rad]
 
@@ -47,7 +47,7 @@ fs::path FindMeshAt(const fs::path& folder, const fs::path& end) {
   if (found.size() > 1) {
     throw Error(ErrorKind::kFormat, "both " + found[0].generic_string() + " and " +
                                         found[1].generic_string() +
-                                        " are meant by its name; leave one of them");
+                                        " match its name; keep one of them");
   }
   return found.empty() ? fs::path() : folder / found.front();
 }
@@ -117,10 +117,9 @@ class ObjectLoader {
     if (scale == 1.0 && std::find(ids.begin(), ids.end(), name) != ids.end()) {
       return LoadObject(name);
     }
-    throw Error(ErrorKind::kNotFound,
-                "no mesh for \"" + name +
-                    "\" in the folder of --objects, where it is looked for by its whole path and "
-                    "by every end of it");
+    throw Error(ErrorKind::kNotFound, "no mesh for \"" + name +
+                                          "\" in the folder of --objects, which is searched for "
+                                          "the whole path and for every end of it");
   }
 };
 
@@ -186,8 +185,8 @@ GraspInputs LoadGraspInputs(GraspCollection collection, const std::string& hand,
   for (ForeignGrasp& grasp : collection.grasps) {
     if (!names.emplace(grasp.source, grasp.index).second) {
       throw Error(ErrorKind::kUsage, "two grasps are named \"" + NameGrasp(grasp) +
-                                         "\"; give every file once, and files of one name by the "
-                                         "folder that holds their folders");
+                                         "\"; give every file once; for files of equal name give "
+                                         "the folder above their folders");
     }
     GraspInput input;
     try {
@@ -250,7 +249,7 @@ const GraspInput& FindGraspInput(const GraspInputs& inputs, int number) {
   }
   throw Error(ErrorKind::kUsage, "--grasp " + std::to_string(number) + ": there are " +
                                      FormatCount(static_cast<int>(inputs.grasps.size()), "grasp") +
-                                     " that can be judged, from 0 on");
+                                     " that can be judged, counted from 0");
 }
 
 ProfiledScene MakeInputScene(const GraspInputs& inputs, const GraspInput& input,

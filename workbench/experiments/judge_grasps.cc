@@ -160,7 +160,8 @@ void MergeJudgedGrasps(const std::vector<fs::path>& parts, const fs::path& out) 
   for (const fs::path& part : parts) {
     Json config = LoadGraspConfig(part);
     if (!config.contains(kShardKey)) {
-      throw Error(ErrorKind::kUsage, "\"" + part.string() + "\" is no shard: it holds all grasps");
+      throw Error(ErrorKind::kUsage,
+                  "\"" + part.string() + "\" is not a shard: it holds all grasps");
     }
     const Shard shard = ParseShard(config.at(kShardKey).get<std::string>());
     config.erase(kShardKey);
@@ -177,7 +178,7 @@ void MergeJudgedGrasps(const std::vector<fs::path>& parts, const fs::path& out) 
     }
     if (!fs::exists(part / kGraspTable)) {
       throw Error(ErrorKind::kUsage, "shard " + FormatShard(shard) + " in \"" + part.string() +
-                                         "\" is not finished; its command again goes on");
+                                         "\" is not finished; repeat its command to continue");
     }
     for (JudgedGrasp& one : LoadJudgedGrasps(part)) judged.push_back(std::move(one));
   }

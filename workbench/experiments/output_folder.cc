@@ -242,7 +242,7 @@ void CheckOutputFolder(const OutputRequest& request) {
   CheckPlace(request, place);
   if (!fs::exists(status)) return;
   if (!fs::is_directory(status)) {
-    Refuse(request.folder, "is there and is no folder; name a new folder for the results");
+    Refuse(request.folder, "exists and is not a folder; name a new folder for the results");
   }
   CheckContent(request, place);
 }
@@ -251,7 +251,7 @@ void CheckOutsideResults(const fs::path& path) {
   const fs::path result = FindResultAround(FindPlace(path).parent_path());
   if (result.empty()) return;
   Refuse(path, "is inside \"" + result.string() +
-                   "\", which holds a result of graspbench and nothing else; name another place");
+                   "\", which holds only a result of graspbench; name another folder");
 }
 
 void CheckOutputFile(const fs::path& file) {
@@ -266,7 +266,7 @@ void CheckOutputFile(const fs::path& file) {
   fs::path folder = FindPlace(file).parent_path();
   while (!fs::exists(folder)) folder = folder.parent_path();
   if (!fs::is_directory(folder)) {
-    Refuse(file, "is below \"" + folder.string() + "\", which is no folder");
+    Refuse(file, "is below \"" + folder.string() + "\", which is not a folder");
   }
   if (::access(folder.c_str(), W_OK | X_OK) != 0) {
     Refuse(file, "cannot be written: no permission for \"" + folder.string() + "\"");

@@ -109,7 +109,7 @@ class RehearsalStage {
 
 [[noreturn]] void ThrowStopped() {
   throw Error(ErrorKind::kInterrupted,
-              "stopped; what was rehearsed is kept. The same command again continues");
+              "stopped; finished pairs are kept. Repeat the command to continue");
 }
 
 /** Rehearsals by their hashes, of other folders. */

@@ -126,8 +126,8 @@ SessionReplay ReplaySession(const Session& session, const SessionInputs& inputs,
   if (!RunBatch(MakeStage(StageKind::kReplay, request.trials.size()), request.trials,
                 request.num_workers, make_worker, observer, request.trial_time_limit)) {
     throw Error(ErrorKind::kInterrupted,
-                "stopped before all trials were compared; nothing was written. Start again with "
-                "the same command");
+                "stopped before all trials were compared; nothing was written. Repeat the command "
+                "to start again");
   }
   return replay;
 }

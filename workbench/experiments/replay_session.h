@@ -53,7 +53,7 @@ struct ReplayRequest {
   std::vector<PlannedTrial> trials;
   int num_workers = 1;
   double trial_time_limit = kTrialTimeLimit;  ///< [s of processor time]
-  /** Takes what happened in a trial, in a worker's thread and in any order; empty: nobody asks. It
+  /** Takes what happened in a trial, in a worker's thread and in any order; empty: not requested. It
   has an instant a step. */
   std::function<void(size_t trial, const TrialSetup& setup, const TracedTrial& traced)> take = {};
 };

@@ -39,10 +39,10 @@ void CheckSameResult(const Session& session, const PlannedTrial& planned,
       std::find_if(session.records.begin(), session.records.end(),
                    [&](const TrialRecord& candidate) { return candidate.plan == planned; });
   if (ToJson(LoadWhole(session, *record).result) == ToJson(result)) return;
-  throw Error(ErrorKind::kVersion, "trial " + planned.id + " (" + DescribeTrial(planned) +
-                                       ") gives another result than its record: the session was "
-                                       "run by another build or on another machine; run it again "
-                                       "to judge or explain it");
+  throw Error(ErrorKind::kVersion,
+              "trial " + planned.id + " (" + DescribeTrial(planned) +
+                  ") does not reproduce its record: the session was run by another build or on "
+                  "another machine; run it again to judge or explain it");
 }
 
 MakeBatchWorker MakeSessionWorkers(const Session& session, const SessionInputs& inputs,

@@ -19,10 +19,10 @@ namespace {
 void CheckSameQuestion(const SceneConfig& config, const EvaluationRecord& stored,
                        const EvaluationRecord& asked) {
   if (stored.stage == asked.stage && stored.trial_ids == asked.trial_ids) return;
-  throw Error(ErrorKind::kUsage,
-              "the journal of " + config.hand + ", " + config.object + ", " + config.grasp +
-                  " was begun with another version of the hand, the object, the physics or the "
-                  "program; optimise into a new folder");
+  throw Error(ErrorKind::kUsage, "the journal of " + config.hand + ", " + config.object + ", " +
+                                     config.grasp +
+                                     " was started with another version of the hand, the object, "
+                                     "the physics or the program; optimise into a new folder");
 }
 
 /** A session of one trial of the scene. */
@@ -83,18 +83,18 @@ RunLearningTrials MakeJournaledTrials(const SceneConfig& config, const SceneInpu
 SceneInputs LoadSceneInputs(SceneConfig& config, const std::filesystem::path& folder) {
   if (IsGraspFile(config.grasp)) {
     throw Error(ErrorKind::kUsage, "\"" + config.grasp +
-                                       "\" is a grasp file; what is optimised is a standard grasp "
-                                       "of the hand, by its id, or best");
+                                       "\" is a grasp file; optimisation needs the id of a "
+                                       "standard grasp of the hand, or best");
   }
   if (config.grasp == kBySight) {
     throw Error(ErrorKind::kUsage,
-                "by-sight chooses a grasp in each trial; what is optimised is one standard "
-                "grasp of the hand, by its id, or best");
+                "by-sight chooses a grasp in each trial; optimisation needs the id of a standard "
+                "grasp of the hand, or best");
   }
   if (ParseRehearsed(config.grasp)) {
     throw Error(ErrorKind::kUsage,
-                "rehearsed chooses a grasp with its placement; what is optimised is one standard "
-                "grasp of the hand, by its id, or best");
+                "rehearsed chooses a grasp with its placement; optimisation needs the id of a "
+                "standard grasp of the hand, or best");
   }
   const SessionConfig session = MakeSessionConfig(config);
   const SessionInputs inputs = LoadSessionInputs(session, FieldUse::kNow, folder);

@@ -52,7 +52,8 @@ Answer<Lags> FindPeopleLags(const PeopleOnObject& cell, double closing_time) {
   double least = HUGE_VAL;
   for (const DigitShare& share : cell.people->shares) {
     if (std::isinf(share.median)) {
-      return NoAnswer{"in half of people's trials or more " + share.digit + " never touched"};
+      return NoAnswer{"in at least half of the participants' trials " + share.digit +
+                      " never touched"};
     }
     least = std::min(least, share.median);
   }
@@ -101,10 +102,10 @@ class Scheduler {
     const double error = found.largest_error;
     if (std::isnan(error)) {
       missing = "in a trial without variation " + (found.untouching.empty()
-                                                       ? "the simulation gives up"
+                                                       ? "the simulation fails"
                                                        : found.untouching + " does not touch");
     } else if (error > std::max(kMostLagError * natural_.timing.gct, setup_.sim.step)) {
-      missing = "its lags come out wrong by " + FormatFixed(MsFromS(error), 1) +
+      missing = "its lags deviate by " + FormatFixed(MsFromS(error), 1) +
                 " ms in a trial without variation";
     }
     if (!missing.empty()) return;
@@ -115,7 +116,7 @@ class Scheduler {
   /** Why the trial without variation has no times to compare with; empty: it has. */
   std::string FindNoTiming() const {
     if (natural_.outcome == Outcome::kNumericalFailure) {
-      return "in a trial without variation the simulation gives up";
+      return "in a trial without variation the simulation fails";
     }
     for (const DigitContact& contact : natural_.contacts) {
       if (std::isnan(contact.time)) {
@@ -148,7 +149,7 @@ MadeSchedules MakeSchedules(const Session& session, const SessionInputs& inputs,
     before = setup;
     PeopleOnObject cell = {planned.hand, planned.object, planned.grasp, setup.grasp.digits, {}, {}};
     cell.people = people.study.empty()
-                      ? Answer<TouchLags>(NoAnswer{"no study of people was named"})
+                      ? Answer<TouchLags>(NoAnswer{"no study of participants was named"})
                       : SummarisePeople(people.touches, planned.object, cell.digits);
     Scheduler(*runner, setup).Make(cell, made.grasps);
     made.people.cells.push_back(std::move(cell));
@@ -182,10 +183,9 @@ void CheckIsNatural(const Session& session) {
       !fs::exists(session.folder / "inputs" / "grasps" / "people.json", status)) {
     return;
   }
-  throw Error(ErrorKind::kUsage,
-              "\"" + session.folder.string() +
-                  "\" has conditions or schedules of its own; expected a session whose grasps "
-                  "close as they do by themselves (graspbench run)");
+  throw Error(ErrorKind::kUsage, "\"" + session.folder.string() +
+                                     "\" has its own conditions or schedules; expected a session "
+                                     "with the natural closing of its grasps (graspbench run)");
 }
 
 /** The folder's own copies, so that it needs nothing of the session's. */

@@ -21,7 +21,7 @@ inline constexpr double kMostLagError = 0.02;
 
 struct People {
   std::string study;                  ///< as a person gave it; empty: none
-  std::vector<TrialTouches> touches;  ///< of its trials that count
+  std::vector<TrialTouches> touches;  ///< of its included trials
 };
 
 /** Makes the folder, or finds it. @throws Error(kUsage) for a session with conditions or of

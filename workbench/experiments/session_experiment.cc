@@ -38,8 +38,8 @@ void CheckCanBeVaried(const Session& session, const std::string& kind) {
   }
   if (session.config.conditions.empty() || kind == kThresholdKind) return;
   throw Error(ErrorKind::kUsage, "the session in \"" + session.folder.string() +
-                                     "\" has conditions of its own, so that it cannot be varied "
-                                     "again; sweep more factors with graspbench sweep");
+                                     "\" already has conditions and cannot be varied again; use "
+                                     "more factors in graspbench sweep");
 }
 
 /** Lines of the plan's trials as they stand in the journals of other sessions, of each trial the
@@ -106,8 +106,8 @@ void CheckObjectsDiffer(const SessionInputs& inputs) {
     if (is_new) continue;
     throw Error(ErrorKind::kUsage,
                 "the objects \"" + first->second + "\" and \"" + object->id +
-                    "\" are the same body (mesh, mass and surface); a map draws objects, so copies "
-                    "would feign certainty: leave one of them out");
+                    "\" are the same body (mesh, mass and surface); a map resamples objects, so "
+                    "copies would narrow the intervals falsely: leave one of them out");
   }
 }
 

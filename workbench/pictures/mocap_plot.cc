@@ -77,7 +77,7 @@ Html DrawCurve(const std::string& label, const char* what, const char* axis, con
 
 std::string MakeRecordingPage(const std::string& name, const Recording& recording) {
   StripChart gaps;
-  gaps.text = {"Missing and filled samples", "one row a point; bars where it was not seen"};
+  gaps.text = {"Missing and filled samples", "one row per point; bars mark missing samples"};
   gaps.axis = "time [s]";
   gaps.kinds = {"missing", "filled by the recording software"};
   Html points;
@@ -111,7 +111,7 @@ std::string MakeRecordingPage(const std::string& name, const Recording& recordin
       Element("section", {{"id", "gaps"}},
               Element("h2", {}, "Missing samples") +
                   MakeFigure("Where each point was not seen",
-                             "holes where the hand closes: contacts found there are guesses",
+                             "gaps while the hand closes: contacts found there are guesses",
                              DrawStripChart(gaps))) +
       points;
   return MakePage({name, std::to_string(recording.num_frames) + " frames, " +

@@ -66,7 +66,7 @@ SceneView FindNamedView(const std::string& name) {
     if (name == view.name) return {name, view.azimuth_deg, view.elevation_deg, 1.0};
   }
   throw Error(ErrorKind::kUsage,
-              "\"" + name + "\" is no view" + SuggestNames(name, ListSceneViews()));
+              "\"" + name + "\" is not a view" + SuggestNames(name, ListSceneViews()));
 }
 
 Eigen::Vector3d FindDirection(const SceneView& view, const Hand& hand, const Eigen::VectorXd& q,

@@ -167,15 +167,15 @@ WantedInstant ParseInstantName(const std::string& name) {
   for (const MomentRow& row : kMoments) {
     if (wanted == row.name) return {kUnset, row.phase};
   }
-  throw Error(ErrorKind::kUsage, "\"" + name + "\" is no instant of a trial; expected a time as " +
-                                     "1.25s, or the end of a phase" +
-                                     SuggestNames(wanted, ListInstantNames()));
+  throw Error(ErrorKind::kUsage,
+              "\"" + name + "\" is not an instant of a trial; expected a time such as " +
+                  "1.25s, or the end of a phase" + SuggestNames(wanted, ListInstantNames()));
 }
 
 void DemandCourse(const TracedTrial& traced) {
   if (!traced.trace.empty()) return;
   throw Error(ErrorKind::kUnsupported,
-              "nothing can be drawn: the trial could not begin; " + traced.result.reason);
+              "nothing can be drawn because the trial could not begin: " + traced.result.reason);
 }
 
 }  // namespace

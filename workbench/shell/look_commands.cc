@@ -58,7 +58,7 @@ void ShowPads(Shell& shell, const ShellArguments& arguments) {
   const std::vector<std::string> known = ListPostures();
   if (std::find(known.begin(), known.end(), posture) == known.end()) {
     throw Error(ErrorKind::kUsage,
-                "\"" + posture + "\" is no posture" + SuggestNames(posture, known));
+                "\"" + posture + "\" is not a posture" + SuggestNames(posture, known));
   }
   PrintResult(FormatPads(shell.scene(), posture));
 }

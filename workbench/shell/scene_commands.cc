@@ -248,7 +248,7 @@ void DriveJoint(Shell& shell, const ShellArguments& arguments) {
   ShellScene& scene = shell.scene();
   const NamedPosition given = ParseJoint(*scene.setup().hand, arguments[0], arguments[1]);
   if (scene.is_over()) {
-    throw Error(ErrorKind::kUsage, "the trial is over; back or goto stand at an earlier time");
+    throw Error(ErrorKind::kUsage, "the trial has ended; back or goto return to an earlier time");
   }
   SceneChoice choice = scene.choice();
   std::vector<DriveEdit>& drives = choice.drives;
@@ -276,7 +276,7 @@ void ChangeSetting(Shell& shell, const ShellArguments& arguments) {
   if (!arguments.empty() && arguments[0] == "-e") {
     if (arguments.size() < 2 || (arguments[1] != "on" && arguments[1] != "off")) {
       throw Error(ErrorKind::kUsage,
-                  "expected set -e on (a script ends at its first error) or off");
+                  "expected set -e on (a script stops at its first error) or off");
     }
     return shell.StopAtErrors(arguments[1] == "on");
   }
@@ -284,11 +284,11 @@ void ChangeSetting(Shell& shell, const ShellArguments& arguments) {
   const std::string key = arguments.empty() ? "" : ToLower(arguments[0]);
   for (const char* own : {"hands", "objects", "grasps", "trials"}) {
     if (key != own) continue;
-    throw Error(ErrorKind::kUsage, "\"" + key + "\" is no setting of one trial; see: help");
+    throw Error(ErrorKind::kUsage, "\"" + key + "\" is not a setting of one trial; see: help");
   }
   const std::string known = FormatSettings(choice.config, key);
   if (known.empty()) {
-    throw Error(ErrorKind::kUsage, "no setting has \"" + key + "\" in its name" +
+    throw Error(ErrorKind::kUsage, "no setting name contains \"" + key + "\"" +
                                        SuggestNames(key, ListSettingKeys(choice.config)) +
                                        " (set lists them)");
   }
@@ -370,7 +370,7 @@ void RedoChange(Shell& shell, const ShellArguments&) {
 
 void ShowChanges(Shell& shell, const ShellArguments&) {
   const std::string text = FormatChanges(shell.scene());
-  PrintResult(text.empty() ? "nothing differs from the grasp and the session's defaults\n" : text);
+  PrintResult(text.empty() ? "no change from the grasp and the defaults of a session\n" : text);
 }
 
 void SaveGrasp(Shell& shell, const ShellArguments& arguments) {

@@ -109,7 +109,7 @@ void Shell::ChangeNow(const SceneChoice& choice) {
 }
 
 void Shell::Undo() {
-  if (former_.empty()) throw Error(ErrorKind::kUsage, "nothing was changed that could be undone");
+  if (former_.empty()) throw Error(ErrorKind::kUsage, "there is no change to undo");
   const SceneChoice now = choice();
   TakeInstead(former_.back());
   former_.pop_back();
@@ -117,7 +117,7 @@ void Shell::Undo() {
 }
 
 void Shell::Redo() {
-  if (undone_.empty()) throw Error(ErrorKind::kUsage, "nothing was undone since the last change");
+  if (undone_.empty()) throw Error(ErrorKind::kUsage, "there is no undone change to restore");
   const SceneChoice now = choice();
   TakeInstead(undone_.back());
   undone_.pop_back();

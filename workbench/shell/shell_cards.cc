@@ -66,8 +66,8 @@ std::string FormatPads(ShellScene& scene, const std::string& posture) {
     pads.push_back(CalcPadState(hand, digit, X_HL));
     if (digit.is_thumb) opposing = &pads.back();
   }
-  TextTable table(
-      {"digit", "pad at x, y, z [mm]", "faces", "to the thumb's [mm]", "turned against it [deg]"});
+  TextTable table({"digit", "pad at x, y, z [mm]", "faces", "to the thumb pad [mm]",
+                   "angle to the thumb pad [deg]"});
   for (size_t d = 0; d < pads.size(); ++d) {
     const bool is_other = opposing && opposing != &pads[d];
     const double opening = is_other ? (pads[d].p_HPad - opposing->p_HPad).norm() : kUnset;
@@ -77,7 +77,7 @@ std::string FormatPads(ShellScene& scene, const std::string& posture) {
                   FormatVector(pads[d].nhat_H, 2), FormatFixed(MmFromM(opening), 1),
                   FormatFixed(DegFromRad(turn), 0)});
   }
-  return table.Format() + "in the hand's frame; 180 deg: pad against pad\n";
+  return table.Format() + "in the hand frame; 180 deg: pad against pad\n";
 }
 
 namespace {
@@ -193,8 +193,8 @@ std::string FormatContacts(ShellScene& scene) {
     below += (below.empty() ? "" : ", ") + link + " " + FormatPercent(torsion);
   }
   if (below.empty()) return table.Format();
-  return table.Format() + "below its cone: torsion uses " + below +
-         " of what the pad bears;\na pad slips when the squares of both shares sum to 1\n";
+  return table.Format() + "slips below the friction cone: torsion uses " + below +
+         " of the pad's torsion limit;\na pad slips when the squares of both shares sum to 1\n";
 }
 
 std::string FormatTiming(ShellScene& scene) {
@@ -230,7 +230,7 @@ std::string FormatStability(ShellScene& scene) {
     directions.emplace_back(-instant.R_OPalm.col(axis));
   }
   const std::vector<double> pulls = CalcHoldingForces(instant.grasp, directions);
-  TextTable table({"pull in the palm's frame", "+ [N]", "- [N]"});
+  TextTable table({"pull in the palm frame", "+ [N]", "- [N]"});
   for (size_t axis = 0; axis < 3; ++axis) {
     table.AddRow({std::string(1, static_cast<char>('x' + axis)), FormatFixed(pulls[2 * axis], 2),
                   FormatFixed(pulls[2 * axis + 1], 2)});

@@ -28,7 +28,7 @@ TrialSetup MakeDrawnSetup(const SceneChoice& choice, const SessionInputs& inputs
   config.trials = 1;
   CheckSessionConfig(config);
   if (!config.policy.command.empty()) {
-    throw Error(ErrorKind::kUsage, "the shell controls the hand itself; leave out policy.command");
+    throw Error(ErrorKind::kUsage, "the shell controls the hand; leave out policy.command");
   }
   const std::vector<PlannedTrial> plan = MakePlan(config, inputs);
   PlannedTrial planned = plan.front();

@@ -161,7 +161,8 @@ void Advance(Shell& shell, const std::function<bool()>& ends) {
 
 void DemandTimeLeft(Shell& shell) {
   if (!shell.scene().is_over()) return;
-  throw Error(ErrorKind::kUsage, "the trial is over; reset, back or goto stand at an earlier time");
+  throw Error(ErrorKind::kUsage,
+              "the trial has ended; reset, back or goto return to an earlier time");
 }
 
 /** Slips and losses from lift-off on: while it closes a finger that touches always slides. */
@@ -214,8 +215,8 @@ std::string FindRunTarget(const std::string& given) {
     if (name.rfind(given, 0) == 0) found.push_back(name);
   }
   if (found.size() == 1) return found.front();
-  throw Error(ErrorKind::kUsage,
-              "\"" + given + "\" is nothing to run to" + SuggestNames(given, ListRunTargets()));
+  throw Error(ErrorKind::kUsage, "\"" + given + "\" is not an event to run to" +
+                                     SuggestNames(given, ListRunTargets()));
 }
 
 /** Whether the scene is there, asked after every step. @throws Error(kUsage) when it was before. */
@@ -319,7 +320,7 @@ void ChooseLiveCard(Shell& shell, const ShellArguments& arguments) {
   const std::vector<std::string> known = ListLiveCards();
   if (std::find(known.begin(), known.end(), name) == known.end()) {
     throw Error(ErrorKind::kUsage,
-                "\"" + arguments[0] + "\" is no live card" + SuggestNames(name, known));
+                "\"" + arguments[0] + "\" is not a live view" + SuggestNames(name, known));
   }
   shell.live_card = name == "off" ? "" : name;
 }

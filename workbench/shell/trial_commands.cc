@@ -96,7 +96,8 @@ std::string FormatComparison(const DrawnTrials& trials_before,
   }
   const Interval change = CalcPairedDifferenceInterval(pairs);
   return fmt::format(
-      "against {}, {}{}, success {} on {}: {} won, {} lost; the rate changes by {} to {} points\n",
+      "against {}, {}{}, success {} on {}: {} improved, {} worsened; change of the rate {} to {} "
+      "points\n",
       trials_before.choice.config.hands.front(), trials_before.grasp,
       trials_before.choice.joints.empty() ? "" : " with joints set by hand",
       fmt::format("{}/{}", CountSuccesses(before), before.size()),
@@ -142,7 +143,7 @@ LinkForce FindLinkForce(ShellScene& scene, const std::string& link) {
 std::string DescribeFailure(const TrialResult& result) {
   if (!result.diagnosis) return {};
   const Diagnosis& diagnosis = *result.diagnosis;
-  return fmt::format("why      {}\n         all forces then: goto {}, contacts\n",
+  return fmt::format("why      {}\n         to list all forces at that time: goto {}, contacts\n",
                      DescribeDiagnosis(result),
                      FormatFixed(std::max(diagnosis.time - kJustBefore, 0.0), 3));
 }
@@ -158,7 +159,7 @@ std::string DescribeWeakest(ShellScene& scene) {
     weakest = link.name;
   }
   if (weakest.empty()) return {};
-  return fmt::format("weakest  {}: normal force {} N, {} of its friction cone in use\n", weakest,
+  return fmt::format("weakest  {}: normal force {} N, {} of its friction cone used\n", weakest,
                      FormatFixed(most.normal, 2), MakePlainText(FormatPercent(most.cone_share)));
 }
 
@@ -168,7 +169,7 @@ std::string DescribeNeighbour(Shell& shell) {
   int nearest = -1;
   double distance = std::numeric_limits<double>::infinity();
   if (scene.choice().place) {
-    return "nearest  the object was put by hand, so there is no draw to compare with\n";
+    return "nearest  not available: the object was placed manually\n";
   }
   const std::vector<TrialResult> results = RunDraws(shell, scene, kNumNeighbours);
   for (int draw = 0; draw < static_cast<int>(results.size()); ++draw) {
@@ -181,9 +182,9 @@ std::string DescribeNeighbour(Shell& shell) {
   }
   if (results.empty()) return {};  // stopped
   if (nearest < 0) {
-    return fmt::format("nearest  none of the draws 0 to {} succeeds\n", results.size() - 1);
+    return fmt::format("nearest  no success among draws 0 to {}\n", results.size() - 1);
   }
-  return fmt::format("nearest  draw {} succeeds; its object stands {} mm from this one\n", nearest,
+  return fmt::format("nearest  success: draw {}, object {} mm away\n", nearest,
                      FormatFixed(MmFromM(distance), 1));
 }
 
@@ -288,7 +289,7 @@ void JudgeTrial(Shell& shell, const ShellArguments&) {
     throw Error(ErrorKind::kUsage, "nothing is in the hand that could be judged; see: why");
   }
   const Judgement judgement = scene.course().Judge();
-  TextTable table({"load in the palm's frame", "breaks at", ""});
+  TextTable table({"load in the palm frame", "breaks at", ""});
   for (const BreakingLoad& load : judgement.loads) {
     table.AddRow(
         {load.direction, FormatFixed(load.load, 3),
@@ -321,7 +322,7 @@ void OptimiseTrial(Shell& shell, const ShellArguments& arguments) {
                                        "opposing digit)");
   }
   if (step == "1" && arguments.size() > 1) {
-    throw Error(ErrorKind::kUsage, "step 1 takes no number of evaluations; it ends by itself");
+    throw Error(ErrorKind::kUsage, "step 1 has no number of evaluations; it ends by itself");
   }
   const int evaluations =
       arguments.size() > 1
@@ -345,7 +346,7 @@ void OptimiseTrial(Shell& shell, const ShellArguments& arguments) {
   PrintResult(FormatOptimisation(inputs, config, result));
   const bool is_new =
       step == "1" ? result.pregrasp_step.chosen >= 0 : result.target_step.check.is_taken();
-  if (!is_new) return PrintResult("the grasp stays as it is\n");
+  if (!is_new) return PrintResult("the grasp is unchanged\n");
   SceneChoice choice = scene.choice();
   choice.joints.clear();
   choice.closing.clear();

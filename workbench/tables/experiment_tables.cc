@@ -76,14 +76,15 @@ std::vector<CsvColumn<PlannedSchedule>> ListPlanColumns() {
 
 std::string FormatSchedulePlan(const SchedulePlan& plan) {
   return FormatTable(ShowTable(ListPlanColumns(), ListPlanned(plan))) +
-         "and the grip threshold of each draw, which takes several trials more\n";
+         "plus several trials for the grip threshold of each draw\n";
 }
 
 Json ToJson(const SchedulePlan& plan) { return MakeJsonRows(ListPlanColumns(), ListPlanned(plan)); }
 
 std::string FormatSchedules(const ScheduleComparison& comparison) {
-  TextTable table({"object", "hand", "grasp", "schedule", "touches after the first [% of closing]",
-                   "GFT [ms]", "held", "threshold", "of natural"});
+  TextTable table({"object", "hand", "grasp", "schedule",
+                   "contact after the first [% of closing time]", "GFT [ms]", "held", "threshold",
+                   "of natural"});
   std::string reasons;
   for (const ScheduleCell& cell : comparison.cells) {
     const PeopleOnObject& of = cell.of;
@@ -112,8 +113,8 @@ std::string FormatSchedules(const ScheduleComparison& comparison) {
     }
   }
   return table.Format() + reasons +
-         "medians over trials; thresholds are margins, and beside them the ratio to the natural "
-         "schedule's, draw by draw, with its 95 % interval (of six draws or more)\n";
+         "medians over trials; thresholds are margins; ratio: to the natural schedule, draw by "
+         "draw, with 95 % interval (six draws or more)\n";
 }
 
 std::string FormatMap(const MapResult& result) {
@@ -124,32 +125,33 @@ std::string FormatMap(const MapResult& result) {
     if (row.cell->where.size() < 2 && row.cell->late == LateDigit::kLast) rows.push_back(row);
   }
   return text + "\n" + FormatTable(ShowRegions(rows)) +
-         "means over pairs with 95 % intervals from drawing objects; verdicts at a false discovery "
-         "rate of 5 %\n";
+         "means over pairs with 95 % intervals from resampling objects; verdicts at a false "
+         "discovery rate of 5 %\n";
 }
 
 std::string FormatSweepTables(const SweepSummary& summary) {
   std::string text =
-      FormatTable(ShowConditions(summary)) + "rate of success, medians of the rest\n\n" +
+      FormatTable(ShowConditions(summary)) + "success: rate; other columns: medians\n\n" +
       FormatTable(ShowEffects(summary.effects)) +
-      "against the base's level, on the same draws; intervals from drawing objects\n";
+      "relative to the base level, on the same draws; intervals from resampling objects\n";
   const std::vector<SweepEffect> interactions = summary.FindInteractions();
   if (!interactions.empty()) {
-    text += "\ninteractions whose interval excludes 0\n" + FormatTable(ShowEffects(interactions));
+    text += "\nsignificant interactions (95 % CI excludes 0)\n" +
+            FormatTable(ShowEffects(interactions));
   } else if (!summary.interactions.empty()) {
-    text += "no interval of an interaction excludes 0\n";
+    text += "no significant interaction (95 % CI)\n";
   }
   if (summary.thresholds.empty()) return text;
   return text + "\n" + FormatTable(ShowThresholds(summary)) +
-         "not monotone: trials that fail again with a larger grip\n";
+         "not monotone: draws that fail again with a larger grip\n";
 }
 
 std::string FormatRelations(const std::vector<SimultaneityRelation>& relations) {
   const bool is_any = std::any_of(relations.begin(), relations.end(),
                                   [](const auto& row) { return row.relation.has_value(); });
   if (!is_any) {
-    return "no relation can be found: no condition (hand, object, grasp) has three trials or more "
-           "that differ in what is compared; run more trials of each\n";
+    return "not testable: no condition (hand, object, grasp) has three trials that differ in the "
+           "compared measures; run more trials per condition\n";
   }
   return FormatTable(ShowRelations(relations)) +
          "within conditions (hand, object, grasp), with 95 % intervals; p of all: over all rows "
@@ -160,10 +162,9 @@ std::string FormatDoseResponses(const std::vector<DoseResponse>& rows) {
   const bool leaves_out =
       std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.num_left_out > 0; });
   return FormatTable(ShowDoses(rows)) +
-         (leaves_out ? "n of N trials: the others have no value at some delay\n" : "") +
-         "the same trials on the same draws with one digit late; 95 % intervals from drawing "
-         "objects; all but success, pushes and turns are of trials that succeed at every "
-         "delay\n";
+         (leaves_out ? "n of N trials: the others lack a value at some delay\n" : "") +
+         "the same draws with one digit delayed; 95 % intervals from resampling objects; all "
+         "measures except success, push and turn: trials that succeed at every delay\n";
 }
 
 std::string FormatNumericsTables(const std::vector<NumericsSummary>& summaries,
@@ -176,12 +177,13 @@ std::string FormatNumericsTables(const std::vector<NumericsSummary>& summaries,
   std::string text = FormatTable(ShowVariants(summaries));
   if (count(&NumericsSummary::num_left_out) > 0) {
     text +=
-        "n of N trials: the others are not finished, or the variant's backend cannot move them\n";
+        "n of N trials: the others are unfinished, or the variant's backend does not support the "
+        "object\n";
   }
   text +=
-      "flagged: held, but reseated or caged; above 10 %: grip, sigma or breaking force of the "
-      "other held\n\n" +
-      FormatTable(ShowSeatChanges(summaries)) + "median (largest) of each seat\n";
+      "flagged: held, but reseated or caged; above 10 %: change of grip, sigma or breaking force "
+      "in the other held trials\n\n" +
+      FormatTable(ShowSeatChanges(summaries)) + "median (largest) change per seat\n";
   const int num_failures = count(&NumericsSummary::num_numerical_failures);
   if (num_failures > 0) text += FormatCount(num_failures, "numerical failure") + '\n';
   if (count(&NumericsSummary::num_flips) == 0) return text + "\nno verdict flips\n";

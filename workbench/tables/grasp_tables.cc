@@ -111,7 +111,7 @@ std::vector<GraspNumber> ListGraspNumbers(const Hand& hand, const std::vector<Gr
 
 std::string FormatGraspNumbers(const std::vector<Grasp>& grasps,
                                const std::vector<GraspNumber>& numbers) {
-  if (grasps.empty()) return "no standard grasps; graspbench hand develop finds some\n";
+  if (grasps.empty()) return "no standard grasps; graspbench hand develop finds them\n";
   std::string text;
   for (const Grasp& grasp : grasps) {
     text += grasp.id + "  " + FindGraspTaxon(grasp.id).name + ", with";
@@ -119,8 +119,8 @@ std::string FormatGraspNumbers(const std::vector<Grasp>& grasps,
     text += "\n";
   }
   return text +
-         "\nPlacement of the palm's frame to the middle of a block of 50 mm, axes of the "
-         "world:\n\n" +
+         "\nPlacement of the palm frame relative to the centre of a block of 50 mm, in world "
+         "axes:\n\n" +
          FormatParts(grasps, numbers, "", {kPlacementPart}) + "\n" +
          FormatParts(grasps, numbers, "joint", {kPreGraspPart, kTargetPart});
 }
@@ -131,7 +131,7 @@ std::vector<CsvColumn<GraspNumber>> ListNumberColumns() {
   using N = GraspNumber;
   return {{"grasp", "", "standard grasp", &N::grasp},
           {"part", "", "placement, pre-grasp or target", &N::part},
-          {"name", "", "what of it, or the joint", &N::name},
+          {"name", "", "quantity, or the joint", &N::name},
           {"unit", "", "of the value", &N::unit},
           {"value", "", "the number", &N::value}};
 }
@@ -156,8 +156,8 @@ std::string FormatGraspTypes() {
     row.insert(row.end(), taxonomy.names.begin(), taxonomy.names.end());
     table.AddRow(row);
   }
-  return "Grasp types, and what earlier taxonomies call them. Standard grasps g1 to g4 are of the "
-         "types t1\nto t4; g5, three finger special, and g6, encompassing precision, are of type "
+  return "Grasp types and their names in earlier taxonomies. Standard grasps g1 to g4 have the "
+         "types t1 to\nt4; g5, three finger special, and g6, encompassing precision, have type "
          "t1.\n\n" +
          table.Format();
 }

@@ -60,7 +60,7 @@ DescribedObjects DescribeObjects() {
                   FormatFixed(object->surface.friction_dynamic, 2), FormatBestGrasps(*object)});
   }
   return {Json{{"objects", list}},
-          table.Format() + "\n* compressible, and the size at rest is a guess\n"};
+          table.Format() + "\n* compressible; the size at rest is a guess\n"};
 }
 
 namespace {
@@ -75,7 +75,7 @@ std::string FormatCompression(const GraspObject& object) {
 std::string FormatRest(const GraspObject& object) {
   if (object.turned_to_rest == 0.0) return "";
   return "rest            turned by " + FormatFixed(DegFromRad(object.turned_to_rest), 2) +
-         " deg from how its mesh lies; sizes are those at rest\n";
+         " deg relative to its mesh; sizes are those at rest\n";
 }
 
 }  // namespace
@@ -110,10 +110,10 @@ std::string FormatRepair(const std::string& path, const MeshFileRepair& repair) 
   if (repair.is_written) {
     text += FormatMeshSummary(path, repair.report);
   } else if (repair.actions.empty()) {
-    text += "repair: nothing could be repaired without guessing; no file written\n";
+    text += "repair: no unambiguous repair is possible; no file written\n";
   } else {
     text += FormatProblems(repair.report) +
-            "\nrepair: the result could not be used either; no file written\n";
+            "\nrepair: the repaired mesh is unusable, too; no file written\n";
   }
   return text;
 }
@@ -260,10 +260,10 @@ std::string FormatContact(const std::vector<ContactFit>& fits) {
                   format(fit.sink), format(fit.palmar_sink), std::to_string(fit.num_capsules),
                   FormatFixed(100.0 * fit.self_contact, 0)});
   }
-  return "\ncontact against the surface of each link, at 95 of 100 points / at most: how far balls "
-         "stick out,\nhow far a ball of 5 mm sinks in; all around and on the palmar side; "
-         "capsules for contact with\nthe hand itself, and the share of the surface within 2 mm of "
-         "them\n" +
+  return "\ncontact fit of each link, 95th percentile / maximum: out, how far contact balls stick "
+         "out of the\nsurface; sink, how far a ball of 5 mm sinks in; all around and on the palmar "
+         "side. Capsules serve\ncontact with the hand itself; near, the share of the surface "
+         "within 2 mm of them\n" +
          table.Format();
 }
 

@@ -155,7 +155,7 @@ std::string FormatGoal(const std::vector<LearningTrial>& trials, bool finds_stre
   return std::isfinite(goal) ? FormatFixed(goal, 3) : "n/a";
 }
 
-constexpr char kMoreThanSides[] = ", so it does not hold by the sides alone";
+constexpr char kMoreThanSides[] = ", so it does not hold by side friction alone";
 
 /** What is left for another grasp of the same grip. */
 std::string FormatHeadroom(const SceneInputs& inputs, const SceneConfig& config,
@@ -164,10 +164,10 @@ std::string FormatHeadroom(const SceneInputs& inputs, const SceneConfig& config,
     return CalcHeadroom(trials, *inputs.object, config.sim.gravity);
   };
   const Headroom before = calc(check.before);
-  if (!std::isfinite(before.share)) return "headroom not known: the start held nothing\n";
+  if (!std::isfinite(before.share)) return "headroom unknown: the start held nothing\n";
   std::string text =
-      "headroom the start bears " + FormatFixed(before.share, 2) + " of the " +
-      FormatFixed(before.bound, 2) + " N that friction and grip allow by the sides" +
+      "headroom the start resists " + FormatFixed(before.share, 2) + " of the " +
+      FormatFixed(before.bound, 2) + " N that friction and grip allow at the sides" +
       (before.share > 1.0 ? std::string(kMoreThanSides)
                           : ": at equal grip at most times " +
                                 FormatFixed(CalcMostGain(before.share), 2) + " by the sides");
@@ -308,13 +308,13 @@ std::string DescribeNumericalFailures(const std::vector<EvaluationRecord>& evalu
   }
   if (count == 0) return "";
   if (count > kMaxNamed) text += "\n  and " + std::to_string(count - kMaxNamed) + " more";
-  return FormatCount(count, "trial") + " failed numerically or did not end in time" + text;
+  return FormatCount(count, "trial") + " failed numerically or timed out" + text;
 }
 
 std::string FormatReplay(const ReplayedIndividual& replayed) {
   return replayed.grasp.id + ": fitness " + FormatFixed(replayed.stored_fitness, 6) + " stored, " +
          FormatFixed(replayed.fitness, 6) + " now; " +
-         (replayed.is_same ? "every number is the same" : "not the same numbers") + "\n";
+         (replayed.is_same ? "all numbers match" : "numbers differ") + "\n";
 }
 
 }  // namespace graspbench

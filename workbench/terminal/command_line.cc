@@ -42,7 +42,7 @@ std::vector<std::string> SplitWords(const std::string& line) {
   }
   if (quote != 0) {
     throw Error(ErrorKind::kUsage,
-                fmt::format("a quote {} without end; close it, or leave it out", quote));
+                fmt::format("a quote {} is not closed; close it or leave it out", quote));
   }
   return words;
 }

@@ -23,8 +23,8 @@ static_assert(std::atomic<bool>::is_always_lock_free);  // so a signal handler m
 /** Less than the ten seconds after which service managers kill. [s] */
 constexpr unsigned kPatience = 8;
 constexpr char kGivenUp[] =
-    "graspbench: stopped without waiting longer for what was running. What had finished is kept: "
-    "the same command continues, with --resume where it has that option\n";
+    "graspbench: stopped without waiting for running trials. Finished trials are kept: repeat the "
+    "command to continue, with --resume where it has that option\n";
 
 extern "C" void OnInterrupt(int) {
   if (is_stop_asked_for.exchange(true)) ::_exit(kExitInterrupted);

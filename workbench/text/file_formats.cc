@@ -158,17 +158,16 @@ StudyResult MakeAnyStudy() {
 std::vector<TableSource> ListSessionTables() {
   std::vector<TableSource> tables = {
       {"trials.csv",
-       "export/ of a session: one row per trial; a session with conditions has also condition, and "
-       "a column per factor",
+       "export/ of a session: one row per trial; with conditions also the column condition and a "
+       "column per factor",
        MakeTableSchema(ListTrialColumns({}), "")},
       {"events.csv", "export/ of a session: one row per contact event",
        MakeTableSchema(ListEventColumns(), "")},
-      {"basin.csv", "basin: one row per offset that was tried", MakeBasinSchema()},
+      {"basin.csv", "basin: one row per tested offset", MakeBasinSchema()},
       {"numerics.csv", "check-numerics: one row per trial and variant", MakeNumericsSchema()},
       {kGraspTable, "grasps judge: one row per grasp, profile and disturbance",
        MakeGraspTableSchema()},
-      {kCandidateTable, "rehearse: one row per candidate that was tried",
-       MakeCandidateTableSchema()},
+      {kCandidateTable, "rehearse: one row per tested candidate", MakeCandidateTableSchema()},
       {"individuals.csv", "optimise: one row per individual of step 2", MakeIndividualSchema()},
       {"summary.csv", "campaign: one row per hand, object and variant of the grasp",
        MakeVariantSchema()},
@@ -177,7 +176,7 @@ std::vector<TableSource> ListSessionTables() {
   sweep.factors = {{"FACTOR", {}}};
   const std::pair<const char*, std::vector<ExportTable>> exports[] = {
       {"export/ of a sweep", MakeSweepTables(sweep)},
-      {"export/ of a session whose grip thresholds were found", MakeThresholdTables({{}})},
+      {"export/ of a session with grip thresholds", MakeThresholdTables({{}})},
       {"export/ of a map", MakeMapTables({})}};
   for (const auto& [about, list] : exports) {
     for (const ExportTable& table : list) {
@@ -202,7 +201,7 @@ std::vector<TableSource> ListTrialTables() {
        "instant "
        "is column element_<number>_n of TRIAL.taxels.csv [N]",
        MakeTrajectoryTaxelSchema()},
-      {"motion.csv", "export --mjcf: one row per step, what the hand is asked for",
+      {"motion.csv", "export --mjcf: one row per step with the commands of the hand",
        MakeMotionSchema(hand)},
       {"GRASPS.csv", "hand show --grasps --csv: one row per number of a grasp",
        MakeGraspNumberSchema()}};
@@ -221,7 +220,7 @@ std::vector<TableSource> ListStudyTables() {
        MakeWideSchema(study)},
       {"tidy.csv", "tidy/ of a study: one row per included trial and measure",
        Json::parse(FormatTidyExport({measure}).dictionary)},
-      {"reviews.csv", "study review: one row per contact, to be filled in by a person",
+      {"reviews.csv", "study review: one row per contact, to be completed by a reviewer",
        MakeReviewSchema()},
       {"truth.csv", "study demo: one row per synthetic trial, its known events",
        MakeTruthSchema()}};
@@ -244,32 +243,32 @@ const std::vector<FileFormat>& ListFileFormats() {
     FileKeys hand = ListHandKeys();
     hand.insert(hand.end(), ListHandGraspKeys().begin(), ListHandGraspKeys().end());
     return std::vector<FileFormat>{
-        {"object.yaml", "a thing to grasp, beside its mesh", ListObjectKeys()},
-        {"hand.yaml", "what hand.urdf beside it cannot say", hand},
-        {"tactile.yaml", "what a hand feels with, beside its hand.yaml; not needed",
+        {"object.yaml", "an object to grasp, beside its mesh", ListObjectKeys()},
+        {"hand.yaml", "a hand: properties that hand.urdf beside it cannot state", hand},
+        {"tactile.yaml", "the tactile elements of a hand, beside its hand.yaml; optional",
          ListTactileKeys()},
         {"arm.yaml", "an arm that carries hands, for graspbench run --arm FOLDER", ListArmKeys()},
         {"session.yaml",
-         "what graspbench run simulates; its session.json has all that matter and is read, "
-         "too",
+         "what graspbench run simulates; session.json of a result has the same keys and is also "
+         "accepted",
          ListSessionKeys()},
         {"sweep.yaml", "a session under many conditions, for graspbench sweep", ListSweepKeys()},
-        {"study.yaml", "a study of people's grasps, for graspbench study run", ListStudyKeys()},
+        {"study.yaml", "a study of human grasps, for graspbench study run", ListStudyKeys()},
         {"columns.yaml",
-         "which columns of a plain table are what: recording.mapping of study.yaml, --mapping of "
-         "graspbench mocap; graspbench new mapping FILE proposes one",
+         "the meaning of a plain table's columns, for recording.mapping of study.yaml and "
+         "--mapping of graspbench mocap; graspbench new mapping FILE proposes one",
          ListMappingKeys()},
-        {"grasp.yaml", "a grasp of its own file, for graspbench run --grasp FILE",
+        {"grasp.yaml", "a grasp in its own file, for graspbench run --grasp FILE",
          ListGraspFileKeys()},
-        {"profile.yaml", "how somebody judges grasps, for graspbench grasps judge --profile FILE",
+        {"profile.yaml",
+         "a protocol for judging grasps, for graspbench grasps judge --profile FILE",
          ListProfileKeys()},
-        {"pipeline.yaml", "stages that make results, for graspbench pipeline run",
+        {"pipeline.yaml", "the stages of a pipeline, for graspbench pipeline run",
          ListPipelineKeys()},
         {"benchmark.yaml",
-         "what the entries of a benchmark have in common, for graspbench run, entry, "
-         "board --benchmark FILE",
+         "the fixed part of a benchmark, for graspbench run, entry, board --benchmark FILE",
          ListBenchmarkKeys()},
-        {"policy.yaml", "what a policy server is told, for graspbench run --policy FILE",
+        {"policy.yaml", "the messages to a policy server, for graspbench run --policy FILE",
          ListPolicyServerKeys()},
         {"scene.json", "settings of graspbench optimise, written into its folder",
          DescribeConfig(SceneConfig()), true},

@@ -8,6 +8,7 @@
 #include "core/base/config.h"
 #include "core/base/text/text.h"
 #include "datasets/plan/session_config.h"
+#include "human_study/study/run/trial_removal.h"
 
 namespace graspbench {
 namespace {
@@ -78,7 +79,7 @@ std::string FormatKey(const Explained<FileKey>& key) {
                     {{"unit", unit.empty() && !range.empty() ? "none" : unit},
                      {"range", range},
                      {"default", row.fallback == kRequired ? "none, required"
-                                 : row.fallback.empty()    ? "none, may be left out"
+                                 : row.fallback.empty()    ? "none; optional"
                                                            : row.fallback},
                      {key.files.front().find(".json") == std::string::npos ? "set in" : "kept in",
                       fmt::format("{}", fmt::join(key.files, ", "))},
@@ -134,6 +135,13 @@ const std::vector<GlossaryEntry>& ListGlossary() {
   return glossary;
 }
 
+const GlossaryEntry* FindGlossaryEntry(const std::string& term) {
+  for (const GlossaryEntry& entry : ListGlossary()) {
+    if (entry.term == term) return &entry;
+  }
+  return nullptr;
+}
+
 std::string ExplainFileKey(const std::string& key) {
   std::string text;
   for (const auto& each : FindKeys(key)) text += FormatKey(each);
@@ -153,6 +161,19 @@ std::string ExplainWord(const std::string& word) {
                         {"type", column.type},
                         {"in", fmt::format("{}", fmt::join(files, ", "))}});
   }
+  for (const Preset& preset : ListPresets()) {
+    if (preset.name == word) {
+      text += FormatWord(word, preset.about, {{"set by", "graspbench run --preset " + word}});
+    }
+  }
+  for (const TrialFlag& flag : TrialFlagList()) {
+    if (flag.name == word) text += FormatWord(word, flag.text, {{"in", "warnings of a study"}});
+  }
+  const RemovalAdvice& removal = FindRemovalAdvice(word);
+  if (!word.empty() && removal.code == word) {
+    text += FormatWord(word, "reason to remove a trial of a study",
+                       {{"keys", removal.keys}, {"in", "removed_code of trials.csv"}});
+  }
   return text + ExplainFileKey(word);
 }
 
@@ -163,6 +184,7 @@ std::string SuggestWords(const std::string& misspelt, std::vector<std::string> n
   for (const TableFormat& table : ListTableFormats()) {
     for (const TableColumn& column : table.columns) names.push_back(column.name);
   }
+  for (const TrialFlag& flag : TrialFlagList()) names.push_back(flag.name);
   for (const FileFormat& format : ListFileFormats()) {
     for (const FileKey& row : format.keys) {
       if (row.key.substr(row.key.rfind('.') + 1) == misspelt) {

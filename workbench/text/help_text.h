@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-What `graspbench help WORD` says of a word: a measure of the manual's glossary, a column of a table
-or a key of a file. */
+What `graspbench help WORD` explains: an entry of the manual's glossary (measure, term, outcome,
+mechanism), a column of a table, a key of a file, a preset, or a warning or removal of a study. */
 
 #include <string>
 #include <string_view>
@@ -21,10 +21,13 @@ struct GlossaryEntry {
   std::string meaning;
 };
 const std::vector<GlossaryEntry>& ListGlossary();
+/** By its whole term; null: none. */
+const GlossaryEntry* FindGlossaryEntry(const std::string& term);
 
-/** A paragraph for each meaning of the word: as a measure, by its term, one of the alternatives
-between commas or a column, in letters of either case; as a column; as a key, with unit, range,
-default and the files that have it. Empty: it is none of these. */
+/** A paragraph for each meaning of the word: as a glossary entry, by its term, one of the
+alternatives between commas or a column, in letters of either case; as a column; as a preset; as a
+warning or removal of a study; as a key, with unit, range, default and the files that have it.
+Empty: it is none of these. */
 std::string ExplainWord(const std::string& word);
 
 /** The last paragraphs of these: what a key such as "model.friction_scale" means. */

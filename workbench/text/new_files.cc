@@ -49,7 +49,7 @@ std::string FormatConfig(const Json& config, const FileKeys& keys, const std::st
 }
 
 std::string MakeSession() {
-  return "# What `graspbench run session.yaml --out DIR` simulates; every key may be left out.\n" +
+  return "# Simulated by `graspbench run session.yaml --out DIR`; every key is optional.\n" +
          FormatConfig(ConfigToJson(SessionConfig()), ListSessionKeys(), "", "");
 }
 
@@ -57,14 +57,14 @@ std::string MakeSweepFile() {
   SweepConfig config;
   config.factors = {"model.mass_scale=1,0.5,2", "model.friction_scale=1,0.8"};
   config.trials = 4;
-  return "# What `graspbench sweep sweep.yaml --out DIR` simulates; all but `factors` may be left "
-         "out.\n" +
+  return "# Simulated by `graspbench sweep sweep.yaml --out DIR`; every key except `factors` is "
+         "optional.\n" +
          FormatConfig(ConfigToJson(config), ListSweepKeys(), "", "");
 }
 
 std::string MakeProfile() {
-  return "# How `graspbench grasps judge --profile profile.yaml` judges; every key may be left "
-         "out.\n" +
+  return "# Protocol of `graspbench grasps judge --profile profile.yaml`; every key is "
+         "optional.\n" +
          FormatConfig(ConfigToJson(FreeSpaceProfile()), ListProfileKeys(), "", "");
 }
 
@@ -82,9 +82,8 @@ std::string MakeStudy() {
     *cutoff = std::nan("");
   }
   config.multiverse.cutoff.clear();
-  return "# What `graspbench study run study.yaml --out DIR` analyses; all but `markers` may be "
-         "left "
-         "out.\n# The recordings are named in trials.csv.\n" +
+  return "# Analysed by `graspbench study run study.yaml --out DIR`; every key except `markers` is "
+         "optional.\n# trials.csv names the recordings.\n" +
          FormatConfig(ConfigToJson(config), ListStudyKeys(), "", "");
 }
 
@@ -96,8 +95,7 @@ std::string MakeObject() {
                                                        {"friction_static", "0.5"},
                                                        {"friction_dynamic", "0.4"},
                                                        {"grasp_order", "[g1, g3, g6, g2, g4]"}};
-  std::string text =
-      "# What is known of this thing beside its mesh: put yours in the place of mesh.obj.\n";
+  std::string text = "# Properties of this object. Replace mesh.obj by your own mesh.\n";
   for (const FileKey& row : ListObjectKeys()) {
     if (const size_t dot = row.key.find('.'); dot != row.key.npos) {
       text += "#   " + row.key.substr(dot + 1) + ":  " + FormatComment(row) + "\n";

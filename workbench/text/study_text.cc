@@ -41,7 +41,7 @@ std::string FormatAdvice(const StudyResult& result) {
   const bool is_elsewhere = study.recordings != study.folder;
   return "advice   graspbench study suggest " + QuoteForShell(study.file) +
          (is_elsewhere ? " --data " + QuoteForShell(study.recordings.string()) : "") +
-         " looks for keys with which more trials count\n";
+         " proposes keys with which more trials are included\n";
 }
 
 /** Whether the choices are the frozen ones, a line for each that is not; empty without a freeze. */
@@ -56,9 +56,9 @@ std::string FormatFindings(const StudyResult& result) {
   const ZeroGft& zero = result.statistics.zero_gft;
   std::string text;
   if (zero.num_trials > 0) {
-    text += "zero     detection limit of the GFT " + FormatFixed(MsFromS(zero.limit), 0) +
-            " ms; touching at once would show a median of " + FormatFixed(MsFromS(zero.median), 0) +
-            " ms\n";
+    text += "limit    detection limit of the GFT " + FormatFixed(MsFromS(zero.limit), 0) +
+            " ms; simultaneous contact would show a median of " +
+            FormatFixed(MsFromS(zero.median), 0) + " ms\n";
   }
   if (result.CountKept() == 0) return text;
   return text + "opening  " + DescribeOpeningArgument(result) + "\ntogether " +
@@ -102,7 +102,7 @@ Json MakeStudyJson(const StudyResult& result, const std::filesystem::path& folde
 }
 
 std::string FormatSuggestions(const StudySuggestions& suggestions) {
-  std::string text = fmt::format("now      {} of {} count", suggestions.num_kept,
+  std::string text = fmt::format("now      {} of {} included", suggestions.num_kept,
                                  FormatCount(suggestions.num_trials, "trial"));
   if (suggestions.num_rows < suggestions.num_all_rows) {
     text += fmt::format(", tried on {} of {} rows of trials.csv", suggestions.num_rows,
@@ -116,11 +116,11 @@ std::string FormatSuggestions(const StudySuggestions& suggestions) {
           fmt::format("suggest  {}: {}\n", setting.substr(0, equals), setting.substr(equals + 1));
     }
     text +=
-        fmt::format("         why: {}\n         cost: {}\n         then {} count\n",
+        fmt::format("         why: {}\n         cost: {}\n         then {} included\n",
                     suggestion.reason, suggestion.cost, FormatCount(suggestion.num_kept, "trial"));
   }
-  if (suggestions.suggestions.empty()) text += "suggest  nothing: no key makes more trials count\n";
-  text += fmt::format("then     {} of {} count\n", suggestions.num_kept_then,
+  if (suggestions.suggestions.empty()) text += "suggest  nothing: no key includes more trials\n";
+  text += fmt::format("then     {} of {} included\n", suggestions.num_kept_then,
                       FormatCount(suggestions.num_trials_then, "trial"));
   for (const RemovalGroup& group : suggestions.others) {
     text += fmt::format("left     {} [{}] {}\n", group.trials.size(), group.code, group.text) +
@@ -148,7 +148,7 @@ std::string FormatWarnings(const StudyResult& result) {
 }
 
 std::string FormatTruth(const TruthComparison& comparison) {
-  return "truth    found - true over the trials that count\n  movement onset  " +
+  return "truth    found - true, over the included trials\n  movement onset  " +
          FormatErrors(comparison.onset) + "\n  widest opening  " +
          FormatErrors(comparison.closure_start) + "\n  first contacts  " +
          FormatErrors(comparison.contact) + "\n  GFT             " + FormatErrors(comparison.gft) +

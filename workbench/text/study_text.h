@@ -31,7 +31,7 @@ std::string FormatStudy(const StudyResult& result, const std::filesystem::path& 
 Json MakeStudyJson(const StudyResult& result, const std::filesystem::path& folder,
                    const std::filesystem::path& report);
 
-/** Found minus true times of a made-up study. */
+/** Found minus true times of a synthetic study. */
 std::string FormatTruth(const TruthComparison& comparison);
 
 }  // namespace graspbench

@@ -33,8 +33,7 @@ DataTable ReadStudyTable(const fs::path& study, const char* name,
   const fs::path file = study / name;
   if (!fs::exists(file)) {
     throw Error(ErrorKind::kNotFound, "no " + std::string(name) + " in \"" + study.string() +
-                                          "\"; expected the folder of a study, as graspbench "
-                                          "study run writes it");
+                                          "\"; expected the result folder of graspbench study run");
   }
   DataTable table(ReadFile(file), file.string(), problems);
   for (const std::string& column : columns) table.Require(column);
@@ -108,8 +107,8 @@ LaggedClosing FitOnObject(const TimedGraspOptions& options,
               "on the object \"" + options.object + "\" " +
                   (found.untouching.empty() ? "the trial fails numerically"
                                             : "the digit " + found.untouching + " does not touch") +
-                  " in a trial without variation, so that the order of contacts cannot be played; "
-                  "choose another object with --object or another grasp with --grasp");
+                  " in a trial without variation, so the order of contacts cannot be reproduced; "
+                  "choose another --object or --grasp");
 }
 
 /** "golf_ball: FF 0, TH 31 ms after the first, within 0.8 ms in a trial without variation". */
@@ -125,7 +124,7 @@ std::string DescribeFit(const std::string& object, const std::map<std::string, d
   return object + ": " + fmt::format("{}", fmt::join(asked, ", ")) +
          " ms after the first, within " + FormatFixed(MsFromS(found.largest_error), 1) +
          " ms in a trial without variation" +
-         (is_lost ? ": that is not people's order and times, which this grasp cannot have on this "
+         (is_lost ? ": this grasp cannot reproduce the participants' order and times on this "
                     "object; choose another --object or --grasp"
                   : "");
 }
@@ -140,9 +139,9 @@ std::map<std::string, double> ReadStudyLags(const fs::path& study,
     for (const auto& [digit, time] : times) known.insert(digit);
   }
   if (known.empty()) {
-    throw Error(ErrorKind::kUsage, "the study in \"" + study.string() +
-                                       "\" has no contact in a trial that counts; its report says "
-                                       "why");
+    throw Error(ErrorKind::kUsage,
+                "the study in \"" + study.string() +
+                    "\" has no contact in an included trial; its report gives the reasons");
   }
   for (const std::string& digit : digits) {
     if (known.count(digit) > 0) continue;
@@ -161,7 +160,7 @@ std::map<std::string, double> ReadStudyLags(const fs::path& study,
   }
   if (all.empty()) {
     throw Error(ErrorKind::kUsage, "in no trial of the study in \"" + study.string() +
-                                       "\" that counts did all digits of the grasp touch: " +
+                                       "\" that is included did all digits of the grasp touch: " +
                                        fmt::format("{}", fmt::join(digits, ", ")));
   }
   const double longest = FindFileKey(ListGraspFileKeys(), "closing.DIGIT.delay_s")->high;
@@ -171,12 +170,13 @@ std::map<std::string, double> ReadStudyLags(const fs::path& study,
   for (const auto& [digit, values] : all) {
     const double lag = CalcMedian(values) - least;
     if (lag > longest) {
-      throw Error(ErrorKind::kUsage, digit + " touches " + FormatFixed(lag, 3) +
-                                         " s after the others in the study, with which it would "
-                                         "stay open for good; a grasp takes at most " +
-                                         FormatFixed(longest, 0) +
-                                         " s. Are its times in "
-                                         "seconds?");
+      throw Error(
+          ErrorKind::kUsage,
+          digit + " touches " + FormatFixed(lag, 3) +
+              " s after the others in the study and would never close; a grasp allows at most " +
+              FormatFixed(longest, 0) +
+              " s. Are its times in "
+              "seconds?");
     }
     lags[digit] = lag;
   }

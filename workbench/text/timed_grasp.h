@@ -1,7 +1,7 @@
 #pragma once
 /** @file
 A grasp that closes as people do: the closing schedule of a study's contact times, as `graspbench
-new grasp --timing` writes it. A digit's lag is the median over the trials that count, of how long
+new grasp --timing` writes it. A digit's lag is the median over the included trials, of how long
 after the trial's first contact it touched, less that of the digit with the least. Only trials count
 in which all digits of the grasp touched.
 
@@ -22,7 +22,7 @@ namespace graspbench {
 /** Of a study's folder, its trials.csv and events.csv: each digit's lag [s].
 @param digits  of the grasp: "TH", "FF", ..
 @throws Error(kNotFound) when there is no study; Error(kFormat) for damaged tables; Error(kUsage)
-for digits that the study has no contact of, a study without a trial that counts and in which all
+for digits that the study has no contact of, a study without an included trial and in which all
 touched, and a lag with which a digit would stay open for good. */
 std::map<std::string, double> ReadStudyLags(const std::filesystem::path& study,
                                             const std::vector<std::string>& digits);
@@ -43,7 +43,7 @@ the grasp's digits do not all touch; as ReadStudyLags. */
 TimedGrasp MakeTimedGrasp(const TimedGraspOptions& options);
 
 /** First contacts of people, from the tables of a study's folder as graspbench study run writes it:
-of the trials that count, in the order of trials.csv: the object, the start of closure, and the
+of the included trials, in the order of trials.csv: the object, the start of closure, and the
 digits whose contact is found, or of which it is known that they never touched.
 @throws Error(kNotFound) when there is no study; Error(kFormat) for damaged tables. */
 std::vector<TrialTouches> ReadStudyTouches(const std::filesystem::path& study);

@@ -39,11 +39,11 @@ std::string DescribeReplayed(const ReplayedTrial& trial) {
 
 std::string DescribePhysics(const ReplayConditions& conditions) {
   if (conditions.recorded_physics == 0) {
-    return fmt::format("version {}; the session does not say its own", conditions.physics);
+    return fmt::format("version {}; the session does not state its version", conditions.physics);
   }
   if (!conditions.is_other_physics())
     return fmt::format("version {}, the same", conditions.physics);
-  return fmt::format("version {}, recorded with {}: results of the two do not belong together",
+  return fmt::format("version {}, recorded with {}: results of these versions must not be mixed",
                      conditions.physics, conditions.recorded_physics);
 }
 
@@ -110,7 +110,8 @@ std::string FormatSight(const TrialResult& result) {
   if (!result.sight_grasp) return "";
   std::string text = *result.sight_grasp;
   for (const GraspTaxon& taxon : ListGraspTaxa()) {
-    if (taxon.id == text) text += ", " + taxon.name + ", chosen by the outline that the camera saw";
+    if (taxon.id == text)
+      text += ", " + taxon.name + ", chosen from the outline in the camera picture";
   }
   return "grasp    " + text + "\n";
 }
@@ -123,7 +124,7 @@ std::string FormatController(const TrialResult& result) {
       policy.num_hand_cut
           ? fmt::format(", {} of the hand", FormatCount(*policy.num_hand_cut, "pose"))
           : "";
-  return fmt::format("control  asked {}; object pose told: {}; cut to limits: {}{}\n",
+  return fmt::format("control  {}; object pose given: {}; clipped to limits: {}{}\n",
                      FormatCount(policy.num_questions, "time"), policy.object_pose,
                      FormatCount(policy.num_cut, "target"), hand);
 }
@@ -172,7 +173,7 @@ std::string FormatPhases(const TracedTrial& traced, const StrategyConfig& strate
   }
   text += ", end at " + FormatFixed(traced.result.simulated_time, 3) + " s";
   if (strategy.closure_lead == 0.0) return text;
-  return text + "; closure leads the hand's arrival by " + FormatFixed(strategy.closure_lead, 3) +
+  return text + "; closure starts before arrival by " + FormatFixed(strategy.closure_lead, 3) +
          " s (strategy.closure_lead_s)";
 }
 
@@ -195,12 +196,12 @@ std::string FormatFirstTouch(double time, double largest_force) {
   return largest_force > 0.0 ? "after lift-off" : "never";
 }
 
-/** A row a digit: when it touched and how it fared, by the contacts themselves. */
+/** One row per digit: its first touch, and its slips and losses by the contacts themselves. */
 std::string FormatDigits(const ExaminedTrial& trial) {
   const TrialResult& result = trial.traced.result;
   const double start = trial.traced.closure_start;
-  TextTable table({"digit", "first touch [s]", "hand closed by", "nearest [mm]", "slips", "losses",
-                   result.touch ? "largest true force [N]" : "largest force [N]"});
+  TextTable table({"digit", "first touch [s]", "closure then", "smallest gap [mm]", "slips",
+                   "losses", result.touch ? "largest true force [N]" : "largest force [N]"});
   for (size_t d = 0; d < result.contacts.size(); ++d) {
     const DigitContact& contact = result.contacts[d];
     const DigitTouch& touch = result.touches[d];
@@ -218,17 +219,18 @@ std::string FormatDigits(const ExaminedTrial& trial) {
   return table.Format();
 }
 
-/** Nothing of a trial that was not lifted. */
+/** Empty for a trial that was not lifted. */
 std::string FormatSeat(const TrialResult& result) {
   const Seat seat = FindSeat(result);
   if (seat == Seat::kUnknown) return "";
   std::string text = fmt::format(
-      "seat     {}: rose by {} mm in the hand of its {} mm, slid {} mm through it", NameOf(seat),
-      FormatFixed(MmFromM(result.closure_rise), 1), FormatFixed(MmFromM(result.object_height), 1),
-      FormatFixed(MmFromM(result.closure_slide), 1));
+      "seat     {}: before lift-off the object (height {} mm) rose {} mm in the hand and slid {} "
+      "mm",
+      NameOf(seat), FormatFixed(MmFromM(result.object_height), 1),
+      FormatFixed(MmFromM(result.closure_rise), 1), FormatFixed(MmFromM(result.closure_slide), 1));
   if (IsSuccess(result.outcome)) {
-    text += fmt::format("; held with {} N{}{}", FormatFixed(result.stability.hold.normal_force, 2),
-                        result.touch ? " in truth" : "", IsCaged(result) ? ", caged" : "");
+    text += fmt::format("; total grip {} N{}{}", FormatFixed(result.stability.hold.normal_force, 2),
+                        result.touch ? " (true)" : "", IsCaged(result) ? ", caged" : "");
     if (result.opposition) {
       text += fmt::format(", {} opposition", RowOf(kOppositions, *result.opposition).name);
     }
@@ -236,24 +238,23 @@ std::string FormatSeat(const TrialResult& result) {
   return text + "\n";
 }
 
-/** What a margin was taken of, where that is not a force of these contacts. */
+/** The reference of a margin, if it is not the smallest force of these contacts. */
 std::string DescribeMargin(const GripRecord& grip) {
   constexpr double kNothing = 1e-3;  // of the weight
   if (grip.told_friction == 0.0) return "";
   if (std::isnan(grip.smallest)) {
-    return "no forces of the touching contacts were found that bear the weight: the margin is of "
-           "two opposed sides, m g / (2 mu)\n";
+    return "no equilibrium exists for these contacts; the setpoint falls back to m g / (2 mu) per "
+           "side\n";
   }
   if (grip.smallest > kNothing * grip.told_weight) return "";
-  return "the opposing digit and the rest of the hand would bear the weight without the others: "
-         "the "
-         "margin asks these for nothing but the least force\n";
+  return "the opposing digit and the rest of the hand bear the weight alone; the other digits have "
+         "the minimum setpoint\n";
 }
 
-/** Whether stabilisation ended in the grip's band, where that was not so. */
+/** Empty when stabilisation ended within the tolerance of the grip. */
 std::string DescribeLift(const GripRecord& grip) {
   if (grip.was_in_band) return "";
-  return std::isnan(grip.closed) ? "; never lifted" : "; not in its band when it was lifted";
+  return std::isnan(grip.closed) ? "; object never lifted" : "; outside the tolerance at lift-off";
 }
 
 /** "limit (FFJ3)". */
@@ -261,26 +262,26 @@ std::string DescribeFault(const DigitGripRecord& digit) {
   return NameOf(digit.fault) + (digit.joint ? " (" + *digit.joint + ")" : "");
 }
 
-/** By sensed touch: what the hand pressed with beside what it was asked for. */
+/** With sensed touch: the true total grip beside its setpoint. */
 std::string DescribeTruth(const TrialResult& result) {
   const double truth = result.stability.hold.normal_force;
   if (!result.touch || !(result.grip->asked > 0.0) || std::isnan(truth)) return "";
-  return fmt::format("the hand pressed with {} N in the hold, {} times what was asked\n",
+  return fmt::format("true total grip in the hold {} N, {} times the setpoint\n",
                      FormatFixed(truth, 2), FormatFixed(truth / result.grip->asked, 2));
 }
 
-/** What a regulated grip asked and reached. */
+/** Setpoint and measured forces of a regulated grip. */
 std::string FormatGrip(const TrialResult& result) {
   if (!result.grip) return "";
   const GripRecord& grip = *result.grip;
   const std::string felt = result.touch ? "estimated " : "";
-  std::string text = fmt::format(
-      "grip     asked {} N in sum, {}{} N in the hold, peak of the filtered "
-      "{}sum {} N{}\n",
-      FormatFixed(grip.asked, 2), felt, FormatFixed(grip.held, 2), felt, FormatFixed(grip.peak, 2),
-      DescribeLift(grip));
-  TextTable table({"digit", "asked [N]", felt + "before lift-off [N]", felt + "in the hold [N]",
-                   "closed by", "why it differs"});
+  const std::string held =
+      std::isnan(grip.held) ? "" : ", " + felt + FormatFixed(grip.held, 2) + " N in the hold";
+  std::string text = fmt::format("grip     total setpoint {} N{}, filtered {}peak {} N{}\n",
+                                 FormatFixed(grip.asked, 2), held, felt, FormatFixed(grip.peak, 2),
+                                 DescribeLift(grip));
+  TextTable table({"digit", "setpoint [N]", felt + "before lift-off [N]", felt + "in the hold [N]",
+                   "closure", "limited by"});
   for (const DigitGripRecord& digit : grip.digits) {
     table.AddRow({digit.digit + (digit.opposes ? " (opposes)" : ""), FormatFixed(digit.asked, 2),
                   FormatFixed(digit.closed, 2), FormatFixed(digit.held, 2),
@@ -293,7 +294,7 @@ std::string FormatGrip(const TrialResult& result) {
   return text + table.Format() + DescribeMargin(grip) + DescribeTruth(result);
 }
 
-/** This trial and the nearest success beside each other. */
+/** Compares this trial with the nearest success. */
 std::string FormatBeside(const ExaminedTrial& trial) {
   const TrialRecord& other = *trial.nearest;
   TextTable table({"", NameTrial(trial.planned), NameTrial(other.plan)});
@@ -334,7 +335,7 @@ std::string FormatOutcome(const TrialResult& result) {
 }
 
 std::string FormatComparison(const ExaminedTrial& trial) {
-  if (!trial.recorded) return "not in the journal: the session has not run it yet";
+  if (!trial.recorded) return "not run yet in this session";
   if (!trial.difference) return "re-simulation matches the record";
   return fmt::format(
       "differs from its record in {}: recorded {}, now {}; the session was run by "
@@ -413,14 +414,13 @@ std::string FormatTrial(const ExaminedTrial& trial, const std::string& folder) {
   if (result.diagnosis) text += "why      " + DescribeDiagnosis(result) + "\n";
   if (trial.explanation) text += "remedies " + DescribeExplanation(*trial.explanation) + "\n";
   if (trial.nearest && !IsSuccess(result.outcome)) {
-    text += fmt::format("nearest  {} succeeded; its object stood {} mm from this one\n",
-                        NameTrial(trial.nearest->plan),
+    text += fmt::format("nearest  success: {}, object {} mm away\n", NameTrial(trial.nearest->plan),
                         FormatFixed(MmFromM(trial.nearest_distance), 1)) +
             FormatBeside(trial);
   } else if (!IsSuccess(result.outcome)) {
-    text += "nearest  no trial of its condition succeeded\n";
+    text += "nearest  no success in this condition\n";
   }
-  return text + "again    " + FormatComparison(trial) + "\n" + "open     " +
+  return text + "replay   " + FormatComparison(trial) + "\n" + "open     " +
          MakeShellLine(trial, folder) + "\n";
 }
 

@@ -18,18 +18,12 @@ std::string FormatNewtons(double force) { return FormatFixed(force, force < 0.1 
 std::string FormatWork(double work) { return FormatFixed(1e3 * work, 2) + " mJ"; }
 std::string FormatShift(double shift) { return FormatFixed(MmFromM(shift), 1) + " mm"; }
 
-/** "while closing, at 1.850 s". */
+/** "during closure at 1.850 s". */
 std::string DescribeTime(const Diagnosis& diagnosis) {
-  const std::string& phase = diagnosis.phase;
-  const char* when = phase == NameOf(Phase::kLiftOff)         ? "in the lift"
-                     : phase == NameOf(Phase::kHold)          ? "in the hold"
-                     : phase == NameOf(Phase::kStabilisation) ? "before the lift"
-                     : phase == NameOf(Phase::kPlacing)       ? "while placing"
-                                                              : "while closing";
-  return fmt::format("{}, at {}", when, FormatSeconds(diagnosis.time));
+  return fmt::format("during {} at {}", diagnosis.phase, FormatSeconds(diagnosis.time));
 }
 
-/** "all digits touched within 10 ms", or who did not: what touches in the placing or the lift alone
+/** "All digits touched within 10 ms.", or who did not: what touches in the placing or the lift alone
 has no time. */
 std::string DescribeTouches(const TrialResult& result) {
   std::string touched, untouched;
@@ -43,51 +37,51 @@ std::string DescribeTouches(const TrialResult& result) {
     first = std::fmin(first, contact.time);
     last = std::fmax(last, contact.time);
   }
-  if (num_touched == 0) return "no digit touched while closing";
+  if (num_touched == 0) return "No digit touched during closure.";
   const std::string spread = FormatFixed(MsFromS(last - first), 0) + " ms";
-  if (untouched.empty()) return "all digits touched within " + spread;
-  if (num_touched == 1) return touched + " alone touched while closing";
-  return fmt::format("{} did not touch while closing, the others touched within {}", untouched,
+  if (untouched.empty()) return "All digits touched within " + spread + ".";
+  if (num_touched == 1) return "Only " + touched + " touched during closure.";
+  return fmt::format("{} did not touch during closure; the others touched within {}.", untouched,
                      spread);
 }
 
-/** "TH pressed with up to 2.00 N, FF with 1.00 N". */
+/** "Peak normal forces: TH 2.00 N, FF 1.00 N." */
 std::string DescribeForces(const Diagnosis& diagnosis) {
   std::string text;
   for (const PartWork& part : diagnosis.parts) {
-    text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", part.part,
-                        text.empty() ? "pressed with up to " : "with ", FormatNewtons(part.force));
+    text += (text.empty() ? "" : ", ") + part.part + " " + FormatNewtons(part.force);
   }
-  return text.empty() ? "nothing pressed on it" : text;
+  return text.empty() ? "Nothing pressed on the object." : "Peak normal forces: " + text + ".";
 }
 
 std::string DescribeWorks(const Diagnosis& diagnosis) {
-  return fmt::format(
-      " Relative to the hand, normal forces did {} of work, gravity {}, friction {}.",
-      FormatWork(diagnosis.CalcNormalWork()), FormatWork(diagnosis.gravity_work),
-      FormatWork(diagnosis.CalcFrictionWork()));
+  return fmt::format(" Work relative to the hand: normal forces {}, gravity {}, friction {}.",
+                     FormatWork(diagnosis.CalcNormalWork()), FormatWork(diagnosis.gravity_work),
+                     FormatWork(diagnosis.CalcFrictionWork()));
 }
 
 std::string DescribeTable(const Diagnosis& diagnosis) {
   return diagnosis.table_share < kPressedDown
-             ? fmt::format("the table bore {} % of its weight",
+             ? fmt::format("The table bore {} % of the object weight.",
                            FormatFixed(100.0 * diagnosis.table_share, 0))
-             : fmt::format("they pressed it onto the table, which bore {} times its weight",
-                           FormatFixed(diagnosis.table_share, 1));
+             : fmt::format(
+                   "The hand pressed the object onto the table, which bore {} times its weight.",
+                   FormatFixed(diagnosis.table_share, 1));
 }
 
-/** Digits that could not give the force that the grip asked of them, and what kept them from it. */
+/** Digits that missed their setpoint, with the reason. */
 std::string DescribeWeakDigits(const TrialResult& result) {
   std::string weak;
   if (!result.grip) return weak;
   for (const DigitGripRecord& digit : result.grip->digits) {
     const bool is_short = digit.closed < (1.0 - kGripTolerance) * digit.asked;  // no force: false
     if (!is_short || digit.fault == GripFault::kNone) continue;
-    weak += fmt::format("{}{} pressed with {} of the {} asked for ({}{})", weak.empty() ? "" : ", ",
-                        digit.digit, FormatNewtons(digit.closed), FormatNewtons(digit.asked),
+    weak += fmt::format("{}{} {} of {} ({}{})", weak.empty() ? "" : ", ", digit.digit,
+                        FormatNewtons(digit.closed), FormatNewtons(digit.asked),
                         NameOf(digit.fault), digit.joint ? " of " + *digit.joint : "");
   }
-  return weak.empty() ? weak : " At the start of lift-off " + weak + ".";
+  return weak.empty() ? weak
+                      : " Digits below their setpoint at the start of lift-off: " + weak + ".";
 }
 
 std::string DescribeMissing(const TrialResult& result, const Diagnosis& diagnosis) {
@@ -96,10 +90,10 @@ std::string DescribeMissing(const TrialResult& result, const Diagnosis& diagnosi
   for (size_t digit = 0; digit < std::min(result.contacts.size(), result.touches.size()); ++digit) {
     const double gap = result.touches[digit].smallest_gap;
     if (result.contacts[digit].digit.str() != diagnosis.part || std::isnan(gap)) continue;
-    nearest = fmt::format("; the nearest of {} was {}", diagnosis.part, FormatShift(gap));
+    nearest = fmt::format(" The smallest gap of {} was {}.", diagnosis.part, FormatShift(gap));
   }
-  return fmt::format("Not reached: no two parts of the hand pressed against each other; {}{}.",
-                     DescribeTouches(result), nearest);
+  return "Not reached: no two parts of the hand opposed each other. " + DescribeTouches(result) +
+         nearest;
 }
 
 }  // namespace
@@ -108,7 +102,6 @@ std::string DescribeDiagnosis(const TrialResult& result) {
   if (!result.diagnosis) return "";
   const Diagnosis& found = *result.diagnosis;
   const std::string time = DescribeTime(found);
-  const std::string moved = "the object had moved by " + FormatShift(found.shift);
   switch (found.mechanism) {
     case Mechanism::kArmAtLimit:
       return fmt::format("The arm gave way at {}, at {}.",
@@ -120,39 +113,39 @@ std::string DescribeDiagnosis(const TrialResult& result) {
           FormatNewtons(found.push), FormatSeconds(found.time));
     case Mechanism::kPushed:
       return fmt::format(
-          "{} touched the object {}, and pushed it by more than 5 mm before two parts of the hand "
-          "pressed against each other; {}.",
+          "{} touched the object {} and pushed it by more than 5 mm before two parts of the hand "
+          "opposed each other. {}",
           found.part, time, DescribeTouches(result));
     case Mechanism::kNotReached:
       return DescribeMissing(result, found);
     case Mechanism::kDriveAtLimit:
-      return fmt::format("Lost {}: {} was at its limit; {}.", time,
+      return fmt::format("Lost {}: {} was at its limit. {}", time,
                          found.joint.empty() ? "a drive of " + found.part
                                              : "the drive of " + found.joint + " of " + found.part,
                          DescribeForces(found)) +
              DescribeWorks(found);
     case Mechanism::kSqueezedOut:
       return fmt::format(
-                 "Squeezed out {}: {}, and {} before two parts pressed against each other; "
-                 "{}, while {}.",
-                 time, DescribeTouches(result), moved, DescribeForces(found),
+                 "Squeezed out {}. {} The object had moved by {} before two parts of the hand "
+                 "opposed each other. {} {}",
+                 time, DescribeTouches(result), FormatShift(found.shift), DescribeForces(found),
                  DescribeTable(found)) +
              DescribeWorks(found) + DescribeWeakDigits(result);
     case Mechanism::kSagged:
-      return fmt::format("Sagged {}: the object turned by {} degrees in the hand while {}; {}.",
-                         time, FormatFixed(DegFromRad(found.turn), 0), DescribeForces(found),
+      return fmt::format("Sagged {}: the object turned by {} degrees in the hand. {} {}", time,
+                         FormatFixed(DegFromRad(found.turn), 0), DescribeForces(found),
                          DescribeTouches(result)) +
              DescribeWorks(found) + DescribeWeakDigits(result);
     case Mechanism::kSlid:
-      return fmt::format("Slid out {}: the object turned by {} degrees in the hand while {}; {}.",
-                         time, FormatFixed(DegFromRad(found.turn), 0), DescribeForces(found),
+      return fmt::format("Slid out {}: the object turned by {} degrees in the hand. {} {}", time,
+                         FormatFixed(DegFromRad(found.turn), 0), DescribeForces(found),
                          DescribeTouches(result)) +
              DescribeWorks(found) + DescribeWeakDigits(result);
     case Mechanism::kNotIdentified:
       break;
   }
-  return fmt::format("The cause was not identified: lost {}, while {}; {}.", time,
-                     DescribeForces(found), DescribeTable(found)) +
+  return fmt::format("Lost {}; the cause was not identified. {} {}", time, DescribeForces(found),
+                     DescribeTable(found)) +
          DescribeWorks(found) + DescribeWeakDigits(result);
 }
 

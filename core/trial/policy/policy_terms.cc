@@ -151,7 +151,8 @@ const std::vector<PolicyObservation>& ListPolicyObservations() {
        [](const PolicyView& view, Values& values) { values.push_back(view.time); },
        true},
       {{"phase", "", "", "",
-        "0: closure, until all grasping digits have touched or had the time to; 1: stabilisation"},
+        "0: closure, until all grasping digits have touched or the waiting time is over; 1: "
+        "stabilisation"},
        IsAlwaysGiven,
        [](const PolicyView& view, Values& values) {
          values.push_back(view.phase == Phase::kClosure ? 0.0 : 1.0);
@@ -180,8 +181,8 @@ const std::vector<PolicyObservation>& ListPolicyObservations() {
        FindDriveTorques,
        false},
       {{"digit_forces", "N", "d", "",
-        "sum of the normal forces of a digit on the object; with touch: sensed, as its elements "
-        "feel it"},
+        "sum of the normal forces of a digit on the object; with touch: sensed, measured by its "
+        "elements"},
        IsAlwaysGiven,
        FindDigitForces,
        false,
@@ -200,7 +201,8 @@ const std::vector<PolicyObservation>& ListPolicyObservations() {
        true,
        &PolicyConfig::force_noise},
       {{"digit_touches", "", "d", "",
-        "1: a link of the digit touches the object; with touch: sensed, has ever been felt to"},
+        "1: a link of the digit touches the object; with touch: sensed, a touch has been detected "
+        "at any time"},
        IsAlwaysGiven,
        FindDigitTouches,
        false},
@@ -259,10 +261,10 @@ const std::vector<PolicyTerm>& ListPolicyActions() {
       {"targets", "rad, m", "n or rows x n", "",
        "positions of the drives, a row per control period"},
       {"increments", "rad, m", "n or rows x n", "",
-       "instead of targets: what each row adds to the targets before it; zeros keep the digits "
+       "instead of targets: increment of each row on the previous targets; zeros keep the digits "
        "still"},
       {"stiffness", "", "n or rows x n", "",
-       "share of the drives' own stiffness, 0 to 1; it holds until the next one"},
+       "share of the drives' own stiffness, 0 to 1; valid until the next value"},
       {"hand_pose", "m, -", "7 or rows x 7", "W",
        "pose of the hand's base at the end of the period: position, quaternion; with "
        "policy.moves: "
@@ -270,11 +272,11 @@ const std::vector<PolicyTerm>& ListPolicyActions() {
       {"hand_twist", "m/s, rad/s", "6 or rows x 6", "W",
        "instead of hand_pose: velocity of the hand's base for a period: linear, then angular"},
       {"hold", "", "", "",
-       "force or margin: after the first row the regulator takes the grip over, and lifts; with "
-       "policy.moves: digits-until-touch"},
+       "force or margin: after the first row the regulator controls the grip, then the hand is "
+       "lifted; with policy.moves: digits-until-touch"},
       {"done", "", "", "",
-       "true: the hand is lifted after the first row, of an action without rows at once"},
-      {"error", "", "", "", "a text instead of all others: the controller gives up, and why"}};
+       "true: the hand is lifted after the first row, or at once for an action without rows"},
+      {"error", "", "", "", "reason as text, instead of all others: the controller gives up"}};
   return actions;
 }
 
@@ -282,8 +284,7 @@ const std::vector<PolicyFact>& ListPolicyFacts() {
   static const std::vector<PolicyFact> facts = {
       {{"trial_id", "", "", "", "id of the trial"},
        [](const PolicyView& view) { return Json(view.setup.trial_id); }},
-      {{"seed", "", "", "",
-        "whole number below 2^32; every controller of a draw gets the same one"},
+      {{"seed", "", "", "", "whole number below 2^32, the same for every controller on a draw"},
        [](const PolicyView& view) { return Json(view.setup.policy_seed); }},
       {{"hand", "", "", "", "id of the hand"},
        [](const PolicyView& view) { return Json(view.setup.hand->id); }},
@@ -347,7 +348,7 @@ const std::vector<PolicyFact>& ListPolicyFacts() {
          return moves ? Json(Values{policy.hand_speed, policy.hand_turn_rate}) : Json();
        }},
       {{"grasp_position", "m", "3", "W",
-        "where the grasp places the hand's base, for the pose that positioning has; with "
+        "position of the hand's base in the grasp, for the pose of positioning; with "
         "policy.object_pose other than none"},
        [](const PolicyView& view) {
          return IsPoseGiven(view) ? JsonVector(view.placed_X_WH.translation()) : Json();
@@ -372,7 +373,7 @@ const std::vector<PolicyFact>& ListPolicyFacts() {
          return Json(view.setup.object->mass_properties.mass * view.setup.sim.gravity);
        }},
       {{"friction", "", "", "",
-        "dynamic coefficient of the object, as the regulator of the strategy knows it"},
+        "dynamic friction coefficient of the object, as known to the regulator"},
        [](const PolicyView& view) { return Json(view.setup.object->surface.friction_dynamic); }},
       {{"taxel_links", "", "k", "", "link of each tactile element; with touch: sensed"},
        [](const PolicyView& view) {
@@ -380,7 +381,8 @@ const std::vector<PolicyFact>& ListPolicyFacts() {
            return view.setup.hand->links[static_cast<size_t>(element.link)].name;
          });
        }},
-      {{"taxel_positions", "m", "k x 3", "L", "place of each tactile element; with touch: sensed"},
+      {{"taxel_positions", "m", "k x 3", "L",
+        "position of each tactile element; with touch: sensed"},
        [](const PolicyView& view) {
          return ListOfElements(view, [](const TactileElement& e) { return JsonVector(e.p_LE); });
        }},

@@ -34,7 +34,7 @@ struct FreeSpaceResult {
   bool passed = false;
   std::string failed_stage;        ///< "limits", "start", a stage, "push +x", "lift"; empty: passed
   std::string reason;              ///< one sentence for a person; empty: passed
-  bool is_numerical = false;       ///< the simulation gave up, which tells nothing of the grasp
+  bool is_numerical = false;       ///< the simulation failed, which tells nothing of the grasp
   int num_beyond_limits = 0;       ///< joints that a stage asks for more than their limits
   double start_penetration = 0.0;  ///< of hand and object at the first stage [m]
   double self_penetration = 0.0;   ///< of the hand in itself at the second stage [m]

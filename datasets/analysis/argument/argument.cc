@@ -26,9 +26,9 @@ const ArgumentQuestion kArgumentQuestions[kNumArgumentClaims] = {
      "It is not decided whether people's digits touch more simultaneously than independent digits "
      "would."},
     {"b", "Robots", "Does it help a robot hand when its digits touch at the same time?",
-     "A robot hand loses grasps when its last digit comes late, so simultaneous contact helps.",
-     "A late last digit does not cost a robot hand 2 points of success for 100 ms.",
-     "It is not decided whether a late last digit costs a robot hand grasps."},
+     "A late last digit lowers the success rate, so simultaneous contact helps.",
+     "A delay of the last digit by 100 ms does not lower the success rate by 2 points.",
+     "It is not decided whether a late last digit lowers the success rate."},
     {"c", "Step 1", "Does the learned pre-grasp make the contacts simultaneous?",
      "The learned pre-grasp brings the digits to the object closer together in time.",
      "The learned pre-grasp does not bring the digits 10 ms closer together in time.",
@@ -165,7 +165,7 @@ std::vector<CsvColumn<ArgumentNumber>> ListArgumentColumns() {
   using Row = ArgumentNumber;
   using C = CsvColumn<Row>;
   return {
-      C("subject", "", "hand or study, and what was tried", &Row::subject).Shown("of"),
+      C("subject", "", "hand or study, and the experiment", &Row::subject).Shown("of"),
       C("measure", "", "what the number is",
         [](const Row& row) {
           return std::string(row.measure->text);
@@ -178,16 +178,17 @@ std::vector<CsvColumn<ArgumentNumber>> ListArgumentColumns() {
         [](const Row& row) { return row.interval.high; }),
       C("n", "", "how many", &Row::n),
       C("of", "", "what n counts", &Row::of),
-      C("left_out", "", "how many were left out and why", &Row::left_out),
-      C::ForPeople("value, 95 % interval, n", "what was left out stands behind n", FormatNumber),
-      C("decides", "", "the claim's verdict rests on it", &Row::decides)
+      C("left_out", "", "number left out and reason", &Row::left_out),
+      C::ForPeople("value, 95 % interval, n", "n is followed by the number left out", FormatNumber),
+      C("decides", "", "1 if it decides the claim", &Row::decides)
           .Shown("decides", [](const Row& row) { return row.decides ? "yes" : ""; }),
-      C("verdict", "", "by the rule of this number",
+      C("verdict", "", "verdict by the rule of this number",
         [](const Row& row) {
           return std::string(NameOf(row.verdict));
         }).Shown("verdict"),
-      C("would_decide", "", "of one that is not decided", &Row::would_decide).Shown("would decide"),
-      C("detail", "", "other figures that belong to it", &Row::detail).Shown("also"),
+      C("would_decide", "", "what would decide an undecided number", &Row::would_decide)
+          .Shown("would decide"),
+      C("detail", "", "related figures", &Row::detail).Shown("also"),
       C("source", "", "folders", &Row::source).Shown("from"),
       C("command", "", "that made it", &Row::command).Shown("command")};
 }

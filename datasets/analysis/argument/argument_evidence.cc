@@ -124,18 +124,16 @@ ArgumentSources LoadArgumentSources(const std::vector<fs::path>& folders) {
   for (const fs::path& folder : folders) {
     if (!fs::is_directory(folder)) {
       throw Error(ErrorKind::kNotFound, folder.string() +
-                                            ": no such folder; expected one that "
-                                            "graspbench study run, map, optimise, "
-                                            "campaign or run has written");
+                                            ": no such folder; expected a result of graspbench "
+                                            "study run, map, optimise, campaign or run");
     }
     const fs::path plain = fs::absolute(folder).lexically_normal();
     const std::string name =
         (plain.has_filename() ? plain : plain.parent_path()).filename().string();
     if (!LoadFolder(folder, name, kDeepest, sources)) {
-      throw Error(ErrorKind::kUsage,
-                  folder.string() +
-                      ": no study, map, optimisation, campaign or session in it; "
-                      "expected folders that were run before");
+      throw Error(ErrorKind::kUsage, folder.string() +
+                                         ": contains no study, map, optimisation, campaign or "
+                                         "session; expected finished results");
     }
   }
   return sources;
@@ -170,8 +168,8 @@ std::vector<ArgumentNumber> ListPeopleNumbers(const std::vector<PeopleEvidence>&
     } else if (number.verdict == ArgumentVerdict::kShown) {
       number.verdict = ArgumentVerdict::kNotDecided;
       number.would_decide =
-          "a start signal from outside the hand with its time recorded, or trials in which one "
-          "digit alone is delayed at random";
+          "an external start signal with recorded time, or trials in which one digit alone is "
+          "delayed at random";
     }
     if (number.verdict != ArgumentVerdict::kNotDecided) number.would_decide.clear();
     numbers.push_back(number);
@@ -219,7 +217,7 @@ void AddMapNumber(const FromFolder<MapResult>& map, const MapPartResult& part, M
   number.source = map.folder;
   number.command = "graspbench map simultaneity --hand " + hand + " --out DIR";
   if (part.num_trials < part.num_planned) {
-    number.would_decide = "the rest of the map; the same command continues it";
+    number.would_decide = "the rest of the map; repeat the command to continue";
   } else if (cell->verdict == MapVerdict::kCosts) {
     number.verdict = ArgumentVerdict::kShown;
   } else if (cell->verdict == MapVerdict::kGains || cell->verdict == MapVerdict::kNone) {
@@ -228,9 +226,9 @@ void AddMapNumber(const FromFolder<MapResult>& map, const MapPartResult& part, M
     number.would_decide = "about " + FormatCount(cell->num_objects_to_decide, "object") +
                           " instead of " + std::to_string(cell->num_objects);
   } else if (cell->verdict == MapVerdict::kCeiling) {
-    number.would_decide = "harder regions: without delay nearly all succeed";
+    number.would_decide = "harder regions: nearly all trials without delay succeed";
   } else if (cell->verdict == MapVerdict::kFloor) {
-    number.would_decide = "easier regions: without delay nearly none succeeds";
+    number.would_decide = "easier regions: nearly no trial without delay succeeds";
   } else {
     number.would_decide = "more objects";
   }
@@ -268,7 +266,7 @@ struct ClaimRun {
 };
 /** What each claim may be asked, with the command; the first is what decides it. */
 constexpr ClaimRun kPeopleRuns[] = {
-    {"a study of people", "graspbench study run STUDY.yaml --out DIR"}};
+    {"a study of participants", "graspbench study run STUDY.yaml --out DIR"}};
 constexpr ClaimRun kRobotRuns[] = {
     {"success with a late digit",
      "graspbench map simultaneity --quick --hand tum,shadow --out DIR"},

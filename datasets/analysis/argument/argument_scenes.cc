@@ -229,7 +229,7 @@ std::vector<ArgumentNumber> ListTargetNumbers(const Scenes& scenes) {
     if (!std::isfinite(start)) {
       search->ratio.Add(scene.folder, kUnset, kEarlier);
     } else if (!(start > 0.0)) {
-      search->ratio.Add(scene.folder, kUnset, "whose start holds nothing");
+      search->ratio.Add(scene.folder, kUnset, "without a success of the start");
     } else {
       const double found = after.is_null() ? start : NumberOf(after, "fitness");
       search->ratio.Add(scene.folder, found / start, kEarlier);

@@ -95,7 +95,7 @@ Answer<SceneHeadroom> FindHeadroom(const SceneRecord& scene) {
     bound = NumberFrom(recorded.at("bound_n"));
   };
   read("headroom_before", headroom.start_share, headroom.start_bound);
-  if (headroom.start_bound == 0.0) return NoAnswer{"the grip does not bear the weight by friction"};
+  if (headroom.start_bound == 0.0) return NoAnswer{"friction and grip do not bear the weight"};
   if (std::isnan(headroom.start_share)) return NoAnswer{"the start held nothing"};
   const bool is_taken = step->at("taken").get<bool>();
   read(is_taken ? "headroom_after" : "headroom_before", headroom.kept_share, headroom.kept_bound);
@@ -118,16 +118,16 @@ std::string DescribeHeadrooms(const Headrooms& headrooms) {
       FormatCount(headrooms.num_without, "scene") + " without a figure (" + headrooms.why_without;
   if (headrooms.num_scenes == 0) return "headroom not known: " + without + ")";
   const double gain = CalcMostGain(headrooms.median_start);
-  std::string text = "step 2 starts from grasps that bear " +
+  std::string text = "step 2 starts from grasps that resist " +
                      FormatFixed(headrooms.median_start, 2) +
-                     " of what friction and grip allow by an object's sides and keeps grasps that "
-                     "bear " +
+                     " of the load that friction and grip allow at an object's sides, and accepts "
+                     "grasps that resist " +
                      FormatFixed(headrooms.median_kept, 2) + " (medians of " +
                      FormatCount(headrooms.num_scenes, "scene") + "): ";
-  text += gain > 1.0 ? "at equal grip no grasp by the sides is more than " + FormatFixed(gain, 2) +
-                           " times as strong as the median start; one that reaches beneath the "
+  text += gain > 1.0 ? "at equal grip no side grasp is more than " + FormatFixed(gain, 2) +
+                           " times as strong as the median start; a grasp that reaches beneath the "
                            "object may be"
-                     : "the median start is as strong as any grasp by the sides at equal grip";
+                     : "the median start is as strong as any side grasp at equal grip";
   if (headrooms.num_without > 0) text += "; " + without;
   return text;
 }

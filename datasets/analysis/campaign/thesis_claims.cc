@@ -152,7 +152,7 @@ ThesisClaim MakeSimultaneity(const Campaign& campaign) {
                        "simultaneity",
                        "Good grasps touch simultaneously.",
                        "correlation within conditions",
-                       "the same draws with a digit made late: graspbench map simultaneity",
+                       "the same draws with one digit delayed: graspbench map simultaneity",
                        0.0,
                        {}};
   for (const SimultaneityRelation& row : SummariseSimultaneity(campaign.benchmark)) {
@@ -235,7 +235,7 @@ ThesisClaim JudgeBetter(const Scenes& scenes) {
 /** Of the scenes in which a new target was taken: both change, and alike. */
 ThesisClaim JudgeSigma(const Scenes& scenes) {
   ThesisClaim claim = {
-      "sigma", "sigma", "Sigma says what breaks a grasp.", kPairedDraws, kMoreScenes, 0.5, {}};
+      "sigma", "sigma", "Sigma predicts the breaking force.", kPairedDraws, kMoreScenes, 0.5, {}};
   int num_alike = 0, num_changed = 0;
   for (const SceneVariants& scene : scenes) {
     const Json* const step = scene.scene->result.find("target_step");
@@ -307,7 +307,7 @@ std::vector<ThesisClaim> JudgeThesis(const Campaign& campaign, const Scenes& sce
           {"people",
            "people",
            "People strive for simultaneous contacts.",
-           "none: no trials of people here",
+           "none: no human trials here",
            "recordings: graspbench study run",
            0.0,
            {}}};

@@ -220,7 +220,7 @@ std::vector<CsvColumn<NumericsSummary>> ListNumericsVariantColumns() {
   using C = CsvColumn<Row>;
   return {
       C("variant", "", "", &Row::variant).Shown("variant"),
-      C("trials", "", "n of N: the others are not finished, or cannot be moved", &Row::num_trials)
+      C("trials", "", "n of N: the others are unfinished or unsupported", &Row::num_trials)
           .Shown("trials",
                  [](const Row& row) {
                    return FormatCountOf(row.num_trials, row.num_trials + row.num_left_out);
@@ -231,11 +231,11 @@ std::vector<CsvColumn<NumericsSummary>> ListNumericsVariantColumns() {
       C("flips", "", "a success becomes a failure, or the reverse", &Row::num_flips).Shown("flips"),
       {"numerical_failures", "", "", &Row::num_numerical_failures},
       {"held", "", "", &Row::num_held},
-      C("seat_flips", "", "of those held before and now", &Row::num_seat_flips).Shown("seat flips"),
-      C("flagged", "", "of those held: reseated or caged in this session", &Row::num_flagged)
+      C("seat_flips", "", "held in both runs", &Row::num_seat_flips).Shown("seat flips"),
+      C("flagged", "", "held trials that are reseated or caged in this session", &Row::num_flagged)
           .Shown("flagged"),
       C("large_changes_unflagged", "",
-        "of the others held: grip, sigma or breaking force changes by more", &Row::num_large)
+        "other held trials whose grip, sigma or breaking force changes by more", &Row::num_large)
           .Shown("others above 10 %"),
       {"seats", "string", "", "",
        [](const Row& row) { return MakeJsonRows(ListSeatChangeColumns(), row.seats); }}};
@@ -256,11 +256,11 @@ std::vector<CsvColumn<NumericsComparison>> ListNumericsComparisonColumns() {
       C("trial", "", "number of the trial within its hand, object and grasp, from 0",
         plan(&PlannedTrial::trial))
           .Shown("trial"),
-      C("outcome_before", "", "how the session's trial ended",
+      C("outcome_before", "", "outcome of the session's trial",
         [](const Row& row) {
           return NameOf(row.before.result.outcome);
         }).Shown("before"),
-      C("outcome", "", "how it ends with the other numerics",
+      C("outcome", "", "outcome with the other numerics",
         [](const Row& row) {
           return NameOf(row.after.result.outcome);
         }).Shown("after"),

@@ -142,10 +142,10 @@ SensitivityData LoadSensitivity(const Session& session) {
   for (const Session& varied : LoadExperiments(session, kSensitivityFolder)) {
     AddConditions(session, varied, data, conflicts);
   }
-  conflicts.ThrowIfErrors(ErrorKind::kFormat,
-                          "two versions of the program have run the session's sensitivity or a "
-                          "file was edited; move the folder \"sensitivity\" elsewhere and run "
-                          "graspbench sensitivity again");
+  conflicts.ThrowIfErrors(
+      ErrorKind::kFormat,
+      "two versions of the program have written these results, or a file was edited; move the "
+      "folder \"sensitivity\" away and run graspbench sensitivity again");
   return data;
 }
 
@@ -403,9 +403,9 @@ std::vector<CsvColumn<SettingChange>> ListChangeColumns() {
       show("was", "the session's value", [](const Row& row) { return FormatSetting(row.value); }),
       show("hand", "", [](const Row& row) { return row.hand; }),
       show("pairs", "trials of the same draws", CountPairs),
-      show("won", "failures that succeed after the change",
+      show("improved", "failures that succeed after the change",
            [](const Row& row) { return std::to_string(row.successes.second_only); }),
-      show("lost", "successes that fail after the change",
+      show("worsened", "successes that fail after the change",
            [](const Row& row) { return std::to_string(row.successes.first_only); }),
       show("objects", "of these pairs",
            [](const Row& row) { return std::to_string(row.num_objects); }),
@@ -437,10 +437,10 @@ std::string DescribeChanges(const std::vector<SettingChange>& changes) {
         [num_pairs](const MeasureChange& measure) { return measure.num_pairs < num_pairs; });
   };
   return std::string(
-             "mean changes over pairs of the same draw, with 95 % intervals from drawing "
-             "objects (success of fewer than 5: these objects alone)\n") +
+             "mean changes over pairs of the same draw, with 95 % intervals from resampling "
+             "objects (success with fewer than 5 objects: these objects only)\n") +
          (std::any_of(changes.begin(), changes.end(), lacks_values)
-              ? "n of N pairs: in each other pair a trial has no value\n"
+              ? "n of N pairs: the others lack a value\n"
               : "");
 }
 

@@ -46,7 +46,7 @@ std::vector<CsvColumn<ConditionRow>> ListConditionColumns(const SweepSummary& su
     columns.push_back(column);
   }
   columns.push_back(
-      C("other_grasps", "", "objects whose grasp is not the base's", &Row::other_grasps)
+      C("other_grasps", "", "objects whose grasp differs from that of the base", &Row::other_grasps)
           .Shown("grasp changed"));
   columns.push_back(C("undecided", "",
                       "why these trials cannot decide success; empty: some succeed, some fail",
@@ -74,58 +74,59 @@ std::vector<CsvColumn<SweepEffect>> ListEffectColumns() {
       return (row.*list).size() > place ? Json((row.*list)[place]) : Json();
     };
   };
-  return {
-      {"factor", "string", "", "key of the factor", take(&Row::factors, 0)},
-      {"level", "string", "", "its level, against that of the base", take(&Row::levels, 0)},
-      {"with_factor", "string", "", "of an interaction the second factor", take(&Row::factors, 1)},
-      {"with_level", "string", "", "and its level", take(&Row::levels, 1)},
-      C::ForPeople("level", "", NameEffect),
-      C("hand", "", "id of the hand", &Row::hand).Shown("hand"),
-      C("measure", "",
-        "success (0 or 1), gft_ratio, sigma_n, breaking_force_n; threshold_margin and "
-        "threshold_force_n as binary logarithms: a change of 1 is twice the grip",
-        &Row::measure)
-          .Shown("measure", [](const Row& row) { return FindSweepMeasure(row.measure).label; }),
-      C("draws", "", "that have every value", [](const Row& row) { return row.change.num_draws; })
-          .Shown("draws",
-                 [](const Row& row) {
-                   const int num = row.change.num_draws;
-                   return FormatCountOf(num, num + row.num_left_out) +
-                          (row.num_other_grasp == 0 ? ""
-                                                    : ", " + std::to_string(row.num_other_grasp) +
-                                                          " with another grasp");
-                 }),
-      C("objects", "", "of these draws",
-        [](const Row& row) {
-          return row.change.num_objects;
-        }).Shown("objects"),
-      {"marginal", "",
-       "1 when no two conditions differ in the factor alone, so that means over all conditions "
-       "are compared",
-       &Row::is_marginal},
-      C("change", "", "mean over draws, in the measure's unit",
-        [](const Row& row) { return row.change.estimate; })
-          .Shown("change",
-                 [](const Row& row) {
-                   return FormatChange(FindSweepMeasure(row.measure), row.change.estimate);
-                 }),
-      C("low", "", "95 % interval from drawing objects",
-        [](const Row& row) {
-          return row.change.interval ? row.change.interval->low : kUnset;
-        }).Shown("95 % interval", FormatEffectInterval),
-      {"high", "", "upper end of the 95 % interval",
-       [](const Row& row) { return row.change.interval ? row.change.interval->high : kUnset; }},
-      {"no_interval", "", "why there is none",
-       [](const Row& row) {
-         return row.change.interval ? std::string() : row.change.interval.reason();
-       }},
-      {"left_out", "", "planned draws that the change leaves out", &Row::num_left_out},
-      C("why_left_out", "", "how many of them for which reason", &Row::why_left_out)
-          .Shown("left out"),
-      {"other_grasp", "", "of these draws: compared trials have other grasps",
-       &Row::num_other_grasp},
-      {"of_these_objects", "", "1 where the interval comes from the pairs and holds for them alone",
-       [](const Row& row) { return row.change.is_of_these_objects; }}};
+  return {{"factor", "string", "", "key of the factor", take(&Row::factors, 0)},
+          {"level", "string", "", "level, compared with the base level", take(&Row::levels, 0)},
+          {"with_factor", "string", "", "second factor of an interaction", take(&Row::factors, 1)},
+          {"with_level", "string", "", "and its level", take(&Row::levels, 1)},
+          C::ForPeople("level", "", NameEffect),
+          C("hand", "", "id of the hand", &Row::hand).Shown("hand"),
+          C("measure", "",
+            "success (0 or 1), gft_ratio, sigma_n, breaking_force_n; threshold_margin and "
+            "threshold_force_n as binary logarithms: a change of 1 is twice the grip",
+            &Row::measure)
+              .Shown("measure", [](const Row& row) { return FindSweepMeasure(row.measure).label; }),
+          C("draws", "", "draws (and objects) with all values",
+            [](const Row& row) { return row.change.num_draws; })
+              .Shown("draws",
+                     [](const Row& row) {
+                       const int num = row.change.num_draws;
+                       return FormatCountOf(num, num + row.num_left_out) +
+                              (row.num_other_grasp == 0
+                                   ? ""
+                                   : ", " + std::to_string(row.num_other_grasp) +
+                                         " with another grasp");
+                     }),
+          C("objects", "", "of these draws",
+            [](const Row& row) {
+              return row.change.num_objects;
+            }).Shown("objects"),
+          {"marginal", "",
+           "1 if no two conditions differ in this factor only; means over all conditions are then "
+           "compared",
+           &Row::is_marginal},
+          C("change", "", "mean over draws, in the measure's unit",
+            [](const Row& row) { return row.change.estimate; })
+              .Shown("change",
+                     [](const Row& row) {
+                       return FormatChange(FindSweepMeasure(row.measure), row.change.estimate);
+                     }),
+          C("low", "", "95 % interval from resampling objects",
+            [](const Row& row) {
+              return row.change.interval ? row.change.interval->low : kUnset;
+            }).Shown("95 % interval", FormatEffectInterval),
+          {"high", "", "upper end of the 95 % interval",
+           [](const Row& row) { return row.change.interval ? row.change.interval->high : kUnset; }},
+          {"no_interval", "", "reason for a missing interval",
+           [](const Row& row) {
+             return row.change.interval ? std::string() : row.change.interval.reason();
+           }},
+          {"left_out", "", "planned draws that the change leaves out", &Row::num_left_out},
+          C("why_left_out", "", "their number by reason", &Row::why_left_out).Shown("left out"),
+          {"other_grasp", "", "draws whose compared trials have different grasps",
+           &Row::num_other_grasp},
+          {"of_these_objects", "",
+           "1 if the interval resamples the pairs and holds for these objects only",
+           [](const Row& row) { return row.change.is_of_these_objects; }}};
 }
 
 std::vector<CsvColumn<ConditionThresholds>> ListThresholdColumns() {
@@ -137,9 +138,10 @@ std::vector<CsvColumn<ConditionThresholds>> ListThresholdColumns() {
           .Shown("condition", [](const Row& row) { return NameBase(row.name); }),
       C("hand", "", "", &Row::hand).Shown("hand"),
       C("draws", "", "", &Row::num_draws).Shown("draws"),
-      C("held_by_least", "", "the threshold is no larger than the scale's end", &Row::num_below)
+      C("held_by_least", "", "draws whose threshold is at or below the end of the scale",
+        &Row::num_below)
           .Shown("held by the least"),
-      C("never_held", "", "by no grip that was asked", &Row::num_never).Shown("never held"),
+      C("never_held", "", "draws that no tested grip holds", &Row::num_never).Shown("never held"),
       C("not_monotone", "", "draws that fail again with a larger grip", &Row::not_monotone)
           .Shown("not monotone")};
 }

@@ -206,9 +206,8 @@ void CheckLeavesGrip(const Condition& condition) {
     for (const std::string key : kGripKeys) {
       if (setting.rfind(key, 0) != 0) continue;
       throw Error(ErrorKind::kUsage,
-                  "a threshold bisects the grip, and the sweep has the factor \"" +
-                      key.substr(0, key.size() - 1) +
-                      "\"; leave the factor out, or look for no thresholds");
+                  "a threshold search varies the grip, but the sweep has the factor \"" +
+                      key.substr(0, key.size() - 1) + "\"; leave out the factor or the thresholds");
     }
   }
 }
@@ -326,7 +325,7 @@ std::string DescribeCeilings(const ThresholdSummary& summary) {
   for (const auto& [of, place] : most_places) {
     text += (text.empty() ? "no " : "; no ") + std::string(summary.scale->name) + " above " +
             FormatThreshold(*summary.scale, CalcGripAt(*summary.scale, place)) + " is asked of " +
-            of + ", whose drives give no more";
+            of + ", the limit of its drives";
   }
   return text;
 }
@@ -402,11 +401,11 @@ std::vector<ExportTable> MakeThresholdTables(const std::vector<ThresholdSummary>
        "smallest grip with which the draw succeeds; empty: no grip that was asked held",
        [](const Row& row) { return JsonThreshold(row.draw->value); }},
       {"threshold_is_least", "",
-       "1 when the least grip of the scale held: the threshold is no larger",
+       "1 if the smallest grip of the scale succeeded: the threshold is at or below it",
        [](const Row& row) { return row.draw->found.is_below_range; }},
-      {"threshold_is_monotone", "", "0 when a larger grip failed where a smaller one held",
+      {"threshold_is_monotone", "", "0 if a larger grip failed although a smaller one succeeded",
        [](const Row& row) { return row.draw->found.is_monotone; }},
-      {"threshold_trials", "", "that its bisection took", [](const Row& row) {
+      {"threshold_trials", "", "number of trials of the bisection", [](const Row& row) {
          return row.draw->found.failed.size() + row.draw->found.succeeded.size();
        }}};
   return {{"thresholds", FormatCsv(columns, rows), MakeTableSchema(columns, "")}};
@@ -435,14 +434,14 @@ std::vector<CsvColumn<CellThreshold>> ListCellColumns(const ThresholdSummary& su
           C("object", "", "", &Row::object).Shown("object"),
           C("grasp", "", "", &Row::grasp).Shown("grasp"),
           C("draws", "", "", &Row::num_draws).Shown("draws"),
-          C::ForPeople("grip threshold", "smallest grip with which the draw in the middle succeeds",
+          C::ForPeople("grip threshold", "median over draws of the smallest grip with success",
                        [&scale](const Row& row) { return FormatMedian(scale, row); }),
           C::ForPeople("95 % interval", "of order statistics", interval),
           C("never_held", "", "by no grip that was asked", &Row::num_never).Shown("never held"),
           C("held_by_least", "", "the threshold is no larger than the scale's end", &Row::num_below)
               .Shown("held by the least"),
           C("not_monotone", "string", "",
-            "trials that fail again with a larger grip, as far as was asked",
+            "draws that fail again with a larger grip, within the tested range",
             [](const Row& row) {
               return Json(row.not_monotone);
             }).Shown("not monotone", NameNotMonotone),

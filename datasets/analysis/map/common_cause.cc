@@ -192,15 +192,16 @@ std::string DescribeFinding(const SimultaneityMap& map, const Answer<NaturalRela
                      "digit on the same draws, success changes by " +
                      (whole ? FormatEffect(*whole) : std::string("n/a")) +
                      " points for 100 ms over all regions";
-  if (!natural)
-    return text + "; among trials without delay nothing can be said: " + natural.reason() + ".";
-  text += "; among trials without delay the correlation of late digits with success is " +
+  if (!natural) return text + "; in trials without delay not testable: " + natural.reason() + ".";
+  text += "; in trials without delay the correlation of late digits with success is " +
           FormatFixed(natural->correlation, 2) + " (" + FormatFixed(natural->interval.low, 2) +
           " to " + FormatFixed(natural->interval.high, 2) + ")";
   if (natural->cause.empty()) {
-    return text + (ExcludesZero(natural->interval) ? ", which nothing known here explains." : ".");
+    return text + (ExcludesZero(natural->interval)
+                       ? "; no recorded variable explains this correlation."
+                       : ".");
   }
-  return text + ", most of which goes back to " + natural->cause + ".";
+  return text + ", mostly explained by " + natural->cause + ".";
 }
 
 }  // namespace graspbench

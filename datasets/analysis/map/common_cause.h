@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-What goes with success among trials without delay, and whether that is the digits' times.
+What correlates with success in trials without delay, and whether that is the digits' times.
 
 Of one hand, x is success and y the rank of GFT (a digit that never touched: the last rank), each
 less what object and levels explain (least squares; a factor that scales the draws is left in, for
@@ -17,7 +17,8 @@ relation goes back to, not that it is harmless: whether times matter is what del
 What a map finds of a hand, of success and the last digit, by the strongest design first:
 
     matters        by intervention: the cell of all trials, or a region, costs or gains
-    common cause   delays make no difference (none or ceiling), yet late digits go with failures,
+    common cause   delays make no difference (none or ceiling), yet late digits correlate with
+                   failures,
                    for a cause that is named
     no effect      delays make no difference
     undecided      delays do not decide */
@@ -31,7 +32,7 @@ namespace graspbench {
 
 struct NaturalRelation {
   int num_trials = 0, num_objects = 0;
-  double correlation = kUnset;  ///< < 0: late digits go with failures
+  double correlation = kUnset;  ///< < 0: late digits correlate with failures
   Interval interval;
   struct Cause {
     std::string name;  ///< "offset"

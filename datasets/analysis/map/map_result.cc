@@ -113,7 +113,7 @@ std::string NameVerdict(const MapRow& row) {
   const int num_objects = row.cell->num_objects_to_decide;
   return num_objects == 0
              ? name
-             : name + ": some " + FormatCount(num_objects, "object") + " in all would decide";
+             : name + ": some " + FormatCount(num_objects, "object") + " in total would decide";
 }
 
 std::vector<CsvColumn<MapRow>> ListMapColumns() {
@@ -128,7 +128,7 @@ std::vector<CsvColumn<MapRow>> ListMapColumns() {
           return row.measure().name;
         }).Shown("measure", [](const Row& row) { return row.measure().label; }),
       C("hand", "", "id of the hand", [](const Row& row) { return row.cell->hand; }).Shown("hand"),
-      C("late_digit", "", "last or first to touch without delay",
+      C("late_digit", "", "delayed digit: last or first to touch without delay",
         [](const Row& row) {
           return NameLateDigit(row.cell->late);
         }).Shown("late digit"),
@@ -141,7 +141,7 @@ std::vector<CsvColumn<MapRow>> ListMapColumns() {
        [](const Row& row) { return FindPlace(row, 1, true); }},
       {"with_level", "string", "", "and its level",
        [](const Row& row) { return FindPlace(row, 1, false); }},
-      C("pairs", "", "of a trial without delay and its late ones",
+      C("pairs", "", "pairs of a trial without delay and its delayed repetitions",
         [](const Row& row) {
           return row.cell->num_pairs;
         }).Shown("pairs"),
@@ -151,20 +151,20 @@ std::vector<CsvColumn<MapRow>> ListMapColumns() {
         }).Shown("objects"),
       {"undelayed", "", "mean of the measure without delay",
        [](const Row& row) { return row.cell->undelayed; }},
-      C("effect", "", "mean over pairs, for 100 ms of delay; of push not by time",
+      C("effect", "", "mean over pairs per 100 ms of delay; push: not per time",
         [](const Row& row) {
           return row.cell->estimate;
         }).Shown("effect", [](const Row& row) { return FormatEffect(*row.cell); }),
-      {"low", "", "lower end of the 95 % interval from drawing objects",
+      {"low", "", "lower end of the 95 % interval from resampling objects",
        [](const Row& row) { return row.cell->interval ? row.cell->interval->low : kUnset; }},
       {"high", "", "upper end of the 95 % interval",
        [](const Row& row) { return row.cell->interval ? row.cell->interval->high : kUnset; }},
       {"no_interval", "", "why there is none",
        [](const Row& row) { return row.cell->interval ? "" : row.cell->interval.reason(); }},
-      {"p", "", "of no effect, by the signs of objects",
-       [](const Row& row) { return row.cell->p; }},
+      {"p", "", "no effect: sign test over objects", [](const Row& row) { return row.cell->p; }},
       C("adjusted_p", "",
-        "for the false discovery rate: everywhere over hands and late digits, a region over all",
+        "adjusted for the false discovery rate: overall effects over hands and delayed digits, "
+        "regions over all regions",
         [](const Row& row) {
           return row.cell->adjusted_p;
         }).Shown("p adjusted", [](const Row& row) { return FormatFixed(row.cell->adjusted_p, 4); }),
@@ -172,7 +172,7 @@ std::vector<CsvColumn<MapRow>> ListMapColumns() {
         [](const Row& row) {
           return RowOf(kMapVerdicts, row.cell->verdict).name;
         }).Shown("verdict", NameVerdict),
-      C::ForPeople("a trial that changed", "of the first such: graspbench trial DIR NAME",
+      C::ForPeople("name of a trial that changed", "of the first such: graspbench trial DIR NAME",
                    [](const Row& row) {
                      return row.cell->changed.empty() ? "" : row.cell->changed.front();
                    })};
@@ -237,24 +237,25 @@ double FindRate(const ObjectEffect& effect, size_t place) {
 
 std::vector<CsvColumn<ObjectEffect>> ListObjectColumns() {
   using Row = ObjectEffect;
-  return {{"hand", "", "id of the hand", &Row::hand},
-          {"object", "", "id of the object", &Row::object},
-          {"late_digit", "", "last or first to touch without delay",
-           [](const Row& row) { return NameLateDigit(row.late); }},
-          {"pairs", "", "of a trial without delay and its late ones", &Row::num_pairs},
-          {"undelayed", "", "rate of success without delay",
-           [](const Row& row) { return FindRate(row, 0); }},
-          {"rate_at_shorter_delay", "", "rate of success with the shorter delay",
-           [](const Row& row) { return FindRate(row, 1); }},
-          {"rate_at_longer_delay", "", "rate of success with the longer delay",
-           [](const Row& row) { return FindRate(row, 2); }},
-          {"effect", "", "change of the rate for 100 ms of delay", &Row::estimate},
-          {"low", "", "lower end of the 95 % interval from drawing pairs",
-           [](const Row& row) { return row.interval ? row.interval->low : kUnset; }},
-          {"high", "", "upper end of the 95 % interval",
-           [](const Row& row) { return row.interval ? row.interval->high : kUnset; }},
-          {"no_interval", "", "why there is none",
-           [](const Row& row) { return row.interval ? "" : row.interval.reason(); }}};
+  return {
+      {"hand", "", "id of the hand", &Row::hand},
+      {"object", "", "id of the object", &Row::object},
+      {"late_digit", "", "delayed digit: last or first to touch without delay",
+       [](const Row& row) { return NameLateDigit(row.late); }},
+      {"pairs", "", "pairs of a trial without delay and its delayed repetitions", &Row::num_pairs},
+      {"undelayed", "", "rate of success without delay",
+       [](const Row& row) { return FindRate(row, 0); }},
+      {"rate_at_shorter_delay", "", "rate of success with the shorter delay",
+       [](const Row& row) { return FindRate(row, 1); }},
+      {"rate_at_longer_delay", "", "rate of success with the longer delay",
+       [](const Row& row) { return FindRate(row, 2); }},
+      {"effect", "", "change of the rate for 100 ms of delay", &Row::estimate},
+      {"low", "", "lower end of the 95 % interval from resampling pairs",
+       [](const Row& row) { return row.interval ? row.interval->low : kUnset; }},
+      {"high", "", "upper end of the 95 % interval",
+       [](const Row& row) { return row.interval ? row.interval->high : kUnset; }},
+      {"no_interval", "", "why there is none",
+       [](const Row& row) { return row.interval ? "" : row.interval.reason(); }}};
 }
 
 }  // namespace

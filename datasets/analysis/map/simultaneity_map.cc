@@ -70,8 +70,8 @@ std::string DescribeObjects(const std::vector<ObjectEffect>& effects, const std:
             FormatFixed(100.0 * effect.rates.back().rate, 0) + " %";
   }
   if (num_all == 0) return "";
-  std::string text = "By object: a late last digit costs " + std::to_string(num_lose) + " of " +
-                     FormatCount(num_all, "object") + " success, and gains " +
+  std::string text = "By object: a late last digit lowers success on " + std::to_string(num_lose) +
+                     " of " + FormatCount(num_all, "object") + " success, and gains " +
                      std::to_string(num_gain) + " (95 % intervals, not adjusted)";
   if (!most.empty()) text += "; most, from no to the longest delay: " + most;
   return text + ".";

@@ -255,11 +255,11 @@ std::string FindMiss(const ScheduleRow& row, const Answer<TouchLags>& people) {
   if (row.schedule == kSimultaneous) {
     const double share = row.lags->gft / row.lags->closing_time;
     if (share <= kMostLabelError) return "";
-    if (std::isinf(share)) return "a digit does not touch in half of the trials";
+    if (std::isinf(share)) return "a digit does not touch in at least half of the trials";
     return "GFT is " + FormatFixed(MsFromS(row.lags->gft), 0) + " ms, " + percent(share) +
            " of the closing time, at most " + most + " % allowed";
   }
-  if (!people) return "it cannot be checked without people: " + people.reason();
+  if (!people) return "it cannot be checked without participants: " + people.reason();
   const DigitShare* worst = nullptr;
   double error = kMostLabelError;
   for (const DigitShare& share : row.lags->shares) {
@@ -328,7 +328,7 @@ PeopleFile PeopleFileFromJson(const Json& json, const std::string& file) {
     return people;
   } catch (const Json::exception& e) {
     throw Error(ErrorKind::kFormat,
-                "\"" + file + "\" does not say what people did: " + e.what() +
+                "\"" + file + "\" does not provide human contact times: " + e.what() +
                     "; remove its session's folder and run graspbench simultaneity --schedules "
                     "again");
   }
@@ -344,7 +344,7 @@ Answer<TouchLags> SummarisePeople(const std::vector<TrialTouches>& people,
     if (trial.object == object) trials.push_back(trial);
   }
   if (trials.empty()) {
-    return NoAnswer{"people grasped no " + object + " in a trial that counts, but " +
+    return NoAnswer{"people grasped no " + object + " in an included trial, but " +
                     fmt::format("{}", fmt::join(known, ", "))};
   }
   return SummariseTouches(trials, digits);
@@ -392,13 +392,13 @@ std::vector<std::string> DescribeUnknown(const ScheduleCell& cell) {
     if (row.schedule == kNatural) continue;
     if (!row.missed.empty()) {
       texts.push_back(row.schedule +
-                      ": misses its label and is compared with nothing: " + row.missed);
+                      ": does not match its label and is not compared: " + row.missed);
     }
     if (row.num_not_known > 0) {
-      texts.push_back(fmt::format(
-          "{}: in {} of {} draws the least grip of the scale holds here and under natural, or none "
-          "does: such draws have no ratio",
-          row.schedule, row.num_not_known, row.num_pairs));
+      texts.push_back(
+          fmt::format("{}: {} of {} draws have no ratio, because the smallest grip succeeds under "
+                      "both schedules or no grip does",
+                      row.schedule, row.num_not_known, row.num_pairs));
     }
   }
   return texts;

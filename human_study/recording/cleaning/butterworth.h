@@ -65,7 +65,7 @@ order by 0.225 / cut-off; one that runs forwards and backwards makes none later 
 and the spectrum does not tell which. Both take away the noise from which uncertainties are taken.
 
 Known limits: seen below about a sixth of the rate only. Noise of less than 2 um tells nothing, as
-of made-up recordings. Coordinates rounded coarser than the noise that is left hide the filter. */
+of synthetic recordings. Coordinates rounded coarser than the noise that is left hide the filter. */
 
 /** Cut-off (-3 dB) of the low-pass that explains the spectrum best, to about a third [Hz]; NaN when
 nothing was filtered or it cannot be told.

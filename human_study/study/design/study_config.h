@@ -331,7 +331,7 @@ StudyConfig ParseStudyConfig(const std::string& text, const std::string& file,
                              Diagnostics& problems, const std::vector<std::string>& settings = {});
 
 // Cut-offs of a study against the rates of its recordings. A filter needs its cut-off below 0.4 of
-// the rate (butterworth.h). A cut-off that nobody stated is lowered for a slow recording, to
+// the rate (butterworth.h). A cut-off that is not stated is lowered for a slow recording, to
 // kMaxCutoffShare of its rate: from 58.9 samples a second on all stay at their defaults. One that
 // study.yaml or --set states is used as it is, or the recording is refused.
 inline constexpr const char* kMultiverseCutoff = "multiverse.cutoff_hz";

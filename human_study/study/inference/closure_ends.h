@@ -7,7 +7,7 @@ t0; ends that are in use:
     object   the object first leaves its place, in any direction
     speed    from here on no visible fingertip is fast against the object: the begin of the hold
 
-Over the trials that count and have both t0 and this end, so that each row has its own n. A negative
+Over the included trials and have both t0 and this end, so that each row has its own n. A negative
 time, as of an object that is pushed before the widest opening, stays what it is. */
 
 #include <vector>

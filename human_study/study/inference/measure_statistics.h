@@ -116,7 +116,7 @@ const std::vector<PublishedValue>& PublishedValueList();
 struct ComparedValue {
   const PublishedValue* published = nullptr;
   const TrialMeasure* measure = nullptr;
-  Answer<Summary> summary;  ///< of the measure over the trials that count
+  Answer<Summary> summary;  ///< of the measure over the included trials
   std::string factor;       ///< of a slope; else empty
   PersonSlopes slopes;      ///< over it, tested against 0
 };

@@ -110,7 +110,7 @@ struct OrderCount {
   double share = 0.0;
 };
 
-/** In which order the digits touched, over the trials that count. Ties are what the recording cannot
+/** In which order the digits touched, over the included trials. Ties are what the recording cannot
 decide (core/grasp/contact_timing.h). */
 struct OrderSummary {
   std::vector<FirstDigits> first;

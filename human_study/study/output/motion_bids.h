@@ -25,7 +25,7 @@ class MotionBidsWriter {
   /** Makes the folder, without a description from an earlier run. @throws Error(kIo). */
   MotionBidsWriter(const std::filesystem::path& folder, const Study& study);
 
-  /** Writes one trial that counts. @throws Error(kIo). */
+  /** Writes one included trial. @throws Error(kIo). */
   void WriteTrial(const StudyTrial& trial, const ReachTrial& reach);
   /** Writes what describes the whole, dataset_description.json last, once the trials are surely on
   the disk. @throws Error(kIo). */

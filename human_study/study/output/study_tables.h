@@ -4,7 +4,7 @@ A study's results as tables, for any other program:
 
     trials.csv    every trial of the plan: where it is, whether it counts and why not
     events.csv    every event of every analysed trial, by each detector, with its uncertainty
-    measures.csv  one row per trial that counts: all measures, openings and the contact order
+    measures.csv  one row per included trial: all measures, openings and the contact order
     statistics.csv  every test and estimate of the measures (statistics_table.h)
 
 Each has a data dictionary beside it, `<name>.schema.json` (Frictionless Table Schema). */
@@ -32,7 +32,7 @@ struct StudyEvent {
 /** In the order of a reach; none for a trial that was not analysed. They point to `trial`. */
 std::vector<StudyEvent> ListEvents(const StudyTrial& trial, const StudyConfig& config);
 
-/** A row a trial that counts and measure of hand opening, also without each digit: what the R script
+/** One row per included trial and measure of hand opening, also without each digit: what the R script
 compares the openings with. */
 std::string FormatOpeningTable(const StudyResult& result);
 
@@ -50,7 +50,7 @@ std::vector<std::string> MakeColumnNames(const std::vector<std::string>& texts);
 /** A study's persons as rows, for jamovi, JASP and SPSS, whose repeated-measures analyses want a
 column a condition: wide.csv with its dictionary wide.schema.json.
 
-A cell is the mean of the person's trials that count, in SI units; empty without any. Columns are
+A cell is the mean of the person's included trials, in SI units; empty without any. Columns are
 `<measure>_<levels>` for the measures that the study tests, and num_trials_<levels>. Names are what
 SPSS takes: letters, digits and underscores, at most 64, unlike in any case; the dictionary says
 which condition each is.

@@ -30,7 +30,7 @@ struct HandPlaces {
 
 /** Behind the study's filters of contacts. A place at contact is the median over 50 ms from the last
 contact on, at the widest opening that of the instant.
-@param options  those of the analysis; cut-offs that nobody stated are fitted to the trial's rate.
+@param options  those of the analysis; cut-offs that are not stated are fitted to the trial's rate.
 The reason where there is none: the object was not recorded, or an instant is missing. */
 Answer<HandPlaces> FindHandPlaces(const TrialAnalysis& analysis, const ReachTrial& reach,
                                   const AnalysisOptions& options);

@@ -89,7 +89,7 @@ bool DiffersInDetectorOnly(const Universe& a, const Universe& b) {
   return a.onset == b.onset && a.opening == b.opening && a.cutoff == b.cutoff;
 }
 
-/** How far digits go on after they touched, from the contacts of trials that count; few trials tell
+/** How far digits go on after they touched, from the contacts of included trials; few trials tell
 as much as all. */
 void LearnFrom(const std::vector<StudyTrial>& trials, StudyResult& result) {
   std::vector<TouchFit> fits;

@@ -28,7 +28,7 @@ namespace graspbench {
 
 /** What a person should know of a whole study before its numbers: none of it removes a trial.
 
-  digit_never_touches: a digit has no contact in at least 80 % of the trials that count, of the
+  digit_never_touches: a digit has no contact in at least 80 % of the included trials, of the
     study or of one object (at least 5 trials).
   frozen_samples: a fifth of all samples, and 100, repeated the one before and count as missing.
   spikes: a thousandth of all samples, and 20, were where no marker gets to and back.
@@ -103,7 +103,7 @@ struct StudyResult {
 struct StudyWatch {
   /** After every row of trials.csv, with the numbers done and planned. */
   std::function<void(size_t, size_t)> on_row;
-  /** Every trial that counts, with the cleaned data it was analysed from. */
+  /** Every included trial, with the cleaned data it was analysed from. */
   std::function<void(const StudyTrial&, const ReachTrial&)> on_trial;
   /** The same of every trial that was analysed, whether it counts or not. */
   std::function<void(const StudyTrial&, const ReachTrial&)> on_analysed;

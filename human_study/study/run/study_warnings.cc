@@ -21,7 +21,7 @@ constexpr double kManySpikes = 0.001, kSameRate = 1.02;
 constexpr double kDelay = 0.225;  // of a Butterworth of second order, times its cut-off
 constexpr size_t kEnoughSpikes = 20;
 
-/** How often a digit has no contact in the trials that count, of one object or (empty) of all, and
+/** How often a digit has no contact in the included trials, of one object or (empty) of all, and
 what is most often said of it. */
 struct Untouched {
   int num_trials = 0, num_missing = 0;

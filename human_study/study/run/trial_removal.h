@@ -50,7 +50,7 @@ std::vector<FindingGroup> GroupFindings(const StudyResult& result);
 (trial-3) become an ellipsis. @pre not empty. */
 std::string MergeNumbers(const std::vector<std::string>& texts);
 
-/** What may be doubtful about a trial that counts all the same. */
+/** What may be doubtful about an included trial. */
 struct TrialFlag {
   const char* name;  ///< "filled", beside a trial
   const char* text;  ///< a sentence for tables
@@ -64,8 +64,8 @@ std::string FormatFlags(const TrialAnalysis& analysis);
 
 struct FlagCount {
   const TrialFlag* flag = nullptr;
-  int count = 0;       ///< trials that count in spite of it
-  double share = 0.0;  ///< of those that count; NaN without any
+  int count = 0;       ///< included trials with it
+  double share = 0.0;  ///< of the included trials; NaN without any
 };
 /** In the order of TrialFlagList(). */
 std::vector<FlagCount> CountFlags(const StudyResult& result);
@@ -74,7 +74,7 @@ std::vector<FlagCount> CountFlags(const StudyResult& result);
 to the median; null when none counts. */
 const StudyTrial* FindGoodTrial(const StudyResult& result);
 
-/** Contacts that only the digit's own stop shows, in trials that count. */
+/** Contacts that only the digit's own stop shows, in included trials. */
 struct UnverifiedTouches {
   int num_contacts = 0, num_trials = 0;
 };

@@ -21,7 +21,7 @@ struct Suggestion {
   std::vector<std::string> settings;  ///< "movement.rule=regression", as --set takes them
   std::string reason;                 ///< what in the data asks for it, with numbers
   std::string cost;                   ///< what it costs, or what to look at first
-  int num_kept = 0;                   ///< trials that count with this and those before it
+  int num_kept = 0;                   ///< included trials with this and those before it
 };
 
 struct StudySuggestions {

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-A made-up study as its user would have it on disk, and how well its truth is recovered: a first look
+A synthetic study as its user would have it on disk, and how well its truth is recovered: a first look
 at the workbench, and the test of the whole way from files to measures. */
 
 #include <filesystem>
@@ -18,7 +18,7 @@ SyntheticOptions MakeDemoOptions();
 @throws Error(kIo). */
 void WriteDemoStudy(const std::vector<SyntheticTrial>& trials, const std::filesystem::path& folder);
 
-/** Errors of what a study found against what happened, over the trials that count [s]. */
+/** Errors of what a study found against what happened, over the included trials [s]. */
 struct TruthComparison {
   int num_trials = 0;  ///< planned
   int num_kept = 0;

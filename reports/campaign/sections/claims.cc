@@ -24,7 +24,7 @@ std::string NameEvidence(const ClaimEvidence& evidence, const SessionModels& mod
 /** Each number less what would say neither, so that zero is the line to cross in all of them. */
 Html DrawEvidence(const std::vector<ThesisClaim>& claims, const SessionModels& models) {
   IntervalPlot plot;
-  plot.text.title = "What the verdicts rest on";
+  plot.text.title = "Evidence for the verdicts";
   plot.text.description = "One row per number with its 95 % interval, grouped by claim.";
   plot.axis = "difference from the null value";
   int series = 0;
@@ -39,9 +39,9 @@ Html DrawEvidence(const std::vector<ThesisClaim>& claims, const SessionModels& m
     ++series;
   }
   return MakeFigure(
-      "The numbers behind the verdicts with 95 % intervals, less the value that says neither: 1 "
-      "for factors, 0 for correlations, 0.5 for shares.",
-      "intervals beyond zero: they decide, but for correlations.",
+      "Numbers behind the verdicts with 95 % intervals, as differences from the null value: 1 for "
+      "ratios, 0 for correlations, 0.5 for shares.",
+      "intervals that exclude 0: they decide, except for correlations.",
       MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
 }
 
@@ -53,10 +53,11 @@ std::string NameVerdict(const ThesisClaim& claim) {
 
 Html DrawClaims(const CampaignData& data) {
   if (CountComplete(data.scenes) == 0) {
-    return MakeParagraph("No scene has trials of all three variants yet, so nothing is decided.");
+    return MakeParagraph(
+        "No scene has trials of all three variants yet, so all claims are undecided.");
   }
   const std::vector<ThesisClaim> claims = JudgeThesis(data.campaign, data.scenes);
-  Table table("The thesis's claims and what these trials say of them.",
+  Table table("The thesis's claims and the evidence of these trials.",
               {"Claim", "Verdict", "Design", "Evidence, with 95 % intervals"});
   for (const ThesisClaim& claim : claims) {
     std::string text;
@@ -70,16 +71,15 @@ Html DrawClaims(const CampaignData& data) {
   }
   return table.ToHtml() + DrawEvidence(claims, data.models) +
          MakeParagraph(
-             "A claim about a step holds when the interval of its factor, over all scenes and for "
-             "each hand alone, lies on the claimed side of 1, and does not hold when one lies on "
-             "the other side; \"better\" asks also that success is not 5 points lower. What breaks "
-             "later because the hand squeezes harder is better, too; breaking force over grip says "
-             "what is left of it with the same grip. That GFT% goes with success or sigma among "
-             "the trials as they came decides nothing: where the object lay makes digits late and "
-             "grasps fail; the same draws with a digit made late decide. Sigma and breaking force "
-             "agree when more than half of the changes have the same sign, for sure. Fewer than 5 "
-             "scenes decide nothing. A simulation decides about this simulation; hands of flesh or "
-             "metal may differ.");
+             "A claim about a step holds if the interval of its ratio lies on the claimed side of "
+             "1, over all scenes and for each hand alone. It does not hold if one of these "
+             "intervals lies on the other side. \"Better\" also requires that success is not 5 "
+             "points lower. A stronger grip counts as better, too; breaking force over grip "
+             "removes this effect. Correlations of GFT% with success or sigma decide nothing, "
+             "because the object's position affects both; delays of one digit on the same draws "
+             "decide. Sigma and breaking force agree if significantly more than half of their "
+             "changes have the same sign. Fewer than 5 scenes decide nothing. These verdicts "
+             "concern the simulation; real hands may differ.");
 }
 
 }  // namespace

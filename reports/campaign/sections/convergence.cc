@@ -64,8 +64,7 @@ Html DrawConvergence(const CampaignData& data) {
   const MethodDuel duel = CompareMethods(curves, "es", "random");
   if (duel.num_scenes > 0) {
     html += MakeParagraph(
-        "In the median over seeds the evolution strategy ends above random search "
-        "in " +
+        "By the median over seeds, the evolution strategy ends above random search in " +
         std::to_string(duel.num_won) + " of " + FormatCount(duel.num_scenes, "scene") + " (" +
         FormatPercent(duel.share_won()) + ").");
   }

@@ -12,8 +12,7 @@ Html DrawDifferences(const CampaignData& data, const VariantMeasure& measure, Va
   IntervalPlot plot;
   plot.text.title = std::string(measure.name) + ": " + WordsOf(after) + " minus " + WordsOf(before);
   plot.text.description =
-      "One row per scene: the mean difference of trials on the same pose, with its 95 % interval; "
-      "the numbers stand beside the rows.";
+      "One row per scene: mean difference of trials on the same draw, with 95 % interval.";
   plot.axis = "difference of " + std::string(measure.name);
   const double unit = measure.unit;
   for (const std::string& hand : data.benchmark.hands) {
@@ -49,14 +48,15 @@ Html DrawDifferences(const CampaignData& data) {
   const VariantMeasure& sigma = FindVariantMeasure("sigma");
   const VariantMeasure& breaking = FindVariantMeasure("breaking");
   return DrawDifferences(data, gft, kStandardGrasp, kNewPreGrasp,
-                         "rows left of zero: there step 1 made the contacts more simultaneous.") +
+                         "rows left of zero: step 1 made the contacts more simultaneous.") +
          DrawDifferences(data, sigma, kStandardGrasp, kNewPreGrasp,
-                         "rows right of zero: simultaneous contacts made the grasp firmer.") +
+                         "rows right of zero: simultaneous contacts made the grasp more stable.") +
          DrawDifferences(data, sigma, kNewPreGrasp, kNewTarget,
-                         "rows right of zero: there the evolved thumb made the grasp firmer, also "
-                         "on poses that the evolution had not seen.") +
-         DrawDifferences(data, breaking, kNewPreGrasp, kNewTarget,
-                         "rows right of zero: what is firmer by sigma also stands a harder pull.");
+                         "rows right of zero: the optimised thumb posture made the grasp more "
+                         "stable on unseen draws.") +
+         DrawDifferences(
+             data, breaking, kNewPreGrasp, kNewTarget,
+             "rows right of zero: a grasp with higher sigma also has a higher breaking force.");
 }
 
 }  // namespace

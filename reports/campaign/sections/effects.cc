@@ -27,16 +27,16 @@ std::string FormatRatio(const StepEffect& effect) {
 }
 
 Html DrawEffects(const CampaignData& data, const std::string& hand, const std::string& name) {
-  Table table(
-      name + ": medians over the scenes, before and after.",
-      {"Step",
-       "Measure",
-       {"Scenes", "in which both variants have a value"},
-       "Before",
-       "After",
-       {"After / before",
-        "ratio of the medians, 95 % bootstrap interval over scenes; none where it never changes"},
-       {"Worse", "scenes whose value is worse after the step"}});
+  Table table(name + ": medians over the scenes, before and after.",
+              {"Step",
+               "Measure",
+               {"Scenes", "in which both variants have a value"},
+               "Before",
+               "After",
+               {"After / before",
+                "ratio of the medians with 95 % bootstrap interval over scenes; none if the value "
+                "never changes"},
+               {"Worse", "scenes whose value is worse after the step"}});
   for (const Step& step : kSteps) {
     for (const VariantMeasure& measure : ListVariantMeasures()) {
       const StepEffect effect = CalcStepEffect(measure, data.scenes, step.before, step.after, hand);
@@ -68,12 +68,11 @@ Html DescribeWithoutVariation(const CampaignData& data) {
   const GftWithoutVariation gft = CalcGftWithoutVariation(data.scenes);
   if (gft.num_scenes == 0) return {};
   return MakeParagraph(
-      "The object's place and the hand's joints vary from trial to trial, and no pre-grasp can "
-      "make up for what it does not know. Where nothing varies, step 1 brings the median GFT% "
-      "from " +
+      "The object position and the joint errors vary between trials, and no pre-grasp can "
+      "compensate for unknown variation. Without variation, step 1 changes the median GFT% from " +
       FormatPercent(gft.median_before) + " to " + FormatPercent(gft.median_after) + " (" +
       FormatCount(gft.num_scenes, "scene") +
-      " in which all digits touch before and after). Nothing scatters there: the floor is 0.");
+      " in which all digits touch before and after). Without scatter the floor is 0.");
 }
 
 constexpr Variant kFloorVariants[] = {kStandardGrasp, kNewPreGrasp};
@@ -114,12 +113,11 @@ Html DrawPreGraspTimes(const CampaignData& data) {
   const std::vector<ArgumentNumber> numbers = ListPreGraspNumbers(scenes);
   if (numbers.empty()) return {};
   return MakeParagraph(
-             "Step 1 has two results: a learned pre-grasp, and closing delays that make digits "
-             "wait "
-             "at the start of closure. GFT% falls, too, where closing only takes longer, so both "
-             "are given in ms.") +
+             "Step 1 has two results: a learned pre-grasp, and closing delays at the start of "
+             "closure. Both are given in ms, because GFT% also falls if only the closing time "
+             "grows.") +
          MakeTable(
-             "Pre-grasp and closing delays: GFT after less before, median over scenes.",
+             "Pre-grasp and closing delays: change of GFT, median over scenes.",
              ShowTable(ListArgumentColumns(), numbers, {"of", "value, 95 % interval, n", "also"}));
 }
 
@@ -134,19 +132,19 @@ Html DrawFloors(const CampaignData& data) {
     }
   }
   return MakeParagraph(
-             "The floor of GFT% is the median GFT% of the same trials with each digit's times "
-             "shifted by their own median, so that all digits come together on average: scatter "
-             "from trial to trial, which no pre-grasp takes away.") +
+             "The floor of GFT% is the median GFT% of the same trials after the times of each "
+             "digit are shifted by their own median. It is the scatter between trials, which no "
+             "pre-grasp can remove.") +
          MakeList(lines) + DrawFloorTable(data) + DrawPreGraspTimes(data);
 }
 
 /** What step 2 started from and what it kept, scene by scene. */
 Html DrawHeadroomTable(const CampaignData& data) {
-  Table table("Share of what friction and grip allow by an object's sides, scene by scene.",
+  Table table("Share of the load that friction and grip allow at the object's sides, by scene.",
               {"Scene",
-               {"Start: share", "of mu N - m g, in the trials of step 2's check"},
+               {"Start: share", "of mu N - m g, in the check trials of step 2"},
                {"Allowed [N]", "mu N - m g"},
-               {"Kept: share", "the start's where the new target was not taken"},
+               {"Kept: share", "value of the start if the new target was rejected"},
                {"Allowed [N]", "mu N - m g"}});
   for (const SceneVariants& scene : data.scenes) {
     const Answer<SceneHeadroom> headroom = FindHeadroom(*scene.scene);
@@ -172,9 +170,9 @@ Html DrawHeadrooms(const CampaignData& data) {
                     ".");
   }
   return MakeParagraph(
-             "Pulled straight down, a grasp by an object's sides resists with friction alone: at "
-             "most the coefficient times the grip, less the object's weight. The share of it that "
-             "a grasp bears says what is left for another grasp of the same grip.") +
+             "Against a downward pull, contacts at the object's sides resist by friction only: at "
+             "most friction coefficient times grip minus object weight. The share that a grasp "
+             "reaches shows the headroom of another grasp with the same grip.") +
          MakeList(lines) + DrawHeadroomTable(data);
 }
 
@@ -184,11 +182,11 @@ Html DrawEffects(const CampaignData& data) {
           .num_scenes;
   if (num_complete == 0) return MakeParagraph("No scene has trials of all three variants yet.");
   Html html = MakeParagraph(
-      "Each grasp was made specific to its object in two steps in simulation: step 1 learns a "
-      "pre-grasp from which the fingers touch at the same time, step 2 evolves the thumb's target "
-      "posture for stability. Then all three variants were tried on the same " +
+      "Each grasp was optimised for its object in simulation in two steps. Step 1 learns a "
+      "pre-grasp with simultaneous contacts; step 2 optimises the target posture of the thumb for "
+      "stability. All three variants were then tested on the same " +
       FormatCount(data.campaign.config.session.trials, "trial pose") +
-      ", none of which the optimisation had seen.");
+      ", which were not used in the optimisation.");
   html += DrawEffects(data, {}, "All hands") + DescribeWithoutVariation(data) + DrawFloors(data) +
           DrawHeadrooms(data);
   if (data.benchmark.hands.size() > 1) {
@@ -201,15 +199,15 @@ Html DrawEffects(const CampaignData& data) {
   for (const Step& step : kSteps) lines.push_back(DescribeLower(data, step));
   return html +
          MakeParagraph(
-             "McNemar's exact test of every scene's pairs of trials, p < 0.05 after Holm's "
-             "correction over the scenes:") +
+             "McNemar's exact test on the pairs of each scene, p < 0.05 after Holm's correction "
+             "over the scenes:") +
          MakeList(lines);
 }
 
 }  // namespace
 
 CampaignSection effects_campaign_section() {
-  return {"effects", "What the steps did", DrawEffects};
+  return {"effects", "Effects of the two steps", DrawEffects};
 }
 
 }  // namespace graspbench

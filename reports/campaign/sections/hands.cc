@@ -17,14 +17,14 @@ Html DrawHands(const CampaignData& data) {
   const std::string& hand_b = data.benchmark.hands[1];
   const std::string name_a = data.models.NameOfHand(hand_a);
   const std::string name_b = data.models.NameOfHand(hand_b);
-  Table table("Medians over the objects that both hands grasped, each with its best-suited grasp.",
+  Table table("Medians over the objects grasped by both hands, each with its best grasp.",
               {"Measure",
                "Variant",
                "Objects",
                name_a,
                name_b,
-               {name_a + " better", "objects on which its value is better"},
-               {name_b + " better", "objects on which its value is better"}});
+               {name_a + " better", "number of objects with the better value"},
+               {name_b + " better", "number of objects with the better value"}});
   for (const VariantMeasure& measure : ListVariantMeasures()) {
     for (int v = 0; v < kNumVariants; ++v) {
       const auto variant = static_cast<Variant>(v);

@@ -10,12 +10,12 @@ Html DrawMethods(const CampaignData& data) {
   const OptimiseConfig& optimise = data.campaign.config.optimise;
   const SessionConfig& session = data.campaign.config.session;
   std::vector<std::string> text = {
-      "Step 1 watches one trial without variation and records by how much the joints of each digit "
-      "fall short of their commands when it first touches. With that, geometry gives when each "
-      "digit meets the object at rest, and the pre-grasp is moved along the closing so that all do "
-      "so at one common share: the largest that joint limits allow, the largest that keeps off "
-      "the table, or half of that way. It is done once and again from its own result; "
-      "of the new pre-grasps the one that succeeds most often and has the lowest median GFT% in " +
+      "Step 1 runs one trial without variation and records the lag of each digit's joints behind "
+      "their commands at first contact. Geometry then predicts when each digit meets the object at "
+      "rest. The pre-grasp is shifted along the closing motion such that all digits touch at one "
+      "common share: the largest that joint limits allow, the largest without table contact, or "
+      "half of that. The procedure is repeated once from its own result. Of the new pre-grasps the "
+      "one with the highest success rate and the lowest median GFT% in " +
       FormatCount(optimise.choice_trials, "trial") + " is checked."};
   text.push_back(
       std::string("Step 2 searches ") + FindGraspSpace(optimise.search).words +
@@ -23,32 +23,29 @@ Html DrawMethods(const CampaignData& data) {
       FormatCount(optimise.evaluations, "evaluation") + " of " +
       FormatCount(optimise.fitness_trials, "trial") + " each. The fitness is " +
       FitnessOf(optimise).words +
-      ", times the grip that the hand may use over the one it does where that is more; where the "
-      "thumb never touches, it falls with its smallest distance to the object. The hand may grip "
-      "with " +
+      ", scaled to the permitted grip if the hand grips harder; without thumb contact the fitness "
+      "decreases with the smallest thumb-object distance. The permitted grip is " +
       GripOf(optimise).words +
-      ". The ten fittest individuals that differ clearly are tried again on drawn trials; the one "
-      "that succeeds most often, with the highest mean fitness, is checked.");
+      ". The ten fittest distinct individuals are repeated in trials with variation; the one with "
+      "the highest success rate and mean fitness is checked.");
   text.push_back(
-      "A check tries the old and the new grasp on the same draws, seen by nothing else, and looks "
-      "after every " +
+      "A check tests the old and the new grasp on the same fresh draws, with a look after every " +
       FormatCount(kPairsPerLook, "pair") + " up to " + std::to_string(optimise.check_pairs) +
-      ". The new one is taken as soon as it is shown to succeed less than " +
+      ". The new grasp is accepted once its success is shown to be less than " +
       FormatFixed(100.0 * kSuccessMargin, 0) +
-      " points less often (Tango's score) and to be better in most pairs (sign test): a lower GFT% "
-      "in step 1, a higher fitness in step 2. Both tests are one-sided at 5 % over all looks "
-      "(O'Brien and Fleming).");
+      " points lower (Tango's score) and it is better in most pairs (sign test): lower GFT% in "
+      "step 1, higher fitness in step 2. Both tests are one-sided at 5 % over all looks (O'Brien "
+      "and Fleming).");
   text.push_back(
-      "The benchmark tries all variants on the same " + FormatCount(session.trials, "trial pose") +
+      "The benchmark tests all variants on the same " + FormatCount(session.trials, "trial pose") +
       ": object moved by up to " + FormatFixed(MmFromM(session.variation.offset), 1) +
       " mm and turned by up to " + FormatFixed(DegFromRad(session.variation.yaw), 1) +
-      " degrees, an error of the hand's joint accuracy in every drive. What is held at the end is "
-      "pulled in six directions until it leaves the hand: the breaking force. The draws, those of "
-      "the "
-      "search and those of the checks come from different random streams. Intervals are 95 % "
-      "bootstrap intervals (BCa). Steps and measures are named by F. Röthling's thesis (Bielefeld, "
-      "2007); the rules of step 1, the search and the formula of sigma are graspbench's.");
-  text.push_back(std::string("All of it was made with graspbench ") + program_version() +
+      " degrees, with a random error of the joint accuracy in every drive. Objects held at the end "
+      "are pulled in six directions until they leave the hand (breaking force). Benchmark, search "
+      "and checks use different random streams. Intervals are 95 % bootstrap intervals (BCa). "
+      "Steps and measures are named after F. Röthling's thesis (Bielefeld, 2007); the rules of "
+      "step 1, the search and the formula of sigma are proposals of graspbench.");
+  text.push_back(std::string("All results were computed with graspbench ") + program_version() +
                  ", seed " + std::to_string(optimise.seed) + ".");
   return MakeMethodsText(text);
 }

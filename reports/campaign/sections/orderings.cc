@@ -85,15 +85,14 @@ Html ExplainStart(const std::string& hand, const std::string& object) {
   if (hand != "tum") return {};
   if (object == "adhesive_tape") {
     return MakeParagraph(
-        "The thesis's standard posture is not known. In the one proposed here index and middle "
-        "finger mirror each other, so where the tape stands as expected they come together from "
-        "the start; what parts them is the tape's place, which differs from trial to trial, and no "
-        "pre-grasp can know it.");
+        "The standard posture of the thesis is not known. In the posture proposed here index and "
+        "middle finger mirror each other, so they touch together when the tape is at its nominal "
+        "pose. Their delay comes from the sampled pose of the tape, which no pre-grasp can know.");
   }
   return MakeParagraph(
-      "The rule that places the hand aims at half the object's height, 25.7 mm, and the blades "
-      "begin at 31 mm: here the thumb meets the cube below the blades from the start, where in the "
-      "thesis only step 2 leads it.");
+      "The placement rule aims at half the object height, 25.7 mm, and the blades begin at 31 mm. "
+      "The thumb therefore meets the cube below the blades from the start; in the thesis it does "
+      "so only after step 2.");
 }
 
 /** The courses of events that the thesis tells. */
@@ -114,14 +113,14 @@ Html DrawCourses(const CampaignData& data) {
   }
   if (courses.empty()) {
     return MakeParagraph(
-        "Two courses of events are known from the thesis: adhesive tape and toy propeller with the "
-        "TUM Hand. They are not among the finished scenes. The hand tum-courses starts both from "
-        "the faults that the thesis describes.");
+        "The thesis describes two scenes in detail: adhesive tape and toy propeller with the TUM "
+        "Hand. Neither is among the finished scenes. The hand tum-courses starts both with the "
+        "faults described in the thesis.");
   }
   return MakeParagraph(
-             "Two courses of events are known from the thesis. Means are over the benchmark's "
-             "trials; the thumb's place is that of its pad when the grasp is closed. The hand "
-             "tum-courses starts both from the faults that the thesis describes.") +
+             "The thesis describes two scenes in detail. Means are over the benchmark trials; the "
+             "thumb position is that of its pad in the closed grasp. The hand tum-courses starts "
+             "both scenes with the faults described in the thesis.") +
          courses;
 }
 

@@ -14,8 +14,8 @@ std::string FormatCounts(const Tally& tally) {
 
 Html DrawTotals(const RealComparison& found) {
   Table table(
-      "Success over the scenes in which all three variants were really tried, 95 % intervals in "
-      "per cent.",
+      "Success rate [%] over the scenes with real trials of all three variants, with 95 % "
+      "intervals.",
       {"Variant", "Scenes", "Really", "In the simulation"});
   for (const RealTotal& total : found.totals) {
     table.AddRow({WordsOf(total.variant), total.num_scenes, FormatCounts(total.real),
@@ -25,9 +25,8 @@ Html DrawTotals(const RealComparison& found) {
 }
 
 Html DrawAgreements(const RealComparison& found) {
-  Table table(
-      "Does a step change reality as it changes the simulation? Scenes in which both change.",
-      {"Step", "Measure", "Scenes", "Alike", "95 % interval [%]"});
+  Table table("Do real hands change as the simulation does? Scenes in which both change.",
+              {"Step", "Measure", "Scenes", "Alike", "95 % interval [%]"});
   for (const RealAgreement& agreement : found.agreements) {
     table.AddRow({agreement.step, agreement.measure, agreement.num_scenes, agreement.num_alike,
                   agreement.num_scenes == 0
@@ -39,19 +38,18 @@ Html DrawAgreements(const RealComparison& found) {
 
 Html DrawCells(const RealComparison& found, const CampaignData& data) {
   const VariantMeasure& gft = FindVariantMeasure("GFT%");
-  Table table("Every scene of which there are real trials.",
-              {"Scene",
-               "Variant",
-               "Success, really [95 %]",
-               "In the simulation",
-               {"p",
-                "that both succeed as often: Fisher's exact test, two-sided, "
-                "not corrected for the number of rows"},
-               {"Median GFT%, really [%]",
-                "of the trials in which all digits of "
-                "the grasp touched"},
-               "Trials with it",
-               "In the simulation [%]"});
+  Table table("All scenes with real trials.", {"Scene",
+                                               "Variant",
+                                               "Success, really [95 %]",
+                                               "In the simulation",
+                                               {"p",
+                                                "equal success rates: Fisher's exact test, "
+                                                "two-sided, not corrected for the number of rows"},
+                                               {"Median GFT%, really [%]",
+                                                "of the trials in which all digits of "
+                                                "the grasp touched"},
+                                               "Trials with it",
+                                               "In the simulation [%]"});
   for (const RealCell& cell : found.cells) {
     const CellSummary& simulated = cell.scene->cell(cell.variant);
     table.AddRow({LinkTo(cell.scene->key, data.NameOfScene(*cell.scene)), WordsOf(cell.variant),
@@ -81,33 +79,32 @@ Html DrawReal(const CampaignData& data) {
   const auto num_all = static_cast<int>(data.campaign.real.size());
   if (num_all == 0) {
     return DrawFigures(data) + MakeParagraph(
-                                   "There are none of these scenes. A laboratory that tries the "
-                                   "grasps with its own hands fills in the table "
-                                   "that graspbench new trials DIR writes; graspbench campaign "
-                                   "--out DIR --resume --real FILE "
-                                   "puts it here, beside the simulated trials.");
+                                   "These scenes have no real trials. graspbench new trials DIR "
+                                   "writes a table for a laboratory's own trials; graspbench "
+                                   "campaign --out DIR --resume --real FILE adds them here.");
   }
   const RealComparison found = CompareWithReal(data.campaign.real, data.scenes);
   Html html = DrawFigures(data);
   if (data.campaign.real.front().is_published) {
     html += MakeParagraph(FormatCount(num_all, "trial") +
-                          " of these are published ones, whose source stands in the program's "
-                          "datasets/real; a laboratory's own take their place (--real FILE).");
+                          " of these are published trials (source: datasets/real); a laboratory's "
+                          "own trials replace them (--real FILE).");
   }
   if (found.num_made_up > 0) {
-    html += MakeParagraph("Not a measurement: " + std::to_string(found.num_made_up) + " of these " +
-                          FormatCount(num_all, "trial") + " are marked as made up in their notes.");
+    html +=
+        MakeParagraph("Not a measurement: " + std::to_string(found.num_made_up) + " of these " +
+                      FormatCount(num_all, "trial") + " are marked as synthetic in their notes.");
   }
   if (found.num_unmatched > 0) {
     html += MakeParagraph(FormatCount(found.num_unmatched, "trial") +
-                          " of scenes that are not finished are left out.");
+                          " of unfinished scenes are left out.");
   }
   if (found.cells.empty()) return html;
   return html + (found.totals.empty() ? Html() : DrawTotals(found)) + DrawAgreements(found) +
          DrawCells(found, data) +
          MakeParagraph(
-             "A laboratory's own trials are kept in real/trials.csv. That two success rates do not "
-             "differ significantly in few trials does not mean that they are equal.");
+             "A laboratory's own trials are kept in real/trials.csv. A non-significant difference "
+             "in few trials does not show equality.");
 }
 
 }  // namespace

@@ -100,8 +100,8 @@ Html DrawScene(const SceneVariants& scene, const CampaignData& data) {
 Html DrawScenes(const CampaignData& data) {
   if (data.scenes.empty()) return MakeParagraph("There is nothing to show.");
   Html html = MakeParagraph(
-      "The closed hand of one benchmark trial of each variant, the first successful one where "
-      "there is any, seen by one camera; below it what each step decided and why.");
+      "The closed hand in one benchmark trial of each variant (the first success, if any), from "
+      "one camera; below, the decision of each step and its reason.");
   for (const SceneVariants& scene : data.scenes) html += DrawScene(scene, data);
   return html;
 }

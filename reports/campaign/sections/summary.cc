@@ -43,7 +43,7 @@ std::string DescribeClaim(const Claim& claim, const StepEffect& effect) {
     const auto& interval = effect.ratio->interval;
     text += ", by a factor of " +
             FormatWithRange(effect.ratio->estimate, interval.low, interval.high, 2) +
-            (interval.low <= 1.0 && 1.0 <= interval.high ? ", which may be chance" : "");
+            (interval.low <= 1.0 && 1.0 <= interval.high ? ", not significant" : "");
   }
   return text + ". ";
 }
@@ -58,7 +58,7 @@ Html DrawChanges(const CampaignData& data) {
                              {"step 2", kNewPreGrasp, kNewTarget},
                              {"both", kStandardGrasp, kNewTarget}};
   IntervalPlot plot;
-  plot.text.title = "What the two steps changed";
+  plot.text.title = "Effects of the two steps";
   plot.text.description = "Change of the median of each measure, one row per measure and step.";
   plot.axis = "change of the median over the scenes [%]";
   int series = 0;
@@ -88,8 +88,8 @@ Html DrawChanges(const CampaignData& data) {
   }
   return MakeFigure(
       "Change of the median of each measure with 95 % bootstrap intervals over scenes.",
-      "intervals off zero. Success, sigma and breaking force should grow; GFT%, GOT% and GCT "
-      "should fall.",
+      "intervals that exclude 0. Success, sigma and breaking force should increase; GFT%, GOT% and "
+      "GCT should decrease.",
       MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
 }
 
@@ -112,7 +112,7 @@ Html DrawSummary(const CampaignData& data) {
   if (num_findings == 0) return html;
   return html + Element("p", {},
                         LinkTo("findings", FormatCount(static_cast<int>(num_findings), "finding")) +
-                            Text(" to know before trusting the numbers."));
+                            Text(" to read before using the numbers."));
 }
 
 }  // namespace

@@ -13,9 +13,9 @@ Html DrawVariants(const CampaignData& data) {
     columns.push_back({measure.name, measure.meaning});
   }
   Table table(
-      "Every scene under its three variants. Success, sigma and breaking force are means over the "
-      "trials, the others medians over the trials that have them; shares of the grip are taken "
-      "trial by trial.",
+      "All scenes with their three variants. Success, sigma and breaking force are means over "
+      "trials; other columns are medians over the trials with a value. Ratios to the grip are "
+      "computed per trial.",
       columns);
   for (const SceneVariants& scene : data.scenes) {
     for (int v = 0; v < kNumVariants; ++v) {

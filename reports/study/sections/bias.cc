@@ -34,24 +34,23 @@ Html DrawFigure(const std::vector<BiasRow>& rows) {
   return MakeFigure(
       "Error of GFT for known asynchronies; lines are one standard deviation over "
       "trials.",
-      "marks off zero are a bias of all trials alike. GFT is a difference that "
-      "cannot be negative, so noise alone lifts a true zero.",
+      "marks off zero: a bias of all trials. GFT cannot be negative, so noise alone raises a true "
+      "zero.",
       MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
 }
 
 Html DrawTable(const std::vector<BiasRow>& rows) {
-  Table table(
-      "What these choices make of a known asynchrony.",
-      {"Choice",
-       "True GFT [ms]",
-       "n",
-       {"Missing", "trials without a GFT"},
-       {"Found GFT [ms]", "mean"},
-       "SD [ms]",
-       {"Contact bias [ms]", "found - true contact time, all digits"},
-       "Contact SD [ms]",
-       {"Coverage [%]",
-        "contacts whose error lies within their stated 95 % interval; 95 would be honest"}});
+  Table table("Recovery of a known asynchrony with these choices.",
+              {"Choice",
+               "True GFT [ms]",
+               "n",
+               {"Missing", "trials without a GFT"},
+               {"Found GFT [ms]", "mean"},
+               "SD [ms]",
+               {"Contact bias [ms]", "found - true contact time, all digits"},
+               "Contact SD [ms]",
+               {"Coverage [%]",
+                "contacts whose error lies within the stated 95 % interval; nominal value: 95"}});
   for (const BiasRow& row : rows) {
     table.AddRow({row.text, FormatValue(row.true_gft, "s"), row.num_trials, row.num_missing,
                   FormatValue(row.mean_gft, "s"), FormatValue(row.sd_gft, "s"),
@@ -64,17 +63,17 @@ Html DrawTable(const std::vector<BiasRow>& rows) {
 Html DrawBias(const StudyPageData& data) {
   const StudyResult& result = data.result;
   const std::vector<BiasRow>& rows = result.statistics.bias;
-  if (result.study.config.bias_trials == 0) return MakeParagraph("Not wanted: bias_trials is 0.");
+  if (result.study.config.bias_trials == 0) return MakeParagraph("Not run: bias_trials is 0.");
   if (rows.empty()) {
     return MakeParagraph(
-        "Not computed: the noise of the recordings is not known, because no "
-        "trial holds a second of the thumb without a gap.");
+        "Not computed: the noise of the recordings is unknown, because no trial has one second of "
+        "the thumb without a gap.");
   }
-  return MakeParagraph("Reaches with a known GFT were simulated at this study's " +
-                       FormatFixed(result.rate, 1) + " Hz and noise (" +
-                       FormatFixed(1e3 * result.noise, 2) +
-                       " mm, one coordinate) and analysed with its choices and with others. "
-                       "Rigid objects and smooth paths: real hands are no easier.") +
+  return MakeParagraph(
+             "Reaches with a known GFT were simulated at this study's " +
+             FormatFixed(result.rate, 1) + " Hz and noise (" + FormatFixed(1e3 * result.noise, 2) +
+             " mm, one coordinate) and analysed with its choices and with others. Objects are "
+             "rigid and paths smooth; real hands are at least as difficult.") +
          DrawFigure(rows) + DrawTable(rows);
 }
 

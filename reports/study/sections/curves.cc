@@ -38,7 +38,7 @@ Html DrawCurves(const StudyPageData& data) {
     series.high = in_mm(curve.high);
     plot.series.push_back(series);
   }
-  if (plot.series.empty()) return MakeParagraph("No trial counts, so there is no curve.");
+  if (plot.series.empty()) return MakeParagraph("No trial is included, so there is no curve.");
   plot.text.description =
       "Mean hand opening of each condition from the onset of the movement to the last contact.";
   Html html;
@@ -51,7 +51,7 @@ Html DrawCurves(const StudyPageData& data) {
                         DescribeFactors(data.result.study.factors) +
                         ", from the onset of the movement to the last contact; bands are one "
                         "standard deviation over trials.",
-                    "a rise to the widest opening at 60 to 80 % and a fall to the object's size; "
+                    "a rise to the peak opening at 60 to 80 % and a fall to the object size; "
                     "curves of larger objects lie higher.",
                     MakeScroll("Hand opening over the reach", DrawLinePlot(plot)));
 }
@@ -63,9 +63,9 @@ Html DrawGoodTrial(const StudyResult& result) {
   const std::string flags = FormatFlags(*trial->analysis);
   const ContactTiming& timing = trial->analysis->timing;
   return MakeFigure(
-      "One trial that counts, " + trial->id + (flags.empty() ? "" : " (" + flags + ")") +
-          ": the hand leaves rest (onset), opens (widest), its digits touch, the object leaves the "
-          "table (lift-off).",
+      "One included trial, " + trial->id + (flags.empty() ? "" : " (" + flags + ")") +
+          ": the hand starts (onset), reaches its peak opening (widest), its digits touch, and the "
+          "object leaves the table (lift-off).",
       "GFT, first to last touch, is " + FormatWithUnit(timing.gft, "s") +
           " here; GOT, thumb to the "
           "first finger, " +

@@ -20,14 +20,13 @@ std::vector<std::string> ListFindings(const StudyResult& result) {
   }
   if (!result.findings.empty()) {
     findings.push_back(FormatCount(static_cast<int>(result.findings.size()), "assumption") +
-                       " had to be made to read the files; they are listed with the trials "
-                       "removed.");
+                       " needed to read the files; see the list of removed trials.");
   }
   const UnverifiedTouches touches = CountUnverified(result);
   if (touches.num_contacts > 0) {
     findings.push_back(FormatCount(touches.num_contacts, "contact") + " in " +
                        FormatCount(touches.num_trials, "trial") +
-                       " cannot be told from a digit that stops off the object.");
+                       " cannot be distinguished from a digit that stops off the object.");
   }
   return findings;
 }

@@ -43,7 +43,7 @@ Html DrawCells(const MeasureStatistics& statistics, const ConditionEstimates& es
                FormatCount(estimates.num_trials[cell], "trial");
     plot.rows.push_back(row);
   }
-  plot.text.description = "Mean of each condition with its interval, and every trial.";
+  plot.text.description = "Mean of each condition with its interval, and all trials.";
   return MakeFigure(
       std::string(statistics.measure.name) + DescribeFactors(statistics.table.factors) +
           (bars == estimates.drawn_kind ? "." : ". Bars: " + estimates.drawn_kind + "."),
@@ -91,10 +91,9 @@ Html DrawMeasures(const StudyPageData& data) {
     if (series == 0) {
       bars = estimates.drawn_kind;
       html += MakeParagraph(
-          "Dots are means over people of their means, ticks single trials. Bars: " + bars +
-          ". Look for trials far from the others, which carry a mean with them, "
-          "and for the order of the conditions; whether two differ stands under "
-          "Tests and trends.");
+          "Dots are means over persons of their means, ticks are single trials. Bars: " + bars +
+          ". Look for outlying trials and for the order of the conditions; see Tests and trends "
+          "for significance.");
     }
     html += Element("h3", {}, statistics.measure.name) +
             DrawCells(statistics, estimates, bars, series++) + DrawBarTable(statistics, estimates);

@@ -32,10 +32,10 @@ std::string DescribeRecording(const StudyResult& result) {
   std::string text = "Markers on the tips of " + ListDigitNames(result) +
                      (config.markers.object.empty() ? "" : " and on the object") +
                      " were recorded at " + FormatFixed(result.rate, 1) + " Hz (median). ";
-  if (config.cleaning.drop_frozen) text += "Samples that repeat the one before were discarded. ";
+  if (config.cleaning.drop_frozen) text += "Repeated samples were discarded. ";
   if (result.num_resampled > 0) text += "Uneven time stamps were resampled linearly. ";
   text += "Gaps up to " + FormatValue(config.cleaning.max_gap, "s") +
-          " ms were filled by cubic Hermite curves and flagged; longer ones stayed open. ";
+          " ms were filled by cubic Hermite curves and flagged; longer gaps stayed open. ";
   std::string digits;
   for (int digit = 0; digit < PerDigit<int>::kNumDigits; ++digit) {
     if (config.markers.companions[digit].empty()) continue;
@@ -61,7 +61,7 @@ std::string DescribeThreshold(const MovementOptions& options) {
 std::string DescribeDepth(const StudyResult& result) {
   if (result.num_learned == 0) return "";
   const double depth = CalcMeanDepth(result.study.config.analysis.contact.depths);
-  return ". How far a marker goes on after its digit touched was learned from " +
+  return ". The marker motion after contact was learned from " +
          FormatCount(result.num_learned, "contact") + " of the study, " +
          FormatFixed(MmFromM(depth), 1) + " mm on average";
 }
@@ -95,10 +95,8 @@ std::string DescribeEvents(const StudyResult& result) {
     if (rule == "traced_back") text += " (" + FormatWithUnit(options.lift_off.speed, "m/s") + ")";
     text += ". ";
   }
-  text +=
-      "Contacts were looked for backwards from the hold: the lift-off, or where nothing was "
-      "lifted the " +
-      TextOf(HoldRuleList(), options.hold.rule) + ". ";
+  text += "Contacts were searched backwards from the hold: the lift-off, or without a lift the " +
+          TextOf(HoldRuleList(), options.hold.rule) + ". ";
   return text +
          "Grasp forming time (GFT) is the time from the first to the last of the first contacts, "
          "grasp opposing time (GOT) that between the thumb and the earliest finger, grasp closure "
@@ -175,11 +173,10 @@ std::string DescribeArguments(const StudyResult& result) {
   }
   if (!result.statistics.independence) return text;
   return text +
-         "GFT was compared with that of digits that move independently: contact times of each "
-         "digit permuted 999 times among the trials of one person and condition, counted "
-         "from the onset, from the widest opening, and from the onset with the length of the "
-         "movement taken out; the clocks' own uncertainty was removed from the spread that is "
-         "permuted. ";
+         "GFT was compared with that of independent digits: the contact times of each digit were "
+         "permuted 999 times among the trials of one person and condition. Times were counted from "
+         "the onset, from the widest opening, and from the onset after removing the movement "
+         "duration; the uncertainty of these clocks was removed from the permuted spread. ";
 }
 
 Html DrawMethods(const StudyPageData& data) {

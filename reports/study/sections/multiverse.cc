@@ -87,7 +87,7 @@ HeatMap MakeMap(const StudyResult& result, const std::string& onset,
                 const std::vector<std::string>& detectors) {
   const TrialMeasure& measure = FindMeasure(result.study.config.multiverse.measure);
   HeatMap map;
-  map.text.title = "The main test under every choice, onset by " + onset;
+  map.text.title = "Main test under every choice, onset by " + onset;
   map.text.description = std::string(measure.name) + " by opening, cut-off and detector.";
   map.columns = detectors;
   for (const Universe& universe : result.universes) FindPlace(map.rows, NameRow(universe));
@@ -142,21 +142,21 @@ Html DrawMultiverse(const StudyPageData& data) {
                         .front()
                         .name) +
                 " (Greenhouse-Geisser); the shade is partial eta squared."
-          : "Medians, because there is no test: " + result.universes.front().test.reason() + ".";
+          : "Medians, because no test is possible: " + result.universes.front().test.reason() + ".";
   const Detectors detectors = ListDetectors(result);
   std::string without;
   for (const std::string& detector : detectors.without) {
     without += (without.empty() ? "" : ", ") + detector;
   }
-  if (detectors.with_value.empty()) return MakeParagraph("No combination found a value.");
-  return MakeParagraph("Every threshold is a choice. The main measure, " +
+  if (detectors.with_value.empty()) return MakeParagraph("No combination gives a value.");
+  return MakeParagraph("Every threshold is a choice. The table shows the main measure, " +
                        std::string(measure.name) +
                        ", under each combination of onset rule, measure of opening, cut-off of the "
                        "contact detectors (rows) and detector (columns). " +
                        DescribeVerdicts(result.universes, measure.unit) +
                        (without.empty() ? "" : "Without a value in any trial: " + without + ".")) +
          MakeFigure(what + " \u25B6 marks the study's own choices.",
-                    "whether the answer hangs on one choice.",
+                    "whether the answer depends on one choice.",
                     DrawMaps(result, detectors.with_value));
 }
 

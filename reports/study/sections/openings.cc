@@ -23,11 +23,11 @@ Html DrawReliability(const OpeningFamily& family) {
   std::vector<Column> columns = {
       "Opening",
       "Mean [mm]",
-      {"SEM [mm]", "standard deviation within persons and conditions: error of one trial"},
-      {"MDC [mm]", "minimal detectable change: two single trials differ by less"}};
+      {"SEM [mm]", "standard deviation within persons and conditions (error of one trial)"},
+      {"MDC [mm]", "minimal detectable change between two single trials"}};
   if (has_icc) {
     columns.push_back({"ICC(1,1)", "share of the variance that is due to persons, 95 %"});
-    columns.push_back({"Trials for 0.9", "whose mean reaches an ICC of 0.9"});
+    columns.push_back({"Trials for 0.9", "number of trials whose mean reaches an ICC of 0.9"});
   }
   columns.push_back({"d'", "open and closed hand"});
   if (!family.slope_factor.empty()) {
@@ -35,7 +35,7 @@ Html DrawReliability(const OpeningFamily& family) {
         {"Slope / SEM", "mean slope over " + family.slope_factor + ", its unit inverted"});
   }
   columns.push_back({"d' left", "without the digit whose loss costs most"});
-  Table table("Largest opening of each trial, the means of conditions taken out.", columns);
+  Table table("Peak opening of each trial, with condition means removed.", columns);
   for (const OpeningReliability& row : family.rows) {
     if (!row.open) continue;
     std::vector<Cell> cells = {
@@ -84,8 +84,8 @@ Html DrawComparisons(const OpeningFamily& family) {
     columns.push_back(criterion.text);
   }
   Table table(
-      "Each criterion as a multiple of the aperture's, above 1 is more reliable, with the 95 % "
-      "interval of that comparison alone (persons left out in turn); p after Holm over all " +
+      "Ratio of each criterion to that of the aperture (above 1: more reliable) with its 95 % "
+      "interval (jackknife over persons); p after Holm over all " +
           std::to_string(family.num_tests) + " comparisons where it is below 0.05.",
       columns);
   for (size_t i = 1; i < family.rows.size(); ++i) {
@@ -105,8 +105,8 @@ Html DrawLosses(const StudyResult& result) {
     columns.push_back({"without " + NameOfDigit(result.digits[i]), "d' without / d' with it"});
   }
   Table table(
-      "What is left of d' when one digit's marker is missing: below 1 the measure tells the open "
-      "from the closed hand less well.",
+      "Ratio of d' without one digit's marker to d' with it; below 1: worse separation of the open "
+      "and the closed hand.",
       columns);
   for (const OpeningReliability& row : result.statistics.openings.rows) {
     if (!row.open) continue;
@@ -125,7 +125,7 @@ Html DrawMeaning() {
   for (const HandOpening& opening : HandOpeningList()) {
     items.push_back(std::string(opening.id) + ": " + opening.text);
   }
-  return MakeDetails("What each opening is", MakeList(items));
+  return MakeDetails("Definition of each opening", MakeList(items));
 }
 
 Html DrawOpenings(const StudyPageData& data) {
@@ -133,8 +133,8 @@ Html DrawOpenings(const StudyPageData& data) {
   const OpeningFamily& family = data.result.statistics.openings;
   Html html = MakeParagraph(DescribeOpeningArgument(data.result)) +
               MakeParagraph(
-                  "The whole family on the same trials, by criteria that neither a constant added "
-                  "to a measure nor its unit changes.");
+                  "All measures on the same trials, by criteria that are invariant to an offset "
+                  "and to the unit.");
   const Answer<Reliability>& reliability = family.rows.front().reliability;
   if (!reliability) html += MakeParagraph("No ICC: " + reliability.reason() + ".");
   return html + DrawReliability(family) + DrawComparisons(family) + DrawLosses(data.result) +

@@ -19,16 +19,16 @@ Html DrawFirstDigits(const OrderSummary& summary, const std::vector<std::string>
     plot.rows.push_back({row.participant, "", row.counts});
   }
   return MakeFigure(
-      "Which digit touched first, trials of each participant. A tie is two digits "
-      "whose times differ by less than 1.96 standard uncertainties.",
-      "patterns that are a person's own; ties are what the recording cannot decide.",
+      "First digit to touch, by participant. In a tie two times differ by less than 1.96 standard "
+      "uncertainties.",
+      "patterns of individual persons; ties cannot be resolved by the recording.",
       MakeScroll("First digit to touch", DrawStackedBars(plot)));
 }
 
 /** How often one digit touched before another, for every two. */
 Html DrawPrecedence(const OrderSummary& summary, const std::vector<std::string>& digits) {
   HeatMap map;
-  map.text.title = "Which digit touched before which";
+  map.text.title = "Pairwise order of contact";
   map.text.description = "Share of trials in which the row's digit touched before the column's.";
   for (const std::string& digit : digits) map.rows.push_back(NameOfDigit(digit));
   map.columns = map.rows;
@@ -49,7 +49,7 @@ Html DrawPrecedence(const OrderSummary& summary, const std::vector<std::string>&
   return MakeFigure(
       "Share of trials in which the row's digit touched before the column's, ties not counted; "
       "what is missing to 100 % between a cell and its mirror image is tied; empty: never.",
-      "large shares above the diagonal: contacts run from the radial to the ulnar side.",
+      "large shares above the diagonal: contacts proceed from the radial to the ulnar side.",
       MakeScroll(map.text.title, DrawHeatMap(map)));
 }
 

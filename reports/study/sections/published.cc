@@ -33,18 +33,17 @@ std::string DescribeOwn(const ComparedValue& value) {
 Html DrawPublished(const StudyPageData& data) {
   const std::vector<ComparedValue>& published = data.result.statistics.published;
   if (published.empty()) return MakeParagraph("No measure of this study has a published value.");
-  Table table("This study beside what others measured.",
-              {"Measure", "Here", "Published", "Source"});
+  Table table("Comparison with published values.", {"Measure", "Here", "Published", "Source"});
   for (const ComparedValue& value : published) {
     const std::string over = value.factor.empty() ? "" : " over " + NameOfFactor(value.factor);
     table.AddRow({value.measure->name + over, DescribeOwn(value), value.published->text,
                   value.published->source});
   }
   return MakeParagraph(
-             "Expectations for healthy adults who reach for things on a table. Another task, other "
-             "people or another opening than thumb to index (here " +
+             "Published values are for healthy adults reaching for objects on a table. Another "
+             "task, population or opening measure than thumb to index (here " +
              MakeWords(data.result.study.config.analysis.opening.measure) +
-             ") may well give other numbers; numbers far off are a reason to look at trials.") +
+             ") may give other values; large deviations are a reason to inspect trials.") +
          table.ToHtml();
 }
 

@@ -34,7 +34,7 @@ Html DrawReasons(const StudyResult& result, const std::vector<RemovalGroup>& gro
       continue;
     ++num_drawn;
     html += MakeFigure("Why trial " + trial->id + " does not count: " + trial->removed + ".",
-                       std::string("what would change it: ") + advice.keys + ".",
+                       std::string("relevant keys: ") + advice.keys + ".",
                        DrawDecidingCurve(*trial, result.study.config.analysis.movement));
   }
   return html;
@@ -43,10 +43,10 @@ Html DrawReasons(const StudyResult& result, const std::vector<RemovalGroup>& gro
 Html DrawRemoved(const StudyResult& result) {
   const std::vector<RemovalGroup> groups = GroupRemoved(result.trials);
   if (groups.empty()) return MakeParagraph("No trial was removed.");
-  Table table("Trials that do not count, by reason; trials.csv has every one.",
+  Table table("Removed trials by reason; trials.csv lists all.",
               {"Code",
                "Reason",
-               {"What would change it", "keys of study.yaml, columns of its tables"},
+               {"Relevant keys", "keys of study.yaml, columns of its tables"},
                "Trials",
                "Which"});
   for (const RemovalGroup& group : groups) {
@@ -54,14 +54,14 @@ Html DrawRemoved(const StudyResult& result) {
                   group.trials.size(), ListNames(group.trials)});
   }
   return MakeParagraph(
-             "graspbench study suggest STUDY.YAML proposes settings with which more "
-             "trials would count, with reasons.") +
+             "graspbench study suggest STUDY.YAML proposes settings that include more trials, with "
+             "reasons.") +
          table.ToHtml() + DrawReasons(result, groups);
 }
 
 Html DrawFlags(const StudyResult& result) {
   Table table("Trials included with warnings; study.yaml can remove them (removal).",
-              {"Flag", "Trials", "Of those that count"});
+              {"Flag", "Trials", "Share of included trials"});
   std::vector<std::string> unused;
   for (const FlagCount& counted : CountFlags(result)) {
     if (counted.count == 0) {
@@ -71,23 +71,23 @@ Html DrawFlags(const StudyResult& result) {
     table.AddRow({counted.flag->text, counted.count, FormatPercent(counted.share)});
   }
   const bool has_rows = unused.size() < CountFlags(result).size();
-  Html html = has_rows ? table.ToHtml() : MakeParagraph("No trial that counts carries a flag.");
+  Html html = has_rows ? table.ToHtml() : MakeParagraph("No included trial has a warning.");
   if (unused.empty()) return html;
-  return html + MakeDetails("Flags that no trial carries (" + std::to_string(unused.size()) + ")",
+  return html + MakeDetails("Warnings without a trial (" + std::to_string(unused.size()) + ")",
                             MakeList(unused));
 }
 
 Html DrawImport(const StudyResult& result) {
   const std::vector<FindingGroup> groups = GroupFindings(result);
   Html html = MakeParagraph(
-      std::to_string(result.num_frozen) + " samples repeated the one before exactly and were " +
+      std::to_string(result.num_frozen) +
+      " samples repeated the previous sample exactly and were " +
       (result.study.config.cleaning.drop_frozen ? "taken as missing; " : "kept; ") +
       FormatCount(result.num_resampled, "recording") + " had uneven time stamps and " +
       (result.num_resampled == 1 ? "was" : "were") + " resampled.");
   if (groups.empty()) return html + MakeParagraph("Reading the files needed no assumption.");
   Table table(
-      "What had to be assumed to read the files; assumptions that differ only in their numbers "
-      "share a row.",
+      "Assumptions needed to read the files; assumptions that differ only in numbers share a row.",
       {"Code", "Assumption", "Times", "Files"});
   for (const FindingGroup& group : groups) {
     table.AddRow(

@@ -62,12 +62,12 @@ Html DrawFigure(const std::vector<Group>& groups) {
   AddRows(groups, &TimingRatios::gft, "GFT%", plot);
   AddRows(groups, &TimingRatios::got, "GOT%", plot);
   return MakeFigure("GFT% and GOT%: median and quartiles over trials.",
-                    "how near the robot's fingers come to closing together as people's do.",
+                    "similarity of robot and human contact simultaneity.",
                     MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
 }
 
 Html DrawTable(const std::vector<Group>& groups) {
-  Table table("The same function computes both; trials without a value are counted apart.",
+  Table table("One function computes both groups; trials without a value are counted separately.",
               {"Group",
                "n",
                "GFT% median [%]",
@@ -150,7 +150,7 @@ Html DrawTimesBesidePeople(const StudyPageData& data) {
     } else {
       others += MakeParagraph("Not compared: the schedules in " + comparison.folder + " follow " +
                               (comparison.study.empty() ? "no study" : comparison.study) +
-                              ", whose people are not this study's.");
+                              ", which belong to another study.");
     }
   }
   const Html heading = Element("h3", {}, "People and robots: order and times of contact");
@@ -173,8 +173,7 @@ Html DrawTimesBesidePeople(const StudyPageData& data) {
 Html DrawRobot(const StudyPageData& data) {
   if (data.robot == nullptr) {
     return MakeParagraph(
-        "No robot session was named. --robot DIR, or robot: DIR in study.yaml, puts one beside "
-        "the people.");
+        "No robot session was named; --robot DIR, or robot: DIR in study.yaml, adds one.");
   }
   const std::vector<Group> groups = ListGroups(data);
   return MakeParagraph("Session: " + data.robot->name +

@@ -10,7 +10,7 @@ namespace {
 
 const char* TextOfClock(size_t clock) {
   constexpr const char* kTexts[] = {"since the movement's onset", "since the widest opening",
-                                    "onset, length of the movement taken out"};
+                                    "onset, adjusted for movement duration"};
   return kTexts[clock];
 }
 
@@ -42,13 +42,13 @@ Html DrawTests(const IndependenceNull& null) {
       "Measure",
       "Times counted",
       {"People", "mean over the trials"},
-      {"Independent digits", "mean, and 95 % of the dealings"},
+      {"Independent digits", "mean and 95 % range under permutation"},
       {"p", "two-sided"},
-      {"Found [%]", "smaller by so much is found in 8 of 10 such studies"}};
+      {"Found [%]", "relative difference detected with a power of 80 %"}};
   if (has_persons) columns.push_back({"Ratio over persons", "95 % interval"});
   Table table(
-      "People against digits that move independently: contact times of each digit permuted "
-      "among the trials of one person and condition, 999 times.",
+      "Participants compared with independent digits: contact times of each digit permuted 999 "
+      "times among the trials of one person and condition.",
       columns);
   AddTests("GFT [ms]", null.gft, MsFromS(1.0), has_persons, table);
   AddTests("GFT% [%]", null.gft_ratio, 100.0, has_persons, table);
@@ -57,9 +57,9 @@ Html DrawTests(const IndependenceNull& null) {
 
 /** How the closure time depends on what ends the closure. */
 Html DrawClosureEnds(const StudyPageData& data) {
-  Table table("Closure time, from the widest opening, by what ends the closure.",
+  Table table("Closure time from the widest opening, by definition of its end.",
               {"End of closure",
-               {"Trials", "that have this end"},
+               {"Trials", "with this end"},
                {"Median [ms]", "and quartiles"},
                {"After the last contact [ms]", "median over the trials that have both"}});
   for (const ClosureEnd& end : ListClosureEnds(data.result.trials)) {
@@ -71,11 +71,10 @@ Html DrawClosureEnds(const StudyPageData& data) {
                   std::isfinite(end.median_after_contact) ? format(end.median_after_contact)
                                                           : std::string("n/a")});
   }
-  return table.ToHtml() +
-         MakeParagraph(
-             "GCT, and with it GFT% and GOT%, ends with the last contact. Other definitions end "
-             "the closure when the object first moves, or when the fingertips are slow against "
-             "it.");
+  return table.ToHtml() + MakeParagraph(
+                              "GCT ends with the last contact; GFT% and GOT% depend on it. Other "
+                              "definitions end the closure when the object first moves or when the "
+                              "fingertips are slow relative to the object.");
 }
 
 Html DrawSimultaneity(const StudyPageData& data) {
@@ -84,24 +83,23 @@ Html DrawSimultaneity(const StudyPageData& data) {
   Html html = MakeParagraph(DescribeIndependence(null));
   if (!null) return html + DrawClosureEnds(data);
   std::string note =
-      "What all digits share with the clock is no coordination of digits, so three clocks are "
-      "asked and the one that speaks least for a difference decides. Who is more "
-      "simultaneous is so against digits without the clock's stated errors, who is less, against "
-      "digits with all their spread. An error of the clock is shared by all digits just as "
-      "coordination is: what they share must exceed a bound of that error, else nothing is "
-      "decided.";
+      "Timing that all digits share with the clock is not coordination of digits. Therefore three "
+      "clocks are used and the most conservative decides. \"More simultaneous\" is tested against "
+      "digits without the stated clock errors, \"less simultaneous\" against digits with their "
+      "full spread. All digits also share an error of the clock, so the shared timing must exceed "
+      "a bound of that error; otherwise the result is not decided.";
   if (null->num_incomplete > 0) {
     note += " " + FormatCount(null->num_incomplete, "trial") +
-            " of those that count lacked the contact of a digit or a clock and took no part.";
+            " of the included trials lacked a contact or a clock and were left out.";
   }
   return html + DrawTests(*null) + MakeParagraph(note) + DrawClosureEnds(data) +
-         Element("p", {}, LinkTo("robot", "The robot's GFT% beside that of people"));
+         Element("p", {}, LinkTo("robot", "GFT% of robots and participants"));
 }
 
 }  // namespace
 
 StudySection simultaneity_study_section() {
-  return {"simultaneity", "People against independent digits", DrawSimultaneity};
+  return {"simultaneity", "Participants and independent digits", DrawSimultaneity};
 }
 
 }  // namespace graspbench

@@ -87,8 +87,8 @@ std::string DescribeMainTest(const StudyResult& result) {
 std::string DescribeZeroGft(const ZeroGft& zero) {
   if (zero.num_trials == 0) return "";
   return " The detection limit of the GFT is " + FormatWithUnit(zero.limit, "s") +
-         " here: digits that all touch at once would show a median of " +
-         FormatWithUnit(zero.median, "s") + ".";
+         " here: simultaneous contact would show a median of " + FormatWithUnit(zero.median, "s") +
+         ".";
 }
 
 /** What to know of the study before its numbers. */
@@ -133,10 +133,10 @@ Html DrawReviewed(const StudyResult& result) {
     }
   }
   if (lines.empty()) return {};
-  return MakeParagraph("A person looked at " + FormatCount(num_contacts, "contact") + " of " +
+  return MakeParagraph("A reviewer inspected " + FormatCount(num_contacts, "contact") + " of " +
                        FormatCount(static_cast<int>(lines.size()), "trial") + " and changed " +
                        std::to_string(num_changed) +
-                       "; they are the same under every choice of the analysis.") +
+                       "; reviewed contacts are the same under every choice of the analysis.") +
          MakeDetails("Reviewed trials", MakeList(lines));
 }
 
@@ -144,22 +144,18 @@ Html DrawReviewed(const StudyResult& result) {
 Html DrawTwoDigits(const StudyResult& result) {
   if (result.digits.size() != 2) return {};
   return MakeParagraph(
-      "Two digits were recorded: GFT and GOT are one number, and it says nothing of the digits "
-      "that "
-      "were not.");
+      "Two digits were recorded, so GFT equals GOT and does not describe the other digits.");
 }
 
 /** Contacts that only the digit's own stop shows. */
 Html DrawUnverified(const StudyResult& result) {
   const UnverifiedTouches touches = CountUnverified(result);
   if (touches.num_contacts == 0) return Html();
-  return Element(
-      "p", {},
-      Text(
-          "Touch not verifiable: " + FormatCount(touches.num_contacts, "contact") + " in " +
-          FormatCount(touches.num_trials, "trial") +
-          " of those that count. Without the object's shape (objects.csv) or a force, a digit that "
-          "stops off the surface looks like one that touches."));
+  return Element("p", {},
+                 Text("Touch not verifiable: " + FormatCount(touches.num_contacts, "contact") +
+                      " in " + FormatCount(touches.num_trials, "trial") +
+                      " of the included trials. Without the object's shape (objects.csv) or a "
+                      "force, a digit that stops off the surface looks like a contact."));
 }
 
 /** How far the choices of the analysis move the median. */
@@ -173,7 +169,7 @@ std::string FormatChoices(const MeasureStatistics& measure) {
 Html DrawMeasureTable(const StudyResult& result) {
   if (result.CountKept() == 0) return {};
   Table table(
-      "Every measure over the trials that count.",
+      "All measures over the included trials.",
       {"Measure",
        {"n", "trials with a value"},
        {"Missing", "trials without"},
@@ -181,7 +177,7 @@ Html DrawMeasureTable(const StudyResult& result) {
        {"Median over all choices", "smallest and largest over the combinations of the multiverse"},
        "Quartiles",
        "Mean",
-       {"SD", "over trials, people and conditions together"}});
+       {"SD", "over all trials, persons and conditions"}});
   for (const MeasureStatistics& row : result.statistics.measures) {
     const char* unit = row.measure.unit;
     if (!row.summary) {

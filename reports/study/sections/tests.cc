@@ -136,11 +136,11 @@ Html DrawConditions(const MeasureStatistics& statistics, Said& said) {
   if (!groups.empty()) html += DrawRows("How far do the groups differ?", groups, factors, said);
   if (!estimates.empty()) {
     html += MakeDetails("Means and spreads of the mixed model",
-                        DrawRows("What the mixed model estimates.", estimates, factors, said));
+                        DrawRows("Estimates of the mixed model.", estimates, factors, said));
   }
   if (!statistics.cells) return html;
   for (const LeftOut& person : statistics.cells->left_out) {
-    html += MakeParagraph("Left out of all but the mixed model: " + person.person + " (" +
+    html += MakeParagraph("Included only in the mixed model: " + person.person + " (" +
                           person.reason + ").");
   }
   return html;
@@ -149,8 +149,7 @@ Html DrawConditions(const MeasureStatistics& statistics, Said& said) {
 Html DrawRetest(const MeasureStatistics& statistics, Said& said) {
   const std::vector<StatisticRow> rows = ListRetest(statistics);
   if (rows.empty()) return {};
-  Html html = DrawRows("Does a person show the same in another session?", rows,
-                       statistics.table.factors, said);
+  Html html = DrawRows("Test-retest reliability", rows, statistics.table.factors, said);
   if (!statistics.retest) return html;
   for (const LeftOut& person : statistics.retest->left_out) {
     html += MakeParagraph("Left out: " + person.person + " (" + person.reason + ").");
@@ -209,8 +208,8 @@ Html DrawUntestable(const std::vector<MeasureStatistics>& measures) {
 
 Html DrawTrends(const MeasureStatistics& statistics, Said& said) {
   if (statistics.trends.empty()) return {};
-  Html html = DrawRows("How much does the measure change with the quantity that was varied?",
-                       ListTrends(statistics), statistics.table.factors, said);
+  Html html = DrawRows("Trend of the measure with the varied quantity", ListTrends(statistics),
+                       statistics.table.factors, said);
   for (const TrendStatistics& trend : statistics.trends) {
     html += DrawLines(trend, statistics.measure.unit);
   }
@@ -227,13 +226,13 @@ Html DrawPairs(const MeasureStatistics& statistics, Said& said) {
 Html DrawTests(const StudyPageData& data) {
   const Study& study = data.result.study;
   if (study.factors.empty() && study.groups.empty() && study.sessions.empty()) {
-    return MakeParagraph("The study names no factor, so there is nothing to compare.");
+    return MakeParagraph("The study names no factor, so there is no comparison.");
   }
   const Html untestable = DrawUntestable(data.result.statistics.measures);
   if (!untestable.markup().empty()) return untestable;
   Html html = MakeParagraph(
-      "All of this stands in statistics.csv, too, in SI units. A test is no better than what it "
-      "assumes; that stands below the first table it holds for.");
+      "statistics.csv contains all results in SI units. Assumptions of each test are stated below "
+      "its first table.");
   Said said;
   for (const MeasureStatistics& statistics : data.result.statistics.measures) {
     html += Element("h3", {}, statistics.measure.name);

@@ -30,12 +30,13 @@ Html DrawTrials(const StudyPageData& data) {
   const std::vector<const StudyTrial*> trials = ChooseTrials(data.result);
   if (trials.empty()) return MakeParagraph("No trial could be analysed.");
   std::string text =
-      "Beside the opening (of a trial removed for its onset, the wrist's speed) a row a digit: the "
-      "bar is the contact believed, each sign another detector's. All events of all trials stand "
-      "in events.csv.";
+      "Each trial shows the hand opening (or the wrist speed if the onset caused the removal) and "
+      "one row per digit: the bar is the accepted contact, each sign the result of another "
+      "detector. events.csv lists all events.";
   if (trials.size() == kMaxDrawn && data.result.trials.size() > kMaxDrawn) {
     text += " Drawn are " + std::to_string(kMaxDrawn) + " of " +
-            std::to_string(data.result.trials.size()) + " trials, those removed or flagged first.";
+            std::to_string(data.result.trials.size()) +
+            " trials, removed and flagged trials first.";
   }
   const MovementOptions& movement = data.result.study.config.analysis.movement;
   Html html = MakeParagraph(text);

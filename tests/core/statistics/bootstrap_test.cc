@@ -90,9 +90,10 @@ TEST(Bootstrap, CoversTheMeanAboutAsOftenAsItSays) {
 
 TEST(Bootstrap, GivesReasons) {
   const std::vector<double> same(6, 0.1), some = {1, 2, 3, 4, 5, 6};
-  EXPECT_EQ(CalcBootstrap(4, MakeMean(some), "x").reason(), "4 to draw from; expected 5 or more");
+  EXPECT_EQ(CalcBootstrap(4, MakeMean(some), "x").reason(),
+            "4 to resample; an interval needs 5 or more");
   EXPECT_EQ(CalcBootstrap(6, MakeMean(same), "x").reason(),
-            "the statistic does not depend on who is drawn");
+            "the statistic is the same for every resample");
   const auto nothing = [](const std::vector<size_t>&) { return NAN; };
   EXPECT_EQ(CalcBootstrap(6, nothing, "x").reason(), "the statistic has no value");
   const auto needs_first = [&](const std::vector<size_t>& members) {
@@ -124,8 +125,8 @@ TEST(Jackknife, OfTheMeanIsStudentsT) {
 
 TEST(Jackknife, GivesReasons) {
   const auto constant = [](const std::vector<size_t>&) { return 1.0; };
-  EXPECT_EQ(CalcJackknife(2, constant).reason(), "2 to leave out; expected 3 or more");
-  EXPECT_EQ(CalcJackknife(3, constant).reason(), "the statistic does not depend on who is drawn");
+  EXPECT_EQ(CalcJackknife(2, constant).reason(), "2 to leave out; an interval needs 3 or more");
+  EXPECT_EQ(CalcJackknife(3, constant).reason(), "the statistic is the same for every resample");
   const auto missing = [](const std::vector<size_t>& members) {
     return members.front() == 0 ? static_cast<double>(members.size()) : std::nan("");
   };

@@ -54,8 +54,8 @@ TEST(GripSummary, CountsTrialsThatDidNotReachWhatWasAsked) {
   EXPECT_DOUBLE_EQ(shortfall.asked.median, 20.0);
   EXPECT_DOUBLE_EQ(shortfall.reached.median, 5.0);
   EXPECT_EQ(DescribeShortfall(shortfall),
-            "grip     3 of 4 trials did not reach what was asked: asked 20.00 N, reached 5.00 N "
-            "(sums, medians); mostly: limit");
+            "grip     3 of 4 trials missed the setpoint: total setpoint 20.00 N, reached 5.00 N "
+            "(medians); mostly: limit");
   EXPECT_EQ(
       DescribeShortfall(FindShortfall(SummariseSession(MakeSession({"tum"}, {"can"}, "g3", 1)))),
       "");
@@ -74,8 +74,8 @@ TEST(GripSummary, SaysWhatIsPressedBeyondWhatWasAsked) {
   const GripShortfall shortfall = FindShortfall(summary);
   EXPECT_EQ(shortfall.num, 0);
   EXPECT_EQ(DescribeExcess(shortfall),
-            "grip     1 of 3 trials pressed more than 1.5 times as hard as asked: asked 4.00 N, in "
-            "truth 6.10 N (sums, medians)");
+            "grip     1 of 3 trials exceeded 1.5 times the setpoint: total setpoint 4.00 N, true "
+            "total 6.10 N (medians)");
   EXPECT_DOUBLE_EQ(ListGrips(summary)[0].pressed.median, 5.9);
   for (TrialRecord& record : session.records) record.result.touch.reset();
   EXPECT_EQ(DescribeExcess(FindShortfall(SummariseSession(session))), "");

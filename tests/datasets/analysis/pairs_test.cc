@@ -215,8 +215,8 @@ TEST(SuccessChange, OfFewObjectsHasTheIntervalOfItsPairs) {
 }
 
 TEST(ExplainUndecided, SaysWhatTheComparedTrialsHaveInCommon) {
-  EXPECT_EQ(ExplainUndecided({12, 12}), "cannot decide success: all 12 trials succeed");
-  EXPECT_EQ(ExplainUndecided({12, 0}), "cannot decide success: all 12 trials fail");
+  EXPECT_EQ(ExplainUndecided({12, 12}), "success not testable: all 12 trials succeed");
+  EXPECT_EQ(ExplainUndecided({12, 0}), "success not testable: all 12 trials fail");
   EXPECT_EQ(ExplainUndecided({12, 12}, {8, 3}),
             "cannot decide success: 5 of 8 trials left out fail, none of the 12 compared");
   EXPECT_EQ(ExplainUndecided({12, 11}, {8, 3}), "");

@@ -31,7 +31,7 @@ TEST(TypeSummary, CountsOppositionsAndShares) {
   EXPECT_EQ(types[0].num_as_called, 2);
   EXPECT_DOUBLE_EQ(types[0].share(), 0.5);
   EXPECT_EQ(types[0].parts, "FF 30 %, TH 50 %, palm 20 %");
-  EXPECT_EQ(FormatTypeLine(types), "2 of 4 held trials have the opposition of their grasp's name");
+  EXPECT_EQ(FormatTypeLine(types), "2 of 4 held trials have the intended opposition");
 }
 
 TEST(TypeSummary, AGraspOfItsOwnIsAskedNothing) {

@@ -39,7 +39,7 @@ TEST(CheckRecordsTest, NamesLinesOfAnotherSession) {
   EXPECT_EQ(Check(session), "");
   AppendForeign(session, plan[1]);
   EXPECT_EQ(Check(session), "\n  journal/7.jsonl:1: trial " + plan[1].id +
-                                " is not in the plan: the line is another session's");
+                                " is not in the plan: the line belongs to another session");
 }
 
 TEST(CheckRecordsTest, NamesContradictions) {

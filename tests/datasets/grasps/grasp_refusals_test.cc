@@ -106,13 +106,13 @@ TEST(GraspRefusals, Multigripper) {
                   {"bad_label.json", "result[1]: expected true, false, 1 or 0"},
                   {"bad_norm.json", "pose[0]: the quaternion has the length 1.41421"},
                   {"bad_pose.json", "pose[0]: expected a list of 7 numbers, there are 6"},
-                  {"bad_nan.json", "it is no JSON from line 1, column"},
+                  {"bad_nan.json", "it is not valid JSON from line 1, column"},
                   {"bad_dofs.json", "dofs: expected a list of 2, one for each pose"},
                   {"bad_row.json", "dofs[0]: 1 positions without names, 2 names"},
                   {"bad_no_gripper.json", "the key \"gripper\" is missing"},
                   {"bad_text.json", "pose: expected a list of poses"},
-                  {"bad_truncated.json", "it is no JSON from line 1, column"},
-                  {"bad_deep.json", "it is no JSON from line 1, column"}});
+                  {"bad_truncated.json", "it is not valid JSON from line 1, column"},
+                  {"bad_deep.json", "it is not valid JSON from line 1, column"}});
 }
 
 TEST(GraspRefusals, Graspgen) {

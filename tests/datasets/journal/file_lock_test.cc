@@ -78,7 +78,7 @@ TEST_F(FileLockTest, OfAKilledProcessIsTakenOverOfAnUnknownOneItIsNot) {
     WriteFile(owner_, text.replace(begin, end - begin, value));
   };
   const std::string rest =
-      ". If that has ended, this takes it over: rm \"" + owner_.string() + "\"";
+      ". If that process has ended, take over with: rm \"" + owner_.string() + "\"";
   for (const auto& [key, value] :
        {std::pair("boot", "\"another\""), {"processes", "\"1\""}, {"host", "\"b\""}}) {
     change(key, value);
@@ -88,7 +88,7 @@ TEST_F(FileLockTest, OfAKilledProcessIsTakenOverOfAnUnknownOneItIsNot) {
     EXPECT_TRUE(IsLocked(path_));
   }
   WriteFile(owner_, "half a l");
-  EXPECT_EQ(AskForHolder(), "; \"" + owner_.string() + "\" does not say who has it" + rest);
+  EXPECT_EQ(AskForHolder(), "; \"" + owner_.string() + "\" does not name its owner" + rest);
   // This process lives, but one of its number that began at another time has ended.
   change("process", std::to_string(::getpid()));
   EXPECT_EQ(AskForHolder(), "nobody");

@@ -91,8 +91,8 @@ TEST_F(ManifestFolder, AMissingFileAndSwappedLinesAreNamed) {
   EXPECT_EQ(Look(), "\n  journal/0.jsonl: its committed lines have changed");
   WriteFile(folder_ / "journal/0.jsonl", MakeLine("one") + "{\"damaged\"}\n");
   EXPECT_EQ(Look(),
-            "\n  journal/0.jsonl: has 58 bytes and 2 lines; 140 bytes and 3 lines were committed"
-            "\n  journal/0.jsonl:2: the line is cut off or is no record");
+            "\n  journal/0.jsonl: has 58 bytes and 2 lines; 140 bytes and 3 lines were committed\n "
+            " journal/0.jsonl:2: the line is truncated or not a record");
 }
 
 TEST_F(ManifestFolder, AJournalMayGrowByWholeLinesAndAFileMayNot) {
@@ -100,7 +100,7 @@ TEST_F(ManifestFolder, AJournalMayGrowByWholeLinesAndAFileMayNot) {
   EXPECT_EQ(Look(), "");
   EXPECT_EQ(SealJournal(folder_, "journal/0.jsonl", false).lines, 4);
   WriteFile(folder_ / "journal/0.jsonl", kLines + "{\"fi\n" + MakeLine("four"));
-  EXPECT_EQ(Look(), "\n  journal/0.jsonl:4: the line is cut off or is no record");
+  EXPECT_EQ(Look(), "\n  journal/0.jsonl:4: the line is truncated or not a record");
   WriteFile(folder_ / "journal/0.jsonl", kLines);
   WriteFile(folder_ / "session.json", "{\"seed\":1}\n\n");
   EXPECT_EQ(Look(), "\n  session.json: has more than 11 bytes");

@@ -41,9 +41,9 @@ TEST_F(ReadJournalTest, EveryKindOfLineHasOneFate) {
   EXPECT_EQ(Read(good + "\n" + wrong + foreign + Line({{"a", 5}}) + good.substr(0, 9)),
             (std::vector<int>{1, 5}));
   EXPECT_EQ(findings_.Format(),
-            "j.jsonl:3: warning: skipped: its bytes do not match their checksum; it counts as not "
-            "there\nj.jsonl:6: warning: the last line was not finished when the program stopped; "
-            "it counts as not there");
+            "j.jsonl:3: warning: skipped: its bytes do not match their checksum; it is "
+            "ignored\nj.jsonl:6: warning: the last line is incomplete because the program was "
+            "stopped; it is ignored");
   ASSERT_EQ(damage_.size(), 1u);
   EXPECT_EQ(damage_[0].path, "j.jsonl");
   EXPECT_EQ(damage_[0].line, 4);

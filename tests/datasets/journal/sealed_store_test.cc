@@ -127,7 +127,7 @@ TEST_F(SealedStore, RepairDoesNotBlessAChangedConfiguration) {
     FAIL();
   } catch (const Error& error) {
     const std::string text = error.what();
-    EXPECT_TRUE(Has(text, "no repair brings back session.json: "));
+    EXPECT_TRUE(Has(text, "no repair can restore session.json: "));
     EXPECT_EQ(text.find("verify --repair"), text.npos) << text;
   }
   SealStore(kSessionStore, session_);  // nor does a run that accepts it
@@ -136,7 +136,7 @@ TEST_F(SealedStore, RepairDoesNotBlessAChangedConfiguration) {
 
 TEST_F(SealedStore, ALostManifestIsSpokenOfForEver) {
   const std::string expected =
-      "\n  manifest.json: was lost and made again: what had changed before is not noticed";
+      "\n  manifest.json: was rebuilt after a loss: earlier changes cannot be detected";
   for (const fs::path& store : {session_, stores_[3]}) {
     fs::remove(store / "manifest.json");
     EXPECT_FALSE(RepairStore(store).actions.empty());
@@ -255,7 +255,7 @@ TEST(UnverifiedFiles, AreMadeFilesWithoutAHash) {
   SealStore(kCampaignStore, campaign);
   EXPECT_EQ(find("campaign"), Names{"scenes/tum-mug/new-other.yaml"});
   EXPECT_EQ(DescribeUnverified("comparison.csv"),
-            "comparison.csv: cannot be verified, no hash of it is kept");
+            "comparison.csv: cannot be verified, because it has no stored hash");
 }
 
 TEST(UnverifiedFiles, AreTablesWhoseManifestIsGone) {

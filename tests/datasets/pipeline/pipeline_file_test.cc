@@ -90,7 +90,7 @@ TEST(PipelineFile, FaultsHaveLines) {
       {"stages:\n  a: {command: make}\n  a: {command: make}\n", "p.yaml:3: error: the stage \"a\""},
       {"stages:\n  b: {command: make}\n  a: {command: judge, inputs: {folder: c}}\n"
        "  c: {command: judge, inputs: {folder: a}}\n",
-       "p.yaml:3: error: these stages wait for each other, or for such that do: a, c"},
+       "p.yaml:3: error: these stages depend on each other in a cycle: a, c"},
   };
   for (const auto& [text, fault] : cases) {
     EXPECT_TRUE(Has(FindFault(text), fault)) << text << FindFault(text);

@@ -115,7 +115,7 @@ TEST_F(PipelineState, OtherBytesOfTheSameKeyMakeThoseBehindStale) {
   lock["a"] = MakeLockedStage(*Parse(kText).Find("a"), lock["a"].facts, results_, lock);
   WritePipelineLock(results_, lock);
   // Whether c will be is not known before b has run again.
-  EXPECT_EQ(Tell(kText), (Told{"b: stage a gave other bytes when it ran again;"}));
+  EXPECT_EQ(Tell(kText), (Told{"b: stage a gave different bytes in a repetition;"}));
 }
 
 // Any flipped bit and any cut: told, never taken for good.

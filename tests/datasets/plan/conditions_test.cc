@@ -247,15 +247,15 @@ TEST(SweepDesign, RefusesAFactorThatNoTrialLooksAt) {
   };
   const std::string margin = "strategy.grip_margin=1,4", force = "strategy.grip_force_n=1,4";
   EXPECT_EQ(explain("force", {margin}),
-            "the factor \"strategy.grip_margin\" has no use where strategy.grip is force; leave it "
+            "the factor \"strategy.grip_margin\" has no effect if strategy.grip is force; leave it "
             "out, or set strategy.grip");
   EXPECT_NE(explain("posture", {force, margin}), "accepted");
   EXPECT_EQ(explain("force", {force}), "accepted");
   EXPECT_EQ(explain("margin", {force, margin}), "accepted");
   EXPECT_EQ(explain("margin", {"strategy.grip=force,margin", margin}),
-            "the factor \"strategy.grip_margin\" has no use under the condition "
-            "\"strategy.grip_margin=4.0\", whose trials would be those without it; use --design "
-            "one-at-a-time, or sweep each grip by itself");
+            "the factor \"strategy.grip_margin\" has no effect under the condition "
+            "\"strategy.grip_margin=4.0\", whose trials would not change; use --design "
+            "one-at-a-time, or sweep each grip separately");
 }
 
 // A base of posture keeps no margin: the condition of margin would have the default for its level 1.
@@ -266,10 +266,10 @@ TEST(SweepDesign, RefusesAFactorWhoseFirstLevelTheBaseLeavesOut) {
     MakeSweep(sweep);
     ADD_FAILURE() << "accepted";
   } catch (const Error& error) {
-    EXPECT_STREQ(error.what(),
-                 "the factor \"strategy.grip_margin\" has no use where strategy.grip is posture, "
-                 "the base's; name the grip that has one first: --factor "
-                 "strategy.grip=margin,posture");
+    EXPECT_STREQ(
+        error.what(),
+        "the factor \"strategy.grip_margin\" has no effect if strategy.grip is posture, the base "
+        "level; list the grip that uses it first: --factor strategy.grip=margin,posture");
   }
   sweep.factors = {"strategy.grip=margin,posture", "strategy.grip_margin=1,4"};
   sweep.design = "one-at-a-time";

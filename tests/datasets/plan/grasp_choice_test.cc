@@ -126,7 +126,7 @@ TEST(GraspChoice, BestIsTheTypeByRehearsal) {
   inputs.types[{"mine", "bar"}] = {"mine", "bar", other, 2, 4, ""};
   EXPECT_EQ(find("best", inputs), other);
   EXPECT_EQ(find("predicted", inputs), predicted);
-  EXPECT_EQ(Warn(inputs), "mine, bar: the grasp that rehearsal chose, " + other +
+  EXPECT_EQ(Warn(inputs), "mine, bar: the grasp chosen by rehearsal, " + other +
                               ", held 2 of 4 imagined trials\n");
   SessionInputs changed = MakeInputsOf({bar});
   changed.base = std::make_shared<const SessionInputs>(inputs);
@@ -182,8 +182,8 @@ TEST(GraspChoice, AnObjectThatTipsOverIsNamed) {
   auto bar = MakeBlock("bar", 0.03);
   bar->turned_to_rest = RadFromDeg(80.0);
   EXPECT_EQ(Warn(MakeInputsOf({bar})),
-            "bar tips over by 80 deg when it is set down as its mesh lies; it is grasped as it "
-            "rests\n");
+            "bar tips over by 80 deg when it is placed in the orientation of its mesh; it is "
+            "grasped in its resting pose\n");
 }
 
 }  // namespace

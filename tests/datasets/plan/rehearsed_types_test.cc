@@ -130,7 +130,7 @@ TEST_F(OwnBlock, WhatNoGraspHoldsIsSaidBeforeTheSession) {
   EXPECT_EQ(inputs.types.at({"tum", "block"}).held, 0);
   const std::vector<std::string> warnings = ListObjectWarnings(config_, inputs);
   ASSERT_FALSE(warnings.empty());
-  EXPECT_EQ(warnings[0], "tum, block: the grasp that rehearsal chose, " +
+  EXPECT_EQ(warnings[0], "tum, block: the grasp chosen by rehearsal, " +
                              inputs.types.at({"tum", "block"}).grasp +
                              ", held 0 of 4 imagined trials");
 }

@@ -226,7 +226,7 @@ TEST(SessionConfig, SettingsOfSensorsThatAreNotUsedAreTold) {
   EXPECT_EQ(FindProblem({"sensors.noise=0.01"}).first, "sensors.noise");
   EXPECT_EQ(FindProblem({"touch=sensed", "sensors.noise=0.01"}),
             Problem("sensors.threshold",
-                    "the elements would feel their own noise; expected at least five times "
+                    "the elements would respond to their own noise; expected at least five times "
                     "sensors.noise"));
   SessionConfig config;
   for (const char* setting : {"positioning=camera", "camera.table_colour=#ff00ff", "touch=sensed",
@@ -250,9 +250,9 @@ TEST(SessionConfig, WrongArmsAreRefusedByName) {
 }
 
 TEST(SessionConfig, AFilesGripThatIsNotUsedIsRefusedAtItsLine) {
-  EXPECT_TRUE(Has(FindProblems("strategy:\n  grip: posture\n  grip_margin: 3\n"),
-                  "s.yaml:3: error: strategy.grip_margin: has no use where strategy.grip is "
-                  "posture"));
+  EXPECT_TRUE(
+      Has(FindProblems("strategy:\n  grip: posture\n  grip_margin: 3\n"),
+          "s.yaml:3: error: strategy.grip_margin: has no effect if strategy.grip is posture"));
   EXPECT_TRUE(Has(FindProblems("preset: gentle\nstrategy:\n  grip_margin: 3\n"), "grip_margin"));
   EXPECT_EQ(FindProblems("strategy:\n  grip: margin\n  grip_margin: 3\n  grip_force_n: 1\n"), "");
   EXPECT_EQ(FindProblems("strategy:\n  grip: posture\n  grip_margin: 2\n"), "")
@@ -311,7 +311,7 @@ TEST(ImperfectionConfigTest, WhatConcernsNoJointIsRefused) {
   ApplyImperfections(loop, hand);
   for (const auto& [config, which] : {std::pair(yields, &hand), std::pair(loop, &slides)}) {
     EXPECT_TRUE(Throws([&] { ApplyImperfections(config, *which); }, ErrorKind::kUsage,
-                       "concerns nothing of the hand \"tum\""));
+                       "has no effect on the hand \"tum\""));
   }
 }
 

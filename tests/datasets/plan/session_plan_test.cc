@@ -142,7 +142,7 @@ TEST(SessionPlan, BySightNeedsACameraAndAGraspOfEachType) {
             "hand.yaml), or name a grasp");
   config.grasps = {"by_sight"};
   EXPECT_EQ(FindPlanError(config, MakeLookingInputs()).second,
-            "none of the session's hands can do a grasp \"by_sight\"; did you mean \"by-sight\"? "
+            "none of the session's hands has a grasp \"by_sight\"; did you mean \"by-sight\"? "
             "Known: g1, g2, g3, g4, g5, by-sight, rehearsed");
   SessionInputs named = MakeLookingInputs();
   named.hands[0].grasps[4].id = "by-sight";
@@ -175,7 +175,7 @@ TEST(SessionPlan, IdsDependOnTheSensorsOfThoseWhoFeel) {
   const auto [kind, text] = FindPlanError(config, MakeFakeInputs());
   EXPECT_EQ(kind, ErrorKind::kUsage);
   EXPECT_EQ(text,
-            "the hand \"tum\" feels nothing; choose touch: exact, or give it a tactile.yaml "
+            "the hand \"tum\" has no tactile elements; use touch: exact, or add a tactile.yaml "
             "(graspbench help tactile.yaml)");
 }
 
@@ -210,10 +210,10 @@ TEST(SessionPlan, AGraspOfOneObjectIsTriedOnThatObjectBesideTheBestOne) {
 
   inputs.hands[0].grasps.push_back(optimised);
   EXPECT_EQ(FindPlanError(config, inputs),
-            std::make_pair(ErrorKind::kUsage,
-                           std::string("two grasp files of the session bring a grasp "
-                                       "\"new-target\" of the hand \"tum\" for \"pencil\"; leave "
-                                       "one out or change its id")));
+            std::make_pair(
+                ErrorKind::kUsage,
+                std::string("two grasp files of the session define a grasp \"new-target\" of the "
+                            "hand \"tum\" for \"pencil\"; leave one out or change its id")));
   inputs.hands[0].grasps.pop_back();
   inputs.objects.pop_back();  // the pencil
   EXPECT_EQ(FindPlanError(config, inputs),
@@ -308,7 +308,7 @@ TEST(SessionPlan, TellsWhatCannotBePlanned) {
   unknown.grasps = {"g1", "g7"};
   EXPECT_EQ(FindPlanError(unknown, fake),
             std::pair(ErrorKind::kNotFound,
-                      std::string("none of the session's hands can do a grasp \"g7\"; did you mean "
+                      std::string("none of the session's hands has a grasp \"g7\"; did you mean "
                                   "\"g1\"? Known: g1, g2, g3, g4, g5, by-sight, rehearsed")));
   in_condition.conditions = {{"other", {"grasp=g7"}}};
   SessionInputs inputs = fake;
@@ -332,7 +332,7 @@ TEST(SessionPlan, TellsWhatCannotBePlanned) {
   inputs = fake;
   inputs.hands = {MakeFakeHand("fist", 1, 0.0, {})};
   EXPECT_EQ(FindPlanError(SessionConfig(), inputs).second,
-            "none of the session's hands has any grasp; graspbench hand develop finds some");
+            "none of the session's hands has a grasp; graspbench hand develop finds grasps");
 }
 
 // As a level of a sweep, too: the base knows its contacts, the condition is to feel them.

@@ -82,8 +82,8 @@ TEST(TrialRecord, EveryCutIsFound) {
 }
 
 TEST(TrialRecord, SaysWhatIsWrong) {
-  EXPECT_EQ(FindProblem(""), "the line is cut off or is no record");
-  EXPECT_EQ(FindProblem("{\"trial_id\":1}"), "the line is cut off or is no record");
+  EXPECT_EQ(FindProblem(""), "the line is truncated or not a record");
+  EXPECT_EQ(FindProblem("{\"trial_id\":1}"), "the line is truncated or not a record");
   std::string line = FormatJournalLine(MakeFakeRecord(kPlanned));
   line[20] ^= 1;
   EXPECT_EQ(FindProblem(line), "its bytes do not match their checksum");

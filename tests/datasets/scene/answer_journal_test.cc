@@ -173,9 +173,9 @@ TEST_F(EvaluationJournalTest, ADamagedLineCostsItselfOnly) {
   damaged[damaged.find('\n') + 30] ^= 1;  // in the second line
   WriteFileAtomically(path(), damaged);
   EXPECT_EQ(Load().size(), 9u);
-  EXPECT_EQ(findings_.Format(),
-            "journal.jsonl:2: warning: skipped: its bytes do not match their checksum; it counts "
-            "as not there");
+  EXPECT_EQ(
+      findings_.Format(),
+      "journal.jsonl:2: warning: skipped: its bytes do not match their checksum; it is ignored");
   EXPECT_EQ(FindAnswer(Load(), 1), nullptr);
   // The missing answer is given again, behind the others, which are all still there.
   const std::string continued = Finish();

@@ -85,8 +85,7 @@ TEST_F(JudgementStore, DamageCostsTheLineAlone) {
   EXPECT_EQ(FindUnjudged(session).size(), unjudged.size() - 1);
   const std::string text = session.findings.Format();
   EXPECT_NE(text.find("judge/0.jsonl:2"), std::string::npos) << text;
-  EXPECT_NE(text.find("the last line was not finished when the program stopped; it counts as not "
-                      "there"),
+  EXPECT_NE(text.find("the last line is incomplete because the program was stopped; it is ignored"),
             std::string::npos)
       << text;
 }

@@ -208,8 +208,8 @@ TEST_F(SessionStore, CutAnywhereTheJournalLosesTheCutTrialOnly) {
     const Session session = LoadSession(folder());
     ASSERT_EQ(session.records.size(), plan.size() - 1) << length;
     ASSERT_EQ(session.findings.Format(),
-              "journal/0.jsonl:4: warning: the last line was not finished when the program "
-              "stopped; it counts as not there");
+              "journal/0.jsonl:4: warning: the last line is incomplete because the program was "
+              "stopped; it is ignored");
   }
   // The next line starts on a line of its own, and the torn one stays as a finding.
   WriteText(journal(0), whole.substr(0, whole.size() - 20));

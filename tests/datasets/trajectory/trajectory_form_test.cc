@@ -37,9 +37,9 @@ TEST(TrajectoryForm, IsFoundByEndingAndByName) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::kUsage);
-    EXPECT_STREQ(error.what(),
-                 "--trajectory: \"a.bag\" ends in none of the forms there are: .glb, .csv, .mcap, "
-                 ".h5, .npz");
+    EXPECT_STREQ(
+        error.what(),
+        "--trajectory: \"a.bag\" has none of the known endings: .glb, .csv, .mcap, .h5, .npz");
   }
 }
 

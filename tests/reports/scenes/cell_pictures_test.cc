@@ -119,7 +119,7 @@ TEST(RenderCellPictures, SnapshotsThatDoNotFitTheHandAreAProblem) {
   EXPECT_TRUE(pictures.by_cell.empty());
   ASSERT_EQ(pictures.problems.size(), 1u);
   EXPECT_EQ(pictures.problems[0],
-            "no trial of Box Hand, can, power (g3) has snapshots that fit the hand as it is now");
+            "no trial of Box Hand, can, power (g3) has snapshots that fit the present hand");
 }
 
 TEST(WriteSessionReport, UnknownModelsCostThePicturesNotTheReport) {

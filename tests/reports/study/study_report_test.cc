@@ -99,8 +99,7 @@ TEST(StudyReport, EverySectionSaysItsNumbers) {
   ExpectParts(TextOfId(page, "summary"), {"12 of 12 trials were analysed"});
   ExpectParts(TextOfId(page, "published"), {"Jeannerod 1984", "peak opening over diameter"});
   ExpectParts(TextOfId(page, "removed"), {"No trial was removed."});
-  ExpectParts(TextOfId(page, "curves"),
-              {"diameter 30\u00A0mm (6 trials)", "One trial that counts, "});
+  ExpectParts(TextOfId(page, "curves"), {"diameter 30\u00A0mm (6 trials)", "One included trial, "});
   const MeasureStatistics& gft = result.statistics.measures.front();
   ExpectParts(TextOfId(page, "measures"),
               {FormatWithUnit(gft.cells->means.col(1).mean(), gft.measure.unit) + ", 6 trials",
@@ -153,7 +152,7 @@ TEST(StudyReport, BeginsWithItsContrast) {
   EXPECT_LT(summary.find("(paired t test)"), summary.find("12 of 12 trials were analysed"));
   EXPECT_EQ(CountOf(page, "<title>03</title>"), 1) << "a line for each person";
   EXPECT_EQ(CountOf(TextOfId(page, "measures"), "Ticks: single trials"), 0) << "said once";
-  ExpectParts(TextOfId(page, "removed"), {"Flags that no trial carries ("});
+  ExpectParts(TextOfId(page, "removed"), {"Warnings without a trial ("});
 }
 
 TEST(StudyReport, TheArgumentsHaveTheirNumbersAndWhatHasNoneItsReason) {
@@ -251,9 +250,8 @@ TEST(StudyReport, HumansStandBesideARobot) {
   ExpectParts(text, {"humans, all trials", "TUM Hand, power (g3)"});
   EXPECT_EQ(text.find("TUM Hand, all trials"), std::string::npos);  // the same trials once more
   ExpectParts(text, {"Session: pilot.", "32.8"});  // GFT% of the fixture's middle trial
-  ExpectParts(text,
-              {"Not compared: people grasped no can in a trial that counts, but cylinder_30mm, "
-               "cylinder_60mm."});
+  ExpectParts(text, {"Not compared: people grasped no can in an included trial, but cylinder_30mm, "
+                     "cylinder_60mm."});
 }
 
 // The robot's digits come at 0.4, 0.5 and 0.6 s: the thumb after 16.7 and the middle finger after

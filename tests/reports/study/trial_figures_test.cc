@@ -88,7 +88,7 @@ TEST(ReviewPages, EveryTrialHasAPageAndEveryDigitARow) {
     const std::string page = ReadFile(entry.path());
     tinyxml2::XMLDocument document;
     ParsePage(page, document);
-    ExpectParts(page, {"Speed of the tips against the object",
+    ExpectParts(page, {"Speed of the tips relative to the object",
                        "Distance of the markers from the surface", "breakpoint"});
     ++num_pages;
   }

@@ -76,7 +76,7 @@ TEST_F(GripThresholdsTest, OfForcesEndAtWhatDrivesGive) {
       EXPECT_THROW(MakePlan(asked, LoadSessionInputs(asked)), Error);
     }
   }
-  EXPECT_NE(DescribeCeilings(found).find("is asked of tum g3, whose drives give no more"),
+  EXPECT_NE(DescribeCeilings(found).find("is asked of tum g3, the limit of its drives"),
             std::string::npos)
       << DescribeCeilings(found);
 }

@@ -97,7 +97,7 @@ TEST_F(ScheduleSessionTest, WhatCannotBeComparedIsRefusedBeforeATrialRuns) {
   const PreparedSession without = PrepareSchedules(request_, {});
   EXPECT_EQ(without.session.plan.size(), 4u);
   EXPECT_EQ(LoadPeopleFile(without.folder).cells[0].missing.at(kPeopleLike),
-            "no study of people was named");
+            "no study of participants was named");
   request_.folder = without.folder;
   EXPECT_NE(FindFault({}).find("schedules of its own"), std::string::npos);
 }

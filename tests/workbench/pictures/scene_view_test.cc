@@ -31,7 +31,7 @@ TEST(SceneView, WordsAreViews) {
 }
 
 TEST(SceneView, WhatIsNoneIsRefused) {
-  EXPECT_NE(FindMessage({"inside"}).find("\"inside\" is no view"), std::string::npos);
+  EXPECT_NE(FindMessage({"inside"}).find("\"inside\" is not a view"), std::string::npos);
   EXPECT_NE(FindMessage({"frunt"}).find("did you mean \"front\""), std::string::npos);
   EXPECT_NE(FindMessage({"front", "3"}).find("see: help view"), std::string::npos);
   EXPECT_NE(FindMessage({"free", "3"}).find("azimuth and elevation"), std::string::npos);

@@ -60,7 +60,7 @@ TEST(TrialPicture, WhatWasNotReachedIsSaid) {
             std::string::npos);
   EXPECT_NE(FindMessage(traced, "0.6s").find("ended at 0.500 s"), std::string::npos);
   EXPECT_NE(FindMessage(traced, "clsed").find("did you mean \"closed\""), std::string::npos);
-  EXPECT_NE(FindMessage(traced, "done").find("is no instant"), std::string::npos);
+  EXPECT_NE(FindMessage(traced, "done").find("is not an instant"), std::string::npos);
   EXPECT_NE(FindMessage(TracedTrial(), "hold").find("could not begin"), std::string::npos);
 }
 

@@ -405,7 +405,7 @@ class Controllers(unittest.TestCase):
         text = run(self.folder / "s", "--set", "policy.period_s=0.01", expect=3)
         self.assertIn("policy.command is empty", text)
         for setting, part in (("policy.moves=feet", 'no moves "feet"'),
-                              ("policy.hand_speed_m_per_s=0.2", "changes nothing while policy.moves is digits"),
+                              ("policy.hand_speed_m_per_s=0.2", "has no effect while policy.moves is digits"),
                               ("policy.object_pose=far", 'no object pose "far"')):
             self.assertIn(part, run(self.folder / "s", "--set", setting, policy="true", expect=3))
         text = run(self.folder / "s", "--hand", "tum-original", "--set", "policy.picture_px=64", policy="true", expect=2)

@@ -64,31 +64,25 @@ TEST(SensitivityTables, ShowChangesWithTheirIntervals) {
   SensitivitySummary summary;
   summary.changes = {change};
   summary.changes[0].num_objects = 5;
-  EXPECT_EQ(
-      FormatSensitivityTables(summary),
-      "setting               was  hand  pairs  objects  success [%]           GFT [ms]            "
-      "            GFT% [%]                           sigma [N]\n"
-      "model.mass_scale=2.0  1.0  tum      10        5  -30.0 (-60.0 to 5.0)  100 (50 to 250), 6 "
-      "of 10 pairs  10.0 (5.0 to 25.0), 6 of 10 pairs  n/a, 0 of 10 pairs\n"
-      "mean changes over pairs of the same draw, with 95 % intervals from drawing objects (success "
-      "of fewer than 5: these objects alone)\n"
-      "n of N pairs: in each other pair a trial has no value\n");
+  EXPECT_EQ(FormatSensitivityTables(summary),
+            "setting               was  hand  pairs  objects  success [%]           GFT [ms]       "
+            "                 GFT% [%]                           sigma [N]\nmodel.mass_scale=2.0  "
+            "1.0  tum      10        5  -30.0 (-60.0 to 5.0)  100 (50 to 250), 6 of 10 pairs  10.0 "
+            "(5.0 to 25.0), 6 of 10 pairs  n/a, 0 of 10 pairs\nmean changes over pairs of the same "
+            "draw, with 95 % intervals from resampling objects (success with fewer than 5 objects: "
+            "these objects only)\nn of N pairs: the others lack a value\n");
   summary.changes[0].measures.assign(5, {"gft_s", 10, 0.1, 0.2, kUnset, kUnset, ""});
   summary.changes[0].measures[1].measure = "gft_ratio";
   summary.changes[0].measures[2].measure = "sigma_n";
   summary.changes[0].num_left_out = 4;
   summary.changes[0].why_left_out = "4 without a partner";
   summary.changes[0].num_other_grasp = 1;
-  EXPECT_EQ(
-      FormatSensitivityTables(summary),
-      "setting               was  hand  pairs     objects  success [%]           GFT [ms]  GFT% "
-      "[%]  "
-      "sigma [N]  other grasp  left out\n"
-      "model.mass_scale=2.0  1.0  tum   10 of 14        5  -30.0 (-60.0 to 5.0)       100      "
-      "10.0  "
-      "     0.10  1 pair       4 without a partner\n"
-      "mean changes over pairs of the same draw, with 95 % intervals from drawing objects (success "
-      "of fewer than 5: these objects alone)\n");
+  EXPECT_EQ(FormatSensitivityTables(summary),
+            "setting               was  hand  pairs     objects  success [%]           GFT [ms]  "
+            "GFT% [%]  sigma [N]  other grasp  left out\nmodel.mass_scale=2.0  1.0  tum   10 of 14 "
+            "       5  -30.0 (-60.0 to 5.0)       100      10.0       0.10  1 pair       4 without "
+            "a partner\nmean changes over pairs of the same draw, with 95 % intervals from "
+            "resampling objects (success with fewer than 5 objects: these objects only)\n");
 }
 
 TEST(SimultaneityTables, ARelationIsShownWithItsIntervalAndMarkedWhenItHolds) {
@@ -128,7 +122,7 @@ TEST(SimultaneityTables, ADoseShowsItsMeansInTheUnitOfItsLabel) {
   row.num_left_out = 3;
   const std::string partial = FormatDoseResponses({row});
   EXPECT_NE(partial.find("  12 of 15  "), std::string::npos) << partial;
-  EXPECT_NE(partial.find("\nn of N trials: the others have no value at some delay\n"),
+  EXPECT_NE(partial.find("\nn of N trials: the others lack a value at some delay\n"),
             std::string::npos)
       << partial;
 }
@@ -159,7 +153,7 @@ TEST(SweepTables, NameInteractionsThatExcludeZeroAndConditionsThatDecideNothing)
   row.hand = "tum";
   row.num_planned = row.num_finished = 4;
   row.medians = {1.0, 0.25, 1.5, kUnset};
-  row.undecided = "cannot decide success: all 4 trials succeed";
+  row.undecided = "success not testable: all 4 trials succeed";
   summary.rows = {row};
   SweepEffect effect;
   effect.factors = {"model.mass_scale"};
@@ -176,19 +170,15 @@ TEST(SweepTables, NameInteractionsThatExcludeZeroAndConditionsThatDecideNothing)
   summary.interactions = {effect};
   EXPECT_EQ(
       FormatSweepTables(summary),
-      "condition  hand  trials  success [%]  GFT% [%]  sigma [N]  breaking force [N]  note\n"
-      "base       tum        4        100.0      25.0       1.50                 n/a  cannot "
-      "decide success: all 4 trials succeed\n"
-      "rate of success, medians of the rest\n"
-      "\n"
-      "level                 hand  measure    draws  objects  change  95 % interval\n"
-      "model.mass_scale=2.0  tum   sigma [N]      4        0   -0.50  fewer than five objects\n"
-      "against the base's level, on the same draws; intervals from drawing objects\n"
-      "\n"
-      "interactions whose interval excludes 0\n"
-      "level                              hand  measure    draws  objects  change  95 % interval\n"
-      "model.mass_scale=2.0 and grasp=g2  tum   sigma [N]      4        0   -0.50  -0.75 to -0.25, "
-      "excludes 0\n");
+      "condition  hand  trials  success [%]  GFT% [%]  sigma [N]  breaking force [N]  note\nbase   "
+      "    tum        4        100.0      25.0       1.50                 n/a  success not "
+      "testable: all 4 trials succeed\nsuccess: rate; other columns: medians\n\nlevel              "
+      "   hand  measure    draws  objects  change  95 % interval\nmodel.mass_scale=2.0  tum   "
+      "sigma [N]      4        0   -0.50  fewer than five objects\nrelative to the base level, on "
+      "the same draws; intervals from resampling objects\n\nsignificant interactions (95 % CI "
+      "excludes 0)\nlevel                              hand  measure    draws  objects  change  95 "
+      "% interval\nmodel.mass_scale=2.0 and grasp=g2  tum   sigma [N]      4        0   -0.50  "
+      "-0.75 to -0.25, excludes 0\n");
   summary.effects[0].num_left_out = 2;
   summary.effects[0].why_left_out = "2 without a value";
   EXPECT_NE(
@@ -199,7 +189,7 @@ TEST(SweepTables, NameInteractionsThatExcludeZeroAndConditionsThatDecideNothing)
       std::string::npos)
       << FormatSweepTables(summary);
   summary.interactions[0].change.interval = Interval{-0.75, 0.25};
-  EXPECT_NE(FormatSweepTables(summary).find("no interval of an interaction excludes 0\n"),
+  EXPECT_NE(FormatSweepTables(summary).find("no significant interaction (95 % CI)\n"),
             std::string::npos);
 }
 

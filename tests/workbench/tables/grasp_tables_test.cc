@@ -87,7 +87,7 @@ TEST_P(GraspTablesTest, ATableAndALineANumber) {
 INSTANTIATE_TEST_SUITE_P(Hands, GraspTablesTest, testing::Values("tum", "shadow"));
 
 TEST(GraspTables, AHandWithoutGraspsSaysSo) {
-  EXPECT_EQ(FormatGraspNumbers({}, {}), "no standard grasps; graspbench hand develop finds some\n");
+  EXPECT_EQ(FormatGraspNumbers({}, {}), "no standard grasps; graspbench hand develop finds them\n");
 }
 
 }  // namespace

@@ -4,6 +4,11 @@
 
 #include <algorithm>
 
+#include "core/trial/grip/grip_record.h"
+#include "core/trial/measures/diagnosis.h"
+#include "core/trial/outcome.h"
+#include "human_study/study/run/trial_removal.h"
+
 namespace graspbench {
 namespace {
 
@@ -24,6 +29,23 @@ TEST(HelpText, AColumnIsExplainedWithItsMeasureAndTables) {
             text.npos)
       << text;
   EXPECT_EQ(ExplainWord("tip_noise_TH_m").find("tip_noise_DIGIT_m\n"), 0u);
+}
+
+TEST(HelpText, OutcomesMechanismsReasonsPresetsAndWarningsAreExplained) {
+  for (const OutcomeRow& row : kOutcomes) {
+    if (row.value == Outcome::kNotRun) continue;
+    EXPECT_NE(FindGlossaryEntry(row.name), nullptr) << row.name;
+    EXPECT_EQ(ExplainWord(row.name).find(row.name), 0u) << row.name;
+  }
+  for (const auto& row : kMechanisms) EXPECT_NE(FindGlossaryEntry(row.name), nullptr) << row.name;
+  for (const auto& row : kGripFaults) {
+    if (*row.name) EXPECT_NE(FindGlossaryEntry(row.name), nullptr) << row.name;
+  }
+  for (const TrialFlag& flag : TrialFlagList()) {
+    EXPECT_NE(ExplainWord(flag.name).find(flag.text), std::string::npos) << flag.name;
+  }
+  EXPECT_NE(ExplainWord("gap_event").find("keys     markers.companions"), std::string::npos);
+  EXPECT_NE(ExplainWord("firm").find("set by   graspbench run --preset firm"), std::string::npos);
 }
 
 // A row of the glossary that names a column that no table has would lead nowhere.

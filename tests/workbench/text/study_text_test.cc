@@ -30,12 +30,11 @@ TEST(FormatRemoved, WhereHalfOfTheAnalysedDoNotCountTheWayOnIsNamed) {
   result.trials[0].removed_code = result.trials[0].removed = "no_hold";
   EXPECT_EQ(FormatRemoved(result).find("advice"), std::string::npos);
   result.trials[1].removed_code = result.trials[1].removed = "no_hold";
-  EXPECT_NE(
-      FormatRemoved(result).find("advice   graspbench study suggest 'my study.yaml' looks for "
-                                 "keys with which more trials count\n"),
-      std::string::npos);
+  EXPECT_NE(FormatRemoved(result).find("advice   graspbench study suggest 'my study.yaml' proposes "
+                                       "keys with which more trials are included\n"),
+            std::string::npos);
   result.study.recordings = "elsewhere";
-  EXPECT_NE(FormatRemoved(result).find("'my study.yaml' --data elsewhere looks"),
+  EXPECT_NE(FormatRemoved(result).find("'my study.yaml' --data elsewhere proposes"),
             std::string::npos);
 }
 
@@ -56,14 +55,12 @@ TEST(FormatSuggestions, SaysWhyWhatItCostsAndWhatIsLeft) {
   suggestions.num_kept_then = 15;
   suggestions.suggestions = {{{"movement.rule=regression"}, "no rest", "it is less exact", 15}};
   suggestions.others = {{"no_contact", "no contact of the thumb: hidden", {"p1-1"}}};
-  EXPECT_EQ(
-      FormatSuggestions(suggestions),
-      "now      0 of 21 trials count\nsuggest  movement.rule: regression\n"
-      "         why: no rest\n         cost: it is less exact\n         then 15 trials count\n"
-      "then     15 of 21 trials count\n"
-      "left     1 [no_contact] no contact of the thumb: hidden\n         trials: p1-1\n"
-      "         look at: the marker of that digit under markers; markers.companions, if it is "
-      "hidden\n");
+  EXPECT_EQ(FormatSuggestions(suggestions),
+            "now      0 of 21 trials included\nsuggest  movement.rule: regression\n         why: no "
+            "rest\n         cost: it is less exact\n         then 15 trials included\nthen     15 "
+            "of 21 trials included\nleft     1 [no_contact] no contact of the thumb: hidden\n      "
+            "   trials: p1-1\n         look at: the marker of that digit under markers; "
+            "markers.companions, if it is hidden\n");
 }
 
 }  // namespace

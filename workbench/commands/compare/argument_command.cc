@@ -46,17 +46,15 @@ void ShowArgument(const ArgumentOptions& options) {
 
 void AddArgumentCommand(Command& program) {
   Command& command = AddSubcommand(
-      program, "argument",
-      "Say of the thesis's five claims what finished studies, maps, optimisations and sessions "
-      "show.",
-      "  graspbench argument results --out argument     all that was run below results\n"
-      "  graspbench argument study map campaign         five lines, without a page\n"
-      "Nothing is simulated; what was not run is named with its command.");
+      program, "argument", "Report the evidence of finished results for the thesis's five claims.",
+      "  graspbench argument results --out argument     every result below the folder\n  "
+      "graspbench argument study map campaign         five lines, without a page\nNothing is "
+      "simulated. Missing evidence is listed with its command.");
   const auto options = std::make_shared<ArgumentOptions>();
-  command.AddRequired("folders", options->folders,
-                      "results of study run, map, optimise, campaign, run; or folders of them",
-                      "DIR..");
-  command.AddOption("--out", options->out, "folder of the page and of argument.json", "DIR");
+  command.AddRequired(
+      "folders", options->folders,
+      "results of study run, map, optimise, campaign, run, or folders with such results", "DIR..");
+  command.AddOption("--out", options->out, "folder for the page and argument.json", "DIR");
   AddReplaceOption(command, options->replace);
   AddJsonOption(command, options->json);
   command.SetAction([options] { ShowArgument(*options); });

@@ -70,19 +70,20 @@ std::string FormatChoices(const std::vector<BestGrasp>& rows) {
   const auto count = [&](auto is_counted) {
     return std::to_string(std::count_if(rows.begin(), rows.end(), is_counted));
   };
-  return table.Format() + "the usual grasp is the best found, or as good, for " +
+  return table.Format() + "the default grasp is not outperformed for " +
          count([](const BestGrasp& row) { return row.is_usual_as_good(); }) + " of " +
-         std::to_string(rows.size()) + ", worse on the same draws beyond chance for " +
-         count([](const BestGrasp& row) { return row.is_usual_worse(); }) + "; held by none " +
-         count([](const BestGrasp& row) { return !row.best; }) + "\n";
+         std::to_string(rows.size()) + ", significantly worse on the same draws for " +
+         count([](const BestGrasp& row) { return row.is_usual_worse(); }) +
+         "; no grasp succeeds for " + count([](const BestGrasp& row) { return !row.best; }) + "\n";
 }
 
 void FindBest(const BestOptions& options) {
   const Session session = LoadSession(options.session, OnDamage::kRefuse, RecordParts::kBrief);
   if (!session.config.conditions.empty()) {
-    throw Error(ErrorKind::kUsage, "\"" + options.session +
-                                       "\" is a sweep; its report and export/effects.csv compare "
-                                       "its conditions, graspbench best reads a session without");
+    throw Error(ErrorKind::kUsage,
+                "\"" + options.session +
+                    "\" is a sweep; its report and export/effects.csv compare the conditions. "
+                    "graspbench best needs a session without conditions");
   }
   const SessionSummary summary = SummariseSession(session);
   SessionConfig config = session.config;
@@ -103,10 +104,10 @@ void FindBest(const BestOptions& options) {
 }  // namespace
 
 void AddBestCommand(Command& program) {
-  Command& command = AddSubcommand(
-      program, "best", "Compare each object's best grasp with the usual one, from a session.",
-      "  graspbench run --grasp all --out results/all\n"
-      "  graspbench best results/all");
+  Command& command = AddSubcommand(program, "best",
+                                   "Compare the best grasp of each object with the default grasp.",
+                                   "  graspbench run --grasp all --out results/all\n"
+                                   "  graspbench best results/all");
   const auto options = std::make_shared<BestOptions>();
   command.AddRequired("session", options->session, "a session with several grasps", "DIR");
   AddJsonOption(command, options->json);

@@ -13,7 +13,7 @@ namespace graspbench {
 std::string FormatThresholdChanges(const std::vector<ThresholdChange>& changes) {
   if (changes.empty()) return "";
   return "\n" + FormatTable(ShowTable(ListThresholdChangeColumns(), changes)) +
-         "median ratio of the draws' thresholds, with its 95 % interval\n";
+         "median ratio of the grip thresholds over draws, with 95 % interval\n";
 }
 
 namespace {
@@ -26,9 +26,9 @@ struct CompareOptions {
 };
 
 std::string FormatChanges(const std::vector<SettingChange>& changes) {
-  return FormatTable(
-             ShowChanges(changes, {"of", "hand", "pairs", "objects", "won", "lost", "success [%]",
-                                   "GFT [ms]", "GFT% [%]", "sigma [N]", "left out"})) +
+  return FormatTable(ShowChanges(
+             changes, {"of", "hand", "pairs", "objects", "improved", "worsened", "success [%]",
+                       "GFT [ms]", "GFT% [%]", "sigma [N]", "left out"})) +
          DescribeChanges(changes);
 }
 
@@ -69,15 +69,15 @@ std::string FormatObjects(const std::vector<ObjectComparison>& objects,
   if (objects.size() < 2) return "";
   return "\n" + FormatTable(ShowTable(ListObjectComparisonColumns(), objects)) + "\n" +
          FormatTable(ShowTable(ListHandDecisionColumns(), decisions)) +
-         "p: both succeed as often, exact test clustered by object (below 6 objects never under "
-         "0.05)\npairs for 10 points: on these objects, decided in 80 % of comparisons\n";
+         "p: equal success rates, exact test clustered by object (never below 0.05 with fewer than "
+         "6 objects)\npairs for 10 points: number of pairs that detects 10 points with a power of "
+         "80 % on these objects\n";
 }
 
 std::string FormatLoads(const std::vector<LoadChange>& loads) {
   if (loads.empty()) return "";
   return "\n" + FormatTable(ShowTable(ListLoadChangeColumns(), loads)) +
-         "smallest breaking force of the draws that the judge tested in both, with 95 % "
-         "interval\n";
+         "smallest breaking force over draws judged in both sessions, with 95 % interval\n";
 }
 
 std::string FormatTypes(const char* which, const std::vector<TypeSummary>& types) {
@@ -124,13 +124,13 @@ void Compare(const CompareOptions& options) {
                      " only in the second\n";
   if (const int num = comparison.num_other_grasp(); num > 0)
     text += std::to_string(num) + " of " + num_pairs + " changed grasp\n";
-  if (!comparison.settings.empty()) text += "settings that differ, of the first and the second\n";
+  if (!comparison.settings.empty()) text += "settings that differ (first, second)\n";
   for (const std::string& setting : comparison.settings) text += "  " + setting + "\n";
   PrintResult(text + FormatChanges(comparison.changes) + FormatObjects(objects, decisions) +
               FormatThresholdChanges(thresholds) + FormatLoads(loads) +
               FormatTypes("before", types_before) + FormatTypes("after", types_after) +
-              FormatFlips(comparison.pairs, "won", &TrialPair::is_won) +
-              FormatFlips(comparison.pairs, "lost", &TrialPair::is_lost));
+              FormatFlips(comparison.pairs, "improved", &TrialPair::is_won) +
+              FormatFlips(comparison.pairs, "worsened", &TrialPair::is_lost));
 }
 
 }  // namespace

@@ -83,8 +83,7 @@ ExitCode ExplainFailures(const SessionExplainOptions& options) {
 
 void AddExplainCommand(Command& program) {
   Command& command = AddSubcommand(
-      program, "explain",
-      "Run failed trials of a session again with remedies, and say what would have held.",
+      program, "explain", "Repeat failed trials with remedies and report which remedies succeed.",
       "  graspbench explain results/pilot          one failure of each condition\n"
       "  graspbench explain results/pilot --all    every failure");
   const auto options = std::make_shared<SessionExplainOptions>();

@@ -55,7 +55,7 @@ void ConvertGrasps(const ConvertRequest& request) {
   const WrittenGrasps written = WriteGrasps(collection.grasps, request.format);
   WriteOutputFile(request.out, written.bytes);
   for (const std::string& loss : written.losses) {
-    PrintMessage("warning: " + request.format + " has no place for " + loss);
+    PrintMessage("warning: " + request.format + " cannot store " + loss);
   }
   PrintResult(request.out + ": " +
               FormatCount(static_cast<int64_t>(collection.grasps.size()), "grasp") + "\n");
@@ -64,26 +64,26 @@ void ConvertGrasps(const ConvertRequest& request) {
 }  // namespace
 
 void AddGraspsCommand(Command& program) {
-  Command& group = AddSubcommand(program, "grasps", "Read and convert grasps that others made.",
+  Command& group = AddSubcommand(program, "grasps", "Read, convert and judge external grasps.",
                                  "  graspbench grasps info downloaded/\n"
                                  "  graspbench grasps info mug.npy --hand shadow");
   group.RequireSubcommand();
 
   const auto request = std::make_shared<InfoRequest>();
   Command& info = AddSubcommand(
-      group, "info", "Say what files of grasps hold, and which could not be read.",
+      group, "info", "List the contents of grasp files and the files that cannot be read.",
       "  graspbench grasps info downloaded/\n"
       "  graspbench grasps info mug.npy --hand shadow\n"
       "  graspbench grasps info mug.yaml --hand-frame panda_hand --object-frame mesh --json");
   request->grasps.AddTo(info);
-  info.AddOption("--hand", request->hand, "also try the grasps on a hand: id, or its folder",
-                 "HAND");
+  info.AddOption("--hand", request->hand,
+                 "also check that this hand can take the grasps: id or folder", "HAND");
   AddJsonOption(info, request->json);
   info.SetAction([request] { return ShowGrasps(*request); });
 
   const auto conversion = std::make_shared<ConvertRequest>();
   Command& convert =
-      AddSubcommand(group, "convert", "Write grasps as a file of another tool.",
+      AddSubcommand(group, "convert", "Write grasps in the format of another tool.",
                     "  graspbench grasps convert mug.npy --to isaac --out mug.yaml\n"
                     "  graspbench grasps convert downloaded/mug/ --to dexgraspbench --out mug.npy");
   conversion->grasps.AddTo(convert);

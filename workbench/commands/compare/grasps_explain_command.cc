@@ -33,11 +33,11 @@ std::string FormatSteps(const std::vector<ExplainStep>& steps) {
                   FormatFixed(MmFromM(step.result.worst_shift), 1),
                   FormatFixed(step.result.worst_turn_deg, 1)});
     if (!step.turns) continue;
-    turns += "* " + step.key + " from " + step.from + " to " + step.to + " turns the verdict to " +
-             NameVerdict(step.result) +
+    turns += "* " + step.key + " from " + step.from + " to " + step.to +
+             " changes the verdict to " + NameVerdict(step.result) +
              (step.result.reason.empty() ? "" : ": " + step.result.reason) + "\n";
   }
-  return table.Format() + (turns.empty() ? "no value turns the verdict\n" : turns);
+  return table.Format() + (turns.empty() ? "no value changes the verdict\n" : turns);
 }
 
 void Explain(const ExplainOptions& options) {
@@ -102,21 +102,20 @@ void AddGraspsExplainCommand(Command& program) {
   const auto options = std::make_shared<ExplainOptions>();
   Command& explain = AddSubcommand(
       program.Subcommand("grasps"), "explain",
-      "Say which value of a profile turns the verdict on a grasp.",
+      "Find the profile value that changes the verdict on a grasp.",
       "  graspbench grasps explain mug.npy --objects meshes\n"
       "  graspbench grasps explain mug.npy --grasp 3 --from own --to mine.yaml --objects meshes");
   options->inputs.AddTo(explain);
   AddGraspNumberOption(explain, options->number);
-  explain.AddOption("--from", options->from, "profile to begin with, by name or file", "P")
-      ->ShowDefault();
-  explain.AddOption("--to", options->to, "profile to arrive at", "P")->ShowDefault();
+  explain.AddOption("--from", options->from, "first profile, by name or file", "P")->ShowDefault();
+  explain.AddOption("--to", options->to, "second profile, by name or file", "P")->ShowDefault();
   AddJsonOption(explain, options->json);
   explain.SetAction([options] { Explain(*options); });
 
   const auto shown = std::make_shared<ShowGraspOptions>();
   Command& show = AddSubcommand(
       program.Subcommand("grasps"), "show",
-      "Draw one grasp under a profile: a page with a 3-D view of its course.",
+      "Write a page about one grasp under a profile, with a 3-D view of the test.",
       "  graspbench grasps show mug.npy --objects meshes --out mug.html\n"
       "  graspbench grasps show mug.npy --grasp 3 --profile own --objects meshes --out mug.html");
   shown->inputs.AddTo(show);

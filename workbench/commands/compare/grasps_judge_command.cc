@@ -78,7 +78,8 @@ ExitCode Judge(const JudgeGraspsOptions& options) {
 void AddGraspsJudgeCommand(Command& program) {
   const auto options = std::make_shared<JudgeGraspsOptions>();
   Command& command = AddSubcommand(
-      program.Subcommand("grasps"), "judge", "Judge grasps that others made under profiles.",
+      program.Subcommand("grasps"), "judge",
+      "Judge external grasps under published or own profiles.",
       "  graspbench grasps judge downloaded/ --objects meshes --out judged\n"
       "  graspbench grasps judge downloaded/ --objects meshes --profile dexgraspbench-fc,own "
       "--jitter 20 --out judged");
@@ -88,21 +89,21 @@ void AddGraspsJudgeCommand(Command& program) {
   command
       .AddOption(
           "--jitter", options->request.jitter,
-          "also judge each grasp so often with its root moved by 1 mm and turned by 1 degree", "N")
+          "number of repetitions per grasp with the root moved by 1 mm and turned by 1 degree", "N")
       ->Within(0, 1000)
       ->ShowDefault();
   AddJobsOption(command, options->request.num_workers, "grasps");
   command.AddRequired("--out", options->request.out,
-                      "folder for verdicts and report; the same command again continues it", "DIR");
-  command.AddOption("--shard", options->shard,
-                    "every Nth grasp alone, from the Kth on; grasps merge makes one folder of all",
-                    "K/N");
+                      "folder for verdicts and report; repeat the command to continue", "DIR");
+  command.AddOption(
+      "--shard", options->shard,
+      "judge only every Nth grasp, starting with the Kth; grasps merge joins the folders", "K/N");
   AddJsonOption(command, options->json);
   command.SetAction([options] { return Judge(*options); });
 
   const auto merged = std::make_shared<MergeGraspsOptions>();
   Command& merge = AddSubcommand(
-      program.Subcommand("grasps"), "merge", "Make one folder of the shards of a judgement.",
+      program.Subcommand("grasps"), "merge", "Join the shards of a judgement into one folder.",
       "  graspbench grasps judge downloaded/ --objects meshes --shard 1/2 --out part1\n"
       "  graspbench grasps judge downloaded/ --objects meshes --shard 2/2 --out part2\n"
       "  graspbench grasps merge part1 part2 --out judged");

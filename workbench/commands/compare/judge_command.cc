@@ -50,13 +50,14 @@ ExitCode TellUnjudged(const Session& session, const std::set<std::string>& asked
     code = kExitNumericalFailures;
     PrintMessage("trial " + trial.id + " (" + trial.hand + ", " + trial.object + ", " +
                  trial.grasp + ", number " + std::to_string(trial.trial) +
-                 ") stays unjudged: the judge had not ended after " +
+                 ") is not judged: its test did not end within " +
                  FormatJson(options.trial_time_limit) + " s");
   }
   if (num_new > 0) {
-    PrintMessage(FormatCount(num_new, "held grasp is", "held grasps are") +
-                 " of trials that finished meanwhile, not judged yet: graspbench judge " +
-                 QuoteForShell(options.folder) + " goes on with them");
+    PrintMessage(FormatCount(num_new, "held grasp", "held grasps") +
+                 " of trials that finished in the meantime: not judged yet; to judge: "
+                 "graspbench judge " +
+                 QuoteForShell(options.folder));
   }
   return code;
 }
@@ -86,14 +87,14 @@ void AddJudgeCommand(Command& program) {
   Command& command = AddSubcommand(
       program, "judge",
       "Pull and twist the held objects of a finished session until they leave the hand.",
-      "  graspbench judge results/pilot             breaking loads, verdicts, evidence\n"
-      "  graspbench judge results/pilot --jobs 1    the same bytes, on one processor");
+      "  graspbench judge results/pilot             breaking loads, verdicts, correlations\n  "
+      "graspbench judge results/pilot --jobs 1    the same bytes, on one processor");
   const auto options = std::make_shared<JudgeOptions>();
   command.AddRequired("folder", options->folder, "folder of the session", "DIR");
   AddJobsOption(command, options->num_workers, "grasps");
   AddTrialTimeoutOption(command, options->trial_time_limit);
   AddAcceptDamageOption(command, options->on_damage);
-  AddJsonOption(command, options->json, "print the evidence as one JSON object");
+  AddJsonOption(command, options->json, "print the correlations as one JSON object");
   command.SetAction([options] { return Judge(*options); });
 }
 

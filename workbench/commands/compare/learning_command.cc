@@ -87,7 +87,8 @@ void ShowLearning(const LearningOptions& options) {
   }
   if (options.json) return PrintJson({{"sessions", MakeJsonRows(columns, points)}});
   PrintResult(FormatTable(ShowTable(columns, points)) +
-              "against the first: on the same draws; p: exact test clustered by hand and object\n");
+              "difference from the first session on the same draws; p: exact test clustered by "
+              "hand and object\n");
   if (options.out.empty()) return;
   PrintResult(
       FormatPlaces(fs::path(options.out) / "index.html", fs::path(options.out) / "learning.csv"));
@@ -96,15 +97,14 @@ void ShowLearning(const LearningOptions& options) {
 }  // namespace
 
 void AddLearningCommand(Command& program) {
-  Command& command = AddSubcommand(
-      program, "learning", "Show how success changes over the sessions in a folder.",
-      "  graspbench learning learned            sessions 0-0, 0-1, .. of one who learns\n"
-      "  graspbench learning policies --out curve");
+  Command& command =
+      AddSubcommand(program, "learning",
+                    "Show the success rate over the sessions in a folder, as a learning curve.",
+                    "  graspbench learning learned            sessions 0-0, 0-1, .. of a learning "
+                    "run\n  graspbench learning policies --out curve");
   const auto options = std::make_shared<LearningOptions>();
-  command.AddRequired("folder", options->folder, "a folder with sessions in it, in their order",
-                      "DIR");
-  command.AddOption("--out", options->out, "folder of a page with the curve, and of the table",
-                    "DIR");
+  command.AddRequired("folder", options->folder, "folder of the sessions, ordered by name", "DIR");
+  command.AddOption("--out", options->out, "folder for the table and a page with the curve", "DIR");
   AddReplaceOption(command, options->replace);
   AddJsonOption(command, options->json);
   command.SetAction([options] { ShowLearning(*options); });

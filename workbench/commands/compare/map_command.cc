@@ -53,25 +53,25 @@ void Run(MapOptions& options) {
 }  // namespace
 
 void AddMapCommand(Command& program) {
-  Command& group = AddSubcommand(program, "map", "Map where something matters.",
-                                 "  graspbench map simultaneity --quick --out results/quick");
+  Command& group =
+      AddSubcommand(program, "map", "Map the settings under which a factor has an effect.",
+                    "  graspbench map simultaneity --quick --out results/quick");
   group.RequireSubcommand();
-  Command& command = AddSubcommand(
-      group, "simultaneity",
-      "Map where it matters that the digits touch at once: one digit is made late on the same "
-      "draws.",
-      "  graspbench map simultaneity --quick --out results/quick    success, some six minutes\n"
-      "  graspbench map simultaneity --out results/map              all of it, about an hour of "
-      "one processor\n"
-      "The same command again continues it.");
+  Command& command =
+      AddSubcommand(group, "simultaneity",
+                    "Map the settings under which simultaneous contact affects success, by "
+                    "delaying one digit on the same draws.",
+                    "  graspbench map simultaneity --quick --out results/quick    success, about "
+                    "six minutes\n  graspbench map simultaneity --out results/map              all "
+                    "measures, about an hour of one processor\nRepeat the command to continue.");
   const auto options = std::make_shared<MapOptions>();
   AddSceneOptions(command, options->base);
   AddListOption(command, "--grasp", options->base.grasps, "best, rehearsed or ids", "G,..");
   AddSeedOption(command, options->base.seed, "other draws");
   command.AddFlag("--quick", options->request.is_quick,
-                  "success alone, one delay and one draw of each object and region");
+                  "success only, one delay, one draw per object and region");
   AddJobsOption(command, options->request.num_workers);
-  command.AddOption("--out", options->out, "folder of the map", "DIR")
+  command.AddOption("--out", options->out, "folder for the map", "DIR")
       ->ShowDefault("results/map-HASH");
   AddAcceptDamageOption(command, options->request.on_damage);
   AddTrialTimeoutOption(command, options->request.trial_time_limit);

@@ -44,7 +44,7 @@ void AddQualityCommand(Command& program) {
   const auto path = std::make_shared<std::string>();
   const auto json = std::make_shared<bool>(false);
   Command& command =
-      AddSubcommand(program, "quality", "Measure how well a set of contacts holds an object.",
+      AddSubcommand(program, "quality", "Compute quality measures of a set of contacts.",
                     "  graspbench quality contacts.json\n"
                     "  graspbench quality contacts.json --json\n\n"
                     "contacts.json, lengths in metres:\n"

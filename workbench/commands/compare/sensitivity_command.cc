@@ -50,21 +50,20 @@ void Run(const SensitivityOptions& options) {
 
 void AddSensitivityCommand(Command& program) {
   Command& command = AddSubcommand(
-      program, "sensitivity",
-      "Run a session's trials again under one changed setting each and show what that changes.",
+      program, "sensitivity", "Repeat the trials of a session with one changed setting at a time.",
       "  graspbench sensitivity results/pilot       unmeasured parameters at 0.5 and 2 times\n"
       "  graspbench sensitivity results/pilot --set model.mass_scale=1.1 --trials 3");
   const auto options = std::make_shared<SensitivityOptions>();
   ExperimentRequest& request = options->request;
   AddStoreFolder(command, request.folder, "folder of the session");
   command
-      .AddOption("--set", options->settings,
-                 "a setting to try instead of the usual ones, with the session's grasps; may be "
-                 "repeated",
-                 "KEY=VALUE")
+      .AddOption(
+          "--set", options->settings,
+          "setting to vary instead of the default list, with the session's grasps; may be repeated",
+          "KEY=VALUE")
       ->OneValueEach();
   command.AddFlag("--grasp-per-condition", options->grasp_per_condition,
-                  "choose best grasps again under each condition; else the base's are taken");
+                  "choose best grasps under each condition (default: those of the base)");
   AddTrialsOption(command, request.trials_per_cell, "all");
   AddJobsOption(command, request.num_workers);
   AddPlanOnlyOption(command, request.plan_only);

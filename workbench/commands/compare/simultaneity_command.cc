@@ -68,8 +68,8 @@ void Run(SimultaneityOptions options) {
   const Session session = LoadSession(options.request.folder);
   if (!session.config.conditions.empty()) {
     throw Error(ErrorKind::kUsage, "\"" + options.request.folder.string() +
-                                       "\" is a sweep, whose conditions would be mixed; sweep "
-                                       "delay.last instead, or take a session without conditions");
+                                       "\" is a sweep, and its conditions must not be mixed; use "
+                                       "the factor delay.last, or a session without conditions");
   }
   if (!session.findings.entries().empty()) PrintMessage(session.findings.Format());
   const std::vector<SimultaneityRelation> relations = SummariseSimultaneity(session);
@@ -81,32 +81,29 @@ void Run(SimultaneityOptions options) {
 
 void AddSimultaneityCommand(Command& program) {
   Command& command = AddSubcommand(
-      program, "simultaneity",
-      "Ask a session's trials whether it matters that the digits touch at once.",
-      "  graspbench simultaneity results/pilot            within conditions, as the trials came\n"
-      "  graspbench simultaneity results/pilot --delay    the same trials, one digit delayed\n"
-      "  graspbench simultaneity results/pilot --schedules --people results/study");
+      program, "simultaneity", "Relate contact simultaneity to the outcome of trials.",
+      "  graspbench simultaneity results/pilot            correlations within conditions\n  "
+      "graspbench simultaneity results/pilot --delay    the same trials, one digit delayed\n  "
+      "graspbench simultaneity results/pilot --schedules --people results/study");
   const auto options = std::make_shared<SimultaneityOptions>();
   AddStoreFolder(command, options->request.folder, "folder of the session");
-  Option* delay = command.AddFlag(
-      "--delay", options->delays,
-      "run trials again with the digit that touched last, or first, 50 to 300 ms later, the object "
-      "as it was, light, slippery and off-centre");
-  Option* schedules = command.AddFlag(
-      "--schedules", options->schedules,
-      "run trials again with all digits touching together, and when people's do, and find what "
-      "each costs in grip threshold");
+  Option* delay = command.AddFlag("--delay", options->delays,
+                                  "repeat trials with the last or first digit delayed by 50 to 300 "
+                                  "ms, with the object unchanged, light, slippery and off-centre");
+  Option* schedules = command.AddFlag("--schedules", options->schedules,
+                                      "repeat trials with simultaneous and with people-like "
+                                      "contact times, and compare the grip thresholds");
   schedules->Excludes(delay);
   command
       .AddOption("--people", options->study,
                  "folder of a study of people on the same objects, for --schedules", "STUDY")
       ->Needs(schedules);
   AddTrialsOption(command, options->request.trials_per_cell, "1; all with --schedules",
-                  "trials of each hand, object, grasp to run again");
+                  "trials to repeat per hand, object and grasp");
   AddPlanOnlyOption(command, options->request.plan_only);
   command
       .AddFlag("--judge", options->request.with_judge,
-               "find breaking forces of the delayed, too; some five times as long")
+               "also find breaking forces of the delayed trials; takes about five times as long")
       ->Needs(delay);
   AddJobsOption(command, options->request.num_workers);
   AddJsonOption(command, options->json);

@@ -84,7 +84,7 @@ ExitCode Sweep(const SweepOptions& options) {
   if (options.run.plan_only) {
     RecordPlanning(sweep.folder);
     PrintMessage("about " + FormatFixed(EstimateSweepTime(sweep, with_judge, scale != nullptr), 0) +
-                 " s of one processor, judged by the first trial of each hand");
+                 " s of one processor, estimated from the first trial of each hand");
     PrintExperimentPlan(sweep);
     if (scale) {
       PrintMessage("then     graspbench threshold " + QuoteForShell(sweep.folder.string()) +
@@ -106,27 +106,30 @@ ExitCode Sweep(const SweepOptions& options) {
 
 void AddSweepCommand(Command& program) {
   Command& command = AddSubcommand(
-      program, "sweep", "Run a session under every combination of some settings and compare them.",
+      program, "sweep",
+      "Run a session under every combination of several settings and compare them.",
       "  graspbench sweep --object can,cup --factor model.mass_scale=1,2 --factor grasp=g1,g2\n"
       "  graspbench sweep sweep.yaml --design one-at-a-time --plan-only --out results/sweep");
   const auto options = std::make_shared<SweepOptions>();
   options->session.AddTo(command, "sweep.yaml (graspbench new sweep)");
   command
       .AddOption("--factor", options->factors,
-                 "a setting, grasp, delay.last, delay.first [s] or backend with its levels, the "
-                 "base's first; best is chosen at the base's levels; may be repeated",
+                 "factor (a setting, grasp, delay.last, delay.first [s] or backend) and its "
+                 "levels, base level first; best is chosen at the base levels; may be repeated",
                  "KEY=A,B,..")
       ->OneValueEach();
   command
-      .AddOption("--design", options->design,
-                 "full, one-at-a-time, or latin:N: base and at most N of a Latin hypercube",
-                 "DESIGN")
+      .AddOption(
+          "--design", options->design,
+          "full, one-at-a-time, or latin:N (the base and at most N points of a Latin hypercube)",
+          "DESIGN")
       ->ShowDefault("full");
-  command.AddFlag("--judge", options->judge, "also break what is held; some five times as long");
+  command.AddFlag("--judge", options->judge,
+                  "also find breaking forces; takes about five times as long");
   command
       .AddOption("--threshold", options->threshold,
-                 "also find the smallest margin, or force, with which each draw succeeds, under "
-                 "every condition; at most six more trials each",
+                 "also find the smallest margin or force with which each draw succeeds under every "
+                 "condition, in at most six more trials",
                  "SCALE")
       ->OneOf(ListNames(kThresholdScales));
   command.AddFlag("--grasp-per-condition", options->grasp_per_condition,

@@ -16,9 +16,9 @@ std::string FormatThresholdTables(const ThresholdSummary& summary) {
   for (const CellThreshold& cell : summary.cells) num_draws += cell.num_draws;
   const std::string ceilings = DescribeCeilings(summary);
   return FormatTable(ShowCells(summary)) + "smallest " + summary.scale->name +
-         " with which a draw succeeds, median of the draws; " + FormatCount(num_draws, "draw") +
+         " with which a draw succeeds, median over draws; " + FormatCount(num_draws, "draw") +
          ", " + FormatCount(summary.num_trials, "trial") + ", " +
-         std::to_string(summary.num_not_monotone()) + " not monotone as far as was asked\n" +
+         std::to_string(summary.num_not_monotone()) + " not monotone within the tested range\n" +
          (ceilings.empty() ? "" : ceilings + "\n");
 }
 
@@ -62,7 +62,7 @@ void AddThresholdCommand(Command& program) {
   AddStoreFolder(command, request.folder, "folder of the session");
   command
       .AddOption("--by", options->scale,
-                 "what is bisected: margin (1 to 16), force (0.1 to 12.8 N)", "SCALE")
+                 "quantity to bisect: margin (1 to 16) or force (0.1 to 12.8 N)", "SCALE")
       ->OneOf(ListNames(kThresholdScales))
       ->ShowDefault();
   AddTrialsOption(command, request.trials_per_cell, "all");

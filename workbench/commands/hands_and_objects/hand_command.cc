@@ -52,7 +52,7 @@ ExitCode CheckHandCommand(const std::string& path, bool json) {
     PrintResult(path + ": " + (problems.num_errors() == 0 ? "can be used" : "cannot be used") +
                 FormatFindingCounts(problems) + "\n" + FormatContact(is_imported ? fits : picture));
     if (is_imported && !off.empty()) {
-      PrintResult("The description draws other shapes than it touches with: " + off + "\n");
+      PrintResult("Visual and contact shapes of the description differ: " + off + "\n");
     }
   }
   return problems.num_errors() == 0 ? kExitOk : kExitBadInput;
@@ -83,7 +83,7 @@ void AddHandCommand(Command& program) {
     command->AddRequired("hand", *id, "id, or folder with hand.urdf and hand.yaml", "HAND");
   };
 
-  Command* list = add("list", "List the hands that come with the program.",
+  Command* list = add("list", "List the hands of the program.",
                       "  graspbench hand list\n"
                       "  graspbench hand list --json");
   list->SetAction([json] {
@@ -102,15 +102,16 @@ void AddHandCommand(Command& program) {
   Option* render =
       show->AddOption("--render", *picture, "also draw the hand into a new PNG file", "FILE");
   show->AddFlag("--shapes", parts->has_shapes,
-                "with it: also what touches, through transparent links and alone")
+                "with --render: also the contact shapes, inside transparent links and alone")
       ->Needs(render);
   show->AddFlag("--axes", parts->has_axes,
-                "with it: also axes of the joints as arrows in transparent links")
+                "with --render: also the joint axes as arrows inside transparent links")
       ->Needs(render);
   const auto grasps = std::make_shared<bool>(false);
   const auto csv = std::make_shared<std::string>();
-  Option* show_grasps = show->AddFlag(
-      "--grasps", *grasps, "show placement, pre-grasp and target of all standard grasps instead");
+  Option* show_grasps =
+      show->AddFlag("--grasps", *grasps,
+                    "show placement, pre-grasp and target posture of all standard grasps instead");
   show->AddOption("--csv", *csv, "also write those numbers into a new file", "FILE")
       ->Needs(show_grasps);
   show_grasps->Excludes("--json");
@@ -126,7 +127,7 @@ void AddHandCommand(Command& program) {
   });
 
   Command* check =
-      add("check", "Read a hand; list problems with file and line, and how contact fits each link.",
+      add("check", "Check a hand: problems with file and line, and the contact fit of each link.",
           "  graspbench hand check my_hand/\n"
           "  graspbench hand check my_hand/ --json");
   add_hand(check);

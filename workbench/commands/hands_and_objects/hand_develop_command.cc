@@ -48,7 +48,7 @@ std::filesystem::path WritePage(const DevelopHandRequest& request,
 std::string DescribeFewest(const DevelopHandRequest& request, const Stage& stage) {
   if (stage.num_trials <= kMuchMore * request.config.budget) return "";
   return "\nthat is more than the budget of " + FormatCount(request.config.budget, "trial") +
-         ": fewer choose nothing; some 3,000 find usable grasps";
+         ": fewer cannot select a grasp; about 3,000 find usable grasps";
 }
 
 void Develop(const DevelopHandRequest& request) {
@@ -72,7 +72,7 @@ void Develop(const DevelopHandRequest& request) {
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::kInterrupted) throw;
     throw Error(ErrorKind::kInterrupted,
-                "stopped; finished trials are kept. The same command again continues");
+                "stopped; finished trials are kept. Repeat the command to continue");
   }
 }
 
@@ -82,23 +82,22 @@ void AddHandDevelopCommand(Command& program) {
   const auto request = std::make_shared<DevelopHandRequest>();
   Command& command = AddSubcommand(
       program.Subcommand("hand"), "develop",
-      "Find a hand's grasps g1 to g6, by geometry, then in simulation on shapes made for it.",
+      "Find the grasps g1 to g6 of a hand, by geometry and then by simulation on synthetic shapes.",
       "  graspbench hand develop allegro --out allegro-developed\n"
       "  graspbench hand develop shadow --budget 20000 --seed 2 --out my-shadow");
   command.AddRequired("hand", request->hand, "id, or folder with hand.urdf and hand.yaml", "HAND");
   command.AddRequired("--out", request->out,
-                      "folder for the hand with its grasps; the same command again continues it",
-                      "DIR");
+                      "folder for the hand with its grasps; repeat the command to continue", "DIR");
   command
       .AddOption("--budget", request->config.budget,
-                 "trials of all grasps together, about; the least that run are 52 a grasp", "N")
+                 "approximate number of trials for all grasps together; at least 52 per grasp", "N")
       ->Within(100, 10000000)
       ->ShowDefault();
-  command.AddOption("--seed", request->config.seed, "another seed gives another development", "N")
+  command.AddOption("--seed", request->config.seed, "random seed", "N")
       ->Within(0, 2147483647)
       ->ShowDefault();
   command.AddFlag("--any-coupling", request->config.any_coupling,
-                  "the rule of coupled joints is not known: train with all of them");
+                  "the coupling rule is unknown: train with all rules");
   AddJobsOption(command, request->num_workers);
   AddTrialTimeoutOption(command, request->trial_time_limit);
   command.SetAction([request] { Develop(*request); });

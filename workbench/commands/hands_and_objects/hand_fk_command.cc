@@ -35,7 +35,7 @@ void SetJoint(const std::string& assignment, const Hand& hand, Eigen::VectorXd& 
       !std::isfinite(angle_deg)) {
     throw Error(
         ErrorKind::kUsage,
-        "\"" + assignment + "\" is no joint angle; expected NAME=DEG, e.g. " + name + "=30");
+        "\"" + assignment + "\" is not a joint angle; expected NAME=DEG, e.g. " + name + "=30");
   }
   const HandJoint& limits = hand.joints[joint];
   q[joint] = FromDisplayUnits(limits, angle_deg);
@@ -100,8 +100,8 @@ void PrintForwardKinematics(const FkOptions& options) {
                   FormatFixed(MmFromM(p.z()), 2)});
   }
   if (options.json) return PrintJson(frames);
-  PrintResult((link.empty() ? "origin of each digit's last link, in the palm's frame\n"
-                            : "origin of the link, in the palm's frame\n") +
+  PrintResult((link.empty() ? "origin of the last link of each digit, in the palm frame\n"
+                            : "origin of the link, in the palm frame\n") +
               table.Format());
 }
 
@@ -109,21 +109,21 @@ void PrintForwardKinematics(const FkOptions& options) {
 
 void AddHandFkCommand(Command& program) {
   const auto options = std::make_shared<FkOptions>();
-  Command& command = AddSubcommand(
-      program.Subcommand("hand"), "fk",
-      "Calculate forward kinematics: the last link of each digit in the palm's frame.",
-      "  graspbench hand fk shadow --joints FFJ3=30,FFJ2=45\n"
-      "  graspbench hand fk shadow --joints THJ5=20,THJ4=40 --json");
+  Command& command =
+      AddSubcommand(program.Subcommand("hand"), "fk",
+                    "Compute forward kinematics: the last link of each digit in the palm frame.",
+                    "  graspbench hand fk shadow --joints FFJ3=30,FFJ2=45\n"
+                    "  graspbench hand fk shadow --joints THJ5=20,THJ4=40 --json");
   AddJsonOption(command, options->json);
   command.AddRequired("hand", options->hand, "id, or folder with hand.urdf and hand.yaml", "HAND");
   command
       .AddOption("--joints", options->joints,
-                 "joint angles in degrees; others are zero, coupled ones follow", "NAME=DEG,..")
+                 "joint angles in degrees; other joints are 0, coupled joints follow",
+                 "NAME=DEG,..")
       ->SplitAtCommas()
       ->OneValueEach();
   command.AddOption("--link", options->link,
-                    "this link or frame of the description instead of the digits' last links",
-                    "NAME");
+                    "link or frame of the description to report instead of the last links", "NAME");
   command.SetAction([options] { PrintForwardKinematics(*options); });
 }
 

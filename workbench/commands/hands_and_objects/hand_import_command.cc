@@ -87,7 +87,7 @@ ExitCode ImportHandCommand(const HandImportOptions& options, bool json) {
       PrintResult(options.out + ": " + FormatCount(imported.num_digits, "digit") + ", " +
                   FormatCount(imported.num_joints, "joint") + ", " +
                   std::to_string(imported.num_driven) +
-                  " driven; look at the lines with \"guess\" in hand.yaml\n" +
+                  " driven; review the lines marked \"guess\" in hand.yaml\n" +
                   FormatContact(imported.fits));
     }
   }
@@ -99,38 +99,38 @@ ExitCode ImportHandCommand(const HandImportOptions& options, bool json) {
 void AddHandImportCommand(Command& program) {
   const auto import = std::make_shared<HandImportOptions>();
   const auto json = std::make_shared<bool>(false);
-  Command& command = AddSubcommand(
-      program.Subcommand("hand"), "import",
-      "Import a hand from a URDF or MJCF; report repairs, assumptions, fit of contact.",
-      "  graspbench hand import allegro_hand_right.urdf --out allegro\n"
-      "  graspbench hand import urdf/svh.urdf --package-path ~/ros/src --out svh\n"
-      "  graspbench hand import shadow_hand/right_hand.xml --out shadow-mjcf");
-  command.AddRequired("file", import->file, "the description: URDF, or a MuJoCo model", "FILE");
+  Command& command =
+      AddSubcommand(program.Subcommand("hand"), "import",
+                    "Import a hand from URDF or MJCF; report repairs, assumptions and contact fit.",
+                    "  graspbench hand import allegro_hand_right.urdf --out allegro\n"
+                    "  graspbench hand import urdf/svh.urdf --package-path ~/ros/src --out svh\n"
+                    "  graspbench hand import shadow_hand/right_hand.xml --out shadow-mjcf");
+  command.AddRequired("file", import->file, "description: URDF or MuJoCo model", "FILE");
   command.AddRequired("--out", import->out, "folder for the hand; new or empty", "DIR");
   command
       .AddOption("--package-path", import->package_path,
-                 "folder with the packages that mesh addresses name; may be repeated", "DIR")
+                 "folder of the packages named in mesh paths; may be repeated", "DIR")
       ->OneValueEach();
   const auto add_unit = [&](const char* name, std::string& unit, const char* description) {
     command.AddOption(name, unit, description, "m|dm|cm|mm|in")
         ->OneOf({"m", "dm", "cm", "mm", "in"});
   };
-  add_unit("--unit", import->unit, "unit of its lengths; otherwise inferred, and reported");
-  add_unit("--mesh-unit", import->mesh_unit,
-           "unit of its mesh files; otherwise inferred, and reported");
+  add_unit("--unit", import->unit, "unit of lengths (default: inferred and reported)");
+  add_unit("--mesh-unit", import->mesh_unit, "unit of mesh files (default: inferred and reported)");
   command
       .AddOption("--angle", import->angle, "unit of its joint limits (MJCF: of all angles)",
                  "deg|rad")
       ->OneOf({"deg", "rad"});
   command.AddOption("--palm", import->palm,
-                    "link of the palm, where it is not found, or of the hand of a scene", "LINK");
+                    "palm link, if it is not found or if a scene has several hands", "LINK");
   command
       .AddOption("--palm-normal", import->palm_normal,
-                 "direction out of the palm in its frame, where it is not found", "X,Y,Z")
+                 "direction out of the palm in the palm frame, if it is not found", "X,Y,Z")
       ->NumValues(3, 3)
       ->SplitAtCommas();
-  command.AddFlag("--coarse-contact", import->coarse_contact,
-                  "import although contact is more than 5 mm off on the palmar side or a tip");
+  command.AddFlag(
+      "--coarse-contact", import->coarse_contact,
+      "accept contact shapes that deviate by more than 5 mm on the palmar side or a tip");
   AddReplaceOption(command, import->replace);
   AddJsonOption(command, *json);
   command.SetAction([import, json] { return ImportHandCommand(*import, *json); });

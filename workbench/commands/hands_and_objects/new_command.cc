@@ -96,7 +96,7 @@ ExitCode WriteTransfer(NewOptions options) {
 
 void AddNewCommand(Command& program) {
   Command& command =
-      AddSubcommand(program, "new", "Write a small example to start from, every key explained.",
+      AddSubcommand(program, "new", "Write a small example file with every key explained.",
                     "  graspbench new object my_object\n"
                     "  graspbench new session pilot\n"
                     "  graspbench new mapping p01_1.csv > study/columns.yaml\n"
@@ -107,22 +107,23 @@ void AddNewCommand(Command& program) {
                     "      where people's digits touched");
   const auto options = std::make_shared<NewOptions>();
   command.AddRequired("kind", options->kind, ListNames(ListKinds()), "KIND")->OneOf(ListKinds());
-  command.AddRequired("folder", options->folder, "new or empty; of a mapping the table",
+  command.AddRequired("folder", options->folder, "new or empty folder; for a mapping, the table",
                       "DIR|FILE");
   std::vector<Option*> of_grasp = {
       command.AddOption("--timing", options->study,
-                        "of a grasp: a study whose contact times it has", "STUDY"),
+                        "for a grasp: study that supplies the contact times", "STUDY"),
       command.AddOption("--from", options->from,
-                        "of a grasp: a study whose people's contacts the pads take", "STUDY.YAML"),
-      command.AddOption("--trial", options->trial,
-                        "with --from: that trial alone; without, the median of all on --object",
-                        "ID"),
+                        "for a grasp: study that supplies the contact positions", "STUDY.YAML"),
+      command.AddOption(
+          "--trial", options->trial,
+          "with --from: use this trial only (default: median of all trials on --object)", "ID"),
       command.AddOption("--object", options->object,
-                        "with --timing: the object that the digits touch at these times; without, "
-                        "only the starts of closing are so. With --from: the study's object",
+                        "with --timing: object for which the contact times hold (default: only the "
+                        "closing delays are set); with --from: object of the study",
                         "ID"),
       command.AddOption("--hand", options->hand, "of a grasp", "HAND")->ShowDefault(),
-      command.AddOption("--grasp", options->grasp, "of the hand, to begin with", "ID")
+      command
+          .AddOption("--grasp", options->grasp, "standard grasp of the hand to start from", "ID")
           ->ShowDefault()};
   for (const int other : {0, 5}) of_grasp[1]->Excludes(of_grasp[other]);  // contacts decide
   of_grasp[2]->Needs(of_grasp[1]);
@@ -133,9 +134,7 @@ void AddNewCommand(Command& program) {
                                          "\" is not; leave it out");
     }
     if (!options->object.empty() && options->study.empty() && options->from.empty()) {
-      throw Error(ErrorKind::kUsage,
-                  "--object says where the times of --timing hold, or of which object --from takes "
-                  "the grasp; give a study");
+      throw Error(ErrorKind::kUsage, "--object needs --timing STUDY or --from STUDY");
     }
     if (!options->from.empty()) return WriteTransfer(*options);
     if (options->kind == kMapping) {

@@ -50,7 +50,7 @@ ExitCode ReportMesh(const MeshCheckOptions& options) {
   if (!options.json) {
     if (file.is_unit_inferred) {
       PrintResult(std::string("unit: ") + NameOf(file.unit) +
-                  ", inferred from the size; --unit says otherwise\n");
+                  ", inferred from the size; --unit overrides it\n");
     }
     std::string text;
     for (const std::string& action : file.actions) text += "mended: " + action + "\n";
@@ -88,7 +88,7 @@ ExitCode AnswerInJson(bool json, const Answer& answer) {
 }  // namespace
 
 void AddObjectCommand(Command& program) {
-  Command& group = AddSubcommand(program, "object", "Show and check things to grasp.",
+  Command& group = AddSubcommand(program, "object", "Show and check objects.",
                                  "  graspbench object list\n"
                                  "  graspbench object check mug.stl --unit mm");
   group.RequireSubcommand();
@@ -117,20 +117,21 @@ void AddObjectCommand(Command& program) {
     });
   });
 
-  Command& check = AddSubcommand(group, "check", "Report whether a mesh can be used, and why not.",
-                                 "  graspbench object check mug.stl --unit mm\n"
-                                 "  graspbench object check mug.stl --unit mm --repair");
+  Command& check =
+      AddSubcommand(group, "check", "Check whether a mesh is usable and report why not.",
+                    "  graspbench object check mug.stl --unit mm\n"
+                    "  graspbench object check mug.stl --unit mm --repair");
   const auto options = std::make_shared<MeshCheckOptions>();
   const std::string what =
       "mesh file (" + ListMeshFormats() + "), or folder with object.yaml and a mesh";
   check.AddRequired("path", options->path, what, "PATH");
   check
-      .AddOption("--unit", options->unit, "of the mesh file's numbers: " + ListNames(kUnits),
+      .AddOption("--unit", options->unit, "length unit of the mesh file: " + ListNames(kUnits),
                  "UNIT")
       ->OneOf(kUnits)
       ->ShowDefault("by the size");
   check.AddFlag("--repair", options->repair,
-                "mend a mesh that cannot be used; writes NAME-repaired.obj if then it can");
+                "repair an unusable mesh; write NAME-repaired.obj if the repair succeeds");
   AddJsonOption(check, options->json);
   check.SetAction(
       [options] { return AnswerInJson(options->json, [&] { return ReportMesh(*options); }); });

@@ -61,8 +61,7 @@ PreparedSession PrepareBasin(const BasinRequest& request) {
   if (const size_t num_cells = MakePlan(config, inputs).size(); num_cells != 1) {
     throw Error(ErrorKind::kUsage,
                 "found " + std::to_string(num_cells) +
-                    " conditions; a basin is that of one hand, one object and one "
-                    "grasp");
+                    " conditions; a basin needs one hand, one object and one grasp");
   }
   config.trials = request.num_samples;
   const std::vector<PlannedTrial> plan = MakePlan(config, inputs);

@@ -42,7 +42,7 @@ ExitCode Optimise(OptimiseOptions options) {
   if (options.resume) config = LoadScene(options.out).config;
   if (config.hand.empty() || config.object.empty()) {
     throw Error(ErrorKind::kUsage,
-                "--hand and --object say what to optimise\nsee: graspbench optimise --help");
+                "--hand and --object are required\nsee: graspbench optimise --help");
   }
   for (const std::string& setting : options.settings) {
     SetConfigValue(setting, static_cast<TrialConditions&>(config));
@@ -75,7 +75,8 @@ ExitCode Optimise(OptimiseOptions options) {
 }
 
 ExitCode Replay(const OptimiseOptions& options) {
-  if (options.out.empty()) throw Error(ErrorKind::kUsage, "--replay needs the folder, --out DIR");
+  if (options.out.empty())
+    throw Error(ErrorKind::kUsage, "--replay needs --out DIR, the folder of the optimisation");
   TrialPool pool(options.num_workers, CatchInterrupts());
   const ReplayedIndividual replayed = ReplayIndividual(options.out, *options.replay, pool);
   PrintResult(FormatReplay(replayed) + "grasp    " + SaveReplayed(options.out, replayed).string() +
@@ -94,8 +95,8 @@ void AddOptions(Command& command, OptimiseOptions& options) {
       ->OneOf(ListNames(kOptimiseSteps))
       ->ShowDefault();
   command
-      .AddOption("--method", config.method, "search of step 2: " + ListNames(ListSearchMethods()),
-                 "METHOD")
+      .AddOption("--method", config.method,
+                 "search method of step 2: " + ListNames(ListSearchMethods()), "METHOD")
       ->OneOf(ListSearchMethods())
       ->ShowDefault();
   AddSearchOptions(command, config, "of step 2");
@@ -104,21 +105,22 @@ void AddOptions(Command& command, OptimiseOptions& options) {
   AddPlanOnlyOption(command, options.plan_only);
   AddJobsOption(command, options.num_workers);
   command
-      .AddOption("--out", options.out, "folder of the results; the same command again continues it",
+      .AddOption("--out", options.out, "folder for the results; repeat the command to continue",
                  "DIR")
       ->ShowDefault("results/optimise-HAND-OBJECT-HASH");
   AddResumeOption(command, options.resume);
   AddTrialTimeoutOption(command, options.trial_time_limit);
   AddJsonOption(command, options.json);
   command.AddOption("--replay", options.replay,
-                    "simulate individual N of the finished folder again and save its grasp", "N");
+                    "simulate individual N of a finished optimisation again and save its grasp",
+                    "N");
 }
 
 }  // namespace
 
 void AddOptimiseCommand(Command& program) {
   Command& command =
-      AddSubcommand(program, "optimise", "Make a standard grasp fit one object, in two steps.",
+      AddSubcommand(program, "optimise", "Optimise a standard grasp for one object in two steps.",
                     "  graspbench optimise --hand tum --object adhesive_tape --out results/tape\n"
                     "  graspbench run --hand tum --object adhesive_tape --grasp "
                     "best,results/tape/new-target.yaml");

@@ -76,15 +76,16 @@ void PlanRehearsals(const RehearseOptions& options) {
           ? "the standard grasps"
           : "at most " + FormatCount(options.config.num_candidates, "candidate");
   const std::string postures =
-      options.posture ? "where no candidate holds all draws, " +
+      options.posture ? "if no candidate holds all draws, " +
                             FormatCount(options.config.num_postures, "posture") + " more: about " +
                             FormatFixed(time.postures, 0) + " s if that is so for all pairs\n"
                       : "";
-  PrintResult(FormatCount(num_pairs, "pair") + " of hand and object, " + tried + " with " +
-              FormatCount(options.config.num_draws, "draw") + " each\nabout " +
-              FormatFixed(time.candidates, 0) +
-              " s of one processor for what is left, judged by the first pair of each hand\n" +
-              postures);
+  PrintResult(
+      FormatCount(num_pairs, "pair") + " of hand and object, " + tried + " with " +
+      FormatCount(options.config.num_draws, "draw") + " each\nabout " +
+      FormatFixed(time.candidates, 0) +
+      " s of one processor for the remaining pairs, estimated from the first pair of each hand\n" +
+      postures);
 }
 
 void RunRehearse(RehearseOptions options) {
@@ -118,40 +119,39 @@ void RunRehearse(RehearseOptions options) {
 
 void AddRehearseCommand(Command& program) {
   Command& command = AddSubcommand(
-      program, "rehearse", "Choose each object's grasp by imagined trials of many candidates.",
-      "  graspbench rehearse --hand tum --object can,cup --out results/rehearsed\n"
-      "  graspbench rehearse --object my/mug --candidates 80 --draws 8 --out results/mug\n"
-      "The same command again continues it.");
+      program, "rehearse", "Choose the grasp of each object by imagined trials of many candidates.",
+      "  graspbench rehearse --hand tum --object can,cup --out results/rehearsed\n  graspbench "
+      "rehearse --object my/mug --candidates 80 --draws 8 --out results/mug\nRepeat the command to "
+      "continue.");
   const auto options = std::make_shared<RehearseOptions>();
   AddSceneOptions(command, options->scene);
   command
       .AddOption("--candidates", options->config.num_candidates,
-                 "grasps of each pair that are tried at most", "N")
+                 "maximum number of candidates per pair of hand and object", "N")
       ->Within(1, 1000)
       ->ShowDefault();
   command
       .AddOption("--draws", options->config.num_draws,
-                 "sampled initial poses that a grasp must hold to be chosen at once", "K")
+                 "number of sampled initial poses that a grasp must hold to be chosen at once", "K")
       ->Within(1, 100)
       ->ShowDefault();
-  command.AddFlag(
-      "--posture", options->posture,
-      "where no candidate holds all draws, search the target angles of the digits too: " +
-          std::to_string(kNumPostures) + " postures, at least " +
-          std::to_string(kLeastPostureDraws) + " draws");
+  command.AddFlag("--posture", options->posture,
+                  "if no candidate holds all draws, also search the target angles of the digits: " +
+                      std::to_string(kNumPostures) + " postures, at least " +
+                      std::to_string(kLeastPostureDraws) + " draws");
   command.AddFlag("--types", options->request.types_only,
-                  "the standard grasps alone, each where the rule places it, into types.json; "
+                  "rehearse only the standard grasps at the rule's placement and write types.json; "
                   "--candidates has no effect");
   AddSettingsOption(command, options->settings, "model.friction_scale=0.8");
   AddJobsOption(command, options->request.num_workers, "pairs");
   command.AddRequired("--out", options->request.out,
-                      "folder for grasps and report; the same command again continues it", "DIR");
-  command.AddOption("--shard", options->shard, "every Nth pair alone, from the Kth on", "K/N");
+                      "folder for grasps and report; repeat the command to continue", "DIR");
+  command.AddOption("--shard", options->shard,
+                    "rehearse only every Nth pair, starting with the Kth", "K/N");
   AddListOption(command, "--from", options->request.parts,
-                "folders of shards or of other rehearsals: what they found is not run again",
-                "DIR,..");
+                "folders of shards or other rehearsals whose results are reused", "DIR,..");
   command.AddFlag("--plan-only", options->plan_only,
-                  "print how many candidates and seconds it takes; nothing is written to --out");
+                  "print the number of candidates and seconds; write nothing to --out");
   AddJsonOption(command, options->json);
   command.SetAction([options] { RunRehearse(*options); });
 }

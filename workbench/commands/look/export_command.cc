@@ -104,15 +104,16 @@ void AddExportCommand(Command& program) {
   command.AddRequired("folder", options->folder, "folder of the session", "DIR");
   command
       .AddOption("--mjcf", options->mjcf,
-                 "instead: scene and commanded motion of these trials for MuJoCo", "ID,..|all")
+                 "write scene and commanded motion of these trials for MuJoCo instead", "ID,..|all")
       ->SplitAtCommas();
-  command.AddOption("--out", options->out, "folder for a session that cannot be written", "DIR")
+  command
+      .AddOption("--out", options->out, "other folder, for example for a read-only session", "DIR")
       ->ShowDefault("that of the session");
   command.AddFlag("--records", options->with_records,
-                  "also records.jsonl: everything, a line a trial, as the journals hold it");
-  Option* ro_crate = command.AddFlag(
-      "--ro-crate", options->with_ro_crate,
-      "also ro-crate-metadata.json: what is in the folder and how it came about, for archives");
+                  "also write records.jsonl: the complete record of each trial, one per line");
+  Option* ro_crate =
+      command.AddFlag("--ro-crate", options->with_ro_crate,
+                      "also write ro-crate-metadata.json: contents and provenance, for archives");
   ro_crate->Excludes("--out")->Excludes("--mjcf");
   AddReplaceOption(command, options->replace);
   AddJsonOption(command, options->json);

@@ -64,7 +64,7 @@ void AddRenderCommand(Command& program) {
   const auto options = std::make_shared<RenderOptions>();
   command.AddRequired("hand", options->hand, "hand by id or folder", "HAND");
   command.AddRequired("object", options->object, "object by id or folder", "OBJECT");
-  command.AddRequired("grasp", options->grasp, "an id as g1, best, by-sight, or a grasp file",
+  command.AddRequired("grasp", options->grasp, "an id such as g1, best, by-sight, or a grasp file",
                       "GRASP");
   AddPictureOptions(command, options->at, options->view, options->size);
   command.AddRequired("--out", options->out, "the picture (PNG)", "FILE.PNG");

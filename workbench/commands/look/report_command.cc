@@ -36,7 +36,7 @@ void WritePaper(const ReportOptions& options, const fs::path& page) {
   }
   staged.Commit();
   if (has_pdf) return;
-  PrintMessage("figures are SVG only; with the Debian package librsvg2-bin they are PDF, too");
+  PrintMessage("figures are SVG only; install the Debian package librsvg2-bin for PDF");
 }
 
 void Report(const ReportOptions& options) {
@@ -69,25 +69,25 @@ void Report(const ReportOptions& options) {
 }  // namespace
 
 void AddReportCommand(Command& program) {
-  Command& command =
-      AddSubcommand(program, "report", "Write the report of any result, finished or not.",
-                    "  graspbench report results/benchmark-1a2b3c4d\n"
-                    "  xdg-open \"$(graspbench report results/pilot --3d)\"\n"
-                    "  graspbench report results/pilot --paper paper   figures, tables, methods\n"
-                    "  graspbench compare results/a results/b          what differs between two");
+  Command& command = AddSubcommand(
+      program, "report", "Write the report of any result, finished or not.",
+      "  graspbench report results/benchmark-1a2b3c4d\n  xdg-open \"$(graspbench report "
+      "results/pilot --3d)\"\n  graspbench report results/pilot --paper paper   figures, tables, "
+      "methods\n  graspbench compare results/a results/b          differences of two sessions");
   const auto options = std::make_shared<ReportOptions>();
   command.AddRequired("folder", options->folder,
                       "folder of a session, a campaign, a study or a basin", "DIR");
-  command.AddOption("--out", options->out, "folder for a result that cannot be written", "DIR")
+  command
+      .AddOption("--out", options->out, "other folder, for example for a read-only result", "DIR")
       ->ShowDefault("that of the result");
   Option* paper = command.AddOption(
       "--paper", options->paper,
-      "folder for the page's figures, tables as CSV and LaTeX, methods.md and refs.bib", "DIR");
+      "folder for figures, tables (CSV and LaTeX), methods.md and refs.bib", "DIR");
   command
-      .AddOption("--figures", options->figures,
-                 "of --paper: shown (what the page shows unfolded, at most 20 figures and 12 "
-                 "tables) or all",
-                 "WHICH")
+      .AddOption(
+          "--figures", options->figures,
+          "with --paper: shown (unfolded on the page, at most 20 figures and 12 tables) or all",
+          "WHICH")
       ->OneOf({"shown", "all"})
       ->Needs(paper)
       ->ShowDefault("shown");
@@ -96,11 +96,9 @@ void AddReportCommand(Command& program) {
         name, [options, views] { options->views = views; }, text);
   };
   Option* with = add_views("--3d", PageViews::kWith,
-                           "of a session: one trial of each outcome and condition carried out "
-                           "again, as a scene to turn and play; a page that has them keeps "
-                           "them");
-  add_views("--no-3d", PageViews::kWithout, "leave them out of a page that has them")
-      ->Excludes(with);
+                           "for a session: add interactive 3-D scenes, one trial per outcome and "
+                           "condition; an existing page keeps them");
+  add_views("--no-3d", PageViews::kWithout, "remove the 3-D scenes from the page")->Excludes(with);
   AddReplaceOption(command, options->replace);
   AddJsonOption(command, options->json);
   AddAcceptDamageOption(command, options->on_damage);

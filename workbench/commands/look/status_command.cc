@@ -118,12 +118,12 @@ void AddLookOptions(Command& command, StatusOptions& options, bool is_watch) {
   AddStoreFolder(command, options.folder,
                  "folder of a session, campaign, optimisation or development");
   if (is_watch) {
-    AddSecondsOption(command, "--interval", options.interval, "seconds between two looks");
+    AddSecondsOption(command, "--interval", options.interval, "seconds between updates");
   }
   AddSecondsOption(command, "--stale-after", options.stale_after,
-                   "seconds without a new line after which an unfinished shard is stale");
+                   "seconds without a new result after which an unfinished shard counts as stale");
   command.AddFlag("--verify", options.verify,
-                  "check every byte, also above 30 MB, where lines are only counted");
+                  "check every byte even above 30 MB, where lines are otherwise only counted");
 }
 
 }  // namespace
@@ -131,7 +131,7 @@ void AddLookOptions(Command& command, StatusOptions& options, bool is_watch) {
 void AddStatusCommand(Command& program) {
   const auto options = std::make_shared<StatusOptions>();
   Command& status = AddSubcommand(
-      program, "status", "Show how far the shards of a session or campaign are, by its journals.",
+      program, "status", "Show the progress of a session or campaign.",
       "  graspbench status results/pilot             up to 30 MB checked; damaged: exit code 3\n"
       "  graspbench status results/large --verify    all of it checked, however large\n"
       "  graspbench status results/pilot --stale-after 3600 --json");
@@ -139,10 +139,10 @@ void AddStatusCommand(Command& program) {
   AddJsonOption(status, options->json);
   status.SetAction([options] { return ShowStatus(*options); });
 
-  Command& watch = AddSubcommand(
-      program, "watch", "Follow a running session or campaign by its journals, until its end.",
-      "  graspbench watch results/pilot\n"
-      "  graspbench watch results/pilot --interval 10 | tee progress.txt");
+  Command& watch =
+      AddSubcommand(program, "watch", "Follow the progress of a session or campaign until its end.",
+                    "  graspbench watch results/pilot\n"
+                    "  graspbench watch results/pilot --interval 10 | tee progress.txt");
   AddLookOptions(watch, *options, true);
   watch.SetAction([options] { return Watch(*options); });
 }

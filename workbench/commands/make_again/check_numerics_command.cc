@@ -68,7 +68,7 @@ void Check(const NumericsOptions& options) {
 void AddCheckNumericsCommand(Command& program) {
   Command& command =
       AddSubcommand(program, "check-numerics",
-                    "Run trials again with other numerics and list the verdicts that flip.",
+                    "Repeat trials with other numerical settings and list changed verdicts.",
                     "  graspbench check-numerics results/benchmark-1a2b3c4d\n"
                     "  graspbench check-numerics results/pilot --trials 10 --json");
   const auto options = std::make_shared<NumericsOptions>();

@@ -31,9 +31,9 @@ struct ReplayOptions {
 /** The trials that are asked for, in the plan's order. */
 std::vector<PlannedTrial> FindReplayTrials(const Session& session, const ReplayOptions& options) {
   if (options.names.empty() && !options.failed && !options.all) {
-    throw Error(ErrorKind::kUsage,
-                "no trial is named; name some as tum-can-g2:3 or by their trial_id, or ask for "
-                "--failed or --all");
+    throw Error(
+        ErrorKind::kUsage,
+        "no trial is named; name trials (tum-can-g2:3 or a trial_id), or give --failed or --all");
   }
   if (options.all) return session.plan;
   std::set<std::string> wanted;
@@ -54,7 +54,7 @@ void WriteTrajectories(TrajectoryOutput& output) {
   for (const std::filesystem::path& path : output.Commit()) PrintMessage(path.string());
   if (output.num_skipped() == 0) return;
   PrintMessage(FormatCount(output.num_skipped(), "trial") +
-               " could not begin: there is nothing to be written of them");
+               " could not begin, so there is no motion to write");
 }
 
 ExitCode ReplayWholePack(const Command& program, const ReplayOptions& options) {
@@ -101,29 +101,28 @@ ExitCode Replay(ReplayOptions options) {
 
 void AddReplayCommand(Command& program) {
   Command& command = AddSubcommand(
-      program, "replay", "Run trials of a session again and compare them with their records.",
+      program, "replay", "Simulate trials of a session again and compare them with their records.",
       "  graspbench replay results/pilot --all --verify    exit code 3 when one differs\n"
       "  graspbench replay pilot.tar --verify              a packed pipeline, byte for byte\n"
       "  graspbench replay results/pilot tum-can-g2:3 --trajectory trial.mcap\n"
       "  graspbench replay results/pilot --failed --trajectory h5 --out failed");
   const auto options = std::make_shared<ReplayOptions>();
   TrajectoryRequest& trajectory = options->trajectory;
-  AddStoreFolder(command, options->folder, "a session, or DIR/benchmark of a campaign; or a pack");
-  command.AddOption(
-      "trials", options->names,
-      "trials, each its trial_id, the first letters of it, or hand-object-grasp:number",
-      "ID|CONDITION:N ..");
-  Option* failed =
-      command.AddFlag("--failed", options->failed, "the finished trials that are no success");
+  AddStoreFolder(command, options->folder, "session, DIR/benchmark of a campaign, or pack");
+  command.AddOption("trials", options->names,
+                    "trials: trial_id, its first letters, or hand-object-grasp:number",
+                    "ID|CONDITION:N ..");
+  Option* failed = command.AddFlag("--failed", options->failed, "all finished trials that failed");
   command.AddFlag("--all", options->all, "every trial of the plan")->Excludes(failed);
-  command.AddFlag("--verify", options->verify,
-                  "name only trials that are not as recorded, and count those without a record");
+  command.AddFlag(
+      "--verify", options->verify,
+      "list only trials that differ from their record, and count trials without a record");
   std::string forms;
   for (const TrajectoryForm& form : ListTrajectoryForms()) {
     forms += (forms.empty() ? "" : "; ") + std::string(form.name) + ": " + form.text;
   }
   command.AddOption("--trajectory", trajectory.name, "write what happened; " + forms, "FILE|FORM");
-  command.AddOption("--fps", trajectory.rate, "instants a second of a trajectory", "RATE")
+  command.AddOption("--fps", trajectory.rate, "samples per second of a trajectory", "RATE")
       ->Within(1.0, 1000.0)
       ->ShowDefault("60")
       ->Needs("--trajectory");

@@ -63,10 +63,10 @@ ExitCode RunSelftest(bool json) {
 }  // namespace
 
 void AddSelftestCommand(Command& program) {
-  Command& command = AddSubcommand(
-      program, "selftest", "Run the physics on problems with known answers and print the sheet.",
-      "  graspbench selftest\n"
-      "  graspbench selftest --json");
+  Command& command = AddSubcommand(program, "selftest",
+                                   "Run the physics verification cases and print the results.",
+                                   "  graspbench selftest\n"
+                                   "  graspbench selftest --json");
   Option* json = command.AddFlag("--json", "print one JSON object");
   command.SetAction([json] { return RunSelftest(json->IsGiven()); });
 }

@@ -44,7 +44,7 @@ std::string FormatVerdict(const VerifyOptions& options, const StoreRepair& repai
   for (const std::string& action : repair.actions) text += "repaired " + action + "\n";
   text += options.folder + ": the " + repair.state.kind + " is " + NameState(repair.state);
   if (repair.state.is_made_anew) {
-    text += "; its manifest was lost and made again: what had changed before is not noticed";
+    text += "; its manifest was rebuilt after a loss: earlier changes cannot be detected";
   }
   text += FormatDamage(repair.state.damages) + "\n";
   const std::string lost = DescribeLostFiles(options.folder, repair.state.damages);
@@ -86,7 +86,7 @@ void AddVerifyCommand(Command& program) {
   const auto options = std::make_shared<VerifyOptions>();
   command.AddRequired("folder", options->folder, "folder of any result", "DIR");
   command.AddFlag("--repair", options->repair,
-                  "move damaged lines into files beside their journals; nothing is thrown away");
+                  "move damaged lines into files beside their journals; no data are deleted");
   AddJsonOption(command, options->json, "print the verdict as one JSON object");
   command.SetAction([options] { return Verify(*options); });
 }

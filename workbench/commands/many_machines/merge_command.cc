@@ -40,8 +40,8 @@ Json MakeJson(const SessionSummary& summary, const std::vector<MachineShards>& m
 [[noreturn]] void FailOnRest(const MergeOptions& options, const std::string& rest) {
   throw Error(ErrorKind::kInterrupted,
               rest +
-                  " left; what is there is merged and reported. Work on the shards again, then "
-                  "merge again: graspbench status " +
+                  " left; the finished trials are merged and reported. Work on the shards again, "
+                  "then merge again: graspbench status " +
                   QuoteForShell(options.folder.string()));
 }
 
@@ -77,8 +77,8 @@ ExitCode MergeOfScene(const MergeOptions& options) {
   if (num_new > 0) PrintMessage(FormatCount(num_new, "evaluation") + " came from other folders");
   if (!HasSceneResult(options.folder)) {
     throw Error(ErrorKind::kInterrupted,
-                "the optimisation is not finished; what is there is merged. Work on it again: "
-                "graspbench work " +
+                "the optimisation is not finished; the finished evaluations are merged. To "
+                "continue: graspbench work " +
                     QuoteForShell(options.folder.string()) + " --shard 1/1");
   }
   PrintResult("data     " + (options.folder / "result.json").string() + "\n");
@@ -88,8 +88,7 @@ ExitCode MergeOfScene(const MergeOptions& options) {
 ExitCode Merge(const MergeOptions& options) {
   for (const std::string& journal : options.aside) {
     SetJournalAside(options.folder, journal);
-    PrintMessage(journal + " is set aside as " + journal +
-                 ".set-aside; what it holds counts as not there");
+    PrintMessage(journal + " is set aside as " + journal + ".set-aside; its results are ignored");
   }
   const StoreKind* kind = FindStoreKind(options.folder);
   if (kind == &kCampaignStore) return MergeOfCampaign(options);
@@ -99,7 +98,7 @@ ExitCode Merge(const MergeOptions& options) {
   const Session session = LoadSession(options.folder, OnDamage::kRefuse, RecordParts::kBrief);
   SealStore(kSessionStore, options.folder);
   fs::path report;
-  std::string page = "\nthe command that planned this shows it with its session\n";
+  std::string page = "\nrun the command that planned it again to see it with its session\n";
   if (!HasSession(options.folder / ".." / "..")) {
     ExplainUnasked(options.folder, 1, OnDamage::kRefuse);
     report = WriteResults(session, MakeKeptTracer(session));
@@ -127,17 +126,17 @@ ExitCode Merge(const MergeOptions& options) {
 
 void AddMergeCommand(Command& program) {
   Command& command = AddSubcommand(
-      program, "merge", "Put the shards of a session or campaign together and write its report.",
+      program, "merge", "Merge the shards of a session or campaign and write its report.",
       "  graspbench merge results/pilot                 after graspbench work, on one disk\n"
       "  graspbench merge results/pilot node1/pilot node2/pilot");
   const auto options = std::make_shared<MergeOptions>();
   AddStoreFolder(command, options->folder, "folder of a session, campaign or optimisation");
-  command.AddOption("others", options->others, "folders of the same one on other disks", "OTHER..");
+  command.AddOption("others", options->others, "folders of the same result on other disks",
+                    "OTHER..");
   command
-      .AddOption(
-          "--set-aside", options->aside,
-          "leave out what a journal of DIR holds and keep it beside, as journal/2of7-0.jsonl",
-          "FILE")
+      .AddOption("--set-aside", options->aside,
+                 "journal of DIR to ignore and keep aside, for example journal/2of7-0.jsonl",
+                 "FILE")
       ->OneValueEach();
   AddJsonOption(command, options->json, "print summary and machines as one JSON object");
   command.SetAction([options] { return Merge(*options); });

@@ -38,7 +38,7 @@ int FindShards(const SubmitRequest& request, int num_cards) {
 void CheckSomethingTo(const std::string& what, const std::filesystem::path& folder) {
   if (ReadProgress(folder, 1.0).num_finished > 0) return;
   throw Error(ErrorKind::kUsage, "no trial of \"" + folder.string() +
-                                     "\" has run, so that there is nothing to " + what +
+                                     "\" has run, so there is nothing to " + what +
                                      "; submit it without --" + what + " first");
 }
 
@@ -73,20 +73,19 @@ void Submit(const SubmitOptions& options) {
 void AddSubmitCommand(Command& program) {
   Command& command = AddSubcommand(
       program, "submit", "Work on all shards of a session and merge them.",
-      "  graspbench submit results/pilot --engine slurm --array 50 --dry-run\n"
-      "  graspbench submit results/pilot --engine local\n\n"
-      "Partition, account, time, memory, modules and other options of Slurm stand in\n"
-      "~/.config/graspbench/cluster.yaml.");
+      "  graspbench submit results/pilot --engine slurm --array 50 --dry-run\n  graspbench submit "
+      "results/pilot --engine local\n\nPartition, account, time, memory, modules and other Slurm "
+      "options are read from\n~/.config/graspbench/cluster.yaml.");
   const auto options = std::make_shared<SubmitOptions>();
   SubmitRequest& request = options->request;
   request.num_shards = 0;
   AddStoreFolder(command, request.folder, "folder made with --plan-only");
-  command.AddRequired("--engine", request.engine, "what starts the workers: local, parallel, slurm",
-                      "ENGINE");
+  command.AddRequired("--engine", request.engine,
+                      "launcher of the workers: local, parallel or slurm", "ENGINE");
   command.AddOption("--array", request.num_shards, "number of shards", "N")
       ->Within(1, 1000000)
-      ->ShowDefault("as begun; or else processors, slurm: 10");
-  command.AddFlag("--judge", request.judge, "break what was held, after a merge");
+      ->ShowDefault("as started before; else the number of processors, slurm: 10");
+  command.AddFlag("--judge", request.judge, "find breaking forces of held grasps, after a merge");
   command.AddFlag("--explain", request.explain,
                   "explain one failure of each condition, after a merge");
   command.AddFlag("--dry-run", options->dry_run, "print the script and start nothing");

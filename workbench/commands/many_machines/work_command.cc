@@ -63,25 +63,26 @@ void Work(const WorkOptions& options) {
     throw Error(ErrorKind::kInterrupted,
                 name + ": stopped; " +
                     FormatCount(result.num_left, result.unit + " is", result.unit + "s are") +
-                    " left and the finished ones are kept. The same command goes on");
+                    " left; finished trials are kept. Repeat the command to continue");
   }
   PrintMessage(name + ": " + FormatCount(result.num_all, result.unit) +
-               ", all finished; when every shard is: graspbench merge " + QuoteForShell(folder) +
-               (result.goes_on ? ", then work on the shards again" : ""));
+               ", all finished; when all shards are finished: graspbench merge " +
+               QuoteForShell(folder) + (result.goes_on ? ", then work on the shards again" : ""));
 }
 
 }  // namespace
 
 void AddWorkCommand(Command& program) {
-  Command& command = AddSubcommand(
-      program, "work", "Run one machine's part of a session or campaign that several work on.",
-      "  graspbench work results/pilot --shard 3/7\n"
-      "  graspbench work results/pilot --shard 3/7 --time-budget 25m --judge");
+  Command& command =
+      AddSubcommand(program, "work", "Run one shard of a session or campaign.",
+                    "  graspbench work results/pilot --shard 3/7\n"
+                    "  graspbench work results/pilot --shard 3/7 --time-budget 25m --judge");
   const auto options = std::make_shared<WorkOptions>();
   ShardRequest& request = options->request;
   AddStoreFolder(command, request.folder, "folder made with --plan-only");
-  command.AddRequired("--shard", options->shard, "which part of how many, from 1/N to N/N", "K/N");
-  command.AddFlag("--judge", request.judge, "break what the shard's trials held; after a merge");
+  command.AddRequired("--shard", options->shard, "shard number and count, from 1/N to N/N", "K/N");
+  command.AddFlag("--judge", request.judge,
+                  "find breaking forces of the shard's held grasps; after a merge");
   command.AddFlag("--explain", request.explain,
                   "explain one failure of each condition; after a merge");
   command
@@ -93,7 +94,7 @@ void AddWorkCommand(Command& program) {
       ->ShowDefault();
   AddTrialTimeoutOption(command, request.trial_time_limit);
   command.AddFlag("--allow-build", request.allow_build,
-                  "work with another build of graspbench than the one that made the plan");
+                  "accept a build of graspbench other than the one that made the plan");
   command.SetAction([options] { Work(*options); });
 }
 

@@ -9,27 +9,25 @@ namespace graspbench {
 void ForeignGraspOptions::AddTo(Command& command) {
   std::vector<std::string> formats = {"auto"};
   for (const GraspFormat& format : ListGraspFormats()) formats.emplace_back(format.id);
-  command.AddRequired("files", paths_, "files of grasps, or folders: all files below them",
-                      "FILES..");
+  command.AddRequired("files", paths_, "grasp files, or folders (all files below them)", "FILES..");
   command.AddOption("--format", format_, "one of " + ListNames(formats), "NAME")->ShowDefault();
   command.AddOption("--hand-frame", read_.hand_frame,
-                    "link of the hand whose pose the files give, where they do not say it reliably",
+                    "link of the hand whose pose the files give, if they do not state it reliably",
                     "LINK");
   command.AddOption("--object-frame", read_.object_frame,
-                    "frame in which the poses are given: \"mesh\", as the object's mesh is drawn",
-                    "NAME");
+                    "frame of the poses: \"mesh\", the frame of the object's mesh", "NAME");
   command
       .AddOption("--joint-names", read_.joint_names,
-                 "joints in the order of the files' positions, where they have no names", "NAME,..")
+                 "joint names in the order of the positions, for files without names", "NAME,..")
       ->SplitAtCommas()
       ->OneValueEach();
   command
       .AddOption("--open", open_joints_,
-                 "joints of the open hand in radians and metres, where the files state none",
+                 "joints of the open hand in radians and metres, for files without joints",
                  "NAME=NUMBER,..")
       ->SplitAtCommas()
       ->OneValueEach();
-  command.AddOption("--scale", scale_, "of the object's mesh, instead of what the files say",
+  command.AddOption("--scale", scale_, "scale of the object's mesh, overriding the files",
                     "NUMBER");
 }
 
@@ -57,8 +55,7 @@ void GraspInputOptions::AddTo(Command& command) {
   grasps_.AddTo(command);
   command.AddOption("--hand", hand_, "hand by id or folder", "HAND")->ShowDefault();
   command.AddOption("--objects", objects_,
-                    "folder of the meshes; a grasp's object is looked for by every end of its path",
-                    "DIR");
+                    "folder of the meshes; an object is found by every end of its path", "DIR");
 }
 
 GraspInputs GraspInputOptions::Load(const std::vector<FreeSpaceProfile>& profiles) const {

@@ -62,15 +62,15 @@ void SessionOptions::AddTo(Command& command, const std::string& file_text) {
       "without numbers 40,4",
       "G,..");
   command
-      .AddOption("--approach", given_.approach, "above or side, whatever objects and grasps say",
-                 "FROM")
+      .AddOption("--approach", given_.approach,
+                 "approach direction above or side; overrides objects and grasps", "FROM")
       ->ShowDefault();
   AddArmOptions(command, given_.arm, arm_base_);
   command.AddOption("--policy", given_.policy.command,
-                    "a controller that closes the digits: a shell command ('python3 my.py'), the "
+                    "controller that closes the digits: a shell command ('python3 my.py'), the "
                     "address of a policy server (ws://127.0.0.1:8000) or a policy.yaml",
                     "POLICY");
-  command.AddOption("--trials", given_.trials, "trials of each hand, object, grasp", "N")
+  command.AddOption("--trials", given_.trials, "trials per hand, object and grasp", "N")
       ->ShowDefault();
   AddSeedOption(command, given_.seed, "other variations");
   AddSettingsOption(command, settings_, "sim.step_s=0.001");
@@ -80,8 +80,7 @@ void SessionOptions::AddTo(Command& command, const std::string& file_text) {
 void SessionOptions::AddBenchmarkTo(Command& command) {
   command
       .AddOption("--benchmark", benchmark_,
-                 "a named benchmark, or its file; settings that it does not leave open are refused",
-                 "NAME|FILE")
+                 "named benchmark or its file; settings that it fixes are refused", "NAME|FILE")
       ->Suggest(ListBenchmarks());
 }
 

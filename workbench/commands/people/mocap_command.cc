@@ -43,17 +43,17 @@ void AddImportOptions(Command& command, const SharedOptions& options) {
     formats += (formats.empty() ? "" : ", ") + std::string(importer.id);
   }
   command.AddOption("--format", options->import.format,
-                    "instead of finding it by content and name: " + formats);
+                    "importer, overriding detection by content and name: " + formats);
   command.AddOption("--unit", options->import.unit,
                     "length unit of a file that states none: mm, cm, m, in");
   command.AddOption("--mapping", options->import.mapping,
                     "YAML file that names the columns of a plain table", "FILE");
   command.AddOption("--trial", options->import.trial,
-                    "plain table with several trials: the one to read");
+                    "trial to read from a plain table with several trials");
   command.AddFlag("--accept-truncated", options->import.accept_truncated,
-                  "read a file that is cut off as far as it goes");
+                  "read the intact part of a truncated file");
   command.AddFlag("--trust-residuals", options->import.trust_residuals,
-                  "C3D: believe residuals that call every sample invalid");
+                  "C3D: accept residuals that mark every sample as invalid");
 }
 
 void ShowRecording(const MocapOptions& options) {
@@ -71,7 +71,7 @@ void ConvertRecording(const MocapOptions& options) {
   PrintFindings(recording);
   const size_t num_left_out = SaveRecording(options.out, recording);
   if (num_left_out > 0) {
-    PrintMessage(std::to_string(num_left_out) + " points are no positions and were left out");
+    PrintMessage(std::to_string(num_left_out) + " points are not positions and were left out");
   }
   PrintResult(options.out + "\n");
 }
@@ -91,7 +91,8 @@ void RedactFile(const MocapOptions& options) {
   for (const PersonalField& field : fields) {
     PrintMessage("blanked " + field.where + ": " + field.text);
   }
-  if (fields.empty()) PrintMessage("no personal data found in the places this format has for it");
+  if (fields.empty())
+    PrintMessage("no personal data found in the fields that this format provides for it");
   PrintResult(options.out + "\n");
 }
 
@@ -105,7 +106,7 @@ void AddMocapCommand(Command& program) {
   const auto options = std::make_shared<MocapOptions>();
 
   Command& info =
-      AddSubcommand(group, "info", "Show what a recording holds and what had to be assumed.",
+      AddSubcommand(group, "info", "Show the contents of a recording and every assumption.",
                     "  graspbench mocap info reach01.c3d\n"
                     "  graspbench mocap info table.txt --mapping columns.yaml --json");
   AddImportOptions(info, options);

@@ -37,7 +37,7 @@ std::optional<RobotSession> LoadRobot(const StudyOptions& options, const Study& 
 void StopIfAsked(const std::atomic<bool>& stop) {
   if (!stop) return;
   throw Error(ErrorKind::kInterrupted,
-              "stopped; nothing was written. The same command begins again");
+              "stopped; nothing was written. Repeat the command to start again");
 }
 
 /** A line for every tenth of the trials, once there are enough for it to matter. */
@@ -97,7 +97,7 @@ void RunDemo(StudyOptions options) {
 
 void AddStudyCommand(Command& program) {
   Command& group =
-      AddSubcommand(program, "study", "Analyse people's reaching and grasping from recordings.",
+      AddSubcommand(program, "study", "Analyse recordings of human reach-to-grasp movements.",
                     "  graspbench study demo --out demo\n"
                     "  graspbench study freeze study.yaml\n"
                     "  graspbench study run study.yaml --out results/pilot");
@@ -112,7 +112,7 @@ void AddStudyCommand(Command& program) {
     command.AddRequired("--out", options->out, "folder for tables, BIDS derivative and report",
                         "DIR");
     command.AddOption("--robot", options->robot,
-                      "a session of graspbench run to put beside the people", "SESSION");
+                      "session of graspbench run to compare with the participants", "SESSION");
     AddReplaceOption(command, options->replace);
   };
 
@@ -120,7 +120,7 @@ void AddStudyCommand(Command& program) {
       group, "run", "Turn recordings into tables, statistics and a report.",
       "  graspbench study run study.yaml --out results/pilot\n"
       "  graspbench study run study.yaml --data /data/mocap --out out --robot results/benchmark");
-  add_study(run, "what was recorded and every choice");
+  add_study(run, "study file: recordings and all choices");
   AddSettingsOption(run, options->settings, "contact.detector=surface");
   add_common(run);
   AddJsonOption(run, options->json);
@@ -128,13 +128,14 @@ void AddStudyCommand(Command& program) {
       [options] { return RunStudyFile(*options).CountKept() == 0 ? kExitFailed : kExitOk; });
 
   Command& freeze = AddSubcommand(
-      group, "freeze", "Write down every choice before the data; a run lists what deviates.",
+      group, "freeze", "Freeze all choices before data collection; a run lists deviations.",
       "  graspbench study freeze study.yaml");
-  add_study(freeze, "what will be recorded and every choice");
+  add_study(freeze, "study file: planned recordings and all choices");
   freeze.SetAction([options] { Freeze(*options); });
 
   Command& demo = AddSubcommand(
-      group, "demo", "Make up a study with known contacts, analyse it and report the errors.",
+      group, "demo",
+      "Generate a synthetic study with known contacts, analyse it and report the errors.",
       "  graspbench study demo --out demo\n"
       "  graspbench study demo --out demo --robot results/benchmark-1a2b3c4d");
   add_common(demo);

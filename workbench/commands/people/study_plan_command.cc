@@ -25,8 +25,8 @@ std::string DescribeVariances(const PlanOptions& options, const PowerDesign& des
           " and " + pilot.level_b + ")";
   if (design.person_sd == 0.0) {
     text +=
-        "\nnote     in the pilot persons differ no more than their trials do; the plan takes that "
-        "as zero, so trust the lower end of the last column";
+        "\nnote     the pilot shows no variance between persons beyond that of trials; the plan "
+        "assumes zero, so rely on the lower end of the last column";
   }
   return text;
 }
@@ -36,7 +36,7 @@ std::string FormatPlan(const PlanOptions& options, const StudyPlan& plan) {
   std::vector<std::string> heads = {"trials a condition",
                                     plan.design.is_between ? "persons a group" : "persons",
                                     "power (95 %)", "half 95 % interval"};
-  if (has_pilot) heads.push_back("power over the pilot's doubt (95 %)");
+  if (has_pilot) heads.push_back("power within the pilot's uncertainty (95 %)");
   TextTable table(heads);
   for (const PlanRow& row : plan.rows) {
     std::vector<std::string> cells = {std::to_string(row.num_trials)};
@@ -65,17 +65,16 @@ void RunPlan(PlanOptions options) {
   const bool is_stated =
       options.request.stated.trial_sd != 0.0 || options.request.stated.person_sd != 0.0;
   if (options.pilot.empty() != is_stated) {
-    throw Error(ErrorKind::kUsage, is_stated
-                                       ? "a pilot and stated variances: expected one of the two"
-                                       : "expected a pilot's result folder, or --trial-sd and "
-                                         "--person-sd");
+    throw Error(ErrorKind::kUsage,
+                is_stated ? "expected either a pilot or stated variances, not both"
+                          : "expected the result folder of a pilot, or --trial-sd and --person-sd");
   }
   const bool asks_pilot = !options.question.factor.empty() || !options.question.levels.empty();
   if (options.pilot.empty() ? asks_pilot : options.request.stated.is_between) {
     throw Error(ErrorKind::kUsage, options.pilot.empty()
-                                       ? "--factor and --levels are of a pilot; there is none"
-                                       : "--groups goes with stated variances; of a pilot --factor "
-                                         "names the column that says the group");
+                                       ? "--factor and --levels need a pilot; none is given"
+                                       : "--groups needs stated variances; with a pilot, --factor "
+                                         "names the column of the group");
   }
   options.request.measure = options.question.measure;
   if (!options.pilot.empty()) options.request.pilot = LoadPilot(options.pilot, options.question);
@@ -88,29 +87,34 @@ void AddStudyPlanCommand(Command& program) {
   const auto options = std::make_shared<PlanOptions>();
   Command& plan = AddSubcommand(
       program.Subcommand("study"), "plan",
-      "Persons and trials that a difference needs, by simulation.",
+      "Plan the number of persons and trials that detects a difference, by simulation.",
       "  graspbench study plan results/pilot --difference 0.01\n"
       "  graspbench study plan --difference 0.01 --trial-sd 0.03 --person-sd 0.01 --trials 5,10");
-  plan.AddOption("pilot", options->pilot, "result of graspbench study run: its variances", "[DIR]");
-  plan.AddRequired("--difference", options->request.difference,
-                   "to be shown, in the measure's SI unit; never the pilot's own");
+  plan.AddOption("pilot", options->pilot,
+                 "pilot: result of graspbench study run that supplies the variances", "[DIR]");
+  plan.AddRequired(
+      "--difference", options->request.difference,
+      "difference to detect, in the SI unit of the measure; never the one found in the pilot");
   plan.AddOption("--measure", options->question.measure, "id, as in measures.csv")->ShowDefault();
-  plan.AddOption("--factor", options->question.factor, "column of the pilot whose levels differ")
+  plan.AddOption("--factor", options->question.factor,
+                 "column of the pilot that holds the compared levels")
       ->ShowDefault("the first");
   plan.AddOption("--levels", options->question.levels, "two of them: 0.03,0.06")
       ->SplitAtCommas()
       ->ShowDefault("the first and the last");
   plan.AddOption("--trial-sd", options->request.stated.trial_sd,
-                 "of trials of a person in a condition");
-  plan.AddOption("--person-sd", options->request.stated.person_sd,
-                 "of persons' true differences; with --groups of their true means");
+                 "standard deviation of the trials of a person in a condition");
+  plan.AddOption(
+      "--person-sd", options->request.stated.person_sd,
+      "standard deviation of the true differences of persons; with --groups, of their true means");
   plan.AddFlag("--groups", options->request.stated.is_between,
                "two groups of persons instead of two conditions");
-  plan.AddOption("--trials", options->request.trials, "of a person in a condition")
+  plan.AddOption("--trials", options->request.trials, "trials per person and condition")
       ->SplitAtCommas()
       ->ShowDefault();
-  plan.AddOption("--persons", options->request.num_persons, "the power of so many, of each group")
-      ->ShowDefault("as many as the power needs");
+  plan.AddOption("--persons", options->request.num_persons,
+                 "number of persons (per group) whose power is computed")
+      ->ShowDefault("as many as the target power needs");
   plan.AddOption("--power", options->request.wanted, "wanted")->ShowDefault();
   plan.SetAction([options] { RunPlan(*options); });
 }

@@ -79,7 +79,7 @@ void RunSuggest(const ReviewOptions& options) {
   PrintResult(FormatSuggestions(suggestions));
   if (suggestions.suggestions.empty()) return;
   PrintResult("try      " + MakeRunCommand(options, suggestions) +
-              "\n         and what convinces you, write into " + options.study_file + "\n");
+              "\n         and, when convinced, copy into " + options.study_file + "\n");
 }
 
 void AddStudyOptions(Command& command, ReviewOptions& options) {
@@ -93,14 +93,14 @@ void AddStudyOptions(Command& command, ReviewOptions& options) {
 
 void AddStudyReviewCommand(Command& program) {
   const auto options = std::make_shared<ReviewOptions>();
-  Command& review =
-      AddSubcommand(program.Subcommand("study"), "review",
-                    "Pages to look at every contact, and a table for verdicts that a run replays.",
-                    "  graspbench study review study.yaml --out review\n"
-                    "  graspbench study review study.yaml --trials P1-3,P2-1 --out review");
+  Command& review = AddSubcommand(
+      program.Subcommand("study"), "review",
+      "Write pages for reviewing every contact, and a table for verdicts that a run applies.",
+      "  graspbench study review study.yaml --out review\n"
+      "  graspbench study review study.yaml --trials P1-3,P2-1 --out review");
   AddStudyOptions(review, *options);
   review.AddRequired("--out", options->out, "folder for the pages", "DIR");
-  review.AddOption("--trials", options->trials, "pages of these alone")
+  review.AddOption("--trials", options->trials, "write pages of these trials only")
       ->SplitAtCommas()
       ->ShowDefault("all");
   AddSettingsOption(review, options->settings, "contact.detector=surface");
@@ -109,7 +109,7 @@ void AddStudyReviewCommand(Command& program) {
 
   Command& suggest = AddSubcommand(
       program.Subcommand("study"), "suggest",
-      "Propose settings that the data ask for, with reasons; changes nothing.",
+      "Propose settings from the data, with reasons; nothing is changed.",
       "  graspbench study suggest study.yaml\n"
       "  graspbench study suggest study.yaml --data /data/mocap --set contact.cutoff_hz=15");
   AddStudyOptions(suggest, *options);

@@ -53,9 +53,25 @@ std::string FormatOverview(const Command& program, const std::vector<std::string
   return program.FormatHelp("") +
          "\nPresets (graspbench run --preset NAME, or preset: NAME in a session file):\n" +
          presets + "\nFiles (graspbench help FILE):\n  " + ListNames(files) +
-         "\n\nGrasp types and what others call them: graspbench help grasp-types\n"
-         "A setting, for example: graspbench help model.friction_scale\n"
-         "A measure, a table or a column of it, for example: graspbench help gft\n";
+         "\n\nGrasp types in other taxonomies: graspbench help grasp-types\nA setting, for "
+         "example: graspbench help model.friction_scale\nA measure, a table or a column, for "
+         "example: graspbench help gft\nAn outcome or a flag, for example: graspbench help 'pushed "
+         "away'\n";
+}
+
+/** The meanings of an option, named without its dashes, in all commands that have it. */
+std::string ExplainOption(const Command& command, const std::string& above,
+                          const std::string& name) {
+  std::string text;
+  for (const auto& each : command.subcommands()) {
+    const std::string path = above + " " + each->name();
+    for (const auto& option : each->options()) {
+      if (option->is_argument() || option->name() != "--" + name) continue;
+      text += path + " --" + name + "\n  " + option->description() + "\n";
+    }
+    text += ExplainOption(*each, path, name);
+  }
+  return text;
 }
 
 /** What "graspbench WORDS --help" prints, and what a word means as a measure, a column or a setting.
@@ -71,13 +87,14 @@ std::string FindCommandHelp(const Command& program, const std::vector<std::strin
       if (each->name() == word) next = each.get();
     }
     if (!next && command == &program) {
-      const std::string meanings = ExplainWord(JoinWords(words));
+      const std::string meanings =
+          ExplainWord(JoinWords(words)) + ExplainOption(program, program.name(), word);
       if (!meanings.empty()) return meanings;
       for (const FileFormat& format : ListFileFormats()) names.push_back(format.name);
       names.push_back(kGraspTypesTopic);
     }
     if (!next) {
-      throw Error(ErrorKind::kUsage, "\"" + word + "\" is no command, file, setting or word" +
+      throw Error(ErrorKind::kUsage, "\"" + word + "\" is not a command, file, setting or term" +
                                          (command == &program ? SuggestWords(word, names)
                                                               : SuggestNames(word, names)));
     }
@@ -103,7 +120,7 @@ std::vector<std::string> ListTopics(const std::vector<std::string>& files, const
 void AddHelpCommand(Command& program) {
   Command& command = AddSubcommand(
       program, "help",
-      "Explain a command, a setting, or every key of a file: unit, range and default.",
+      "Explain a command, setting, column, outcome, flag or term, or every key of a file.",
       "  graspbench help                       commands, presets and files\n"
       "  graspbench help object.yaml\n"
       "  graspbench help session.yaml --json\n"

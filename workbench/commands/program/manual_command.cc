@@ -93,7 +93,7 @@ void PrintVersion(const Json& version) {
 */
 void AddManualCommand(Command& program) {
   Command& manual = AddSubcommand(
-      program, "manual", "Open the manual in a browser, and print where it is.",
+      program, "manual", "Open the manual in a browser and print its path.",
       "  graspbench manual                     contents and search\n"
       "  graspbench manual failed-trial\n"
       "  graspbench manual sim.step_s          a key, an option or a column of a table");

@@ -86,7 +86,7 @@ ExitCode Run(CampaignOptions options) {
     const auto num_own = std::count_if(campaign.real.begin(), campaign.real.end(),
                                        [](const RealTrial& trial) { return !trial.is_published; });
     PrintMessage(FormatCount(num_own, "trial") +
-                 " with real hands kept; rows without a success are trials to come");
+                 " with real hands kept; rows without a success value count as trials to do");
   }
   ExportCampaign(folder, campaign);
   const fs::path report = WriteCampaignReport(folder, campaign);
@@ -101,21 +101,19 @@ ExitCode Run(CampaignOptions options) {
 }  // namespace
 
 void AddCampaignCommand(Command& program) {
-  Command& command =
-      AddSubcommand(program, "campaign",
-                    "Optimise every hand and object, then try all variants on the same poses.",
-                    "  graspbench campaign --out results/campaign\n"
-                    "  graspbench campaign --evaluations 1000 --compare --out results/full\n\n"
-                    "The same command again continues what was interrupted.");
+  Command& command = AddSubcommand(
+      program, "campaign",
+      "Optimise the grasp of every hand and object, then compare all variants on the same draws.",
+      "  graspbench campaign --out results/campaign\n  graspbench campaign --evaluations 1000 "
+      "--compare --out results/full\n\nRepeat the command to continue an interrupted campaign.");
   const auto options = std::make_shared<CampaignOptions>();
   CampaignConfig& config = options->config;
   AddSceneOptions(command, config.session);
   AddSearchOptions(command, config.optimise,
-                   "of each scene's step 2; as many as optimise has (" +
+                   "evaluations per scene in step 2; as many as optimise uses (" +
                        std::to_string(OptimiseConfig().evaluations) + ") for the full campaign");
   command
-      .AddOption("--trials", config.session.trials,
-                 "trials of each scene and variant in the benchmark", "N")
+      .AddOption("--trials", config.session.trials, "benchmark trials per scene and variant", "N")
       ->ShowDefault();
   command.AddFlag("--compare", options->compare,
                   "also compare search methods over several seeds, on " +
@@ -126,8 +124,8 @@ void AddCampaignCommand(Command& program) {
   command.AddOption("--out", options->out, "folder", "DIR")->ShowDefault("results/campaign-HASH");
   AddResumeOption(command, options->resume);
   command.AddOption("--real", options->real,
-                    "trials with real hands, to stand beside the simulated ones; graspbench new "
-                    "trials DIR writes such a table",
+                    "table of trials with real hands to compare with; graspbench new trials DIR "
+                    "writes a template",
                     "FILE.csv");
   AddTrialTimeoutOption(command, options->trial_time_limit);
   AddJsonOption(command, options->json);

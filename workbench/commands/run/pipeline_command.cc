@@ -71,13 +71,15 @@ void AddResultsOption(Command& part, PipelineOptions& options) {
 
 void AddReplayPart(Command& program, Command& command) {
   Command& part = AddSubcommand(
-      command, "replay", "Make a pack's results again elsewhere and compare them byte for byte.",
+      command, "replay",
+      "Reproduce the results of a pack in a separate folder and compare them byte by byte.",
       "  graspbench pipeline replay pilot.tar --verify    exit code 3 when a byte differs\n"
       "  graspbench replay pilot.tar --verify             the same");
   const auto options = std::make_shared<PackReplayOptions>();
   part.AddRequired("pack", options->pack, "file of graspbench pipeline pack", "PACK.TAR");
-  part.AddFlag("--verify", "compare; a pack is not replayed for anything else");
-  part.AddOption("--out", options->folder, "new folder that keeps what was packed and made", "DIR");
+  part.AddFlag("--verify", "compare the files (required)");
+  part.AddOption("--out", options->folder,
+                 "new folder that keeps the packed and the reproduced files", "DIR");
   AddJobsOption(part, options->num_workers);
   AddJsonOption(part, options->json);
   part.SetAction([&program, options] { return ReplayPackFile(program, *options); });
@@ -87,26 +89,25 @@ void AddReplayPart(Command& program, Command& command) {
 
 void AddPipelineCommand(Command& program) {
   Command& command = AddSubcommand(
-      program, "pipeline", "Make results by named stages that others can make again.",
-      "  graspbench pipeline run pilot.yaml        the stages that are stale, and no other\n"
-      "  graspbench pipeline pack pilot.yaml pilot.tar\n"
-      "  graspbench help pipeline.yaml             every key");
+      program, "pipeline", "Run named stages as a pipeline that others can reproduce.",
+      "  graspbench pipeline run pilot.yaml        runs only the stale stages\n  graspbench "
+      "pipeline pack pilot.yaml pilot.tar\n  graspbench help pipeline.yaml             every key");
   command.RequireSubcommand();
   const auto options = std::make_shared<PipelineOptions>();
-  Command& run = AddPart(command, *options, "run", "Run what is stale; the same again goes on.",
-                         "  graspbench pipeline run pilot.yaml --out results/pilot --jobs 2");
+  Command& run =
+      AddPart(command, *options, "run", "Run the stale stages; repeat the command to continue.",
+              "  graspbench pipeline run pilot.yaml --out results/pilot --jobs 2");
   AddResultsOption(run, *options);
   AddJobsOption(run, options->num_workers, "processors for all stages");
   run.SetAction([&program, options] { return Run(program, *options); });
 
-  Command& status = AddPart(command, *options, "status",
-                            "Say of each stage whether it is stale, and because of what.",
+  Command& status = AddPart(command, *options, "status", "List which stages are stale and why.",
                             "  graspbench pipeline status pilot.yaml    exit code 1 when one is");
   AddResultsOption(status, *options);
   AddJsonOption(status, options->json);
   status.SetAction([&program, options] { return ShowStatus(program, *options); });
 
-  Command& graph = AddPart(command, *options, "graph", "Show what needs what.",
+  Command& graph = AddPart(command, *options, "graph", "Show the dependencies of the stages.",
                            "  graspbench pipeline graph pilot.yaml --dot | dot -Tsvg > pilot.svg");
   graph.AddFlag("--dot", options->as_dot, "for Graphviz");
   graph.SetAction([&program, options] {
@@ -114,7 +115,7 @@ void AddPipelineCommand(Command& program) {
     PrintResult(options->as_dot ? FormatDot(pipeline) : FormatGraph(pipeline));
   });
 
-  Command& write = AddPart(command, *options, "export", "Print the same stages for DVC, Snakemake.",
+  Command& write = AddPart(command, *options, "export", "Print the stages for DVC or Snakemake.",
                            "  graspbench pipeline export pilot.yaml --as snakemake > Snakefile");
   write.AddOption("--as", options->form, "dvc or snakemake", "FORM")
       ->OneOf({"dvc", "snakemake"})

@@ -42,8 +42,8 @@ void PrintStart(const PreparedSession& work, int num_unfinished, int num_workers
   if (!work.session.findings.entries().empty()) PrintMessage(work.session.findings.Format());
   if (num_finished > 0 && HasRunOfAnotherBuild(work.folder)) {
     PrintMessage(
-        "note: trials in this session were finished by another build of graspbench; --out DIR "
-        "starts afresh");
+        "note: some trials of this session were run by another build of graspbench; --out DIR "
+        "starts a new session");
   }
   std::string text =
       work.folder.string() + ": " + FormatCount(num_finished + num_unfinished, "trial");
@@ -127,7 +127,7 @@ ExitCode Run(const RunCommandOptions& options) {
   }
   throw Error(ErrorKind::kInterrupted,
               "stopped; " + std::to_string(num_trials - record.num_trials) +
-                  " trials are left and the finished ones are kept. Continue with\n  " +
+                  " trials are left; finished trials are kept. Continue with\n  " +
                   FormatResumeCommand(options, work.folder));
 }
 

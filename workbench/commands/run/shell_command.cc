@@ -55,7 +55,7 @@ class ShellLog {
     stream_ << line << std::endl;
     if (stream_) return;
     has_failed_ = true;
-    PrintMessage("cannot write the log; is the disk full? The shell goes on without it.");
+    PrintMessage("cannot write the log; is the disk full? The shell continues without it.");
   }
   bool has_failed() const { return has_failed_; }
 
@@ -80,7 +80,7 @@ ExitCode Converse(Shell& shell, ShellLog& log, const LineSource& source) {
     if (reply == Shell::Reply::kRefused && !source.is_person) {
       exit_code = kExitUsage;
       if (shell.stops_at_errors()) {
-        PrintMessage("the script ends at its first error (set -e off: it goes on)");
+        PrintMessage("the script ended at its first error (set -e off: continue after errors)");
         break;
       }
     }
@@ -91,7 +91,7 @@ ExitCode Converse(Shell& shell, ShellLog& log, const LineSource& source) {
 
 ExitCode RunShell(const ShellOptions& options) {
   if (!options.commands.empty() && !options.file.empty()) {
-    throw Error(ErrorKind::kUsage, "-c and a file were given; expected one of them");
+    throw Error(ErrorKind::kUsage, "both -c and a file are given; expected one of them");
   }
   std::ifstream script;
   if (!options.file.empty()) {
@@ -128,13 +128,14 @@ ExitCode RunShell(const ShellOptions& options) {
 
 void AddShellCommand(Command& program) {
   Command& command =
-      AddSubcommand(program, "shell", "Move one trial step by step, at a prompt or by a script.",
+      AddSubcommand(program, "shell", "Run one trial interactively or by a script.",
                     "  graspbench shell\n"
                     "  graspbench shell -c 'hand shadow' -c 'object light bulb' -c run -c why");
   const auto options = std::make_shared<ShellOptions>();
-  command.AddOption("file", options->file, "script: a command a line", "FILE");
-  command.AddOption("-c", options->commands, "a command; again for more", "CMD")->OneValueEach();
-  command.AddOption("--log", options->log, "keep all lines as a script", "FILE");
+  command.AddOption("file", options->file, "script with one command per line", "FILE");
+  command.AddOption("-c", options->commands, "a command; may be repeated", "CMD")->OneValueEach();
+  command.AddOption("--log", options->log, "file for the entered lines, usable as a script",
+                    "FILE");
   command.SetAction([options] { return RunShell(*options); });
 }
 

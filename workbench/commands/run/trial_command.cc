@@ -72,7 +72,7 @@ ExitCode ShowTrial(TrialOptions options) {
 
 void AddTrialCommand(Command& program) {
   Command& command = AddSubcommand(
-      program, "trial", "Run one trial of a session again and tell what happened in it.",
+      program, "trial", "Simulate one trial of a session again and report its course.",
       "  graspbench trial results/pilot tum-can-g2:3\n"
       "  graspbench trial results/pilot 3f2a --render trial.png --at 1.25s --camera free -60 20 "
       "1.5\n"
@@ -82,8 +82,7 @@ void AddTrialCommand(Command& program) {
   const auto options = std::make_shared<TrialOptions>();
   AddStoreFolder(command, options->folder, "the session");
   command.AddRequired("trial", options->name,
-                      "its trial_id, the first letters of it, or hand-object-grasp:number",
-                      "ID|CONDITION:N");
+                      "trial_id, its first letters, or hand-object-grasp:number", "ID|CONDITION:N");
   for (const TrialFile& form : ListTrialFiles()) {
     if (!*form.text) continue;  // another form of an option that is there
     command.AddOptionFunction<std::string>(

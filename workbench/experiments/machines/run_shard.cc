@@ -228,9 +228,9 @@ class SessionShard {
     if (own.empty() || Intersect(FindUnfinished(session_), own).size() < own.size()) return;
     throw Error(ErrorKind::kUsage,
                 "none of the shard's " + FormatCount(static_cast<int64_t>(own.size()), "trial") +
-                    " has run, so that there is nothing to " +
-                    (request_.judge ? "judge" : "explain") + "; work on it without --" +
-                    (request_.judge ? "judge" : "explain") + " first, then merge");
+                    " has run, so there is nothing to " + (request_.judge ? "judge" : "explain") +
+                    "; work on it without --" + (request_.judge ? "judge" : "explain") +
+                    " first, then merge");
   }
 
   void LoadInputs(const std::optional<SessionInputs>& inputs,
@@ -374,11 +374,10 @@ void CheckProgram(const StoreKind& kind, const ShardRequest& request) {
       std::find(builds.begin(), builds.end(), FindBuild()) != builds.end()) {
     return;
   }
-  throw Error(ErrorKind::kVersion,
-              what + "\" belongs to build " + builds.back() + " of graspbench, this is build " +
-                  FindBuild() +
-                  "; use that one on every machine, or --allow-build if their results are known to "
-                  "be the same");
+  throw Error(ErrorKind::kVersion, what + "\" belongs to build " + builds.back() +
+                                       " of graspbench, this is build " + FindBuild() +
+                                       "; use that build on every machine, or --allow-build if the "
+                                       "results are known to be equal");
 }
 
 int CountCards(const fs::path& folder) {
@@ -399,16 +398,17 @@ void CheckRequest(const ShardRequest& request) {
   const bool is_campaign = kind == &kCampaignStore, is_scene = kind == &kSceneStore;
   if (request.judge && request.explain) {
     throw Error(ErrorKind::kUsage,
-                "--judge and --explain are two rounds; ask for one, then the other");
+                "--judge and --explain are separate rounds; run one after the other");
   }
   if (request.explain && (is_campaign || is_scene)) {
-    throw Error(ErrorKind::kUsage, "--explain is for sessions, and \"" + request.folder.string() +
-                                       "\" holds none; of a campaign explain its benchmark");
+    throw Error(ErrorKind::kUsage,
+                "--explain is for sessions, and \"" + request.folder.string() +
+                    "\" is not a session; for a campaign, explain its benchmark");
   }
   if (request.judge && (is_campaign || is_scene)) {
     throw Error(ErrorKind::kUsage,
                 "--judge is for sessions, and \"" + request.folder.string() + "\" holds " +
-                    (is_campaign ? "a campaign; its benchmark is judged without being asked"
+                    (is_campaign ? "a campaign, whose benchmark is judged automatically"
                                  : "an optimisation"));
   }
   const int num_cards = CountCards(request.folder);

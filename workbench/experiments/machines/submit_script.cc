@@ -98,7 +98,7 @@ std::string FormatEnd(const SubmitRequest& request, const Words& words) {
 }
 
 constexpr char kLeaveWhenStopped[] =
-    "[[ $stopped ]] && { echo 'stopped; the same command goes on' >&2; exit 75; }\n";
+    "[[ $stopped ]] && { echo 'stopped; repeat the command to continue' >&2; exit 75; }\n";
 
 std::string MakeLocal(const SubmitRequest& request) {
   const Words words = MakeWords(request);
@@ -199,15 +199,16 @@ ClusterConfig ParseClusterConfig(const std::string& text, const std::string& fil
     ReadWord(map, "account", cluster.account);
     ReadWord(map, "time", cluster.time);
     Check(map, "time", cluster.time, R"((\d+-)?\d+(:\d+){0,2})",
-          "minutes or days-hours:minutes:seconds, as 2:00:00");
+          "minutes or days-hours:minutes:seconds, for example 2:00:00");
     ReadWord(map, "memory", cluster.memory);
     Check(map, "memory", cluster.memory, R"(\d+[KMGT]?)",
-          "megabytes or a number with K, M, G or T, as 2G");
+          "megabytes or a number with K, M, G or T, for example 2G");
     ReadWords(map, "modules", cluster.modules);
     ReadWords(map, "options", cluster.options);
     for (const std::string& option : cluster.options) {
       if (option.compare(0, 1, "-") != 0) {
-        map.Fail("options", "\"" + option + "\": expected an option of sbatch, as --qos=long");
+        map.Fail("options",
+                 "\"" + option + "\": expected an option of sbatch, for example --qos=long");
       }
     }
     map.FinishKnownKeys();

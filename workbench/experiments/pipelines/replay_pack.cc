@@ -71,7 +71,7 @@ void MakePack(const Pipeline& pipeline, const fs::path& results, const StageFact
     if (state.IsFresh()) continue;
     throw Error(ErrorKind::kUsage, "the stage " + state.stage +
                                        " is stale: " + state.reasons.front() +
-                                       "; graspbench pipeline run makes it, then it can be packed");
+                                       "; run graspbench pipeline run first");
   }
   const ScratchFolder scratch(pack);
   const fs::path folder = scratch.path() / "pack";

@@ -167,9 +167,9 @@ void CheckResults(const Pipeline& pipeline, const fs::path& results) {
   const bool was_ours = fs::exists(results / kRunLock) && fs::is_directory(results / kStageLogs);
   const bool is_ours = IsNew(results) || fs::exists(results / kPipelineLock) || was_ours;
   if (!is_ours || fs::is_symlink(results / kRunLock) || fs::is_symlink(results / kPipelineLock)) {
-    throw Error(ErrorKind::kUsage, "\"" + results.string() +
-                                       "\" holds something else than a pipeline's results; name a "
-                                       "new or empty folder");
+    throw Error(ErrorKind::kUsage,
+                "\"" + results.string() +
+                    "\" holds files other than pipeline results; name a new or empty folder");
   }
   LoadPipelineLock(results);  // a file of that name may be somebody else's
   const fs::path place = fs::weakly_canonical(fs::absolute(results));
@@ -179,10 +179,9 @@ void CheckResults(const Pipeline& pipeline, const fs::path& results) {
       const fs::path path =
           fs::weakly_canonical(fs::absolute(fs::path(pipeline.folder) / input.path));
       if (Contains(path, place) || Contains(place, path)) {
-        throw Error(ErrorKind::kUsage, "the results in \"" + results.string() +
-                                           "\" and the input \"" + input.path +
-                                           "\" lie in each other; name another folder for the "
-                                           "results");
+        throw Error(ErrorKind::kUsage,
+                    "the results in \"" + results.string() + "\" and the input \"" + input.path +
+                        "\" contain each other; name another folder for the results");
       }
     }
   }
@@ -261,8 +260,7 @@ class PipelineRunner {
     }
     if (!fault_.empty() && fault_kind_ != ErrorKind::kInterrupted) throw Error(fault_kind_, fault_);
     if (stop_ || !fault_.empty()) {
-      throw Error(ErrorKind::kInterrupted,
-                  "interrupted; the same command goes on with what is not finished");
+      throw Error(ErrorKind::kInterrupted, "interrupted; repeat the command to continue");
     }
   }
 
@@ -326,7 +324,7 @@ class PipelineRunner {
       const bool is_own = has_begun || (lock_.count(stage.name) > 0 && !state.is_edited);
       if (!is_own) {
         SetAside(folder);
-        request_.tell(stage.name + ": what was there is kept as " + stage.name + kSetAside);
+        request_.tell(stage.name + ": the earlier content is kept as " + stage.name + kSetAside);
       }
       WriteFileAtomically(begun, "being removed");
       fs::remove_all(folder);
@@ -387,7 +385,7 @@ class PipelineRunner {
                   : code == kExitInterrupted ? ErrorKind::kInterrupted
                                              : ErrorKind::kEnvironment;
     fault_ = "the stage " + stage + " failed with exit code " + std::to_string(code) +
-             "; it said, in \"" + log.string() + "\":\n" + said;
+             "; its message, from \"" + log.string() + "\":\n" + said;
   }
 
   const Pipeline& pipeline_;
@@ -420,7 +418,7 @@ std::vector<std::string> RunPipeline(const Pipeline& pipeline, const PipelineReq
     CheckResults(pipeline, request.results);
     MakeFolder(request.results);
     const AppendFile lock(request.results / kRunLock,
-                          "another graspbench pipeline run is at work in \"" +
+                          "another graspbench pipeline run is active in \"" +
                               request.results.string() +
                               "\"; wait until it is finished or stop it");
     return PipelineRunner(pipeline, request, stop).Run();

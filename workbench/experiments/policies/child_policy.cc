@@ -247,8 +247,8 @@ class ControllerProcess {
     }
     if (length > kMostAnswerBytes) {
       throw PolicyFault(
-          fmt::format("an answer of {} bytes was announced, at most {} are taken; "
-                      "does the controller print to its standard output?",
+          fmt::format("the controller announced an answer of {} bytes; at most {} are accepted. "
+                      "Does it print to its standard output?",
                       length, kMostAnswerBytes));
     }
     if (inbox_.size() < 4 + size_t{length}) return false;

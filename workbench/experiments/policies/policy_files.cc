@@ -87,14 +87,14 @@ void CheckPolicyFiles(const fs::path& folder) {
     const std::string digest = before.get<std::string>();
     if (now == digest) continue;
     changed += "\n  " + name + ": SHA-256 " + digest.substr(0, kShownDigits) +
-               (now.empty() ? ".., now there is no such file here"
+               (now.empty() ? ".., but the file is missing now"
                             : ".., now " + now.substr(0, kShownDigits) + "..");
   }
   if (changed.empty()) return;
   throw Error(ErrorKind::kUsage,
               "the session's policy has changed since it was started:" + changed +
-                  "\nTrials of two policies do not belong together. Put the files back, in the "
-                  "folder in which the session was started, or start another session with --out");
+                  "\nA session must not mix two policies. Restore the files in the folder in which "
+                  "the session was started, or start another session with --out");
 }
 
 }  // namespace graspbench

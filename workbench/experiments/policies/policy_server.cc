@@ -148,7 +148,7 @@ void ReadActions(const YAML::Node& node, const std::string& file, Diagnostics& p
   actions.columns = ReadNames(map, "columns");
   for (const std::string& column : actions.columns) {
     if (column != "-" && CountIn(actions.columns, column) > 1) {
-      map.Fail("columns", "\"" + column + "\" stands there more than once");
+      map.Fail("columns", "\"" + column + "\" is listed more than once");
       break;
     }
   }
@@ -189,7 +189,7 @@ PolicyServer LoadFile(const std::string& path) {
           return other.key == value.key && other.under == value.under;
         };
         if (std::any_of(server.observation.begin(), server.observation.end(), is_same)) {
-          map.Fail("observation", "the key \"" + key + "\" stands there more than once");
+          map.Fail("observation", "the key \"" + key + "\" is listed more than once");
         }
         server.observation.push_back(std::move(value));
       }
@@ -256,29 +256,30 @@ void CheckPolicyServer(const PolicyServer& server, const Hand& hand, const Polic
   demand("hand-and-digits",
          CountOf(columns, ListPoseColumns()) + CountOf(columns, ListTwistColumns()) > 0,
          "moves the hand; expected hand.x .. hand.qz or some of hand.vx .. hand.wz");
-  demand("digits-until-touch", CountIn(columns, "hold") > 0, "says hold; expected one");
+  demand("digits-until-touch", CountIn(columns, "hold") > 0, "is hold; expected one such column");
 }
 
 const FileKeys& ListPolicyServerKeys() {
   static const FileKeys keys = {
       {"server", kRequired, "address of the policy server: ws://HOST:PORT/PATH"},
-      {"observation", kRequired, KeyType::kMap, "the server's keys, each with where it comes from"},
+      {"observation", kRequired, KeyType::kMap,
+       "the server's keys, each with the source of its value"},
       {"observation.from", "",
-       "observations and facts of the page controllers, one behind the other; or text"},
-      {"observation.joints", "",
-       "joints that are taken of each, in this order; left out: all of its joints"},
-      {"observation.dtype", "", "float32 (where left out), float64 or uint8 (of every picture)"},
+       "observations or facts (manual page controllers), concatenated; or text"},
+      {"observation.joints", "", "joints taken from each, in this order; default: all joints"},
+      {"observation.dtype", "", "float32 (default), float64 or uint8 (every picture)"},
       {"observation.size", "", KeyType::kNumber,
-       "of a picture: height and width in pixels, resized with padding", 1, kMostPixels},
-      {"observation.text", "", "a text instead, as a prompt; {object} stands for that fact"},
+       "for a picture: height and width in pixels, resized with padding", 1, kMostPixels},
+      {"observation.text", "",
+       "a text instead, for example a prompt; {object} is replaced by that fact"},
       {"observation.under", "", "key of a map in the server's observation that holds this one"},
-      {"actions", "", "where the actions stand in the server's answer"},
-      {"actions.key", "actions", "its key of the rows"},
+      {"actions", "", "location of the actions in the server's answer"},
+      {"actions.key", "actions", "key of the rows in the answer"},
       {"actions.as", "targets", "targets or increments"},
       {"actions.columns", "",
-       "of each column: a driven joint, hand.x .. hand.qz or hand.vx .. hand.wz (pose or twist of "
-       "the hand), done or hold (above 0.5) or - (left out); left out: the driven joints in their "
-       "order"},
+       "meaning of each column: a driven joint, hand.x .. hand.qz or hand.vx .. hand.wz (pose or "
+       "twist of the hand), done or hold (above 0.5), or - (ignored); default: the driven joints "
+       "in their order"},
   };
   return keys;
 }

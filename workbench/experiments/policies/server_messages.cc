@@ -116,13 +116,13 @@ PackedArray ServerExchange::FindSource(const ServerValue& value, const std::stri
   const PackedValue* fact = facts_.Find(name);
   if (!fact) {
     Fail(value.key, "\"" + name +
-                        "\" is not given in this trial; the manual's page controllers says which "
-                        "setting gives it");
+                        "\" is not available in this trial; the manual page controllers names the "
+                        "setting that provides it");
   }
   try {
     return ReadPackedArray(*fact, name);
   } catch (const Error&) {
-    Fail(value.key, "\"" + name + "\" is no numbers");
+    Fail(value.key, "\"" + name + "\" is not numeric");
   }
 }
 
@@ -155,8 +155,7 @@ std::string ServerExchange::FillText(const ServerValue& value) const {
     const std::string name = value.text.substr(at + 1, end - at - 1);
     const PackedValue* fact = facts_.Find(name);
     if (!fact || !fact->text()) {
-      Fail(value.key,
-           "{" + name + "} is no fact of the trial that is a text, as {object} or {hand}");
+      Fail(value.key, "{" + name + "} is not a text fact of the trial, such as {object} or {hand}");
     }
     text += *fact->text();
     at = end + 1;
@@ -176,7 +175,7 @@ void ServerExchange::WriteValue(size_t number, const PolicyValues& observation,
         source.shape.size() == 3 && source.shape[2] == 3 && !source.values.empty();
     if (is_picture && value.from.size() == 1) return WritePicture(value, source, writer);
     if (is_picture || !value.size.empty()) {
-      Fail(value.key, "a picture stands alone, and only a picture has a size");
+      Fail(value.key, "a picture must be the only source, and only a picture has a size");
     }
     if (value.joints.empty()) {
       numbers.insert(numbers.end(), source.values.begin(), source.values.end());

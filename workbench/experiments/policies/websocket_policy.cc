@@ -92,7 +92,7 @@ class ServerConnection {
     context_.restart();
     context_.poll();
     CheckAlive();
-    if (has_message_) throw PolicyFault("the server gave an answer too many");
+    if (has_message_) throw PolicyFault("the server sent an unexpected extra answer");
     std::optional<error_code> result;
     stream_.binary(true);
     stream_.async_write(asio::buffer(message), [&](error_code error, size_t) { result = error; });
@@ -209,14 +209,15 @@ class WebsocketPolicy : public HandPolicy {
     const double timeout = view.setup.policy.timeout;
     connection_ = std::make_unique<ServerConnection>(server_, endpoints_, timeout);
     const ServerMessage greeting = connection_->Receive(timeout);
-    if (greeting.is_text) Lose("it greets with an error" + Quote(greeting.bytes));
+    if (greeting.is_text) Lose("its greeting is an error" + Quote(greeting.bytes));
     try {
       const PackedValue metadata = ParseMessagePack(greeting.bytes);
-      if (!std::holds_alternative<PackedValue::Map>(metadata.value)) Lose("it greets with no map");
+      if (!std::holds_alternative<PackedValue::Map>(metadata.value))
+        Lose("its greeting is not a map");
     } catch (const PolicyLost&) {
       throw;
     } catch (const Error& error) {
-      Lose(std::string("it does not greet with metadata as MessagePack: ") + error.what());
+      Lose(std::string("its greeting is not metadata in MessagePack: ") + error.what());
     }
     exchange_.emplace(server_, *ParseMessagePack(FormatPolicyReset(0, view)).Find("reset"));
   }

@@ -34,7 +34,7 @@ class LostTrials {
   std::string Describe() const {
     const std::lock_guard lock(mutex_);
     return "the controller was lost in " + FormatCount(num_, "trial") +
-           ", left unfinished and counted in no rate; first in " + first_;
+           ", which stay unfinished and count in no rate; first in " + first_;
   }
 
  private:
@@ -89,7 +89,7 @@ std::vector<TrialResult> TrialPool::Run(const std::vector<TrialSetup>& setups,
 TrialResult MakeEndlessResult(double time_limit) {
   TrialResult result;
   result.outcome = Outcome::kNumericalFailure;
-  result.reason = "the trial had not ended after " + FormatJson(time_limit) + " s and was given up";
+  result.reason = "the trial did not end within " + FormatJson(time_limit) + " s and was abandoned";
   return result;
 }
 

@@ -61,10 +61,9 @@ class Pool : public std::enable_shared_from_this<Pool> {
     } catch (const std::system_error& fault) {
       seats_.pop_back();
       --num_running_;
-      throw Error(
-          ErrorKind::kEnvironment,
-          std::string("the machine, or a limit (ulimit -u, -v), gives no further thread (") +
-              fault.what() + "); use fewer workers (--jobs 1) or allow more");
+      throw Error(ErrorKind::kEnvironment,
+                  std::string("the machine or a limit (ulimit -u, -v) allows no further thread (") +
+                      fault.what() + "); use fewer workers (--jobs 1) or raise the limit");
     }
   }
 

@@ -121,9 +121,9 @@ std::string MakeIndexPage(const std::vector<WrittenPage>& pages) {
             Element("ul", {}, contents);
     contents = Html();
   }
-  const std::string page = MakePlainPage(
-      {"The graspbench manual", "Grasping experiments with robot hands, and with people's.",
-       DrawNavigation(pages, nullptr), body});
+  const std::string page = MakePlainPage({"The graspbench manual",
+                                          "Grasping experiments with robot hands and with people.",
+                                          DrawNavigation(pages, nullptr), body});
   return AddScript(page, {std::string(assets::kManualCss),
                           "const sections = " + EscapeScript(FormatJson(MakeSearchIndex(pages))) +
                               ";\n" + std::string(assets::kManualSearchJs)});

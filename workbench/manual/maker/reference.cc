@@ -8,6 +8,7 @@
 #include "workbench/manual/maker/manual_site.h"
 #include "workbench/terminal/command_line.h"
 #include "workbench/text/file_formats.h"
+#include "workbench/text/help_text.h"
 
 namespace graspbench {
 namespace {
@@ -101,9 +102,9 @@ std::string MakeKeyPage() {
 
 std::string MakeColumnPage() {
   std::string page =
-      "# Columns\n\nEvery column of every table that the program writes, as `graspbench help "
-      "FILE` prints them. An empty cell is a missing value, a boolean is 0 or 1. Words in capitals "
-      "stand for names of the data: DIGIT, JOINT, FACTOR, GROUP, LEVEL.\n";
+      "# Columns\n\nEvery column of every table that the program writes, as `graspbench help FILE` "
+      "prints them. An empty cell is a missing value, a boolean is 0 or 1. Words in capitals are "
+      "placeholders for names of the data: DIGIT, JOINT, FACTOR, GROUP, LEVEL.\n";
   for (const TableFormat& table : ListTableFormats()) {
     const size_t end = table.about.find(": ");  // of where the table is written
     page += "\n## " + table.name + " (" + table.about.substr(0, end) + ")\n\n";
@@ -120,22 +121,23 @@ std::string MakeColumnPage() {
 
 std::string MakeOutcomePage() {
   std::string page =
-      "# Outcomes, exit codes, presets\n\nHow a trial may end, what a command's exit code says, "
-      "and "
-      "which settings have a name.\n\n## Outcomes of a trial\n\n" +
-      MakeHead({"outcome", "code"});
+      "# Outcomes, exit codes, presets\n\nThe possible outcomes of a trial, the exit codes of "
+      "commands, and the named groups of settings.\n\n## Outcomes of a trial\n\n" +
+      MakeHead({"outcome", "code", "meaning"});
   for (const OutcomeRow& row : kOutcomes) {
-    if (row.value != Outcome::kNotRun) page += MakeRow({row.name, MakeCode(row.code)});
+    if (row.value == Outcome::kNotRun) continue;
+    const GlossaryEntry* entry = FindGlossaryEntry(row.name);
+    page += MakeRow({row.name, MakeCode(row.code), entry ? EscapeCell(entry->meaning) : ""});
   }
   page += "\n## Exit codes\n\n" + MakeHead({"code", "meaning"});
   const std::vector<std::pair<int, const char*>> codes = {
       {kExitOk, "done"},
-      {kExitFailed, "failed, or what was verified is out of date"},
-      {kExitUsage, "the command line is wrong, or a folder may not be written"},
+      {kExitFailed, "failed, or a verified result is out of date"},
+      {kExitUsage, "the command line is wrong, or a folder is not writable"},
       {kExitBadInput, "an input file is wrong, or a result is damaged"},
       {kExitNumericalFailures, "some trials failed numerically; everything is written"},
-      {kExitEnvironment, "the machine cannot: disk, memory, a missing program"},
-      {kExitInterrupted, "interrupted; the same command with `--resume` goes on"}};
+      {kExitEnvironment, "the machine lacks something: disk space, memory, a program"},
+      {kExitInterrupted, "interrupted; repeat the command with `--resume` to continue"}};
   for (const auto& [code, meaning] : codes) page += MakeRow({std::to_string(code), meaning});
   page += "\n## Presets\n\n" + MakeHead({"preset", "settings"});
   for (const Preset& preset : ListPresets()) {

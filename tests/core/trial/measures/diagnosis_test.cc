@@ -197,7 +197,7 @@ TEST(Diagnosis, ADigitThatNeverTouchedIsNamedAndWasNotReachedWhereNoneOppose) {
   story.result.touches[2].smallest_gap = 0.0034;
   story.Expect(Mechanism::kNotReached, "MF");
   story.result.diagnosis = story.Find();
-  EXPECT_NE(DescribeDiagnosis(story.result).find("the nearest of MF was 3.4 mm"),
+  EXPECT_NE(DescribeDiagnosis(story.result).find("The smallest gap of MF was 3.4 mm."),
             std::string::npos);
   Story held(2.2);
   held.result.contacts[2].time = kUnset;
@@ -205,7 +205,7 @@ TEST(Diagnosis, ADigitThatNeverTouchedIsNamedAndWasNotReachedWhereNoneOppose) {
   held.result.diagnosis = held.Find();
   EXPECT_EQ(held.result.diagnosis->mechanism, Mechanism::kSlid);
   EXPECT_NE(DescribeDiagnosis(held.result)
-                .find("MF did not touch while closing, the others touched within 10 ms"),
+                .find("MF did not touch during closure; the others touched within 10 ms."),
             std::string::npos);
 }
 

@@ -20,7 +20,7 @@ TEST(CampaignSummary, StepsAreRatiosOfMediansOverScenes) {
   EXPECT_NEAR(gft.median_before, 0.4045, 1e-12);
   EXPECT_NEAR(gft.median_after, 0.2045, 1e-12);
   EXPECT_TRUE(gft.worse.empty());
-  EXPECT_EQ(gft.ratio.reason(), "2 to draw from; expected 5 or more");
+  EXPECT_EQ(gft.ratio.reason(), "2 to resample; an interval needs 5 or more");
   const StepEffect success =
       CalcStepEffect(FindVariantMeasure("success"), summarised.scenes, kNewPreGrasp, kNewTarget);
   ASSERT_EQ(success.worse.size(), 1U);

@@ -47,10 +47,10 @@ TEST(Headrooms, MediansAreOfEachHandsScenes) {
   EXPECT_EQ(hands[0].median_start, 0.8);
   EXPECT_EQ(hands[0].median_kept, 0.8);
   EXPECT_EQ(DescribeHeadrooms(hands[0]),
-            "step 2 starts from grasps that bear 0.80 of what friction and grip allow by an "
-            "object's sides and keeps grasps that bear 0.80 (medians of 3 scenes): at equal grip "
-            "no grasp by the sides is more than 1.25 times as strong as the median start; one that "
-            "reaches beneath the object may be");
+            "step 2 starts from grasps that resist 0.80 of the load that friction and grip allow "
+            "at an object's sides, and accepts grasps that resist 0.80 (medians of 3 scenes): at "
+            "equal grip no side grasp is more than 1.25 times as strong as the median start; a "
+            "grasp that reaches beneath the object may be");
   EXPECT_EQ(hands[1].num_scenes, 1);
   const std::string text = DescribeHeadrooms(hands[1]);
   EXPECT_NE(text.find("(medians of 1 scene): the median start is as strong as any"),
@@ -74,7 +74,7 @@ TEST(Headrooms, WhereNothingIsKnownTheReasonStandsThere) {
   campaign.scenes.push_back(scene);
   EXPECT_EQ(FindHeadroom(scene).reason(), "the start held nothing");
   step["headroom_before"] = {{"bound_n", 0.0}, {"share", nullptr}};
-  EXPECT_EQ(FindHeadroom(scene).reason(), "the grip does not bear the weight by friction");
+  EXPECT_EQ(FindHeadroom(scene).reason(), "friction and grip do not bear the weight");
   EXPECT_EQ(DescribeHeadrooms(ListHeadrooms(campaign).at(0)),
             "headroom not known: 3 scenes without a figure (step 2 was not run; the scene is not "
             "finished; the start held nothing)");

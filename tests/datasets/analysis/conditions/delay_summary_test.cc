@@ -73,7 +73,7 @@ TEST(DelaySummary, FewObjectsHaveNoIntervalAndSayWhy) {
   EXPECT_FALSE(Find(rows, "sigma_n").interval);
   const Json json = MakeDosesJson({Find(rows, "sigma_n")})[0];
   EXPECT_TRUE(json.at("low").is_null());
-  EXPECT_EQ(json.at("no_interval"), "4 to draw from; expected 5 or more");
+  EXPECT_EQ(json.at("no_interval"), "4 to resample; an interval needs 5 or more");
 }
 
 }  // namespace

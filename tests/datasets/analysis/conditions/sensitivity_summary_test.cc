@@ -135,7 +135,7 @@ TEST(SensitivitySummary, SaysWhyThereIsNoInterval) {
   const SettingChange& change = summary.changes.at(0);
   EXPECT_NEAR(change.Find("gft_s").change(), 0.1, 1e-12);
   EXPECT_TRUE(std::isnan(change.Find("gft_s").low));
-  EXPECT_EQ(change.Find("gft_s").no_interval, "2 to draw from; expected 5 or more");
+  EXPECT_EQ(change.Find("gft_s").no_interval, "2 to resample; an interval needs 5 or more");
   EXPECT_EQ(change.Find("gct_s").no_interval, "no pair has it twice");
 }
 

@@ -88,7 +88,7 @@ TEST_F(PlantedSweep, EffectsAreThoseOfTheClosedForm) {
   EXPECT_NEAR(Find(summary.effects, "model.friction_scale=0.8", "success").change.estimate, 0.0,
               1e-12);
   EXPECT_NEAR(summary.rows[1].medians[0], 0.5, 1e-12);
-  EXPECT_NE(summary.rows[0].undecided.find("cannot decide success: all 18 trials succeed"),
+  EXPECT_NE(summary.rows[0].undecided.find("success not testable: all 18 trials succeed"),
             std::string::npos);
   EXPECT_TRUE(summary.rows[1].undecided.empty());
 }
@@ -106,7 +106,7 @@ TEST_F(PlantedSweep, IntervalsRespectThatDrawsOfAnObjectAreAlike) {
   EXPECT_FALSE(a.excludes_zero());
   const SweepEffect& success = Find(summary.effects, "model.mass_scale=2.0", "success");
   EXPECT_FALSE(success.change.interval);
-  EXPECT_NE(success.change.interval.reason().find("cannot decide success: all 72 trials succeed"),
+  EXPECT_NE(success.change.interval.reason().find("success not testable: all 72 trials succeed"),
             std::string::npos)
       << success.change.interval.reason();
 }
@@ -182,7 +182,7 @@ TEST_F(PlantedSweep, SaysWhatIsNotFinishedAndWhatHasNoValue) {
   EXPECT_EQ(sigma.num_left_out, 18 - 11);
   const SweepEffect& success = Find(summary.effects, "model.mass_scale=2.0", "success");
   EXPECT_EQ(success.why_left_out, "2 not finished");
-  EXPECT_EQ(success.change.interval.reason(), "cannot decide success: all 64 trials fail");
+  EXPECT_EQ(success.change.interval.reason(), "success not testable: all 64 trials fail");
   session_.records.front().result.outcome = Outcome::kSuccess;  // of the unfinished draw
   EXPECT_EQ(Find(SummariseSweep(session_, {}).effects, "model.mass_scale=2.0", "success")
                 .change.interval.reason(),

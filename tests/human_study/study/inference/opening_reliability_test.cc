@@ -179,7 +179,7 @@ TEST(OpeningReliability, GivesReasons) {
   model.own_sd = 0.0;
   OpeningFamily family = Analyse(MakeStudy(model, "equal")).statistics.openings;
   EXPECT_EQ(family.rows[1].against_aperture[1].no_answer,
-            "the statistic does not depend on who is drawn");
+            "the statistic is the same for every resample");
   EXPECT_EQ(family.rows[1].verdict(), OpeningVerdict::kNotTestable);
   model = HandModel();
   model.num_trials = 1;

@@ -78,7 +78,7 @@ TEST_F(SessionOptionsTest, WhatContradictsItselfIsRefused) {
       {"--set sim.step_s=0.001 --set trials=8 --trials 9",
        "--set trials=8 and --trials say the same setting; give one of them"},
       {"--set strategy.grip_force_n=3 --set strategy.grip=posture",
-       "strategy.grip_force_n=3 has no use where strategy.grip is posture"}};
+       "strategy.grip_force_n=3 has no effect if strategy.grip is posture"}};
   for (const auto& [words, expected] : cases) {
     Command command;
     SessionOptions options;

@@ -162,7 +162,7 @@ TEST_F(BatchRunnerTest, AnEndlessTrialIsANumericalFailureAndTheOthersGoOn) {
     EXPECT_EQ(kept_.size(), 20u);
     EXPECT_EQ(results.size(), 20u);
     EXPECT_EQ(results["7"].outcome, Outcome::kNumericalFailure);
-    EXPECT_EQ(results["7"].reason, "the trial had not ended after 0.3 s and was given up");
+    EXPECT_EQ(results["7"].reason, "the trial did not end within 0.3 s and was abandoned");
     EXPECT_EQ(last_.outcomes[Outcome::kNumericalFailure], 1);
     EXPECT_EQ(static_cast<int>(numbers.size()), num_workers + 1) << "one came in its stead";
     EXPECT_TRUE(HasAbandonedTasks());
