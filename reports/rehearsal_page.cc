@@ -127,9 +127,9 @@ std::string MakeRehearsalPage(const RehearsalPageData& data) {
       Element("h2", {}, "Choices") +
           MakeParagraph(std::to_string(num_robust) + " of " +
                         FormatCount(static_cast<int>(data.pairs.size()), "pair") +
-                         " held every rehearsal draw. The intervals are Wilson's at 95 %. On new "
-                         "draws expect a share in the lower half, because the grasp was selected on "
-                         "these draws; a session measures the rate.") +
+                        " held every rehearsal draw. The intervals are Wilson's at 95 %. On new "
+                        "draws expect a share in the lower half, because the grasp was selected on "
+                        "these draws; a session measures the rate.") +
           DrawChoices(data));
   body += Element("section", {{"id", "methods"}},
                   Element("h2", {}, "Methods") + DrawRehearsalMethods(data));

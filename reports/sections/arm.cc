@@ -70,12 +70,12 @@ Html DrawArm(const ReportData& data) {
                "Near a singularity",
                "Success",
                {"Time to pre-grasp [s]", "median"},
-                {"Joint", "most often nearest its limit, or limiting the path"},
-                {"Least margin [deg]", "smallest distance of a joint from its limit on the path"},
-                {"Deflection [mm]", "largest distance of the hand from its commanded position"},
-                {"Deflection [deg]", "largest rotation of the hand from its commanded orientation"},
-                {"Torque [%]", "largest ratio of a joint torque to its limit, weights included"},
-                {"Joint with it", "the joint with the largest torque over its limit"}});
+               {"Joint", "most often nearest its limit, or limiting the path"},
+               {"Least margin [deg]", "smallest distance of a joint from its limit on the path"},
+               {"Deflection [mm]", "largest distance of the hand from its commanded position"},
+               {"Deflection [deg]", "largest rotation of the hand from its commanded orientation"},
+               {"Torque [%]", "largest ratio of a joint torque to its limit, weights included"},
+               {"Joint with it", "the joint with the largest torque over its limit"}});
   int num_trials = 0, num_courses = 0;
   for (const auto& [names, counts] : conditions) {
     const auto count = [&faults = counts.faults](Outcome outcome) {
@@ -98,7 +98,7 @@ Html DrawArm(const ReportData& data) {
                        FormatFixed(arm.y, 3) + ", " + FormatFixed(arm.z, 3) + " m, turned by " +
                        FormatFixed(DegFromRad(arm.yaw), 1) + " deg. It has a path in " +
                        std::to_string(num_courses) + " of " + FormatCount(num_trials, "trial") +
-                        ". The hand yields as the arm's joints do.") +
+                       ". The hand yields as the arm's joints do.") +
          table.ToHtml();
 }
 
