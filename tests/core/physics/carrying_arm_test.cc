@@ -68,7 +68,7 @@ class TwoLinks {
 class CarriedBall : public SmallWorld {
  public:
   CarriedBall(const MountedArm& mounted, const VectorXd& q, const SimConfig& config)
-      : SmallWorld(TwoLinks::MakeBall(), MakeBlock(1e-9), config) {
+      : SmallWorld(TwoLinks::MakeBall(), MakeBlock(0.1), config) {
     start().p_WOcm = Vector3d(5.0, 0.0, 0.05);
     SetArm(mounted, q, start());
     Reset();
@@ -142,6 +142,7 @@ TEST(CarryingArm, EnergyOfASwingDoesNotGrow) {
     SimConfig config = MakeStepConfig(2e-5);
     config.arm_damping_time = damping_time;
     CarriedBall world(arm.mounted, q, config);
+    world.start().gravity_W.setZero();  // the block stays where it is
     world.start().u_arm = Eigen::Vector2d(0.05, -0.1);
     world.Reset();
     const double start = CalcEnergy(world, arm.mounted, q);
