@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -17,8 +16,8 @@
 namespace graspbench {
 namespace {
 
-constexpr int kNumPostures = 300;       ///< some 30 s of processor time
-constexpr int kLeastPostureDraws = 12;  ///< one of so many postures holds four draws by chance
+constexpr int kNumPostures = 300;  ///< some 30 s of processor time
+constexpr int kLeastDraws = 12;    ///< one of so many postures holds four draws by chance
 
 struct RehearseOptions {
   SessionConfig scene;
@@ -30,18 +29,14 @@ struct RehearseOptions {
 };
 
 std::string FormatRehearsed(const std::vector<RehearsedPair>& pairs) {
-  TextTable table(
-      {"hand", "object", "chosen", "held", "95 % interval", "candidates tried", "trials"});
+  TextTable table({"hand", "object", "chosen", "held", "95 % interval", "tried", "trials"});
   for (const RehearsedPair& pair : pairs) {
-    const Rehearsal& result = pair.result;
-    const RehearsedCandidate& choice = result.choice();
+    const RehearsedCandidate& choice = pair.result.choice();
     table.AddRow({pair.hand, pair.object, Describe(choice.candidate), choice.FormatHeld(),
-                  choice.FormatInterval(), std::to_string(result.tried.size()),
-                  std::to_string(result.num_trials)});
+                  choice.FormatInterval(), std::to_string(pair.result.tried.size()),
+                  std::to_string(pair.result.num_trials)});
   }
-  return table.Format() +
-         "held: of the draws of rehearsal, for which it was chosen; on new draws rather the lower "
-         "half of the interval\n";
+  return table.Format() + "on new draws, expect a share in the lower half of the interval\n";
 }
 
 Json MakeJson(const std::vector<RehearsedPair>& pairs) {
@@ -59,7 +54,6 @@ Json MakeJson(const std::vector<RehearsedPair>& pairs) {
   return rows;
 }
 
-/** Of what no earlier run has found. */
 void PlanRehearsals(const RehearseOptions& options) {
   const auto num_pairs = static_cast<int>(options.request.tasks.size());
   const RehearsalTime time = EstimateRehearsalTime(options.request.tasks);
@@ -75,27 +69,23 @@ void PlanRehearsals(const RehearseOptions& options) {
       options.request.types_only
           ? "the standard grasps"
           : "at most " + FormatCount(options.config.num_candidates, "candidate");
-  const std::string postures =
-      options.posture ? "if no candidate holds all draws, " +
-                            FormatCount(options.config.num_postures, "posture") + " more: about " +
-                            FormatFixed(time.postures, 0) + " s if that is so for all pairs\n"
-                      : "";
+  const std::string postures = "if no candidate holds all draws, " + std::to_string(kNumPostures) +
+                               " postures more: about " + FormatFixed(time.postures, 0) +
+                               " s if that is so for all pairs\n";
   PrintResult(
       FormatCount(num_pairs, "pair") + " of hand and object, " + tried + " with " +
       FormatCount(options.config.num_draws, "draw") + " each\nabout " +
       FormatFixed(time.candidates, 0) +
       " s of one processor for the remaining pairs, estimated from the first pair of each hand\n" +
-      postures);
+      (options.posture ? postures : ""));
 }
 
 void RunRehearse(RehearseOptions options) {
   options.scene.objects = ExpandObjects(options.scene.objects);
   for (const std::string& setting : options.settings) ApplySetting(setting, options.scene);
   RehearseRequest& request = options.request;
-  if (options.posture) {
-    options.config.num_postures = kNumPostures;
-    options.config.num_draws = std::max(options.config.num_draws, kLeastPostureDraws);
-  }
+  if (options.posture) options.config.num_postures = kNumPostures;
+  if (options.posture) options.config.num_draws = std::max(options.config.num_draws, kLeastDraws);
   request.tasks = ListRehearsalTasks(options.scene, options.config);
   for (RehearsalTask& task : request.tasks) {
     if (request.types_only) task = MakeTypeTask(task, options.config.num_draws);
@@ -105,7 +95,7 @@ void RunRehearse(RehearseOptions options) {
   TerminalObserver observer(
       [&](const Stage& stage) { return request.out.string() + ": " + DescribeTasks(stage); });
   RehearsalPageData data = {options.config, request.tasks, RehearseObjects(request, observer)};
-  const std::filesystem::path report = WriteReportPage(request.out, MakeRehearsalPage(data));
+  const auto report = WriteReportPage(request.out, MakeRehearsalPage(data));
   if (options.json) {
     return PrintJson({{"folder", request.out.string()},
                       {"report", report.string()},
@@ -138,7 +128,7 @@ void AddRehearseCommand(Command& program) {
   command.AddFlag("--posture", options->posture,
                   "if no candidate holds all draws, also search the target angles of the digits: " +
                       std::to_string(kNumPostures) + " postures, at least " +
-                      std::to_string(kLeastPostureDraws) + " draws");
+                      std::to_string(kLeastDraws) + " draws");
   command.AddFlag("--types", options->request.types_only,
                   "rehearse only the standard grasps at the rule's placement and write types.json; "
                   "--candidates has no effect");

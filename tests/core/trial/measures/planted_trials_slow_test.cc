@@ -94,7 +94,7 @@ struct Plant {
   }
 };
 
-/** The combined coefficient is the harmonic mean of both sides; it shall be `share` of the object's. */
+/** The combined coefficient, the harmonic mean of both sides, becomes `share` of the object's. */
 void SetPad(Plant& plant, int digit, double share) {
   for (const int link : plant.hand.digits[static_cast<size_t>(digit)].links) {
     SurfaceMaterial& surface = plant.hand.links[static_cast<size_t>(link)].surface;
