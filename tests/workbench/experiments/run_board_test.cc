@@ -221,7 +221,7 @@ TEST_F(RunBoardTest, HeldOutDrawsOfUnseenObjectsAreGraspedAnew) {
   const Benchmark unseen = ParseBenchmark(text, "unseen.yaml");
   SessionRequest request;
   request.config = unseen.session;
-  request.config->grasps = {"rehearsed:4,2"};
+  request.config->grasps = {"rehearsed-4-2"};
   request.out = top_ / "unseen";
   Observer observer;
   RunRound(kTrialRound, PrepareSession(request), 1, observer);
