@@ -262,7 +262,7 @@ std::string FormatContact(const std::vector<ContactFit>& fits) {
   }
   return "\ncontact against the surface of each link, at 95 of 100 points / at most: how far balls "
          "stick out,\nhow far a ball of 5 mm sinks in; all around and on the palmar side; "
-         "capsules for contact with\nthe hand itself, and the share of the surface within 2 mm of "
+         "capsules for contact with\nthe hand itself, and the share of the surface within 5 mm of "
          "them\n" +
          table.Format();
 }
