@@ -11,7 +11,7 @@ How well balls cover the solid of a link (link_solid.h), measured both ways:
 
   the least of all balls of the hand at zero posture that it meets, at least 0. Where none is met it
   counts as 10 mm;
-- self contact: which share of the boundary points lies within 2 mm of a capsule of the link. Other
+- self contact: which share of the boundary points lies within 5 mm of a capsule of the link. Other
   links of the hand meet the capsules alone.
 
 Points inside a ball of a neighbouring link do not count. A point is palmar where its normal is
@@ -30,7 +30,7 @@ namespace graspbench {
 on [m]. */
 inline constexpr double kMostContactError = 0.005, kFairContactError = 0.001;
 /** A point is near a capsule [m]; a warning where a smaller share of a link's points is. */
-inline constexpr double kNearSelfContact = 0.002, kFairSelfContact = 0.5;
+inline constexpr double kNearSelfContact = 0.005, kFairSelfContact = 0.5;
 
 /** Of a quantity over points: 95 of 100 have no more; the most [m]. */
 struct ContactError {
@@ -64,7 +64,7 @@ std::vector<ContactFit> MeasureContact(const Hand& hand);
 of 100 points". */
 std::string DescribeContactError(const ContactFit& fit);
 
-/** "its 2 capsules for contact with the hand itself are within 2 mm of 31 % of its surface; other
+/** "its 2 capsules for contact with the hand itself are within 5 mm of 31 % of its surface; other
 links enter the rest". */
 std::string DescribeSelfContact(const ContactFit& fit);
 

@@ -263,7 +263,7 @@ std::string FormatContact(const std::vector<ContactFit>& fits) {
   return "\ncontact fit of each link, 95th percentile / maximum: out, how far contact balls stick "
          "out of the\nsurface; sink, how far a ball of 5 mm sinks in; all around and on the palmar "
          "side. Capsules serve\ncontact with the hand itself; near, the share of the surface "
-         "within 2 mm of them\n" +
+         "within 5 mm of them\n" +
          table.Format();
 }
 

@@ -102,7 +102,7 @@ Json MakeContactJson(const std::vector<ContactFit>& fits) {
                     {"palmar_sink", round(fit.palmar_sink)},
                     {"self_contact",
                      {{"capsules", fit.num_capsules},
-                      {"within_2_mm", std::round(fit.self_contact * 1e3) / 1e3}}}});
+                      {"within_5_mm", std::round(fit.self_contact * 1e3) / 1e3}}}});
   }
   return list;
 }
@@ -126,7 +126,7 @@ std::vector<ContactFit> ReadContactFits(const std::filesystem::path& folder) {
       fits.push_back({fit.at("link").get<std::string>(), fit.at("balls").get<int>(),
                       read(fit.at("out")), read(fit.at("sink")), read(fit.at("palmar_out")),
                       read(fit.at("palmar_sink")), self_contact.at("capsules").get<int>(),
-                      self_contact.at("within_2_mm").get<double>()});
+                      self_contact.at("within_5_mm").get<double>()});
     }
   } catch (const Json::exception& error) {
     throw Error(ErrorKind::kFormat, path.string() + ": " + error.what());

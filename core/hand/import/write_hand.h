@@ -32,7 +32,7 @@ compared.
      "repairs": [{"line": 12, "text": ".."}],
      "contact": [{"link": "palm", "balls": 140, "out": {"at_95_mm": 0.3, "most_mm": 0.5},
                   "sink": {..}, "palmar_out": {..}, "palmar_sink": {..},
-                  "self_contact": {"capsules": 8, "within_2_mm": 0.93}}, ..],
+                  "self_contact": {"capsules": 8, "within_5_mm": 0.93}}, ..],
      "guesses": {"palm": {..}, "digits": [..], ..},
      "files": {"hand.urdf": "sha256..", ..}}
 

@@ -36,7 +36,7 @@ std::vector<bool> FindOpposedDigits(const ImportedHand& imported);
 within.
 
 By digit. While the others stand open, or closed by a quarter, all of the digit's joints close to
-0.4 of their ranges, or 1.6 rad in all. If its pad recedes from one of theirs and comes nearer to none by a fifth of
+0.4 of their ranges. If its pad recedes from one of theirs and comes nearer to none by a fifth of
 that, or 1 mm, it closes outward. @pre digits with tips and pads. */
 std::vector<bool> FindOutwardDigits(const Hand& hand);
 

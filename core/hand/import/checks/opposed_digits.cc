@@ -17,7 +17,6 @@ using Eigen::Vector3d;
 constexpr double kPadMoves = 0.001;  // [m] of a pad, to count
 /** Of the range, the digit's own and the others': one that closes all the way passes them. */
 constexpr double kOwnShare = 0.4, kOthersShare = 0.25;
-constexpr double kOwnTurn = 1.6;  // [rad] of all its joints together, likewise
 constexpr int kNumShares = 5;
 constexpr double kMostNearer = 0.2;  // of how far it recedes
 
@@ -27,14 +26,13 @@ class OutwardFinder {
       : hand_(hand), closing_(FindClosing(hand)), open_(CalcClosedPosture(hand, closing_, 0.0)) {}
 
   bool IsOutward(const Digit& digit) const {
-    const double most_share = std::min(kOwnShare, kOwnTurn / CalcRange(digit));
     double nearer = 0.0, farther = 0.0;  // than when it is open, at most
     for (const Digit& other : hand_.digits) {
       if (&other == &digit) continue;
       for (const double of_other : {0.0, kOthersShare}) {
         const double before = CalcGap(digit, 0.0, other, of_other);
         for (int i = 1; i <= kNumShares; ++i) {
-          const double share = most_share * i / kNumShares;
+          const double share = kOwnShare * i / kNumShares;
           const double gap = CalcGap(digit, share, other, of_other);
           nearer = std::max(nearer, before - gap);
           farther = std::max(farther, gap - before);
@@ -45,16 +43,6 @@ class OutwardFinder {
   }
 
  private:
-  /** Of all joints that close it [rad]. */
-  double CalcRange(const Digit& digit) const {
-    double range = 1e-9;
-    for (const int link : digit.links) {
-      const int j = hand_.links[link].joint;
-      if (j < 0 || hand_.joints[j].is_prismatic || closing_[j] == 0) continue;
-      range += hand_.joints[j].upper - hand_.joints[j].lower;
-    }
-    return range;
-  }
   /** Of the pads. */
   double CalcGap(const Digit& a, double of_a, const Digit& b, double of_b) const {
     Eigen::VectorXd q = open_;

@@ -153,7 +153,9 @@ std::vector<Ball> PackBalls(const LinkSolid& solid, const std::vector<ContactSph
 namespace {
 
 constexpr size_t kNumEnds = 30, kMostSelfCapsules = 8, kMostOfThin = 48;
-constexpr double kEnough = 0.9;                              // of the points
+constexpr double kNearCapsule = 0.002;  // [m] of a point that it stands for
+constexpr double kThin = 1.0 / 3.0;     // of the points near a capsule (contact_fit.h)
+constexpr double kEnough = 0.9;         // of the points
 constexpr size_t kPerCapsule = 50, kPerCapsuleOfThin = 200;  // one more is near one of so many
 constexpr double kMostSlender = 40.0;  // length by radius; the loader takes 58
 
@@ -207,8 +209,11 @@ std::vector<FittedCapsule> InscribeBetween(const LinkSolid& solid, const std::ve
 /** Capsules that are near points of the boundary, those near most first. */
 class CapsuleCover {
  public:
-  CapsuleCover(const LinkSolid& solid, const std::vector<BoundaryPoint>& points)
-      : solid_(solid), points_(points), is_open_(points.size(), true) {}
+  CapsuleCover(const LinkSolid& solid, const std::vector<BoundaryPoint>& points, double near,
+               const std::vector<FittedCapsule>& taken = {})
+      : solid_(solid), points_(points), near_(near), is_open_(points.size(), true) {
+    for (const FittedCapsule& capsule : taken) Take(capsule);
+  }
 
   const std::vector<FittedCapsule>& taken() const { return taken_; }
   double CalcOpenShare() const {
@@ -253,11 +258,12 @@ class CapsuleCover {
     }
   }
   bool IsNear(const FittedCapsule& capsule, size_t k) const {
-    return CalcDistance(capsule, points_[k].p) - capsule.radius <= kNearSelfContact;
+    return CalcDistance(capsule, points_[k].p) - capsule.radius <= near_;
   }
 
   const LinkSolid& solid_;
   const std::vector<BoundaryPoint>& points_;
+  const double near_;  // of a point that a capsule stands for [m]
   std::vector<bool> is_open_;
   std::vector<FittedCapsule> taken_;
 };
@@ -268,16 +274,18 @@ std::vector<FittedCapsule> InscribeCapsules(const LinkSolid& solid) {
   const std::vector<BoundaryPoint> points = solid.ListOpen(600);
   std::vector<Ball> balls;
   for (const BoundaryPoint& point : points) balls.push_back(FindLargest(solid, point));
-  CapsuleCover cover(solid, points);
+  CapsuleCover cover(solid, points, kNearCapsule);
   cover.Add(ChooseEnds(balls), kMostSelfCapsules, points.size() / kPerCapsule);
   if (cover.taken().empty()) cover.AddLargest(balls);
   // Thin plates and shells: shorter ones, between balls of what is left.
-  while (cover.CalcOpenShare() > 1.0 - kFairSelfContact && cover.taken().size() < kMostOfThin) {
-    const size_t num_before = cover.taken().size();
-    cover.Add(ChooseEnds(cover.ListOpen(balls)), kMostOfThin, points.size() / kPerCapsuleOfThin);
-    if (cover.taken().size() == num_before) break;
+  CapsuleCover wider(solid, points, kNearSelfContact, cover.taken());
+  if (wider.CalcOpenShare() <= 1.0 - kThin) return cover.taken();
+  while (wider.CalcOpenShare() > 1.0 - kEnough && wider.taken().size() < kMostOfThin) {
+    const size_t num_before = wider.taken().size();
+    wider.Add(ChooseEnds(wider.ListOpen(balls)), kMostOfThin, points.size() / kPerCapsuleOfThin);
+    if (wider.taken().size() == num_before) break;
   }
-  return cover.taken();
+  return wider.taken();
 }
 
 }  // namespace graspbench

@@ -14,9 +14,9 @@ covered, with 590 at most; then likewise within 3 mm, until all are. At most 600
 do, as on a palm of 0.3 m, all over again within twice 0.65 mm, then four times.
 
 Capsules, for the hand against itself: inscribed, between centres of such balls; the one that is
-within 2 mm of most of the points is taken, repeatedly, at most 8. Where they are near less than
-half of the points, as in a plate or shell, more follow between balls of the points that are left,
-at most 48. */
+within 2 mm of most of the points is taken, repeatedly, at most 8. Where less than a third of the
+points is within 5 mm of one, as in a thin plate or shell, more follow between balls of the points
+that are left, at most 48. */
 
 #include <Eigen/Core>
 #include <vector>

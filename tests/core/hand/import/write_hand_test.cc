@@ -138,7 +138,7 @@ TEST(ImportRecordTest, ItsContactHoldsWhileTheHandIsTheImportedOne) {
   EXPECT_EQ(fits[0].link, "palm");
   EXPECT_EQ(MakeContactJson(fits), record["contact"]);
   EXPECT_EQ(record["contact"][0]["self_contact"],
-            Json::parse(R"({"capsules": 8, "within_2_mm": 0.625})"));
+            Json::parse(R"({"capsules": 8, "within_5_mm": 0.625})"));
   WriteFile(folder / "hand.urdf", "<robot name='edited'/>");
   EXPECT_TRUE(ReadContactFits(folder).empty());
   WriteFile(folder / "import.json", "{}");

@@ -127,7 +127,7 @@ TEST(PackBallsTest, AFlatPadIsNoStifferThanABox) {
   }
 }
 
-/** Share of points on the two large sides of a plate in the xy plane within 2 mm of a capsule. */
+/** Share of points on the two large sides of a plate in the xy plane within 5 mm of a capsule. */
 double CalcNearShare(const Vector3d& size, const std::vector<FittedCapsule>& capsules) {
   int num_near = 0, num_points = 0;
   for (double x = -0.5 * size.x() + 0.001; x < 0.5 * size.x(); x += 0.002) {
@@ -136,7 +136,7 @@ double CalcNearShare(const Vector3d& size, const std::vector<FittedCapsule>& cap
       ++num_points;
       num_near += std::any_of(capsules.begin(), capsules.end(), [&](const FittedCapsule& capsule) {
         const ClosestPoints nearest = FindClosestPoints(capsule.p_A, capsule.p_B, p, p);
-        return (nearest.on_a - p).norm() - capsule.radius < 0.002;
+        return (nearest.on_a - p).norm() - capsule.radius < kNearSelfContact;
       });
     }
   }
@@ -145,7 +145,7 @@ double CalcNearShare(const Vector3d& size, const std::vector<FittedCapsule>& cap
 
 // Capsules as thick as the plate: 8 are not enough, and none sticks out.
 TEST(InscribeCapsulesTest, APlateHasAsManyAsItNeeds) {
-  for (const Vector3d& size : {Vector3d(0.08, 0.09, 0.003), Vector3d(0.06, 0.05, 0.0015)}) {
+  for (const Vector3d& size : {Vector3d(0.08, 0.09, 0.0015), Vector3d(0.12, 0.12, 0.002)}) {
     const std::vector<FittedCapsule> capsules =
         InscribeCapsules(LinkSolid({MakeRoundedBox(size, 0.0)}));
     EXPECT_GT(capsules.size(), 8u);
