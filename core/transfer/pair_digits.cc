@@ -17,7 +17,8 @@ using Eigen::Vector3d;
 constexpr double kFarthestMarker = 0.03;  ///< of a digit that touches, from the surface [m]
 constexpr double kOutOfOrder = 0.005;     ///< of neighbouring fingers along their row [m]
 constexpr double kWorseOpposition = 0.5;  ///< of the thumb than of another digit, cosine
-constexpr double kFlat = 0.1;             ///< of the volume that tells left from right, of a cube's
+constexpr double kShortestPhalanx = 0.01, kLongestPhalanx = 0.05;  ///< the last, of people [m]
+constexpr double kFlat = 0.1;  ///< of the volume that tells left from right, of a cube's
 
 /** Mean of the places of all digits but the first. */
 Vector3d CalcFingersMiddle(const std::vector<PersonDigit>& digits) {
@@ -66,6 +67,7 @@ PadGoal MakeGoal(int digit, const std::vector<PersonDigit>& people, const GraspO
     goal.p_O += (person.p_O - near.distance * near.gradient) / count;
     goal.opening_O += person.opening_O / count;
     goal.nhat_O += person.nhat_O;
+    goal.axis_O += person.axis_O;
     if (person.nhat_O.isZero(0.0)) goal.is_direction_measured = false;
   }
   constexpr int kSteps = 4;  // on a curved surface the mean of its points lies inside
@@ -76,6 +78,7 @@ PadGoal MakeGoal(int digit, const std::vector<PersonDigit>& people, const GraspO
   }
   if (!goal.is_direction_measured) goal.nhat_O = -near.gradient;
   goal.nhat_O.normalize();
+  goal.axis_O.normalize();  // of zero: zero
   return goal;
 }
 
@@ -96,6 +99,38 @@ void SetOpening(const std::vector<Vector3d>& p_OOpen, PersonGrasp& person) {
   }
 }
 
+PersonGrasp UseLandmarks(const PersonGrasp& person, const GraspObject& object) {
+  constexpr double kStraight =
+      0.17;                        // sine of the bends, in sum: below it their plane is not known
+  constexpr int kSteps = 20;       // by the distance from the surface
+  constexpr double kMet = 0.0005;  // of the surface [m]
+  PersonGrasp used = person;
+  for (PersonDigit& digit : used.digits) {
+    if (digit.p_OJoints.empty()) continue;
+    std::vector<Vector3d> chain = digit.p_OJoints;
+    chain.push_back(digit.p_O);
+    const Vector3d last = digit.p_O - digit.p_OJoints.back();
+    digit.axis_O = last.normalized();
+    digit.p_O -= kPadShare * last;
+    Vector3d bend = Vector3d::Zero();  // about this axis, out of the palm's side
+    for (size_t k = 0; k + 2 < chain.size(); ++k) {
+      const Vector3d bone = (chain[k + 1] - chain[k]).normalized();
+      bend += bone.cross((chain[k + 2] - chain[k + 1]).normalized());
+    }
+    const Vector3d inwards = -object.field->Query(digit.p_O).gradient;
+    Vector3d across = bend.cross(digit.axis_O);
+    if (bend.norm() < kStraight) across = inwards - inwards.dot(digit.axis_O) * digit.axis_O;
+    if (across.norm() < kStraight) continue;  // the tip points at the surface
+    digit.nhat_O = (across.dot(inwards) < 0.0 ? -across : across).normalized();
+    Vector3d met = digit.p_O;
+    for (int k = 0; k < kSteps && (met - digit.p_O).norm() < kFarthestPad; ++k) {
+      met += object.field->Query(met).distance * digit.nhat_O;
+    }
+    if (std::abs(object.field->Query(met).distance) < kMet) digit.p_O = met;
+  }
+  return used;
+}
+
 std::string FindPersonFault(const PersonGrasp& person, const GraspObject& object) {
   const std::vector<PersonDigit>& digits = person.digits;
   if (digits.size() < 2 || digits[0].digit != "TH") {
@@ -111,6 +146,13 @@ std::string FindPersonFault(const PersonGrasp& person, const GraspObject& object
              "of length, the object's pose and size, and whether both are of this trial";
     }
     normals.push_back(near.gradient);
+    if (digit.p_OJoints.empty()) continue;
+    const double last = (digit.p_O - digit.p_OJoints.back()).norm();
+    if (last < kShortestPhalanx || last > kLongestPhalanx) {
+      return "the last joint of " + digit.digit + " is " + FormatFixed(MmFromM(last), 0) +
+             " mm from its tip, 10 to 50 mm are expected: check the order of markers.joints and "
+             "whether they are of this digit";
+    }
   }
   if (digits.size() < 3) return "";
   const Vector3d row = digits.back().p_O - digits[1].p_O;
@@ -138,9 +180,9 @@ std::string FindPersonFault(const PersonGrasp& person, const GraspObject& object
 }
 
 int FindHandedness(const PersonGrasp& person) {
-  if (!person.p_OWrist || person.digits.size() < 3) return 0;
+  if (!person.p_OPalm || person.digits.size() < 3) return 0;
   return CalcHandedness(person.digits[0].p_O, person.digits[1].p_O, person.digits.back().p_O,
-                        *person.p_OWrist);
+                        *person.p_OPalm);
 }
 
 int FindHandedness(const Hand& hand, const Grasp& standard) {

@@ -22,6 +22,7 @@ using Eigen::VectorXd;
 // By how much a rule may be missed before it matters.
 constexpr double kDirection = 0.2;         // of unit vectors, measured
 constexpr double kSurfaceDirection = 0.7;  // taken from the surface
+constexpr double kAxis = 0.7;              // of the last phalanx, unit vectors
 constexpr double kCollision = 0.001;       // [m]
 constexpr double kPalmDirection = 0.5;     // of unit vectors
 constexpr double kToStandard = 2.0;        // ranges of a joint
@@ -67,7 +68,7 @@ struct PadPlacer::Functor {
 
   int inputs() const { return static_cast<int>(joints.size()) + (task.moves_hand ? 6 : 0); }
   int values() const {
-    return static_cast<int>(6 * task.goals.size() + 2 * joints.size() +
+    return static_cast<int>(9 * task.goals.size() + 2 * joints.size() +
                             2 * placer.hand_.links.size() + 4);
   }
   double Range(size_t k) const {
@@ -157,7 +158,10 @@ void PadPlacer::AddResiduals(const PadTask& task, const PlacedPosture& placed,
     const double direction = goal.is_direction_measured ? kDirection : kSurfaceDirection;
     residuals.segment<3>(next) = (placed.X_OH * pad.p_HPad - goal.p_O) / task.pad_length;
     residuals.segment<3>(next + 3) = (R_OH * pad.nhat_H - goal.nhat_O) / direction;
-    next += 6;
+    if (!goal.axis_O.isZero(0.0)) {
+      residuals.segment<3>(next + 6) = (R_OH * pad.axis_H - goal.axis_O) / kAxis;
+    }
+    next += 9;
     middle += goal.p_O / static_cast<double>(task.goals.size());
   }
   const Depths depths = CalcDepths(placed, X_HL);
@@ -195,7 +199,9 @@ PlacedPosture PadPlacer::PlaceAnywhere(const PadTask& task) const {
   constexpr int kFirstCalls = 300, kLastCalls = 2500;
   constexpr double kAside = RadFromDeg(40.0);  // of starts beside the palm's direction
   constexpr int kNumRound = 8;
-  constexpr double kDeepestPalm = -0.5;  // below it the palm starts under the table
+  constexpr double kTowardsMiddle = 0.6;  // of the joints' ranges, of other starts
+  constexpr double kLastLength = 0.5;     // of the pads' length, at the end
+  constexpr double kDeepestPalm = -0.5;   // below it the palm starts under the table
   Vector3d middle = Vector3d::Zero(), fingers = Vector3d::Zero();
   const auto num_goals = static_cast<double>(task.goals.size());
   for (size_t g = 0; g < task.goals.size(); ++g) {
@@ -213,33 +219,49 @@ PlacedPosture PadPlacer::PlaceAnywhere(const PadTask& task) const {
     for (int k = 0; k < kNumRound; ++k) turns.push_back(2.0 * kPi * k / kNumRound);
   }
 
-  const std::vector<Pose> X_HL = CalcLinkPoses(hand_, task.q_standard);
-  const auto num_points = static_cast<Index>(task.goals.size()) + 1;
-  Eigen::Matrix3Xd p_H(3, num_points), p_O(3, num_points);
-  Vector3d middle_H = Vector3d::Zero();
-  for (size_t g = 0; g < task.goals.size(); ++g) {
-    const Digit& digit = hand_.digits[static_cast<size_t>(task.goals[g].digit)];
-    p_H.col(static_cast<Index>(g)) = CalcPadState(hand_, digit, X_HL).p_HPad;
-    p_O.col(static_cast<Index>(g)) = task.goals[g].p_O;
-    middle_H += p_H.col(static_cast<Index>(g)) / num_goals;
-  }
-  p_H.col(num_points - 1) = hand_.p_HCentre;
   PlacedPosture best;
   double least = std::numeric_limits<double>::infinity();
-  for (const double turn : turns) {
-    const Vector3d palm = Eigen::AngleAxisd(turn, axis) * to_palm;
-    if (palm.z() < kDeepestPalm && turns.size() > 3) continue;
-    p_O.col(num_points - 1) = middle + (hand_.p_HCentre - middle_H).norm() * palm;
-    const Eigen::Matrix4d aligned = Eigen::umeyama(p_H, p_O, false);
-    const PlacedPosture start = {
-        MakePose(aligned.topLeftCorner<3, 3>(), aligned.topRightCorner<3, 1>()), task.q_standard};
-    double cost = 0.0;
-    const PlacedPosture placed = Place(task, start, kFirstCalls, cost);
-    if (cost >= least) continue;
-    least = cost;
-    best = placed;
+  const auto num_points = static_cast<Index>(task.goals.size()) + 1;
+  Eigen::Matrix3Xd p_H(3, num_points), p_O(3, num_points);
+  for (const double bend : {0.0, kTowardsMiddle}) {
+    const VectorXd q = BendTowardsMiddle(task.q_standard, bend);
+    const std::vector<Pose> X_HL = CalcLinkPoses(hand_, q);
+    Vector3d middle_H = Vector3d::Zero();
+    for (size_t g = 0; g < task.goals.size(); ++g) {
+      const Digit& digit = hand_.digits[static_cast<size_t>(task.goals[g].digit)];
+      p_H.col(static_cast<Index>(g)) = CalcPadState(hand_, digit, X_HL).p_HPad;
+      p_O.col(static_cast<Index>(g)) = task.goals[g].p_O;
+      middle_H += p_H.col(static_cast<Index>(g)) / num_goals;
+    }
+    p_H.col(num_points - 1) = hand_.p_HCentre;
+    for (const double turn : turns) {
+      const Vector3d palm = Eigen::AngleAxisd(turn, axis) * to_palm;
+      if (palm.z() < kDeepestPalm && turns.size() > 3) continue;
+      p_O.col(num_points - 1) = middle + (hand_.p_HCentre - middle_H).norm() * palm;
+      const Eigen::Matrix4d aligned = Eigen::umeyama(p_H, p_O, false);
+      const PlacedPosture start = {
+          MakePose(aligned.topLeftCorner<3, 3>(), aligned.topRightCorner<3, 1>()), q};
+      double cost = 0.0;
+      const PlacedPosture placed = Place(task, start, kFirstCalls, cost);
+      if (cost >= least) continue;
+      least = cost;
+      best = placed;
+    }
   }
-  return Place(task, best, kLastCalls, least);
+  // Places come before directions.
+  PadTask last = task;
+  last.pad_length = kLastLength * task.pad_length;
+  return Place(last, Place(task, best, kLastCalls, least), kLastCalls, least);
+}
+
+VectorXd PadPlacer::BendTowardsMiddle(const VectorXd& q, double share) const {
+  VectorXd bent = q;
+  for (const int joint : FindGraspJoints(hand_, NamesOfDigits(hand_))) {
+    const HandJoint& own = hand_.joints[static_cast<size_t>(joint)];
+    bent[joint] += share * (0.5 * (own.lower + own.upper) - bent[joint]);
+  }
+  ApplyCoupling(hand_, bent);
+  return bent;
 }
 
 std::vector<PadMiss> PadPlacer::CalcMisses(const std::vector<PadGoal>& goals,

@@ -40,7 +40,8 @@ class PadPlacer {
   /** @param cost  root of the summed squared residuals.  @param calls  of the rules, at most. */
   PlacedPosture Place(const PadTask& task, const PlacedPosture& start, int calls,
                       double& cost) const;
-  /** From starts all round the opposition axis, or about the palm's direction. */
+  /** From starts all round the opposition axis, or about the palm's direction, with the standard
+  posture and one nearer to the middle of the joints' ranges. */
   PlacedPosture PlaceAnywhere(const PadTask& task) const;
 
   std::vector<PadMiss> CalcMisses(const std::vector<PadGoal>& goals,
@@ -59,6 +60,7 @@ class PadPlacer {
   struct Depths;
   struct Functor;
   Depths CalcDepths(const PlacedPosture& placed, const std::vector<Pose>& X_HL) const;
+  Eigen::VectorXd BendTowardsMiddle(const Eigen::VectorXd& q, double share) const;
   std::vector<bool> FindTips(const std::vector<PadGoal>& goals) const;
   void AddResiduals(const PadTask& task, const PlacedPosture& placed,
                     const std::vector<bool>& is_tip, Eigen::VectorXd& residuals,

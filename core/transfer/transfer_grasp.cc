@@ -151,12 +151,12 @@ class Transfer {
     std::vector<PadMiss> left;
     for (;;) {
       PadTask task = MakeTask();
-      if (person_.p_OWrist) {
+      if (person_.p_OPalm) {
         Vector3d middle = Vector3d::Zero();
         for (const PadGoal& goal : goals_) {
           middle += goal.p_O / static_cast<double>(goals_.size());
         }
-        task.palm_O = (*person_.p_OWrist - middle).normalized();
+        task.palm_O = (*person_.p_OPalm - middle).normalized();
       }
       met_ = placer_.PlaceAnywhere(task);
       result_.pads = placer_.CalcMisses(goals_, met_);
@@ -220,15 +220,33 @@ class Transfer {
     const double grip =
         std::max(kLeastGrip, kGripMargin * weight / (2.0 * object_.surface.friction_static));
     grasp.q_target = CalcSqueeze(hand_, grasp.digits, CloseOn(), approach_H, grip);
-    // Both ends are shifted so that the line passes through the contact again.
+    // Shifted as a whole onto the contact, or straight on from the opening.
     const double s = FindClosingAtContact(hand_, goals_, grasp, met_.X_OH);
     const VectorXd beside = CalcClosingPosture(hand_, grasp, s) - met_.q;
-    for (VectorXd* q : {&grasp.q_pre, &grasp.q_target}) {
-      *q -= beside;
-      ClampToLimits(*q);
-    }
+    const double way = (met_.q - grasp.q_pre).norm();
+    const double further = (grasp.q_target - met_.q).norm() / std::max(way, 1e-6);
+    lines_ = {{grasp.q_pre - beside, grasp.q_target - beside, s},
+              {grasp.q_pre, met_.q + further * (met_.q - grasp.q_pre), 1.0 / (1.0 + further)}};
     result_.undetermined = placer_.FindUndetermined(goals_, met_);
     return true;
+  }
+
+  /** Both ends, moved where limits ask for it so that the line meets the contact at s. */
+  void CloseThroughContact(const VectorXd& q_pre, const VectorXd& q_target, double s) {
+    Grasp& grasp = result_.grasp;
+    grasp.q_pre = q_pre;
+    grasp.q_target = q_target;
+    for (Eigen::Index j = 0; j < q_pre.size(); ++j) {
+      const HandJoint& joint = hand_.joints[static_cast<size_t>(j)];
+      const auto limit = [&](double angle) { return std::clamp(angle, joint.lower, joint.upper); };
+      const double met = met_.q[j];
+      double &pre = grasp.q_pre[j], &target = grasp.q_target[j];
+      target = limit(target);
+      if (s < 1.0) pre = limit((met - s * target) / (1.0 - s));
+      if (s > 0.0) target = limit((met - (1.0 - s) * pre) / s);
+    }
+    ApplyCoupling(hand_, grasp.q_pre);
+    ApplyCoupling(hand_, grasp.q_target);
   }
 
   /** On from the opening through the contact, until every pad is as deep as it is to be. */
@@ -280,10 +298,9 @@ class Transfer {
   }
 
   /** The approach with the most room, for the grasp as it is. */
-  Placement FindPlacement() {
+  Placement FindPlacement(double s) {
     Grasp& grasp = result_.grasp;
     const Vector3d p_WO(0.0, 0.0, 0.5 * object_.size.z());
-    const double s = FindClosingAtContact(hand_, goals_, grasp, met_.X_OH);
     Placement best;
     result_.room = -std::numeric_limits<double>::infinity();
     for (const Vector3d& approach : ListApproaches()) {
@@ -313,32 +330,19 @@ class Transfer {
   /** Opens the pre-grasp, on its line with the target, until nothing is in the way. */
   bool FindWay() {
     constexpr int kOpenings = 10;
-    Grasp& grasp = result_.grasp;
-    const VectorXd q_first = grasp.q_pre;
     std::string first_fault;
-    for (int k = 0; k <= kOpenings; ++k) {
-      grasp.q_pre = q_first + static_cast<double>(k) / kOpenings * (q_first - grasp.q_target);
-      ClampToLimits(grasp.q_pre);
-      grasp.placement = FindPlacement();
-      const std::string fault = FindOpenFault();
-      if (fault.empty()) return TakeMisses();
-      if (first_fault.empty()) first_fault = fault;
+    for (const ClosingLine& line : lines_) {
+      for (int k = 0; k <= kOpenings; ++k) {
+        const double wider = static_cast<double>(k) / kOpenings;
+        const double s = (line.s + wider) / (1.0 + wider);
+        CloseThroughContact(line.q_pre + wider * (line.q_pre - line.q_target), line.q_target, s);
+        result_.grasp.placement = FindPlacement(s);
+        const std::string fault = FindOpenFault();
+        if (fault.empty()) return true;
+        if (first_fault.empty()) first_fault = fault;
+      }
     }
     return Fail(first_fault);
-  }
-
-  /** Those of the grasp as it closes. */
-  bool TakeMisses() {
-    const Grasp& grasp = result_.grasp;
-    const VectorXd q = CalcClosingPosture(hand_, grasp, grasp.placement->closing_at_contact);
-    const std::vector<PadMiss> closed = placer_.CalcMisses(goals_, {met_.X_OH, q});
-    std::copy(closed.begin(), closed.end(), result_.pads.begin());
-    for (const PadMiss& pad : closed) {
-      if (pad.is_reached()) continue;
-      return Fail("as it closes " + pad.digit + " passes " + FormatFixed(MmFromM(pad.distance), 1) +
-                  " mm from the contact of the person's " + pad.person);
-    }
-    return true;
   }
 
   void ClampToLimits(VectorXd& q) const {
@@ -358,6 +362,12 @@ class Transfer {
   std::vector<PadGoal> goals_;
   std::vector<Vector3d> inwards_;  // at the goals, unit
   PlacedPosture met_;
+  /** Of all joints, with the share of the way at which it is to meet the contact. */
+  struct ClosingLine {
+    VectorXd q_pre, q_target;
+    double s = 1.0;
+  };
+  std::vector<ClosingLine> lines_;  // tried one after the other
   TransferredGrasp result_;
 };
 
@@ -383,7 +393,7 @@ TransferredGrasp TransferGrasp(const Hand& hand, const std::vector<Grasp>& stand
         " one: choose the other hand, or check for mirrored axes and exchanged markers";
     return failed;
   }
-  return Transfer(hand, standard, person, object).Run(differ);
+  return Transfer(hand, standard, UseLandmarks(person, object), object).Run(differ);
 }
 
 }  // namespace graspbench

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
@@ -10,6 +12,7 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/statistics/summary.h"
+#include "datasets/analysis/conditions/threshold_summary.h"
 
 namespace graspbench {
 namespace {
@@ -63,15 +66,28 @@ ChangeEstimate EstimateTransfer(const std::vector<const TrialRecord*>& records,
   return EstimateSuccessChange(changes, std::nullopt, ExplainUndecided(CountOutcomes(compared)));
 }
 
+/** What the trials of one side have of both [-], [N]. */
+struct LoadValues {
+  std::vector<double> thresholds, forces;
+
+  TransferLoads Take() const { return {MedianOf(thresholds), MedianOf(forces)}; }
+};
+
+/** @param thresholds  of the session's records; empty: none were looked for. */
 TransferSummary SummariseOne(const std::string& hand, const std::string& object,
-                             const TransferFile& file, const Session& session,
-                             const TransferSides& sides) {
+                             const std::string& type, const TransferFile& file,
+                             const Session& session, const TransferSides& sides,
+                             const std::vector<double>& thresholds) {
   TransferSummary summary;
   summary.hand = hand;
   summary.object = object;
+  summary.type = type;
   std::vector<double> distances, angles;
+  std::set<std::pair<std::string, std::string>> own;  // object and grasp
   for (const TransferRow& row : file.rows) {
     if (row.hand != hand || (!object.empty() && row.object != object)) continue;
+    if (!type.empty() && row.type != type) continue;
+    own.insert({row.object, row.grasp});
     ++summary.num_grasps;
     if (!row.not_transferable.empty()) continue;
     ++summary.num_transferred;
@@ -87,15 +103,28 @@ TransferSummary SummariseOne(const std::string& hand, const std::string& object,
   summary.median_distance = MedianOf(distances);
   summary.median_angle = MedianOf(angles);
   std::vector<const TrialRecord*> records;
-  for (const TrialRecord& record : session.records) {
+  std::map<TransferSide, LoadValues> loads;
+  for (size_t i = 0; i < session.records.size(); ++i) {
+    const TrialRecord& record = session.records[i];
     if (record.plan.hand != hand || (!object.empty() && record.plan.object != object)) continue;
-    records.push_back(&record);
     const TransferSide side = sides.Find(record.plan);
+    const bool is_own = own.count({record.plan.object, record.plan.grasp}) > 0;
+    if (side == TransferSide::kTransferred && !is_own) continue;
+    records.push_back(&record);
+    if (!thresholds.empty() && !std::isnan(thresholds[i])) {
+      loads[side].thresholds.push_back(thresholds[i]);
+    }
+    if (record.judgement && !std::isnan(record.judgement->breaking_force)) {
+      loads[side].forces.push_back(record.judgement->breaking_force);
+    }
     (side == TransferSide::kTransferred ? summary.transferred
      : side == TransferSide::kRehearsed ? summary.rehearsed
                                         : summary.standard)
         .Count(record.result.outcome);
   }
+  summary.loads = loads[TransferSide::kTransferred].Take();
+  summary.loads_rehearsed = loads[TransferSide::kRehearsed].Take();
+  summary.loads_standard = loads[TransferSide::kStandard].Take();
   summary.over_rehearsed = EstimateTransfer(records, sides, TransferSide::kRehearsed);
   summary.over_standard = EstimateTransfer(records, sides, TransferSide::kStandard);
   return summary;
@@ -138,14 +167,27 @@ TransferFile LoadTransferFile(const std::filesystem::path& folder) {
 std::vector<TransferSummary> SummariseTransfers(const TransferFile& file, const Session& session) {
   const TransferSides sides(file);
   std::vector<TransferSummary> summaries;
+  std::vector<double> thresholds;  // margins
+  for (const ThresholdSummary& found : LoadThresholds(session)) {
+    if (thresholds.empty()) thresholds = ListThresholdsOf(session, found);
+  }
   const auto hands = ListOnce(file.rows, [](const TransferRow& row) { return row.hand; });
   const auto objects = ListOnce(file.rows, [](const TransferRow& row) { return row.object; });
   for (const std::string& hand : hands) {
-    summaries.push_back(SummariseOne(hand, "", file, session, sides));
+    summaries.push_back(SummariseOne(hand, "", "", file, session, sides, thresholds));
   }
   for (const std::string& hand : hands) {
     for (const std::string& object : objects) {
-      summaries.push_back(SummariseOne(hand, object, file, session, sides));
+      summaries.push_back(SummariseOne(hand, object, "", file, session, sides, thresholds));
+    }
+  }
+  const auto types = ListOnce(file.rows, [](const TransferRow& row) { return row.type; });
+  for (const std::string& hand : hands) {
+    for (const std::string& type : types) {
+      if (type.empty()) continue;
+      const TransferSummary summary =
+          SummariseOne(hand, "", type, file, session, sides, thresholds);
+      if (summary.num_grasps > 0) summaries.push_back(summary);
     }
   }
   return summaries;
@@ -161,6 +203,8 @@ std::vector<CsvColumn<TransferSummary>> ListTransferColumns() {
       C("hand", "", "", &Row::hand).Shown("hand"),
       C("object", "", "empty: all objects", &Row::object)
           .Shown("object", [](const Row& row) { return row.object.empty() ? "all" : row.object; }),
+      C("type", "", "of the standard grasp that they go towards; empty: all", &Row::type)
+          .Shown("type", [](const Row& row) { return row.type.empty() ? "all" : row.type; }),
       C("grasps", "", "people's grasps that were tried", &Row::num_grasps).Shown("grasps"),
       C("transferable", "", "of these, those that the hand can do", &Row::num_transferred)
           .Shown("transferable"),
@@ -195,6 +239,76 @@ std::vector<CsvColumn<TransferSummary>> ListTransferColumns() {
         }).Shown("over standard [points]", [](const Row& row) {
         return FormatPoints(row.over_standard);
       })};
+}
+
+std::vector<CsvColumn<TransferSummary>> ListTransferLoadColumns() {
+  using Row = TransferSummary;
+  using C = CsvColumn<Row>;
+  const auto shown = [](double value) {
+    return std::isnan(value) ? "n/a" : std::isinf(value) ? "none held" : FormatFixed(value, 2);
+  };
+  std::vector<C> columns = {C("hand", "", "", &Row::hand).Shown("hand")};
+  const std::pair<const char*, TransferLoads Row::*> sides[] = {
+      {"transferred", &Row::loads},
+      {"rehearsed", &Row::loads_rehearsed},
+      {"standard", &Row::loads_standard}};
+  for (const auto& [name, side] : sides) {
+    const auto threshold = [s = side](const Row& row) { return (row.*s).threshold; };
+    columns.push_back(
+        C(std::string("threshold_") + name, "", "median grip threshold, margin", threshold)
+            .Shown(std::string("threshold, ") + name,
+                   [=](const Row& row) { return shown(threshold(row)); }));
+  }
+  for (const auto& [name, side] : sides) {
+    const auto force = [s = side](const Row& row) { return (row.*s).breaking_force; };
+    columns.push_back(C(std::string("breaking_force_") + name + "_n", "N",
+                        "median smallest breaking force", force)
+                          .Shown(std::string("breaking force, ") + name + " [N]",
+                                 [=](const Row& row) { return shown(force(row)); }));
+  }
+  return columns;
+}
+
+std::vector<TransferLags> ListTransferLags(const TransferFile& file, const Session& session) {
+  std::vector<TransferLags> lags;
+  const auto find = [&](const std::string& hand, const std::string& digit) -> TransferLags& {
+    const auto same = std::find_if(lags.begin(), lags.end(), [&](const TransferLags& one) {
+      return one.hand == hand && one.digit == digit;
+    });
+    if (same != lags.end()) return *same;
+    lags.push_back({hand, digit, {}, {}, {}});
+    return lags.back();
+  };
+  for (const TransferRow& row : file.rows) {
+    if (!row.not_transferable.empty()) continue;
+    for (const TransferPad& pad : row.pads) {
+      const std::string people = "+" + pad.person + "+";
+      double sum = 0.0, count = 0.0;
+      for (const TransferPerson& person : row.person) {
+        if (people.find("+" + person.digit + "+") == std::string::npos) continue;
+        sum += person.lag;
+        ++count;
+      }
+      TransferLags& own = find(row.hand, pad.digit);
+      if (count > 0.0 && std::isfinite(sum)) own.person.push_back(sum / count);
+    }
+  }
+  const TransferSides sides(file);
+  for (const TrialRecord& record : session.records) {
+    const TransferSide side = sides.Find(record.plan);
+    if (!IsSuccess(record.result.outcome) || side == TransferSide::kRehearsed) continue;
+    double first = std::numeric_limits<double>::infinity();
+    for (const DigitContact& contact : record.result.contacts) {
+      if (std::isfinite(contact.time)) first = std::min(first, contact.time);
+    }
+    for (const DigitContact& contact : record.result.contacts) {
+      if (!std::isfinite(contact.time)) continue;
+      TransferLags& own = find(record.plan.hand, contact.digit);
+      (side == TransferSide::kStandard ? own.standard : own.transferred)
+          .push_back(contact.time - first);
+    }
+  }
+  return lags;
 }
 
 std::vector<std::pair<std::string, int>> CountTransferReasons(const TransferFile& file,

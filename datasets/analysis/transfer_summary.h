@@ -6,6 +6,7 @@ beside the standard and the rehearsed grasp on the same draws.
 A session of transferred grasps has, of each hand on each object, "best", "rehearsed" and every
 transferred grasp. Its inputs/grasps/transfer.json lists all that were tried, transferable or not. */
 
+#include <Eigen/Core>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,13 +37,32 @@ struct TransferPad {
   }
 };
 
+/** One digit of the person, for pictures: joints from the palm and the tip, each three numbers in O
+[m]; with one marker the tip alone. */
+struct TransferPerson {
+  std::string digit;
+  double lag = kUnset;  ///< of its contact after the first one [s]
+  Eigen::VectorXd open, contact;
+
+  template <class V>
+  static void ListFields(V&& field) {
+    using P = TransferPerson;
+    field("digit", &P::digit);
+    field("lag_s", &P::lag);
+    field("open_m", &P::open);
+    field("contact_m", &P::contact);
+  }
+};
+
 /** One person's grasp on one hand. */
 struct TransferRow {
   std::string hand, object, participant;
   std::string grasp;             ///< id of the grasp in the session; of each source
   std::string not_transferable;  ///< reason; empty: it is in the session
+  std::string type;  ///< of the standard grasp that it goes towards: "power"; empty: none
   std::vector<TransferPad> pads;
   std::vector<std::string> undetermined;  ///< joints
+  std::vector<TransferPerson> person;
 
   template <class V>
   static void ListFields(V&& field) {
@@ -52,18 +72,22 @@ struct TransferRow {
     field("participant", &R::participant);
     field("grasp", &R::grasp);
     field("not_transferable", &R::not_transferable);
+    field("type", &R::type);
     field("pads", &R::pads);
     field("undetermined", &R::undetermined);
+    field("person", &R::person);
   }
 };
 
 struct TransferFile {
-  std::string study;  ///< its name
+  std::string study;                ///< its name
+  std::vector<std::string> doubts;  ///< about sizes and sides
   std::vector<TransferRow> rows;
 
   template <class V>
   static void ListFields(V&& field) {
     field("study", &TransferFile::study);
+    field("doubts", &TransferFile::doubts);
     field("rows", &TransferFile::rows);
   }
 };
@@ -72,23 +96,33 @@ inline constexpr const char* kTransferPath = "inputs/grasps/transfer.json";
 /** Of a session of transferred grasps. @throws Error(kFormat, kIo). */
 TransferFile LoadTransferFile(const std::filesystem::path& folder);
 
-/** Of a hand on all objects, or on one. */
+/** The session's grip thresholds and breaking loads of the transferred grasps or of those beside
+them: medians over trials; NaN: none was looked for (graspbench threshold, judge). */
+struct TransferLoads {
+  double threshold = kUnset;       ///< margin; infinite: half of them or more never held
+  double breaking_force = kUnset;  ///< [N]
+};
+
+/** Of a hand on all objects, or on one; or of its grasps of one type on all objects. */
 struct TransferSummary {
   std::string hand, object;  ///< empty object: all
+  std::string type;          ///< empty: all
   int num_grasps = 0, num_transferred = 0;
   /** Over the pads of transferred grasps; NaN: none. */
   double median_distance = kUnset, median_angle = kUnset;  ///< [m], [rad]
   double near_share = kUnset;                              ///< of pads within 2 mm
   Tally transferred, rehearsed, standard;
+  TransferLoads loads, loads_rehearsed, loads_standard;
   /** Success of the transferred grasps less that of the others on the same draws. */
   ChangeEstimate over_rehearsed, over_standard;
 
   double transferable_share() const { return CalcShare(num_transferred, num_grasps); }
 };
 
-/** By hand over all objects, then each hand's objects, in the file's order. */
+/** By hand over all objects, then each hand's objects, then its types, in the file's order. */
 std::vector<TransferSummary> SummariseTransfers(const TransferFile& file, const Session& session);
 std::vector<CsvColumn<TransferSummary>> ListTransferColumns();
+std::vector<CsvColumn<TransferSummary>> ListTransferLoadColumns();
 
 /** Reasons why grasps were not transferable on a hand, most frequent first. Those that differ in
 numbers alone are one, with the numbers of the first. */
@@ -104,5 +138,13 @@ struct TransferDigit {
 };
 std::vector<TransferDigit> ListTransferDigits(const TransferFile& file);
 std::vector<CsvColumn<TransferDigit>> ListTransferDigitColumns();
+
+/** When a digit of a hand touches after the first one, in successful trials, beside the persons'
+that it stands for: each a list [s]. */
+struct TransferLags {
+  std::string hand, digit;
+  std::vector<double> person, transferred, standard;
+};
+std::vector<TransferLags> ListTransferLags(const TransferFile& file, const Session& session);
 
 }  // namespace graspbench

@@ -52,6 +52,9 @@ struct DigitTrack {
   this trial's hold, which presumes that the digit touches. */
   double pad_offset = std::numeric_limits<double>::quiet_NaN();
   ForceChannel force;  ///< of this digit's force or tactile sensor
+  /** Landmarks of its joints in L, from the palm to the last; empty: not recorded. No event depends
+  on them. */
+  std::vector<Trajectory> joints;
 };
 
 struct ObjectTrack {

@@ -8,10 +8,15 @@
 #include "core/base/files/files.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
+#include "core/develop/propose_grasps.h"
+#include "core/develop/write_grasps.h"
 #include "core/grasp/grasp_file.h"
+#include "core/grasp/grasp_yaml.h"
 #include "core/hand/load_hand.h"
 #include "core/shape/obj_file.h"
 #include "core/shape/primitives.h"
+#include "core/statistics/summary.h"
+#include "datasets/plan/session_inputs.h"
 #include "objects/catalogue.h"
 #include "workbench/tables/text_table.h"
 
@@ -43,6 +48,85 @@ StudyGrasp MakeMedian(const std::string& id, const std::vector<StudyGrasp>& tria
   return median;
 }
 
+/** "left", "R" of the row of trials.csv; empty: none is stated. */
+std::string FindStatedHand(const Study& study, const StudyTrial& trial) {
+  for (const PlannedReach& row : study.trials) {
+    const bool is_part = trial.trial.rfind(row.trial + ".", 0) == 0;  // of a long recording
+    if (row.participant == trial.participant && (row.trial == trial.trial || is_part)) {
+      return row.hand;
+    }
+  }
+  return "";
+}
+
+const char* NameOfSide(int side) { return side > 0 ? "left" : "right"; }
+
+/** Places that are not those of the stated hand are none. */
+Answer<HandPlaces> CheckSide(const Answer<HandPlaces>& places, const std::string& stated) {
+  if (!places || stated.empty()) return places;
+  const int first = std::tolower(static_cast<unsigned char>(stated.front()));
+  const int side = first == 'l' ? 1 : first == 'r' ? -1 : 0;
+  const int found = FindHandedness(MakePersonGrasp(*places));
+  if (side * found >= 0) return places;
+  return NoAnswer{std::string("trials.csv states the ") + NameOfSide(side) +
+                  " hand; by thumb, fingers and palm it is a " + NameOfSide(found) +
+                  " one: mirrored axes, exchanged markers, or the wrong hand"};
+}
+
+/** By person and object, how far the digits' markers are from the surface at contact [m]. */
+using Heights = std::map<std::string, std::map<std::string, std::vector<double>>>;
+
+Heights ListHeights(const StudyGrasps& grasps) {
+  Heights heights;
+  for (const StudyGrasp& trial : grasps.trials) {
+    const StudyObject* object = grasps.study.FindObject(trial.object);
+    if (!trial.places || !object || !object->distance) continue;
+    for (const DigitPlaces& digit : trial.places->digits) {
+      heights[trial.participant][trial.object].push_back(object->distance(digit.p_OContact));
+    }
+  }
+  return heights;
+}
+
+/** A person's markers are as far from the skin on every object: where they are not, the size or
+the place of an object is wrong. */
+std::vector<StudyDoubt> FindObjectDoubts(const Heights& heights) {
+  std::map<std::string, std::vector<double>> differences;  // of each object, by person
+  for (const auto& [person, of_objects] : heights) {
+    for (const auto& [object, own] : of_objects) {
+      std::vector<double> others;
+      for (const auto& [other, values] : of_objects) {
+        if (other != object) others.push_back(CalcMedian(values));
+      }
+      if (!others.empty()) differences[object].push_back(CalcMedian(own) - CalcMedian(others));
+    }
+  }
+  std::vector<StudyDoubt> doubts;
+  for (const auto& [object, values] : differences) {
+    const double difference = CalcMedian(values);
+    if (std::abs(difference) <= kHeightDoubt) continue;
+    const bool is_small = difference > 0.0;
+    doubts.push_back(
+        {object, object + ": people's markers are " +
+                     FormatFixed(MmFromM(std::abs(difference)), 1) + " mm " +
+                     (is_small ? "farther from" : "nearer to") +
+                     " its surface than to the study's other objects, at most 5 mm is expected; "
+                     "check its size in objects.csv (perhaps " +
+                     FormatFixed(2.0 * MmFromM(std::abs(difference)), 0) + " mm too " +
+                     (is_small ? "small" : "large") + ") and its centre"});
+  }
+  return doubts;
+}
+
+/** ": the first, 01-1, is removed: ..". @param object  empty: of any. */
+std::string NameFirstRemoved(const StudyGrasps& grasps, const std::string& object) {
+  for (const StudyGrasp& trial : grasps.removed) {
+    if (!object.empty() && trial.object != object) continue;
+    return ": the first, " + trial.id + ", is removed: " + trial.places.reason();
+  }
+  return "";
+}
+
 StudyGrasp ChooseGrasp(const StudyGrasps& grasps, const NewTransferOptions& options) {
   std::vector<std::string> known;
   for (const StudyGrasp& trial : grasps.trials) {
@@ -65,13 +149,13 @@ StudyGrasp ChooseGrasp(const StudyGrasps& grasps, const NewTransferOptions& opti
     if (trial.object == object) chosen.push_back(trial);
   }
   if (chosen.empty()) {
-    throw Error(
-        ErrorKind::kNotFound,
-        object.empty()
-            ? "the study has several objects: name one of them with --object, or a trial "
-              "with --trial" +
-                  SuggestNames("", known)
-            : "no kept trial of the study is on \"" + object + "\"" + SuggestNames(object, known));
+    throw Error(ErrorKind::kNotFound,
+                object.empty()
+                    ? "the study has several objects: name one of them with --object, or a trial "
+                      "with --trial" +
+                          SuggestNames("", known)
+                    : "no kept trial of the study is on \"" + object + "\"" +
+                          NameFirstRemoved(grasps, object) + SuggestNames(object, known));
   }
   return MakeMedian(object, chosen);
 }
@@ -106,14 +190,30 @@ StudyGrasps LoadStudyGrasps(const std::string& study_file, const std::string& da
   const StudyResult result = RunTrials(grasps.study, watch);
   for (const StudyTrial& trial : result.trials) {
     if (!trial.IsKept()) {
-      ++grasps.num_removed;
+      grasps.removed.push_back(
+          {trial.id, trial.participant, trial.object, NoAnswer{trial.removed}});
       continue;
     }
-    grasps.trials.push_back({trial.id, trial.participant, trial.object, places[trial.id]});
+    grasps.trials.push_back({trial.id, trial.participant, trial.object,
+                             CheckSide(places[trial.id], FindStatedHand(grasps.study, trial))});
   }
   if (grasps.trials.empty()) {
     throw Error(ErrorKind::kUsage,
-                "\"" + study_file + "\" keeps no trial; graspbench study run says why of each");
+                "\"" + study_file + "\" keeps no trial" + NameFirstRemoved(grasps, ""));
+  }
+  grasps.doubts = FindObjectDoubts(ListHeights(grasps));
+  const auto num_left =
+      std::count_if(grasps.trials.begin(), grasps.trials.end(), [&](const StudyGrasp& trial) {
+        return trial.places && FindHandedness(MakePersonGrasp(*trial.places)) > 0;
+      });
+  const bool is_stated = std::all_of(grasps.study.trials.begin(), grasps.study.trials.end(),
+                                     [](const PlannedReach& row) { return !row.hand.empty(); });
+  if (num_left > 0 && !is_stated) {
+    grasps.doubts.push_back(
+        {"", "by thumb, fingers and palm " + FormatCount(static_cast<int>(num_left), "trial") +
+                 " of " + std::to_string(grasps.trials.size()) +
+                 " show a left hand, and trials.csv states none (hand): if people used the right "
+                 "one, the recording is mirrored"});
   }
   return grasps;
 }
@@ -135,6 +235,24 @@ std::vector<StudyGrasp> CalcMediansByPerson(const std::vector<StudyGrasp>& trial
   return medians;
 }
 
+namespace {
+
+/** The mean of wrist and knuckles, the fingers' first joints; the wrist where there are none. */
+std::optional<Eigen::Vector3d> FindPalm(const HandPlaces& places) {
+  if (!places.p_OWrist) return std::nullopt;
+  Eigen::Vector3d knuckles = Eigen::Vector3d::Zero();
+  int count = 0;
+  for (const DigitPlaces& digit : places.digits) {
+    if (digit.digit == "TH" || digit.p_OJoints.empty()) continue;
+    knuckles += digit.p_OJoints.front();
+    ++count;
+  }
+  if (count == 0) return places.p_OWrist;
+  return Eigen::Vector3d(0.5 * (*places.p_OWrist + knuckles / count));
+}
+
+}  // namespace
+
 PersonGrasp MakePersonGrasp(const HandPlaces& places) {
   PersonGrasp person;
   std::vector<Eigen::Vector3d> open;
@@ -142,11 +260,12 @@ PersonGrasp MakePersonGrasp(const HandPlaces& places) {
     PersonDigit one;
     one.digit = digit.digit;
     one.p_O = digit.p_OContact;
+    one.p_OJoints = digit.p_OJoints;
     person.digits.push_back(one);
     open.push_back(digit.p_OOpen);
   }
   if (open.size() >= 2) SetOpening(open, person);
-  person.p_OWrist = places.p_OWrist;
+  person.p_OPalm = FindPalm(places);
   person.approach_O = places.approach_O;
   return person;
 }
@@ -184,6 +303,38 @@ std::shared_ptr<const GraspObject> LoadStudyObject(const Study& study, const std
   return LoadObject(own.string());
 }
 
+std::vector<Grasp> FindStandardGrasps(const Hand& hand) {
+  constexpr int kNumProposed = 400;
+  std::vector<Grasp> grasps = LoadStandardGrasps(hand);
+  if (!grasps.empty()) return grasps;
+  for (const char* id : {"g1", "g2"}) {
+    const GraspTaxon& taxon = FindGraspTaxon(id);
+    if (!CanDevelop(hand, taxon)) continue;
+    for (const ProposedGrasp& proposed :
+         ProposeGrasps(hand, taxon, kNumProposed, 1, false, RandomStream("transfer", taxon.id))) {
+      grasps.push_back(proposed.grasp);
+    }
+  }
+  return grasps;
+}
+
+std::filesystem::path CopyWithGrasps(const Hand& hand, const std::filesystem::path& folder) {
+  std::filesystem::path own = folder / hand.id;
+  GatherHand(hand.folder, own);
+  std::string section = "# By geometry alone, never tried.\ngrasps:\n";
+  for (const Grasp& grasp : FindStandardGrasps(hand)) {
+    std::string digits;
+    for (const std::string& id : grasp.digits) digits += (digits.empty() ? "" : ", ") + id;
+    section += "  " + grasp.id + ":\n    digits: [" + digits +
+               "]\n    tilt_deg: " + FormatFixed(DegFromRad(grasp.tilt), kGraspDecimals) +
+               "\n    pre_deg: " + FormatPosture(hand, grasp.q_pre, kGraspDecimals) +
+               "\n    target_deg: " + FormatPosture(hand, grasp.q_target, kGraspDecimals) + "\n";
+  }
+  const std::filesystem::path yaml = own / "hand.yaml";
+  WriteFileAtomically(yaml, ReplaceGrasps(ReadFile(yaml), section));
+  return own;
+}
+
 NewTransfer MakeNewTransfer(const NewTransferOptions& options, const fs::path& folder) {
   const Hand hand = LoadHand(options.hand);
   const StudyGrasps grasps = LoadStudyGrasps(options.study, options.data);
@@ -191,13 +342,17 @@ NewTransfer MakeNewTransfer(const NewTransferOptions& options, const fs::path& f
   const auto object = LoadStudyObject(grasps.study, chosen.object, folder);
   TransferredGrasp found;
   if (chosen.places) {
-    found = TransferGrasp(hand, LoadStandardGrasps(hand), MakePersonGrasp(*chosen.places), *object);
+    found = TransferGrasp(hand, FindStandardGrasps(hand), MakePersonGrasp(*chosen.places), *object);
   } else {
     found.not_transferable = chosen.places.reason();
   }
   NewTransfer made;
   made.object = chosen.object;
   made.summary = DescribePads(found);
+  for (const StudyDoubt& doubt : grasps.doubts) {
+    if (doubt.object.empty() || doubt.object == chosen.object)
+      made.summary += "doubt    " + doubt.text + "\n";
+  }
   if (!found.not_transferable.empty()) {
     made.summary += "not transferable to " + hand.id + ": " + found.not_transferable + "\n";
     return made;

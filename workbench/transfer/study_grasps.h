@@ -22,13 +22,24 @@ struct StudyGrasp {
   Answer<HandPlaces> places;
 };
 
-struct StudyGrasps {
-  Study study;
-  std::vector<StudyGrasp> trials;  ///< the kept ones, in the study's order
-  int num_removed = 0;
+/** Markers this much farther from an object's surface than from that of the others, the median of
+persons, are doubted [m]. */
+inline constexpr double kHeightDoubt = 0.005;
+/** Why the size or the place of an object is doubted, or the side of the hands. */
+struct StudyDoubt {
+  std::string object;  ///< empty: all
+  std::string text;
 };
 
-/** Runs the study's trials (human_study/study/run/run_study.h).
+struct StudyGrasps {
+  Study study;
+  std::vector<StudyGrasp> trials;   ///< the kept ones, in the study's order
+  std::vector<StudyGrasp> removed;  ///< with the reason instead of places
+  std::vector<StudyDoubt> doubts;
+};
+
+/** Runs the study's trials (human_study/study/run/run_study.h). Where trials.csv states the hand, a
+trial whose thumb, fingers and palm are those of the other one has no places.
 @param data  folder of the recordings; empty: that of study.yaml.
 @throws as LoadStudy and RunTrials; Error(kUsage) when no trial is kept. */
 StudyGrasps LoadStudyGrasps(const std::string& study_file, const std::string& data);
@@ -51,6 +62,16 @@ std::shared_ptr<const GraspObject> LoadStudyObject(const Study& study, const std
                                                    const std::filesystem::path& folder);
 /** It is of the catalogue, and no folder is written. */
 bool IsOfCatalogue(const Study& study, const std::string& id);
+
+/** Grasps that a transferred one goes towards and stands beside: the hand's standard ones; of a hand
+without any, as after `graspbench hand import`, the best of postures proposed by geometry alone
+(core/develop/propose_grasps.h), one for all fingers and one for two, never tried. Empty for a hand
+of one digit. @throws as LoadStandardGrasps. */
+std::vector<Grasp> FindStandardGrasps(const Hand& hand);
+
+/** The folder of a hand without standard grasps copied to folder/<id>, with FindStandardGrasps in
+its hand.yaml. @throws Error(kIo). */
+std::filesystem::path CopyWithGrasps(const Hand& hand, const std::filesystem::path& folder);
 
 /** `graspbench new grasp --from`. */
 struct NewTransferOptions {

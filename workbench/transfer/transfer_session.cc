@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr char kMadeObjects[] = "made";  // in the staged folder, until they are copied
+constexpr char kMadeObjects[] = "made";      // in the staged folder, until they are copied
+constexpr char kMadeHands[] = "made_hands";  // the same
 
 struct MadeTransfers {
   TransferFile file;
@@ -25,6 +26,16 @@ struct MadeTransfers {
   /** Name in the configuration and content. */
   std::vector<std::pair<std::string, std::string>> grasps;
 };
+
+/** Joints and tip, one after the other. */
+Eigen::VectorXd MakeChain(std::vector<Eigen::Vector3d> p_OJoints, const Eigen::Vector3d& p_OTip) {
+  p_OJoints.push_back(p_OTip);
+  Eigen::VectorXd chain(3 * p_OJoints.size());
+  for (size_t k = 0; k < p_OJoints.size(); ++k) {
+    chain.segment<3>(3 * static_cast<Eigen::Index>(k)) = p_OJoints[k];
+  }
+  return chain;
+}
 
 TransferRow DescribeTransfer(const Hand& hand, const StudyGrasp& grasp,
                              const TransferredGrasp& found) {
@@ -38,6 +49,12 @@ TransferRow DescribeTransfer(const Hand& hand, const StudyGrasp& grasp,
     row.pads.push_back({pad.digit, pad.person, pad.distance, pad.angle, pad.is_reached()});
   }
   row.undetermined = found.undetermined;
+  if (found.not_transferable.empty()) row.type = NameOf(found.grasp.type);
+  if (!grasp.places) return row;
+  for (const DigitPlaces& digit : grasp.places->digits) {
+    row.person.push_back({digit.digit, digit.lag, MakeChain(digit.p_OOpenJoints, digit.p_OOpen),
+                          MakeChain(digit.p_OJoints, digit.p_OContact)});
+  }
   return row;
 }
 
@@ -48,6 +65,7 @@ MadeTransfers MakeTransfers(const TransferRequest& request, const fs::path& fold
       request.takes_every_trial ? study.trials : CalcMediansByPerson(study.trials);
   MadeTransfers made;
   made.file.study = study.study.config.name;
+  for (const StudyDoubt& doubt : study.doubts) made.file.doubts.push_back(doubt.text);
   std::map<std::string, std::shared_ptr<const GraspObject>> objects;
   for (const StudyGrasp& grasp : grasps) {
     std::shared_ptr<const GraspObject>& object = objects[grasp.object];
@@ -57,7 +75,7 @@ MadeTransfers MakeTransfers(const TransferRequest& request, const fs::path& fold
   }
   for (const std::string& name : request.config.hands) {
     const Hand hand = LoadHand(name);
-    const std::vector<Grasp> standard = LoadStandardGrasps(hand);
+    const std::vector<Grasp> standard = FindStandardGrasps(hand);
     for (const StudyGrasp& grasp : grasps) {
       TransferredGrasp found;
       if (grasp.places) {
@@ -91,9 +109,15 @@ SessionConfig StageTransfers(const TransferRequest& request, const fs::path& fol
   for (std::string& object : copied.objects) {
     if (fs::exists(made_objects / object)) object = (made_objects / object).string();
   }
+  for (std::string& name : copied.hands) {
+    const Hand hand = LoadHand(name);
+    if (!LoadStandardGrasps(hand).empty()) continue;
+    name = CopyWithGrasps(hand, folder / kMadeHands).string();
+  }
   RehearseGrasps(copied, request.num_workers);
   CopyInputs(copied, folder);
   fs::remove_all(made_objects);
+  fs::remove_all(folder / kMadeHands);
   const fs::path grasps = folder / "inputs" / "grasps";
   MakeFolder(grasps);
   for (const auto& [name, text] : made.grasps) {

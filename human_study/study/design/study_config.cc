@@ -61,6 +61,15 @@ void CheckMarkers(const StudyConfig& config, ConfigChecker& check) {
       const auto [role, is_new] = roles.insert({label, key});
       if (!is_new) check.Fail(key, "\"" + label + "\" is already " + role->second);
     }
+    const std::vector<std::string>& joints = config.markers.joints[digit];
+    const std::string of_joints = std::string("markers.joints.") + NameOfDigit(digit);
+    if (joints.size() == 1) {
+      check.Fail(of_joints,
+                 "expected two joints or more, from the palm to the last before the tip");
+    }
+    if (!joints.empty() && config.markers.tips[digit].empty()) {
+      check.Fail(of_joints, "the digit has no tip; name its label as " + key);
+    }
   }
   if (num_tips < 2 || config.markers.tips.thumb.empty()) {
     check.Fail("markers",
@@ -209,6 +218,7 @@ MarkerConfig MarkersOfHand(const MarkerConfig& markers, const std::string& hand)
   replace_all("", own.object);
   own.companions.Visit(
       [&](const char*, std::string& label, const KeyInfo& = {}) { replace(label); });
+  own.joints.Visit(replace_all);
   return own;
 }
 

@@ -88,6 +88,9 @@ struct MarkerConfig {
   std::vector<std::string> object;          ///< all that the recording has; empty: not recorded
   /** Second markers on the digits: gaps of a tip are filled along its companion. */
   PerDigit<std::string> companions;
+  /** Landmarks of the digits' joints, from the palm to the last: no event depends on them; they say
+  how a digit lies on the object (workbench/transfer). */
+  PerDigit<std::vector<std::string>> joints;
 
   template <class V>
   void Visit(V&& v) {
@@ -103,6 +106,10 @@ struct MarkerConfig {
       {"labels of the object's markers: all that a recording has", "not recorded"});
     v("companions", companions,
       {"second marker on the thumb: longer gaps of its tip are filled along it", "none"});
+    v("joints", joints,
+      {"landmarks of the thumb's joints, from the palm to the last before the tip; for grasps on "
+       "robot hands (graspbench transfer)",
+       "none"});
   }
 };
 

@@ -36,15 +36,40 @@ std::optional<Vector3d> FindPlace(const Trajectory& path, double begin, double e
   return CalcMedianPlace(places);
 }
 
-/** The wrist at that instant, in O. */
-std::optional<Vector3d> FindWrist(const ReachTrial& reach, double time) {
-  if (reach.wrist.size() != reach.times.size()) return std::nullopt;
+/** A landmark of the reach from that instant on, in O, behind no filter. */
+std::optional<Vector3d> FindLandmark(const ReachTrial& reach, const Trajectory& path, double time) {
+  if (path.size() != reach.times.size()) return std::nullopt;
   const SampleRun run = FindSamples(reach.times, time, time + kContactSpan);
+  std::vector<Vector3d> places;
   for (size_t i = run.first; i < run.last; ++i) {
-    if (!reach.wrist.IsValid(i) || reach.object.states[i] == SampleState::kInvalid) continue;
-    return Vector3d(reach.object.X_LO[i].inverse() * Vector3d(reach.wrist.At(i)));
+    if (!path.IsValid(i) || reach.object.states[i] == SampleState::kInvalid) continue;
+    places.emplace_back(reach.object.X_LO[i].inverse() * Vector3d(path.At(i)));
   }
-  return std::nullopt;
+  if (places.empty()) return std::nullopt;
+  return CalcMedianPlace(places);
+}
+
+/** Of all joints of a digit; none where one is hidden. */
+std::vector<Vector3d> FindJoints(const ReachTrial& reach, const DigitTrack& digit, double time) {
+  std::vector<Vector3d> places;
+  for (const Trajectory& joint : digit.joints) {
+    const std::optional<Vector3d> place = FindLandmark(reach, joint, time);
+    if (!place) return {};
+    places.push_back(*place);
+  }
+  return places;
+}
+
+/** Of the places that trials have, where half of the trials or more have one. */
+template <class ListPlace>
+std::optional<Vector3d> CalcMedianOf(const std::vector<HandPlaces>& trials,
+                                     const ListPlace& list_place) {
+  std::vector<Vector3d> places;
+  for (const HandPlaces& trial : trials) {
+    if (const std::optional<Vector3d> place = list_place(trial)) places.push_back(*place);
+  }
+  if (places.empty() || 2 * places.size() < trials.size()) return std::nullopt;
+  return CalcMedianPlace(places);
 }
 
 }  // namespace
@@ -76,37 +101,57 @@ Answer<HandPlaces> FindHandPlaces(const TrialAnalysis& analysis, const ReachTria
       return NoAnswer{reach.digits[d].digit + " is hidden at " +
                       (met ? "the widest opening" : "contact")};
     }
-    places.digits.push_back({reach.digits[d].digit, *met, *widest});
+    places.digits.push_back({reach.digits[d].digit, *met, *widest,
+                             FindJoints(reach, reach.digits[d], last),
+                             FindJoints(reach, reach.digits[d], open - half), contact.time});
     way += *met - *widest;
   }
   way /= std::max<double>(1.0, static_cast<double>(places.digits.size()));
   if (way.norm() >= kLeastWay) places.approach_O = way.normalized();
-  places.p_OWrist = FindWrist(reach, last);
+  double first = last;
+  for (const DigitPlaces& digit : places.digits) first = std::min(first, digit.lag);
+  for (DigitPlaces& digit : places.digits) digit.lag -= first;
+  places.p_OWrist = FindLandmark(reach, reach.wrist, last);
   return places;
 }
 
 HandPlaces CalcMedianPlaces(const std::vector<HandPlaces>& trials) {
   GRASPBENCH_DEMAND(!trials.empty(), "no trial");
   HandPlaces median;
-  std::vector<DigitPlaces> all;
-  std::vector<Vector3d> wrists, approaches;
-  for (const HandPlaces& trial : trials) {
-    all.insert(all.end(), trial.digits.begin(), trial.digits.end());
-    if (trial.p_OWrist) wrists.push_back(*trial.p_OWrist);
-    approaches.push_back(trial.approach_O);
-  }
-  for (const char* digit : {"TH", "FF", "MF", "RF", "LF"}) {
-    std::vector<Vector3d> met, open;
-    for (const DigitPlaces& place : all) {
-      if (place.digit != digit) continue;
-      met.push_back(place.p_OContact);
-      open.push_back(place.p_OOpen);
+  for (const char* name : {"TH", "FF", "MF", "RF", "LF"}) {
+    std::vector<HandPlaces> own;  // with that digit alone
+    std::vector<double> lags;
+    for (const HandPlaces& trial : trials) {
+      for (const DigitPlaces& digit : trial.digits) {
+        if (digit.digit != name) continue;
+        own.emplace_back().digits = {digit};
+        if (std::isfinite(digit.lag)) lags.push_back(digit.lag);
+      }
     }
-    if (2 * met.size() < trials.size()) continue;
-    median.digits.push_back({digit, CalcMedianPlace(met), CalcMedianPlace(open)});
+    if (own.empty() || 2 * own.size() < trials.size()) continue;
+    const auto calc_chain = [&](std::vector<Vector3d> DigitPlaces::*joints) {
+      std::vector<Vector3d> chain;
+      for (size_t j = 0;; ++j) {
+        const std::optional<Vector3d> place = CalcMedianOf(own, [&](const HandPlaces& trial) {
+          const std::vector<Vector3d>& all = trial.digits.front().*joints;
+          return j < all.size() ? std::optional(all[j]) : std::nullopt;
+        });
+        if (!place) return chain;
+        chain.push_back(*place);
+      }
+    };
+    const auto calc_place = [&](Vector3d DigitPlaces::*place) {
+      return *CalcMedianOf(own, [&](const HandPlaces& trial) {
+        return std::optional<Vector3d>(trial.digits.front().*place);
+      });
+    };
+    median.digits.push_back({name, calc_place(&DigitPlaces::p_OContact),
+                             calc_place(&DigitPlaces::p_OOpen), calc_chain(&DigitPlaces::p_OJoints),
+                             calc_chain(&DigitPlaces::p_OOpenJoints), CalcMedian(lags)});
   }
-  if (2 * wrists.size() >= trials.size()) median.p_OWrist = CalcMedianPlace(wrists);
-  const Vector3d approach = CalcMedianPlace(approaches);
+  median.p_OWrist = CalcMedianOf(trials, [](const HandPlaces& trial) { return trial.p_OWrist; });
+  const Vector3d approach = *CalcMedianOf(
+      trials, [](const HandPlaces& trial) { return std::optional<Vector3d>(trial.approach_O); });
   if (approach.norm() > 0.5) median.approach_O = approach.normalized();
   return median;
 }

@@ -18,6 +18,10 @@ struct DigitPlaces {
   std::string digit;  ///< "TH", "FF", ..
   Eigen::Vector3d p_OContact = Eigen::Vector3d::Zero();
   Eigen::Vector3d p_OOpen = Eigen::Vector3d::Zero();
+  /** Landmarks of its joints at contact, from the palm to the last; empty: not recorded. */
+  std::vector<Eigen::Vector3d> p_OJoints = {};
+  std::vector<Eigen::Vector3d> p_OOpenJoints = {};  ///< the same at the widest opening
+  double lag = 0.0;  ///< of its contact after the first [s]; NaN: unresolved
 };
 
 struct HandPlaces {
@@ -28,8 +32,9 @@ struct HandPlaces {
   Eigen::Vector3d approach_O = Eigen::Vector3d::Zero();
 };
 
-/** Behind the study's filters of contacts. A place at contact is the median over 50 ms from the last
-contact on, at the widest opening that of the instant.
+/** Behind the study's filters of contacts, but for wrist and joints, which are not filtered. A place
+at contact is the median over 50 ms from the last contact on, at the widest opening that of the
+instant.
 @param options  those of the analysis; cut-offs that are not stated are fitted to the trial's rate.
 The reason where there is none: the object was not recorded, or an instant is missing. */
 Answer<HandPlaces> FindHandPlaces(const TrialAnalysis& analysis, const ReachTrial& reach,

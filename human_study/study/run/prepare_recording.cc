@@ -251,6 +251,11 @@ PreparedRecording PrepareRecording(const Recording& recording, const StudyConfig
                       config.cleaning.max_companion_gap);
       }
     }
+    for (const std::string& joint : config.markers.joints[digit]) {
+      const std::string role = std::string("joint of the ") + NameOfDigit(digit);
+      if (find(-1, role.c_str(), {joint}) == nullptr) continue;
+      track.joints.push_back(cleaner.Clean(joint, prepared));
+    }
     track.pad_offset = config.pad_offsets[digit];
     track.force = FindForce(recording, config.forces[digit]);
     prepared.digits.push_back(track);
@@ -336,6 +341,7 @@ ReachTrial MakeReachTrial(const PreparedRecording& recording, const Reach& part,
   for (const DigitTrack& digit : recording.digits) {
     DigitTrack track = digit;
     track.tip = Slice(digit.tip, run);
+    for (Trajectory& joint : track.joints) joint = Slice(joint, run);
     track.force = Slice(digit.force, part);
     trial.digits.push_back(track);
   }

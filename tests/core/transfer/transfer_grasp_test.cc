@@ -60,7 +60,7 @@ Planted PlantGrasp(double noise) {
     digit.opening_O = -0.012 * digit.nhat_O;
     planted.person.digits.push_back(digit);
   }
-  planted.person.p_OWrist = planted.X_OH * Vector3d(0.0, 0.0, 0.0);
+  planted.person.p_OPalm = planted.X_OH * Vector3d(0.0, 0.0, 0.0);
   planted.person.approach_O = -Vector3d::UnitZ();
   return planted;
 }
@@ -103,13 +103,86 @@ TEST(TransferGrasp, FindsThePlanarDigitsThatWerePlanted) {
   }
 }
 
+/** The joints of such a finger, from the base to the last, then its tip, 20 mm from that. */
+std::vector<Vector3d> CalcPlanarChain(const Vector3d& p_HBase, double side, double q2, double q3) {
+  const auto along = [side](double angle) {
+    return Vector3d(side * std::sin(angle), 0.0, std::cos(angle));
+  };
+  std::vector<Vector3d> chain = {p_HBase, p_HBase + 0.051 * along(q2)};
+  chain.push_back(chain.back() + 0.030 * along(q2 + q3));
+  chain.push_back(chain.back() + 0.020 * along(q2 + 2.0 * q3));
+  return chain;
+}
+
+/** The same grasp, known by the landmarks of joints and tips alone. */
+PersonGrasp PlantLandmarks(const Planted& planted, double noise) {
+  const std::vector<Vector3d> chains[] = {
+      CalcPlanarChain({0.04, 0.0, 0.0}, -1.0, kThumbQ2, kThumbQ3),
+      CalcPlanarChain({-0.04, -0.02, 0.0}, 1.0, kFingerQ2, kFingerQ3),
+      CalcPlanarChain({-0.04, 0.02, 0.0}, 1.0, kFingerQ2, kFingerQ3)};
+  PersonGrasp person = planted.person;
+  for (size_t d = 0; d < 3; ++d) {
+    PersonDigit& digit = person.digits[d];
+    digit.nhat_O.setZero();
+    for (size_t k = 0; k < chains[d].size(); ++k) {
+      const double sign = (d + k) % 2 == 0 ? 1.0 : -1.0;
+      const Vector3d place = planted.X_OH * chains[d][k] + sign * noise * Vector3d(0.5, -0.6, 0.6);
+      if (k + 1 < chains[d].size()) {
+        digit.p_OJoints.push_back(place);
+      } else {
+        digit.p_O = place;
+      }
+    }
+  }
+  return person;
+}
+
+// The pad of that finger is 8 mm before its tip, two fifths of 20 mm, and faces in the plane of its
+// bends; with bends of 4 deg, noise of 0.1 mm turns that plane, and the surface decides.
+TEST(TransferGrasp, LandmarksSayHowADigitLies) {
+  const Planted planted = PlantGrasp(0.0);
+  const PersonGrasp used = UseLandmarks(PlantLandmarks(planted, 0.0), planted.box);
+  for (size_t d = 0; d < 3; ++d) {
+    const PersonDigit &found = used.digits[d], &truth = planted.person.digits[d];
+    EXPECT_NEAR((found.p_O - truth.p_O).dot(truth.nhat_O), -0.007, 1e-9) << d;  // the bone
+    EXPECT_LT((found.p_O - truth.p_O).cross(truth.nhat_O).norm(), 1e-9) << d;
+    EXPECT_LT((found.nhat_O - truth.nhat_O).norm(), 1e-6) << d;
+    EXPECT_NEAR(found.axis_O.dot(truth.nhat_O), 0.0, 1e-9) << d;
+  }
+  PersonGrasp straight = PlantLandmarks(planted, 0.0);
+  for (PersonDigit& digit : straight.digits) {
+    for (size_t k = 0; k < 3; ++k) {  // on the last phalanx's line
+      digit.p_OJoints[k] = digit.p_O - 0.03 * (3.0 - k) * used.digits[0].axis_O;
+    }
+  }
+  for (const PersonDigit& digit : UseLandmarks(straight, planted.box).digits) {
+    const bool is_thumb = digit.digit == "TH";
+    EXPECT_GT(digit.nhat_O.x() * (is_thumb ? -1.0 : 1.0), 0.95) << digit.digit;
+  }
+}
+
+TEST(TransferGrasp, FindsPlantedDigitsByLandmarks) {
+  const Hand hand = LoadHand("tum");
+  const Planted planted = PlantGrasp(0.0);
+  const TransferredGrasp found =
+      TransferGrasp(hand, LoadStandardGrasps(hand), PlantLandmarks(planted, 0.0005), planted.box);
+  ASSERT_EQ(found.not_transferable, "");
+  const Eigen::VectorXd truth = PlantedJoints(hand);
+  std::vector<double> errors;
+  for (Eigen::Index j = 0; j < truth.size(); ++j) {
+    errors.push_back(DegFromRad(std::abs(found.q_contact[j] - truth[j])));
+  }
+  std::sort(errors.begin(), errors.end());
+  EXPECT_LT(errors[errors.size() / 2], 3.0);
+}
+
 // What starts inside the object or the table is no physics: hands come clear of both.
 TEST(TransferGrasp, StartsClearOfTheObjectAndTheTable) {
   const Planted planted = PlantGrasp(0.0);
   for (const char* id : {"tum", "shadow"}) {
     const Hand hand = LoadHand(id);
     PersonGrasp person = planted.person;
-    person.p_OWrist.reset();  // so that it may be of either side
+    person.p_OPalm.reset();  // so that it may be of either side
     const TransferredGrasp found =
         TransferGrasp(hand, LoadStandardGrasps(hand), person, planted.box);
     ASSERT_EQ(found.not_transferable, "") << id;
@@ -130,7 +203,7 @@ TEST(TransferGrasp, StartsClearOfTheObjectAndTheTable) {
 TEST(TransferGrasp, NamesTheJointsThatPlacesAloneLeaveOpen) {
   const Hand hand = LoadHand("shadow");
   PersonGrasp person = PlantGrasp(0.0).person;
-  person.p_OWrist.reset();
+  person.p_OPalm.reset();
   for (PersonDigit& digit : person.digits) digit.nhat_O.setZero();
   const TransferredGrasp found =
       TransferGrasp(hand, LoadStandardGrasps(hand), person, PlantGrasp(0.0).box);
@@ -211,6 +284,16 @@ TEST(TransferGrasp, WrongRecordingsAreNamed) {
                   "both are of this trial"));
   EXPECT_TRUE(
       has(find([](PersonGrasp& p) { std::swap(p.digits[0].p_O, p.digits[1].p_O); }), "exchanged"));
+  EXPECT_TRUE(has(find([&](PersonGrasp& p) {
+                    p = PlantLandmarks(planted, 0.0);
+                    std::swap(p.digits[0].p_OJoints, p.digits[1].p_OJoints);
+                  }),
+                  "of this digit"));
+  EXPECT_TRUE(has(find([&](PersonGrasp& p) {
+                    p = PlantLandmarks(planted, 0.0);
+                    p.digits[2].p_OJoints.push_back(p.digits[2].p_O);
+                  }),
+                  "the last joint of MF is 0 mm from its tip"));
 }
 
 // Mirrored at a plane a right hand is a left one; a hand of five digits is not taken for it.
@@ -225,7 +308,7 @@ TEST(TransferGrasp, AMirroredHandIsRefused) {
                             Vector3d::Zero(), Vector3d::Zero()});
   }
   // From above, fingers to the right, thumb to the left: the index of a right hand is ahead.
-  right.p_OWrist = Vector3d(0.0, 0.0, 0.15);
+  right.p_OPalm = Vector3d(0.0, 0.0, 0.15);
   PersonGrasp left = right;
   for (PersonDigit& digit : left.digits) digit.p_O.y() *= -1.0;
   EXPECT_EQ(FindHandedness(right), -1);

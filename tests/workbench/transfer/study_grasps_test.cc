@@ -33,7 +33,7 @@ class StudyGraspsTest : public testing::Test {
 
 TEST_F(StudyGraspsTest, TakesTheKeptTrialsAndTheirMedians) {
   const StudyGrasps grasps = LoadStudyGrasps(study(), "");
-  ASSERT_EQ(grasps.trials.size() + static_cast<size_t>(grasps.num_removed), 4u);
+  ASSERT_EQ(grasps.trials.size() + grasps.removed.size(), 4u);
   ASSERT_GE(grasps.trials.size(), 3u);
   const std::vector<StudyGrasp> medians = CalcMediansByPerson(grasps.trials);
   EXPECT_EQ(medians.size(), grasps.trials.size());  // one trial each
@@ -62,6 +62,40 @@ TEST_F(StudyGraspsTest, WritesAGraspFileThatReadsBack) {
   const GraspFile read = ParseGraspFile(made.file, "grasp.yaml", {&hand});
   EXPECT_EQ(read.grasp.object, "cylinder_60mm");
   ASSERT_TRUE(read.grasp.placement);
+}
+
+// Wrong by 15 mm in diameter the surface is 7.5 mm away from where it is on the other object.
+TEST_F(StudyGraspsTest, AnObjectOfAWrongSizeIsDoubted) {
+  EXPECT_TRUE(LoadStudyGrasps(study(), "").doubts.empty());
+  std::string table = ReadFile(folder_ / "objects.csv");
+  const std::string size = "cylinder,0.06,";
+  ASSERT_NE(table.find(size), std::string::npos) << table;
+  table.replace(table.find(size), size.size(), "cylinder,0.045,");
+  WriteFile(folder_ / "objects.csv", table);
+  const std::vector<StudyDoubt> doubts = LoadStudyGrasps(study(), "").doubts;
+  ASSERT_EQ(doubts.size(), 2u);  // of two objects either may be the wrong one
+  EXPECT_EQ(doubts[1].object, "cylinder_60mm");
+  EXPECT_NE(doubts[1].text.find("mm too small"), std::string::npos) << doubts[1].text;
+  EXPECT_NE(doubts[1].text.find(" 7."), std::string::npos) << doubts[1].text;
+}
+
+// The synthetic people are right-handed.
+TEST_F(StudyGraspsTest, AHandOfTheOtherSideIsNamed) {
+  const std::string table = ReadFile(folder_ / "trials.csv");
+  const auto state = [&](const std::string& hand) {
+    std::string stated;
+    for (size_t at = 0, end; at < table.size(); at = end + 1) {
+      end = table.find('\n', at);
+      stated += table.substr(at, end - at) + "," + (at == 0 ? "hand" : hand) + "\n";
+    }
+    WriteFile(folder_ / "trials.csv", stated);
+    return LoadStudyGrasps(study(), "").trials.front().places;
+  };
+  EXPECT_TRUE(state("right"));
+  const Answer<HandPlaces> places = state("Left");
+  ASSERT_FALSE(places);
+  EXPECT_NE(places.reason().find("states the left hand"), std::string::npos) << places.reason();
+  EXPECT_NE(places.reason().find("is a right one"), std::string::npos) << places.reason();
 }
 
 TEST_F(StudyGraspsTest, UnknownTrialsAndObjectsAreNamed) {

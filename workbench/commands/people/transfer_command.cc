@@ -22,7 +22,7 @@ struct TransferOptions {
 std::vector<TransferSummary> TakeHands(const std::vector<TransferSummary>& summaries) {
   std::vector<TransferSummary> hands;
   for (const TransferSummary& summary : summaries) {
-    if (summary.object.empty()) hands.push_back(summary);
+    if (summary.object.empty() && summary.type.empty()) hands.push_back(summary);
   }
   return hands;
 }
@@ -30,6 +30,7 @@ std::vector<TransferSummary> TakeHands(const std::vector<TransferSummary>& summa
 std::string FormatTransferReasons(const TransferFile& file,
                                   const std::vector<TransferSummary>& hands) {
   std::string text;
+  for (const std::string& doubt : file.doubts) text += "doubt    " + doubt + "\n";
   for (const TransferSummary& hand : hands) {
     for (const auto& [reason, count] : CountTransferReasons(file, hand.hand)) {
       text += "not transferable to " + hand.hand + ", " + FormatCount(count, "grasp") + ": " +

@@ -183,6 +183,19 @@ TEST_F(StudyFolder, GroupsSessionsAndHandsArrive) {
   ExpectHolds(Load().warnings.Format(), "name it under groups");
 }
 
+TEST_F(StudyFolder, JointsOfADigitAreTwoOrMoreBesideItsTip) {
+  Write("study.yaml",
+        "markers:\n  thumb: t\n  index: \"{hand}_i\"\n  joints: {index: [\"{hand}_k\", d]}\n");
+  Write("trials.csv", "participant,file,hand\n01,a.c3d,left\n");
+  const Study study = Load();
+  EXPECT_EQ(study.config.markers.joints.index, (Names{"{hand}_k", "d"}));
+  EXPECT_EQ(MarkersOfHand(study.config.markers, "left").joints.index, (Names{"left_k", "d"}));
+  Write("study.yaml", "markers: {thumb: t, index: i, joints: {index: [k], ring: [k, m]}}\n");
+  const std::string text = FindFault();
+  ExpectHolds(text, "markers.joints.index: expected two joints or more");
+  ExpectHolds(text, "markers.joints.ring: the digit has no tip");
+}
+
 // The middle of markers on a solid's surface is not its centre.
 TEST_F(StudyFolder, AShapeWithoutItsCentreIsWarnedOf) {
   const auto count = [&] {

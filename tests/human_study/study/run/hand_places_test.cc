@@ -47,6 +47,32 @@ TEST(HandPlaces, AreWhereTheGeneratorPutTheMarkers) {
   EXPECT_EQ(median.digits[3].p_OContact, all[0].digits[3].p_OContact);
 }
 
+// Joints that keep their places beside the tip in the object's frame until it is lifted.
+TEST(HandPlaces, HaveTheJointsOfDigits) {
+  SyntheticOptions options;
+  options.num_people = 1;
+  options.trials_per_size = 1;
+  AnalysisOptions analysis;
+  analysis.contact.detector = "surface";
+  ReachTrial reach = MakeReachTrial(MakeSyntheticStudy(options).front());
+  const Vector3d beside[] = {{0.0, -0.08, 0.0}, {0.01, -0.04, 0.02}};
+  for (const Vector3d& p : beside) {
+    Trajectory joint = reach.digits[1].tip;
+    joint.p.colwise() += p;
+    reach.digits[1].joints.push_back(joint);
+  }
+  const Answer<HandPlaces> places = FindHandPlaces(AnalyseTrial(reach, analysis), reach, analysis);
+  ASSERT_TRUE(places) << places.reason();
+  EXPECT_TRUE(places->digits[0].p_OJoints.empty());
+  ASSERT_EQ(places->digits[1].p_OJoints.size(), 2u);
+  for (int k = 0; k < 2; ++k) {
+    const Vector3d found = places->digits[1].p_OJoints[k] - places->digits[1].p_OContact;
+    EXPECT_LT((found - beside[k]).norm(), 0.001) << k;
+  }
+  const HandPlaces median = CalcMedianPlaces({*places, *places, *places});
+  EXPECT_EQ(median.digits[1].p_OJoints, places->digits[1].p_OJoints);
+}
+
 TEST(HandPlaces, SayWhatIsMissing) {
   SyntheticOptions options;
   options.num_people = 1;
