@@ -44,10 +44,7 @@ ArmJacobian CalcHandJacobian(const MountedArm& arm, const std::vector<Pose>& X_B
 }  // namespace
 
 CarryingArm::CarryingArm(const MountedArm& arm, const VectorXd& q, const VectorXd& u)
-    : arm_(&arm),
-      q_command_(q),
-      u_command_(u),
-      acceleration_command_(VectorXd::Zero(q.size())) {
+    : arm_(&arm), q_command_(q), u_command_(u), acceleration_command_(VectorXd::Zero(q.size())) {
   Update(q);
   X_WH_command_ = X_WH_;
 }
@@ -90,9 +87,7 @@ Vector6d CarryingArm::CalcVelocityTerm(const VectorXd& u) const {
   return TurnToWorld(arm_->X_WB, CalcArmVelocityTerm(X_BL_, u));
 }
 
-Eigen::MatrixXd CarryingArm::CalcMass() const {
-  return CalcArmMass(*arm_->arm, ListLinkPoses());
-}
+Eigen::MatrixXd CarryingArm::CalcMass() const { return CalcArmMass(*arm_->arm, ListLinkPoses()); }
 
 VectorXd CarryingArm::CalcWeight(const Eigen::Vector3d& gravity_W) const {
   return CalcArmWeight(*arm_->arm, ListLinkPoses(), arm_->X_WB.linear().transpose() * gravity_W);
