@@ -31,15 +31,25 @@ namespace {
 
 /** One row a command; all that make results from files and end by themselves. */
 constexpr std::pair<const char*, StagePlace> kStageCommands[] = {
-    {"run", StagePlace::kOwn},           {"sweep", StagePlace::kOwn},
-    {"optimise", StagePlace::kOwn},      {"campaign", StagePlace::kOwn},
-    {"basin", StagePlace::kOwn},         {"map simultaneity", StagePlace::kOwn},
-    {"argument", StagePlace::kOwn},      {"entry", StagePlace::kOwn},
-    {"board", StagePlace::kOwn},         {"study run", StagePlace::kOwn},
-    {"study demo", StagePlace::kOwn},    {"judge", StagePlace::kCopy},        {"sensitivity", StagePlace::kCopy},
-    {"simultaneity", StagePlace::kCopy}, {"check-numerics", StagePlace::kCopy},
-    {"export", StagePlace::kCopy},       {"report", StagePlace::kCopy},
-    {"best", StagePlace::kText},         {"compare", StagePlace::kText},
+    {"run", StagePlace::kOwn},
+    {"sweep", StagePlace::kOwn},
+    {"optimise", StagePlace::kOwn},
+    {"campaign", StagePlace::kOwn},
+    {"basin", StagePlace::kOwn},
+    {"map simultaneity", StagePlace::kOwn},
+    {"argument", StagePlace::kOwn},
+    {"entry", StagePlace::kOwn},
+    {"board", StagePlace::kOwn},
+    {"study run", StagePlace::kOwn},
+    {"study demo", StagePlace::kOwn},
+    {"judge", StagePlace::kCopy},
+    {"sensitivity", StagePlace::kCopy},
+    {"simultaneity", StagePlace::kCopy},
+    {"check-numerics", StagePlace::kCopy},
+    {"export", StagePlace::kCopy},
+    {"report", StagePlace::kCopy},
+    {"best", StagePlace::kText},
+    {"compare", StagePlace::kText},
     {"quality", StagePlace::kText}};
 
 /** Where results go, how many processors work and whether to go on is the pipeline's; what a clock
