@@ -29,7 +29,7 @@ struct GraspInputs {
   std::shared_ptr<const Hand> hand;
   std::vector<bool> is_asked;      ///< by joint: see MakeProfiledHand
   std::vector<GraspInput> grasps;  ///< that can be judged
-  /** Files, grasps that the hand cannot do, and profiles that do not fit grasps, with the reason. */
+  /** Files, grasps that the hand cannot do, profiles that do not fit; with the reason. */
   std::vector<UnreadFile> unread;
   Json description;  ///< hashes of all of it, without names of places
 };

@@ -29,7 +29,7 @@ std::string FormatHand(const Hand& hand);
 std::string FormatContact(const std::vector<ContactFit>& fits);
 /** The links above 1 mm; empty: none is. @param surface  what contact is measured against. */
 std::string DescribeCoarseContact(const std::vector<ContactFit>& fits, const std::string& surface);
-/** The link whose surface capsules miss most; empty: they are near half of every link's at least. */
+/** The link whose surface capsules miss most; empty: they are near half of each at least. */
 std::string DescribeThinSelfContact(const std::vector<ContactFit>& fits);
 
 /** Things to grasp and checked meshes for a person and for a program. */

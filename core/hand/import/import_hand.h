@@ -27,8 +27,8 @@ struct ImportedFiles {
 };
 
 /** @param text  of the description; `source` says where it lies and reads its meshes.
-@param palm  name of the palm's link; empty: guessed. What a named palm leaves out need neither exist
-nor be understood. @param problems  also what was repaired; with
+@param palm  name of the palm's link; empty: guessed. What a named palm leaves out need neither
+exist nor be understood. @param problems  also what was repaired; with
 an error there are no files. The files load without error (core/hand/load_hand.h). */
 ImportedFiles ImportHand(const std::string& text, const HandSource& source, const std::string& palm,
                          Diagnostics& problems);

@@ -3,7 +3,8 @@
 What an imported hand has that the reader can read but no hand has: what the searches below find;
 jaws that run the same way; a joint that moves by less than a degree or half a millimetre or by more
 than 3.6 rad, or follows a joint of another digit behind one with a drive of its own; a longest
-digit longer than 250 mm, or shorter than 30 mm without published masses that fit, less than 10 g in all, less than 200 or more than 12,000 kg by cubic
+digit longer than 250 mm, or shorter than 30 mm without published masses that fit, less than
+10 g in all, less than 200 or more than 12,000 kg by cubic
 metre of its shapes, a palm of more than 50 times the mass of all digits. Reported, not changed: who
 made the description knows what was meant. */
 

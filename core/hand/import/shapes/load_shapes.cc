@@ -540,7 +540,8 @@ void ShapeLoader::Weigh(ForeignLink& link) {
   for (const ForeignShape& shape : link.weights) {
     const bool is_mesh = shape.kind == ForeignShape::Kind::kMesh;
     TriMesh mesh = is_mesh ? quiet.LoadMesh(shape, "", Severity::kWarning) : TriMesh();
-    if (!mesh.triangles.empty()) mesh = TurnOutwards(mesh, shape.mesh, shape.line, "link \"" + link.name + "\"");
+    if (!mesh.triangles.empty())
+      mesh = TurnOutwards(mesh, shape.mesh, shape.line, "link \"" + link.name + "\"");
     sum = AddMass(sum, CalcGeomMass(shape, mesh));
   }
   meshes_.swap(quiet.meshes_);

@@ -137,16 +137,12 @@ std::vector<Ball> PackBalls(const LinkSolid& solid, const std::vector<ContactSph
     ball.radius += kOut;
     candidates.push_back(ball);
   }
+  GreedyCover cover(solid, points, std::move(candidates), step);
+  for (const ContactSphere& ball : present) cover.Add({ball.p_LS, ball.radius});
   std::vector<Ball> taken;
-  for (double near = kNearSink; near < kFarSink; near *= 2.0) {
-    GreedyCover cover(solid, points, candidates, step);
-    for (const ContactSphere& ball : present) cover.Add({ball.p_LS, ball.radius});
-    taken.clear();
-    cover.Cover(near, kLeftOver, smallest, kMostNearBalls, taken);
-    cover.Cover(near, kLeftOver, 0.0, kMostNearBalls, taken);
-    cover.Cover(kFarSink, 0.0, 0.0, kMostBalls, taken);
-    if (taken.size() < kMostBalls) break;
-  }
+  cover.Cover(kNearSink, kLeftOver, smallest, kMostNearBalls, taken);
+  cover.Cover(kNearSink, kLeftOver, 0.0, kMostNearBalls, taken);
+  cover.Cover(kFarSink, 0.0, 0.0, kMostBalls, taken);
   return taken;
 }
 

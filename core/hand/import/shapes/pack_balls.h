@@ -10,8 +10,7 @@ outward normal n the largest ball that stays inside touches p,
 and counts with the radius rho + 0.35 mm; rho shrinks until no more than 0.5 mm sticks out at points
 some 2 mm apart. The one that stops a probe ball of 5 mm (CalcSink) within 0.65 mm of most of the
 points where none does so yet is taken, repeatedly (greedy set cover), until 98 of 100 points are
-covered, with 590 at most; then likewise within 3 mm, until all are. At most 600; where these do not
-do, as on a palm of 0.3 m, all over again within twice 0.65 mm, then four times.
+covered, with 590 at most; then likewise within 3 mm, until all are. At most 600.
 
 Capsules, for the hand against itself: inscribed, between centres of such balls; the one that is
 within 2 mm of most of the points is taken, repeatedly, at most 8. Where less than a third of the

@@ -45,13 +45,6 @@ TEST(PackBallsTest, APadHasNoBallBelow1Mm) {
   EXPECT_LE(Pack({0.016, 0.014, 0.042}, kSmallestPadBall).sink.at_95, 0.0015);
 }
 
-// 600 balls within 0.65 mm are not enough for a palm of 0.3 m; within 1.3 mm they are.
-TEST(PackBallsTest, ALargePalmIsCoveredCoarserEverywhere) {
-  const ContactFit fit = Pack({0.12, 0.3, 0.12});
-  EXPECT_LT(fit.num_balls, 600);
-  EXPECT_LE(fit.sink.most, 0.005);
-}
-
 // 27 x 27 cubes, each with a ball of its own at least.
 TEST(PackBallsTest, AtMost600GoIntoALink) {
   TriMesh cubes;
@@ -143,7 +136,7 @@ double CalcNearShare(const Vector3d& size, const std::vector<FittedCapsule>& cap
   return num_near / static_cast<double>(num_points);
 }
 
-// Capsules as thick as the plate: 8 are not enough, and none sticks out.
+// Eight are not enough. None sticks out of a face by more than balls may.
 TEST(InscribeCapsulesTest, APlateHasAsManyAsItNeeds) {
   for (const Vector3d& size : {Vector3d(0.08, 0.09, 0.0015), Vector3d(0.12, 0.12, 0.002)}) {
     const std::vector<FittedCapsule> capsules =
@@ -151,7 +144,10 @@ TEST(InscribeCapsulesTest, APlateHasAsManyAsItNeeds) {
     EXPECT_GT(capsules.size(), 8u);
     EXPECT_LE(capsules.size(), 48u);
     EXPECT_GT(CalcNearShare(size, capsules), 0.5) << size.transpose();
-    for (const FittedCapsule& capsule : capsules) EXPECT_LE(capsule.radius, 0.5 * size.z() + 1e-4);
+    for (const FittedCapsule& capsule : capsules) {
+      const double reach = std::max(std::abs(capsule.p_A.z()), std::abs(capsule.p_B.z()));
+      EXPECT_LE(reach + capsule.radius - 0.5 * size.z(), kFairContactError);
+    }
   }
   EXPECT_LE(InscribeCapsules(LinkSolid({MakeRoundedBox({0.08, 0.03, 0.09}, 0.0)})).size(), 8u);
 }
