@@ -12,7 +12,6 @@
 #include "core/grasp/placement.h"
 #include "core/render/hand_scene.h"
 #include "core/shape/primitives.h"
-#include "core/statistics/summary.h"
 #include "datasets/analysis/transfer_summary.h"
 #include "datasets/plan/grasp_choice.h"
 #include "objects/catalogue.h"
@@ -144,7 +143,7 @@ class TransferFilm {
   Renderer renderer_;
 };
 
-/** Medians with quartiles. */
+/** Medians with ranges. */
 Html DrawLags(const std::vector<TransferLags>& lags) {
   IntervalPlot plot;
   plot.text.title = "Contact times after the first contact";
@@ -163,19 +162,19 @@ Html DrawLags(const std::vector<TransferLags>& lags) {
     int series = 0;
     for (const auto& [name, values] : sides) {
       if (!values->empty()) {
-        std::vector<double> sorted = *values;
-        std::sort(sorted.begin(), sorted.end());
-        const auto at = [&](double share) { return MsFromS(CalcSortedQuantile(sorted, share)); };
-        plot.rows.push_back({digit.digit + ", " + name, at(0.5), at(0.25), at(0.75),
-                             FormatFixed(at(0.5), 0) + " ms"});
+        const Spread spread = CalcSpread(*values);
+        plot.rows.push_back({digit.digit + ", " + name, MsFromS(spread.median),
+                             MsFromS(spread.lowest), MsFromS(spread.highest),
+                             FormatFixed(MsFromS(spread.median), 0) + " ms"});
         plot.rows.back().series = series;
       }
       ++series;
     }
   }
-  return MakeFigure(plot.text.title + ": people, transferred and standard grasps.",
-                    "digits that touch much later than the person's.",
-                    MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
+  return MakeFigure(
+      plot.text.title + ": people, transferred and standard grasps, medians with ranges.",
+      "digits that touch much later than the person's.",
+      MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
 }
 
 /** Or how to have them. */

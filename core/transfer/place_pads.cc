@@ -23,9 +23,7 @@ using Eigen::VectorXd;
 constexpr double kDirection = 0.2;         // of unit vectors, measured
 constexpr double kSurfaceDirection = 0.7;  // taken from the surface
 constexpr double kAxis = 0.7;              // of the last phalanx, unit vectors
-constexpr double kCollision = 0.001;       // [m]
 constexpr double kPalmDirection = 0.5;     // of unit vectors
-constexpr double kToStandard = 2.0;        // ranges of a joint
 constexpr double kBeyondLimit = 0.05;      // ranges of a joint
 constexpr double kShift = 0.05;            // of the hand for a unit of its coordinate [m]
 constexpr double kSelfOverlap = 0.002;     // of links that matters [m]
@@ -105,7 +103,7 @@ struct PadPlacer::Functor {
       const double share = x[static_cast<Index>(k)];
       residuals[next++] = (share - std::clamp(share, 0.0, 1.0)) / kBeyondLimit;
       residuals[next++] =
-          (placed.q[joints[k]] - task.q_standard[joints[k]]) / Range(k) / kToStandard;
+          (placed.q[joints[k]] - task.q_standard[joints[k]]) / Range(k) / task.to_standard;
     }
     placer.AddResiduals(task, placed, is_tip, residuals, next);
     return 0;
@@ -167,10 +165,10 @@ void PadPlacer::AddResiduals(const PadTask& task, const PlacedPosture& placed,
   const Depths depths = CalcDepths(placed, X_HL);
   for (size_t link = 0; link < hand_.links.size(); ++link) {
     const double room = task.room > 0.0 ? task.room : is_tip[link] ? -kTipSink : kLinkRoom;
-    residuals[next++] = std::max(0.0, depths.object[link] + room) / kCollision;
-    residuals[next++] = std::max(0.0, depths.table[link] + 2.0 * kTableClearance) / kCollision;
+    residuals[next++] = std::max(0.0, depths.object[link] + room) / task.collision;
+    residuals[next++] = std::max(0.0, depths.table[link] + 2.0 * kTableClearance) / task.collision;
   }
-  residuals[next++] = std::max(0.0, depths.self + kSelfRoom) / kCollision;
+  residuals[next++] = std::max(0.0, depths.self + kSelfRoom) / task.collision;
   if (task.palm_O) {
     const Vector3d palm = (placed.X_OH * hand_.p_HCentre - middle).normalized();
     residuals.segment<3>(next) = (palm - *task.palm_O) / kPalmDirection;
@@ -250,7 +248,15 @@ PlacedPosture PadPlacer::PlaceAnywhere(const PadTask& task) const {
   }
   // Places come before directions.
   PadTask last = task;
-  last.pad_length = kLastLength * task.pad_length;
+  last.pad_length *= kLastLength;
+  last.collision *= kLastLength;
+  const bool are_measured =
+      std::all_of(task.goals.begin(), task.goals.end(),
+                  [](const PadGoal& goal) { return !goal.axis_O.isZero(0.0); });
+  if (are_measured) {  // then digits say where the palm is, and little is left to the standard grasp
+    last.palm_O.reset();
+    last.to_standard *= 10.0;
+  }
   return Place(last, Place(task, best, kLastCalls, least), kLastCalls, least);
 }
 

@@ -22,6 +22,8 @@ struct PadTask {
   std::vector<PadGoal> goals;
   /** All joints; those that are of no digit stay so. */
   Eigen::VectorXd q_standard;
+  double to_standard = 2.0;   ///< by which a joint may differ from it, of its range
+  double collision = 0.001;   ///< depth of a link that matters [m]
   bool moves_hand = true;     ///< else joints alone
   double pad_length = 0.001;  ///< by which a pad may miss before it matters [m]
   /** Of all links beside the object [m]; 0: fingertips with goals may sink in by kTipSink. */

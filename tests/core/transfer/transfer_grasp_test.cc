@@ -144,8 +144,7 @@ TEST(TransferGrasp, LandmarksSayHowADigitLies) {
   const PersonGrasp used = UseLandmarks(PlantLandmarks(planted, 0.0), planted.box);
   for (size_t d = 0; d < 3; ++d) {
     const PersonDigit &found = used.digits[d], &truth = planted.person.digits[d];
-    EXPECT_NEAR((found.p_O - truth.p_O).dot(truth.nhat_O), -0.007, 1e-9) << d;  // the bone
-    EXPECT_LT((found.p_O - truth.p_O).cross(truth.nhat_O).norm(), 1e-9) << d;
+    EXPECT_LT((found.p_O - truth.p_O).norm(), 1e-4) << d;  // along that direction on the surface
     EXPECT_LT((found.nhat_O - truth.nhat_O).norm(), 1e-6) << d;
     EXPECT_NEAR(found.axis_O.dot(truth.nhat_O), 0.0, 1e-9) << d;
   }
