@@ -325,9 +325,10 @@ TEST_F(Surroundings, AJudgeBesideARunSaysWhatFinishedMeanwhile) {
   ::kill(judge, SIGCONT);
   EXPECT_EQ(WaitFor(judge), 0);
   const std::string said = ReadFile(top_ / "judge_log");
-  EXPECT_NE(said.find("of trials that finished in the meantime: not judged yet; to judge: graspbench "
-                      "judge s"),
-            std::string::npos)
+  EXPECT_NE(
+      said.find("of trials that finished in the meantime: not judged yet; to judge: graspbench "
+                "judge s"),
+      std::string::npos)
       << said;
   EXPECT_EQ(said.find("had not ended after"), std::string::npos) << said;
   EXPECT_EQ(Run({"judge", "s", "--jobs", "1"}), 0) << Log();

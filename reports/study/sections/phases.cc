@@ -1,57 +1,20 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "core/base/text/text.h"
 #include "core/grasp/strategy.h"
-#include "core/statistics/summary.h"
+#include "human_study/study/inference/phase_course.h"
 #include "reports/plots/line_plot.h"
 #include "reports/study/study_format.h"
 
 namespace graspbench {
 namespace {
 
-/** Instants of a reach that begin or end a phase. */
-enum Instant { kOnset, kPeak, kSlow, kEnd, kTouched, kLift, kNumInstants };
-
-/** Since the onset, as shares of the time to the lift-off: medians over trials. */
-struct PhaseCourse {
-  std::array<double, kNumInstants> at{};       ///< by Instant; NaN: no trial has it
-  std::array<int, kNumInstants> num_trials{};  ///< that have it, with onset and lift-off
-};
-
-PhaseCourse SummariseCourses(const std::vector<std::array<double, kNumInstants>>& courses) {
-  PhaseCourse summary;
-  for (size_t i = 0; i < kNumInstants; ++i) {
-    std::vector<double> shares;
-    for (const auto& at : courses) {
-      const double length = at[kLift] - at[kOnset];
-      if (length > 0.0) shares.push_back((at[i] - at[kOnset]) / length);
-    }
-    summary.num_trials[i] = static_cast<int>(std::count_if(
-        shares.begin(), shares.end(), [](double share) { return std::isfinite(share); }));
-    summary.at[i] = CalcMedianOfFinite(std::move(shares));
-  }
-  return summary;
-}
-
-PhaseCourse FindCourseOfPeople(const StudyResult& result) {
-  std::vector<std::array<double, kNumInstants>> courses;
-  for (const StudyTrial& trial : result.trials) {
-    if (!trial.IsKept()) continue;
-    const TrialAnalysis& a = *trial.analysis;
-    courses.push_back({a.movement.onset.time, a.closure_start.time, a.phases.reacceleration.time,
-                       a.movement.end.time, a.closure_start.time + a.timing.gct,
-                       a.object.lift_off.time});
-  }
-  return SummariseCourses(courses);
-}
-
 /** The strategy's phases follow each other: the hand stands still while the digits close. */
 PhaseCourse FindCourseOfRobot(const Session& session) {
-  std::vector<std::array<double, kNumInstants>> courses;
+  std::vector<PhaseTimes> trials;
   for (const TrialRecord& record : session.records) {
     const auto start_of = [&](Phase phase) {
       for (const PhaseStart& start : record.result.phases) {
@@ -60,15 +23,15 @@ PhaseCourse FindCourseOfRobot(const Session& session) {
       return kUnset;
     };
     const double placing = start_of(Phase::kPlacing), closure = start_of(Phase::kClosure);
-    courses.push_back({start_of(Phase::kPreGrasp), closure, placing, closure,
-                       start_of(Phase::kStabilisation), start_of(Phase::kLiftOff)});
+    trials.push_back({start_of(Phase::kPreGrasp), closure, placing, closure,
+                      start_of(Phase::kStabilisation), start_of(Phase::kLiftOff)});
   }
-  return SummariseCourses(courses);
+  return SummarisePhases(trials);
 }
 
 void AddCourse(const std::string& who, const PhaseCourse& course, StripChart& chart) {
   constexpr double kLiftShown = 10.0;  // of the lift-off, which has no end here [%]
-  const auto add = [&](StripChart::Row& row, Instant from, Instant to, int kind) {
+  const auto add = [&](StripChart::Row& row, PhaseInstant from, PhaseInstant to, int kind) {
     const double begin = 100.0 * course.at[from], end = 100.0 * course.at[to];
     if (!std::isfinite(begin) || !std::isfinite(end)) return;
     row.spans.push_back({begin, end, kind,
@@ -76,36 +39,36 @@ void AddCourse(const std::string& who, const PhaseCourse& course, StripChart& ch
                              " to " + FormatFixed(end, 0) + " %"});
   };
   StripChart::Row transport = {who + ", transport", {}, {}}, grasp = {who + ", grasp", {}, {}};
-  const bool has_slow = std::isfinite(course.at[kSlow]);
-  add(transport, kOnset, has_slow ? kSlow : kEnd, 0);
-  if (has_slow) add(transport, kSlow, kEnd, 1);
+  const bool has_slow = std::isfinite(course.at[kSlowApproach]);
+  add(transport, kOnset, has_slow ? kSlowApproach : kMovementEnd, 0);
+  if (has_slow) add(transport, kSlowApproach, kMovementEnd, 1);
   transport.spans.push_back({100.0, 100.0 + kLiftShown, 2, chart.kinds[2]});
-  add(grasp, kOnset, kPeak, 3);
-  add(grasp, kPeak, kTouched, 4);
-  add(grasp, kTouched, kLift, 5);
+  add(grasp, kOnset, kPeakOpening, 3);
+  add(grasp, kPeakOpening, kLastContact, 4);
+  add(grasp, kLastContact, kLiftOff, 5);
   chart.rows.push_back(std::move(transport));
   chart.rows.push_back(std::move(grasp));
 }
 
 /** Dashed lines at people's instants. */
 std::vector<StripChart::Phase> ListPhases(const PhaseCourse& people) {
-  const double peak = 100.0 * people.at[kPeak], touched = 100.0 * people.at[kTouched];
+  const double peak = 100.0 * people.at[kPeakOpening], touched = 100.0 * people.at[kLastContact];
   if (!std::isfinite(peak) || !std::isfinite(touched)) return {};
   return {{0.0, peak, "opens"}, {peak, touched, "closes"}, {touched, 100.0, "holds"}};
 }
 
 std::string DescribeLag(const PhaseCourse& people, int num_trials) {
-  const int num_slow = people.num_trials[kSlow];
+  const int num_slow = people.num_trials[kSlowApproach];
   if (num_slow == 0) return "no trial shows where the slow approach begins.";
   return "the slow approach begins near the widest opening (Jeannerod 1984). Here " +
-         FormatFixed(100.0 * std::abs(people.at[kPeak] - people.at[kSlow]), 0) +
+         FormatFixed(100.0 * std::abs(people.at[kPeakOpening] - people.at[kSlowApproach]), 0) +
          " % of the time lie between the two medians; " + std::to_string(num_slow) + " of " +
          FormatCount(num_trials, "trial") + " show where it begins.";
 }
 
 Html DrawPhases(const StudyPageData& data) {
-  const PhaseCourse people = FindCourseOfPeople(data.result);
-  const int num_trials = people.num_trials[kLift];
+  const PhaseCourse people = SummarisePhases(data.result.trials);
+  const int num_trials = people.num_trials[kLiftOff];
   if (num_trials == 0) return MakeParagraph("No trial that counts has an onset and a lift-off.");
   StripChart chart;
   chart.text.title = "Phases of reach and grasp";
@@ -119,8 +82,8 @@ Html DrawPhases(const StudyPageData& data) {
   std::string robots;
   if (data.robot != nullptr) {
     const PhaseCourse robot = FindCourseOfRobot(data.robot->session);
-    if (robot.num_trials[kLift] > 0) AddCourse("robot", robot, chart);
-    robots = " Robot: " + FormatCount(robot.num_trials[kLift], "trial") + " of " +
+    if (robot.num_trials[kLiftOff] > 0) AddCourse("robot", robot, chart);
+    robots = " Robot: " + FormatCount(robot.num_trials[kLiftOff], "trial") + " of " +
              data.robot->name + "; it places the hand before it closes.";
   }
   chart.phases = ListPhases(people);

@@ -34,6 +34,7 @@ Session MakeTried() {
 
 TEST(TransferSummary, CountsWhatWasTransferredAndWhatTrialsSay) {
   const TransferFile file = {"pilot",
+                             {},
                              {MakeRow("can", "person-01", "", 0.001),
                               MakeRow("can", "person-02", "FF stays 12.5 mm away", 0.02),
                               MakeRow("cup", "person-01", "FF stays 7.1 mm away", 0.02)}};
@@ -69,7 +70,7 @@ TEST(TransferSummary, CountsWhatWasTransferredAndWhatTrialsSay) {
 }
 
 TEST(TransferSummary, TheFileReadsBack) {
-  const TransferFile file = {"pilot", {MakeRow("can", "person-01", "no", 0.001)}};
+  const TransferFile file = {"pilot", {"sizes differ"}, {MakeRow("can", "person-01", "no", 0.001)}};
   TransferFile read;
   ReadRecord(RecordToJson(file), read);
   EXPECT_EQ(RecordToJson(read), RecordToJson(file));

@@ -318,7 +318,7 @@ TEST_F(SessionStore, NamesTheArmWhoseFileChangedOnResume) {
     auto arm = std::make_shared<Arm>();
     arm->content_hash = hash;
     mounted.arm = arm;
-    for (HandInputs& hand : inputs.hands) hand.arm = std::make_shared<MountedArm>(mounted);
+    for (SessionHand& hand : inputs.hands) hand.arm = std::make_shared<MountedArm>(mounted);
     if (hash[0] == 'a') session.plan = MakePlan(session.config, inputs);
   }
   EXPECT_TRUE(Has(FindError([&] {

@@ -55,12 +55,13 @@ TEST(FormatSuggestions, SaysWhyWhatItCostsAndWhatIsLeft) {
   suggestions.num_kept_then = 15;
   suggestions.suggestions = {{{"movement.rule=regression"}, "no rest", "it is less exact", 15}};
   suggestions.others = {{"no_contact", "no contact of the thumb: hidden", {"p1-1"}}};
-  EXPECT_EQ(FormatSuggestions(suggestions),
-            "now      0 of 21 trials included\nsuggest  movement.rule: regression\n         why: no "
-            "rest\n         cost: it is less exact\n         then 15 trials included\nthen     15 "
-            "of 21 trials included\nleft     1 [no_contact] no contact of the thumb: hidden\n      "
-            "   trials: p1-1\n         look at: the marker of that digit under markers; "
-            "markers.companions, if it is hidden\n");
+  EXPECT_EQ(
+      FormatSuggestions(suggestions),
+      "now      0 of 21 trials included\nsuggest  movement.rule: regression\n         why: no "
+      "rest\n         cost: it is less exact\n         then 15 trials included\nthen     15 "
+      "of 21 trials included\nleft     1 [no_contact] no contact of the thumb: hidden\n      "
+      "   trials: p1-1\n         look at: the marker of that digit under markers; "
+      "markers.companions, if it is hidden\n");
 }
 
 }  // namespace
