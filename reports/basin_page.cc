@@ -177,11 +177,11 @@ Html DrawBasinFindings(const BasinView& view) {
   };
   if (const int failures = count(Outcome::kNumericalFailure); failures > 0) {
     findings.push_back(FormatCount(failures, "sample") +
-                       " failed numerically; they count as failures of the grasp.");
+                       " failed numerically; numerical failures count as failures of the grasp.");
   }
   if (const int nonsense = count(Outcome::kNotPhysical); nonsense > 0) {
-    findings.push_back(FormatCount(nonsense, "sample") +
-                       " were not physical and do not count as successes.");
+    findings.push_back(FormatCount(nonsense, "sample") + (nonsense == 1 ? " was" : " were") +
+                       " not physical, which does not count as a success.");
   }
   if (!samples.empty() && samples.front().outcome != Outcome::kSuccess) {
     findings.push_back("The grasp fails even without an offset, so the radius is 0.");

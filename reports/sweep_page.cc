@@ -248,7 +248,7 @@ Html DrawSweepFindings(const SweepView& view) {
     const std::string name = NameCondition(row.name) + ", " + row.hand;
     if (row.num_numerical > 0) {
       findings.push_back(name + ": " + FormatCount(row.num_numerical, "trial") +
-                         " ended as numerical failure; they count as failures of the grasp.");
+                         " failed numerically; numerical failures count as failures of the grasp.");
     }
     if (!row.undecided.empty()) findings.push_back(name + ": " + row.undecided + ".");
   }

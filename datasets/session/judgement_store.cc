@@ -43,7 +43,7 @@ class Joiner {
     if (found == places_.end()) {  // its record was set aside
       const std::string& file = session_.lines.files.at(static_cast<size_t>(place.file));
       session_.findings.Warn(file, place.number,
-                             "skipped: trial " + id + " is not finished; it counts as not there");
+                             "skipped: trial " + id + " is not finished; it is ignored");
       return true;
     }
     Judgement judgement;

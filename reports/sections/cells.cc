@@ -161,8 +161,8 @@ Html DrawTiming(const CellSummary& cell, const SessionModels& models) {
   if (is_split) add_all(cell.reseated_times, ", reseated");
   Html html = table.ToHtml() + DescribeOrders(cell);
   if (cell.num_early > 0) {
-    html += MakeSmall("In " + FormatCount(cell.num_early, "trial") +
-                      " early contact before the start of closure; excluded from these measures.");
+    html += MakeSmall("Early contact (before the start of closure) in " +
+                      FormatCount(cell.num_early, "trial") + "; excluded from these measures.");
   }
   if (has_few) {
     html += MakeSmall(std::string(kFewMark) + " of fewer than " + std::to_string(Spread::kFew) +

@@ -52,7 +52,8 @@ void AddTrialFindings(const ReportData& data, std::vector<std::string>& findings
   if (failures > 0) {
     findings.push_back(
         FormatCount(failures, "trial") +
-        " failed numerically; they count as failures and are listed under numerical health.");
+        " failed numerically; numerical failures count as failures of the grasp and are listed "
+        "under numerical health.");
   }
   for (const CellSummary& cell : data.summary.cells) {
     if (cell.num_early == 0) continue;

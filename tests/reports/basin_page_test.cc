@@ -27,7 +27,7 @@ TEST(BasinPage, BeginsWithTheResultAndHasEverySample) {
             0u);
   const std::string samples = ListText(*FindById(root, "samples"));
   ExpectParts(samples, {"All values of 4 samples", "numerical failure"});
-  EXPECT_NE(ListText(*FindById(root, "findings")).find("1 sample ended as numerical failure"),
+  EXPECT_NE(ListText(*FindById(root, "findings")).find("1 sample failed numerically; "),
             std::string::npos);
   EXPECT_NE(ListText(*FindById(root, "provenance")).find("graspbench basin --hand x"),
             std::string::npos);
@@ -37,7 +37,7 @@ TEST(BasinPage, AGraspThatFailsWithoutOffsetIsAFinding) {
   std::vector<BasinSample> samples = MakeSamples();
   samples[0].outcome = Outcome::kPushedAway;
   const std::string page = MakeBasinPage({"t", "c", samples});
-  ExpectParts(page, {"The grasp fails without any offset"});
+  ExpectParts(page, {"The grasp fails even without an offset"});
 }
 
 }  // namespace

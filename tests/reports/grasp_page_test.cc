@@ -33,7 +33,7 @@ TEST(GraspPage, AGraspThatCouldNotBeginHasNoCourse) {
   data.traced.result.failed_stage = "start";
   data.traced.result.reason = "at pregrasp the hand is 12.0 mm deep in the object";
   const std::string page = MakeGraspPage(data);
-  ExpectParts(page, {"there is no course to show", "12.0 mm deep"});
+  ExpectParts(page, {"there is no motion to show", "12.0 mm deep"});
 }
 
 }  // namespace

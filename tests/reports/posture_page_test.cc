@@ -87,7 +87,7 @@ TEST(PosturePage, DrawsWhatTouchesOfAHandWithoutPictures) {
   const std::string page = MakePosturePage(data);
   ExpectSoundPage(page);
   if (page.find("No pictures") != std::string::npos) return;
-  ExpectParts(page, {"so what touches is drawn: blue balls of the pads"});
+  ExpectParts(page, {"so the contact shapes are drawn: balls of the pads (blue)"});
 }
 
 }  // namespace

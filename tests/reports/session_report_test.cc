@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
+#include "core/hand/load_hand.h"
+#include "objects/catalogue.h"
 #include "reports/page/html.h"
 #include "tests/reports/report_fixture.h"
 
@@ -112,7 +115,7 @@ TEST(SessionReport, NumericalFailuresAreListedWithTheirReason) {
   const std::string page = MakePageOf(session);
   ExpectSoundPage(page);
   ExpectParts(TextOfId(page, "health"), {"the solve diverged at 1.234 s"});
-  ExpectParts(TextOfId(page, "findings"), {"1 trial ended as numerical failure"});
+  ExpectParts(TextOfId(page, "findings"), {"1 trial failed numerically; "});
   ExpectParts(TextOfId(page, "result"), {"1 of 2 trials (50.0\u00A0%"});
 }
 
@@ -128,7 +131,9 @@ TEST(SessionReport, NonsenseStandsFirstAmongTheFindings) {
       "Not physical and therefore not a success: tum, can, power (g3), trial 1: the hand is 1.20 "
       "mm inside the object");
   ASSERT_NE(nonsense, std::string::npos) << findings;
-  EXPECT_LT(nonsense, findings.find("ended as numerical failure"));
+  const size_t numerical = findings.find("1 trial failed numerically; ");
+  ASSERT_NE(numerical, std::string::npos) << findings;
+  EXPECT_LT(nonsense, numerical);
   ExpectParts(TextOfId(page, "result"), {"1 of 3 trials"});
   ExpectParts(TextOfId(page, "tum-can-g3"), {"*"});  // a median of two trials
 }
@@ -140,7 +145,8 @@ TEST(SessionReport, ContactBeforeTheStartOfClosureIsToldApart) {
   result.timing = CalcContactTiming(result.contacts, 0.0);
   const std::string page = MakePageOf(session);
   EXPECT_EQ(TextOfId(page, "table").find("133.3"), std::string::npos);
-  ExpectParts(TextOfId(page, "tum-can-g3"), {"a digit touched before the start of closure"});
+  ExpectParts(TextOfId(page, "tum-can-g3"),
+              {"Early contact (before the start of closure) in 1 trial"});
   ExpectParts(TextOfId(page, "findings"), {"tum, can, power (g3): in 1 trial a digit"});
 }
 
@@ -189,9 +195,9 @@ TEST(SessionReport, EveryFailureIsTwoLinksFromTheTop) {
   const auto top = ListAttribute(*FindById(root, "result"), "href");
   EXPECT_NE(std::find(top.begin(), top.end(), "#failures"), top.end());
   const std::string anchor = "trial-" + session.records[4].plan.id;
-  // Its trial, and how its scene in 3-D is had.
+  // Its trial, and the command that makes its scene in 3-D.
   EXPECT_EQ(ListAttribute(*FindById(root, "failures"), "href"),
-            (std::vector<std::string>{"#" + anchor, "#views"}));
+            (std::vector<std::string>{"#" + anchor, "#further"}));
   ExpectParts(TextOfId(page, "failures"), {"tum-cup-g3:1", "the object was pushed aside"});
   ASSERT_NE(FindById(root, anchor), nullptr);
   ExpectParts(ListText(*FindById(root, anchor)), {session.records[4].plan.id});
@@ -304,7 +310,7 @@ TEST(SessionReport, ShowsWhatTheHandSawAndFelt) {
   ExpectSoundPage(page);
   const std::string text = TextOfId(page, "sensors");
   ExpectParts(text, {"Success, true", "Success, camera", "0 of 1 trial", "1.50", "2.00",
-                     "39 of 40 (97.5", "10 of 50 (20.0", "Never felt"});
+                     "39 of 40 (97.5", "10 of 50 (20.0", "Never detected"});
 }
 
 TEST(SessionReport, ShowsWhatTheCameraChose) {
@@ -312,9 +318,14 @@ TEST(SessionReport, ShowsWhatTheCameraChose) {
   session.config.grasps = {"by-sight"};
   for (TrialRecord& record : session.records) record.result.sight_grasp = "g3";
   session.records[1].result.sight_grasp = "g1";
-  const std::string page = MakePageOf(session);
+  SessionModels models;
+  models.hands["tum"] = std::make_shared<const Hand>(LoadHand("tum"));
+  models.objects["can"] = LoadObject("can");
+  const std::string page =
+      MakeSessionReport({session, SummariseSession(session), models, CellPictures()});
   ExpectSoundPage(page);
   ExpectParts(TextOfId(page, "table"), {"by-sight: 2 g3, 1 g1"});
+  EXPECT_EQ(TextOfId(page, "further").find("positioning=camera"), std::string::npos);
   EXPECT_NE(page.find("id=\"sensors\""), std::string::npos);
 }
 
@@ -332,14 +343,16 @@ TEST(SessionReport, ShowsWhatGoesWithSimultaneity) {
               {"too few trials of a condition that differ"});
 }
 
-// What was not run is one line at the end, with a command each, instead of sections without results.
+// What was not run is one line at the end, each with a command, instead of empty sections.
 TEST(SessionReport, NamesExperimentsThatWereNotRun) {
   const std::string page = MakePageOf(MakeSession({"tum"}, {"can"}, "g3", 2));
   ExpectParts(
       TextOfId(page, "further"),
-      {"Not run for this session: graspbench judge DIR (breaking forces); graspbench "
-       "threshold DIR (grip thresholds); graspbench sensitivity DIR",
-       "graspbench check-numerics DIR", "--set touch=sensed", "graspbench report DIR --3d"});
+      // ListText puts a space behind every element.
+      {"Not run for this session: graspbench judge DIR  (breaking forces); graspbench "
+       "threshold DIR  (grip thresholds); graspbench sensitivity DIR  (effect of unmeasured "
+       "parameters); graspbench check-numerics DIR  (",
+       "--set touch=sensed  (", "graspbench report DIR --3d  (interactive 3-D scenes)."});
   for (const char* id : {"quality", "thresholds", "sensitivity", "sensors", "views"}) {
     EXPECT_EQ(page.find("id=\"" + std::string(id) + "\""), std::string::npos) << id;
   }

@@ -54,7 +54,8 @@ TEST(SweepPage, ShowsAMapForEachLevelOfTheThirdFactorAndSaysWhatCannotBeDecided)
 TEST(SweepPage, LeadsWithAPictureOfTheEffects) {
   const Session session = MakeCubeSession();
   const std::string page = MakeSweepPage(session, SummariseSweep(session, {}));
-  const size_t effects = page.find("Change of success [%] by each level, tum, against the base");
+  const size_t effects =
+      page.find("Change of success [%] by each level, tum, relative to the base level");
   const size_t maps = page.find("model.mass_scale by model.friction_scale");
   EXPECT_LT(effects, maps);
   EXPECT_NE(page.find("6 pairs of 6 objects"), std::string::npos);

@@ -76,7 +76,7 @@ TEST(TrialPage, IsTitledByTheTrialAndSaysWhatIsWrong) {
   const std::string text = ListText(*faulty.RootElement());
   ExpectParts(text, {"Trial box-can-g3:4", "0123456789abcdef", "differs from its record in gct_s",
                      "In 3 of 100 steps the solver missed its tolerance.",
-                     "The object stood 12.3 mm and 0.0"});
+                     "The object was 12.3 mm and 0.0 mm off its nominal position"});
 }
 
 TEST(TrialPage, ATrialWithoutPicturesAndContactsIsAPageToo) {

@@ -71,7 +71,7 @@ std::string DescribeObjects(const std::vector<ObjectEffect>& effects, const std:
   }
   if (num_all == 0) return "";
   std::string text = "By object: a late last digit lowers success on " + std::to_string(num_lose) +
-                     " of " + FormatCount(num_all, "object") + " success, and gains " +
+                     " of " + FormatCount(num_all, "object") + " and raises it on " +
                      std::to_string(num_gain) + " (95 % intervals, not adjusted)";
   if (!most.empty()) text += "; most, from no to the longest delay: " + most;
   return text + ".";

@@ -89,8 +89,9 @@ Html DrawSimultaneity(const StudyPageData& data) {
       "full spread. All digits also share an error of the clock, so the shared timing must exceed "
       "a bound of that error; otherwise the result is not decided.";
   if (null->num_incomplete > 0) {
-    note += " " + FormatCount(null->num_incomplete, "trial") +
-            " of the included trials lacked a contact or a clock and were left out.";
+    note += " " + std::to_string(null->num_incomplete) +
+            " of the included trials lacked a contact or a clock and " +
+            (null->num_incomplete == 1 ? "was" : "were") + " left out.";
   }
   return html + DrawTests(*null) + MakeParagraph(note) + DrawClosureEnds(data) +
          Element("p", {}, LinkTo("robot", "GFT% of robots and participants"));

@@ -65,8 +65,8 @@ TEST(Remedies, OnlyOnesOfAllDrawsWithEnoughGainAreNamed) {
                     {"slower", true, kNumFreshDraws, 4, 1},
                     {"no-offset", true}};
   EXPECT_EQ(found.FindBest(false), nullptr);
-  EXPECT_NE(DescribeExplanation(found).find("Nothing that was tried gains 4"), std::string::npos);
-  EXPECT_NE(DescribeExplanation(found).find("only explains: this draw also holds with no offset"),
+  EXPECT_NE(DescribeExplanation(found).find("No tested remedy gains 4"), std::string::npos);
+  EXPECT_NE(DescribeExplanation(found).find("For diagnosis: this draw also holds with no offset"),
             std::string::npos);
   found.remedies.push_back({"lower", false, kNumFreshDraws, 5, 1});
   found.remedies.push_back({"grasp-g3", true, kNumFreshDraws, 8, 0});

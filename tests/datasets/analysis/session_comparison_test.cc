@@ -66,7 +66,8 @@ TEST(SessionComparison, OtherDrawsAreNoPairs) {
   const Session before = MakeSession({"tum"}, {"can"}, "g3", 3);
   Session after = before;
   after.config.seed = 2;
-  EXPECT_NE(FindMessage(before, after).find("other seeds: 1 and 2"), std::string::npos);
+  EXPECT_NE(FindMessage(before, after).find("they have different seeds: 1 and 2"),
+            std::string::npos);
   after = before;
   after.config.variation.offset = 0.01;
   EXPECT_NE(FindMessage(before, after).find("variation.offset_m"), std::string::npos);

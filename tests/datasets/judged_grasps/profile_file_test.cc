@@ -115,7 +115,7 @@ TEST(ProfileFile, FaultsAreNamedWithTheirLine) {
 
 TEST(ProfileFile, NothingFallsByItself) {
   EXPECT_EQ(ParseProfile("about: mine\n", "mine.yaml").sim.gravity, 0.0);
-  EXPECT_TRUE(Has(FindFault("sim: {gravity_m_per_s2: 9.81}\n"), "acceleration_m_per_s2 says"));
+  EXPECT_TRUE(Has(FindFault("sim: {gravity_m_per_s2: 9.81}\n"), "acceleration_m_per_s2 states"));
 }
 
 TEST(ProfileFile, AFileDoesNotPassForAShippedProfile) {

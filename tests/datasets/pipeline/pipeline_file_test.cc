@@ -71,7 +71,7 @@ TEST(PipelineFile, FaultsHaveLines) {
        "p.yaml:4: error: stage a: inputs: graspbench make has no \"filee\"; did you mean "
        "\"file\"?"},
       {"stages:\n  a:\n    command: make\n    inputs: {file: [x, ../y]}\n",
-       "p.yaml:4: error: stage a: the input \"../y\" is not named"},
+       "p.yaml:4: error: stage a: the input \"../y\" is not below the pipeline's folder"},
       {"stages:\n  a:\n    command: make\n    inputs:\n      file: a/b\n",
        "p.yaml:5: error: stage a: it is its own input"},
       {"stages:\n  a:\n    command: make\n    files: [{}]\n",
@@ -85,7 +85,7 @@ TEST(PipelineFile, FaultsHaveLines) {
       {"stages:\n  a: {command: judge}\n",
        "p.yaml:2: error: stage a: graspbench judge needs the input \"folder\""},
       {"stages:\n  a: {command: judge, parameters: {folder: x}}\n",
-       "stage a: parameters: \"folder\" is what the command reads"},
+       "stage a: parameters: \"folder\" is a file that the command reads"},
       {"stages:\n  inputs: {command: make}\n", "p.yaml:2: error: \"inputs\" is no name of a stage"},
       {"stages:\n  a: {command: make}\n  a: {command: make}\n", "p.yaml:3: error: the stage \"a\""},
       {"stages:\n  b: {command: make}\n  a: {command: judge, inputs: {folder: c}}\n"

@@ -40,14 +40,15 @@ TEST(NormaliseSetting, RefusesWhatCannotBePaired) {
     const char* text;
   };
   for (const Case& c : {
-           Case{"seed=2", ErrorKind::kUsage, "decides which trials there are"},
-           Case{"hands=tum", ErrorKind::kUsage, "decides which trials there are"},
+           Case{"seed=2", ErrorKind::kUsage, "changes the plan; only settings that keep the draws"},
+           Case{"hands=tum", ErrorKind::kUsage,
+                "changes the plan; only settings that keep the draws"},
            Case{"positioning=eyes", ErrorKind::kRange, "nominal, true, camera"},
            Case{"sensors.rate_hz=100", ErrorKind::kUsage,
-                "changes nothing here: the session has touch: exact, not sensed"},
+                "has no effect here: the session has touch: exact, not sensed"},
            Case{"camera.noise_grey_levels=5", ErrorKind::kUsage,
                 "positioning: nominal, not camera"},
-           Case{"strategy.grip_force_n=5", ErrorKind::kUsage, "changes nothing here"},
+           Case{"strategy.grip_force_n=5", ErrorKind::kUsage, "has no effect here"},
            Case{"model.mas_scale=2", ErrorKind::kUsage, "did you mean \"model.mass_scale\"?"},
            Case{"model.mass_scale", ErrorKind::kUsage, "expected KEY=VALUE"},
            Case{"model.mass_scale=heavy", ErrorKind::kUsage, "expected a finite number"},
@@ -222,8 +223,8 @@ TEST(SweepDesign, RefusesWhatIsNoDesign) {
   expect(explain({"model.mass_scale=1,2"}, "latin:x"), "no design \"latin:x\"");
   expect(explain({"model.mass_scale=1,2", "sim.step_s=0.002,0.001"}, "latin:4"),
          "the factors have 4 combinations in all");
-  expect(explain({"seed=1,2"}, "full"), "decides which trials there are");
-  expect(explain({"delay.last=0.1,0.2"}, "full"), "the first level of delay.last");
+  expect(explain({"seed=1,2"}, "full"), "changes the plan; only settings that keep the draws");
+  expect(explain({"delay.last=0.1,0.2"}, "full"), "the first (base) level of delay.last");
   expect(explain({"delay.last=0,0.2", "delay.first=0,0.1"}, "full"), "cannot delay two digits");
   expect(explain({"model.mass_scale=1,200"}, "full"), "out of range");
   std::string many = "variation.offset_m=0";

@@ -39,7 +39,7 @@ std::vector<std::string> ListWarnings(const SessionConfig& config) {
 TEST(GripCheckTest, AForceThatNoDriveGivesIsRefusedWithTheLargest) {
   const std::string text = FindRefusal(MakeConfig("force", 900.0));
   EXPECT_TRUE(Has(text, "cannot press with 900.00 N"));
-  EXPECT_TRUE(Has(text, "give at most "));
+  EXPECT_TRUE(Has(text, "the torque limits of its drives allow at most "));
   EXPECT_EQ(FindRefusal(MakeConfig("force", 2.0)), "");
   EXPECT_EQ(FindRefusal(MakeConfig("posture", 900.0)), "");  // nobody looks at it
 }
@@ -54,14 +54,14 @@ TEST(GripCheckTest, WhatNoElementFeelsIsRefused) {
   config.sensors.force_scale = 1e3;  // so long an exponential is a line
   config.sensors.threshold = 0.1;
   const std::string text = FindRefusal(config);
-  EXPECT_TRUE(Has(text, "feels nothing below 1.00 N, and 0.70 N is asked"));
+  EXPECT_TRUE(Has(text, "\"shadow\" is 1.00 N, but the setpoint of each digit is 0.70 N"));
   config.strategy.grip_force = 1.1;
   EXPECT_EQ(FindRefusal(config), "");
   config.strategy.grip = "margin";  // which may ask for more
   config.strategy.grip_force = 0.7;
   EXPECT_EQ(FindRefusal(config), "");
   ASSERT_EQ(ListWarnings(config).size(), 1u);
-  EXPECT_TRUE(Has(ListWarnings(config)[0], "as little as 0.70 N"));
+  EXPECT_TRUE(Has(ListWarnings(config)[0], "the minimum setpoint of a digit is 0.70 N"));
 }
 
 TEST(GripCheckTest, SaturatedElementsAreNamed) {
@@ -71,9 +71,9 @@ TEST(GripCheckTest, SaturatedElementsAreNamed) {
   config.sensors.saturation = 1.5;
   EXPECT_EQ(FindRefusal(config), "") << "several elements feel more";
   ASSERT_EQ(ListWarnings(config).size(), 1u);
-  EXPECT_TRUE(Has(ListWarnings(config)[0], "feels at most 1.50 N"));
+  EXPECT_TRUE(Has(ListWarnings(config)[0], "measures at most 1.50 N"));
   config.sensors.saturation = 0.01;
-  EXPECT_TRUE(Has(FindRefusal(config), "2.00 N is asked of each digit, and the "));
+  EXPECT_TRUE(Has(FindRefusal(config), "the setpoint of each digit is 2.00 N, but the "));
   config.touch = "exact";
   config.sensors = {};
   EXPECT_EQ(FindRefusal(config), "");

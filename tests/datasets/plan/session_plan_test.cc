@@ -314,7 +314,8 @@ TEST(SessionPlan, TellsWhatCannotBePlanned) {
   SessionInputs inputs = fake;
   inputs.conditions["other"] = ApplyCondition(in_condition.conditions.front(), in_condition);
   inputs.conditions["other"].inputs = std::make_shared<const SessionInputs>(fake);
-  EXPECT_TRUE(Has(FindPlanError(in_condition, inputs).second, "can do a grasp \"g7\""));
+  EXPECT_TRUE(Has(FindPlanError(in_condition, inputs).second,
+                  "none of the session's hands has a grasp \"g7\""));
   looking.positioning = "camera";
   EXPECT_EQ(FindPlanError(looking, fake).second,
             "the hand \"tum\" has no camera to position it; choose another positioning, or add a "
@@ -343,7 +344,8 @@ TEST(SessionPlan, RefusesAHandThatFeelsNothingUnderEveryCondition) {
   config.grasps = {"g1"};
   config.conditions = {{"touch=sensed", {"touch=sensed"}}};
   const SessionInputs inputs = LoadSessionInputs(config);
-  EXPECT_TRUE(Has(FindError([&] { MakePlan(config, inputs); }), "\"tum-original\" feels nothing"));
+  EXPECT_TRUE(Has(FindError([&] { MakePlan(config, inputs); }),
+                  "\"tum-original\" has no tactile elements"));
 }
 
 TEST(TrialDraw, EveryHandMeetsTheSamePoses) {

@@ -89,7 +89,7 @@ TEST(TrialRecord, SaysWhatIsWrong) {
   EXPECT_EQ(FindProblem(line), "its bytes do not match their checksum");
   // Valid checksums around content of another version: said, not crashed.
   const auto has = [](const std::string& text, const char* part) { EXPECT_TRUE(Has(text, part)); };
-  has(FindProblem(Seal("{")), "it is no record of this version");
+  has(FindProblem(Seal("{")), "it is not a record of this version");
   has(FindProblem(Seal("{\"trial_id\":\"a\"")), "key 'hand' not found");
   const auto change = [](const std::string& path, const Json& value) {
     Json json = ToJson(MakeFakeRecord(kPlanned));

@@ -72,7 +72,7 @@ TEST(FindTrial, NamesThatDifferInCapitalsAreKeptApart) {
   for (const char* condition : {"grasp=Pinch", "grasp=pinch"}) {
     EXPECT_EQ(FindPlannedTrial(session, name + "@" + condition).condition, condition);
   }
-  EXPECT_TRUE(Has(FindMessage(session, name + "@grasp=PINCH"), "differ in capital letters"));
+  EXPECT_TRUE(Has(FindMessage(session, name + "@grasp=PINCH"), "differ only in capital letters"));
 }
 
 TEST(FindTrial, WhatIsNoneIsRefusedWithWhatThereIs) {

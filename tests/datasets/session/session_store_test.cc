@@ -217,8 +217,8 @@ TEST_F(SessionStore, CutAnywhereTheJournalLosesTheCutTrialOnly) {
   AppendAll(0, {plan.back()});
   const Session session = LoadSession(folder());
   EXPECT_EQ(JsonOf(session.records), JsonOfFakes(plan));
-  EXPECT_TRUE(
-      Has(session.findings.Format(), "journal/0.jsonl:4: warning: skipped: the line is cut off"));
+  EXPECT_TRUE(Has(session.findings.Format(),
+                  "journal/0.jsonl:4: warning: skipped: the line is truncated or not a record"));
 }
 
 TEST_F(SessionStore, AFlippedByteCostsItsTrialOnly) {
@@ -239,7 +239,7 @@ TEST_F(SessionStore, AFlippedByteCostsItsTrialOnly) {
     ASSERT_EQ(unfinished.size(), 1u);
     ASSERT_EQ(unfinished[0], plan[1]);
     EXPECT_TRUE(Has(session.findings.Format(), "journal/0.jsonl:2: warning: skipped: "));
-    EXPECT_TRUE(Has(session.findings.Format(), "it counts as not there"));
+    EXPECT_TRUE(Has(session.findings.Format(), "; it is ignored"));
   }
 }
 

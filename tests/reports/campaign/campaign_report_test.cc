@@ -24,7 +24,7 @@ TEST(CampaignReport, ThePageIsSoundAndTellsWhatIsWorse) {
   ExpectParts(text,
               {"success is significantly lower in 0 scenes", "above random search in 1 of 1 scene",
                "Step 1: taken: <it> closes better", "THJ1", "28.6", "-14.3",
-               "brings the median GFT% from 20.0\u00a0% to 5.0\u00a0% (2 scenes",
+               "step 1 changes the median GFT% from 20.0\u00a0% to 5.0\u00a0% (2 scenes",
                "tum: headroom not known: 2 scenes without a figure (no headroom is recorded)",
                "Two hands are compared; this campaign has 1 hand."});
 }

@@ -109,7 +109,7 @@ TEST(TrialViews, WithoutACourseAreOneSentence) {
   const std::string page = MakePageWith({none, lost});
   EXPECT_EQ(page.find("scene-3d"), std::string::npos);
   EXPECT_EQ(page.find("GLTFLoader"), std::string::npos) << "no view, no script for it";
-  ExpectParts(page, {"there is no course to show", "id=\"lost\""});
+  ExpectParts(page, {"there is no motion to show", "id=\"lost\""});
 }
 
 /** The page as a browser without any network has it after its scripts ran. */

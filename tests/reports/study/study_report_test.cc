@@ -112,7 +112,7 @@ TEST(StudyReport, EverySectionSaysItsNumbers) {
                FormatSignificant(gft.trends[0].slopes.test->mean, 3), "tested against 0.82",
                "mixed model (REML)", "equivalence, two one-sided t tests"});
   ExpectParts(TextOfId(page, "order"), {"pairs of neighbours are tied."});
-  ExpectParts(TextOfId(page, "robot"), {"No robot session was named."});
+  ExpectParts(TextOfId(page, "robot"), {"No robot session was named; --robot DIR"});
   ExpectParts(TextOfId(page, "openings"),
               {"virtual_finger", "not testable with 3 persons (5 or more are needed)"});
   ExpectParts(TextOfId(page, "summary"), {"More reliable than the aperture: not testable"});
@@ -184,7 +184,9 @@ TEST(StudyReport, TheArgumentsHaveTheirNumbersAndWhatHasNoneItsReason) {
               {"Simultaneity of people: more simultaneous than digits that move independently "
                "(the digits share 21.0"});
   const std::string together = TextOfId(page, "simultaneity");
-  ExpectParts(together, {"40.2 (38.3 to 42.4)", "2 trials of those that count lacked the contact"});
+  ExpectParts(together,
+              {"40.2 (38.3 to 42.4)",
+               "2 of the included trials lacked a contact or a clock and were left out."});
   const std::string openings = TextOfId(page, "openings");
   ExpectParts(openings, {"shown for virtual_finger", "1.31 (1.12 to 1.53), p 0.012",
                          "spread of persons: a reason that stands once"});

@@ -115,7 +115,7 @@ TEST(GraspInputs, AMeshThatIsOfNoUseDoesNotStopTheOthers) {
   }
   EXPECT_NE(inputs.unread[0].reason.find("open.obj"), std::string::npos);
   EXPECT_NE(inputs.unread[1].reason.find("no mesh for \"nowhere\""), std::string::npos);
-  EXPECT_NE(inputs.unread[2].reason.find("not how it closes"), std::string::npos);
+  EXPECT_NE(inputs.unread[2].reason.find("states only the open hand"), std::string::npos);
   FreeSpaceProfile closing;
   closing.closing.to = "limits";
   const auto count = [&](const std::vector<FreeSpaceProfile>& profiles) {
@@ -129,7 +129,8 @@ TEST(GraspInputs, AMeshThatIsOfNoUseDoesNotStopTheOthers) {
   EXPECT_EQ(both.grasps[1].unfit, std::set<size_t>{1});
   ASSERT_EQ(both.unread.size(), 3u);
   EXPECT_EQ(both.unread[2].name, "profile stated");
-  EXPECT_EQ(both.unread[2].reason.find("does not fit 1 of 2 grasps: the file states the open"), 0u);
+  EXPECT_EQ(both.unread[2].reason.find("does not fit 1 of 2 grasps: the file states only the open"),
+            0u);
   EXPECT_THROW(FindGraspInput(both, 1), Error) << "one profile does not fit";
 }
 

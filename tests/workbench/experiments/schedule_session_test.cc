@@ -99,7 +99,7 @@ TEST_F(ScheduleSessionTest, WhatCannotBeComparedIsRefusedBeforeATrialRuns) {
   EXPECT_EQ(LoadPeopleFile(without.folder).cells[0].missing.at(kPeopleLike),
             "no study of participants was named");
   request_.folder = without.folder;
-  EXPECT_NE(FindFault({}).find("schedules of its own"), std::string::npos);
+  EXPECT_NE(FindFault({}).find("has its own conditions or schedules"), std::string::npos);
 }
 
 }  // namespace

@@ -214,7 +214,8 @@ TEST(ObjectEffects, AreSaidWithTheirRatesWhereTheIntervalExcludesZero) {
   ASSERT_TRUE(effects[0].interval);
   EXPECT_LT(effects[0].interval->high, 0.0);
   const std::string says = DescribeObjects(effects, "tum");
-  EXPECT_NE(says.find("costs 1 of 1 object success"), std::string::npos) << says;
+  EXPECT_NE(says.find("lowers success on 1 of 1 object and raises it on 0 ("), std::string::npos)
+      << says;
   EXPECT_NE(says.find("object0 100 to 25 %"), std::string::npos) << says;
   EXPECT_EQ(DescribeObjects(effects, "shadow"), "");
 }

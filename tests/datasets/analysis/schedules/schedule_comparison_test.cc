@@ -171,7 +171,7 @@ TEST(ScheduleComparison, AScheduleThatMissesItsLabelIsNamedAndComparedWithNothin
   Session alone;
   AddSchedule("g3-natural", 0.1, alone);
   AddSchedule("g3-people-like", 0.1, alone);
-  EXPECT_NE(CompareSchedules(alone, {}, {}).cells[0].rows[1].missed.find("without people"),
+  EXPECT_NE(CompareSchedules(alone, {}, {}).cells[0].rows[1].missed.find("without participants"),
             std::string::npos);
 }
 

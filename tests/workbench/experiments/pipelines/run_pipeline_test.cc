@@ -200,7 +200,7 @@ TEST_F(InterruptedPipeline, InterruptedItGoesOnWhereItWas) {
   }
   ::kill(child, SIGTERM);
   EXPECT_EQ(Wait(child), 75) << Log();
-  EXPECT_NE(Log().find("the same command goes on"), std::string::npos) << Log();
+  EXPECT_NE(Log().find("repeat the command to continue"), std::string::npos) << Log();
   EXPECT_EQ(Run("\"$GB\" pipeline run p.yaml --out out"), 0);
   EXPECT_NE(Log().find("a: graspbench run --resume --out=a"), std::string::npos) << Log();
   ExpectWhole();

@@ -139,8 +139,7 @@ TEST(PolicyServer, IsCheckedBeforeATrial) {
   EXPECT_EQ(find_fault(server, "digits"), "");
   EXPECT_NE(find_fault(server, "hand-and-digits").find("no column moves the hand"),
             std::string::npos);
-  EXPECT_NE(find_fault(server, "digits-until-touch").find("no column says hold"),
-            std::string::npos);
+  EXPECT_NE(find_fault(server, "digits-until-touch").find("no column is hold"), std::string::npos);
   server.actions.columns = {"hand.vx", "a", "hold"};
   EXPECT_EQ(find_fault(server, "hand-and-digits"), "");
   EXPECT_EQ(find_fault(server, "digits-until-touch"), "");
