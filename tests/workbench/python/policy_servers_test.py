@@ -164,7 +164,7 @@ actions: {{as: increments, columns: [{first}, {second}, done]}}
         done = subprocess.run([PROGRAM, "run", "--resume", "--out", str(self.folder / "s")], env=ENVIRONMENT, capture_output=True, text=True)
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertIn(f"{policy}: SHA-256", done.stderr)
-        self.assertIn("Put the files back", done.stderr)
+        self.assertIn("Restore the files", done.stderr)
 
     def test_a_picture_has_the_size_of_the_file(self):
         def infer(observation):
@@ -211,7 +211,7 @@ actions: {{as: increments, columns: [{first}, {second}, done]}}
         talks = {
             "garbage": (lambda c, o: c.send(b"\xc1\xc1"), "MessagePack"),
             "flood": (lambda c, o: c.send(b"\x00" * (3 << 20)), "more than 1048576 bytes"),
-            "twice": (lambda c, o: [c.send(encode({"actions": o["targets"]})) for _ in (1, 2)], "answer too many"),
+            "twice": (lambda c, o: [c.send(encode({"actions": o["targets"]})) for _ in (1, 2)], "unexpected extra answer"),
         }
         for name, (act, reason) in talks.items():
             with self.subTest(name):
@@ -231,7 +231,7 @@ actions: {{as: increments, columns: [{first}, {second}, done]}}
             "half a message": (greet_and(half), "has not answered for 1 s"),
             "never greets": (lambda c: time.sleep(30), "has not answered for 1 s"),
             "greets with text": (lambda c: c.send(b"no weights", TEXT), "no weights"),
-            "greets with a list": (lambda c: c.send(encode([1])), "no map"),
+            "greets with a list": (lambda c: c.send(encode([1])), "not a map"),
         }
         for name, (talk, reason) in talks.items():
             with self.subTest(name):
@@ -283,7 +283,7 @@ actions: {{as: increments, columns: [{first}, {second}, done]}}
         self.assertIn('did you mean "joint_positions"', run(self.folder / "s", policy, expect=3))
         server = self.start(lambda o: {"actions": np.zeros(1)})
         policy = self.write(f"server: {server.address}\nobservation: {{a: {{from: taxels}}}}\n")
-        self.assertIn('"taxels" is not given', run(self.folder / "t", policy, expect=5))
+        self.assertIn('"taxels" is not available', run(self.folder / "t", policy, expect=5))
         self.assertEqual(records(self.folder / "t"), [])
 
 
