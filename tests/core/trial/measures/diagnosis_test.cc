@@ -156,7 +156,8 @@ TEST(Diagnosis, AnObjectThatMovesMoreThan5MillimetresBeforeTwoPartsOpposeWasPush
   EXPECT_NEAR(story.Find().time, 0.95, 1e-9) << "its touch";
   EXPECT_EQ(story.Find().phase, "placing");
   story.result.diagnosis = story.Find();
-  EXPECT_NE(DescribeDiagnosis(story.result).find("FF touched the object during placing at 0.950 s and pushed it"),
+  EXPECT_NE(DescribeDiagnosis(story.result)
+                .find("FF touched the object during placing at 0.950 s and pushed it"),
             std::string::npos);
   Push(0.0049, story);
   EXPECT_NE(story.Find().mechanism, Mechanism::kPushed);
