@@ -44,8 +44,8 @@ TEST(FolderStatus, SaysWhenNobodyWorksOnAnUnfinishedSession) {
   const std::filesystem::path session = folder.path() / "s";
   const std::vector<PlannedTrial> plan = CreateFakeSession(session, 2);
   const auto is_abandoned = [&] {
-    return ReadFolderStatus(session, 600.0).text.find("no process of this machine works on it") !=
-           std::string::npos;
+    return ReadFolderStatus(session, 600.0)
+               .text.find("no process of this machine is working on it") != std::string::npos;
   };
   const auto age = [&] {  // past the seconds in which nobody is asked
     const std::filesystem::path journal = session / "journal" / "0.jsonl";

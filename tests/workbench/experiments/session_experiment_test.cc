@@ -178,7 +178,7 @@ TEST_F(SessionExperiment, NeedsATrialAndNoConditions) {
   config_.conditions = {{"heavy", {"model.mass_scale=2.0"}}};
   const PreparedSession sweep = Prepare("sweep", config_);
   RunRound(kTrialRound, sweep, 1, observer_);
-  EXPECT_NE(explain(sweep).find("has conditions of its own"), std::string::npos);
+  EXPECT_NE(explain(sweep).find("already has conditions"), std::string::npos);
 }
 
 // Without a delay it is the session's trial; with one the digit comes later.

@@ -40,8 +40,7 @@ TEST(NumericsTables, TablesListTheFlips) {
   partial[1].before.plan.id = "cup8";
   partial[2].variant = "compliant";
   const std::string short_of_one = FormatNumericsTables(SummariseNumerics(partial), partial);
-  for (const char* part :
-       {"\ncompliant  1 of 2  ", "\nn of N trials: the others are not finished"}) {
+  for (const char* part : {"\ncompliant  1 of 2  ", "\nn of N trials: the others are unfinished"}) {
     EXPECT_NE(short_of_one.find(part), std::string::npos) << short_of_one;
     EXPECT_EQ(calm.find(part), std::string::npos) << calm;
   }

@@ -59,17 +59,18 @@ TEST_F(TimedGraspTest, LagsAreMediansAfterTheFirst) {
 }
 
 TEST_F(TimedGraspTest, RefusesWhatCannotBePlayed) {
-  EXPECT_NE(FindFault().find("expected the folder of a study"), std::string::npos);
+  EXPECT_NE(FindFault().find("expected the result folder of graspbench study run"),
+            std::string::npos);
   Write({{0.5, 0.6, 0.7}});
   EXPECT_NE(FindFault({"TH", "LF"}).find("no contact of the grasp's digit LF; it has FF, MF, TH"),
             std::string::npos)
       << FindFault({"TH", "LF"});
   Write({{0.5, 0.6, 0.7}}, "0");
-  EXPECT_NE(FindFault().find("no contact in a trial that counts"), std::string::npos);
+  EXPECT_NE(FindFault().find("no contact in an included trial"), std::string::npos);
   Write({{0.5, 0.6, NAN}, {0.5, NAN, 0.6}});
   EXPECT_NE(FindFault().find("in no trial"), std::string::npos);
   Write({{500, 600, 512}});  // milliseconds
-  EXPECT_NE(FindFault().find("stay open for good"), std::string::npos);
+  EXPECT_NE(FindFault().find("would never close"), std::string::npos);
   Write({{500, 500.01, 500.02}});
   EXPECT_EQ(FindFault(), "");
   const auto events = folder_.path() / "events.csv";
