@@ -295,7 +295,7 @@ TEST_F(Surroundings, APipelineEndsAtASignalAtAnyMoment) {
     std::this_thread::sleep_for(std::chrono::milliseconds(moment * moment));
     ::kill(pipeline, SIGTERM);
     EXPECT_EQ(WaitFor(pipeline), 75) << moment << Log();
-    EXPECT_NE(Log().find("the same command goes on"), std::string::npos) << Log();
+    EXPECT_NE(Log().find("repeat the command to continue"), std::string::npos) << Log();
   }
   EXPECT_EQ(Run({"pipeline", "run", "p.yaml"}), 0) << Log();
 }
