@@ -7,6 +7,7 @@ contact), stabilisation (to the lift-off). Source of the phases: the thesis, fig
 Jeannerod (1984). */
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace graspbench {
