@@ -98,7 +98,7 @@ void CheckFiles(const Manifest& manifest) {
   }
 }
 
-/** Equal lines cost a store nothing, but whoever packs a session writes each once. */
+/** Equal lines cost a store nothing, but a packed session has each once. */
 void CheckLines(const Session& session) {
   size_t num_lines = 0;
   ForEachLine(ReadFile(session.folder / "journal" / "0.jsonl"),

@@ -1,7 +1,7 @@
 // A board of 200 entries of graspbench-21/1 whose simulations are kept: what checking, comparing,
 // ranking and the page take.
 //   board_scale_bench FOLDER [ENTRIES]
-// FOLDER must not be there. Results are made up, of both hands. Wanted: 60 s, 200 MB.
+// FOLDER must not be there. Results are synthetic, of both hands. Wanted: 60 s, 200 MB.
 #include <sys/resource.h>
 
 #include <cstdio>

@@ -151,7 +151,6 @@ TEST(StudyReport, BeginsWithItsContrast) {
                "(paired t test), n\u00A0=\u00A03 persons.", "Each thin line is one person's mean"});
   EXPECT_LT(summary.find("(paired t test)"), summary.find("12 of 12 trials were analysed"));
   EXPECT_EQ(CountOf(page, "<title>03</title>"), 1) << "a line for each person";
-  EXPECT_EQ(CountOf(TextOfId(page, "measures"), "Ticks: single trials"), 0) << "said once";
   ExpectParts(TextOfId(page, "removed"), {"Warnings without a trial ("});
 }
 
@@ -203,7 +202,6 @@ TEST(StudyReport, OnePersonGetsASentenceNotAWall) {
   EXPECT_EQ(CountOf(TextOfId(page, "measures"), "n/a"), 0);
   EXPECT_EQ(CountOf(TextOfId(page, "openings"), "n/a"), 0);
   ExpectParts(tests, {"Each person's line over diameter, in SI units"});
-  EXPECT_EQ(TextOfId(page, "tests").find("mixed model draws"), std::string::npos);
   EXPECT_EQ(CountOf(TextOfId(MakeStudyReport(SmallStudy(), nullptr), "tests"),
                     "No measure can be tested"),
             0);

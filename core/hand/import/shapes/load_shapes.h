@@ -87,7 +87,7 @@ class ShapeLoader {
   FoundMesh Find(const ForeignShape& shape) const;
   TriMesh ReadFile(const std::filesystem::path& path, int line, const std::string& where,
                    Severity severity);
-  /** What touches or weighs faces outwards; that it did not is told once. */
+  /** What touches or weighs faces outwards; a turned one is reported once. */
   TriMesh TurnOutwards(const TriMesh& mesh, const std::string& name, int line,
                        const std::string& where);
   void AddMesh(const TriMesh& mesh, LoadedShapes& loaded);

@@ -178,7 +178,7 @@ struct Evidence {
   lift-off [J]. */
   double work[3] = {0, 0, 0};
   double largest_turn = 0.0;   ///< of the object in the palm from its begin on [rad]
-  double largest_slide = 0.0;  ///< likewise, downwards [m]
+  double largest_slide = 0.0;  ///< the same, downwards [m]
   double drive_share = 0.0;    ///< of its limit, the hardest working drive's, while touching
 };
 
