@@ -27,11 +27,6 @@ ContactError Summarise(std::vector<double>& values) {
   return {values[(values.size() - 1) * 95 / 100], values.back()};
 }
 
-/** Of a point of the link from the capsule's surface [m]. */
-double CalcDistance(const LinkCapsule& capsule, const Vector3d& p) {
-  return (FindClosestPoints(capsule.p_LA, capsule.p_LB, p, p).on_a - p).norm() - capsule.radius;
-}
-
 }  // namespace
 
 std::vector<Vector3d> SpreadOnSphere(double radius) {
@@ -109,7 +104,7 @@ std::vector<ContactFit> MeasureContact(const Hand& hand, const LinkSolids& solid
         least = std::min(least, CalcSink(p, nhat, ball.c, ball.r));
       sink.push_back(std::max(0.0, least));
       num_near += std::any_of(capsules.begin(), capsules.end(), [&](const LinkCapsule& capsule) {
-        return CalcDistance(capsule, point.p) < kNearSelfContact;
+        return CalcDistanceToCapsule(capsule, point.p) < kNearSelfContact;
       });
       if (nhat.dot(hand.palm_normal) > kPalmarCosine) palmar_sink.push_back(sink.back());
     }

@@ -35,6 +35,18 @@ ClosestPoints FindClosestPoints(const Vector3d& a0, const Vector3d& a1, const Ve
   return {a0 + s * da, b0 + t * db};
 }
 
+Vector3d FindNearestOnAxis(const LinkCapsule& capsule, const Vector3d& p) {
+  const Vector3d axis = capsule.p_LB - capsule.p_LA;
+  const double square = axis.squaredNorm();
+  const double share =
+      square > 0.0 ? std::clamp((p - capsule.p_LA).dot(axis) / square, 0.0, 1.0) : 0.0;
+  return capsule.p_LA + share * axis;
+}
+
+double CalcDistanceToCapsule(const LinkCapsule& capsule, const Vector3d& p) {
+  return (p - FindNearestOnAxis(capsule, p)).norm() - capsule.radius;
+}
+
 std::vector<CapsulePair> FindCapsulePairs(const Hand& hand) {
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, Eigen::VectorXd::Zero(hand.num_joints()));
   const std::vector<LinkCapsule>& capsules = hand.capsules;

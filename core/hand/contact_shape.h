@@ -52,6 +52,12 @@ struct ClosestPoints {
 ClosestPoints FindClosestPoints(const Eigen::Vector3d& a0, const Eigen::Vector3d& a1,
                                 const Eigen::Vector3d& b0, const Eigen::Vector3d& b1);
 
+/** Of the capsule's axis, nearest to a point of its link. */
+Eigen::Vector3d FindNearestOnAxis(const LinkCapsule& capsule, const Eigen::Vector3d& p_L);
+
+/** From the capsule's surface to a point of its link; negative: inside [m]. */
+double CalcDistanceToCapsule(const LinkCapsule& capsule, const Eigen::Vector3d& p_L);
+
 /** Indices into hand.capsules. */
 struct CapsulePair {
   int a = -1, b = -1;

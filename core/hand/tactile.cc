@@ -8,6 +8,7 @@
 #include "core/base/text/text.h"
 #include "core/base/text/yaml.h"
 #include "core/base/units.h"
+#include "core/hand/contact_shape.h"
 #include "core/hand/hand.h"
 
 namespace graspbench {
@@ -160,18 +161,6 @@ int CountSteps(double length) {
   return std::max(1, static_cast<int>(std::ceil(length / kPointSpacing)));
 }
 
-Vector3d FindNearestOnAxis(const LinkCapsule& capsule, const Vector3d& p) {
-  const Vector3d axis = capsule.p_LB - capsule.p_LA;
-  const double square = axis.squaredNorm();
-  const double share =
-      square > 0.0 ? std::clamp((p - capsule.p_LA).dot(axis) / square, 0.0, 1.0) : 0.0;
-  return capsule.p_LA + share * axis;
-}
-
-double CalcDistance(const LinkCapsule& capsule, const Vector3d& p) {
-  return (p - FindNearestOnAxis(capsule, p)).norm() - capsule.radius;
-}
-
 /** Of one capsule: rings along its axis, and of both its ends. */
 std::vector<SurfacePoint> SampleCapsule(const LinkCapsule& capsule) {
   const Vector3d span = capsule.p_LB - capsule.p_LA;
@@ -223,7 +212,7 @@ std::vector<SurfacePoint> SampleSurface(const Hand& hand, const SensedPart& part
       const bool is_inside =
           std::any_of(hand.capsules.begin(), hand.capsules.end(), [&](const LinkCapsule& other) {
             return &other != &capsule && other.link == part.link &&
-                   CalcDistance(other, point.p_L) < -1e-9;
+                   CalcDistanceToCapsule(other, point.p_L) < -1e-9;
           });
       const bool faces = part.palmar.isZero() || point.normal_L.dot(part.palmar) > 1e-9;
       const bool lies_beyond = part.along.isZero() || point.p_L.dot(part.along) >= part.from;
@@ -249,7 +238,8 @@ Vector3d ProjectOntoSurface(const Hand& hand, int link, const Vector3d& p_L) {
   const LinkCapsule* nearest = nullptr;
   for (const LinkCapsule& capsule : hand.capsules) {
     if (capsule.link != link) continue;
-    if (!nearest || CalcDistance(capsule, p_L) < CalcDistance(*nearest, p_L)) nearest = &capsule;
+    if (!nearest || CalcDistanceToCapsule(capsule, p_L) < CalcDistanceToCapsule(*nearest, p_L))
+      nearest = &capsule;
   }
   GRASPBENCH_DEMAND(nearest != nullptr, "link " + std::to_string(link) + " has no contact");
   const Vector3d on_axis = FindNearestOnAxis(*nearest, p_L);
