@@ -50,7 +50,7 @@ struct ContactOptions {
   double max_pad_offset = 0.025;        ///< a marker held farther from the surface: no touch [m]
   double max_pad_difference = 0.005;    ///< .. or farther than this beyond the other digits' [m]
   double max_looseness = 3.0;           ///< held this many times looser than the others: no touch
-  double max_uncertainty = 0.04;        ///< a contact known less well is not usable [s]; 0: all are
+  double max_uncertainty = 0.05;        ///< a contact known less well is not usable [s]; 0: all are
   double force_noise_factor = 4.0;      ///< "force": above this many SD of the baseline's rate
   /** How far digits go on after they touched (touch_fit.h). No setting: learned from a study. */
   DepthWeights depths = kUsualDepths;

@@ -71,18 +71,22 @@ double CalcTremor(const Trajectory& path, double hold) {
 }
 
 TouchFit FitIfSeen(const TouchSamples& samples) {
-  constexpr double kEarlier = 0.95;  // a sudden stop before the last one is the touch
+  // A sudden stop before the last one is the touch, unless it goes on farther than skin gives way.
+  constexpr double kEarlier = 0.99, kFarOn = 0.5, kSkin = 2e-3, kFar = 4e-3;  // [m]
   TouchFit fit;
   if (samples.times.empty()) {
     fit.missing = "no approach to its place in the hold is seen";
     return fit;
   }
   fit = FitTouch(samples);
-  if (!fit.missing.empty() || !std::isnan(samples.touch_place)) return fit;
-  const TouchSamples stop = TakeEarlierStop(samples, CalcTouchTime(fit, kUsualDepths).time);
+  if (!fit.missing.empty()) return fit;
+  const TouchSamples stop = TakeEarlierStop(samples, CalcStopTime(fit));
   if (stop.times.empty()) return fit;
   const TouchFit earlier = FitTouch(stop);
-  return earlier.missing.empty() ? MixFits(fit, earlier, kEarlier) : fit;
+  if (!earlier.missing.empty()) return fit;
+  const double goes_on = samples.places.front() - stop.places.front();
+  const double far = std::clamp((goes_on - kSkin) / (kFar - kSkin), 0.0, 1.0);
+  return MixFits(fit, earlier, kEarlier + far * (kFarOn - kEarlier));
 }
 
 /** The last stop on the way to the place. Two stops that may both be the touch are both weighed. */
@@ -102,7 +106,7 @@ TouchFit FitPath(const TipAgainstObject& tip, const ObjectTrack& object, double 
     const TouchFit fit = FitIfSeen(samples);
     if (earlier) return fit.missing.empty() ? MixFits(*earlier, fit, share) : *earlier;
     if (!fit.missing.empty()) return fit;
-    const double touch = CalcTouchTime(fit, kUsualDepths).time;
+    const double touch = CalcStopTime(fit);
     const LateMotion late =
         FindLateMotion(tip.p_O, place, hold, tip.noise, touch, samples.direction);
     share = late.share;
@@ -126,8 +130,7 @@ TouchFit FitSurface(const TipAgainstObject& tip, const ObjectTrack& object, doub
   TouchFit fit = FitIfSeen(samples);
   if (!fit.missing.empty()) return fit;
   const LateMotion late =
-      FindLateMotion(tip.p_O, place, hold, tip.noise, CalcTouchTime(fit, kUsualDepths).time,
-                     Eigen::Vector3d::Zero());
+      FindLateMotion(tip.p_O, place, hold, tip.noise, CalcStopTime(fit), Eigen::Vector3d::Zero());
   if (late.share == 1.0) {
     fit.missing =
         fmt::format("it comes to the surface {:.0f} mm from where it holds", MmFromM(late.way));

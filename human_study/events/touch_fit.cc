@@ -26,12 +26,11 @@ constexpr double kHeldTremor = 0.6;       // share of a tremor that a digit keep
 constexpr double kPadTolerance = 0.5e-3;  // of a given pad offset [m]
 constexpr double kModel = 0.5e-3;         // SD of what no model says [s]
 constexpr double kLearnedShare = 1.5;     // of the time by which learned depths move a touch ..
-constexpr double kToe = 0.45e-3;          // of skin that gives way unseen [m]
-constexpr double kToeUnsure = 0.35;       // of it (SD)
-constexpr double kLongestToe = 5e-3;      // [s]
-constexpr double kPressed = 0.4e-3;       // more of it where it moves the object (SD) [m]
-constexpr double kLongestPressed = 0.02;  // [s]
-constexpr double kMostLearned = 0.02;     // .. and no more, as deep settling is seen as such [s]
+// Skin that gives way unseen, its mean and SD, and what comes to each as the touch slows down [m].
+constexpr double kToe = 0.55e-3, kToeSd = 0.28e-3, kSlowToe = 0.3e-3, kSlowToeSd = 0.6e-3;
+constexpr double kSlowTouch = 0.03;    // [m/s]
+constexpr double kLongestToe = 0.3;    // [s]
+constexpr double kMostLearned = 0.02;  // .. and no more, as deep settling is seen as such [s]
 /** Of noise beyond what cameras have, by which slow touches seem to come early. */
 constexpr double kNoisyShare = 0.75, kPlainNoise = 0.6e-3;  // [m]
 constexpr double kMinStep = 0.5e-3;                         // between the touches tried [s]
@@ -234,7 +233,7 @@ class Fitter {
       equations.AddBefore(before, tau, known);
       equations.AddAfter(samples_, weights_, num_before, tc, tau, known);
       if (!std::isnan(samples_.touch_place)) {
-        equations.AddTouchPlace(samples_.touch_place, tau, known);
+        equations.AddTouchPlace(samples_.touch_place - kToe, tau, known);
       }
       const Equations::Solution solution = equations.Solve();
       speed = solution.unknowns[kSpeed] + object.rate;
@@ -307,19 +306,6 @@ TouchMoments CalcTouchMoments(const TouchFit& fit, const DepthWeights& weights) 
   return {sum, origin + moment / sum, std::max(0.0, squares / sum - Square(moment / sum))};
 }
 
-/** Whether what touches at `time` moves the object, or stands in its way: the object comes to the
-digit just before, or its speed differs after. One that leaves as fast as before is moved by others.
-*/
-bool IsPressed(const TouchSamples& samples, double time) {
-  constexpr double kSpanBefore = 0.05, kSpanAfter = 0.1;  // [s]
-  constexpr double kFar = 2e-3;                           // over the stretch after [m]
-  if (samples.object_motion.empty()) return false;
-  const double at = InterpolateMotion(samples, time);
-  const double came = at - InterpolateMotion(samples, time - kSpanBefore);
-  const double goes_on = InterpolateMotion(samples, time + kSpanAfter) - at;
-  return kSpanAfter / kSpanBefore * came + std::abs(goes_on) > kFar;
-}
-
 }  // namespace
 
 const DepthWeights kUsualDepths = {30.0, 12.0, 0.8, 0.15, 0.06, 0.04, 0.03, 0.02};
@@ -361,13 +347,10 @@ TouchFit FitTouch(const TouchSamples& samples) {
     fit.time[k] = sum > 0.0 ? first + moment / sum : samples.first;
     fit.variance[k] = sum > 0.0 ? std::max(0.0, squares / sum - Square(moment / sum)) : 0.0;
   }
-  if (std::isnan(samples.touch_place)) {
-    fit.toe = std::min(kToe * all / speeds, kLongestToe);
-    fit.noisy = kNoisyShare * std::max(0.0, samples.noise - kPlainNoise) * all / speeds;
-    if (IsPressed(samples, CalcTouchMoments(fit, kUsualDepths).time - fit.toe)) {
-      fit.pressed = std::min(kPressed * all / speeds, kLongestPressed);
-    }
-  }
+  const double speed = speeds / all, slowness = std::exp(-speed / kSlowTouch);
+  fit.toe = std::min((kToe + kSlowToe * slowness) / speed, kLongestToe);
+  fit.toe_unsure = std::min((kToeSd + kSlowToeSd * slowness) / speed, kLongestToe);
+  fit.noisy = kNoisyShare * std::max(0.0, samples.noise - kPlainNoise) / speed;
   const double degrees = static_cast<double>(samples.times.size());
   fit.noise_ratio = std::sqrt(fitter.least_misfit() / degrees);
   return fit;
@@ -390,9 +373,10 @@ TouchFit MixFits(const TouchFit& a, const TouchFit& b, double share) {
     mix.variance[k] = (1.0 - share_b) * a.variance[k] + share_b * b.variance[k] +
                       (1.0 - share_b) * share_b * apart * apart;
   }
-  mix.toe = (1.0 - share) * a.toe + share * b.toe;
-  mix.noisy = (1.0 - share) * a.noisy + share * b.noisy;
-  mix.pressed = (1.0 - share) * a.pressed + share * b.pressed;
+  const TouchFit& likelier = share < 0.5 ? a : b;
+  mix.toe = likelier.toe;
+  mix.toe_unsure = likelier.toe_unsure;
+  mix.noisy = likelier.noisy;
   mix.noise_ratio = std::max(a.noise_ratio, b.noise_ratio);
   return mix;
 }
@@ -408,12 +392,14 @@ EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights) {
   const double moved = touch.time - CalcTouchMoments(fit, kUsualDepths).time;
   const double excess = std::sqrt(std::max(0.0, moved * moved - 0.25 * touch.variance));
   const double learned = std::min(kLearnedShare * excess, kMostLearned);
-  const double unseen = std::hypot(std::hypot(kToeUnsure * fit.toe, fit.noisy), fit.pressed);
+  const double unseen = std::hypot(fit.toe_unsure, fit.noisy);
   // Where the best fit leaves more than the noise, the model is wrong by as much.
   const double own = std::max(1.0, fit.noise_ratio) * std::sqrt(touch.variance);
   event.uncertainty = std::hypot(std::hypot(kModel, learned), std::hypot(unseen, own));
   return event;
 }
+
+double CalcStopTime(const TouchFit& fit) { return CalcTouchMoments(fit, kUsualDepths).time; }
 
 double CalcOwnUncertainty(const TouchFit& fit, const DepthWeights& weights) {
   if (!fit.missing.empty()) return std::nan("");

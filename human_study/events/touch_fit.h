@@ -20,11 +20,14 @@ belongs to the skin and the marker's place, not to the trial: its weights may be
 contacts of a study (LearnDepths), and then one contact whose own samples cannot tell is found
 without bias.
 
-Skin resists exponentially (Pawluk & Howe 1999, J. Biomech. Eng. 121:178): its first 0.45 mm give
-way without a trace that a fit could find, so the touch is earlier than the path tells by that way
-at the speed of the touch (TouchFit::toe), more or less. Skin that moves the object, or that stops
-one that comes, carries more than the table's friction: it gives way deeper, by another 0.4 mm (SD),
-which is stated and not corrected (TouchFit::pressed).
+Skin resists exponentially (Pawluk & Howe 1999, J. Biomech. Eng. 121:178): its first part gives way
+without a trace that a fit could find. The touch is earlier than the path tells by that depth over
+the speed v of the touch (TouchFit::toe):
+
+    depth = 0.55 mm + 0.3 mm e,  SD = 0.28 mm + 0.6 mm e,  e = exp(-v / 30 mm/s)
+
+The depth covers stiff tips as well as soft pads (0.2 to 0.8 N/mm at first, on fingers of 120 to 260
+N/m). A touch slower than 30 mm/s has no stop of its own: the digit goes on as the grip grows.
 
 Known limits: a way of settling that is not like the exponential; a digit that stops off the surface
 stops as one that touches does. */
@@ -59,7 +62,7 @@ struct TouchSamples {
   double tremor = 0.0;  ///< RMS of a place while the digit is free (8 to 12 Hz) [m]
   double first = 0.0;   ///< the touch lies between first ..
   double last = 0.0;    ///< .. and last [s]
-  /** Clearance at the touch, where it is known from a given pad offset [m]; else NaN. */
+  /** Clearance at the touch, skin uncompressed, where a pad offset is given [m]; else NaN. */
   double touch_place = std::numeric_limits<double>::quiet_NaN();
   /** Of the clearance, unit; zero: along a surface's normal. No part of the fit. */
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
@@ -70,11 +73,9 @@ struct TouchFit {
   std::array<double, kSettlingDepths.size()> log_evidence{};
   std::array<double, kSettlingDepths.size()> time{};      ///< mean [s]
   std::array<double, kSettlingDepths.size()> variance{};  ///< of the time [s^2]
-  /** In which 0.45 mm of skin give way at the touch's speed, at most 5 ms; 0 where the clearance at
-  the touch is known [s]. */
-  double toe = 0.0;
+  double toe = 0.0;          ///< in which skin gives way unseen, at most 0.3 s [s]
+  double toe_unsure = 0.0;   ///< SD of it [s]
   double noisy = 0.0;        ///< by which noise may have moved it (SD) [s]
-  double pressed = 0.0;      ///< in which skin that moves the object gives way deeper (SD) [s]
   double noise_ratio = 1.0;  ///< RMS of the best fit's residuals over the noise
   std::string missing;       ///< why there is none; empty when there is one
 };
@@ -82,17 +83,21 @@ struct TouchFit {
 /** @pre times and places are as many, first < last. */
 TouchFit FitTouch(const TouchSamples& samples);
 
-/** One of two touches: each depth's time and variance are those of both.
+/** One of two touches: each depth's time and variance are those of both, the toe is the likelier's.
 @param share  how likely it is the second, between 0 and 1. @pre neither is missing. */
 TouchFit MixFits(const TouchFit& a, const TouchFit& b, double share);
 
-/** The touch under those weights: mean and standard deviation over all depths, less the toe, of
-which 0.35 is unsure, as is 0.75 of the time that noise beyond 0.6 mm takes at the touch's speed,
-and what skin gives way that moves the object (at most 20 ms).
+/** The touch under those weights: mean and standard deviation over all depths, less the toe. The
+deviation contains the toe's, and 0.75 of the time that noise beyond 0.6 mm takes at the touch's
+speed.
 Weights that were learned add one and a half times what they move the touch by beyond half a
 standard deviation, at most 20 ms: of a soft arrival that looks like settling the usual depths, too,
 make a part. */
 EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights);
+
+/** Where the path seems to stop under the usual depths, skin that gives way unseen included [s].
+@pre fit.missing is empty. */
+double CalcStopTime(const TouchFit& fit);
 
 /** The part of that standard deviation which is not about the depth [s]: digits do not share it, so
 it is what makes touching at once look like a sequence. NaN when the touch is missing. */

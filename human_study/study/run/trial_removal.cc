@@ -189,14 +189,8 @@ std::vector<FindingGroup> GroupFindings(const StudyResult& result) {
   return groups;
 }
 
-namespace {
-
-constexpr double kRoughTouch = 0.03;  // [s]
-constexpr double kClosesOn = 8e-3;    // [m]
-
-}  // namespace
-
 const std::vector<TrialFlag>& TrialFlagList() {
+  constexpr double kClosesOn = 8e-3;  // [m]
   using A = TrialAnalysis;
   static const std::vector<TrialFlag> flags = {
       {"filled", "an event was decided on filled samples",
@@ -224,12 +218,6 @@ const std::vector<TrialFlag>& TrialFlagList() {
        [](const A& a) {
          return std::any_of(a.contacts.begin(), a.contacts.end(), [](const auto& digit) {
            return digit.contact.IsFound() && !digit.has_pad_offset && digit.stands_off > 0.002;
-         });
-       }},
-      {"uncertain touch", "the instant of a touch is known to no better than 30 ms (95 %)",
-       [](const A& a) {
-         return std::any_of(a.contacts.begin(), a.contacts.end(), [](const auto& digit) {
-           return digit.contact.IsFound() && digit.contact.CalcHalfWidth() > kRoughTouch;
          });
        }},
       {"closes on",

@@ -128,8 +128,8 @@ Accuracy CompareWithTruth(const Judged& judged) {
       ++accuracy.num_contacts;
       errors.push_back(contact.time - touch);
       const double error = std::abs(errors.back());
-      num_covered += error <= 1.96 * contact.uncertainty;
-      accuracy.num_silent += error > kLarge && is_silent;
+      num_covered += error <= contact.CalcHalfWidth();
+      accuracy.num_silent += error > std::max(kLarge, contact.CalcHalfWidth()) && is_silent;
     }
     gfts.push_back(found.analysis->timing.gft);
     if (is_complete) gft_errors.push_back(gfts.back() - (last - first));

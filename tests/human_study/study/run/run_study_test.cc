@@ -397,16 +397,19 @@ TEST(StudyExamples, ThirtyHertzOfAStrangerAreAnalysed) {
   Diagnostics problems;
   DataTable truth(ReadFile(folder / "truth.csv"), "truth.csv", problems);
   const char* const columns[] = {"c_thumb", "c_index", "c_middle", "c_ring", "c_little"};
+  double squares = 0.0, count = 0.0;
   for (size_t i = 0; i < result.trials.size(); ++i) {
     if (!result.trials[i].IsKept()) continue;
     for (size_t d = 0; d < 5; ++d) {
       const EventTime& contact = result.trials[i].analysis->contacts[d].contact;
       if (!contact.IsFound()) continue;
       const double error = contact.time - truth.Number(i, columns[d]);
-      EXPECT_LT(std::abs(error), 0.033) << result.trials[i].id << " " << columns[d];
+      squares += error * error;
+      count += 1.0;
       EXPECT_LT(std::abs(error), 2.0 * contact.CalcHalfWidth()) << result.trials[i].id;
     }
   }
+  EXPECT_LT(std::sqrt(squares / count), 0.5 / 30.0);  // half a frame
 }
 
 TEST_F(OneTable, AStrangersBadFileIsNamedAndTheOthersGoOn) {
@@ -448,12 +451,12 @@ TEST(StudyExamples, KinesisRunsEndToEnd) {
       LoadStudy(FindDataRoot() / "human_study/examples/kinesis/study.yaml", FindMocapData()));
   EXPECT_EQ(result.trials.size(), 45u);
   EXPECT_EQ(result.num_resampled, 45);
-  EXPECT_EQ(result.CountKept(), 23);  // one recorded at half the rate of the others
+  EXPECT_EQ(result.CountKept(), 22);  // one recorded at half the rate of the others
   const std::map<std::string, int> expected = {
       {"no hold: near the object all tips are hidden for a while and never rest together before or "
        "after it",
        6},
-      {"an event fell into a gap", 2},
+      {"an event fell into a gap", 3},
       {"no contact of the thumb: not usable here: digit or object hidden for ", 2},
       // Nothing stops a digit at a virtual object: it slows in one direction, then in the other.
       {"no contact of the index: not usable here: known to \u00b1 ", 3},

@@ -81,22 +81,21 @@ TEST(FindGoodTrial, IsWithoutFlagAndNearTheMedian) {
   EXPECT_EQ(FindGoodTrial(result)->id, "2");
 }
 
-TEST(TrialFlags, RoughTouchesAndFilteredExportsAreFlagged) {
+// How well a contact is known is a number of its own, and no flag.
+TEST(TrialFlags, FilteredExportsAndHandsThatCloseOnAreFlagged) {
   TrialAnalysis analysis;
   DigitContactEvents& digit = analysis.contacts.emplace_back();
   digit.contact.time = 1.0;
-  digit.contact.uncertainty = 0.0152;
+  digit.contact.uncertainty = 0.04;
   digit.is_verified = true;
   analysis.num_touching = 1;
   EXPECT_EQ(FormatFlags(analysis), "");
-  digit.contact.uncertainty = 0.0154;  // 1.96 times that is more than 30 ms
-  EXPECT_EQ(FormatFlags(analysis), "uncertain touch");
   analysis.low_pass = 6.0;
-  EXPECT_EQ(FormatFlags(analysis), "uncertain touch, filtered export");
+  EXPECT_EQ(FormatFlags(analysis), "filtered export");
   analysis.closes_on = 7.9e-3;
-  EXPECT_EQ(FormatFlags(analysis), "uncertain touch, filtered export");
+  EXPECT_EQ(FormatFlags(analysis), "filtered export");
   analysis.closes_on = 8.1e-3;
-  EXPECT_EQ(FormatFlags(analysis), "uncertain touch, closes on, filtered export");
+  EXPECT_EQ(FormatFlags(analysis), "closes on, filtered export");
 }
 
 TEST(RemovalAdvice, EveryReasonHasItsOwn) {
