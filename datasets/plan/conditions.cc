@@ -344,7 +344,8 @@ std::string NormaliseSetting(const std::string& assignment, const SessionConfig&
                                        : "touch: " + config.touch + ", not sensed"));
   }
   if (group == "arm" && key != "arm.model" && !HasArm(changed.arm)) {
-    throw Error(ErrorKind::kUsage, "\"" + key + "\" has no effect here: arm.model is none");
+    throw Error(ErrorKind::kUsage,
+                "\"" + key + "\" has no effect here: arm.model is none; set arm.model, too");
   }
   const std::string level = FindBaseLevel(changed, key);
   if (level != FindBaseLevel(config, key) && ToJson(changed) == ToJson(config)) {

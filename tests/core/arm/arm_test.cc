@@ -55,8 +55,8 @@ TEST(Arm, ForwardKinematicsArePublishedTables) {
 }
 
 struct DynamicRow {
-  double mass;
-  Vector3d p_com, inertia;  // inertia empty: not published
+  double mass;              // 0: not published
+  Vector3d p_com, inertia;  // 0: not published
   double rotor, gear;
 };
 
@@ -65,9 +65,9 @@ void ExpectDynamics(const Arm& arm, const std::vector<DynamicRow>& rows) {
   for (int i = first; i < arm.num_joints(); ++i) {
     const ArmJoint& joint = arm.joints[static_cast<size_t>(i)];
     const DynamicRow& row = rows[static_cast<size_t>(i - first)];
-    if (row.mass > 0.0) EXPECT_EQ(joint.mass, row.mass) << joint.name;
+    EXPECT_TRUE(row.mass == 0.0 || joint.mass == row.mass) << joint.name;
     EXPECT_LT((joint.p_com - row.p_com).norm(), 1e-12) << joint.name;
-    if (row.inertia.norm() > 0.0) EXPECT_EQ(joint.inertia, row.inertia) << joint.name;
+    EXPECT_TRUE(row.inertia.isZero() || joint.inertia == row.inertia) << joint.name;
     const double armature = row.rotor * row.gear * row.gear;
     EXPECT_NEAR(joint.armature, armature, 2e-3 * armature) << joint.name;  // three digits
   }

@@ -1,6 +1,6 @@
-"""An arm with a hand as URDF, in the hands of another program: this file reads it with the standard
-library alone. Poses of the arm's flange must be those of the Denavit-Hartenberg rows in arm.yaml, and
-the hand of a trial must stand where its trajectory has it, to 1e-9 m.
+"""An arm with a hand as URDF, in the hands of another program: this file reads it by URDF's own
+rules. Poses of the arm's flange must be those of the Denavit-Hartenberg rows in arm.yaml, and the
+palm of a trial must stand where its trajectory has it, to 1e-9 m.
 
   read_arm_urdf.py GRASPBENCH ARMS      exit code 77: a package is missing
 """
@@ -85,7 +85,8 @@ def check(folder, arm, hand, base):
     graspbench("run", "--hand", hand, "--object", "golf_ball", "--arm", arm, "--arm-base", base,
                "--trials", 1, "--out", session)
     graspbench("export", session, "--urdf")
-    robot = Robot(session / "export" / "urdf" / hand / "robot.urdf")
+    urdf = session / "export" / "urdf" / hand / "robot.urdf"
+    robot = Robot(urdf)
     rows = yaml.safe_load((ARMS / arm / "arm.yaml").read_text())["joints"]
     x, y, z, yaw = map(float, base.split(","))
     X_WB = shift(x, y, z) @ turn((0, 0, 1), math.radians(yaw))
@@ -99,16 +100,20 @@ def check(folder, arm, hand, base):
         X_FRoot = found if X_FRoot is None else X_FRoot
         assert np.abs(found - X_FRoot).max() < TOLERANCE, (arm, np.abs(found - X_FRoot).max())
 
-    # The trial itself: the arm's angles of the scene's start, the root's pose of the same scene's hand.
-    scene = graspbench("export", session, "--mjcf", "all", "--out", folder / (arm + "-scenes")).split()[0]
-    motion = next(csv.DictReader(open(pathlib.Path(scene).parent / "motion.csv")))
-    angles = {"arm/" + row["name"]: float(motion["arm/" + row["name"] + "_rad"]) for row in rows}
-    trial = pathlib.Path(scene).parent.name
-    file = folder / (arm + ".csv")
-    graspbench("trial", session, trial, "--trajectory", file)
-    with open(file) as table:
+    # The trial itself: the palm's pose at its first instant, at the arm's first angles.
+    scenes = folder / (arm + "-scenes")
+    scene = pathlib.Path(graspbench("export", session, "--mjcf", "all", "--out", scenes).split()[0])
+    with open(scene.parent / "motion.csv") as table:
         first = next(csv.DictReader(table))
-    print(arm, hand, list(first)[:12])
+    angles = {"arm/" + row["name"]: float(first["arm/" + row["name"] + "_rad"]) for row in rows}
+    file = folder / (arm + ".npz")
+    graspbench("trial", session, scene.parent.name, "--trajectory", file)
+    tables = np.load(file)
+    start = dict(zip([name.decode() for name in tables["states_columns"]], tables["states"][0]))
+    palm = yaml.safe_load((urdf.parent / "hand.yaml").read_text())["palm"]["link"]
+    found = robot.pose(palm, angles)[:3, 3]
+    expected = [start[f"hand_{axis}_m"] for axis in "xyz"]
+    assert np.abs(found - expected).max() < TOLERANCE, (arm, found, expected)
 
 
 with tempfile.TemporaryDirectory() as name:

@@ -32,7 +32,7 @@ TEST(SessionInputs, TheSessionsApproachComesBeforeAllOthers) {
 
 namespace fs = std::filesystem;
 
-/** The PA-10 with the first row's twist mirrored: its upper arm points into the table. */
+/** The PA-10 with the first row's twist mirrored: its upper arm points down. */
 TEST(SessionInputs, AnArmThatTouchesInItsReadyPostureIsRefused) {
   const TemporaryFolder folder;
   std::string text = ReadFile(LoadArm("pa10").folder + "/arm.yaml");
@@ -47,7 +47,7 @@ TEST(SessionInputs, AnArmThatTouchesInItsReadyPostureIsRefused) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::kRange);
-    EXPECT_TRUE(Has(error.what(), "in its ready posture link 2 would meet the table; check "));
+    EXPECT_TRUE(Has(error.what(), "in its ready posture the base would meet link 2; check "));
   }
 }
 
