@@ -54,9 +54,9 @@ constexpr std::pair<const char*, StagePlace> kStageCommands[] = {
 
 /** Where results go, how many processors work and whether to go on is the pipeline's; what a clock
 decides is nobody's, because it would differ elsewhere. */
-constexpr const char* kOwnOptions[] = {"out",           "paper",     "mjcf",         "jobs",
-                                       "resume",        "plan-only", "help",         "replay",
-                                       "accept-damage", "replace",   "trial-timeout"};
+constexpr const char* kOwnOptions[] = {"out",    "paper",         "mjcf",      "urdf",
+                                       "jobs",   "resume",        "plan-only", "help",
+                                       "replay", "accept-damage", "replace",   "trial-timeout"};
 
 StageOption MakeStageOption(const Option& option, StagePlace place) {
   StageOption made;

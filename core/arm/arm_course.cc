@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/arm/arm_inverse.h"
+#include "core/arm/ready_posture.h"
 #include "core/base/units.h"
 #include "core/hand/contact_shape.h"
 
@@ -232,10 +233,9 @@ ArmCourse MakeOutOfReach(const Arm& arm, const ArmReach& reach) {
   return course;
 }
 
-}  // namespace
-
-std::string FindArmCollision(const MountedArm& mounted, const VectorXd& q,
-                             const GraspObject& object, const Pose& X_WO) {
+/** @param object  at X_WO; null: none. */
+std::string FindCollision(const MountedArm& mounted, const VectorXd& q, const GraspObject* object,
+                          const Pose& X_WO) {
   const Arm& arm = *mounted.arm;
   const std::vector<Pose> X_BL = CalcArmPoses(arm, q);
   struct Segment {
@@ -255,9 +255,9 @@ std::string FindArmCollision(const MountedArm& mounted, const VectorXd& q,
     }
     // Balls a radius apart stand for the capsule.
     const int num = 1 + static_cast<int>((segment.b - segment.a).norm() / capsule.radius);
-    for (int k = 0; k <= num; ++k) {
+    for (int k = 0; object != nullptr && k <= num; ++k) {
       const Vector3d p_W = segment.a + static_cast<double>(k) / num * (segment.b - segment.a);
-      if (object.field->Query(X_OW * p_W).distance < capsule.radius) {
+      if (object->field->Query(X_OW * p_W).distance < capsule.radius) {
         return NameLink(capsule.link) + " would meet the object";
       }
     }
@@ -271,6 +271,17 @@ std::string FindArmCollision(const MountedArm& mounted, const VectorXd& q,
     }
   }
   return "";
+}
+
+}  // namespace
+
+std::string FindArmCollision(const MountedArm& mounted, const VectorXd& q,
+                             const GraspObject& object, const Pose& X_WO) {
+  return FindCollision(mounted, q, &object, X_WO);
+}
+
+std::string FindReadyCollision(const MountedArm& mounted) {
+  return FindCollision(mounted, mounted.arm->ready, nullptr, Pose::Identity());
 }
 
 ArmCourse PlanArmCourse(const MountedArm& mounted, const ArmTask& task) {

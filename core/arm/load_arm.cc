@@ -1,6 +1,8 @@
 #include "core/arm/load_arm.h"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 #include "core/base/files/files.h"
 #include "core/base/hash.h"
@@ -32,10 +34,23 @@ fs::path FindArmFolder(const std::string& id_or_folder) {
                                         SuggestNames(id_or_folder, ids));
 }
 
+/** A joint that needs as many seconds for a turn was given in rad/s [deg/s]. */
+constexpr double kRadiansOfSpeed = 2.0 * kPi;
+
 void ReadAngle(const std::string& key, Needed needed, YamlMap& map, double& angle) {
   double angle_deg = DegFromRad(angle);
   map.Read(key, angle_deg, needed);
   angle = RadFromDeg(angle_deg);
+}
+
+/** Of a Denavit-Hartenberg row: quarter turns are 90, not 1.5708. */
+void ReadRowAngle(const std::string& key, Needed needed, YamlMap& map, double& angle) {
+  ReadAngle(key, needed, map, angle);
+  const double angle_deg = DegFromRad(std::abs(angle));
+  if (std::abs(angle_deg - 0.5 * kPi) < 0.01 || std::abs(angle_deg - kPi) < 0.01) {
+    map.Fail(key,
+             FormatFixed(DegFromRad(angle), 4) + " deg; expected degrees, this looks like radians");
+  }
 }
 
 ArmJoint ReadArmJoint(YamlMap& map) {
@@ -43,8 +58,8 @@ ArmJoint ReadArmJoint(YamlMap& map) {
   map.Read("name", joint.name);
   map.Read("a_m", joint.a);
   map.Read("d_m", joint.d);
-  ReadAngle("alpha_deg", Needed::kYes, map, joint.alpha);
-  ReadAngle("offset_deg", Needed::kNo, map, joint.offset);
+  ReadRowAngle("alpha_deg", Needed::kYes, map, joint.alpha);
+  ReadRowAngle("offset_deg", Needed::kNo, map, joint.offset);
   ReadAngle("lower_deg", Needed::kYes, map, joint.lower);
   ReadAngle("upper_deg", Needed::kYes, map, joint.upper);
   ReadAngle("speed_deg_per_s", Needed::kYes, map, joint.speed);
@@ -99,6 +114,30 @@ void ReadReady(YamlMap& root, Arm& arm) {
     if (angle < joint.lower || angle > joint.upper) {
       root.Fail("ready_deg", "joint \"" + joint.name + "\" would be outside its limits");
     }
+  }
+}
+
+/** What one joint does not show. */
+void CheckJoints(const Arm& arm, YamlMap& root) {
+  if (arm.num_joints() < kLeastJoints || arm.num_joints() > kMostJoints) {
+    root.Fail("joints", "found " + FormatCount(arm.num_joints(), "joint") + "; expected " +
+                            std::to_string(kLeastJoints) + " to " + std::to_string(kMostJoints) +
+                            ", for the hand to take any pose");
+  }
+  if (CalcArmReach(arm) == 0.0) {
+    root.Fail("joints", "every a_m and d_m behind joint 1 is 0; expected the lengths of the links");
+  }
+  const auto is_slow = [](const ArmJoint& joint) {
+    return DegFromRad(joint.speed) <= kRadiansOfSpeed;
+  };
+  if (std::all_of(arm.joints.begin(), arm.joints.end(), is_slow)) {
+    root.Fail("joints", "no joint is faster than " + FormatFixed(kRadiansOfSpeed, 1) +
+                            " deg/s; expected degrees per second, these look like radians");
+  }
+  std::set<std::string> names;
+  for (const ArmJoint& joint : arm.joints) {
+    if (names.insert(joint.name).second) continue;
+    root.Fail("joints", "two joints are named \"" + joint.name + "\"; expected a name each");
   }
 }
 
@@ -167,11 +206,7 @@ Arm ParseArm(const std::string& text, const fs::path& folder, Diagnostics& probl
     YamlMap map(item, file, "joint", problems, &ListArmKeys(), "joints.");
     arm.joints.push_back(ReadArmJoint(map));
   }
-  if (arm.num_joints() > 0 && (arm.num_joints() < kLeastJoints || arm.num_joints() > kMostJoints)) {
-    root.Fail("joints", "found " + FormatCount(arm.num_joints(), "joint") + "; expected " +
-                            std::to_string(kLeastJoints) + " to " + std::to_string(kMostJoints) +
-                            ", for the hand to take any pose");
-  }
+  if (arm.num_joints() > 0) CheckJoints(arm, root);
   ReadReady(root, arm);
   for (const YAML::Node& item : ListItems("capsules", root)) {
     YamlMap map(item, file, "capsule", problems, &ListArmKeys(), "capsules.");

@@ -16,6 +16,7 @@
 #include "core/physics/contact.h"
 #include "core/physics/implicit_world.h"
 #include "core/trial/protocols/table_lift.h"
+#include "datasets/mjcf/arm_urdf.h"
 
 namespace graspbench {
 
@@ -205,18 +206,6 @@ void SceneWriter::WriteLink(int link) {
   Close();
 }
 
-/** Moments of inertia as bodies have them: none is larger than the other two together. What an arm's
-data leave at 0, because no joint moves it, is raised. */
-Vector3d MakePossible(Vector3d inertia) {
-  for (int i = 0; i < 3; ++i) {
-    const double missing = inertia[i] - inertia[(i + 1) % 3] - inertia[(i + 2) % 3];
-    if (missing <= 0.0) continue;
-    inertia[(i + 1) % 3] += 0.5 * missing;
-    inertia[(i + 2) % 3] += 0.5 * missing;
-  }
-  return inertia.cwiseMax(1e-9);
-}
-
 /** The link's body lies on its joint's axis, turned and shifted as at zero; the next one, and the
 hand behind the last, hang in its frame. */
 void SceneWriter::WriteArmLink(int link) {
@@ -230,7 +219,7 @@ void SceneWriter::WriteArmLink(int link) {
   if (link > 0) {
     const ArmJoint& joint = arm.joints[link - 1];
     WriteInertial(std::max(joint.mass, 1e-6), joint.p_com,
-                  MakePossible(joint.inertia).asDiagonal().toDenseMatrix());
+                  MakePossibleInertia(joint.inertia).asDiagonal().toDenseMatrix());
     const Pose X_LP = X_PL.inverse();
     Add("joint", {{"name", name},
                   {"pos", Vector3d(X_LP.translation())},

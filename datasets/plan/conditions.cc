@@ -343,6 +343,10 @@ std::string NormaliseSetting(const std::string& assignment, const SessionConfig&
                     (group == "camera" ? "positioning: " + config.positioning + ", not camera"
                                        : "touch: " + config.touch + ", not sensed"));
   }
+  if (group == "arm" && key != "arm.model" && !HasArm(changed.arm)) {
+    throw Error(ErrorKind::kUsage,
+                "\"" + key + "\" has no effect here: arm.model is none; set arm.model, too");
+  }
   const std::string level = FindBaseLevel(changed, key);
   if (level != FindBaseLevel(config, key) && ToJson(changed) == ToJson(config)) {
     throw Error(ErrorKind::kUsage, "\"" + key + "=" + level +
@@ -365,6 +369,11 @@ ConditionInputs ApplyCondition(const Condition& condition, const SessionConfig& 
                                        "\" delays a digit or changes the backend, and "
                                        "policy.command gives the digits to a controller; leave one "
                                        "of them out");
+  }
+  if (made.is_compliant && HasArm(made.config.arm)) {
+    throw Error(ErrorKind::kUnsupported,
+                "the condition \"" + condition.name + "\" has arm.model " + made.config.arm.model +
+                    " and the compliant backend, which has no robot arm; leave one of them out");
   }
   return made;
 }

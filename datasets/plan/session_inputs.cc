@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/arm/load_arm.h"
+#include "core/arm/ready_posture.h"
 #include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/base/files/files.h"
@@ -246,6 +247,15 @@ Json DescribeRehearsals(const SessionConfig& config) {
   return decides;
 }
 
+/** What touches in the ready posture touches in every trial, and comes of wrong rows. */
+void DemandFreeReady(const MountedArm& mounted) {
+  const std::string touched = FindReadyCollision(mounted);
+  if (touched.empty()) return;
+  throw Error(ErrorKind::kRange,
+              "the arm \"" + mounted.arm->id + "\": in its ready posture " + touched +
+                  "; check ready_deg, the signs of alpha_deg, a_m and d_m, and the capsules");
+}
+
 SessionInputs LoadBaseInputs(const SessionConfig& config, FieldUse field_use,
                              const std::filesystem::path& folder) {
   SessionInputs inputs;
@@ -262,6 +272,7 @@ SessionInputs LoadBaseInputs(const SessionConfig& config, FieldUse field_use,
     if (arm) {
       DemandShortChains(*hand, arm->num_joints());
       mounted = std::make_shared<MountedArm>(MountArm(config.arm, arm, *hand));
+      DemandFreeReady(*mounted);
     }
     inputs.hands.push_back({std::move(hand), std::move(grasps), std::move(mounted)});
   }

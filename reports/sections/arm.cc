@@ -67,13 +67,13 @@ Html DrawArm(const ReportData& data) {
                {"Course", "trials in which the arm has a path"},
                "Cannot reach",
                "No straight path",
-               "Near a singularity",
+               {"Singular", "near a singular posture"},
                "Success",
                {"Time to pre-grasp [s]", "median"},
                {"Joint", "most often nearest its limit, or limiting the path"},
                {"Least margin [deg]", "smallest distance of a joint from its limit on the path"},
-               {"Deflection [mm]", "largest distance of the hand from its commanded position"},
-               {"Deflection [deg]", "largest rotation of the hand from its commanded orientation"},
+               {"Yield [mm]", "largest distance of the hand from its commanded position"},
+               {"Yield [deg]", "largest rotation of the hand from its commanded orientation"},
                {"Torque [%]", "largest ratio of a joint torque to its limit, weights included"},
                {"Joint with it", "the joint with the largest torque over its limit"}});
   int num_trials = 0, num_courses = 0;

@@ -26,7 +26,6 @@ TrialSetup MakeDrawnSetup(const SceneChoice& choice, const SessionInputs& inputs
                           std::optional<int> draw) {
   SessionConfig config = choice.config;
   config.trials = 1;
-  CheckSessionConfig(config);
   if (!config.policy.command.empty()) {
     throw Error(ErrorKind::kUsage, "the shell controls the hand; leave out policy.command");
   }
@@ -120,6 +119,7 @@ SceneChoice SceneChoice::MakeDefault() {
 }
 
 void ShellScene::Choose(const SceneChoice& choice) {
+  CheckSessionConfig(choice.config);
   auto inputs = inputs_;
   if (!inputs || !LoadsTheSame(choice, choice_)) {
     inputs = std::make_shared<SessionInputs>(

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/arm/load_arm.h"
 #include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/base/files/files.h"
@@ -133,7 +134,7 @@ std::string MakeRealTrials(int num_trials, bool is_made_up) {
 }  // namespace
 
 std::vector<std::string> ListNewKinds() {
-  return {"session", "sweep", "object", "hand", "study", "trials", "profile"};
+  return {"session", "sweep", "object", "hand", "arm", "study", "trials", "profile"};
 }
 
 std::vector<NewFile> MakeNewFiles(const std::string& kind) {
@@ -143,6 +144,7 @@ std::vector<NewFile> MakeNewFiles(const std::string& kind) {
   if (kind == "hand")
     return {{"hand.urdf", std::string(assets::kHandUrdf)},
             {"hand.yaml", std::string(assets::kHandYaml)}};
+  if (kind == "arm") return {{"arm.yaml", std::string(assets::kArmYaml)}};
   if (kind == "study") {
     return {{"study.yaml", MakeStudy()},
             {"trials.csv", "participant,trial,file,size_m\nP01,1,P01_1.c3d,0.04\n"}};
@@ -162,6 +164,7 @@ void CheckNewFiles(const std::string& kind, const std::string& folder) {
   if (kind == "profile") LoadProfile(folder + "/profile.yaml");
   if (kind == "object") LoadObject(folder, FieldUse::kLater);
   if (kind == "hand") LoadStandardGrasps(LoadHand(folder));
+  if (kind == "arm") LoadArm(folder);
   if (kind == "study") LoadStudy(folder + "/study.yaml");
   if (kind == "trials") {
     const std::string file = folder + "/made-up-example.csv";

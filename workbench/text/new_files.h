@@ -9,14 +9,14 @@ What `graspbench new` writes: small examples that can be used as they are. */
 
 namespace graspbench {
 
-namespace assets {  // of new_hand/
-extern const std::string_view kHandUrdf, kHandYaml;
+namespace assets {  // of new_hand/, new_arm/
+extern const std::string_view kHandUrdf, kHandYaml, kArmYaml;
 }
 
 /** A file's name and content. */
 using NewFile = std::pair<std::string, std::string>;
 
-/** "session", "sweep", "object", "hand", "study", "trials": of real hands, for a campaign. */
+/** "session", "sweep", "object", "hand", "arm", "study", "trials": of real hands, for a campaign. */
 std::vector<std::string> ListNewKinds();
 
 /** The files of one kind, each key with what it is. @pre one of ListNewKinds(). */

@@ -39,7 +39,7 @@ std::vector<Condition> ListNumericsVariants(const SessionConfig& config) {
     variants.push_back(
         {name, {"model.friction_scale=" + FormatJson(factor * config.model.friction_scale)}});
   }
-  variants.push_back({"compliant", {"backend=compliant"}});
+  if (!HasArm(config.arm)) variants.push_back({"compliant", {"backend=compliant"}});
   return variants;
 }
 

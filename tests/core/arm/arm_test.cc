@@ -54,6 +54,54 @@ TEST(Arm, ForwardKinematicsArePublishedTables) {
   }
 }
 
+struct DynamicRow {
+  double mass;              // 0: not published
+  Vector3d p_com, inertia;  // 0: not published
+  double rotor, gear;
+};
+
+void ExpectDynamics(const Arm& arm, const std::vector<DynamicRow>& rows) {
+  const int first = arm.num_joints() - static_cast<int>(rows.size());
+  for (int i = first; i < arm.num_joints(); ++i) {
+    const ArmJoint& joint = arm.joints[static_cast<size_t>(i)];
+    const DynamicRow& row = rows[static_cast<size_t>(i - first)];
+    EXPECT_TRUE(row.mass == 0.0 || joint.mass == row.mass) << joint.name;
+    EXPECT_LT((joint.p_com - row.p_com).norm(), 1e-12) << joint.name;
+    EXPECT_TRUE(row.inertia.isZero() || joint.inertia == row.inertia) << joint.name;
+    const double armature = row.rotor * row.gear * row.gear;
+    EXPECT_NEAR(joint.armature, armature, 2e-3 * armature) << joint.name;  // three digits
+  }
+}
+
+/** The tables typed again. PUMA 560: masses, centres and moments of mdl_puma560.m, motors and gears
+of mdl_puma560akb.m (Robotics Toolbox); link 1 has no mass there, and frame 6 is the wrist's. PA-10:
+Siconos and Choreonoid, joints 2 to 7. */
+TEST(Arm, DynamicsArePublishedTables) {
+  ExpectDynamics(LoadArm("puma560"),
+                 {{0.0, {0, 0, 0}, {0, 0.35, 0}, 291e-6, -62.6111},
+                  {17.4, {-0.3638, 0.006, 0.2275}, {0.13, 0.524, 0.539}, 409e-6, 107.815},
+                  {4.8, {-0.0203, -0.0141, 0.070}, {0.066, 0.086, 0.0125}, 299e-6, -53.7063},
+                  {0.82, {0, 0.019, 0}, {1.8e-3, 1.3e-3, 1.8e-3}, 35e-6, 76.0364},
+                  {0.34, {0, 0, 0}, {0.3e-3, 0.4e-3, 0.3e-3}, 35e-6, 71.923},
+                  {0.09, {0, 0, 0.032 - 0.05625}, {0.15e-3, 0.15e-3, 0.04e-3}, 35e-6, 76.686}});
+  ExpectDynamics(LoadArm("pa10"), {{8.41, {0, 0, 0.06325}, {0, 0, 0}, 3.0e-4, 50},
+                                   {3.51, {0, 0.08944, 0}, {0, 0, 0}, 8.5e-5, 50},
+                                   {4.31, {0, 0, 0.04609}, {0, 0, 0}, 8.5e-5, 50},
+                                   {3.45, {0, 0.1647, 0}, {0, 0, 0}, 2.3e-6, 50},
+                                   {1.46, {0, 0, -0.03}, {0, 0, 0}, 2.3e-6, 50},
+                                   {0.24, {0, 0, -0.029}, {0, 0, 0}, 2.3e-6, 50}});
+}
+
+/** Heights of the centres of mass of the upright arm in Choreonoid's PA10.body. */
+TEST(Arm, CentresOfMassOfThePa10LieWhereAnotherModelHasThem) {
+  const Arm arm = LoadArm("pa10");
+  const std::vector<Pose> X_BL = CalcArmPoses(arm, VectorXd::Zero(7));
+  const double heights[] = {0.37675, 0.672141, 0.80959, 1.09875, 1.2335, 1.3145};
+  for (size_t i = 1; i < 7; ++i) {
+    EXPECT_NEAR((X_BL[i + 1] * arm.joints[i].p_com).z(), heights[i - 1], 0.004) << i;
+  }
+}
+
 /** By hand: the PUMA's upper arm along x, the forearm up, the flange up. */
 TEST(Arm, PumaStandsAsDrawnAtZero) {
   const Pose X_BF = CalcFlangePose(LoadArm("puma560"), VectorXd::Zero(6));

@@ -29,6 +29,13 @@ std::string Replace(std::string text, const std::string& from, const std::string
   return text.replace(text.find(from), from.size(), to);
 }
 
+std::string ReplaceAll(std::string text, const std::string& from, const std::string& to) {
+  for (size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
 TEST(LoadArm, ArmsOfTheProgram) {
   EXPECT_EQ(ListArms(), (std::vector<std::string>{"pa10", "puma560"}));
   EXPECT_EQ(LoadArm("puma560").num_joints(), 6);
@@ -54,6 +61,20 @@ TEST(LoadArm, WrongFilesAreRefusedByName) {
       {Replace(text, "link: 1", "link: 7"), "no link 7; expected 0 (the base) to 6"},
       {Replace(text, "radius_m: 0.05", "radius_m: 0"), "radius_m"},
       {Replace(text, "mass_kg: 1,", "mass_kg: 1, colour: red,"), "colour"},
+      {Replace(text, "a_m: 0.5", "a_m: .nan"), "joint, a_m: expected a finite number"},
+      {Replace(text, "a_m: 0.5", "a_m: 431.8"), "a_m: 431.8 is out of range; expected -3 to 3"},
+      {Replace(text, "mass_kg: 1,", "mass_kg: -1,"), "mass_kg: -1 is out of range; expected 0 to"},
+      {Replace(text, "inertia_kg_m2: [0.01", "inertia_kg_m2: [-0.01"),
+       "inertia_kg_m2: -0.01 is out of range"},
+      {Replace(text, "alpha_deg: 0", "alpha_deg: -1.5708"),
+       "alpha_deg: -1.5708 deg; expected degrees, this looks like radians"},
+      {Replace(text, "alpha_deg: 0", "offset_deg: 3.1416, alpha_deg: 0"),
+       "offset_deg: 3.1416 deg; expected degrees, this looks like radians"},
+      {Replace(text, "name: j2", "name: j1"), "two joints are named \"j1\""},
+      {ReplaceAll(text, "a_m: 0.5", "a_m: 0"),
+       "every a_m and d_m behind joint 1 is 0; expected the lengths of the links"},
+      {ReplaceAll(text, "speed_deg_per_s: 90", "speed_deg_per_s: 1.57"),
+       "no joint is faster than 6.3 deg/s; expected degrees per second"},
       {MakeText(5), "found 5 joints; expected 6 to 10, for the hand to take any pose"},
       {MakeText(11), "found 11 joints; expected 6 to 10"},
   };

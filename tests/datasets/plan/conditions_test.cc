@@ -67,6 +67,21 @@ TEST(NormaliseSetting, RefusesWhatCannotBePaired) {
   }
 }
 
+TEST(Conditions, TheCompliantBackendRefusesAnArm) {
+  SweepConfig sweep;
+  sweep.arm.model = "pa10";
+  sweep.factors = {"backend=implicit,compliant"};
+  try {
+    MakeSweep(sweep);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kUnsupported);
+    EXPECT_TRUE(Has(error.what(),
+                    "the condition \"backend=compliant\" has arm.model pa10 and the compliant "
+                    "backend, which has no robot arm; leave one of them out"));
+  }
+}
+
 class PlannedConditions : public testing::Test {
  protected:
   PlannedConditions() {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/arm/load_arm.h"
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "core/hand/load_hand.h"
@@ -30,6 +31,25 @@ TEST(SessionInputs, TheSessionsApproachComesBeforeAllOthers) {
 }
 
 namespace fs = std::filesystem;
+
+/** The PA-10 with the first row's twist mirrored: its upper arm points down. */
+TEST(SessionInputs, AnArmThatTouchesInItsReadyPostureIsRefused) {
+  const TemporaryFolder folder;
+  std::string text = ReadFile(LoadArm("pa10").folder + "/arm.yaml");
+  text.replace(text.find("alpha_deg: -90"), 14, "alpha_deg: 90");
+  WriteFile(folder.path() / "arm.yaml", text);
+  SessionConfig config;
+  config.hands = {"tum"};
+  config.objects = {"golf_ball"};
+  config.arm.model = folder.path().string();
+  try {
+    LoadSessionInputs(config, FieldUse::kLater);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kRange);
+    EXPECT_TRUE(Has(error.what(), "in its ready posture the base would meet link 2; check "));
+  }
+}
 
 constexpr char kYaml[] =
     "name: block\nmesh: block.obj\nmesh_unit: mm\nmass_kg: 0.06\n"

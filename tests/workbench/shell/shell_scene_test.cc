@@ -75,6 +75,10 @@ TEST(ShellScene, WhatCannotBeChosenLeavesTheScene) {
   SceneChoice wrong = scene.choice();
   wrong.config.sim.step = -1.0;
   EXPECT_THROW(scene.Choose(wrong), Error);
+  wrong = scene.choice();
+  wrong.config.arm.model = "pa10";
+  wrong.config.arm.mount = "up";
+  EXPECT_THROW(scene.Choose(wrong), Error);
   EXPECT_EQ(scene.setup().object->id, "golf_ball");
   EXPECT_EQ(scene.course().world().state().q, q);
   EXPECT_TRUE(scene.Advance());

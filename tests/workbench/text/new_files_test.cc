@@ -25,7 +25,7 @@ TEST_P(NewFilesTest, PassTheirCheck) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, NewFilesTest,
-                         testing::Values("session", "object", "hand", "study", "profile"),
+                         testing::Values("session", "object", "hand", "arm", "study", "profile"),
                          [](const auto& kind) { return std::string(kind.param); });
 
 // What is written out is what holds without the file.

@@ -38,6 +38,7 @@ std::string FindNextCommand(const NewOptions& options) {
   if (kind == "sweep") return "sweep " + QuoteForShell(folder + "/sweep.yaml");
   if (kind == "object") return "object check " + name;
   if (kind == "hand") return "hand check " + name;
+  if (kind == "arm") return "run --arm " + name;
   if (kind == "trials") {
     return "campaign --resume --out CAMPAIGN --real " + QuoteForShell(folder + "/trials.csv");
   }

@@ -1,67 +1,25 @@
-#include <fmt/format.h>
-
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "core/base/files/files.h"
-#include "core/trial/trial_runner.h"
 #include "datasets/analysis/export_result.h"
-#include "datasets/mjcf/mjcf_export.h"
-#include "datasets/plan/session_inputs.h"
-#include "datasets/session/find_trial.h"
 #include "datasets/session/ro_crate.h"
 #include "datasets/session/session_store.h"
 #include "workbench/command.h"
 #include "workbench/experiments/output_folder.h"
+#include "workbench/robot_export.h"
 
 namespace graspbench {
 namespace {
 
-struct ExportOptions {
-  std::string folder;
-  std::string out;                // empty: the session's own folder
-  std::vector<std::string> mjcf;  // ids of trials, or "all"; empty: tables
-  bool replace = false, json = false;
+struct ExportOptions : RobotExport {
+  std::vector<std::string> mjcf;  // ids of trials, or "all"
+  bool with_urdf = false;         // neither of these: tables
   bool with_records = false;
   bool with_ro_crate = false;
   OnDamage on_damage = OnDamage::kRefuse;
 };
-
-/** The trials that are asked for, in the plan's order. */
-std::vector<PlannedTrial> FindTrials(const Session& session,
-                                     const std::vector<std::string>& names) {
-  if (names == std::vector<std::string>{"all"}) return session.plan;
-  std::set<std::string> wanted;
-  for (const std::string& name : names) wanted.insert(FindPlannedTrial(session, name).id);
-  std::vector<PlannedTrial> found;
-  for (const PlannedTrial& planned : session.plan) {
-    if (wanted.count(planned.id) > 0) found.push_back(planned);
-  }
-  return found;
-}
-
-/** A folder a trial, named by its id; the path of each scene is printed. */
-void ExportMjcf(const ExportOptions& options, const Session& session) {
-  const std::vector<PlannedTrial> trials = FindTrials(session, options.mjcf);
-  const SessionInputs inputs = LoadSessionInputs(session.config, FieldUse::kNow, session.folder);
-  CheckSameSession(session, session.config, MakePlan(session.config, inputs));
-  const bool is_own = options.out.empty();  // below export/, which is written again
-  const std::filesystem::path folder =
-      std::filesystem::path(is_own ? options.folder + "/export/mjcf" : options.out);
-  StagedFolder staged({folder, "mjcf", options.replace || is_own, {options.folder}});
-  MjcfExporter exporter;
-  std::vector<std::string> scenes;
-  for (const PlannedTrial& planned : trials) {
-    exporter.Export(ChooseGraspBySight(MakeRecordedSetup(session, inputs, planned)),
-                    staged.path() / planned.id);
-    scenes.push_back((folder / planned.id / "scene.xml").string());
-  }
-  staged.Commit();
-  if (options.json) return PrintJson({{"folder", options.folder}, {"scenes", scenes}});
-  PrintResult(fmt::format("{}\n", fmt::join(scenes, "\n")));
-}
 
 void ExportTables(const ExportOptions& options, const Session& session) {
   const std::filesystem::path folder = options.out.empty() ? options.folder : options.out;
@@ -89,7 +47,9 @@ void Export(const ExportOptions& options) {
   const Session session = LoadSession(options.folder, options.on_damage, RecordParts::kBrief);
   if (!session.damage.empty()) PrintMessage("damage accepted" + FormatDamage(session.damage));
   if (!session.findings.entries().empty()) PrintMessage(session.findings.Format());
-  options.mjcf.empty() ? ExportTables(options, session) : ExportMjcf(options, session);
+  if (options.with_urdf) return ExportUrdf(options, session);
+  options.mjcf.empty() ? ExportTables(options, session)
+                       : ExportMjcf(options, options.mjcf, session);
 }
 
 }  // namespace
@@ -107,6 +67,10 @@ void AddExportCommand(Command& program) {
                  "write scene and commanded motion of these trials for MuJoCo instead", "ID,..|all")
       ->SplitAtCommas();
   command
+      .AddFlag("--urdf", options->with_urdf,
+               "write a URDF of the session's robot arm with each of its hands instead")
+      ->Excludes("--mjcf");
+  command
       .AddOption("--out", options->out, "other folder, for example for a read-only session", "DIR")
       ->ShowDefault("that of the session");
   command.AddFlag("--records", options->with_records,
@@ -114,7 +78,7 @@ void AddExportCommand(Command& program) {
   Option* ro_crate =
       command.AddFlag("--ro-crate", options->with_ro_crate,
                       "also write ro-crate-metadata.json: contents and provenance, for archives");
-  ro_crate->Excludes("--out")->Excludes("--mjcf");
+  ro_crate->Excludes("--out")->Excludes("--mjcf")->Excludes("--urdf");
   AddReplaceOption(command, options->replace);
   AddJsonOption(command, options->json);
   AddAcceptDamageOption(command, options->on_damage);

@@ -41,6 +41,9 @@ TEST(NumericsVariants, VariantsChangeOneThingEach) {
   EXPECT_DOUBLE_EQ(apply(4).contact_stiffness, 2.0 * config.sim.contact_stiffness);
   EXPECT_NEAR(std::abs(friction / config.model.friction_scale - 1.0), 0.001, 1e-12);
   EXPECT_TRUE(ApplyCondition(variants.back(), config).is_compliant);
+  SessionConfig carried = config;
+  carried.arm.model = "pa10";
+  EXPECT_EQ(ListNumericsVariants(carried).size(), 7u) << "the compliant backend has no arm";
   // What a session must not have is left out: a half and a quarter of the shortest step.
   config.sim.step = 1e-4;
   EXPECT_EQ(ListNumericsVariants(config).size(), 6u);
