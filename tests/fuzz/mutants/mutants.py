@@ -3,31 +3,12 @@ glTF 2.0, COLLADA 1.4, PLY, STL, OBJ, URDF, MJCF, YAML 1.2, JSON, HDF5, MCAP, ZI
 the readers.
 
 make(kind, seed, folder) writes one file into the folder, with what it names beside it, and returns its path."""
-import base64, copy, io, json, math, pickletools, random, re, struct, sys, zipfile
+import base64, json, math, pickletools, random, re, struct, sys
 from pathlib import Path
 import xml.etree.ElementTree as xml
-
-FLOATS = [math.nan, math.inf, -math.inf, -1.0, -0.0, 0.0, 1e-310, 3.4e38, 1e308, 2.0**31, 2.0**63, -2.0**63, 0.5, 65535.0]
-WHOLES = [0, 1, -1, 2, 127, 128, 255, 256, 32767, 32768, 65535, 65536, 2**31 - 1, 2**31, 2**32 - 1, 2**63 - 1, 2**64]
-TEXTS = ['', ' ', '\x00', '..', '/etc/passwd', '/dev/zero', '../../../../etc/passwd', 'a' * 5000, '\u202e', '\x1b]0;x\x07', '%s%n', 'nan',
-         '1e999', '-', '0x10', '1' * 400]
-
-
-def numbers(r):
-    return r.choice([r.choice(FLOATS), float(r.choice(WHOLES)), r.uniform(-10, 10)])
-
-
-def words(r):
-    return r.choice(TEXTS + [repr(f) for f in FLOATS] + [str(w) for w in WHOLES])
-
-
-def cut(r, data):
-    """What every format must stand: cut off, a byte changed, a part twice."""
-    if not data:
-        return data
-    at = r.randrange(len(data))
-    return r.choice([data[:at], data[:at] + bytes([r.randrange(256)]) + data[at + 1:], data[:at] + data[at // 2:]])
-
+from containers import container, demonstrations
+from hands import collada, mjcf, small_hand, urdf
+from lies import FLOATS, TEXTS, WHOLES, cut, numbers, words, write
 
 # --- C3D: groups and parameters with types, dimensions and values
 def c3d(r, _cases, folder):
@@ -316,124 +297,6 @@ def mesh(r, cases, folder):
     return write(folder, 'mutant.stl', cut(r, content) if r.random() < 0.2 else content)
 
 
-# --- XML: URDF, MJCF, COLLADA
-ENTITIES = '<!DOCTYPE r [' + '<!ENTITY a0 "ha">' + ''.join('<!ENTITY a%d "%s">' % (i, ('&a%d;' % (i - 1)) * 10) for i in range(1, 12)) + '<!ENTITY file SYSTEM "file:///etc/passwd">]>'
-
-
-def change_xml(r, root):
-    nodes = list(root.iter())
-    node = r.choice(nodes)
-    kind = r.randrange(8)
-    if kind <= 2 and node.attrib:
-        key = r.choice(list(node.attrib))
-        old = node.attrib[key]
-        parts = old.split()
-        if len(parts) > 1 and r.random() < 0.7:
-            parts[r.randrange(len(parts))] = words(r)
-            node.attrib[key] = ' '.join(parts)
-        else:
-            node.attrib[key] = r.choice([words(r), r.choice(list(r.choice(nodes).attrib.values()) or ['']), ' '.join([words(r)] * 40)])
-    elif kind == 3 and len(node):
-        child = r.choice(list(node))
-        for _ in range(r.choice([1, 3, 400])):
-            node.append(copy.deepcopy(child))
-    elif kind == 4 and len(node):
-        node.remove(r.choice(list(node)))
-    elif kind == 5:
-        deep = node
-        for _ in range(r.choice([5, 300, 5000])):
-            deep = xml.SubElement(deep, r.choice(nodes).tag if r.random() < 0.01 else node.tag)
-    elif kind == 6:
-        node.text = r.choice([words(r), ' '.join(words(r) for _ in range(50)), '1 ' * 50000])
-    else:
-        node.append(copy.deepcopy(root) if r.random() < 0.3 else copy.deepcopy(r.choice(nodes)))
-        if node.attrib:
-            node.attrib.pop(r.choice(list(node.attrib)))
-
-
-def xml_bytes(r, root):
-    for element in root.iter():  # control characters are not XML
-        element.attrib = {k: re.sub('[\x00-\x08\x0b-\x1f]', '?', v) for k, v in element.attrib.items()}
-        if element.text:
-            element.text = re.sub('[\x00-\x08\x0b-\x1f]', '?', element.text)
-    sys.setrecursionlimit(100000)
-    text = xml.tostring(root, encoding='unicode')
-    if r.random() < 0.1:
-        at = text.find('"') + 1
-        text = ENTITIES + text[:at] + r.choice(['&a11;', '&file;', '&#0;', '&#x110000;', '&unknown;']) + text[at:]
-    data = text.encode('utf-8', 'replace')
-    return cut(r, data) if r.random() < 0.1 else data
-
-
-def small_hand(cases):
-    """The valid hand at a third of its size, which is imported in a tenth of the time."""
-    root = xml.fromstring((cases / 'hand_import/good.urdf').read_text())
-    for node in root.iter():
-        for key in ('size', 'xyz', 'lower', 'upper'):
-            if key in node.attrib and node.tag != 'axis':
-                node.attrib[key] = ' '.join('%g' % (0.3 * float(v)) for v in node.attrib[key].split())
-        if node.tag == 'mass':
-            node.attrib['value'] = '%g' % (0.027 * float(node.attrib['value']))
-        if node.tag == 'inertia':
-            node.attrib.update({key: '%g' % (0.00243 * float(value)) for key, value in node.attrib.items()})
-    return root
-
-
-def urdf(r, cases, folder):
-    root = small_hand(cases)
-    for _ in range(r.randint(1, 3)):
-        change_xml(r, root)
-    return write(folder, 'mutant.urdf', xml_bytes(r, root))
-
-
-MJCF = '''<mujoco model="pinch"><compiler angle="degree" autolimits="true"/><option timestep="0.002"/>
-<default><geom density="1200" type="capsule"/><default class="jaw"><joint axis="1 0 0" range="0 60"/><geom size="0.004"/></default></default>
-<asset><mesh name="pad" vertex="0 0 0 0.006 0 0 0 0.004 0 0 0 0.004"/></asset>
-<worldbody><light pos="0 0 3"/><geom type="plane" size="1 1 0.1"/>
-<body name="palm" pos="0 0 0.3" quat="1 0 0 0"><freejoint/><inertial mass="0.05" pos="0 0 0.01" diaginertia="2e-5 2e-5 1e-5"/>
-<geom type="box" size="0.015 0.015 0.008" pos="0 0 0.008"/>
-<body name="left" pos="0 0.014 0.016" childclass="jaw"><joint name="a"/><geom fromto="0 0 0 0 0 0.02"/>
-<body name="left_tip" pos="0 0 0.02"><joint name="b" range="0 45"/><geom fromto="0 0 0 0 0 0.015" mass="0.004"/></body></body>
-<body name="right" pos="0 -0.014 0.016" euler="0 0 180" childclass="jaw"><joint name="c"/><geom fromto="0 0 0 0 0 0.02"/>
-<body name="right_tip" pos="0 0 0.02"><joint name="d" range="0 45"/><geom fromto="0 0 0 0 0 0.015" mass="0.004"/><site name="s" pos="0 0 0.01"/></body></body></body></worldbody>
-<equality><joint joint1="b" joint2="a" polycoef="0 1 0 0 0"/></equality>
-<tendon><fixed name="t"><joint joint="c" coef="1"/><joint joint="d" coef="1"/></fixed></tendon>
-<actuator><position name="pa" joint="a" kp="1" forcerange="-0.4 0.4" ctrlrange="0 60"/><position tendon="t" kp="1" forcerange="-0.4 0.4"/></actuator></mujoco>'''
-
-
-def mjcf(r, cases, folder):
-    own = [p for p in sorted(cases.glob('hand_import/*')) if p.read_bytes().lstrip().startswith(b'<mujoco')]
-    root = xml.fromstring(MJCF if r.random() < 0.9 else r.choice(own).read_text())
-    for _ in range(r.randint(1, 3)):
-        change_xml(r, root)
-    if r.random() < 0.15:
-        xml.SubElement(root, 'include', {'file': r.choice(['mutant.xml', '/etc/passwd', '../x.xml', 'loop.xml', '/dev/zero', ''])})
-        (folder / 'loop.xml').symlink_to('loop.xml') if not (folder / 'loop.xml').is_symlink() else None
-    return write(folder, 'mutant.xml', xml_bytes(r, root))
-
-
-COLLADA = '''<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1"><asset><unit name="meter" meter="1"/><up_axis>Z_UP</up_axis></asset>
-<library_geometries><geometry id="g"><mesh><source id="p"><float_array id="pa" count="12">0 0 0 0.008 0 0 0 0.006 0 0 0 0.01</float_array>
-<technique_common><accessor source="#pa" count="4" stride="3"><param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
-<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
-<triangles count="4"><input semantic="VERTEX" source="#v" offset="0"/><p>0 2 1 0 1 3 1 2 3 2 0 3</p></triangles></mesh></geometry></library_geometries>
-<library_visual_scenes><visual_scene id="s"><node id="n"><matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</matrix><instance_geometry url="#g"/></node></visual_scene></library_visual_scenes>
-<scene><instance_visual_scene url="#s"/></scene></COLLADA>'''
-
-
-def collada(r, cases, folder):
-    """A hand whose link has the mutant as picture and shape."""
-    xml.register_namespace('', 'http://www.collada.org/2005/11/COLLADASchema')
-    root = xml.fromstring(COLLADA)
-    for _ in range(r.randint(1, 3)):
-        change_xml(r, root)
-    write(folder, 'mutant.dae', xml_bytes(r, root))
-    hand = small_hand(cases)
-    part = xml.SubElement(hand.findall('link')[r.randrange(1, 4)], r.choice(['collision', 'visual', 'visual']))
-    xml.SubElement(xml.SubElement(part, 'geometry'), 'mesh', {'filename': 'mutant.dae'})
-    return write(folder, 'mutant.urdf', xml.tostring(hand))
-
-
 # --- YAML: anchors, merges, depth
 def yaml(r, cases, folder):
     return write(folder, 'mutant.yaml', yaml_lies(r, r.choice(sorted(cases.glob('grasps_isaac/good_*.yaml'))).read_text().split('\n')))
@@ -493,92 +356,6 @@ def table(r, cases, folder):
     return write(folder, 'mutant' + ending, cut(r, content) if r.random() < 0.1 else content)
 
 
-# --- files of other kinds of program: HDF5, MCAP, NPZ, protobuf, none of which is read
-def container(r, _cases, folder):
-    kind = r.choice(['h5', 'mcap', 'npz', 'pb'])
-    if kind == 'h5':
-        content = b'\x89HDF\r\n\x1a\n' + struct.pack('<8B', 0, 0, 0, 0, 0, 8, 8, 0) + struct.pack('<HHI', 4, 16, 0)
-        content += b''.join(struct.pack('<Q', r.choice([0, 96, 2**63, 2**64 - 1, 800])) for _ in range(9)) + b'TREE' + bytes(r.randrange(256) for _ in range(600))
-    elif kind == 'mcap':
-        magic = b'\x89MCAP0\r\n'
-        content = magic
-        for _ in range(r.randrange(1, 9)):
-            body = bytes(r.randrange(256) for _ in range(r.choice([0, 4, 60])))
-            length = len(body) if r.random() < 0.7 else r.choice([0, 2**31, 2**63, 2**64 - 1])
-            content += bytes([r.choice([1, 2, 3, 4, 5, 6, 15, 200])]) + struct.pack('<Q', length) + body
-        content += magic if r.random() < 0.7 else b''
-    elif kind == 'npz':
-        body = b'\x93NUMPY\x01\x00' + struct.pack('<H', 118) + repr({'descr': '<f8', 'fortran_order': False, 'shape': (r.choice([3, 10**12]), 7)}).encode().ljust(117) + b'\n' + bytes(168)
-        packed = io.BytesIO()
-        with zipfile.ZipFile(packed, 'w', zipfile.ZIP_DEFLATED) as archive:
-            for name in r.choice([['a.npy'], ['../a.npy'], ['a.npy', 'a.npy'], ['/etc/x.npy'], ['n' * 9000]]):
-                archive.writestr(name, body + bytes(r.choice([0, 10**6, 10**8])))
-        content = packed.getvalue()
-    else:
-        content = b''
-        for _ in range(r.randrange(1, 40)):
-            value = r.choice(WHOLES) & 2**64 - 1
-            varint = bytearray()
-            while value > 127:
-                varint.append(value & 127 | 128)
-                value >>= 7
-            content += bytes([r.randrange(256)]) + bytes(varint) + bytes([value]) + bytes(r.randrange(256) for _ in range(r.randrange(9)))
-    ending = r.choice([kind, 'c3d', 'npy', 'csv', 'trc', 'json', 'yaml'])
-    return write(folder, 'mutant.' + ending, cut(r, content) if r.random() < 0.3 else content)
-
-
-# --- demonstrations, HDF5 in the layout of robomimic, as graspbench.read_demonstrations takes them
-def lie_in_hdf5(r, file, name):
-    import h5py
-    import numpy
-    lie = r.randrange(10)
-    if name.endswith('attrs'):
-        file[name[:-6]].attrs[r.choice(['num_samples', 'outcome', 'x' * 300])] = r.choice([float('nan'), 'x' * 9000, numpy.zeros(1000), numpy.bytes_(b'a\xff'), numpy.void(b'aa')])
-        return
-    if name in file:
-        del file[name]
-    if lie == 0:
-        pass
-    elif lie == 1:
-        file.create_dataset(name, shape=(r.choice([10**8, 10**12, 2**62]),), chunks=(1000,), dtype='f8', compression='gzip')
-    elif lie == 2:
-        file[name] = h5py.ExternalLink(r.choice(['mutant.h5', '/etc/passwd', '/dev/zero', 'none.h5']), '/data')
-    elif lie == 3:
-        file[name] = h5py.SoftLink(r.choice(['/', '/data', '/none', name]))
-    elif lie == 4:
-        file.create_dataset(name, shape=(40,), dtype='u1', external=[(r.choice(['/etc/passwd', 'none.raw']), 0, 40)])
-    elif lie == 5:
-        file[name] = r.choice([numpy.array([b'a', b'bb']), numpy.array(7.0), numpy.zeros((0, 3)), numpy.array([numpy.nan] * 5), numpy.zeros(5, dtype=[('a', 'f8'), ('b', 'i4')])])
-    elif lie == 6:
-        file.create_dataset(name, data=['text'] * 5, dtype=h5py.string_dtype())
-    elif lie == 7:
-        file[name] = file['data'] if r.random() < 0.5 else h5py.Empty('f8')
-    elif lie == 8:
-        file.create_group(name + '/deeper')
-    else:
-        file.create_dataset(name, data=numpy.zeros(10**7), compression='gzip', compression_opts=9) if r.random() < 0.2 else file.create_group('data/' + r.choice(['demo_x', 'demo_-1', 'demo_99999999999999999999', '\u202e']))
-
-
-def demonstrations(r, _cases, folder):
-    import h5py
-    import numpy
-    path = folder / 'mutant.h5'
-    with h5py.File(path, 'w') as file:
-        for i in range(2):
-            demo = file.create_group('data/demo_%d' % i)
-            demo.attrs['num_samples'] = 5
-            for name, shape in (('actions', (5, 3)), ('rewards', (5,)), ('dones', (5,)), ('obs/q', (5, 3)), ('next_obs/q', (5, 3))):
-                demo[name] = numpy.zeros(shape)
-        for _ in range(r.randint(1, 3)):
-            try:
-                lie_in_hdf5(r, file, 'data/demo_%d/%s' % (r.randrange(2), r.choice(['actions', 'rewards', 'dones', 'obs/q', 'obs', 'attrs'])))
-            except (OSError, ValueError, RuntimeError, KeyError, TypeError):
-                pass  # two lies that exclude each other
-    if r.random() < 0.2:
-        path.write_bytes(cut(r, path.read_bytes()))
-    return path
-
-
 # --- files of the program's own kinds, written by hand: YAML that unfolds, lies, or names other files
 OWN = {'object': ('object.yaml', ['object', 'check', '--json', '.']), 'hand': ('hand.yaml', ['hand', 'show', '.']),
        'session': ('session.yaml', ['run', '--plan-only', '--out', 'OUT', 'session.yaml']), 'sweep': ('sweep.yaml', ['sweep', '--plan-only', '--out', 'OUT', 'sweep.yaml']),
@@ -598,12 +375,6 @@ def own(r, cases, folder):
     write(folder, 'block.obj', (cases / 'mesh/good.obj').read_bytes())
     write(folder, OWN[kind][0], yaml_lies(r, text.split('\n')))
     return folder / OWN[kind][0]
-
-
-def write(folder, name, content):
-    path = folder / name
-    path.write_bytes(content)
-    return path
 
 
 # What files may leave out is said, so that nothing else is missing.
