@@ -423,8 +423,10 @@ SessionInputs LoadSessionInputs(const SessionConfig& config, FieldUse field_use,
   const std::shared_ptr<const SessionInputs> base = std::make_shared<SessionInputs>(inputs);
   std::map<std::string, std::shared_ptr<const SessionInputs>> known = {
       {FormatJson(DescribeInputs(config)), base}};
+  SessionConfig plain = config;  // so that not each condition copies all
+  plain.conditions.clear();
   for (const Condition& condition : config.conditions) {
-    ConditionInputs made = ApplyCondition(condition, config);
+    ConditionInputs made = ApplyCondition(condition, plain);
     const std::string decides = FormatJson(DescribeRehearsals(made.config));
     const bool chooses_again =
         ChoosesGraspAgain(condition) && decides != FormatJson(DescribeRehearsals(config));
