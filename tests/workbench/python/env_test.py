@@ -186,7 +186,7 @@ class Envs(unittest.TestCase):
             "demo_0/actions is no dataset": lambda group: None,
             "demo_0/actions is no dataset of this file": link,
             "no array of numbers": lambda group: group.create_dataset("actions", data=["text"] * 5, dtype=h5py.string_dtype()),
-            "unfold to more than 0.9 GB": lambda group: group.create_dataset("actions", shape=(10**12,), chunks=(1000,), dtype="f8"),
+            "unfold to more than 0.9 GB": lambda group: group.create_dataset("actions", shape=(2**62,), chunks=(1000,), dtype="f8"),
         }
         with tempfile.TemporaryDirectory() as place:
             path = f"{place}/d.hdf5"

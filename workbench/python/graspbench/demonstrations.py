@@ -4,6 +4,7 @@ A demonstration is a dict: observations (name: array over time), actions (time x
 said_done, trial_id, seed, hand, object). Numbers become columns of one. Needs h5py for files."""
 
 import json
+import math
 import os
 
 import numpy as np
@@ -86,7 +87,7 @@ def read_demonstrations(path):
         data = find(group, name, h5py.Dataset)
         if data.shape is None or data.dtype.kind not in "biuf" or data.external or data.is_virtual:
             raise ValueError(f"{data.name} is no array of numbers of this file")
-        left -= data.nbytes
+        left -= math.prod(data.shape) * data.dtype.itemsize
         if left < 0:
             raise ValueError(f"{data.name} and what comes before it unfold to more than 0.9 GB and four times the file")
         return np.asarray(data[()])
