@@ -305,7 +305,7 @@ SessionConfig MakeSweep(const SweepConfig& sweep) {
       condition.name += (condition.name.empty() ? "" : ", ") + condition.settings.back();
     }
     // What cannot be combined is refused here.
-    strategies.push_back(ApplyCondition(condition, config).config.strategy);
+    strategies.push_back(ApplyCondition(condition, made.config).config.strategy);
     config.conditions.push_back(condition);
   }
   if (sweep.grasp_per_condition) config.conditions = ChooseAgain(config.conditions, config);

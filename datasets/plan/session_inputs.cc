@@ -215,21 +215,18 @@ void TakeRehearsed(const SessionInputs& base, SessionInputs& inputs) {
   }
 }
 
-/** The session's word comes before the objects' and the grasps'. */
-void ApplyApproach(const std::string& name, SessionInputs& inputs) {
-  const ApproachRow* row = FindRow(kApproaches, name);
-  if (!row || row->value == Approach::kAutomatic)
-    return;  // an unknown one is refused with the rest
-  const Approach approach = row->value;
-  for (SessionHand& hand : inputs.hands) {
+/** The session's word comes before the objects' and the grasps'; automatic: it says none. */
+Approach FindApproach(const SessionConfig& config) {
+  const ApproachRow* row = FindRow(kApproaches, config.approach);
+  return row ? row->value : Approach::kAutomatic;  // an unknown one is refused with the rest
+}
+
+void ApplyApproach(Approach approach, std::vector<SessionHand>& hands) {
+  if (approach == Approach::kAutomatic) return;
+  for (SessionHand& hand : hands) {
     for (Grasp& grasp : hand.grasps) {
       if (!grasp.placement) grasp.approach = approach;
     }
-  }
-  for (auto& object : inputs.objects) {
-    auto changed = std::make_shared<GraspObject>(*object);
-    changed->approach = approach;
-    object = std::move(changed);
   }
 }
 
@@ -256,31 +253,74 @@ void DemandFreeReady(const MountedArm& mounted) {
                   "; check ready_deg, the signs of alpha_deg, a_m and d_m, and the capsules");
 }
 
-SessionInputs LoadBaseInputs(const SessionConfig& config, FieldUse field_use,
-                             const std::filesystem::path& folder) {
-  SessionInputs inputs;
-  std::shared_ptr<const Arm> arm;
-  if (HasArm(config.arm)) {
-    arm = std::make_shared<Arm>(LoadArm(FindArmInput(config.arm.model, folder)));
-  }
-  for (const std::string& name : config.hands == kAll ? ListHands() : config.hands) {
-    auto hand = std::make_shared<Hand>(LoadHand(FindHandInput(name, folder)));
-    ApplyModel(config.model, *hand);
+/** Hands and objects that were read or made already: thousands of conditions share them. */
+class KnownInputs {
+ public:
+  KnownInputs(FieldUse field_use, fs::path folder)
+      : field_use_(field_use), folder_(std::move(folder)) {}
+
+  /** With model, imperfections and arm of the session, and its standard grasps. */
+  const SessionHand& FindHand(const std::string& name, const SessionConfig& config) {
+    ModelConfig model = config.model;
+    model.mass_scale = 1.0;  // of objects
+    SessionHand& made = hands_[FormatJson(
+        {name, ConfigToJson(model), ConfigToJson(config.imperfections), ConfigToJson(config.arm)})];
+    if (made.hand) return made;
+    auto& read = read_hands_[name];
+    if (!read) read = std::make_shared<Hand>(LoadHand(FindHandInput(name, folder_)));
+    auto hand = std::make_shared<Hand>(*read);
+    ApplyModel(model, *hand);
     ApplyImperfections(config.imperfections, *hand);
     std::vector<Grasp> grasps = LoadStandardGrasps(*hand);
     std::shared_ptr<const MountedArm> mounted;
-    if (arm) {
+    if (HasArm(config.arm)) {
+      auto& arm = arms_[config.arm.model];
+      if (!arm) arm = std::make_shared<Arm>(LoadArm(FindArmInput(config.arm.model, folder_)));
       DemandShortChains(*hand, arm->num_joints());
       mounted = std::make_shared<MountedArm>(MountArm(config.arm, arm, *hand));
       DemandFreeReady(*mounted);
     }
-    inputs.hands.push_back({std::move(hand), std::move(grasps), std::move(mounted)});
+    made = {std::move(hand), std::move(grasps), std::move(mounted)};
+    return made;
+  }
+
+  /** With model and approach of the session. */
+  std::shared_ptr<const GraspObject> FindObject(const std::string& name,
+                                                const SessionConfig& config) {
+    ModelConfig model = config.model;
+    const ModelConfig plain;  // of hands:
+    model.drive_torque_scale = plain.drive_torque_scale;
+    model.joint_error_scale = plain.joint_error_scale;
+    model.coupling_rule = plain.coupling_rule;
+    auto& made = objects_[FormatJson({name, ConfigToJson(model), config.approach})];
+    if (made) return made;
+    auto& read = read_objects_[name];
+    if (!read) read = LoadObject(FindObjectInput(name, folder_), field_use_);
+    auto object = std::make_shared<GraspObject>(*read);
+    ApplyModel(model, *object);
+    const Approach approach = FindApproach(config);
+    if (approach != Approach::kAutomatic) object->approach = approach;
+    made = std::move(object);
+    return made;
+  }
+
+ private:
+  FieldUse field_use_;
+  fs::path folder_;
+  std::map<std::string, std::shared_ptr<const Arm>> arms_;
+  std::map<std::string, std::shared_ptr<const Hand>> read_hands_;
+  std::map<std::string, std::shared_ptr<const GraspObject>> read_objects_, objects_;
+  std::map<std::string, SessionHand> hands_;
+};
+
+SessionInputs LoadBaseInputs(const SessionConfig& config, const std::filesystem::path& folder,
+                             KnownInputs& known) {
+  SessionInputs inputs;
+  for (const std::string& name : config.hands == kAll ? ListHands() : config.hands) {
+    inputs.hands.push_back(known.FindHand(name, config));
   }
   for (const std::string& name : config.objects == kAll ? ListObjects() : config.objects) {
-    auto object =
-        std::make_shared<GraspObject>(*LoadObject(FindObjectInput(name, folder), field_use));
-    ApplyModel(config.model, *object);
-    inputs.objects.push_back(std::move(object));
+    inputs.objects.push_back(known.FindObject(name, config));
   }
   for (size_t i = 0; i < config.grasps.size(); ++i) {
     const std::string& name = config.grasps[i];
@@ -289,7 +329,7 @@ SessionInputs LoadBaseInputs(const SessionConfig& config, FieldUse field_use,
     }
     for (const std::string& path : ListSceneGrasps(name, folder)) AddGraspFile(path, inputs);
   }
-  ApplyApproach(config.approach, inputs);
+  ApplyApproach(FindApproach(config), inputs.hands);
   return inputs;
 }
 
@@ -387,21 +427,24 @@ std::vector<std::string> ListSceneGrasps(const std::string& id, const fs::path& 
 
 SessionInputs LoadSessionInputs(const SessionConfig& config, FieldUse field_use,
                                 const std::filesystem::path& folder) {
-  SessionInputs inputs = LoadBaseInputs(config, field_use, folder);
+  KnownInputs parts(field_use, folder);
+  SessionInputs inputs = LoadBaseInputs(config, folder, parts);
   AddRehearsed(config, folder, "", inputs);
   AddTypes(config, folder, "", inputs);
   const std::shared_ptr<const SessionInputs> base = std::make_shared<SessionInputs>(inputs);
   std::map<std::string, std::shared_ptr<const SessionInputs>> known = {
       {FormatJson(DescribeInputs(config)), base}};
+  SessionConfig plain = config;  // so that not each condition copies all
+  plain.conditions.clear();
   for (const Condition& condition : config.conditions) {
-    ConditionInputs made = ApplyCondition(condition, config);
+    ConditionInputs made = ApplyCondition(condition, plain);
     const std::string decides = FormatJson(DescribeRehearsals(made.config));
     const bool chooses_again =
         ChoosesGraspAgain(condition) && decides != FormatJson(DescribeRehearsals(config));
     std::shared_ptr<const SessionInputs>& shared =
         known[chooses_again ? decides : FormatJson(DescribeInputs(made.config))];
     if (!shared) {
-      SessionInputs changed = LoadBaseInputs(made.config, field_use, folder);
+      SessionInputs changed = LoadBaseInputs(made.config, folder, parts);
       if (chooses_again) {
         const std::string suffix = "-" + CalcHashHex(decides).substr(0, 8);
         AddRehearsed(made.config, folder, suffix, changed);

@@ -157,6 +157,9 @@ const std::vector<Command>& ListCommands() {
                          "--fitness-trials", "1", "--trials", "2"}});
     commands.push_back(
         {{"map", "simultaneity"}, {"--hand", "tum", "--object", "golf_ball", "--quick"}});
+    commands.push_back(
+        {{"rehearse"},
+         {"--hand", "tum", "--object", "golf_ball,can", "--candidates", "6", "--draws", "2"}});
     commands.push_back({{"hand", "develop"}, {"TOP/gripper", "--budget", "100"}, "development"});
     return commands;
   }();

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/arm/load_arm.h"
 #include "core/base/error.h"
 #include "core/base/files/files.h"
@@ -28,6 +31,50 @@ TEST(SessionInputs, TheSessionsApproachComesBeforeAllOthers) {
       EXPECT_EQ(RowOf(kApproaches, grasp.approach).name, std::string(name));
     }
   }
+}
+
+/** All that the model changes; what a hand does not have is -1. */
+std::vector<double> ListModelled(const SessionInputs& inputs) {
+  const Hand& hand = *inputs.hands[0].hand;
+  const GraspObject& object = *inputs.objects[0];
+  std::vector<double> values = {object.mass_properties.mass, hand.joint_accuracy,
+                                static_cast<double>(hand.coupling)};
+  for (const HandJoint& joint : hand.joints) values.push_back(joint.drive.torque_limit);
+  std::vector<SurfaceMaterial> surfaces = {object.surface};
+  for (const HandLink& link : hand.links) surfaces.push_back(link.surface);
+  for (const SurfaceMaterial& surface : surfaces) {
+    values.insert(values.end(), {surface.friction_static, surface.torsion_radius,
+                                 surface.pad.youngs_modulus, surface.pad.torsion_scale});
+  }
+  std::replace_if(
+      values.begin(), values.end(), [](double value) { return std::isnan(value); }, -1.0);
+  return values;
+}
+
+TEST(SessionInputs, ConditionsShareHandsAndObjectsThatTheyDoNotChange) {
+  SessionConfig config;
+  config.hands = {"shadow"};
+  config.objects = {"golf_ball"};
+  const std::vector<std::pair<std::string, bool>> settings = {
+      {"model.mass_scale=2", false},        {"model.friction_scale=0.5", true},
+      {"model.pad_torsion_scale=2", true},  {"model.pad_stiffness_scale=2", true},
+      {"model.drive_torque_scale=2", true}, {"model.joint_error_scale=0", true},
+      {"model.coupling_rule=even", true}};
+  for (const auto& [setting, changes_hand] : settings)
+    config.conditions.push_back({setting, {setting}});
+  config.conditions.push_back({"two", {"model.mass_scale=2", "model.drive_torque_scale=2"}});
+  const SessionInputs inputs = LoadSessionInputs(config, FieldUse::kLater);
+  const auto find = [&](const std::string& name) { return inputs.conditions.at(name).inputs; };
+  for (const auto& [setting, changes_hand] : settings) {
+    const SessionInputs alone =
+        LoadSessionInputs(inputs.conditions.at(setting).config, FieldUse::kLater);
+    EXPECT_EQ(ListModelled(*find(setting)), ListModelled(alone)) << setting;
+    EXPECT_NE(ListModelled(alone), ListModelled(inputs)) << setting;
+    EXPECT_EQ(find(setting)->hands[0].hand != inputs.hands[0].hand, changes_hand) << setting;
+  }
+  EXPECT_EQ(find("two")->hands[0].hand, find("model.drive_torque_scale=2")->hands[0].hand);
+  EXPECT_EQ(find("two")->objects[0], find("model.mass_scale=2")->objects[0]);
+  EXPECT_EQ(find("model.drive_torque_scale=2")->objects[0], inputs.objects[0]);
 }
 
 namespace fs = std::filesystem;

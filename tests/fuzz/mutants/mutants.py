@@ -1,32 +1,14 @@
 """Damaged and malicious files, made from the formats' specifications alone (c3d.org, numpy.lib.format, pickletools,
-glTF 2.0, COLLADA 1.4, PLY, STL, OBJ, URDF, MJCF, YAML 1.2, JSON): whoever wrote this had not looked at the readers.
+glTF 2.0, COLLADA 1.4, PLY, STL, OBJ, URDF, MJCF, YAML 1.2, JSON, HDF5, MCAP, ZIP): whoever wrote this had not looked at
+the readers.
 
 make(kind, seed, folder) writes one file into the folder, with what it names beside it, and returns its path."""
-import base64, copy, json, math, pickletools, random, re, struct
+import base64, json, math, pickletools, random, re, struct, sys
 from pathlib import Path
 import xml.etree.ElementTree as xml
-
-FLOATS = [math.nan, math.inf, -math.inf, -1.0, -0.0, 0.0, 1e-310, 3.4e38, 1e308, 2.0**31, 2.0**63, -2.0**63, 0.5, 65535.0]
-WHOLES = [0, 1, -1, 2, 127, 128, 255, 256, 32767, 32768, 65535, 65536, 2**31 - 1, 2**31, 2**32 - 1, 2**63 - 1, 2**64]
-TEXTS = ['', ' ', '\x00', '..', '/etc/passwd', '/dev/zero', '../../../../etc/passwd', 'a' * 5000, '\u202e', '\x1b]0;x\x07', '%s%n', 'nan',
-         '1e999', '-', '0x10', '1' * 400]
-
-
-def numbers(r):
-    return r.choice([r.choice(FLOATS), float(r.choice(WHOLES)), r.uniform(-10, 10)])
-
-
-def words(r):
-    return r.choice(TEXTS + [repr(f) for f in FLOATS] + [str(w) for w in WHOLES])
-
-
-def cut(r, data):
-    """What every format must stand: cut off, a byte changed, a part twice."""
-    if not data:
-        return data
-    at = r.randrange(len(data))
-    return r.choice([data[:at], data[:at] + bytes([r.randrange(256)]) + data[at + 1:], data[:at] + data[at // 2:]])
-
+from containers import container, demonstrations
+from hands import collada, mjcf, small_hand, urdf
+from lies import FLOATS, TEXTS, WHOLES, cut, numbers, words, write
 
 # --- C3D: groups and parameters with types, dimensions and values
 def c3d(r, _cases, folder):
@@ -315,98 +297,12 @@ def mesh(r, cases, folder):
     return write(folder, 'mutant.stl', cut(r, content) if r.random() < 0.2 else content)
 
 
-# --- XML: URDF, MJCF, COLLADA
-ENTITIES = '<!DOCTYPE r [' + '<!ENTITY a0 "ha">' + ''.join('<!ENTITY a%d "%s">' % (i, ('&a%d;' % (i - 1)) * 10) for i in range(1, 12)) + '<!ENTITY file SYSTEM "file:///etc/passwd">]>'
-
-
-def change_xml(r, root):
-    nodes = list(root.iter())
-    node = r.choice(nodes)
-    kind = r.randrange(8)
-    if kind <= 2 and node.attrib:
-        key = r.choice(list(node.attrib))
-        old = node.attrib[key]
-        parts = old.split()
-        if len(parts) > 1 and r.random() < 0.7:
-            parts[r.randrange(len(parts))] = words(r)
-            node.attrib[key] = ' '.join(parts)
-        else:
-            node.attrib[key] = r.choice([words(r), r.choice(list(r.choice(nodes).attrib.values()) or ['']), ' '.join([words(r)] * 40)])
-    elif kind == 3 and len(node):
-        child = r.choice(list(node))
-        for _ in range(r.choice([1, 3, 400])):
-            node.append(copy.deepcopy(child))
-    elif kind == 4 and len(node):
-        node.remove(r.choice(list(node)))
-    elif kind == 5:
-        deep = node
-        for _ in range(r.choice([5, 300, 5000])):
-            deep = xml.SubElement(deep, r.choice(nodes).tag if r.random() < 0.01 else node.tag)
-    elif kind == 6:
-        node.text = r.choice([words(r), ' '.join(words(r) for _ in range(50)), '1 ' * 50000])
-    else:
-        node.append(copy.deepcopy(root) if r.random() < 0.3 else copy.deepcopy(r.choice(nodes)))
-        if node.attrib:
-            node.attrib.pop(r.choice(list(node.attrib)))
-
-
-def xml_bytes(r, root):
-    for element in root.iter():  # control characters are not XML
-        element.attrib = {k: re.sub('[\x00-\x08\x0b-\x1f]', '?', v) for k, v in element.attrib.items()}
-        if element.text:
-            element.text = re.sub('[\x00-\x08\x0b-\x1f]', '?', element.text)
-    import sys
-    sys.setrecursionlimit(100000)
-    text = xml.tostring(root, encoding='unicode')
-    if r.random() < 0.1:
-        at = text.find('"') + 1
-        text = ENTITIES + text[:at] + r.choice(['&a11;', '&file;', '&#0;', '&#x110000;', '&unknown;']) + text[at:]
-    data = text.encode('utf-8', 'replace')
-    return cut(r, data) if r.random() < 0.1 else data
-
-
-def urdf(r, cases, folder):
-    root = xml.fromstring((cases / 'hand_import/good.urdf').read_text())
-    for _ in range(r.randint(1, 3)):
-        change_xml(r, root)
-    return write(folder, 'mutant.urdf', xml_bytes(r, root))
-
-
-def mjcf(r, cases, folder):
-    source = r.choice([p for p in sorted(cases.glob('hand_import/*')) if p.read_bytes().lstrip().startswith(b'<mujoco')])
-    root = xml.fromstring(source.read_text())
-    for _ in range(r.randint(1, 3)):
-        change_xml(r, root)
-    if r.random() < 0.15:
-        xml.SubElement(root, 'include', {'file': r.choice(['mutant.xml', '/etc/passwd', '../x.xml', 'loop.xml', '/dev/zero', ''])})
-        (folder / 'loop.xml').symlink_to('loop.xml') if not (folder / 'loop.xml').is_symlink() else None
-    return write(folder, 'mutant.xml', xml_bytes(r, root))
-
-
-COLLADA = '''<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1"><asset><unit name="meter" meter="1"/><up_axis>Z_UP</up_axis></asset>
-<library_geometries><geometry id="g"><mesh><source id="p"><float_array id="pa" count="12">0 0 0 0.02 0 0 0 0.03 0 0 0 0.04</float_array>
-<technique_common><accessor source="#pa" count="4" stride="3"><param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
-<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
-<triangles count="4"><input semantic="VERTEX" source="#v" offset="0"/><p>0 2 1 0 1 3 1 2 3 2 0 3</p></triangles></mesh></geometry></library_geometries>
-<library_visual_scenes><visual_scene id="s"><node id="n"><matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</matrix><instance_geometry url="#g"/></node></visual_scene></library_visual_scenes>
-<scene><instance_visual_scene url="#s"/></scene></COLLADA>'''
-
-
-def collada(r, cases, folder):
-    """A hand whose link has the mutant as picture and shape."""
-    xml.register_namespace('', 'http://www.collada.org/2005/11/COLLADASchema')
-    root = xml.fromstring(COLLADA)
-    for _ in range(r.randint(1, 3)):
-        change_xml(r, root)
-    write(folder, 'mutant.dae', xml_bytes(r, root))
-    hand = (cases / 'hand_import/good.urdf').read_text()
-    shape = '<collision><geometry><mesh filename="mutant.dae"/></geometry></collision></link>'
-    return write(folder, 'mutant.urdf', hand.replace('</link>', shape, 1).encode())
-
-
 # --- YAML: anchors, merges, depth
 def yaml(r, cases, folder):
-    lines = r.choice(sorted(cases.glob('grasps_isaac/good_*.yaml'))).read_text().split('\n')
+    return write(folder, 'mutant.yaml', yaml_lies(r, r.choice(sorted(cases.glob('grasps_isaac/good_*.yaml'))).read_text().split('\n')))
+
+
+def yaml_lies(r, lines):
     kind = r.randrange(6)
     if kind == 0:
         bomb = ['a0: &a0 [x]'] + ['a%d: &a%d [%s]' % (i, i, ', '.join(['*a%d' % (i - 1)] * 10)) for i in range(1, r.choice([3, 12]))]
@@ -426,7 +322,7 @@ def yaml(r, cases, folder):
     if kind == 5:
         lines = lines * r.choice([2, 50])
     content = '\n'.join(lines).encode('utf-8', 'replace')
-    return write(folder, 'mutant.yaml', cut(r, content) if r.random() < 0.15 else content)
+    return cut(r, content) if r.random() < 0.15 else content
 
 
 # --- tables of motion capture
@@ -460,10 +356,25 @@ def table(r, cases, folder):
     return write(folder, 'mutant' + ending, cut(r, content) if r.random() < 0.1 else content)
 
 
-def write(folder, name, content):
-    path = folder / name
-    path.write_bytes(content)
-    return path
+# --- files of the program's own kinds, written by hand: YAML that unfolds, lies, or names other files
+OWN = {'object': ('object.yaml', ['object', 'check', '--json', '.']), 'hand': ('hand.yaml', ['hand', 'show', '.']),
+       'session': ('session.yaml', ['run', '--plan-only', '--out', 'OUT', 'session.yaml']), 'sweep': ('sweep.yaml', ['sweep', '--plan-only', '--out', 'OUT', 'sweep.yaml']),
+       'pipeline': ('pipeline.yaml', ['pipeline', 'status', 'pipeline.yaml']), 'study': ('study.yaml', ['study', 'suggest', 'study.yaml'])}
+
+
+def own(r, cases, folder):
+    kind = r.choice(sorted(OWN))
+    text = {'pipeline': 'stages:\n  a:\n    command: run\n    inputs: {session: session.yaml}\n    parameters: {trials: 1}\n',
+            'session': 'hands: [tum]\nobjects: [golf_ball]\ntrials: 2\n', 'study': 'markers: {thumb: t, index: i}\n',
+            'sweep': 'hands: [tum]\nobjects: [golf_ball]\ntrials: 1\nfactors: ["model.mass_scale=1,2"]\n',
+            'object': 'name: block\nmesh: block.obj\nmesh_unit: mm\nmass_kg: 0.05\nfriction_static: 0.5\nfriction_dynamic: 0.4\n',
+            'hand': 'name: pinch\n'}[kind]
+    write(folder, 'session.yaml', b'hands: [tum]\nobjects: [golf_ball]\ntrials: 2\n')
+    write(folder, 'trials.csv', b'participant,file\n01,none.c3d\n')
+    write(folder, 'hand.urdf', xml.tostring(small_hand(cases)))
+    write(folder, 'block.obj', (cases / 'mesh/good.obj').read_bytes())
+    write(folder, OWN[kind][0], yaml_lies(r, text.split('\n')))
+    return folder / OWN[kind][0]
 
 
 # What files may leave out is said, so that nothing else is missing.
@@ -471,7 +382,21 @@ GRASPS = ['grasps', 'info', '--json', '--hand-frame', 'palm', '--object-frame', 
 KINDS = {'c3d': (c3d, ['mocap', 'info', '--json']), 'table': (table, ['mocap', 'info', '--json']), 'npy': (npy, GRASPS),
          'json': (json_grasps, GRASPS), 'yaml': (yaml, GRASPS), 'gltf': (gltf, ['object', 'check', '--json']),
          'mesh': (mesh, ['object', 'check', '--json']), 'urdf': (urdf, ['hand', 'import', '--out', 'OUT']), 'mjcf': (mjcf, ['hand', 'import', '--out', 'OUT']),
-         'collada': (collada, ['hand', 'import', '--out', 'OUT'])}
+         'collada': (collada, ['hand', 'import', '--out', 'OUT']), 'container': (container, None), 'own': (own, None),
+         'demonstrations': (demonstrations, None)}
+
+
+def command(kind, path, program):
+    """What reads the mutant: the program's command, or Python with the program's package."""
+    if kind == 'own':
+        return [program] + next(words for name, words in OWN.values() if name == path.name)
+    if kind == 'container':
+        by_ending = {'npy': GRASPS, 'json': GRASPS, 'yaml': GRASPS, 'npz': GRASPS, 'pb': GRASPS, 'h5': GRASPS}
+        return [program] + by_ending.get(path.suffix[1:], ['mocap', 'info', '--json']) + [path.name]
+    if kind == 'demonstrations':
+        package = Path(__file__).resolve().parents[3] / 'workbench/python'
+        return [sys.executable, '-c', 'import sys; sys.path.insert(0, %r); from graspbench.demonstrations import read_demonstrations as read\ntry: read(sys.argv[1])\nexcept ValueError as e: sys.exit(3)' % str(package), path.name]
+    return [program] + KINDS[kind][1] + [path.name]
 
 
 def make(kind, seed, folder, cases):

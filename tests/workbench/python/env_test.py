@@ -172,6 +172,40 @@ class Envs(unittest.TestCase):
                 self.assertEqual(info["facts"]["seed"], made["attrs"]["seed"])
                 self.assertEqual(f"demo_{number}" in held, reward == 1.0)
 
+    def test_damaged_demonstrations_are_refused_with_the_array(self):
+        try:
+            import h5py
+        except ImportError:
+            self.skipTest("Debian's package python3-h5py is not installed")
+        numbers = np.zeros(5)
+
+        def link(group):
+            group["actions"] = h5py.ExternalLink("d.hdf5", "/data/demo_0/actions")
+
+        damages = {
+            "demo_0/actions is no dataset": lambda group: None,
+            "demo_0/actions is no dataset of this file": link,
+            "no array of numbers": lambda group: group.create_dataset("actions", data=["text"] * 5, dtype=h5py.string_dtype()),
+            "unfold to more than 0.9 GB": lambda group: group.create_dataset("actions", shape=(2**62,), chunks=(1000,), dtype="f8"),
+        }
+        with tempfile.TemporaryDirectory() as place:
+            path = f"{place}/d.hdf5"
+            for words, damage in damages.items():
+                one = {"observations": {"q": numbers}, "actions": numbers, "rewards": numbers, "dones": numbers, "attrs": {}}
+                graspbench.write_demonstrations(path, [one])
+                self.assertEqual(len(graspbench.read_demonstrations(path)), 1)
+                with h5py.File(path, "a") as file:
+                    del file["data/demo_0/actions"]
+                    damage(file["data/demo_0"])
+                with self.assertRaisesRegex(ValueError, words):
+                    graspbench.read_demonstrations(path)
+            whole = pathlib.Path(path).read_bytes()
+            pathlib.Path(path).write_bytes(whole[: len(whole) // 2])
+            with self.assertRaisesRegex(ValueError, "no file of demonstrations"):
+                graspbench.read_demonstrations(path)
+            with self.assertRaises(FileNotFoundError):
+                graspbench.read_demonstrations(f"{place}/none.hdf5")
+
 
 if __name__ == "__main__":
     unittest.main(argv=[sys.argv[0], *sys.argv[3:]], verbosity=2)

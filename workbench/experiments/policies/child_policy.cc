@@ -39,7 +39,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr size_t kMostLastWords = 400;  ///< of standard error [bytes]
 constexpr std::chrono::milliseconds kFarewell(300);
-constexpr double kLeastStartTime = 60.0;  ///< for the answer to a reset, as weights load [s]
+constexpr std::chrono::seconds kEnding(10);  ///< for what is killed, on a busy machine
+constexpr double kLeastStartTime = 60.0;     ///< for the answer to a reset, as weights load [s]
 
 /** Names, in the environment of a controller and of all that it starts, who started them. */
 std::string MakeMark() {
@@ -116,12 +117,13 @@ class ControllerProcess {
     while (!Reap() && Clock::now() < end) {
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
-    // What it started may start more while it is being ended.
-    for (int round = 0; round < 20; ++round) {
-      const std::vector<pid_t> left = FindMarked(mark_);
-      if (left.empty()) break;
+    // What it started may start more while it is being ended, and what is killed ends only when it
+    // gets a processor.
+    const auto last = Clock::now() + kEnding;
+    for (std::vector<pid_t> left; !(left = FindMarked(mark_)).empty() && Clock::now() < last;) {
       for (const pid_t process : left) ::kill(process, SIGKILL);
       Reap();
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     if (!has_ended_) {
       ::kill(process_, SIGKILL);

@@ -4,6 +4,8 @@ A demonstration is a dict: observations (name: array over time), actions (time x
 said_done, trial_id, seed, hand, object). Numbers become columns of one. Needs h5py for files."""
 
 import json
+import math
+import os
 
 import numpy as np
 
@@ -67,16 +69,43 @@ def write_demonstrations(path, demonstrations):
 
 
 def read_demonstrations(path):
-    """Those of a file, in the order of their numbers; of robomimic's own files, too."""
+    """Those of a file, in the order of their numbers; of robomimic's own files, too.
+
+    ValueError where the file is damaged, lacks an array, has something else in the place of numbers, names another file,
+    or unfolds to more than 0.9 GB and four times its size."""
     import h5py
 
-    with h5py.File(path) as file:
-        groups = sorted(file["data"].items(), key=lambda item: int(item[0].split("_")[-1]))
-        return [{"observations": {name: np.array(values) for name, values in group["obs"].items()},
-                 "actions": np.array(group["actions"]),
-                 "rewards": np.array(group["rewards"]), "dones": np.array(group["dones"]),
-                 "attrs": {name: _as_plain(value) for name, value in group.attrs.items() if name != "num_samples"}}
-                for _, group in groups]
+    left = 900_000_000 + 4 * os.path.getsize(path)
+
+    def find(group, name, kind):
+        if group.get(name, getclass=True, getlink=True) is not h5py.HardLink or not isinstance(group[name], kind):
+            raise ValueError(f"{group.name}/{name} is no {kind.__name__.lower()} of this file")
+        return group[name]
+
+    def read(group, name):
+        nonlocal left
+        data = find(group, name, h5py.Dataset)
+        if data.shape is None or data.dtype.kind not in "biuf" or data.external or data.is_virtual:
+            raise ValueError(f"{data.name} is no array of numbers of this file")
+        left -= math.prod(data.shape) * data.dtype.itemsize
+        if left < 0:
+            raise ValueError(f"{data.name} and what comes before it unfold to more than 0.9 GB and four times the file")
+        return np.asarray(data[()])
+
+    try:
+        with h5py.File(path) as file:
+            data = find(file, "data", h5py.Group)
+            demonstrations = []
+            for name in sorted(data, key=lambda name: int(name.split("_")[-1])):
+                group = find(data, name, h5py.Group)
+                observations = find(group, "obs", h5py.Group)
+                demonstrations.append({
+                    "observations": {one: read(observations, one) for one in observations},
+                    **{one: read(group, one) for one in ("actions", "rewards", "dones")},
+                    "attrs": {one: _as_plain(value) for one, value in group.attrs.items() if one != "num_samples"}})
+            return demonstrations
+    except Exception as fault:  # of a damaged file the library raises errors of many kinds
+        raise ValueError(f'"{path}" is no file of demonstrations: {fault}') from fault
 
 
 def _as_plain(value):
