@@ -129,9 +129,8 @@ class GreedyCover {
 
 namespace {
 
-/** @param is_far_first  within 3 mm everywhere before any point is within the near sink. */
 std::vector<Ball> Pack(const LinkSolid& solid, const std::vector<ContactSphere>& present,
-                       double smallest, int num_points, size_t num_candidates, bool is_far_first) {
+                       double smallest, int num_points, size_t num_candidates) {
   const std::vector<BoundaryPoint> points = solid.ListOpen(static_cast<size_t>(num_points));
   std::vector<Ball> candidates;
   const size_t step = std::max<size_t>(2, points.size() / num_candidates);
@@ -143,7 +142,6 @@ std::vector<Ball> Pack(const LinkSolid& solid, const std::vector<ContactSphere>&
   GreedyCover cover(solid, points, std::move(candidates), step);
   for (const ContactSphere& ball : present) cover.Add({ball.p_LS, ball.radius});
   std::vector<Ball> taken;
-  if (is_far_first) cover.Cover(kFarSink, 0.0, 0.0, kMostBalls, taken);
   cover.Cover(kNearSink, kLeftOver, smallest, kMostBalls, taken);
   cover.Cover(kNearSink, kLeftOver, 0.0, kMostBalls, taken);
   cover.Cover(kFarSink, 0.0, 0.0, kMostBalls, taken);
@@ -154,14 +152,10 @@ std::vector<Ball> Pack(const LinkSolid& solid, const std::vector<ContactSphere>&
 
 std::vector<Ball> PackBalls(const LinkSolid& solid, const std::vector<ContactSphere>& present,
                             double smallest, int num_points) {
-  std::vector<Ball> taken = Pack(solid, present, smallest, num_points, kNumCandidates, false);
+  const std::vector<Ball> taken = Pack(solid, present, smallest, num_points, kNumCandidates);
   if (taken.size() <= kManyBalls) return taken;
-  // A large sheet: its points lie too far apart to be covered by few of them.
-  for (const bool is_far_first : {false, true}) {
-    taken = Pack(solid, present, smallest, 3 * num_points, 3 * kNumCandidates, is_far_first);
-    if (taken.size() < kMostBalls) break;
-  }
-  return taken;
+  // A large sheet: its points lie too far apart to tell where it is covered.
+  return Pack(solid, present, smallest, 3 * num_points, 3 * kNumCandidates);
 }
 
 namespace {

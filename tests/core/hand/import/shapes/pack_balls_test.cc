@@ -54,12 +54,6 @@ TEST(PackBallsTest, ALargeSheetGetsAsManyAsItNeeds) {
   EXPECT_LT(fit.num_balls, static_cast<int>(kMostBalls));
 }
 
-TEST(PackBallsTest, WhatTakesMoreThanALinkMayHaveIsCoveredCoarselyEverywhere) {
-  const ContactFit fit = Pack({0.5, 0.003, 0.4});
-  EXPECT_LE(fit.sink.most, 0.005);
-  EXPECT_LE(fit.num_balls, static_cast<int>(kMostBalls));
-}
-
 TEST(PackBallsTest, WhatIsCoveredNeedsNone) {
   const LinkSolid solid({MakeSphere(0.01, 48)});
   EXPECT_TRUE(PackBalls(solid, {{0, Vector3d::Zero(), 0.01}}, 0.0).empty());
