@@ -10,8 +10,8 @@ fit: distances to triangles are exact, inside is a generalised winding number ab
 
 Out: points on balls and capsules that no other ball of the link holds, outside its meshes, and not in
 those of a neighbour. Sink: surface points where the probe rests on the description and comes straight from
-far away. Palmar: the normal is within 60 deg of the palm's. Ends with 1 where a bar is missed: out 1 mm (open meshes
-3 mm), sink 1 mm at 95 of 100 points, 5 mm at most on the palmar side and tips.
+far away. Palmar: the normal is within 60 deg of the palm's. Ends with 1 where a bar is missed: out 1 mm
+(open meshes 3 mm), sink 1 mm at 95 of 100 points, 5 mm at most on the palmar side and tips.
 """
 import itertools
 import pathlib
