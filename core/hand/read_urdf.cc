@@ -3,7 +3,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -47,7 +46,7 @@ class UrdfReader : UrdfElements {
     const char* name = robot->Attribute("name");
     if (is_own_) Text(*robot, "name", "robot");
     const char* version = robot->Attribute("version");
-    if (is_own_ && version && std::strcmp(version, "1.0") != 0) {
+    if (is_own_ && version && std::string(version) != "1.0") {
       Fail(*robot, std::string("robot: URDF of version \"") + version + "\"; expected 1.0");
     }
     urdf_.name = name && *name && IsUtf8(name) ? name : "hand";
@@ -180,10 +179,9 @@ class UrdfReader : UrdfElements {
     }
     for (const auto& [kind, shapes] :
          {std::pair{"visual", &link.visuals}, std::pair{"collision", &link.collisions}}) {
-      const bool is_collision = shapes == &link.collisions;
       for (XMLElement* e = element.FirstChildElement(kind); e; e = e->NextSiblingElement(kind)) {
-        if (auto shape = ReadShape(*e, where + ", " + kind, is_collision))
-          shapes->push_back(*shape);
+        auto shape = ReadShape(*e, where + ", " + kind, shapes == &link.collisions);
+        if (shape) shapes->push_back(*shape);
       }
     }
     if (is_own_ && link_names_.lines.size() == num_before) return;  // nameless, or a second one
@@ -277,14 +275,11 @@ class UrdfReader : UrdfElements {
       return {};
     } else if (kind == "mesh") {
       shape.kind = UrdfShape::Kind::kMesh;
-      if (!ReadMesh(*solid, where, shape)) return {};
-      return shape;
-    } else if (is_own_) {
-      Fail(*solid, where + ": unknown shape <" + kind + ">" +
-                       SuggestNames(kind, {"sphere", "cylinder", "box", "mesh"}));
-      return {};
+      return ReadMesh(*solid, where, shape) ? std::optional(shape) : std::nullopt;
     } else {
-      Warn(*solid, where + ": <" + kind + "> is no shape of URDF; left out");
+      is_own_ ? Fail(*solid, where + ": unknown shape <" + kind + ">" +
+                                 SuggestNames(kind, {"sphere", "cylinder", "box", "mesh"}))
+              : Warn(*solid, where + ": <" + kind + "> is no shape of URDF; left out");
       return {};
     }
     if (is_own_ &&

@@ -22,6 +22,7 @@
 #include "core/shape/obj_file.h"
 #include "core/shape/primitives.h"
 #include "core/shape/repair/mesh_check.h"
+#include "tests/support/shared_data.h"
 
 namespace graspbench {
 namespace {
@@ -94,6 +95,20 @@ TEST(LoadMeshTest, StlWithTrailingBytesOrInCapitalsIsRead) {
   text << "ENDSOLID box\n";
   const TriMesh capitals = ParseMesh(text.str(), "b.STL", LengthUnit::kM);
   EXPECT_NEAR(CalcVolume(capitals), CalcVolume(box), 1e-5 * CalcVolume(box));
+}
+
+// Blocks of 30 x 40 x 50 mm that others have written, in capitals and with bytes behind the end.
+TEST(LoadMeshTest, StrangersStlIsReadAndQuantizedGltfNamed) {
+  const fs::path folder = FindSharedData() / "strangers" / "hands";
+  if (!fs::exists(folder)) GTEST_SKIP() << folder << " is not on this machine";
+  for (const char* name : {"ascii_upper.stl", "trail.stl"}) {
+    const TriMesh block = ParseMesh(ReadFile(folder / name), name, LengthUnit::kM);
+    EXPECT_NEAR(CalcVolume(block), 0.03 * 0.04 * 0.05, 1e-10) << name;
+    EXPECT_EQ(FormatProblems(CheckMesh(block)), "") << name;
+  }
+  EXPECT_EQ(FindMessage(ReadFile(folder / "quant.gltf"), "quant.gltf"),
+            "mesh \"quant.gltf\" requires the glTF extension KHR_mesh_quantization, which is not "
+            "read; export it without");
 }
 
 TEST(LoadMeshTest, WhatIsNoMeshOrNeedsAnExtensionIsNamed) {

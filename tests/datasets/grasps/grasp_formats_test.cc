@@ -5,6 +5,7 @@
 #include "core/hand/load_hand.h"
 #include "datasets/grasps/map_to_hand.h"
 #include "tests/datasets/grasps/grasp_cases.h"
+#include "tests/support/shared_data.h"
 
 namespace graspbench {
 namespace {
@@ -90,6 +91,20 @@ TEST(GraspFormats, IsaacWithoutJointsIsAnOpenHand) {
   ASSERT_EQ(grasps[1].stages.size(), 1u);
   EXPECT_EQ(grasps[1].joint_names, (std::vector<std::string>{"finger_joint2", "finger_joint1"}));
   EXPECT_EQ(grasps[1].stages[0].joints, (std::vector<double>{0.04, 0.03}));
+}
+
+// What a writer of 2025 leaves beside joints: the object's file and where jaws would meet.
+TEST(GraspFormats, IsaacOfAStrangerWithBothJointsAndABitePoint) {
+  const std::filesystem::path file = FindSharedData() / "strangers" / "hands" / "writer_2025.yaml";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not on this machine";
+  GraspReadOptions options = MakeFrames();
+  options.hand_frame = "palm";
+  const std::vector<ForeignGrasp> grasps = ReadGrasps(file.string(), "auto", options);
+  ASSERT_EQ(grasps.size(), 1u);
+  EXPECT_EQ(grasps[0].object, "can.obj");
+  ASSERT_EQ(grasps[0].stages.size(), 1u);
+  EXPECT_EQ(grasps[0].joint_names.size(), 9u);
+  EXPECT_EQ(grasps[0].stages[0].X_OR.translation(), Eigen::Vector3d(0, 0, 0.15));
 }
 
 TEST(GraspFormats, Multigripper) {

@@ -37,8 +37,8 @@ class HandFinder {
       if (num_ends_[palm] < 2) {
         problems_.Fail(
             file_, 0,
-            "the joints form one chain without digits: an arm, or one finger. A hand has "
-            "two digits at least that part from a palm");
+            "the joints form one chain without digits: an arm, one finger, or one jaw against a "
+            "fixed one. A hand has two digits at least that move apart from a palm");
         return {};
       }
       if (!IsScene(palm, branches, hands)) {

@@ -25,11 +25,13 @@ class OutwardFinder {
   explicit OutwardFinder(const Hand& hand)
       : hand_(hand), closing_(FindClosing(hand)), open_(CalcClosedPosture(hand, closing_, 0.0)) {}
 
+  /** It recedes from all others, open or closed a little, and comes nearer to none. */
   bool IsOutward(const Digit& digit) const {
-    double nearer = 0.0, farther = 0.0;  // than when it is open, at most
+    bool recedes = false;
     for (const Digit& other : hand_.digits) {
       if (&other == &digit) continue;
       for (const double of_other : {0.0, kOthersShare}) {
+        double nearer = 0.0, farther = 0.0;  // than when it is open, at most
         const double before = CalcGap(digit, 0.0, other, of_other);
         for (int i = 1; i <= kNumShares; ++i) {
           const double share = kOwnShare * i / kNumShares;
@@ -37,9 +39,11 @@ class OutwardFinder {
           nearer = std::max(nearer, before - gap);
           farther = std::max(farther, gap - before);
         }
+        if (nearer >= std::max(kPadMoves, kMostNearer * farther)) return false;
+        recedes = recedes || farther > kPadMoves;
       }
     }
-    return farther > kPadMoves && nearer < std::max(kPadMoves, kMostNearer * farther);
+    return recedes;
   }
 
  private:

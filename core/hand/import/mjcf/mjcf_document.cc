@@ -34,6 +34,12 @@ std::optional<ForeignShape::Weight> FindGeomWeight(MjcfDocument& document, const
   ForeignShape::Weight weight;
   if (const auto mass = document.FindNumbers(node, "mass", 1, 1, where)) weight.mass = (*mass)[0];
   weight.density = document.FindNumber(node, "density", kGeomDensity, where);
+  if (const double weighs = weight.mass.value_or(weight.density); weighs < 0.0) {
+    document.Fail(*node.xml, where +
+                                 (weight.mass ? ": a negative mass, " : ": a negative density, ") +
+                                 FormatSignificant(weighs, 3) + (weight.mass ? " kg" : " kg/m^3") +
+                                 "; give what the part weighs, or 0 where it weighs nothing");
+  }
   if (weight.mass.value_or(weight.density) <= 0.0) return {};
   return weight;
 }

@@ -20,6 +20,9 @@ closed or open meshes to look at. */
 
 namespace graspbench {
 
+/** A part of a hand is smaller [m]. */
+inline constexpr double kLargestPart = 2.0;
+
 /** Reads a mesh file as it stands, one unit of it a metre. @throws Error. */
 using MeshLoader = std::function<TriMesh(const std::filesystem::path&)>;
 
@@ -109,7 +112,7 @@ class ShapeLoader {
   std::map<std::filesystem::path, TriMesh> meshes_;
   double CalcMeshExtent(const ForeignShape& shape);
   double large_unit_ = 0.001;  // [m] of meshes that cannot be in metres
-  /** [m] by the ending of a mesh's file, inferred from the joints; without: the metre. */
+  /** [m] by the ending of a mesh's file, empty: of all, inferred from the joints; else the metre. */
   std::map<std::string, double> typical_units_;
   bool are_all_missing_ = false;
   std::set<std::string> turned_;  // messages

@@ -14,8 +14,8 @@ namespace {
 using Eigen::Vector3d;
 using BoundaryPoint = LinkSolid::BoundaryPoint;
 
-constexpr size_t kMostNearBalls = kMostBalls - 10;
-constexpr size_t kMostCandidates = 3500;
+constexpr size_t kNumCandidates = 3500;                  // about
+constexpr size_t kManyBalls = 600;                       // of a link
 constexpr double kSlack = 0.00015, kOut = 0.00035;       // [m]
 constexpr double kLargestBall = 0.03;                    // [m]
 constexpr double kThinnest = 0.0001;                     // [m], of a ball in a sheet
@@ -127,11 +127,13 @@ class GreedyCover {
 
 }  // namespace
 
-std::vector<Ball> PackBalls(const LinkSolid& solid, const std::vector<ContactSphere>& present,
-                            double smallest, int num_points) {
+namespace {
+
+std::vector<Ball> Pack(const LinkSolid& solid, const std::vector<ContactSphere>& present,
+                       double smallest, int num_points, size_t num_candidates) {
   const std::vector<BoundaryPoint> points = solid.ListOpen(static_cast<size_t>(num_points));
   std::vector<Ball> candidates;
-  const size_t step = std::max<size_t>(2, points.size() / kMostCandidates);
+  const size_t step = std::max<size_t>(2, points.size() / num_candidates);
   for (size_t k = 0; k < points.size(); k += step) {
     Ball ball = FindLargest(solid, points[k]);
     ball.radius += kOut;
@@ -140,10 +142,20 @@ std::vector<Ball> PackBalls(const LinkSolid& solid, const std::vector<ContactSph
   GreedyCover cover(solid, points, std::move(candidates), step);
   for (const ContactSphere& ball : present) cover.Add({ball.p_LS, ball.radius});
   std::vector<Ball> taken;
-  cover.Cover(kNearSink, kLeftOver, smallest, kMostNearBalls, taken);
-  cover.Cover(kNearSink, kLeftOver, 0.0, kMostNearBalls, taken);
+  cover.Cover(kNearSink, kLeftOver, smallest, kMostBalls, taken);
+  cover.Cover(kNearSink, kLeftOver, 0.0, kMostBalls, taken);
   cover.Cover(kFarSink, 0.0, 0.0, kMostBalls, taken);
   return taken;
+}
+
+}  // namespace
+
+std::vector<Ball> PackBalls(const LinkSolid& solid, const std::vector<ContactSphere>& present,
+                            double smallest, int num_points) {
+  const std::vector<Ball> taken = Pack(solid, present, smallest, num_points, kNumCandidates);
+  if (taken.size() <= kManyBalls) return taken;
+  // A large sheet: its points lie too far apart to tell where it is covered.
+  return Pack(solid, present, smallest, 3 * num_points, 3 * kNumCandidates);
 }
 
 namespace {
@@ -152,8 +164,8 @@ constexpr size_t kNumEnds = 30, kMostSelfCapsules = 8, kMostOfThin = 48;
 constexpr double kNearCapsule = 0.002;  // [m] of a point that it stands for
 constexpr double kThin = 1.0 / 3.0;     // of the points near a capsule (contact_fit.h)
 constexpr double kEnough = 0.9;         // of the points
-constexpr size_t kPerCapsule = 50, kPerCapsuleOfThin = 200;  // one more is near one of so many
-constexpr double kMostSlender = 40.0;  // length by radius; the loader takes 58
+constexpr size_t kPerCapsule = 50, kPerCapsuleOfThin = 200;     // one more is near one of so many
+constexpr double kMostSlender = 40.0, kThinnestSlender = 56.0;  // length by radius; loader: 58
 
 double CalcDistance(const FittedCapsule& capsule, const Vector3d& p) {
   const Vector3d axis = capsule.p_B - capsule.p_A;
@@ -185,6 +197,17 @@ std::vector<Ball> ChooseEnds(std::vector<Ball> balls) {
 
 /** Between the balls, as long as the solid allows. */
 std::vector<FittedCapsule> InscribeBetween(const LinkSolid& solid, const std::vector<Ball>& ends) {
+  // Between two boundary points it may cross a wall and the hollow behind it.
+  const auto stays_inside = [&](const FittedCapsule& capsule) {
+    constexpr double kStep = 0.0005;  // [m]
+    const Vector3d axis = capsule.p_B - capsule.p_A;
+    const int num_steps = static_cast<int>(std::ceil(axis.norm() / kStep));
+    for (int i = 1; i < num_steps; ++i) {
+      const Vector3d p = capsule.p_A + static_cast<double>(i) / num_steps * axis;
+      if (solid.IsOutside(p) && solid.CalcOutside(p) > kSlack) return false;
+    }
+    return true;
+  };
   std::vector<FittedCapsule> candidates;
   for (size_t a = 0; a < ends.size(); ++a) {
     for (size_t b = a; b < ends.size(); ++b) {
@@ -196,7 +219,7 @@ std::vector<FittedCapsule> InscribeBetween(const LinkSolid& solid, const std::ve
         if (capsule.radius <= least) break;
         capsule.radius = std::min(capsule.radius, CalcDistance(capsule, wall.p));
       }
-      if (capsule.radius > least) candidates.push_back(capsule);
+      if (capsule.radius > least && stays_inside(capsule)) candidates.push_back(capsule);
     }
   }
   return candidates;
@@ -247,11 +270,27 @@ class CapsuleCover {
   }
 
  private:
-  void Take(const FittedCapsule& capsule) {
+  void Take(FittedCapsule capsule) {
+    Trim(capsule);
     taken_.push_back(capsule);
     for (size_t k = 0; k < points_.size(); ++k) {
       if (IsNear(capsule, k)) is_open_[k] = false;
     }
+  }
+  /** Thinner where it sticks out between boundary points, as they lie apart. */
+  void Trim(FittedCapsule& capsule) const {
+    const Vector3d axis = capsule.p_B - capsule.p_A;
+    const auto sticks_out = [&] {
+      for (const Vector3d& direction : SpreadOnSphere(0.0)) {
+        for (const double share : {0.0, 0.5, 1.0}) {
+          const Vector3d p = capsule.p_A + share * axis + capsule.radius * direction;
+          if (solid_.CalcOutside(p) > kSlack + kOut) return true;
+        }
+      }
+      return false;
+    };
+    const double least = std::max(kThinnest, axis.norm() / kThinnestSlender);
+    while (0.9 * capsule.radius > least && sticks_out()) capsule.radius *= 0.9;
   }
   bool IsNear(const FittedCapsule& capsule, size_t k) const {
     return CalcDistance(capsule, points_[k].p) - capsule.radius <= near_;

@@ -135,8 +135,8 @@ TEST(WeldLinksTest, WithoutDigitsThereIsNoHand) {
   const std::string arm = ReplaceOnce(kSmallGripper, "slide_right\" type=\"prismatic\"",
                                       "slide_right\" type=\"fixed\"");
   EXPECT_EQ(told(arm),
-            "the joints form one chain without digits: an arm, or one finger. A hand "
-            "has two digits at least that part from a palm");
+            "the joints form one chain without digits: an arm, one finger, or one jaw against a "
+            "fixed one. A hand has two digits at least that move apart from a palm");
   EXPECT_EQ(told(kSmallGripper, "hand"),
             "no link \"hand\" for the palm. Known: world, the hand, left, right");
 }
