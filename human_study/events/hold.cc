@@ -1,10 +1,13 @@
 #include "human_study/events/hold.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/units.h"
 #include "core/statistics/summary.h"
+#include "human_study/events/approach.h"
 #include "human_study/events/lift_off_fit.h"
 
 namespace graspbench {
@@ -48,7 +51,7 @@ EventTime FindTracedBack(const ObjectTravel& travel, const LiftOffOptions& optio
 EventTime FindFitted(const ObjectTravel& travel, const LiftOffOptions& options) {
   const EventTime traced = FindTracedBack(travel, options);
   if (!traced.IsFound()) return traced;
-  const EventTime fitted = FitLiftOff(travel.unfiltered, traced.time);
+  const EventTime fitted = FitLiftOff(travel.lowest, traced.time);
   return fitted.IsFound() ? fitted : traced;
 }
 
@@ -65,6 +68,76 @@ Eigen::Vector3d FindRestingPlace(const Trajectory& path) {
     place[axis] = CalcMedian(std::move(values));
   }
   return place;
+}
+
+/** Mean over the start of the path, which is at rest; not a rotation when nothing is seen. */
+Eigen::Matrix3d FindRestingTurn(const ObjectTrack& object) {
+  const auto count = static_cast<size_t>(kRestShare * static_cast<double>(object.X_LO.size()));
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (size_t i = 0; i < std::max<size_t>(1, count); ++i) {
+    if (!object.X_LO[i].matrix().hasNaN()) sum += object.X_LO[i].linear();
+  }
+  return Eigen::Quaterniond(sum).normalized().toRotationMatrix();
+}
+
+/** On what the object can stand at rest: its lowest point, and the edge of what lies within 0.3 mm of
+that. From C, in O; empty when the shape or the turn is not known. */
+std::vector<Eigen::Vector3d> FindStandingEdge(const ObjectTrack& object,
+                                              const Eigen::Vector3d& up_O) {
+  constexpr double kStep = 0.5e-3, kMostSteps = 600, kLevel = 0.3e-3;  // [m]
+  constexpr int kNumDirections = 24;
+  if (!object.distance || object.turn_lever.isZero()) return {};
+  const auto go = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& direction) {
+    Eigen::Vector3d p = from;
+    for (int i = 0; i < kMostSteps && object.distance(p) < 0.0; ++i) p += kStep * direction;
+    return p;
+  };
+  Eigen::Vector3d inside = object.p_OC;
+  for (int i = 0; i < 8 && object.distance(inside) >= 0.0; ++i) {
+    inside -= (object.distance(inside) + kStep) * FindNormal(object.distance, inside);
+  }
+  const Eigen::Vector3d lowest = go(inside, -up_O);
+  std::vector<Eigen::Vector3d> edge = {lowest - object.p_OC};
+  const Eigen::Vector3d level = lowest + (kLevel + kStep) * up_O;
+  const Eigen::Vector3d across = up_O.unitOrthogonal(), other = up_O.cross(across);
+  for (int k = 0; k < kNumDirections; ++k) {
+    const double angle = 2.0 * kPi * k / kNumDirections;
+    const Eigen::Vector3d end = go(level, std::cos(angle) * across + std::sin(angle) * other);
+    edge.push_back(end - (end - lowest).dot(up_O) * up_O - object.p_OC);
+  }
+  return edge;
+}
+
+/** SD of a sample, by second differences: a curve that bends slowly has none. */
+double CalcSampleNoise(const ScalarCurve& curve) {
+  constexpr double kSdPerMedian = 1.4826;  // of a normal distribution
+  std::vector<double> bends;
+  for (size_t i = 1; i + 1 < curve.size(); ++i) {
+    const double bend = curve.At(i - 1) - 2.0 * curve.At(i) + curve.At(i + 1);
+    if (std::isfinite(bend)) bends.push_back(std::abs(bend) / std::sqrt(6.0));
+  }
+  return kSdPerMedian * CalcMedianOfFinite(bends);
+}
+
+/** Height of the lowest of the points that the object stands on, less that at rest. */
+ScalarCurve FollowLowest(const ReachTrial& trial, const ScalarCurve& middle,
+                         const Eigen::Vector3d& up) {
+  const ObjectTrack& object = trial.object;
+  const Eigen::Matrix3d R_LO = FindRestingTurn(object);
+  const std::vector<Eigen::Vector3d> edge = FindStandingEdge(object, R_LO.transpose() * up);
+  if (edge.empty()) return middle;
+  const auto find_lowest = [&](const Eigen::Matrix3d& R) {
+    double lowest = INFINITY;
+    for (const Eigen::Vector3d& p : edge) lowest = std::min(lowest, up.dot(R * p));
+    return lowest;
+  };
+  const double rest = find_lowest(R_LO);
+  ScalarCurve curve = middle;
+  for (size_t i = 0; i < curve.size(); ++i) {
+    curve.At(i) += find_lowest(object.X_LO[i].linear()) - rest;
+  }
+  curve.noise = std::max(middle.noise, CalcSampleNoise(curve));
+  return curve;
 }
 
 }  // namespace
@@ -111,6 +184,7 @@ ObjectTravel CalcObjectTravel(const ReachTrial& trial, const LiftOffOptions& opt
     travel.height.values[i] = up.dot(moved);
     travel.displacement.values[i] = moved.norm();
   }
+  travel.lowest = FollowLowest(trial, travel.unfiltered, up);
   return travel;
 }
 
@@ -139,6 +213,7 @@ std::vector<ObjectWay> FindWaysBeforeRise(const ObjectTravel& travel, double lea
     ObjectTravel other = travel;
     other.height.values = travel.moved.transpose() * axis;
     other.unfiltered.values = travel.moved_unfiltered.transpose() * axis;
+    other.lowest = other.unfiltered;
     const double along = other.height.values.maxCoeff<Eigen::PropagateNumbers>();
     if (!(along > least)) continue;
     const int under_way = FindFirstAbove(other.height, kUnderWay);

@@ -120,8 +120,11 @@ struct LiftOffOptions {
 /** How far the object is from its place of rest, the median position over the first tenth of the
 trial. */
 struct ObjectTravel {
-  ScalarCurve height;        ///< along the direction of the lift [m]
-  ScalarCurve unfiltered;    ///< the height without the filter [m]
+  ScalarCurve height;      ///< along the direction of the lift [m]
+  ScalarCurve unfiltered;  ///< the height without the filter [m]
+  /** Of the object's lowest point, unfiltered: one that tilts on its edge stands until that rises.
+  The same as `unfiltered` where the shape or the turn is not known [m]. */
+  ScalarCurve lowest;
   ScalarCurve displacement;  ///< in any direction [m]
   Eigen::Matrix3Xd moved;    ///< the same as vectors in L [m]; NaN where invalid
   Eigen::Matrix3Xd moved_unfiltered;

@@ -16,7 +16,8 @@ have the lower terms zero. They are weighed as the lift-offs are, by how well th
 samples (Bayes): t0 over a bracket of time, the rest integrated out, as it is linear with normal
 priors.
 
-Known limits: an object that tilts on its edge before it is free rises at its middle, too. */
+Known limits: without a shape, an object that tilts on its edge before it is free seems to leave as
+its middle rises; with one, the height is that of its lowest point (ObjectTravel::lowest). */
 
 #include <Eigen/Core>
 #include <vector>

@@ -84,7 +84,8 @@ TEST_F(TrajectoryOutputTest, SaysWhatIsMissing) {
   EXPECT_NE(FindUsageError("x.mcap", "t", 1).find("give the format only: mcap"), std::string::npos);
   EXPECT_NE(FindUsageError("x.mcap", "", 2).find("there are 2 trials"), std::string::npos);
   EXPECT_EQ(FindUsageError((place_ / "x.h5").string(), "", 2), "");
-  EXPECT_NE(FindUsageError("x.bag", "", 1).find("has none of the known endings"), std::string::npos);
+  EXPECT_NE(FindUsageError("x.bag", "", 1).find("has none of the known endings"),
+            std::string::npos);
 }
 
 }  // namespace
