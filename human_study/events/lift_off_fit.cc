@@ -27,7 +27,7 @@ constexpr double kFullHeight = 0.007;  // the polynomial holds this far above th
 constexpr double kMostRise = 0.3;      // .. or this long after the other rule's instant [s]
 constexpr double kOfHeight = 0.02;     // what the polynomial leaves out, share of the height
 constexpr double kCoarseStep = 8e-3, kFineStep = 1e-3;  // between the instants tried [s]
-constexpr double kLiftModel = 1.5e-3;                   // SD of what no model says [s]
+constexpr double kLiftModel = 2.5e-3;                   // SD of what no model says [s]
 constexpr size_t kFewestBefore = 3, kFewestAfter = 3;
 
 struct LiftSamples {

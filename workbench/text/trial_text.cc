@@ -393,7 +393,7 @@ ExaminedTrial ExamineTrial(const Session& session, const PlannedTrial& planned, 
 namespace {
 
 /** Nothing of a rigid object. */
-std::string FormatCompression(const GraspObject& object) {
+std::string FormatSoftness(const GraspObject& object) {
   if (!object.compressible) return "";
   return "soft     compressed to " + DescribeCompression(object) + "\n";
 }
@@ -405,7 +405,7 @@ std::string FormatTrial(const ExaminedTrial& trial, const std::string& folder) {
   std::string text =
       fmt::format("trial    {} ({}): {}, {}, {}\n", trial.planned.id, NameTrial(trial.planned),
                   trial.setup.hand->name, trial.setup.object->name, trial.planned.grasp) +
-      FormatCompression(*trial.setup.object) + FormatSight(result) + FormatController(result) +
+      FormatSoftness(*trial.setup.object) + FormatSight(result) + FormatController(result) +
       FormatArm(result) + FormatOutcome(result) + "draw     " + FormatObjectDraw(trial.setup.draw) +
       FormatJointErrors(trial.setup) + "\n" + "phases   " +
       FormatPhases(trial.traced, trial.setup.strategy) + "\n";

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/units.h"
 #include "human_study/events/hand_opening.h"
 #include "human_study/events/trial_analysis.h"
 #include "human_study/study/synthetic/synthetic_study.h"
@@ -141,6 +142,39 @@ TEST(Hold, LiesBetweenTheLastContactAndTheReleaseOfMadeUpReaches) {
       }
     }
   }
+}
+
+// A cylinder of 60 by 100 mm tilts about its edge by 4 degrees and is lifted after that. Its middle
+// rises from 1.0 s on, its lowest point from 1.3 s on, which is what the shape tells.
+TEST(ObjectEvents, AnObjectThatTiltsOnItsEdgeLeavesWithItsLowestPoint) {
+  constexpr double kRadius = 0.03, kHeight = 0.1, kTilts = 1.0, kLeaves = 1.3;
+  ReachTrial trial;
+  trial.times = MakeTimes(0.0, 3.0, 200.0);
+  for (const double t : trial.times) {
+    const double tilt = RadFromDeg(4.0) * Ease(t, kTilts, kLeaves - 0.05);
+    const Eigen::AngleAxisd R(tilt, Vector3d::UnitY());  // the edge at +x stays
+    const Vector3d edge(kRadius, 0, -kHeight / 2);
+    Pose X = Pose::Identity();
+    X.linear() = R.toRotationMatrix();
+    X.translation() = edge - R * edge + 0.1 * Ease(t, kLeaves, kLeaves + 0.8) * Vector3d::UnitZ();
+    trial.object.X_LO.push_back(X);
+  }
+  trial.object.states.assign(trial.times.size(), SampleState::kMeasured);
+  trial.object.turn_lever = 0.04 * Eigen::Matrix3d::Identity();
+  const LiftOffOptions options;
+  const auto find = [&] {
+    return FindObjectEvents(CalcObjectTravel(trial, options), options).lift_off;
+  };
+  EXPECT_LT(find().time, kLeaves - 0.08) << "without a shape its middle is all that is seen";
+  for (const auto& [distance, name] :
+       {std::pair(MakeCylinderDistance(kRadius, kHeight), "cylinder"),
+        std::pair(MakeBoxDistance({2.0 * kRadius, 2.0 * kRadius, kHeight}), "box")}) {
+    trial.object.distance = distance;
+    EXPECT_NEAR(find().time, kLeaves, 0.03) << name;
+  }
+  // A middle of the markers above the object is no middle of the object.
+  trial.object.p_OC = {0.0, 0.0, 0.08};
+  EXPECT_NEAR(find().time, kLeaves, 0.03);
 }
 
 }  // namespace
