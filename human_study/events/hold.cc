@@ -1,6 +1,7 @@
 #include "human_study/events/hold.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
@@ -70,23 +71,23 @@ Eigen::Vector3d FindRestingPlace(const Trajectory& path) {
   return place;
 }
 
-/** Mean over the start of the path, which is at rest; not a rotation when nothing is seen. */
+/** Mean over the start of the path, which is at rest; any turn when nothing is seen there. */
 Eigen::Matrix3d FindRestingTurn(const ObjectTrack& object) {
   const auto count = static_cast<size_t>(kRestShare * static_cast<double>(object.X_LO.size()));
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (size_t i = 0; i < std::max<size_t>(1, count); ++i) {
     if (!object.X_LO[i].matrix().hasNaN()) sum += object.X_LO[i].linear();
   }
-  return Eigen::Quaterniond(sum).normalized().toRotationMatrix();
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  return svd.matrixU() * svd.matrixV().transpose();  // the nearest rotation
 }
 
 /** On what the object can stand at rest: its lowest point, and the edge of what lies within 0.3 mm of
-that. From C, in O; empty when the shape or the turn is not known. */
+that. From C, in O. @pre the shape is known. */
 std::vector<Eigen::Vector3d> FindStandingEdge(const ObjectTrack& object,
                                               const Eigen::Vector3d& up_O) {
   constexpr double kStep = 0.5e-3, kMostSteps = 600, kLevel = 0.3e-3;  // [m]
   constexpr int kNumDirections = 24;
-  if (!object.distance || object.turn_lever.isZero()) return {};
   const auto go = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& direction) {
     Eigen::Vector3d p = from;
     for (int i = 0; i < kMostSteps && object.distance(p) < 0.0; ++i) p += kStep * direction;
@@ -108,24 +109,14 @@ std::vector<Eigen::Vector3d> FindStandingEdge(const ObjectTrack& object,
   return edge;
 }
 
-/** SD of a sample, by second differences: a curve that bends slowly has none. */
-double CalcSampleNoise(const ScalarCurve& curve) {
-  constexpr double kSdPerMedian = 1.4826;  // of a normal distribution
-  std::vector<double> bends;
-  for (size_t i = 1; i + 1 < curve.size(); ++i) {
-    const double bend = curve.At(i - 1) - 2.0 * curve.At(i) + curve.At(i + 1);
-    if (std::isfinite(bend)) bends.push_back(std::abs(bend) / std::sqrt(6.0));
-  }
-  return kSdPerMedian * CalcMedianOfFinite(bends);
-}
-
-/** Height of the lowest of the points that the object stands on, less that at rest. */
+/** Height of the lowest of the points that the object stands on, less that at rest. Its turn is
+filtered and as far as it exceeds the noise of the markers, so that it adds little noise. */
 ScalarCurve FollowLowest(const ReachTrial& trial, const ScalarCurve& middle,
-                         const Eigen::Vector3d& up) {
-  const ObjectTrack& object = trial.object;
+                         const Eigen::Vector3d& up, double cutoff) {
+  if (!trial.object.distance || trial.object.turn_lever.isZero()) return middle;
+  const ObjectTrack object = SmoothObject(trial, cutoff, cutoff);
   const Eigen::Matrix3d R_LO = FindRestingTurn(object);
   const std::vector<Eigen::Vector3d> edge = FindStandingEdge(object, R_LO.transpose() * up);
-  if (edge.empty()) return middle;
   const auto find_lowest = [&](const Eigen::Matrix3d& R) {
     double lowest = INFINITY;
     for (const Eigen::Vector3d& p : edge) lowest = std::min(lowest, up.dot(R * p));
@@ -136,7 +127,6 @@ ScalarCurve FollowLowest(const ReachTrial& trial, const ScalarCurve& middle,
   for (size_t i = 0; i < curve.size(); ++i) {
     curve.At(i) += find_lowest(object.X_LO[i].linear()) - rest;
   }
-  curve.noise = std::max(middle.noise, CalcSampleNoise(curve));
   return curve;
 }
 
@@ -184,7 +174,7 @@ ObjectTravel CalcObjectTravel(const ReachTrial& trial, const LiftOffOptions& opt
     travel.height.values[i] = up.dot(moved);
     travel.displacement.values[i] = moved.norm();
   }
-  travel.lowest = FollowLowest(trial, travel.unfiltered, up);
+  travel.lowest = FollowLowest(trial, travel.unfiltered, up, options.cutoff);
   return travel;
 }
 

@@ -18,7 +18,7 @@ done
 # Below the function's own shell: parallel, and below that the two workers.
 kill -TERM $(pgrep -P "$(pgrep -P "$parallel")")
 wait "$parallel" && { echo "no job was stopped, so nothing was tested"; exit 1; }
-grep -q "left and the finished ones are kept" "$folder/parallel.log"
+grep -q "trials are left; finished trials are kept" "$folder/parallel.log"
 work
 "$program" merge "$folder/parts" >"$folder/merge.log" 2>&1
 compare_sessions

@@ -22,7 +22,7 @@ wait_for "a journal" some_work_begun
 mapfile -t jobs < <(squeue -h -n graspbench-work -t running -o %A)
 scancel --batch --signal=TERM "${jobs[@]}" 2>/dev/null || true
 wait_for "the end of the jobs" no_jobs_left
-num_stopped=$(cat "$folder"/parts/logs/work-*.log | grep -c "left and the finished ones are kept")
+num_stopped=$(cat "$folder"/parts/logs/work-*.log | grep -c "trials are left; finished trials are kept")
 [[ $num_stopped -ge 1 ]] || { echo "no job was stopped, so nothing was tested"; exit 1; }
 
 "$program" submit "$folder/parts" --engine slurm --array 7

@@ -201,6 +201,7 @@ ObjectTravel MakeLift(double speed) {
       MakeTimes(0, 3, 100), [speed](double t) { return std::clamp(speed * (t - 1.0), 0.0, 0.1); });
   travel.displacement = travel.unfiltered = travel.height;
   travel.unfiltered.noise = 1e-5;
+  travel.lowest = travel.unfiltered;
   return travel;
 }
 
