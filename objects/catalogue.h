@@ -50,9 +50,10 @@ enum class FieldUse {
   kLater  ///< `field` stays empty, see CompleteObject
 };
 
-/** Loads a catalogue object or a synthetic one by its id, or a user's object by the path of its folder (object.yaml
-and a mesh, see object_file.h) or of its object.yaml. The mesh is checked (mesh_check.h); the
-check's result and the distance field are kept between runs (core/base/files/kept.h).
+/** Loads a catalogue object or a synthetic one by its id, or a user's object by the path of its
+folder (object.yaml and a mesh, see object_file.h) or of its object.yaml. The mesh is checked
+(mesh_check.h); the check's result and the distance field are kept between runs
+(core/base/files/kept.h).
 @throws Error(kNotFound) with suggestions; Error(kFormat) listing every problem. */
 std::shared_ptr<const GraspObject> LoadObject(const std::string& id_or_path,
                                               FieldUse field_use = FieldUse::kNow);

@@ -8,8 +8,9 @@ Frame B is the arm's base, its z along joint 1. Frame i is fixed to link i, behi
     X_(i-1)i(q) = Rot(z, q_i + offset_i) Shift(z, d_i) Shift(x, a_i) Rot(x, alpha_i)
 
 The last frame is the flange F, to which the hand is fixed. Each joint's drive is a spring between
-its commanded angle and its angle, so that a force f at the flange moves it by J K^-1 J^T f (Salisbury
-1980). Not modelled: joints that slide, coupling between joints, play, links that bend. */
+its commanded angle and its angle, so that a force f at the flange moves it by J K^-1 J^T f
+(Salisbury 1980). Not modelled: joints that slide, coupling between joints, play, links that bend.
+*/
 
 #include <Eigen/Core>
 #include <string>

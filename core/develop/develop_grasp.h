@@ -11,9 +11,9 @@ Develops one grasp of a hand: geometry proposes, simulation on training shapes d
               nothing is chosen that scores lower on the same trials
     check     the chosen one on shapes that nothing has seen
 
-How it scores stands at DevelopTrial, the shapes in core/shape/synthetic_shapes.h. The simulation is asked, so
-that the caller runs the trials on its threads and keeps a journal; the same answers lead to the
-same questions. */
+How it scores stands at DevelopTrial, the shapes in core/shape/synthetic_shapes.h. The simulation is
+asked, so that the caller runs the trials on its threads and keeps a journal; the same answers lead
+to the same questions. */
 
 #include <functional>
 #include <string>

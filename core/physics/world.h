@@ -32,7 +32,8 @@ struct WorldState {
   /** Part of q by which a joint has left its coupling (num_joints); empty at a start: none [rad]. */
   Eigen::VectorXd deviation;
   /** That carries the hand, and outlives the world; null: the springs of SimConfig. Its posture then
-  decides X_WH and its speeds w_WH and v_WH. A backend without (compliant_world.h) has the springs. */
+  decides X_WH and its speeds w_WH and v_WH. A backend without (compliant_world.h) has the springs.
+  */
   const MountedArm* arm = nullptr;
   Eigen::VectorXd q_arm, u_arm;  ///< of its joints [rad], [rad/s]
   Eigen::Matrix3d R_WO = Eigen::Matrix3d::Identity();

@@ -69,7 +69,8 @@ file outside the folder is read but those of the program.
 Entry LoadEntry(const std::filesystem::path& pack, const std::filesystem::path& folder,
                 const Benchmark& benchmark);
 
-/** "strategy" or "recorded actions", with the arm; "pose nominal, touch exact": what an entry declares. */
+/** "strategy" or "recorded actions", with the arm; "pose nominal, touch exact": what an entry
+declares. */
 ///@{
 std::string DescribeController(const SessionConfig& config);
 std::string DescribeSensing(const SessionConfig& config);

@@ -3,8 +3,8 @@
 Which trials a journal holds, as short lines beside it, so that a million of them are counted
 without reading gigabytes of records:
 
-    progress/3of7-0.jsonl   of journal/3of7-0.jsonl, one line per trial: its id and where its record's
-                            line ends in the journal [bytes], as a checked line
+    progress/3of7-0.jsonl   of journal/3of7-0.jsonl, one line per trial: its id and where
+                            its record's line ends in the journal [bytes], as a checked line
 
 Made from the journal, never sealed, not synced, and may be deleted at any time: what it lacks is
 read in the journal. It is believed as far as its last line is true of the journal, and while the

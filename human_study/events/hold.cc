@@ -82,8 +82,8 @@ Eigen::Matrix3d FindRestingTurn(const ObjectTrack& object) {
   return svd.matrixU() * svd.matrixV().transpose();  // the nearest rotation
 }
 
-/** On what the object can stand at rest: its lowest point, and the edge of what lies within 0.3 mm of
-that. From C, in O. @pre the shape is known. */
+/** On what the object can stand at rest: its lowest point, and the edge of what lies within 0.3 mm
+of that. From C, in O. @pre the shape is known. */
 std::vector<Eigen::Vector3d> FindStandingEdge(const ObjectTrack& object,
                                               const Eigen::Vector3d& up_O) {
   constexpr double kStep = 0.5e-3, kMostSteps = 600, kLevel = 0.3e-3;  // [m]

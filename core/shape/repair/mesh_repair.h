@@ -41,8 +41,8 @@ MeshRepair RepairMesh(const TriMesh& mesh);
 inline constexpr int kMaxMendedSoup = 200000;
 
 /** Turns neighbours to face the same way, and in a closed mesh the shells as RepairMesh does;
-changes nothing else. Without actions the mesh is as given. Of neighbours the majority is taken to be right;
-an open mesh keeps the side that it has.
+changes nothing else. Without actions the mesh is as given. Of neighbours the majority is taken to
+be right; an open mesh keeps the side that it has.
 @pre valid indices. */
 MeshRepair FaceOutwards(const TriMesh& mesh);
 

@@ -8,8 +8,8 @@ The words for a failed trial's mechanism: the same for terminal, page, report an
 
 namespace graspbench {
 
-/** "Squeezed out during closure at 1.850 s. ..": what happened, then forces and works. Empty without a
-diagnosis. */
+/** "Squeezed out during closure at 1.850 s. ..": what happened, then forces and works. Empty
+without a diagnosis. */
 std::string DescribeDiagnosis(const TrialResult& result);
 
 }  // namespace graspbench

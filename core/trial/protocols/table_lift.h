@@ -130,7 +130,8 @@ class TableLift : public TrialCourse {
   Eigen::VectorXd CalcStartPosture() const;
   /** Moves the placement to where the hand believes the object. */
   void Position(WristCamera* camera);
-  /** Course of the arm, of a setup that has one; puts it on its way so long before the hand arrives. */
+  /** Course of the arm, of a setup that has one; puts it on its way so long before the hand
+  arrives. */
   void PlanArm(double before_arrival, WorldState& state);
   /** What the arm's joints do in a step. */
   void ObserveArm();

@@ -32,8 +32,8 @@ struct StudyEvent {
 /** In the order of a reach; none for a trial that was not analysed. They point to `trial`. */
 std::vector<StudyEvent> ListEvents(const StudyTrial& trial, const StudyConfig& config);
 
-/** One row per included trial and measure of hand opening, also without each digit: what the R script
-compares the openings with. */
+/** One row per included trial and measure of hand opening, also without each digit: what the R
+script compares the openings with. */
 std::string FormatOpeningTable(const StudyResult& result);
 
 /** Writes the tables and their dictionaries. Same result, same bytes. @throws Error(kIo). */

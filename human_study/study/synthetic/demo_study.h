@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-A synthetic study as its user would have it on disk, and how well its truth is recovered: a first look
-at the workbench, and the test of the whole way from files to measures. */
+A synthetic study as its user would have it on disk, and how well its truth is recovered: a first
+look at the workbench, and the test of the whole way from files to measures. */
 
 #include <filesystem>
 #include <vector>

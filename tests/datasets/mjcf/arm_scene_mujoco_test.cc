@@ -22,7 +22,8 @@ struct FreeMujoco {
   void operator()(mjData* data) const { mj_deleteData(data); }
 };
 
-/** What scenes for MuJoCo 3 say and Debian's 2.2 does not know: without gravity none of it moves the arm. */
+/** What scenes for MuJoCo 3 say and Debian's 2.2 does not know: without gravity none of it moves
+the arm. */
 std::string RemoveNewer(const std::string& text) {
   static const std::regex newer(
       " (inertia=\"convex\"|gravcomp=\"[^\"]*\"|actuatorfrcrange=\"[^\"]*\"|kv=\"[^\"]*\"(?= "

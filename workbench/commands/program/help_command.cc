@@ -38,12 +38,6 @@ bool PrintFormat(const std::string& name, bool json, bool schema) {
   return true;
 }
 
-std::string JoinWords(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
-
 /** What "graspbench --help" prints, and what else has a name: presets and files. */
 std::string FormatOverview(const Command& program, const std::vector<std::string>& files) {
   std::string presets;
@@ -87,8 +81,8 @@ std::string FindCommandHelp(const Command& program, const std::vector<std::strin
       if (each->name() == word) next = each.get();
     }
     if (!next && command == &program) {
-      const std::string meanings =
-          ExplainWord(JoinWords(words)) + ExplainOption(program, program.name(), word);
+      const std::string meanings = ExplainWord(fmt::format("{}", fmt::join(words, " "))) +
+                                   ExplainOption(program, program.name(), word);
       if (!meanings.empty()) return meanings;
       for (const FileFormat& format : ListFileFormats()) names.push_back(format.name);
       names.push_back(kGraspTypesTopic);
@@ -109,9 +103,7 @@ std::string FindCommandHelp(const Command& program, const std::vector<std::strin
 std::vector<std::string> ListTopics(const std::vector<std::string>& files, const Command& program) {
   std::vector<std::string> names = {kGraspTypesTopic};
   names.insert(names.end(), files.begin(), files.end());
-  for (const auto& command : program.subcommands()) {
-    names.push_back(command->name());
-  }
+  for (const auto& command : program.subcommands()) names.push_back(command->name());
   return names;
 }
 
@@ -144,15 +136,12 @@ void AddHelpCommand(Command& program) {
   command.AddFlag("--json", *json, "of a file: print one JSON object");
   command.AddFlag("--schema", *schema, "of a file: print its JSON Schema")->Excludes("--json");
   command.SetAction([&program, files, words, json, schema] {
-    const bool is_file =
-        !words->empty() && std::find(files.begin(), files.end(), words->front()) != files.end();
-    if (*schema && !is_file) {
+    const bool is_file = !words->empty() && std::count(files.begin(), files.end(), words->front());
+    if (*schema && !is_file)
       throw Error(ErrorKind::kUsage, "--schema is of a file: " + ListNames(files));
-    }
     if (words->empty()) return PrintResult(FormatOverview(program, files));
-    if (words->front() == kGraspTypesTopic) {
+    if (words->front() == kGraspTypesTopic)
       return *json ? PrintJson(MakeGraspTypesJson()) : PrintResult(FormatGraspTypes());
-    }
     if (words->size() == 1 && PrintFormat(words->front(), *json, *schema)) return;
     PrintResult(FindCommandHelp(program, *words));
   });
