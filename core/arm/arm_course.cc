@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "core/arm/arm_inverse.h"
-#include "core/arm/ready_posture.h"
 #include "core/base/units.h"
 #include "core/hand/contact_shape.h"
 

@@ -62,5 +62,7 @@ ArmCourse PlanArmCourse(const MountedArm& mounted, const ArmTask& task);
 /** What an arm touches with its capsules; empty: nothing. "link 3 would meet the table". */
 std::string FindArmCollision(const MountedArm& mounted, const Eigen::VectorXd& q,
                              const GraspObject& object, const Pose& X_WO);
+/** The same of table and arm alone, in the ready posture, where every trial begins. */
+std::string FindReadyCollision(const MountedArm& mounted);
 
 }  // namespace graspbench

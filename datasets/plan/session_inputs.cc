@@ -4,8 +4,8 @@
 #include <regex>
 #include <string_view>
 
+#include "core/arm/arm_course.h"
 #include "core/arm/load_arm.h"
-#include "core/arm/ready_posture.h"
 #include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/base/files/files.h"

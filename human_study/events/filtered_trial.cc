@@ -72,7 +72,8 @@ double CalcTremor(const Trajectory& path, double hold) {
 
 TouchFit FitIfSeen(const TouchSamples& samples) {
   // A sudden stop before the last one is the touch, unless it goes on farther than skin gives way.
-  constexpr double kEarlier = 0.99, kFarOn = 0.5, kSkin = 2e-3, kFar = 4e-3;  // [m]
+  constexpr double kEarlier = 0.99, kEarlierOfFar = 0.5;  // how likely it is
+  constexpr double kSkin = 2e-3, kFar = 4e-3;             // [m]
   TouchFit fit;
   if (samples.times.empty()) {
     fit.missing = "no approach to its place in the hold is seen";
@@ -86,7 +87,7 @@ TouchFit FitIfSeen(const TouchSamples& samples) {
   if (!earlier.missing.empty()) return fit;
   const double goes_on = samples.places.front() - stop.places.front();
   const double far = std::clamp((goes_on - kSkin) / (kFar - kSkin), 0.0, 1.0);
-  return MixFits(fit, earlier, kEarlier + far * (kFarOn - kEarlier));
+  return MixFits(fit, earlier, kEarlier + far * (kEarlierOfFar - kEarlier));
 }
 
 /** The last stop on the way to the place. Two stops that may both be the touch are both weighed. */

@@ -1,7 +1,6 @@
 #include "human_study/events/hold.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
@@ -71,17 +70,6 @@ Eigen::Vector3d FindRestingPlace(const Trajectory& path) {
   return place;
 }
 
-/** Mean over the start of the path, which is at rest; any turn when nothing is seen there. */
-Eigen::Matrix3d FindRestingTurn(const ObjectTrack& object) {
-  const auto count = static_cast<size_t>(kRestShare * static_cast<double>(object.X_LO.size()));
-  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-  for (size_t i = 0; i < std::max<size_t>(1, count); ++i) {
-    if (!object.X_LO[i].matrix().hasNaN()) sum += object.X_LO[i].linear();
-  }
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return svd.matrixU() * svd.matrixV().transpose();  // the nearest rotation
-}
-
 /** On what the object can stand at rest: its lowest point, and the edge of what lies within 0.3 mm
 of that. From C, in O. @pre the shape is known. */
 std::vector<Eigen::Vector3d> FindStandingEdge(const ObjectTrack& object,
@@ -115,7 +103,7 @@ ScalarCurve FollowLowest(const ReachTrial& trial, const ScalarCurve& middle,
                          const Eigen::Vector3d& up, double cutoff) {
   if (!trial.object.distance || trial.object.turn_lever.isZero()) return middle;
   const ObjectTrack object = SmoothObject(trial, cutoff, cutoff);
-  const Eigen::Matrix3d R_LO = FindRestingTurn(object);
+  const Eigen::Matrix3d R_LO = FindRestingOrientation(trial.object);
   const std::vector<Eigen::Vector3d> edge = FindStandingEdge(object, R_LO.transpose() * up);
   const auto find_lowest = [&](const Eigen::Matrix3d& R) {
     double lowest = INFINITY;

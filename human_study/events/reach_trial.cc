@@ -153,17 +153,6 @@ Eigen::Matrix3d CalcTurnLever(const Eigen::Matrix3Xd& p_OM) {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(J).operatorSqrt();
 }
 
-/** Mean over the known poses of the trial's first tenth, or the first pose known. */
-Eigen::Matrix3d FindRestingOrientation(const ObjectTrack& object) {
-  const size_t num_rest = std::max<size_t>(1, object.X_LO.size() / 10);
-  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-  for (size_t i = 0; i < object.X_LO.size(); ++i) {
-    if (i >= num_rest && !sum.isZero()) break;
-    if (object.states[i] != SampleState::kInvalid) sum += object.X_LO[i].linear();
-  }
-  return sum.isZero() ? Eigen::Matrix3d::Identity() : MakeOrthonormal(sum);
-}
-
 /** Principal axes of the turns within 0.1 s of each sample, as columns. */
 std::vector<Eigen::Matrix3d> FindTurningAxes(const Eigen::Matrix3Xd& u, double interval) {
   constexpr double kReach = 0.1;  // [s]
@@ -288,6 +277,16 @@ ObjectTrack MakeObjectTrack(const std::vector<Trajectory>& markers,
     track.states.push_back(state);
   }
   return track;
+}
+
+Eigen::Matrix3d FindRestingOrientation(const ObjectTrack& object) {
+  const size_t num_rest = std::max<size_t>(1, object.X_LO.size() / 10);
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (size_t i = 0; i < object.X_LO.size(); ++i) {
+    if (i >= num_rest && !sum.isZero()) break;
+    if (object.states[i] != SampleState::kInvalid) sum += object.X_LO[i].linear();
+  }
+  return sum.isZero() ? Eigen::Matrix3d::Identity() : MakeOrthonormal(sum);
 }
 
 ObjectTrack SmoothObject(const ReachTrial& trial, double cutoff, double turn_cutoff) {

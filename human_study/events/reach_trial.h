@@ -105,6 +105,9 @@ ObjectTrack MakeObjectTrack(const std::vector<Trajectory>& markers,
 /** Path of the middle of the object's markers, which no turn moves. */
 Trajectory TakeObjectPath(const ReachTrial& trial);
 
+/** Mean over the known poses of the trial's first tenth, or the first pose known. */
+Eigen::Matrix3d FindRestingOrientation(const ObjectTrack& object);
+
 /** The object's path behind a zero-phase low-pass: each coordinate of the middle of its markers and
 of its axes, the axes then made orthonormal. A thing on a table moves slowly: filter its turn harder
 than the tips.

@@ -26,11 +26,11 @@ constexpr double kHeldTremor = 0.6;       // share of a tremor that a digit keep
 constexpr double kPadTolerance = 0.5e-3;  // of a given pad offset [m]
 constexpr double kModel = 0.5e-3;         // SD of what no model says [s]
 constexpr double kLearnedShare = 1.5;     // of the time by which learned depths move a touch ..
+constexpr double kMostLearned = 0.02;     // .. and no more, as deep settling is seen as such [s]
 // Skin that gives way unseen, its mean and SD, and what comes to each as the touch slows down [m].
 constexpr double kToe = 0.55e-3, kToeSd = 0.28e-3, kSlowToe = 0.3e-3, kSlowToeSd = 0.6e-3;
-constexpr double kSlowTouch = 0.03;    // [m/s]
-constexpr double kLongestToe = 0.3;    // [s]
-constexpr double kMostLearned = 0.02;  // .. and no more, as deep settling is seen as such [s]
+constexpr double kSlowTouch = 0.03;  // [m/s]
+constexpr double kLongestToe = 0.3;  // [s]
 /** Of noise beyond what cameras have, by which slow touches seem to come early. */
 constexpr double kNoisyShare = 0.75, kPlainNoise = 0.6e-3;  // [m]
 constexpr double kMinStep = 0.5e-3;                         // between the touches tried [s]

@@ -85,11 +85,13 @@ TEST(ArmUrdf, MassesAndLimitsAreThoseOfTheArm) {
   const VectorXd zero = VectorXd::Zero(arm.num_joints());
   const std::vector<Pose> X_BL = CalcArmPoses(arm, zero);
   const std::map<std::string, Pose> poses = CalcPoses(made.urdf, {});
+  int num_links = 0, num_joints = 0;
   for (int i = 0; i < arm.num_joints(); ++i) {
     const ArmJoint& joint = arm.joints[i];
     const std::string name = "arm/" + joint.name;
     for (const UrdfLink& link : made.urdf.links) {
       if (link.name != name) continue;
+      ++num_links;
       ASSERT_TRUE(link.inertia) << name;
       EXPECT_DOUBLE_EQ(link.inertia->mass, joint.mass);
       const Pose X_WI = poses.at(name) * link.inertia->X_LI;
@@ -102,12 +104,15 @@ TEST(ArmUrdf, MassesAndLimitsAreThoseOfTheArm) {
     }
     for (const UrdfJoint& written : made.urdf.joints) {
       if (written.name != name) continue;
+      ++num_joints;
       ASSERT_TRUE(written.limit) << name;
       EXPECT_DOUBLE_EQ(written.limit->lower, joint.lower);
       EXPECT_DOUBLE_EQ(written.limit->upper, joint.upper);
       EXPECT_DOUBLE_EQ(*written.limit->effort, joint.torque);
     }
   }
+  EXPECT_EQ(num_links, arm.num_joints());
+  EXPECT_EQ(num_joints, arm.num_joints());
 }
 
 TEST(ArmUrdf, ANameOfBothIsRefused) {

@@ -37,8 +37,8 @@ struct Accuracy {
   int num_true_contacts = 0;   ///< of digits that touched, in kept trials
   int num_contacts = 0;        ///< .. found of those
   int num_false_contacts = 0;  ///< of digits that never touched, in kept trials
-  /** Wrong by more than 20 ms in a kept trial without a flag, or with "touch not verified" alone,
-  which every trial without a shape has. */
+  /** Wrong by more than 20 ms and by more than stated, in a kept trial without a flag, or with
+  "touch not verified" alone, which every trial without a shape has. */
   int num_silent = 0;
   double bias = 0.0, sd = 0.0;          ///< of found - true [s]
   double coverage = 0.0;                ///< share within 1.96 stated uncertainties

@@ -10,8 +10,8 @@ outward normal n the largest ball that stays inside touches p,
 and counts with the radius rho + 0.35 mm; rho shrinks until no more than 0.5 mm sticks out at points
 some 2 mm apart. The one that stops a probe ball of 5 mm (CalcSink) within 0.65 mm of most of the
 points where none does so yet is taken, repeatedly (greedy set cover), until 98 of 100 points are
-covered; then likewise within 3 mm, until all are. Where that takes more than 600 balls, as of a
-sheet of 0.3 m, it is done again with three times as many points. At most 2400.
+covered; then in the same way within 3 mm, until all are. Where that takes more than 600 balls, as
+of a sheet of 0.3 m, it is done again with three times as many points. At most 2400.
 
 Capsules, for the hand against itself: inscribed, between centres of such balls; the one that is
 within 2 mm of most of the points is taken, repeatedly, at most 8. Where less than a third of the
