@@ -35,7 +35,7 @@ std::string FindExample(const BoardPageData& data, size_t line, const std::strin
   if (data.has_trials) {
     return NameTrialsPage(data.board, of) + "#" + MakeViewAnchor(example->second->plan);
   }
-  return IsSuccess(example->second->result.outcome) ? "" : AnchorFailure(line, object);
+  return IsSuccess(example->second->outcome) ? "" : AnchorFailure(line, object);
 }
 
 std::string DescribeDraws(const Board& board) {
@@ -137,20 +137,20 @@ Html DrawFailures(const BoardPageData& data) {
   }
   Table table("A failed trial of each entry on each object, of the public draws.",
               {"Entry", "Hand", "Object", "Failed trial", "Ended as", "Pack"});
-  const TrialRecord* first = nullptr;
+  const BoardTrial* first = nullptr;
   for (size_t i = 0; i < board.lines.size(); ++i) {
     const BoardLine& line = board.lines[i];
     plot.rows.push_back(
         {LabelLine(line), {}, {line.tally.outcomes.begin(), line.tally.outcomes.end()}, false});
-    for (const auto& [object, record] : line.examples) {
-      if (IsSuccess(record->result.outcome)) continue;
-      const std::string name = NameTrial(record->plan);
+    for (const auto& [object, trial] : line.examples) {
+      if (IsSuccess(trial->outcome)) continue;
+      const std::string name = NameTrial(trial->plan);
       table.AddRow({line.entry->facts.name, line.hand, data.models.NameOfObject(object),
                     data.has_trials ? Element("a", {{"href", FindExample(data, i, object)}}, name)
                                     : Text(name),
-                    WordsOf(record->result.outcome), line.entry->pack},
+                    WordsOf(trial->outcome), line.entry->pack},
                    AnchorFailure(i, object));
-      if (!first) first = record;
+      if (!first) first = trial;
     }
   }
   if (board.lines.empty()) return MakeParagraph("There is nothing to show.");
@@ -246,7 +246,8 @@ Html DrawRules(const BoardPageData& data) {
 std::string MakeBoardPage(const Board& board, bool has_trials) {
   BoardPageData data = {board, has_trials, {}};
   if (!board.lines.empty()) {
-    data.models = LoadSessionModels(board.lines.front().entry->ranking());
+    const BoardDraws& draws = board.lines.front().entry->ranking();
+    data.models = LoadSessionModels(draws.config, draws.folder);
   }
   const std::vector<PageSection<BoardPageData>> sections = {
       {"ranks", "Ranks", DrawRanks},

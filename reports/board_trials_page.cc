@@ -12,16 +12,16 @@
 namespace graspbench {
 namespace {
 
-Html DrawTrial(const BoardLine& line, const TrialRecord& record, const SessionModels& models,
+Html DrawTrial(const BoardLine& line, const BoardTrial& trial, const SessionModels& models,
                const TrialTracer& trace, TrialViews& views) {
-  const std::string name = models.NameOfObject(record.plan.object) + ": " +
-                           WordsOf(record.result.outcome) + ", trial " + NameTrial(record.plan);
+  const std::string name = models.NameOfObject(trial.plan.object) + ": " + WordsOf(trial.outcome) +
+                           ", trial " + NameTrial(trial.plan);
   const auto hand = models.FindHand(line.hand);
-  const auto object = models.FindObject(record.plan.object);
+  const auto object = models.FindObject(trial.plan.object);
   if (!hand || !object) return MakeParagraph(name + " has no model to be shown.");
   try {
     return MakeDetails(
-        name, views.Add({hand, object, trace(record.plan), MakeViewAnchor(record.plan), name}));
+        name, views.Add({hand, object, trace(trial.plan), MakeViewAnchor(trial.plan), name}));
   } catch (const Error& fault) {
     return MakeDetails(name, MakeNote("warning", "No course", MakeParagraph(fault.what())));
   }
@@ -38,13 +38,14 @@ std::string NameTrialsPage(const Board& board, const BoardLine& line) {
 }
 
 std::string MakeTrialsPage(const Board& board, const BoardLine& line, const TrialTracer& trace) {
-  const SessionModels models = LoadSessionModels(line.entry->trials);
+  const BoardDraws& draws = line.entry->public_draws;
+  const SessionModels models = LoadSessionModels(draws.config, draws.folder);
   TrialViews views;
   Html list = MakeParagraph(
       "Of each object the first failed trial on the public draws, else the first trial. With "
       "scripts a button opens the scene, to turn and to play.");
-  for (const auto& [object, record] : line.examples) {
-    list += DrawTrial(line, *record, models, trace, views);
+  for (const auto& [object, trial] : line.examples) {
+    list += DrawTrial(line, *trial, models, trace, views);
   }
   Html body = Element("section", {{"id", "trials"}},
                       Element("h2", {}, "Trials by object") + list + views.MakeModels());

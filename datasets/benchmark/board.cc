@@ -31,13 +31,13 @@ DrawTable MakeDrawTable(const std::vector<BoardLine>& lines) {
   std::map<std::pair<std::string, int>, size_t> places;
   table.successes.resize(lines.size());
   for (size_t i = 0; i < lines.size(); ++i) {
-    for (const TrialRecord& record : lines[i].entry->ranking().records) {
-      if (record.plan.hand != lines[i].hand) continue;
+    for (const BoardTrial& trial : lines[i].entry->ranking().trials) {
+      if (trial.plan.hand != lines[i].hand) continue;
       const auto [place, is_new] =
-          places.emplace(std::pair(record.plan.object, record.plan.trial), table.objects.size());
-      if (is_new) table.objects.push_back(record.plan.object);
+          places.emplace(std::pair(trial.plan.object, trial.plan.trial), table.objects.size());
+      if (is_new) table.objects.push_back(trial.plan.object);
       table.successes[i].resize(std::max(table.successes[i].size(), place->second + 1), -1);
-      table.successes[i][place->second] = IsSuccess(record.result.outcome);
+      table.successes[i][place->second] = IsSuccess(trial.outcome);
     }
   }
   for (std::vector<int>& row : table.successes) row.resize(table.objects.size(), -1);
@@ -66,26 +66,19 @@ BoardLine MakeLine(const BoardEntry& entry, const std::string& hand) {
   line.entry = &entry;
   line.hand = hand;
   std::vector<double> gct, gft_ratio, breaking_force;
-  for (const TrialRecord& record : entry.ranking().records) {
-    if (record.plan.hand != hand) continue;
-    const Outcome outcome = record.result.outcome;
-    line.tally.Count(outcome);
-    line.objects[record.plan.object].Count(outcome);
-    if (record.judgement && std::isfinite(record.judgement->breaking_force)) {
-      breaking_force.push_back(record.judgement->breaking_force);
-    }
-    const ContactTiming& timing = record.result.timing;
-    if (outcome == Outcome::kNumericalFailure || timing.contact_before_start) continue;
-    gct.push_back(timing.gct);
-    gft_ratio.push_back(timing.gft_ratio);
+  for (const BoardTrial& trial : entry.ranking().trials) {
+    if (trial.plan.hand != hand) continue;
+    line.tally.Count(trial.outcome);
+    line.objects[trial.plan.object].Count(trial.outcome);
+    breaking_force.push_back(trial.breaking_force);
+    gct.push_back(trial.gct);
+    gft_ratio.push_back(trial.gft_ratio);
   }
-  for (const TrialRecord& record : entry.trials.records) {
-    if (record.plan.hand != hand) continue;
-    line.public_tally.Count(record.result.outcome);
-    const TrialRecord*& example = line.examples[record.plan.object];
-    if (!example || (IsSuccess(example->result.outcome) && !IsSuccess(record.result.outcome))) {
-      example = &record;
-    }
+  for (const BoardTrial& trial : entry.public_draws.trials) {
+    if (trial.plan.hand != hand) continue;
+    line.public_tally.Count(trial.outcome);
+    const BoardTrial*& example = line.examples[trial.plan.object];
+    if (!example || (IsSuccess(example->outcome) && !IsSuccess(trial.outcome))) example = &trial;
   }
   if (entry.thresholds) {
     for (const DrawThreshold& draw : entry.thresholds->draws) {
@@ -164,8 +157,9 @@ struct LineDivision {
 constexpr LineDivision kDivisions[] = {
     {"hand", [](const BoardLine& line) { return line.hand; }},
     {"controller",
-     [](const BoardLine& line) { return DescribeController(line.entry->trials.config); }},
-    {"sensing", [](const BoardLine& line) { return DescribeSensing(line.entry->trials.config); }},
+     [](const BoardLine& line) { return DescribeController(line.entry->public_draws.config); }},
+    {"sensing",
+     [](const BoardLine& line) { return DescribeSensing(line.entry->public_draws.config); }},
     {"year", [](const BoardLine& line) { return DescribeYear(line.entry->facts); }}};
 
 using TakeLine = std::function<bool(const BoardLine& line)>;
@@ -310,6 +304,21 @@ Reproduction CompareRecords(const Session& entry, const Session& again) {
   return found;
 }
 
+BoardDraws TakeDraws(const Session& session) {
+  BoardDraws draws = {session.config, session.folder};
+  for (const TrialRecord& record : session.records) {
+    BoardTrial& trial = draws.trials.emplace_back();
+    trial.plan = record.plan;
+    trial.outcome = record.result.outcome;
+    if (record.judgement) trial.breaking_force = record.judgement->breaking_force;
+    const ContactTiming& timing = record.result.timing;
+    if (trial.outcome == Outcome::kNumericalFailure || timing.contact_before_start) continue;
+    trial.gct = timing.gct;
+    trial.gft_ratio = timing.gft_ratio;
+  }
+  return draws;
+}
+
 bool IsSure(const ChangeEstimate& change) { return change.interval && change.interval->low > 0.0; }
 
 void RankEntries(const SessionInputs& inputs, Board& board) {
@@ -319,7 +328,7 @@ void RankEntries(const SessionInputs& inputs, Board& board) {
   for (const auto& object : inputs.objects) board.objects.push_back(object->id);
   std::set<std::string> hands;
   for (const BoardEntry& entry : board.entries) {
-    for (const std::string& hand : entry.trials.config.hands) {
+    for (const std::string& hand : entry.public_draws.config.hands) {
       board.lines.push_back(MakeLine(entry, hand));
       hands.insert(hand);
     }
@@ -410,11 +419,11 @@ std::vector<CsvColumn<BoardLine>> ListBoardColumns() {
         }).Shown("In hand", [](const Row& row) { return FormatRank(row.rank_of_hand); }),
       C("controller", "", "who closes the digits",
         [](const Row& row) {
-          return DescribeController(row.entry->trials.config);
+          return DescribeController(row.entry->public_draws.config);
         }).Shown("Controller"),
       C("sensing", "", "declared: what the controller may know",
         [](const Row& row) {
-          return DescribeSensing(row.entry->trials.config);
+          return DescribeSensing(row.entry->public_draws.config);
         }).Shown("Sensing (declared)"),
       C("by", "", "author", [](const Row& row) { return row.entry->facts.by; }).Shown("By"),
       C("year", "", "declared by the author",

@@ -43,17 +43,32 @@ struct Reproduction {
 /** @param again  the same plan. */
 Reproduction CompareRecords(const Session& entry, const Session& again);
 
+/** The part of a simulated trial that a board compares. */
+struct BoardTrial {
+  PlannedTrial plan;
+  Outcome outcome = Outcome::kNotRun;
+  double gct = kUnset, gft_ratio = kUnset;  ///< [s], 1; NaN: no closure that counts
+  double breaking_force = kUnset;           ///< of a held object that was judged [N]
+};
+/** The trials of one entry on one seed. A board of many entries holds no more of them in memory. */
+struct BoardDraws {
+  SessionConfig config = {};
+  std::filesystem::path folder = {};  ///< of the session
+  std::vector<BoardTrial> trials = {};
+};
+BoardDraws TakeDraws(const Session& session);
+
 struct BoardEntry {
   EntryFacts facts;
   std::string pack;    ///< name of the file
   std::string sha256;  ///< of its bytes
   Reproduction reproduction;
-  Session trials;                        ///< public draws, simulated again
-  std::optional<Session> held_out = {};  ///< none: not asked for, or recorded actions
+  BoardDraws public_draws;                  ///< simulated again
+  std::optional<BoardDraws> held_out = {};  ///< none: not asked for, or recorded actions
   /** Margins of the draws that rank, where somebody has looked for them. */
   std::optional<ThresholdSummary> thresholds = {};
 
-  const Session& ranking() const { return held_out ? *held_out : trials; }
+  const BoardDraws& ranking() const { return held_out ? *held_out : public_draws; }
 };
 struct RefusedEntry {
   std::string pack, name;  ///< name is empty where it cannot be read
@@ -74,7 +89,7 @@ struct BoardLine {
   std::vector<double> thresholds;        ///< margins of the draws that rank; infinite: none held
   std::map<std::string, Tally> objects;  ///< of the draws that rank
   /** The first failed public trial, else the first, by object. */
-  std::map<std::string, const TrialRecord*> examples;
+  std::map<std::string, const BoardTrial*> examples;
 };
 
 /** The best of some lines on some objects. */

@@ -59,16 +59,16 @@ std::string SessionModels::NameOfDigit(const std::string& hand_id, const std::st
   return digit;
 }
 
-SessionModels LoadSessionModels(const Session& session) {
+SessionModels LoadSessionModels(const SessionConfig& config, const std::filesystem::path& folder,
+                                const std::vector<PlannedTrial>& plan) {
   SessionModels models;
   try {
-    const SessionInputs inputs =
-        LoadSessionInputs(session.config, FieldUse::kLater, session.folder);
+    const SessionInputs inputs = LoadSessionInputs(config, FieldUse::kLater, folder);
     for (const SessionHand& hand : inputs.hands) models.hands[hand.hand->id] = hand.hand;
     for (const auto& object : inputs.objects) models.objects[object->id] = object;
     models.types = inputs.types;
-    AddShippedTypes(session.config, inputs, models.types);
-    if (!session.plan.empty() && !(MakePlan(session.config, inputs) == session.plan)) {
+    AddShippedTypes(config, inputs, models.types);
+    if (!plan.empty() && !(MakePlan(config, inputs) == plan)) {
       models.problems.push_back(
           "a hand, an object, a grasp or the physics has changed since the session was planned; "
           "names, pictures and tables show the present state");

@@ -36,7 +36,11 @@ struct SessionModels {
 
 /** Loads the session's hands and objects. When they cannot be loaded or have changed since, that
 becomes a problem and no error: the results stand without them. */
-SessionModels LoadSessionModels(const Session& session);
+SessionModels LoadSessionModels(const SessionConfig& config, const std::filesystem::path& folder,
+                                const std::vector<PlannedTrial>& plan = {});
+inline SessionModels LoadSessionModels(const Session& session) {
+  return LoadSessionModels(session.config, session.folder, session.plan);
+}
 
 /** "power (g3)"; the id alone when it is none of the standard grasps. */
 std::string NameOfGrasp(const std::string& id);

@@ -58,7 +58,7 @@ TEST(BoardPageTest, NamesAreTextWhateverTheyHold) {
 
 TEST(BoardPageTest, HeldOutDrawsAreNamedWithTheirCommitment) {
   BoardEntry entry = MakeBoardEntry("one", {2, 2}, 2);
-  entry.held_out = MakeBoardSession("h", {1, 1}, 2, 7);
+  entry.held_out = TakeDraws(MakeBoardSession("h", {1, 1}, 2, 7));
   Board board;
   board.benchmark.name = "made/1";
   board.held_out_seed = 7;

@@ -46,8 +46,9 @@ TEST(BoardTest, TheOrderOfThePacksChangesNoRank) {
 
 TEST(BoardTest, WhoRepeatsAnothersResultsHasNoRank) {
   BoardEntry first = MakeBoardEntry("first", {3, 2}, 4), copy = MakeBoardEntry("copy", {3, 2}, 4);
-  for (TrialRecord& record : copy.trials.records) record.result.reason = "first";
-  copy.reproduction = CompareRecords(copy.trials, copy.trials);
+  Session trials = MakeBoardSession("copy", {3, 2}, 4);  // ids of its own
+  for (TrialRecord& record : trials.records) record.result.reason = "first";
+  copy.reproduction = CompareRecords(trials, trials);
   const Board board = MakeBoard({first, copy}, 2);
   EXPECT_EQ(ListRanked(board), Names{"1 first"});
   ASSERT_EQ(board.refused.size(), 1u);
@@ -60,8 +61,8 @@ TEST(BoardTest, HeldOutDrawsRankAndTheDifferenceStandsBeside) {
   BoardEntry lucky = MakeBoardEntry("lucky", std::vector<int>(8, 10), 10);
   BoardEntry sound = MakeBoardEntry("sound", std::vector<int>(8, 9), 10);
   const BoardEntry actions = MakeBoardEntry("actions", std::vector<int>(8, 10), 10);
-  lucky.held_out = MakeBoardSession("l", {7, 7, 6, 7, 8, 7, 7, 7}, 10, 7);
-  sound.held_out = MakeBoardSession("s", std::vector<int>(8, 9), 10, 7);
+  lucky.held_out = TakeDraws(MakeBoardSession("l", {7, 7, 6, 7, 8, 7, 7, 7}, 10, 7));
+  sound.held_out = TakeDraws(MakeBoardSession("s", std::vector<int>(8, 9), 10, 7));
   Board board;
   board.benchmark.name = "made/1";
   board.held_out_seed = 7;
@@ -101,7 +102,7 @@ TEST(BoardTest, TheBestOfEachControllerAndYearIsNamed) {
   BoardEntry arm = MakeBoardEntry("arm", std::vector<int>(8, 5), 10);
   BoardEntry bare = MakeBoardEntry("bare", std::vector<int>(8, 9), 10);
   BoardEntry other = MakeBoardEntry("other", std::vector<int>(8, 1), 10);
-  arm.trials.config.arm.model = "puma560";
+  arm.public_draws.config.arm.model = "puma560";
   bare.facts.date = "2025-01-01";
   std::map<std::string, const GroupWinner*> winners;
   const Board board = MakeBoard({arm, bare, other}, 8);
@@ -122,11 +123,9 @@ TEST(BoardTest, ThresholdsAndBreakingLoadsAreMediansOfTheLine) {
   thresholds.scale = &kThresholdScales[0];
   const std::vector<double> margins = {1.0, 2.0, HUGE_VAL, 1.5, 4.0, kUnset};
   for (size_t i = 0; i < margins.size(); ++i) {
-    TrialRecord& record = entry.trials.records[i];
-    thresholds.draws.push_back({record.plan, 0, {}, margins[i]});
-    if (!IsSuccess(record.result.outcome)) continue;
-    record.judgement.emplace();
-    record.judgement->breaking_force = 3.0 + double(i);  // of draws 0, 1, 3 and 4
+    BoardTrial& trial = entry.public_draws.trials[i];
+    thresholds.draws.push_back({trial.plan, 0, {}, margins[i]});
+    if (IsSuccess(trial.outcome)) trial.breaking_force = 3.0 + double(i);  // of draws 0, 1, 3 and 4
   }
   entry.thresholds = thresholds;
   const Board board = MakeBoard({entry, MakeBoardEntry("two", {1, 1}, 3)}, 2);

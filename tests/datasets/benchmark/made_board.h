@@ -58,8 +58,9 @@ inline BoardEntry MakeBoardEntry(const std::string& name, const std::vector<int>
   entry.facts = {name, "A. Person", "CC0-1.0", "", "As shipped.", "made/1", ""};
   entry.pack = name + ".tar";
   entry.sha256 = name;
-  entry.trials = MakeBoardSession(name, successes, trials);
-  entry.reproduction = CompareRecords(entry.trials, entry.trials);
+  const Session session = MakeBoardSession(name, successes, trials);
+  entry.public_draws = TakeDraws(session);
+  entry.reproduction = CompareRecords(session, session);
   return entry;
 }
 

@@ -88,7 +88,7 @@ TEST_F(RunBoardTest, EntriesAreSimulatedAgainOnce) {
   EXPECT_TRUE(board.refused.empty());
   for (const BoardEntry& entry : board.entries) {
     EXPECT_EQ(entry.reproduction.num_identical, 4) << entry.reproduction.first;
-    EXPECT_EQ(entry.trials.records.size(), 4u);
+    EXPECT_EQ(entry.public_draws.trials.size(), 4u);
   }
   std::map<std::string, fs::file_time_type> times;
   for (const auto& file : fs::recursive_directory_iterator(top_ / "work")) {

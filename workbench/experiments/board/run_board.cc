@@ -143,9 +143,9 @@ BoardEntry CheckOne(const fs::path& pack, const BoardRequest& request, Observer&
       SealFile(pack.has_parent_path() ? pack.parent_path() : fs::path("."), checked.pack).sha256;
   const fs::path work = request.work / (checked.sha256.substr(0, kNameDigits) + "-" +
                                         CalcHashHex(FindBuild()).substr(0, kNameDigits / 2));
-  checked.trials =
+  Session again =
       SimulateAgain(entry, request.benchmark.session.seed, work / "public", request, observer);
-  checked.reproduction = CompareRecords(entry.session, checked.trials);
+  checked.reproduction = CompareRecords(entry.session, again);
   if (!checked.reproduction.is_within_tolerance()) {
     throw Error(
         ErrorKind::kUsage,
@@ -154,15 +154,20 @@ BoardEntry CheckOne(const fs::path& pack, const BoardRequest& request, Observer&
             "1 %; first difference, " +
             checked.reproduction.first);
   }
-  if (request.held_out_seed && entry.session.config.policy.command.empty()) {
+  checked.public_draws = TakeDraws(again);
+  const bool is_held_out = request.held_out_seed && entry.session.config.policy.command.empty();
+  if (is_held_out) {
     const int seed = *request.held_out_seed;
-    checked.held_out =
-        SimulateAgain(entry, seed, work / ("seed-" + std::to_string(seed)), request, observer);
+    again = SimulateAgain(entry, seed, work / ("seed-" + std::to_string(seed)), request, observer);
   }
-  Session& ranking = checked.held_out ? *checked.held_out : checked.trials;
-  ranking = Measure(std::move(ranking), request, observer);
-  for (ThresholdSummary& summary : LoadThresholds(ranking)) {
+  again = Measure(std::move(again), request, observer);
+  for (ThresholdSummary& summary : LoadThresholds(again)) {
     if (summary.scale == &kThresholdScales[0]) checked.thresholds = std::move(summary);
+  }
+  if (is_held_out) {
+    checked.held_out = TakeDraws(again);
+  } else {
+    checked.public_draws = TakeDraws(again);
   }
   return checked;
 }
