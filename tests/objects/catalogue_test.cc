@@ -136,9 +136,8 @@ TEST_F(CatalogueTest, UnknownNamesAndBareMeshesAreExplained) {
             "no file \"" + (folder_ / "object.yaml").string() + "\"");
 }
 
-// What carries an object on the table is its lowest vertex; a round side of n equal sides, which
-// lies
-// on one of them, carries by the circle through its corners, lower by r (1 - cos(pi / n)).
+// The lowest vertex carries an object on the table. A round side of n equal sides lies on one of
+// them and is carried by the circle through its corners, lower by r (1 - cos(pi / n)).
 TEST(SyntheticObjects, TheIdDecidesTheObject) {
   const auto first = LoadObject("synthetic_7_g3_0", FieldUse::kLater);
   EXPECT_EQ(first->id, "synthetic_7_g3_0");

@@ -11,11 +11,10 @@ holds cases of the form
 
 Commands run in a shell, in an empty folder, with stdout and stderr together; `# exit` (of the last
 command) is 0 when absent. `made FOLDER OPTIONS..` is `graspbench run OPTIONS.. --out FOLDER`
-without
-what it prints; the session is made once for all cases and copied. In the expected text "..."
-stands for any text within a line and, alone
-on a line, for any number of lines. GRASPBENCH_UPDATE_SESSIONS=1 writes what the program prints now
-into the failing cases: read the difference before committing it. */
+without what it prints; the session is made once for all cases and copied. In the expected text
+"..." stands for any text within a line and, alone on a line, for any number of lines.
+GRASPBENCH_UPDATE_SESSIONS=1 writes what the program prints now into the failing cases: read the
+difference before committing it. */
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
