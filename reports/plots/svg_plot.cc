@@ -163,9 +163,14 @@ Html DrawStackedBars(const StackedBars& plot) {
   const double left = std::max(CalcLabelWidth(labels), kBold * CalcLabelWidth(totals)) + kPlotGap;
   const double width = left + kPlot;
   Html content;
+  size_t num_shown = 0;
   for (size_t k = 0; k < plot.classes.size(); ++k) {
-    const double x = width / kLegendColumns * static_cast<double>(k % kLegendColumns);
-    const size_t legend_row = k / kLegendColumns;
+    const bool occurs = std::any_of(plot.rows.begin(), plot.rows.end(), [k](const auto& row) {
+      return k < row.counts.size() && row.counts[k] > 0;
+    });
+    if (!occurs) continue;
+    const double x = width / kLegendColumns * static_cast<double>(num_shown % kLegendColumns);
+    const size_t legend_row = num_shown++ / kLegendColumns;
     const double y = kLegendRow * static_cast<double>(legend_row);
     content += Rect(Numbered("part part", k), x, y, kTextNeeds, kLegendRow - 4.0);
     content += Label("middle small", x + kTextNeeds / 2.0, y + kLegendRow / 2.0 - 2.0,
@@ -173,7 +178,7 @@ Html DrawStackedBars(const StackedBars& plot) {
     content += Label("start small", x + kTextNeeds + kPlotGap, y + kLegendRow / 2.0 - 2.0,
                      plot.classes[k].name);
   }
-  const size_t num_legend_rows = (plot.classes.size() + kLegendColumns - 1) / kLegendColumns;
+  const size_t num_legend_rows = (num_shown + kLegendColumns - 1) / kLegendColumns;
   const double top = kLegendRow * static_cast<double>(num_legend_rows) + kPlotGap;
   for (size_t r = 0; r < plot.rows.size(); ++r) {
     const StackedBars::Row& row = plot.rows[r];

@@ -60,7 +60,7 @@ struct StackedBars {
     bool is_total = false;    ///< heads the rows below it
   };
   PlotText text;
-  std::vector<Class> classes;  ///< at most 8: the style sheet has as many fills
+  std::vector<Class> classes;  ///< at most 16: the style sheet has as many fills
   std::vector<Row> rows;
 };
 Html DrawStackedBars(const StackedBars& plot);

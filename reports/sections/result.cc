@@ -76,12 +76,16 @@ Html DrawRates(const ReportData& data) {
   plot.text.title = "Success rate by hand and grasp";
   for (const std::string& hand : data.summary.hands) {
     const std::string name = data.models.NameOfHand(hand);
-    plot.bars.push_back(MakeBar(name + ", all grasps", data.summary.TallyOf(hand)));
-    plot.bars.back().is_total = true;
+    std::vector<RateBars::Bar> grasps;
     for (const std::string& grasp : data.summary.grasps) {
       const Tally tally = data.summary.TallyOf(hand, grasp);
-      if (tally.planned > 0) plot.bars.push_back(MakeBar(NameOfGrasp(grasp), tally));
+      if (tally.planned > 0) grasps.push_back(MakeBar(NameOfGrasp(grasp), tally));
     }
+    const bool is_one = grasps.size() == 1;
+    plot.bars.push_back(MakeBar(name + ", " + (is_one ? grasps[0].label : "all grasps"),
+                                data.summary.TallyOf(hand)));
+    plot.bars.back().is_total = true;
+    if (!is_one) plot.bars.insert(plot.bars.end(), grasps.begin(), grasps.end());
   }
   for (const RateBars::Bar& bar : plot.bars) {
     plot.text.description += bar.label + ": " + bar.text + ". ";

@@ -132,8 +132,8 @@ TEST(DrawRateBars, BarAndIntervalAreToScale) {
 TEST(DrawStackedBars, PartsFillTheBarInTheOrderOfClasses) {
   StackedBars plot;
   plot.text = {"t", "d"};
-  plot.classes = {{"success", "OK"}, {"slipped", "SL"}, {"lost", "LC"}};
-  plot.rows = {{"can", "tum-can-g3", {6, 3, 1}}, {"cup", "", {0, 0, 0}}};
+  plot.classes = {{"success", "OK"}, {"slipped", "SL"}, {"dropped", "DH"}, {"lost", "LC"}};
+  plot.rows = {{"can", "tum-can-g3", {6, 3, 0, 1}}, {"cup", "", {0, 0, 0, 0}}};
   const Drawing drawing(DrawStackedBars(plot));
   const auto ok = drawing.Find("rect", "part part0");
   const auto slipped = drawing.Find("rect", "part part1");
@@ -142,6 +142,7 @@ TEST(DrawStackedBars, PartsFillTheBarInTheOrderOfClasses) {
   EXPECT_NEAR(slipped[1]->DoubleAttribute("width"), width / 2.0, 0.1);
   EXPECT_NEAR(slipped[1]->DoubleAttribute("x"), ok[1]->DoubleAttribute("x") + width, 0.1);
   ExpectParts(ListText(*drawing.svg), {"OK 6", "SL 3", "LC 1", "no trial finished", "slipped: 3"});
+  EXPECT_TRUE(drawing.Find("rect", "part part2").empty());  // no legend of what never occurs
 }
 
 TEST(DrawDotStrips, MarksAreToScaleAndMissingOnesAreCounted) {
