@@ -41,19 +41,27 @@ std::string FindHandCollision(const MountedArm& mounted, const VectorXd& q, cons
   const Pose X_WH = mounted.X_WB * X_BL.back() * mounted.X_FH;
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, q_hand);
   const Pose X_OW = X_WO.inverse();
+  struct Segment {
+    Vector3d a, b;
+    double radius;
+    int link;
+  };
+  std::vector<Segment> segments;  // in W
+  for (const ArmCapsule& capsule : arm.capsules) {
+    if (capsule.link > arm.num_joints() - 2) continue;
+    const Pose X_WL = mounted.X_WB * X_BL[static_cast<size_t>(capsule.link)];
+    segments.push_back({X_WL * capsule.p_LA, X_WL * capsule.p_LB, capsule.radius, capsule.link});
+  }
   for (const ContactSphere& ball : hand.contact_spheres) {
     const Vector3d p_W = X_WH * (X_HL[static_cast<size_t>(ball.link)] * ball.p_LS);
     if (p_W.z() < ball.radius) return "the hand would meet the table";
     if (object != nullptr && object->field->Query(X_OW * p_W).distance < ball.radius) {
       return "the hand would meet the object";
     }
-    for (const ArmCapsule& capsule : arm.capsules) {
-      if (capsule.link > arm.num_joints() - 2) continue;
-      const Pose X_WL = mounted.X_WB * X_BL[static_cast<size_t>(capsule.link)];
-      const ClosestPoints nearest =
-          FindClosestPoints(X_WL * capsule.p_LA, X_WL * capsule.p_LB, p_W, p_W);
-      if ((nearest.on_a - p_W).norm() < ball.radius + capsule.radius) {
-        return "the hand would meet " + NameLink(capsule.link);
+    for (const Segment& segment : segments) {
+      const ClosestPoints nearest = FindClosestPoints(segment.a, segment.b, p_W, p_W);
+      if ((nearest.on_a - p_W).norm() < ball.radius + segment.radius) {
+        return "the hand would meet " + NameLink(segment.link);
       }
     }
   }

@@ -438,20 +438,20 @@ jumps of a grip that is regulated in long steps. */
 int TableLift::ChooseNumSteps() const {
   const Phase phase = notes_.strategy.phase();
   const int num_steps = CalcSteadySteps(setup_.sim);
+  const int num_clear = num_steps > 1 ? 2 * num_steps : 1;
   const double step = setup_.sim.step, time = notes_.strategy.time_in_phase();
-  const double long_step = num_steps * step;
   const bool is_lifted = phase == Phase::kLiftOff || phase == Phase::kHold;
   const bool is_clear = phase == Phase::kPreGrasp || (phase == Phase::kPlacing && setup_.arm &&
-                                                      time + long_step <= notes_.clear_time);
+                                                      time + num_clear * step < notes_.clear_time);
   if (!(is_clear || (is_lifted && notes_.steady.are_steady())) || notes_.sensors ||
       !setup_.drives.empty() || (setup_.is_compliant && notes_.grip.is_regulated())) {
     return 1;
   }
-  if (is_clear) return num_steps;
+  if (is_clear) return num_clear;
   const double end = phase == Phase::kHold ? setup_.strategy.hold_time : setup_.strategy.lift_time;
   // So that samples are taken, and phases end, when they would be: a phase's last step is short.
   const bool is_aligned = std::lround(time / step) % num_steps == 0;
-  return is_aligned && time + long_step < end - 0.5 * step ? num_steps : 1;
+  return is_aligned && time + num_steps * step < end - 0.5 * step ? num_steps : 1;
 }
 
 StrategyCommand TableLift::NextCommand(const StrategyObservation& observation, int num_steps) {

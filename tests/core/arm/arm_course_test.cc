@@ -181,7 +181,13 @@ TEST_F(ArmCourseTest, GrossMotionKeepsTheHandOffObjectAndTable) {
   task = MakeTask(Vector3d(0.0, 0.0, 0.12));
   Arm low = LoadArm("puma560");
   low.ready = free.record.q;
-  low.ready[1] += RadFromDeg(15.0);
+  const auto palm_height = [&](double turn) {
+    VectorXd q = free.record.q;
+    q[1] += turn;
+    return (place(q) * X_HPalm).translation().z();
+  };
+  const double down = palm_height(0.01) < palm_height(0.0) ? 0.01 : -0.01;
+  while (palm_height(low.ready[1] - free.record.q[1]) > 0.0) low.ready[1] += down;
   mounted.arm = std::make_shared<const Arm>(low);
   const ArmCourse through = PlanArmCourse(mounted, task);
   EXPECT_EQ(through.fault, ArmFault::kNoStraightPath);
