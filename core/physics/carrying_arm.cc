@@ -70,7 +70,7 @@ bool CarryingArm::Follow(const WorldCommand& command, double h) {
     u_command_ = command.u_arm;
     X_WH_command_ = command.X_WH;
   } else if (command.X_WH.matrix() != X_WH_command_.matrix() || !command.v_WH.isZero(0.0) ||
-      !command.w_WH.isZero(0.0)) {
+             !command.w_WH.isZero(0.0)) {
     const Pose X_BF = arm_->X_WB.inverse() * command.X_WH * arm_->X_FH.inverse();
     const std::optional<VectorXd> q =
         RefinePosture(*arm_->arm, X_BF, VectorXd(q_command_ + h * before));
