@@ -8,7 +8,9 @@
 #include <limits>
 
 #include "core/arm/arm_inverse.h"
+#include "core/base/minimum_jerk.h"
 #include "core/base/units.h"
+#include "core/hand/closing.h"
 #include "core/hand/contact_shape.h"
 
 namespace graspbench {
@@ -24,12 +26,46 @@ constexpr double kLowDexterity = 0.1;
 /** Of minimum-jerk motion: largest over mean speed. */
 constexpr double kPeakSpeed = 15.0 / 8.0;
 
-double CalcMinimumJerk(double x) { return x * x * x * (10.0 + x * (6.0 * x - 15.0)); }
-
 std::string NameLink(int link) { return link == 0 ? "the base" : fmt::format("link {}", link); }
 
 std::string NameJoint(const Arm& arm, int joint) {
   return fmt::format("joint {} ({})", joint + 1, arm.joints[static_cast<size_t>(joint)].name);
+}
+
+/** What the hand's contact surface touches, the arm's last two links apart; empty: nothing.
+@param object  at X_WO; null: none. */
+std::string FindHandCollision(const MountedArm& mounted, const VectorXd& q, const Hand& hand,
+                              const VectorXd& q_hand, const GraspObject* object, const Pose& X_WO) {
+  const Arm& arm = *mounted.arm;
+  const std::vector<Pose> X_BL = CalcArmPoses(arm, q);
+  const Pose X_WH = mounted.X_WB * X_BL.back() * mounted.X_FH;
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand, q_hand);
+  const Pose X_OW = X_WO.inverse();
+  struct Segment {
+    Vector3d a, b;
+    double radius;
+    int link;
+  };
+  std::vector<Segment> segments;  // in W
+  for (const ArmCapsule& capsule : arm.capsules) {
+    if (capsule.link > arm.num_joints() - 2) continue;
+    const Pose X_WL = mounted.X_WB * X_BL[static_cast<size_t>(capsule.link)];
+    segments.push_back({X_WL * capsule.p_LA, X_WL * capsule.p_LB, capsule.radius, capsule.link});
+  }
+  for (const ContactSphere& ball : hand.contact_spheres) {
+    const Vector3d p_W = X_WH * (X_HL[static_cast<size_t>(ball.link)] * ball.p_LS);
+    if (p_W.z() < ball.radius) return "the hand would meet the table";
+    if (object != nullptr && object->field->Query(X_OW * p_W).distance < ball.radius) {
+      return "the hand would meet the object";
+    }
+    for (const Segment& segment : segments) {
+      const ClosestPoints nearest = FindClosestPoints(segment.a, segment.b, p_W, p_W);
+      if ((nearest.on_a - p_W).norm() < ball.radius + segment.radius) {
+        return "the hand would meet " + NameLink(segment.link);
+      }
+    }
+  }
+  return "";
 }
 
 /** How far one posture came. */
@@ -186,9 +222,15 @@ class CourseTracker {
     }
     Vector3d p_WH =
         (mounted_.X_WB * CalcFlangePose(arm_, arm_.ready) * mounted_.X_FH).translation();
-    for (int k = 1; k < kNumReachKnots; ++k) {
-      const VectorXd q = arm_.ready + static_cast<double>(k) / (kNumReachKnots - 1) * turn;
-      const std::string touched = FindArmCollision(mounted_, q, *task_.object, task_.X_WO);
+    for (int k = 0; k < kNumReachKnots; ++k) {
+      const double share = static_cast<double>(k) / (kNumReachKnots - 1);
+      const VectorXd q = arm_.ready + share * turn;
+      std::string touched = FindArmCollision(mounted_, q, *task_.object, task_.X_WO);
+      if (touched.empty()) {
+        touched = FindHandCollision(mounted_, q, *task_.hand,
+                                    task_.q_rest + share * (task_.q_pre - task_.q_rest),
+                                    task_.object, task_.X_WO);
+      }
       if (!touched.empty()) {
         attempt = {4, ArmFault::kNoStraightPath,
                    "on the way from the ready posture to the pre-grasp pose " + touched, -1,
@@ -279,8 +321,13 @@ std::string FindArmCollision(const MountedArm& mounted, const VectorXd& q,
   return FindCollision(mounted, q, &object, X_WO);
 }
 
-std::string FindReadyCollision(const MountedArm& mounted) {
-  return FindCollision(mounted, mounted.arm->ready, nullptr, Pose::Identity());
+VectorXd CalcRestPosture(const Hand& hand) { return CalcClosedPosture(hand, {}, 0.0); }
+
+std::string FindReadyCollision(const MountedArm& mounted, const Hand& hand) {
+  const VectorXd& q = mounted.arm->ready;
+  const std::string touched = FindCollision(mounted, q, nullptr, Pose::Identity());
+  if (!touched.empty()) return touched;
+  return FindHandCollision(mounted, q, hand, CalcRestPosture(hand), nullptr, Pose::Identity());
 }
 
 ArmCourse PlanArmCourse(const MountedArm& mounted, const ArmTask& task) {

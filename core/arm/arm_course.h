@@ -14,12 +14,15 @@ course
     and off the object, which moves with the hand in the lift,
     keeps the hand within kLineTolerance of the lines between the knots.
 
+In the gross motion the hand goes from CalcRestPosture to its pre-grasp posture; there its contact
+surface keeps off the table, the object, and the arm but for its last two links.
+
 If there is none, the reason is that of the posture which came farthest. The gross motion takes the
 least time in which no joint exceeds its speed, minimum-jerk: T = 15/8 max_i |dq_i| / speed_i.
 
-Not modelled: the arm's dynamics (torques, masses, deflection), collisions of the hand with the arm,
-and of the hand with table and object in the gross motion. A hand whose grasp seeks the palm is
-lifted from where it touched, up to 8 mm off the line that is checked. */
+Not modelled: the arm's dynamics (torques, masses, deflection), and collisions of the hand with the
+arm in approach and lift. A hand whose grasp seeks the palm is lifted from where it touched, up to
+8 mm off the line that is checked. */
 
 #include <string>
 #include <vector>
@@ -45,6 +48,8 @@ struct ArmTask {
   HandLine lift;      ///< starts there
   const GraspObject* object = nullptr;
   Pose X_WO = Pose::Identity();
+  const Hand* hand = nullptr;
+  Eigen::VectorXd q_rest, q_pre;  ///< of the hand at both ends of the gross motion
 };
 
 enum class ArmFault { kNone, kOutOfReach, kNoStraightPath, kNearSingularity };
@@ -62,7 +67,9 @@ ArmCourse PlanArmCourse(const MountedArm& mounted, const ArmTask& task);
 /** What an arm touches with its capsules; empty: nothing. "link 3 would meet the table". */
 std::string FindArmCollision(const MountedArm& mounted, const Eigen::VectorXd& q,
                              const GraspObject& object, const Pose& X_WO);
-/** The same of table and arm alone, in the ready posture, where every trial begins. */
-std::string FindReadyCollision(const MountedArm& mounted);
+/** The hand's posture in the ready posture of the arm: every joint at 0, or at its nearest limit. */
+Eigen::VectorXd CalcRestPosture(const Hand& hand);
+/** What arm and hand touch where every trial begins, of table and arm alone. */
+std::string FindReadyCollision(const MountedArm& mounted, const Hand& hand);
 
 }  // namespace graspbench

@@ -70,7 +70,8 @@ Json DescribeArm(const MountedArm& arm) {
   return {{"id", arm.arm->id},
           {"hash", arm.arm->content_hash},
           {"X_WB", JsonPose(arm.X_WB)},
-          {"X_FH", JsonPose(arm.X_FH)}};
+          {"X_FH", JsonPose(arm.X_FH)},
+          {"starts", "ready posture"}};
 }
 
 }  // namespace graspbench

@@ -33,7 +33,7 @@ TriMesh MakeCapsuleMesh(const ArmCapsule& capsule);
 /** Of every arm in pictures and scenes, linear RGB. */
 inline const Eigen::Vector3f kArmColour(0.55f, 0.56f, 0.58f);
 
-/** All that decides what the arm does, for ids: its hash and both poses. */
+/** All that decides what the arm does, for ids: its hash, both poses, where a trial starts. */
 Json DescribeArm(const MountedArm& arm);
 
 }  // namespace graspbench

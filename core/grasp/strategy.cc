@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/minimum_jerk.h"
+
 namespace graspbench {
 namespace {
-
-/** Minimum-jerk course from 0 to 1 (Flash and Hogan 1985) and its derivative, x in [0, 1]. */
-double CalcCourse(double x) { return x * x * x * (10.0 + x * (6.0 * x - 15.0)); }
-double CalcCourseRate(double x) { return 30.0 * x * x * (1.0 - x) * (1.0 - x); }
 
 /** The grip counts as steady when its force has stayed within this share for this long. */
 constexpr double kSteadyShare = 0.02;
@@ -34,7 +32,7 @@ void GraspStrategy::StartPlacing(double time_before_arrival) {
 
 double GraspStrategy::CalcPlacingDistance(double time_before_arrival) const {
   const double x = std::clamp(1.0 - time_before_arrival / config_.placing_time, 0.0, 1.0);
-  return distance_ * (1.0 - CalcCourse(x));
+  return distance_ * (1.0 - CalcMinimumJerk(x));
 }
 
 /** Under regulation its band decides; else the force has stopped changing. */
@@ -58,8 +56,8 @@ StrategyCommand GraspStrategy::Step(double step, const StrategyObservation& obse
       break;
     case Phase::kPlacing: {
       const double x = std::clamp(time_in_phase_ / config_.placing_time, 0.0, 1.0);
-      command.distance = distance_ * (1.0 - CalcCourse(x));
-      command.speed = -distance_ * CalcCourseRate(x) / config_.placing_time;
+      command.distance = distance_ * (1.0 - CalcMinimumJerk(x));
+      command.speed = -distance_ * CalcMinimumJerkRate(x) / config_.placing_time;
       if (time_in_phase_ >= config_.placing_time - config_.closure_lead) Enter(Phase::kClosure);
       break;
     }
@@ -67,7 +65,8 @@ StrategyCommand GraspStrategy::Step(double step, const StrategyObservation& obse
       if (time_in_phase_ < config_.closure_lead) {
         const double before_arrival = config_.closure_lead - time_in_phase_;
         command.distance = CalcPlacingDistance(before_arrival);
-        command.speed = -distance_ * CalcCourseRate(1.0 - before_arrival / config_.placing_time) /
+        command.speed = -distance_ *
+                        CalcMinimumJerkRate(1.0 - before_arrival / config_.placing_time) /
                         config_.placing_time;
       }
       closing_ = std::min(1.0, closing_ + step / config_.closure_time);
@@ -89,8 +88,8 @@ StrategyCommand GraspStrategy::Step(double step, const StrategyObservation& obse
       break;
     case Phase::kLiftOff: {
       const double x = std::clamp(time_in_phase_ / config_.lift_time, 0.0, 1.0);
-      command.distance = distance_ * CalcCourse(x);
-      command.speed = distance_ * CalcCourseRate(x) / config_.lift_time;
+      command.distance = distance_ * CalcMinimumJerk(x);
+      command.speed = distance_ * CalcMinimumJerkRate(x) / config_.lift_time;
       if (time_in_phase_ >= config_.lift_time) Enter(Phase::kHold);
       break;
     }

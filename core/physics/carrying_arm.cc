@@ -65,8 +65,12 @@ bool CarryingArm::Follow(const WorldCommand& command, double h) {
   const VectorXd before = u_command_;
   u_command_.setZero();
   bool follows = true;
-  if (command.X_WH.matrix() != X_WH_command_.matrix() || !command.v_WH.isZero(0.0) ||
-      !command.w_WH.isZero(0.0)) {
+  if (command.q_arm.size() > 0) {
+    q_command_ = command.q_arm;
+    u_command_ = command.u_arm;
+    X_WH_command_ = command.X_WH;
+  } else if (command.X_WH.matrix() != X_WH_command_.matrix() || !command.v_WH.isZero(0.0) ||
+             !command.w_WH.isZero(0.0)) {
     const Pose X_BF = arm_->X_WB.inverse() * command.X_WH * arm_->X_FH.inverse();
     const std::optional<VectorXd> q =
         RefinePosture(*arm_->arm, X_BF, VectorXd(q_command_ + h * before));

@@ -8,8 +8,8 @@ replace the six speeds of the hand's base,
 so the hand yields as the arm's joints do, the arm's reflected inertia is part of the mass matrix
 (Khatib 1987), and along a direction that a singular posture has lost the hand does not yield.
 
-Each joint's drive is a spring with damping beside it to the commanded angle, which follows the
-hand's commanded pose by inverse kinematics (RefinePosture). The drive also carries the arm and the
+Each joint's drive is a spring with damping beside it to the commanded angle, which is given or
+follows the hand's commanded pose by inverse kinematics (RefinePosture). The drive also carries the arm and the
 hand: their weight, and their inertia along the commanded motion, deflect nothing. Its torque has the
 joint's limit. The weights count towards it, the inertia along the commanded motion does not.
 

@@ -68,6 +68,9 @@ struct WorldCommand {
   without (compliant_world.h) takes their own. */
   Eigen::VectorXd stiffness = {};
   int num_steps = 1;  ///< of the settings' length that are taken as one
+  /** Of a robot arm's joints [rad], [rad/s], whose posture X_WH and its speeds are then; empty: the
+  arm finds the posture for X_WH. */
+  Eigen::VectorXd q_arm = {}, u_arm = {};
 };
 
 /** What happened in a step. Forces are those of its end. */

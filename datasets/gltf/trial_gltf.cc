@@ -163,7 +163,7 @@ double CalcObjectShare(const GraspObject& object) {
 }
 
 Json ListPhases(const TracedTrial& traced) {
-  Json phases = Json::array({Json{{"name", NameOf(Phase::kPlacing)}, {"time_s", 0.0}}});
+  Json phases = Json::array({Json{{"name", NameOf(traced.trace.front().phase)}, {"time_s", 0.0}}});
   for (const PhaseStart& phase : traced.result.phases) {
     if (phase.name == NameOf(Phase::kDone)) continue;
     phases.push_back(

@@ -593,7 +593,7 @@ std::vector<CsvColumn<MotionRow>> ListMotionColumns(const Hand& hand, const Worl
 
 std::string FormatMotionCsv(const Hand& hand, const CommandedMotion& motion) {
   std::vector<MotionRow> rows = {{0.0,
-                                  {Phase::kPlacing,
+                                  {motion.steps.empty() ? Phase::kPlacing : motion.steps[0].phase,
                                    {motion.start.q, motion.start.X_WH},
                                    motion.start.q_arm,
                                    motion.start.u_arm}}};

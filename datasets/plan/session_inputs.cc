@@ -245,8 +245,8 @@ Json DescribeRehearsals(const SessionConfig& config) {
 }
 
 /** What touches in the ready posture touches in every trial, and comes of wrong rows. */
-void DemandFreeReady(const MountedArm& mounted) {
-  const std::string touched = FindReadyCollision(mounted);
+void DemandFreeReady(const MountedArm& mounted, const Hand& hand) {
+  const std::string touched = FindReadyCollision(mounted, hand);
   if (touched.empty()) return;
   throw Error(ErrorKind::kRange,
               "the arm \"" + mounted.arm->id + "\": in its ready posture " + touched +
@@ -278,7 +278,7 @@ class KnownInputs {
       if (!arm) arm = std::make_shared<Arm>(LoadArm(FindArmInput(config.arm.model, folder_)));
       DemandShortChains(*hand, arm->num_joints());
       mounted = std::make_shared<MountedArm>(MountArm(config.arm, arm, *hand));
-      DemandFreeReady(*mounted);
+      DemandFreeReady(*mounted, *hand);
     }
     made = {std::move(hand), std::move(grasps), std::move(mounted)};
     return made;

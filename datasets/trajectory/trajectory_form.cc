@@ -55,7 +55,8 @@ TrialTrajectory MakeTrajectory(const PlannedTrial& planned, const TrialSetup& se
 
 std::vector<TrajectoryEvent> ListTrajectoryEvents(const TrialTrajectory& trajectory) {
   const TracedTrial& traced = trajectory.traced;
-  std::vector<TrajectoryEvent> events = {{0.0, "phase", NameOf(Phase::kPlacing), "", "", kUnset}};
+  std::vector<TrajectoryEvent> events = {
+      {0.0, "phase", NameOf(traced.trace.front().phase), "", "", kUnset}};
   for (const PhaseStart& phase : traced.result.phases) {
     events.push_back({phase.time + traced.closure_start, "phase", phase.name, "", "", kUnset});
   }

@@ -17,8 +17,9 @@ constexpr double kLastPicture = 1.0;  // is shown so long [s]
 
 }  // namespace
 
-void SceneFilm::Add(double time, const Eigen::VectorXd& q, const Pose& X_WH, const Pose& X_WO) {
-  if (frames_.empty()) {
+void SceneFilm::Add(double time, const Eigen::VectorXd& q, const Pose& X_WH, const Pose& X_WO,
+                    const MountedArm* arm, const Eigen::VectorXd& q_arm) {
+  if (frames_.empty() || arm) {
     q_ = q;
     X_WH_ = X_WH;
   }
@@ -26,6 +27,7 @@ void SceneFilm::Add(double time, const Eigen::VectorXd& q, const Pose& X_WH, con
   Drawable& object = scene.drawables.back();
   const Pose& X_WRoot = scene.drawables.front().X_WM;
   object.must_be_seen = (X_WO.translation() - X_WRoot.translation()).norm() < kReach;
+  AddArm(arm, q_arm, &scene);
   frames_.push_back({std::move(scene), time});
 }
 

@@ -17,6 +17,8 @@ Where a person wants to look from, in words: "front", "free AZIMUTH ELEVATION [Z
 
 namespace graspbench {
 
+struct MountedArm;
+
 /** Without angles: across thumb and fingers, which move with the hand. */
 struct SceneView {
   std::string name = "grasp";
@@ -41,8 +43,10 @@ class SceneFilm {
   SceneFilm(std::shared_ptr<const Hand> hand, std::shared_ptr<const GraspObject> object)
       : hand_(std::move(hand)), object_(std::move(object)) {}
 
-  /** @param time  of the picture, later than those before [s]. */
-  void Add(double time, const Eigen::VectorXd& q, const Pose& X_WH, const Pose& X_WO);
+  /** @param time  of the picture, later than those before [s].
+  @param arm  that carries the hand; null: none.   @param q_arm  its posture [rad]. */
+  void Add(double time, const Eigen::VectorXd& q, const Pose& X_WH, const Pose& X_WO,
+           const MountedArm* arm = nullptr, const Eigen::VectorXd& q_arm = {});
   /** On the last picture. @param length_per_force  of arrows [m/N]. */
   void Mark(const std::vector<ContactMark>& contacts, double length_per_force);
 
@@ -60,7 +64,7 @@ class SceneFilm {
   std::shared_ptr<const Hand> hand_;
   std::shared_ptr<const GraspObject> object_;
   std::vector<Frame> frames_;
-  Eigen::VectorXd q_;  // in the first one
+  Eigen::VectorXd q_;  // in the first one, with an arm in the last
   Pose X_WH_ = Pose::Identity();
 };
 

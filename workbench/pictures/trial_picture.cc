@@ -235,7 +235,7 @@ std::string FilmTrial(const TrialSetup& setup, const TracedTrial& traced, const 
   for (const TraceInstant& instant : traced.trace) {
     if (instant.time < next - 1e-9 && &instant != &traced.trace.back()) continue;
     next = instant.time + kTraceFilmInterval;
-    film.Add(instant.time, instant.q, instant.X_WH, instant.X_WO);
+    film.Add(instant.time, instant.q, instant.X_WH, instant.X_WO, traced.arm.get(), instant.q_arm);
     film.Mark(MakeContactMarks(instant), scale);
   }
   return film.Encode(view, size.width, size.height, [](size_t) { return true; });

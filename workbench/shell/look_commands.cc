@@ -89,7 +89,8 @@ void FilmTrial(Shell& shell, const ShellArguments& arguments) {
   for (double next = 0.0; !shell.IsStopped(); next += kFilmInterval) {
     scene.GoTo(next, Never);
     World& world = scene.course().world();
-    film.Add(scene.time(), world.state().q, world.state().X_WH, world.CalcObjectPose());
+    film.Add(scene.time(), world.state().q, world.state().X_WH, world.CalcObjectPose(),
+             world.state().arm, world.state().q_arm);
     if (scene.is_over()) break;
   }
   scene.GoTo(time, Never);

@@ -200,7 +200,7 @@ void StepTrial(Shell& shell, const ShellArguments& arguments) {
 std::vector<std::string> ListRunTargets() {
   std::vector<std::string> targets = {"end", "slip", "contact"};
   for (const PhaseRow& row : kPhases) {
-    if (row.value > Phase::kPlacing) targets.emplace_back(row.name);
+    if (row.value >= Phase::kPlacing) targets.emplace_back(row.name);
   }
   return targets;
 }

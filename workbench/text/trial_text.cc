@@ -166,7 +166,7 @@ std::string FormatJointErrors(const TrialSetup& setup) {
 
 /** Times are those of the shell: since the start of placing. */
 std::string FormatPhases(const TracedTrial& traced, const StrategyConfig& strategy) {
-  std::string text = std::string(NameOf(Phase::kPlacing)) + " from 0.000 s";
+  std::string text = std::string(NameOf(traced.trace.front().phase)) + " from 0.000 s";
   for (const PhaseStart& phase : traced.result.phases) {
     if (phase.name == NameOf(Phase::kDone)) continue;
     text += ", " + phase.name + " from " + FormatFixed(phase.time + traced.closure_start, 3) + " s";

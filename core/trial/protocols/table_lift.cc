@@ -73,7 +73,7 @@ Sighting TableLift::Look(WristCamera* camera) const {
     own = std::make_unique<WristCamera>(setup_.hand, setup_.object, setup_.camera);
     camera = own.get();
   }
-  return camera->FindObject(CalcStartPose(), CalcStartPosture(), FormatDraw(setup_));
+  return camera->FindObject(CalcStartPose(), ApplyError(setup_.grasp.q_pre), FormatDraw(setup_));
 }
 
 void TableLift::Position(WristCamera* camera) {
@@ -109,8 +109,8 @@ void TableLift::Position(WristCamera* camera) {
   placement_.approach_W = X_WN.linear() * placement_.approach_W;
 }
 
-Eigen::VectorXd TableLift::CalcStartPosture() const {
-  Eigen::VectorXd q = setup_.grasp.q_pre + setup_.draw.joint_error;
+Eigen::VectorXd TableLift::ApplyError(const Eigen::VectorXd& q_asked) const {
+  Eigen::VectorXd q = q_asked + setup_.draw.joint_error;
   for (size_t j = 0; j < hand_.joints.size(); ++j) {
     const auto joint = static_cast<Eigen::Index>(j);
     q[joint] = std::clamp(q[joint], hand_.joints[j].lower, hand_.joints[j].upper);
@@ -163,7 +163,7 @@ double TableLift::FindPlacingStart(const Pose& X_WO, const Eigen::VectorXd& q) {
 void TableLift::Begin() {
   WorldState state;
   state.gravity_W = MakeGravity(setup_.sim);
-  state.q = CalcStartPosture();
+  state.q = ApplyError(setup_.grasp.q_pre);
   state.u = Eigen::VectorXd::Zero(world_->dynamics().num_dofs());
 
   const Pose X_WO = CalcStartPose();
@@ -176,13 +176,13 @@ void TableLift::Begin() {
   notes_.rest_position = state.p_WOcm;
 
   const double before_arrival = FindPlacingStart(X_WO, state.q);
-  notes_.strategy.StartPlacing(before_arrival);
-  notes_.phase = notes_.strategy.phase();
   state.X_WH = CalcPlacingPose(before_arrival);
-  if (setup_.arm) PlanArm(before_arrival, state);
   world_->Reset(state);
   notes_.start_gap = CalcGap(nullptr);
   notes_.rest_extent = CalcExtent();
+  notes_.clear_time = setup_.strategy.placing_time - before_arrival;
+  if (!setup_.arm || !StartReach()) notes_.strategy.StartPlacing(before_arrival);
+  notes_.phase = notes_.strategy.phase();
 }
 
 WorldCommand TableLift::MakeCommand(const StrategyCommand& command) const {
@@ -437,20 +437,28 @@ StrategyObservation TableLift::FindObservation() {
 jumps of a grip that is regulated in long steps. */
 int TableLift::ChooseNumSteps() const {
   const Phase phase = notes_.strategy.phase();
+  const int num_steps = CalcSteadySteps(setup_.sim);
+  const int num_clear = num_steps > 1 ? 2 * num_steps : 1;
+  const double step = setup_.sim.step, time = notes_.strategy.time_in_phase();
   const bool is_lifted = phase == Phase::kLiftOff || phase == Phase::kHold;
-  if (!is_lifted || !notes_.steady.are_steady() || notes_.sensors || !setup_.drives.empty() ||
-      (setup_.is_compliant && notes_.grip.is_regulated())) {
+  const bool is_clear = phase == Phase::kPreGrasp || (phase == Phase::kPlacing && setup_.arm &&
+                                                      time + num_clear * step < notes_.clear_time);
+  if (!(is_clear || (is_lifted && notes_.steady.are_steady())) || notes_.sensors ||
+      !setup_.drives.empty() || (setup_.is_compliant && notes_.grip.is_regulated())) {
     return 1;
   }
-  const int num_steps = CalcSteadySteps(setup_.sim);
+  if (is_clear) return num_clear;
   const double end = phase == Phase::kHold ? setup_.strategy.hold_time : setup_.strategy.lift_time;
-  const double step = setup_.sim.step, time = notes_.strategy.time_in_phase();
   // So that samples are taken, and phases end, when they would be: a phase's last step is short.
   const bool is_aligned = std::lround(time / step) % num_steps == 0;
   return is_aligned && time + num_steps * step < end - 0.5 * step ? num_steps : 1;
 }
 
 StrategyCommand TableLift::NextCommand(const StrategyObservation& observation, int num_steps) {
+  if (notes_.strategy.phase() == Phase::kPreGrasp &&
+      notes_.strategy.time_in_phase() >= notes_.result.arm->reach_time) {
+    notes_.strategy.StartPlacing(setup_.strategy.placing_time);
+  }
   const Phase phase = notes_.strategy.phase();
   const double duration = num_steps * setup_.sim.step;
   const double arrival = setup_.strategy.placing_time - setup_.strategy.closure_lead;
@@ -479,6 +487,7 @@ bool TableLift::Advance() {
     if (notes_.is_over) return false;
   }
   notes_.command = MakeCommand(command);
+  if (notes_.phase == Phase::kPreGrasp) Reach(notes_.command);
   notes_.command.num_steps = num_steps;
   Observe(world_->Step(notes_.command));
   return true;
@@ -488,7 +497,9 @@ std::optional<WorldCommand> TableLift::ComputeOpenLoopCommand() {
   const StrategyCommand command = NextCommand({}, 1);
   notes_.phase = notes_.strategy.phase();
   if (notes_.phase == Phase::kDone) return std::nullopt;
-  return MakeCommand(command);
+  WorldCommand made = MakeCommand(command);
+  if (notes_.phase == Phase::kPreGrasp) Reach(made);
+  return made;
 }
 
 TrialInstant TableLift::Save() const { return {world_->Clone(), notes_}; }

@@ -53,8 +53,10 @@ struct TrialNotes {
   std::string policy_fault = {};             ///< what a controller answered wrongly
   ArmFault arm_fault = ArmFault::kNone;      ///< why the arm cannot carry the hand there
   std::string arm_reason = {};               ///< the same in words
-  std::string not_seen = {};                 ///< why the camera did not find the object
-  double time = 0.0;                         ///< since the start [s]
+  Eigen::VectorXd q_reached = {};            ///< of the arm at the end of its gross motion [rad]
+  double clear_time = 0.0;    ///< of placing, in which the arm's hand meets nothing [s]
+  std::string not_seen = {};  ///< why the camera did not find the object
+  double time = 0.0;          ///< since the start [s]
   double closure_start = kUnset;
   double last_touch = 0.0;
   double unconverged_time = 0.0;
@@ -127,12 +129,14 @@ class TableLift : public TrialCourse {
 
  private:
   Pose CalcStartPose() const;
-  Eigen::VectorXd CalcStartPosture() const;
+  /** The posture with the draw's joint error, within the limits. */
+  Eigen::VectorXd ApplyError(const Eigen::VectorXd& q) const;
   /** Moves the placement to where the hand believes the object. */
   void Position(WristCamera* camera);
-  /** Course of the arm, of a setup that has one; puts it on its way so long before the hand
-  arrives. */
-  void PlanArm(double before_arrival, WorldState& state);
+  /** Plans the course of the setup's arm and puts it into its ready posture. False: it has none. */
+  bool StartReach();
+  /** Makes the command one of the gross motion, in which the hand takes its pre-grasp posture. */
+  void Reach(WorldCommand& command) const;
   /** What the arm's joints do in a step. */
   void ObserveArm();
   double CalcArmStiffness(const Eigen::Vector3d& direction_W) const;

@@ -3,56 +3,59 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/arm/arm_inverse.h"
+#include "core/base/minimum_jerk.h"
 #include "core/base/text/text.h"
+#include "core/physics/carrying_arm.h"
 #include "core/trial/protocols/table_lift.h"
 
 namespace graspbench {
 
 using Eigen::Vector3d;
 
-void TableLift::PlanArm(double before_arrival, WorldState& state) {
+bool TableLift::StartReach() {
   const double distance = setup_.grasp.approach_distance;
   // A hand that seeks the palm goes on as far as it may.
   const double beyond = setup_.grasp.seeks_palm ? kPalmSearchLength - kPalmStandOff : 0.0;
   ArmTask task;
   task.object = setup_.object.get();
   task.X_WO = CalcBelievedPose();
-  task.approach.X_WH = placement_.X_WH;
-  task.approach.X_WH.pretranslate(-distance * placement_.approach_W);
-  task.approach.motion_W = (distance + beyond) * placement_.approach_W;
+  task.approach.X_WH = CalcPlacingPose(setup_.strategy.placing_time);
+  task.approach.motion_W = (distance + beyond - notes_.palm.offset()) * placement_.approach_W;
   task.approach.time = setup_.strategy.placing_time;
   task.lift.X_WH = task.approach.X_WH;
   task.lift.X_WH.pretranslate(task.approach.motion_W);
   task.lift.motion_W = distance * Vector3d::UnitZ();
   task.lift.time = setup_.strategy.lift_time;
+  task.hand = &hand_;
+  task.q_rest = ApplyError(CalcRestPosture(hand_));
+  task.q_pre = ApplyError(setup_.grasp.q_pre);
   ArmCourse course = PlanArmCourse(*setup_.arm, task);
   notes_.result.arm = std::move(course.record);
   notes_.arm_fault = course.fault;
   notes_.arm_reason = std::move(course.reason);
-  if (course.fault != ArmFault::kNone) return;
-  // The simulation starts on the way: from the knot that is nearest.
-  const Pose X_BF = setup_.arm->X_WB.inverse() * state.X_WH * setup_.arm->X_FH.inverse();
-  const auto miss = [&](const Eigen::VectorXd& q) {
-    return (CalcFlangePose(*setup_.arm->arm, q).translation() - X_BF.translation()).norm();
-  };
-  const Eigen::VectorXd& knot =
-      *std::min_element(course.approach.begin(), course.approach.end(),
-                        [&](const auto& a, const auto& b) { return miss(a) < miss(b); });
-  const std::optional<Eigen::VectorXd> q = RefinePosture(*setup_.arm->arm, X_BF, knot);
-  Pose X_BNext = X_BF;  // a step later
-  X_BNext.pretranslate(
-      setup_.arm->X_WB.linear().transpose() *
-      (CalcPlacingPose(before_arrival - setup_.sim.step).translation() - state.X_WH.translation()));
-  const std::optional<Eigen::VectorXd> next =
-      q ? RefinePosture(*setup_.arm->arm, X_BNext, *q) : std::nullopt;
-  if (next) {
-    SetArm(*setup_.arm, *q, state);
-    state.u_arm = (*next - *q) / setup_.sim.step;
-  } else {
-    notes_.arm_fault = ArmFault::kNoStraightPath;
-    notes_.arm_reason = "the arm has no posture on the approach";
-  }
+  if (course.fault != ArmFault::kNone || notes_.start_gap < 0.0) return false;
+  notes_.q_reached = course.approach.front();
+  WorldState state = world_->state();
+  state.q = task.q_rest;
+  SetArm(*setup_.arm, setup_.arm->arm->ready, state);
+  world_->Reset(state);
+  return true;
+}
+
+void TableLift::Reach(WorldCommand& command) const {
+  const MountedArm& mounted = *setup_.arm;
+  const double time = notes_.result.arm->reach_time;
+  const double x = std::min(1.0, notes_.strategy.time_in_phase() / time);
+  const double share = CalcMinimumJerk(x), rate = CalcMinimumJerkRate(x) / time;
+  const Eigen::VectorXd turn = notes_.q_reached - mounted.arm->ready;
+  command.q_arm = mounted.arm->ready + share * turn;
+  command.u_arm = rate * turn;
+  const CarryingArm arm(mounted, command.q_arm, command.u_arm);
+  const Eigen::Matrix<double, 6, 1> speeds = arm.jacobian() * command.u_arm;
+  command.X_WH = arm.X_WH();
+  command.w_WH = speeds.head<3>();
+  command.v_WH = speeds.tail<3>();
+  command.q += (1.0 - share) * (CalcRestPosture(hand_) - setup_.grasp.q_pre);
 }
 
 void TableLift::ObserveArm() {

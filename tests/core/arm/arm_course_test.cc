@@ -36,6 +36,8 @@ class ArmCourseTest : public testing::Test {
     task.approach.X_WH.pretranslate(task.lift.motion_W);
     task.approach.motion_W = -task.lift.motion_W;
     task.approach.time = 0.8;
+    task.hand = &hand_;
+    task.q_rest = task.q_pre = VectorXd::Zero(hand_.num_joints());
     return task;
   }
 
@@ -150,6 +152,47 @@ TEST_F(ArmCourseTest, StretchedElbowIsNearSingularOrNoPath) {
   const ArmCourse beyond = PlanArmCourse(mounted, task);
   EXPECT_NE(beyond.fault, ArmFault::kNone);
   EXPECT_NE(beyond.fault, ArmFault::kOutOfReach) << beyond.reason;
+}
+
+/** The block stands where the hand would be half way: that gross motion is refused, or another
+posture's is taken. From a shoulder that is lower than at the grasp the hand comes through the
+table. */
+TEST_F(ArmCourseTest, GrossMotionKeepsTheHandOffObjectAndTable) {
+  MountedArm mounted = Mount("puma560", ArmConfig());
+  ArmTask task = MakeTask(Vector3d(0.0, 0.0, 0.12));
+  const ArmCourse free = PlanArmCourse(mounted, task);
+  ASSERT_EQ(free.fault, ArmFault::kNone) << free.reason;
+  const auto place = [&](const VectorXd& q) {
+    return mounted.X_WB * CalcFlangePose(*mounted.arm, q) * mounted.X_FH;
+  };
+  const VectorXd half = 0.5 * (mounted.arm->ready + free.approach.front());
+  const Pose X_HPalm = CalcLinkPose(hand_, task.q_pre, hand_.palm_link);
+  task.X_WO = MakePose((place(half) * X_HPalm).translation());
+  const ArmCourse other = PlanArmCourse(mounted, task);
+  if (other.fault == ArmFault::kNone) {
+    EXPECT_GT((other.approach.front() - free.approach.front()).norm(), 0.1);
+  } else {
+    EXPECT_EQ(other.fault, ArmFault::kNoStraightPath);
+    EXPECT_NE(other.reason.find("on the way from the ready posture to the pre-grasp pose the hand "
+                                "would meet the object"),
+              std::string::npos)
+        << other.reason;
+  }
+  task = MakeTask(Vector3d(0.0, 0.0, 0.12));
+  Arm low = LoadArm("puma560");
+  low.ready = free.record.q;
+  const auto palm_height = [&](double turn) {
+    VectorXd q = free.record.q;
+    q[1] += turn;
+    return (place(q) * X_HPalm).translation().z();
+  };
+  const double down = palm_height(0.01) < palm_height(0.0) ? 0.01 : -0.01;
+  while (palm_height(low.ready[1] - free.record.q[1]) > 0.0) low.ready[1] += down;
+  mounted.arm = std::make_shared<const Arm>(low);
+  const ArmCourse through = PlanArmCourse(mounted, task);
+  EXPECT_EQ(through.fault, ArmFault::kNoStraightPath);
+  EXPECT_NE(through.reason.find("the hand would meet the table"), std::string::npos)
+      << through.reason;
 }
 
 /** Damped Newton steps within the limits from random postures of joint space: no closed form. */

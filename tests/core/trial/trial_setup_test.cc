@@ -11,6 +11,7 @@
 #include "core/physics/simbody/compliant_world.h"
 #include "core/trial/measures/diagnosis_text.h"
 #include "core/trial/protocols/table_lift.h"
+#include "core/trial/trial_trace.h"
 #include "objects/catalogue.h"
 #include "tests/core/trial/trial_setups.h"
 
@@ -111,6 +112,48 @@ TEST(TrialWithArm, HandYieldsAsTheJointsDo) {
     for (ArmJoint& joint : arm.joints) joint.stiffness *= 0.2;
     const TrialResult soft = RunSetup(MakeTrialWithArm(arm));
     EXPECT_GT(soft.arm->deflection, 2.0 * carried.arm->deflection) << id;
+  }
+}
+
+/** Joints go straight from the ready posture to the pre-grasp, half way at half the time; the hand
+goes with them, from its joints at 0 to its pre-grasp posture, and the object stays. */
+TEST(TrialWithArm, GrossMotionIsSimulated) {
+  for (const char* id : {"puma560", "pa10"}) {
+    const Arm arm = LoadArm(id);
+    const TrialSetup setup = MakeTrialWithArm(arm);
+    TrialRunner runner(setup.hand, setup.object);
+    const TracedTrial traced = TraceTrial(runner, setup, 0.01);
+    ASSERT_TRUE(traced.result.arm) << id;
+    const double time = traced.result.arm->reach_time;
+    const TraceInstant& first = traced.trace.front();
+    EXPECT_EQ(first.phase, Phase::kPreGrasp);
+    EXPECT_EQ(first.q_arm, arm.ready);
+    EXPECT_TRUE(first.q.isZero());
+    const TraceInstant& last = *ListPhaseEnds(traced.trace).front();
+    EXPECT_EQ(last.phase, Phase::kPreGrasp);
+    EXPECT_NEAR(last.time, time, 0.02);
+    EXPECT_LT((last.q_asked - setup.grasp.q_pre).norm(), 1e-9) << id;  // fingers sag below it
+    const TraceInstant& middle = FindInstant(traced.trace, 0.5 * time);
+    const double x = middle.time / time;
+    const double share = x * x * x * (10.0 - 15.0 * x + 6.0 * x * x);
+    const Eigen::VectorXd turn = last.q_arm - arm.ready;
+    EXPECT_LT((middle.q_arm - arm.ready - share * turn).cwiseAbs().maxCoeff(), 1e-3) << id;
+    double path = 0.0;
+    for (size_t k = 1; traced.trace[k].phase == Phase::kPreGrasp; ++k) {
+      const TraceInstant &before = traced.trace[k - 1], &now = traced.trace[k];
+      path += (now.X_WH.translation() - before.X_WH.translation()).norm();
+      for (int i = 0; i < arm.num_joints(); ++i) {
+        EXPECT_LE(std::abs(now.q_arm[i] - before.q_arm[i]),
+                  1.01 * arm.joints[static_cast<size_t>(i)].speed * (now.time - before.time));
+      }
+      EXPECT_LT((now.X_WO.translation() - first.X_WO.translation()).norm(), 1e-4);
+      EXPECT_TRUE(now.contacts.empty());
+    }
+    EXPECT_NEAR(path, traced.result.arm->reach_path, 0.01 * path) << id;
+    ASSERT_FALSE(traced.result.phases.empty());
+    EXPECT_EQ(traced.result.phases.front().name, NameOf(Phase::kPlacing));
+    EXPECT_NEAR(traced.result.phases.front().time + traced.closure_start, last.time, 1e-9);
+    EXPECT_NEAR(traced.closure_start - last.time, setup.strategy.placing_time, 0.021);
   }
 }
 

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
+#include "core/arm/load_arm.h"
+#include "core/arm/mounted_arm.h"
 #include "core/base/files/files.h"
 #include "core/base/units.h"
 #include "core/hand/load_hand.h"
@@ -141,6 +144,28 @@ TEST(RehearsedGrasps, TheChoiceHoldsItsDrawsInPhysics) {
       CandidateMaker(*task.hand, task.grasps, *task.object).Make(rehearsal.choice().candidate);
   const TrialSetup setup = MakeRehearsalSetup(task, task.object, grasp, {0});
   EXPECT_TRUE(IsSuccess(TrialRunner(setup.hand, setup.object).Run(setup).outcome));
+}
+
+// By the rule the flange would be 110 mm out of the arm's reach. Turned by half a circle the hand
+// has the arm on its other side.
+TEST(RehearsedGrasps, WithAnArmTheHandIsTurnedToWhereTheArmReaches) {
+  const auto hand = std::make_shared<const Hand>(LoadHand("shadow"));
+  std::vector<Grasp> pinch = LoadStandardGrasps(*hand);
+  pinch.erase(
+      std::remove_if(pinch.begin(), pinch.end(), [](const Grasp& g) { return g.id != "g2"; }),
+      pinch.end());
+  RehearsalTask task =
+      MakeRehearsalTask(SessionConfig(), {40, 2}, hand, pinch, LoadObject("pencil"));
+  EXPECT_EQ(FindRehearsal(task).choice().candidate.place.yaw, 0.0);
+  ArmConfig config;
+  config.x = -0.7;
+  task.arm = std::make_shared<const MountedArm>(
+      MountArm(config, std::make_shared<const Arm>(LoadArm("pa10")), *hand));
+  const Rehearsal rehearsal = FindRehearsal(task);
+  EXPECT_EQ(rehearsal.tried.front().outcomes, std::vector<Outcome>{Outcome::kArmOutOfReach});
+  EXPECT_NE(rehearsal.tried.front().reason.find("out of the arm's reach"), std::string::npos);
+  EXPECT_GE(rehearsal.choice().CountHeld(), kNumProofDraws - 1);
+  EXPECT_GT(std::abs(rehearsal.choice().candidate.place.yaw), RadFromDeg(90.0));
 }
 
 TEST(RehearsedGrasps, AHandWithoutGraspsSaysSo) {

@@ -98,6 +98,25 @@ TEST(SessionInputs, AnArmThatTouchesInItsReadyPostureIsRefused) {
   }
 }
 
+/** Fingers of the Shadow Hand reach 0.45 m before the flange. */
+TEST(SessionInputs, AHandThatIsInTheTableInTheReadyPostureIsRefused) {
+  const TemporaryFolder folder;
+  std::string text = ReadFile(LoadArm("pa10").folder + "/arm.yaml");
+  const size_t at = text.find("ready_deg: [");
+  text.replace(at, text.find(']', at) - at, "ready_deg: [0, 30, 0, 90, 0, 60, 0");
+  WriteFile(folder.path() / "arm.yaml", text);
+  SessionConfig config;
+  config.hands = {"shadow"};
+  config.objects = {"golf_ball"};
+  config.arm.model = folder.path().string();
+  try {
+    LoadSessionInputs(config, FieldUse::kLater);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_TRUE(Has(error.what(), "in its ready posture the hand would meet the table; check "));
+  }
+}
+
 constexpr char kYaml[] =
     "name: block\nmesh: block.obj\nmesh_unit: mm\nmass_kg: 0.06\n"
     "friction_static: 0.5\nfriction_dynamic: 0.4\n";
