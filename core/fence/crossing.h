@@ -61,19 +61,27 @@ class OutgoingValues {
 class IncomingValues {
  public:
   static constexpr bool kIsIncoming = true;
+  /** Puts the next bytes in their place. */
+  using Give = std::function<void(void* data, size_t size)>;
 
-  explicit IncomingValues(std::string_view bytes) : bytes_(bytes) {}
+  IncomingValues(size_t size, Give give) : num_left_(size), give_(std::move(give)) {}
+  /** @param bytes  outlive this. */
+  explicit IncomingValues(std::string_view bytes)
+      : IncomingValues(bytes.size(), [next = bytes.data()](void* data, size_t size) mutable {
+          std::memcpy(data, next, size);
+          next += size;
+        }) {}
 
   void Bytes(void* data, size_t size) {
-    Check(size <= bytes_.size());
-    if (size > 0) std::memcpy(data, bytes_.data(), size);
-    bytes_.remove_prefix(size);
+    Check(size <= num_left_);
+    if (size > 0) give_(data, size);
+    num_left_ -= size;
   }
   /** A count of values of `size` bytes or more. */
   size_t Count(size_t size) {
     size_t count = 0;
     Bytes(&count, sizeof count);
-    Check(count <= bytes_.size() / size);
+    Check(count <= num_left_ / size);
     return count;
   }
   void Check(bool is_right) const {
@@ -81,7 +89,8 @@ class IncomingValues {
   }
 
  private:
-  std::string_view bytes_;
+  size_t num_left_;
+  Give give_;
 };
 
 template <class Values, class... Items>

@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -24,13 +25,14 @@ namespace fs = std::filesystem;
 
 constexpr int kWallPerProcessorTime = 6;  // where the machine is busy or its disk slow
 constexpr char kProgram[] = "graspbench-reader";
+constexpr size_t kPiece = size_t{1} << 20;  // of an answer
 
 [[noreturn]] void FailEnvironment(const std::string& what) {
   throw Error(ErrorKind::kEnvironment, "no " + what + ": " + std::strerror(errno));
 }
 
 int MakeMemoryFile() {
-  const int file = ::memfd_create("fence", MFD_CLOEXEC | MFD_ALLOW_SEALING);
+  const int file = ::memfd_create("fence", MFD_CLOEXEC);
   if (file < 0) FailEnvironment("memory for a foreign file");
   return file;
 }
@@ -98,20 +100,43 @@ FencedFile::FencedFile(std::string_view bytes, std::string name)
 
 FencedFile::~FencedFile() { ::close(id_); }
 
-FencedAnswer::FencedAnswer(int file) {
+FencedAnswer::FencedAnswer(std::unique_ptr<FencedFile> file) : file_(std::move(file)) {
   struct stat properties = {};
-  // The reader can change it no more.
-  const int seals = F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE;
-  if (::fcntl(file, F_ADD_SEALS, seals) != 0 || ::fstat(file, &properties) != 0) return;
-  const auto size = static_cast<size_t>(properties.st_size);
-  if (size == 0) return;
-  void* const begin = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0);
-  if (begin == MAP_FAILED) FailEnvironment("memory for what a foreign file holds");
-  bytes_ = {static_cast<const char*>(begin), size};
+  if (::fstat(file_->id(), &properties) != 0) FailEnvironment("answer of a reader");
+  size_ = static_cast<size_t>(properties.st_size);
 }
 
-FencedAnswer::~FencedAnswer() {
-  if (!bytes_.empty()) ::munmap(const_cast<char*>(bytes_.data()), bytes_.size());
+IncomingValues FencedAnswer::values() {
+  return {size_ - num_fetched_ + piece_.size() - num_taken_,
+          [this](void* data, size_t size) { Take(static_cast<char*>(data), size); }};
+}
+
+void FencedAnswer::Take(char* data, size_t size) {
+  const size_t num_here = std::min(size, piece_.size() - num_taken_);
+  std::memcpy(data, piece_.data() + num_taken_, num_here);
+  num_taken_ += num_here;
+  data += num_here;
+  size -= num_here;
+  for (; size >= kPiece; data += kPiece, size -= kPiece) Fetch(data, kPiece);
+  if (size == 0) return;
+  piece_.resize(std::min(kPiece, size_ - num_fetched_));
+  Fetch(piece_.data(), piece_.size());
+  std::memcpy(data, piece_.data(), size);
+  num_taken_ = size;
+}
+
+void FencedAnswer::Fetch(char* data, size_t size) {
+  while (size > 0) {
+    const ssize_t count = ::pread(file_->id(), data, size, static_cast<off_t>(num_fetched_));
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) throw Error(ErrorKind::kFormat, "an answer that is none");
+    data += count;
+    size -= static_cast<size_t>(count);
+    num_fetched_ += static_cast<size_t>(count);
+  }
+  if (num_fetched_ == size_) return;
+  ::fallocate(file_->id(), FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, 0,
+              static_cast<off_t>(num_fetched_));
 }
 
 // One process. Ends it: idle it ends by itself when its socket closes.
@@ -190,8 +215,8 @@ std::unique_ptr<FencedAnswer> Fence::Run(const std::string& reader, const Fenced
   std::string asked = reader, name = file.name(), sent = arguments;
   Cross(values, asked, name, seconds, sent);
   const FencedFile request(values.bytes(), "");
-  const FencedFile output(std::string_view(), "");
-  const std::vector<int> files = {request.id(), file.id(), output.id()};
+  auto output = std::make_unique<FencedFile>(std::string_view(), "");
+  const std::vector<int> files = {request.id(), file.id(), output->id()};
   if (!process || !SendFencePacket(process->socket, std::string(1, kRequest), files)) {
     process = Start();  // the idle one may have been ended by somebody
     SendFencePacket(process->socket, std::string(1, kRequest), files);
@@ -216,10 +241,11 @@ std::unique_ptr<FencedAnswer> Fence::Run(const std::string& reader, const Fenced
     const std::lock_guard<std::mutex> lock(mutex_);
     idle_.push_back(std::move(process));
   }
-  auto answer = std::make_unique<FencedAnswer>(output.id());
-  if (answer->bytes().empty()) throw Error(ErrorKind::kFormat, "an answer that is none");
-  if (answer->bytes()[0] == kIsRead) return answer;
-  IncomingValues refusal(answer->bytes().substr(1));
+  auto answer = std::make_unique<FencedAnswer>(std::move(output));
+  char status = kIsRead;
+  answer->values().Bytes(&status, 1);
+  if (status == kIsRead) return answer;
+  IncomingValues refusal = answer->values();
   ErrorKind kind = ErrorKind::kFormat;
   std::string message;
   Cross(refusal, kind, message);

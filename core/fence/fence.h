@@ -58,17 +58,22 @@ class FencedFile {
 /** Where a file lies that another one names; nothing: it is not there, or may not be read. */
 using FindBeside = std::function<std::optional<std::filesystem::path>(const std::string& name)>;
 
-/** What a reader handed back: the bytes lie in memory of the kernel until this goes. */
+/** What a reader handed back, in memory of the kernel. Each byte is copied once, so that it is of no
+use to change it later, and its memory is given back at once. */
 class FencedAnswer {
  public:
-  explicit FencedAnswer(int file);
-  ~FencedAnswer();
-  FencedAnswer(const FencedAnswer&) = delete;
-  FencedAnswer& operator=(const FencedAnswer&) = delete;
-  std::string_view bytes() const { return bytes_; }
+  explicit FencedAnswer(std::unique_ptr<FencedFile> file);
+  /** All that is left of it, which this outlives. */
+  IncomingValues values();
 
  private:
-  std::string_view bytes_;
+  void Take(char* data, size_t size);
+  void Fetch(char* data, size_t size);
+
+  std::unique_ptr<FencedFile> file_;
+  size_t size_ = 0, num_fetched_ = 0;
+  std::string piece_;  ///< fetched for small values
+  size_t num_taken_ = 0;
 };
 
 /** Readers of one program. Safe with threads. */
@@ -91,7 +96,7 @@ class Fence {
     Cross(sent, arguments...);
     const std::unique_ptr<FencedAnswer> answer =
         Run(reader, file, find_beside, seconds, sent.bytes());
-    IncomingValues values(answer->bytes().substr(1));
+    IncomingValues values = answer->values();
     Result result;
     Cross(values, result);
     return result;

@@ -157,11 +157,13 @@ void PlanPair(const ConditionBlock& block, bool is_threshold, size_t hand_index,
   const std::shared_ptr<const GraspObject>& object = block.inputs->objects[object_index];
   const bool can_be_compliant = CanMoveCompliantly(*hand.hand) && CanMoveCompliantly(*object);
   for (const GraspEntry& entry : ListGraspEntries(*block.config, *block.inputs, hand, object)) {
-    const bool is_too_much =
-        std::any_of(entry.grasps.begin(), entry.grasps.end(), [&](const Grasp* grasp) {
-          return block.config->strategy.grip_force > CalcGripBound(*hand.hand, *grasp);
-        });
-    if (is_threshold && !block.is_base && is_too_much) continue;
+    const auto is_too_much = [&](const Grasp* grasp) {
+      return block.config->strategy.grip_force > CalcGripBound(*hand.hand, *grasp);
+    };
+    if (is_threshold && !block.is_base &&
+        std::any_of(entry.grasps.begin(), entry.grasps.end(), is_too_much)) {
+      continue;
+    }
     Json grasps = Json::array();
     for (const Grasp* grasp : entry.grasps) {
       grasps.push_back(ToJson(FindFitted(*block.inputs, hand, *grasp, object)));

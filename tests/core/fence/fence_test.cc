@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <fstream>
 #include <thread>
@@ -15,6 +16,22 @@ namespace graspbench {
 namespace {
 
 namespace fs = std::filesystem;
+
+/** Of this process [B]. */
+double FindPeakMemory() {
+  std::ifstream in("/proc/self/status");
+  for (std::string word; in >> word;) {
+    double kilobytes = 0.0;
+    if (word == "VmHWM:" && in >> kilobytes) return 1024.0 * kilobytes;
+  }
+  return std::nan("");
+}
+
+/** @returns what is used now. */
+double ResetPeakMemory() {
+  std::ofstream("/proc/self/clear_refs") << "5" << std::flush;
+  return FindPeakMemory();
+}
 
 class FenceTest : public testing::Test {
  protected:
@@ -39,7 +56,8 @@ TEST_F(FenceTest, HandsOverFilesOfDiskAndMemory) {
   EXPECT_EQ(Read("", "content"), "content");
   EXPECT_EQ(Read("", ""), "");
   const fs::path path = fs::path(testing::TempDir()) / "fence_file";
-  const std::string large(5'000'000, 'x');
+  std::string large(5'000'000, 'x');
+  for (size_t i = 0; i < large.size(); ++i) large[i] = static_cast<char>(i % 251);
   WriteFile(path, large);
   EXPECT_EQ(fence_.Read<std::string>("task", FencedFile(path), nullptr, 10, std::string()), large);
   fs::remove(path);
@@ -80,6 +98,30 @@ TEST_F(FenceTest, MemoryIsLimited) {
   EXPECT_EQ(Read("", "next"), "next");
 }
 #endif
+
+TEST_F(FenceTest, AnAnswerIsInMemoryOnce) {
+  const fs::path path = fs::path(testing::TempDir()) / "fence_file";
+  std::ofstream(path) << "";
+  fs::resize_file(path, 200'000'000);
+  const double before = ResetPeakMemory();
+  const std::string answer =
+      fence_.Read<std::string>("task", FencedFile(path), nullptr, 10, std::string());
+  fs::remove(path);
+  EXPECT_EQ(answer.size(), 200'000'000U);
+  EXPECT_LT(FindPeakMemory() - before, 210e6);
+}
+
+TEST(FencedAnswerTest, WhatIsTakenLeavesTheMemoryOfTheKernel) {
+  auto file = std::make_unique<FencedFile>(std::string(8'000'000, 'x'), "an answer");
+  const int id = file->id();
+  FencedAnswer answer(std::move(file));
+  std::string taken(7'000'000, ' ');
+  answer.values().Bytes(taken.data(), taken.size());
+  EXPECT_EQ(taken, std::string(7'000'000, 'x'));
+  struct stat left = {};
+  ASSERT_EQ(::fstat(id, &left), 0);
+  EXPECT_LT(512 * left.st_blocks, 1'100'000);
+}
 
 TEST_F(FenceTest, NothingIsWritten) {
   const fs::path folder = fs::path(testing::TempDir()) / "fence_folder";

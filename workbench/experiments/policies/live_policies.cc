@@ -37,10 +37,11 @@ void CheckPolicies(const SessionConfig& config, const SessionInputs& inputs,
   std::set<std::pair<std::string, std::optional<std::string>>> known;  // hands and conditions
   for (const PlannedTrial& planned : plan) {
     if (!known.emplace(planned.hand, planned.condition).second) continue;
-    const TrialSetup setup = MakeTrialSetup(config, inputs, planned);
-    if (!IsPolicyServer(setup.policy.command)) continue;
-    const PolicyServer server = LoadPolicyServer(setup.policy.command);
-    CheckPolicyServer(server, *setup.hand, setup.policy);
+    const PolicyConfig& policy =
+        planned.condition ? inputs.conditions.at(*planned.condition).config.policy : config.policy;
+    if (!IsPolicyServer(policy.command)) continue;
+    const PolicyServer server = LoadPolicyServer(policy.command);
+    CheckPolicyServer(server, *MakeTrialSetup(config, inputs, planned).hand, policy);
     MakeWebsocketPolicy(server);  // finds its host
   }
 }
