@@ -15,8 +15,8 @@ using LiftMatrix = Eigen::Matrix<double, kNumLiftUnknowns, kNumLiftUnknowns>;
 
 constexpr int kNumStarts = 4;  // with a speed, an acceleration, a jerk, a snap
 // Of lifts by 30 to 150 mm in 0.4 to 2 s, of load forces of 5 to 40 N/s on 0.1 to 1 kg.
-const LiftVector kLiftSd = (LiftVector() << 5e-3, 3e-3, 0.05, 2.0, 40.0, 600.0, 6000.0).finished();
-constexpr std::array<double, kNumStarts> kStartMean = {0.05, 1.0, 20.0, 300.0};
+const LiftVector kLiftSd = (LiftVector() << 5e-3, 3e-3, 0.05, 1.5, 40.0, 600.0, 6000.0).finished();
+constexpr std::array<double, kNumStarts> kStartMean = {0.05, 1.5, 40.0, 600.0};
 
 // How likely each start is, up to a factor.
 const std::array<double, kNumStarts> kLogPrior = {std::log(0.25), std::log(0.25), std::log(0.35),

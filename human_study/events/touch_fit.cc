@@ -29,8 +29,9 @@ constexpr double kLearnedShare = 1.5;     // of the time by which learned depths
 constexpr double kMostLearned = 0.02;     // .. and no more, as deep settling is seen as such [s]
 constexpr double kToe = 0.55e-3, kToeSd = 0.28e-3;  // skin that gives way unseen [m]
 constexpr double kLongestToe = 0.3;                 // [s]
-/** A stop below the first is no touch, in that share; one above the other always is. */
-constexpr double kGripSpeed = 0.03, kFreeSpeed = 0.06, kSlowShare = 0.7;  // [m/s]
+/** A stop that is slow, and long after the digit came within reach, is not always the touch. */
+constexpr double kSlowShare = 0.7, kSlowSpeed = 0.04, kFreeSpeed = 0.06;         // [m/s]
+constexpr double kSoon = 0.06, kLate = 0.14, kQuickRest = 0.4, kSlowRest = 0.6;  // [s]
 /** Of noise beyond what cameras have, by which slow touches seem to come early. */
 constexpr double kNoisyShare = 0.75, kPlainNoise = 0.6e-3;  // [m]
 constexpr double kMinStep = 0.5e-3;                         // between the touches tried [s]
@@ -312,8 +313,15 @@ struct SlowTouch {
 };
 
 SlowTouch CalcSlowTouch(const TouchFit& fit, double touch) {
-  const double share = fit.slow_share, within = fit.latest - fit.earliest;
-  const double apart = (fit.earliest + fit.latest) / 2.0 - touch;
+  const auto rise = [](double x, double from, double to) {
+    return std::clamp((x - from) / (to - from), 0.0, 1.0);
+  };
+  const double since = touch - fit.earliest;
+  const double slow_rest = rise(fit.latest - fit.earliest, kQuickRest, kSlowRest);
+  const double share = kSlowShare * rise(-fit.speed, -kFreeSpeed, -kSlowSpeed) *
+                       std::max(rise(since, kSoon, kLate), slow_rest);
+  const double within = since + slow_rest * (fit.latest - touch);
+  const double apart = within / 2.0 - since;
   return {share * apart,
           std::sqrt(share * Square(within) / 12.0 + share * (1.0 - share) * Square(apart))};
 }
@@ -365,8 +373,7 @@ TouchFit FitTouch(const TouchSamples& samples) {
   fit.noisy = kNoisyShare * std::max(0.0, samples.noise - kPlainNoise) / speed;
   fit.earliest = samples.first;
   fit.latest = samples.last;
-  fit.slow_share =
-      kSlowShare * std::clamp((kFreeSpeed - speed) / (kFreeSpeed - kGripSpeed), 0.0, 1.0);
+  fit.speed = speed;
   const double degrees = static_cast<double>(samples.times.size());
   fit.noise_ratio = std::sqrt(fitter.least_misfit() / degrees);
   return fit;
@@ -395,7 +402,7 @@ TouchFit MixFits(const TouchFit& a, const TouchFit& b, double share) {
   mix.noisy = likelier.noisy;
   mix.earliest = likelier.earliest;
   mix.latest = std::max(a.latest, b.latest);
-  mix.slow_share = likelier.slow_share;
+  mix.speed = likelier.speed;
   mix.noise_ratio = std::max(a.noise_ratio, b.noise_ratio);
   return mix;
 }
