@@ -371,7 +371,7 @@ TouchFit FitTouch(const TouchSamples& samples) {
   fit.toe = std::min(kToe / speed, kLongestToe);
   fit.toe_unsure = std::min(kToeSd / speed, kLongestToe);
   fit.noisy = kNoisyShare * std::max(0.0, samples.noise - kPlainNoise) / speed;
-  fit.earliest = samples.first;
+  fit.earliest = *std::upper_bound(samples.times.begin(), samples.times.end(), samples.first);
   fit.latest = samples.last;
   fit.speed = speed;
   const double degrees = static_cast<double>(samples.times.size());
