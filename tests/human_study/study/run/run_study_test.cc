@@ -399,8 +399,7 @@ TEST(StudyExamples, ThirtyHertzOfAStrangerAreAnalysed) {
   const char* const columns[] = {"c_thumb", "c_index", "c_middle", "c_ring", "c_little"};
   double squares = 0.0, count = 0.0;
   for (size_t i = 0; i < result.trials.size(); ++i) {
-    // A trial with a contact that is known badly stays, with the others' intervals.
-    if (!result.trials[i].IsKept() || result.trials[i].analysis->num_unresolved > 0) continue;
+    if (!result.trials[i].IsKept()) continue;
     for (size_t d = 0; d < 5; ++d) {
       const EventTime& contact = result.trials[i].analysis->contacts[d].contact;
       if (!contact.IsFound()) continue;
