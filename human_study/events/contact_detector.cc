@@ -155,7 +155,10 @@ std::string FindNoTouch(const ContactEvidence& evidence, const DigitEvidence& di
   // Less than half a millimetre may be the skin of a digit that holds, and noise is known to a
   // part.
   const double unsure = std::max(0.0005, kUnsureOfNoise * digit.noise_O);
-  if (digit.looseness > std::max(options.max_looseness * evidence.typical_looseness, unsure)) {
+  // A thumb bears what all fingers press: its skin gives way under the sum of their forces.
+  const double load = digit.track->is_thumb ? static_cast<double>(evidence.digits.size() - 1) : 1.0;
+  if (digit.looseness >
+      std::max(load * options.max_looseness * evidence.typical_looseness, unsure)) {
     return fmt::format(
         "while the object is held it moves {:.1f} mm (RMS) against it, the other digits {:.1f} mm",
         MmFromM(digit.looseness), MmFromM(evidence.typical_looseness));
@@ -210,8 +213,10 @@ EventTime CheckUsable(const EventTime& event, const ContactOptions& options) {
   const bool is_usable =
       options.max_uncertainty == 0.0 || !(event.uncertainty > options.max_uncertainty);
   if (!event.IsFound() || is_usable) return event;
-  return MissingEvent(fmt::format("{}: known to \u00b1 {:.0f} ms only", kNotUsable,
-                                  MsFromS(event.CalcHalfWidth())));
+  EventTime wide = event;
+  wide.missing =
+      fmt::format("{}: known to \u00b1 {:.0f} ms only", kNotUsable, MsFromS(event.CalcHalfWidth()));
+  return wide;
 }
 
 bool IsForce(const ContactDetector& detector) { return std::string_view(detector.id) == "force"; }
@@ -263,6 +268,29 @@ std::vector<DigitContactEvents> FindContacts(const ContactEvidence& evidence,
     contacts.push_back(std::move(events));
   }
   return contacts;
+}
+
+void CoverDisagreement(double limit, const ContactOptions& options,
+                       std::vector<DigitContactEvents>& contacts) {
+  constexpr double kSigmas = 3.0;
+  if (limit == 0.0) return;
+  const std::vector<ContactDetector>& detectors = ContactDetectorList();
+  for (DigitContactEvents& digit : contacts) {
+    EventTime& contact = digit.contact;
+    if (!contact.IsFound() || digit.is_reviewed) continue;
+    double farthest = 0.0;
+    for (size_t i = 0; i < detectors.size(); ++i) {
+      const EventTime& other = digit.by_detector[i];
+      const std::string_view id = detectors[i].id;
+      if (!other.IsFound() || id == "multiplied" || id == "speed") continue;
+      const double apart = std::abs(other.time - contact.time);
+      const double unsure = kSigmas * std::hypot(other.uncertainty, contact.uncertainty);
+      if (apart > std::max(limit, unsure)) farthest = std::max(farthest, apart);
+    }
+    if (farthest == 0.0) continue;
+    contact.uncertainty = farthest / kNormal95;
+    contact = CheckUsable(contact, options);
+  }
 }
 
 namespace {

@@ -84,7 +84,8 @@ struct ContactOptions {
   }
 };
 
-/** How the reason starts why a contact that is known too badly (max_uncertainty) is missing. */
+/** How the reason starts why a contact that is known too badly (max_uncertainty) is missing. Its
+time and uncertainty stay where they are bounded; no measure rests on them. */
 inline constexpr std::string_view kNotUsable = "not usable here";
 /** Touched at an unresolved time. */
 inline bool IsUnresolved(const EventTime& contact) {
@@ -192,6 +193,13 @@ struct DigitContactEvents {
 
 std::vector<DigitContactEvents> FindContacts(const ContactEvidence& evidence,
                                              const ContactOptions& options);
+
+/** Where another detector finds a contact elsewhere, beyond a limit [s] and beyond three times what
+both say of their uncertainty, the interval of the contact reaches as far as that. "multiplied" and
+"speed" are not asked: they stop at thresholds, which slow arrivals cross early. A limit of 0 changes
+nothing, and neither does a contact that a person looked at change. */
+void CoverDisagreement(double limit, const ContactOptions& options,
+                       std::vector<DigitContactEvents>& contacts);
 
 // Declares Make<Name>Detector() for every line of detector_list.inc.
 #define GRASPBENCH_DETECTOR(name) ContactDetector Make##name##Detector();

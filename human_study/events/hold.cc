@@ -102,7 +102,9 @@ filtered and as far as it exceeds the noise of the markers, so that it adds litt
 ScalarCurve FollowLowest(const ReachTrial& trial, const ScalarCurve& middle,
                          const Eigen::Vector3d& up, double cutoff) {
   if (!trial.object.distance || trial.object.turn_lever.isZero()) return middle;
-  const ObjectTrack object = SmoothObject(trial, cutoff, cutoff);
+  const double interval = trial.times[1] - trial.times[0];
+  const double of_turn = std::max(cutoff, std::min(2.0 * cutoff, 0.35 / interval));
+  const ObjectTrack object = SmoothObject(trial, cutoff, of_turn);
   const Eigen::Matrix3d R_LO = FindRestingOrientation(trial.object);
   const std::vector<Eigen::Vector3d> edge = FindStandingEdge(object, R_LO.transpose() * up);
   const auto find_lowest = [&](const Eigen::Matrix3d& R) {

@@ -15,8 +15,8 @@ using LiftMatrix = Eigen::Matrix<double, kNumLiftUnknowns, kNumLiftUnknowns>;
 
 constexpr int kNumStarts = 4;  // with a speed, an acceleration, a jerk, a snap
 // Of lifts by 30 to 150 mm in 0.4 to 2 s, of load forces of 5 to 40 N/s on 0.1 to 1 kg.
-const LiftVector kLiftSd = (LiftVector() << 5e-3, 3e-3, 0.05, 2.0, 40.0, 600.0, 6000.0).finished();
-constexpr std::array<double, kNumStarts> kStartMean = {0.05, 1.0, 20.0, 300.0};
+const LiftVector kLiftSd = (LiftVector() << 5e-3, 3e-3, 0.05, 1.5, 40.0, 600.0, 6000.0).finished();
+constexpr std::array<double, kNumStarts> kStartMean = {0.05, 1.5, 40.0, 600.0};
 
 // How likely each start is, up to a factor.
 const std::array<double, kNumStarts> kLogPrior = {std::log(0.25), std::log(0.25), std::log(0.35),
@@ -26,6 +26,8 @@ constexpr double kRestBefore = 0.15;                        // seen before the s
 constexpr double kFullHeight = 0.007;  // the polynomial holds this far above the rest [m]
 constexpr double kMostRise = 0.3;      // .. or this long after the other rule's instant [s]
 constexpr double kOfHeight = 0.02;     // what the polynomial leaves out, share of the height
+constexpr double kRocking = 0.05e-3;   // of a thing that is gripped before it leaves (RMS) [m] ..
+constexpr double kRockingTime = 0.02;  // .. and for how long it is the same [s]
 constexpr double kCoarseStep = 8e-3, kFineStep = 1e-3;  // between the instants tried [s]
 constexpr double kLiftModel = 2.5e-3;                   // SD of what no model says [s]
 constexpr size_t kFewestBefore = 3, kFewestAfter = 3;
@@ -37,6 +39,8 @@ struct LiftSamples {
 
 LiftSamples TakeLift(const ScalarCurve& height, double near) {
   LiftSamples samples;
+  // As if each sample had its own, of which as many as last that long have the same mean.
+  const double rocking = kRocking * kRocking * std::max(1.0, kRockingTime / height.Interval());
   double rest = 0.0, num_rest = 0.0;
   const double begin = near - kSearchBefore - kRestBefore;
   const SampleRun run = FindSamples(height.times, begin, near + kMostRise);
@@ -57,7 +61,7 @@ LiftSamples TakeLift(const ScalarCurve& height, double near) {
     samples.times.push_back(height.times[i]);
     samples.heights.push_back(height.At(i));
     const double model = kOfHeight * risen;
-    samples.weights.push_back(1.0 / (height.noise * height.noise + model * model));
+    samples.weights.push_back(1.0 / (height.noise * height.noise + rocking + model * model));
   }
   if (samples.times.size() < kFewestBefore + kFewestAfter) return samples;
   samples.first = std::max(near - kSearchBefore, samples.times[kFewestBefore - 1]);

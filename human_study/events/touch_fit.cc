@@ -27,10 +27,11 @@ constexpr double kPadTolerance = 0.5e-3;  // of a given pad offset [m]
 constexpr double kModel = 0.5e-3;         // SD of what no model says [s]
 constexpr double kLearnedShare = 1.5;     // of the time by which learned depths move a touch ..
 constexpr double kMostLearned = 0.02;     // .. and no more, as deep settling is seen as such [s]
-// Skin that gives way unseen, its mean and SD, and what comes to each as the touch slows down [m].
-constexpr double kToe = 0.55e-3, kToeSd = 0.28e-3, kSlowToe = 0.3e-3, kSlowToeSd = 0.6e-3;
-constexpr double kSlowTouch = 0.03;  // [m/s]
-constexpr double kLongestToe = 0.3;  // [s]
+constexpr double kToe = 0.55e-3, kToeSd = 0.28e-3;  // skin that gives way unseen [m]
+constexpr double kLongestToe = 0.3;                 // [s]
+/** A stop that is slow, and long after the digit came within reach, is not always the touch. */
+constexpr double kSlowShare = 0.7, kSlowSpeed = 0.04, kFreeSpeed = 0.06;         // [m/s]
+constexpr double kSoon = 0.06, kLate = 0.14, kQuickRest = 0.4, kSlowRest = 0.6;  // [s]
 /** Of noise beyond what cameras have, by which slow touches seem to come early. */
 constexpr double kNoisyShare = 0.75, kPlainNoise = 0.6e-3;  // [m]
 constexpr double kMinStep = 0.5e-3;                         // between the touches tried [s]
@@ -306,6 +307,25 @@ TouchMoments CalcTouchMoments(const TouchFit& fit, const DepthWeights& weights) 
   return {sum, origin + moment / sum, std::max(0.0, squares / sum - Square(moment / sum))};
 }
 
+/** What a slow touch, which is anywhere within reach in its share, adds to a time [s]. */
+struct SlowTouch {
+  double later = 0.0, sd = 0.0;
+};
+
+SlowTouch CalcSlowTouch(const TouchFit& fit, double touch) {
+  const auto rise = [](double x, double from, double to) {
+    return std::clamp((x - from) / (to - from), 0.0, 1.0);
+  };
+  const double since = touch - fit.earliest;
+  const double slow_rest = rise(fit.latest - fit.earliest, kQuickRest, kSlowRest);
+  const double share = kSlowShare * rise(-fit.speed, -kFreeSpeed, -kSlowSpeed) *
+                       std::max(rise(since, kSoon, kLate), slow_rest);
+  const double within = since + slow_rest * (fit.latest - touch);
+  const double apart = within / 2.0 - since;
+  return {share * apart,
+          std::sqrt(share * Square(within) / 12.0 + share * (1.0 - share) * Square(apart))};
+}
+
 }  // namespace
 
 const DepthWeights kUsualDepths = {30.0, 12.0, 0.8, 0.15, 0.06, 0.04, 0.03, 0.02};
@@ -347,10 +367,13 @@ TouchFit FitTouch(const TouchSamples& samples) {
     fit.time[k] = sum > 0.0 ? first + moment / sum : samples.first;
     fit.variance[k] = sum > 0.0 ? std::max(0.0, squares / sum - Square(moment / sum)) : 0.0;
   }
-  const double speed = speeds / all, slowness = std::exp(-speed / kSlowTouch);
-  fit.toe = std::min((kToe + kSlowToe * slowness) / speed, kLongestToe);
-  fit.toe_unsure = std::min((kToeSd + kSlowToeSd * slowness) / speed, kLongestToe);
+  const double speed = speeds / all;
+  fit.toe = std::min(kToe / speed, kLongestToe);
+  fit.toe_unsure = std::min(kToeSd / speed, kLongestToe);
   fit.noisy = kNoisyShare * std::max(0.0, samples.noise - kPlainNoise) / speed;
+  fit.earliest = *std::upper_bound(samples.times.begin(), samples.times.end(), samples.first);
+  fit.latest = samples.last;
+  fit.speed = speed;
   const double degrees = static_cast<double>(samples.times.size());
   fit.noise_ratio = std::sqrt(fitter.least_misfit() / degrees);
   return fit;
@@ -377,6 +400,9 @@ TouchFit MixFits(const TouchFit& a, const TouchFit& b, double share) {
   mix.toe = likelier.toe;
   mix.toe_unsure = likelier.toe_unsure;
   mix.noisy = likelier.noisy;
+  mix.earliest = likelier.earliest;
+  mix.latest = std::max(a.latest, b.latest);
+  mix.speed = likelier.speed;
   mix.noise_ratio = std::max(a.noise_ratio, b.noise_ratio);
   return mix;
 }
@@ -385,8 +411,9 @@ EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights) {
   if (!fit.missing.empty()) return MissingEvent(fit.missing);
   const TouchMoments touch = CalcTouchMoments(fit, weights);
   if (touch.weight == 0.0) return MissingEvent("no depth of settling explains the path");
+  const SlowTouch slow = CalcSlowTouch(fit, touch.time - fit.toe);
   EventTime event;
-  event.time = touch.time - fit.toe;
+  event.time = touch.time - fit.toe + slow.later;
   // Soft arrivals look like settling: what was learned of it is as uncertain as it moves the touch.
   // Half a standard deviation of that is in the touch's own variance already.
   const double moved = touch.time - CalcTouchMoments(fit, kUsualDepths).time;
@@ -395,7 +422,7 @@ EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights) {
   const double unseen = std::hypot(fit.toe_unsure, fit.noisy);
   // Where the best fit leaves more than the noise, the model is wrong by as much.
   const double own = std::max(1.0, fit.noise_ratio) * std::sqrt(touch.variance);
-  event.uncertainty = std::hypot(std::hypot(kModel, learned), std::hypot(unseen, own));
+  event.uncertainty = std::hypot(std::hypot(kModel, learned), std::hypot(unseen, own), slow.sd);
   return event;
 }
 
@@ -410,7 +437,8 @@ double CalcOwnUncertainty(const TouchFit& fit, const DepthWeights& weights) {
     sum += weight;
     variance += weight * fit.variance[k];
   }
-  return std::hypot(kModel, std::max(1.0, fit.noise_ratio) * std::sqrt(variance / sum));
+  const double stop = std::max(1.0, fit.noise_ratio) * std::sqrt(variance / sum);
+  return std::hypot(kModel, stop, CalcSlowTouch(fit, CalcStopTime(fit) - fit.toe).sd);
 }
 
 DepthWeights LearnDepths(const std::vector<TouchFit>& fits) {

@@ -24,10 +24,18 @@ Skin resists exponentially (Pawluk & Howe 1999, J. Biomech. Eng. 121:178): its f
 without a trace that a fit could find. The touch is earlier than the path tells by that depth over
 the speed v of the touch (TouchFit::toe):
 
-    depth = 0.55 mm + 0.3 mm e,  SD = 0.28 mm + 0.6 mm e,  e = exp(-v / 30 mm/s)
+    depth = 0.55 mm, SD = 0.28 mm
 
 The depth covers stiff tips as well as soft pads (0.2 to 0.8 N/mm at first, on fingers of 120 to 260
-N/m). A touch slower than 30 mm/s has no stop of its own: the digit goes on as the grip grows.
+N/m). A slow touch has no stop of its own:
+the digit goes on as the grip grows, which drives skin in at up to 50 mm/s. Two things tell a stop
+that may not be the touch: it is slow, and the digit was within skin's reach (from `earliest` on)
+for long before it, or took long from there to its rest at `latest`. With [x..y] 0 at x, 1 at y and
+linear between, and T = latest - earliest,
+
+    share = 0.7 [60..40 mm/s](v) max([60..140 ms](stop - earliest), [0.4..0.6 s](T))
+
+is how likely the touch is anywhere from `earliest` on to the stop, and where T is long to `latest`.
 
 Known limits: a way of settling that is not like the exponential; a digit that stops off the surface
 stops as one that touches does. */
@@ -76,6 +84,9 @@ struct TouchFit {
   double toe = 0.0;          ///< in which skin gives way unseen, at most 0.3 s [s]
   double toe_unsure = 0.0;   ///< SD of it [s]
   double noisy = 0.0;        ///< by which noise may have moved it (SD) [s]
+  double speed = 0.0;        ///< of the approach against the object at the touch [m/s]
+  double earliest = 0.0;     ///< when it came within skin's reach [s]
+  double latest = 0.0;       ///< when it has come to rest [s]
   double noise_ratio = 1.0;  ///< RMS of the best fit's residuals over the noise
   std::string missing;       ///< why there is none; empty when there is one
 };
@@ -90,6 +101,7 @@ TouchFit MixFits(const TouchFit& a, const TouchFit& b, double share);
 /** The touch under those weights: mean and standard deviation over all depths, less the toe. The
 deviation contains the toe's, and 0.75 of the time that noise beyond 0.6 mm takes at the touch's
 speed.
+A slow one is partly anywhere within reach, as said above.
 Weights that were learned add one and a half times what they move the touch by beyond half a
 standard deviation, at most 20 ms: of a soft arrival that looks like settling the usual depths, too,
 make a part. */

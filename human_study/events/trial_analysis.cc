@@ -107,7 +107,8 @@ ContactOrder FindOrder(const std::vector<DigitContactEvents>& contacts) {
   std::vector<DigitContact> times;
   std::vector<double> uncertainties;
   for (const DigitContactEvents& contact : contacts) {
-    times.push_back({contact.digit, contact.is_thumb, contact.contact.time});
+    const bool is_found = contact.contact.IsFound();
+    times.push_back({contact.digit, contact.is_thumb, is_found ? contact.contact.time : kUnset});
     uncertainties.push_back(contact.contact.uncertainty);
   }
   return FindContactOrder(times, uncertainties);
@@ -167,6 +168,7 @@ double FindReachEnd(const TrialAnalysis& analysis) {
 
 /** What follows from the contacts that are believed. */
 void CalcMeasures(const AnalysisOptions& options, TrialAnalysis& analysis) {
+  CoverDisagreement(options.plausibility.max_disagreement, options.contact, analysis.contacts);
   analysis.peak_opening =
       FindPeakOpening(analysis.opening, FindBegin(analysis), FindFirstContact(analysis.contacts),
                       FindReachEnd(analysis), options.opening.min_prominence);

@@ -29,31 +29,6 @@ const DigitContactEvents* FindExtreme(const std::vector<DigitContactEvents>& con
   return extreme;
 }
 
-/** Their times are those of thresholds, which slow arrivals cross early. */
-bool IsRough(const std::string& detector) {
-  return detector == "multiplied" || detector == "speed";
-}
-
-void AddDisagreement(const DigitContactEvents& digit, double limit, std::vector<Doubt>& doubts) {
-  if (!digit.contact.IsFound() || digit.is_reviewed) return;
-  const std::vector<ContactDetector>& detectors = ContactDetectorList();
-  for (size_t i = 0; i < detectors.size(); ++i) {
-    const EventTime& other = digit.by_detector[i];
-    if (!other.IsFound() || IsRough(detectors[i].id)) continue;
-    const double apart = std::abs(other.time - digit.contact.time);
-    if (apart <= limit ||
-        apart <= kSigmas * std::hypot(other.uncertainty, digit.contact.uncertainty)) {
-      continue;
-    }
-    doubts.push_back(
-        {"detectors_disagree",
-         fmt::format("digit {}: \"{}\" finds its contact {:.0f} ms away, more than both say of "
-                     "their uncertainty",
-                     digit.digit, detectors[i].id, MsFromS(apart))});
-    return;
-  }
-}
-
 /** Largest distance between two digits in about a hundred samples, sorted; without zeros. */
 std::vector<double> ListSpans(const std::vector<DigitTrack>& digits) {
   constexpr size_t kEnough = 100;  // samples
@@ -467,12 +442,11 @@ std::vector<Doubt> FindContactDoubts(const std::vector<DigitContactEvents>& cont
                                          "(plausibility.max_closure_time_s)",
                                          MsFromS(gct), MsFromS(options.max_closure_time))});
   }
-  if (options.max_disagreement > 0.0) {
-    for (const DigitContactEvents& digit : contacts) {
-      AddDisagreement(digit, options.max_disagreement, doubts);
-    }
-  }
-  if (options.max_moved_before > 0.0 && object.moved.IsFound()) {
+  // Of a digit that touched at an unknown instant nobody knows whether it was first.
+  const bool is_first_known =
+      std::none_of(contacts.begin(), contacts.end(),
+                   [](const DigitContactEvents& digit) { return IsUnresolved(digit.contact); });
+  if (options.max_moved_before > 0.0 && object.moved.IsFound() && is_first_known) {
     const double before = first->contact.time - object.moved.time;
     const double u = std::hypot(first->contact.uncertainty, object.moved.uncertainty);
     if (before > std::max(options.max_moved_before, kSigmas * u)) {

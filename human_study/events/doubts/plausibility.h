@@ -26,11 +26,8 @@ the numbers; none repairs anything.
   contact_after_end: a contact later after the end of the movement than a limit, unless the object
     was recorded and is lifted after it: the wrist may wait while the digits close.
   closure_too_long: GCT above a limit.
-  detectors_disagree: another detector finds a digit's contact elsewhere, beyond a limit and beyond
-    three times what both say of their uncertainty. "multiplied" and "speed" are not asked: they
-    stop at thresholds, which slow arrivals cross early.
   moved_before_touch: the object left its place before the first contact, beyond a limit and three
-    times both uncertainties.
+    times both uncertainties. Not told while a digit touched at an unresolved time.
 
 Limits are for adults who reach for things on a table; a limit of 0 turns its doubt off. */
 
@@ -59,7 +56,7 @@ struct PlausibilityOptions {
     v("max_hold_distance_m", max_hold_distance,
       {"markers farther from the surface make the shape doubted", 0});
     v("max_disagreement_s", max_disagreement,
-      {"of the detectors, before their contacts are doubted", 0});
+      {"of the detectors, beyond which the believed contact's interval covers both", 0});
     v("max_moved_before_s", max_moved_before,
       {"an object that moved earlier before its first contact is doubted", 0});
     v("min_carried_m", min_carried, {"a shorter way is no carrying", 0});

@@ -103,7 +103,8 @@ Answer<HandPlaces> FindHandPlaces(const TrialAnalysis& analysis, const ReachTria
     }
     places.digits.push_back({reach.digits[d].digit, *met, *widest,
                              FindJoints(reach, reach.digits[d], last),
-                             FindJoints(reach, reach.digits[d], open - half), contact.time});
+                             FindJoints(reach, reach.digits[d], open - half),
+                             contact.IsFound() ? contact.time : kUnset});
     way += *met - *widest;
   }
   way /= std::max<double>(1.0, static_cast<double>(places.digits.size()));

@@ -101,8 +101,12 @@ Removal FindRemoval(const TrialAnalysis& analysis, const RemovalConfig& rules) {
       }
       continue;
     }
-    const bool is_usable = !IsUnresolved(digit.contact);
-    const Removal removal = {is_usable ? "no_contact" : "not_usable",
+    const bool is_unresolved = IsUnresolved(digit.contact);
+    if (is_unresolved && !std::isnan(digit.contact.time)) {  // bounded
+      if (!digit.is_thumb) ++num_fingers;
+      continue;
+    }
+    const Removal removal = {is_unresolved ? "not_usable" : "no_contact",
                              "no contact of the " + name + ": " + digit.contact.missing};
     if (digit.is_thumb || rules.missing_digit) return removal;
     missing_finger = removal;
@@ -319,8 +323,7 @@ const RemovalAdvice& FindRemovalAdvice(const std::string& code) {
        "the marker of that digit under markers; markers.companions, if it is hidden; "
        "contact.max_pad_offset_m and max_looseness, if it does touch"},
       {"not_usable", Curve::kOpening,
-       "markers.companions, if a digit is hidden; contact.max_uncertainty_s, above which a contact "
-       "is not usable (0: all are)"},
+       "markers.companions: a digit is hidden for long where it touches"},
       {"filled_event", Curve::kOpening, "removal.filled_event: false keeps it"},
       {"gap_event", Curve::kOpening,
        "markers.companions and cleaning.max_gap_s; removal.gap_event: false keeps it"},
@@ -349,8 +352,6 @@ const RemovalAdvice& FindRemovalAdvice(const std::string& code) {
       {"contact_after_end", Curve::kSpeed,
        "plausibility.max_contact_after_end_s; markers.wrist, if the wrong marker stops early"},
       {"closure_too_long", Curve::kOpening, "plausibility.max_closure_time_s"},
-      {"detectors_disagree", Curve::kOpening,
-       "contact.detector; plausibility.max_disagreement_s, above which their contacts are doubted"},
       {"moved_before_touch", Curve::kOpening,
        "objects.csv, if the shape is too small; plausibility.max_moved_before_s"},
       {"object_left_behind", Curve::kNone, "markers.object: the marker of what is carried"},

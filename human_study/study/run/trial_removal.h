@@ -16,7 +16,7 @@ struct StudyResult;
 
 /** A reason with its code. Besides those of plausibility.h: left_out (by a person, in trials.csv),
 unreadable, missing_marker, same_recording (a copy of another trial), no_reach, no_onset, no_hold,
-no_opening, no_contact, not_usable (a contact known too badly), filled_event, gap_event,
+no_opening, no_contact, not_usable (a contact without any bound), filled_event, gap_event,
 disagreement. */
 struct Removal {
   std::string code;

@@ -171,7 +171,7 @@ Candidates LowerCutoffs(const Question& question) {
        "recording"}};
 }
 
-/** A limit above which a trial is doubted or not usable: larger ones are tried, then none. */
+/** A limit above which a trial is doubted: larger ones are tried, then none. */
 struct Limit {
   const char* code;
   const char* key;
@@ -184,18 +184,6 @@ struct Limit {
 const std::vector<Limit>& LimitList() {
   using A = AnalysisOptions;
   static const std::vector<Limit> limits = {
-      {"not_usable",
-       "contact.max_uncertainty_s",
-       [](const A& a) { return a.contact.max_uncertainty; },
-       {1.5, 2.5},
-       "their contacts are known less well than the limit",
-       "GFT and GOT of single trials are then known to twice that at best; 0 is no limit"},
-      {"detectors_disagree",
-       "plausibility.max_disagreement_s",
-       [](const A& a) { return a.plausibility.max_disagreement; },
-       {2.0, 4.0},
-       "the detectors' contacts are farther apart than the limit",
-       "which of them is right nobody knows: look at these trials (study review)"},
       {"contact_after_end",
        "plausibility.max_contact_after_end_s",
        [](const A& a) { return a.plausibility.max_contact_after_end; },
@@ -239,8 +227,7 @@ const std::vector<Maker>& MakerList() {
       {"no_onset", UseRegression},       {"no_opening", UseCompanions},
       {"no_contact", UseCompanions},     {"no_hold", UseCompanions},
       {"not_usable", UseCompanions},     {"gap_event", UseCompanions},
-      {"filled_event", UseCompanions},   {"detectors_disagree", UseSpeedDetector},
-      {"not_usable", UseSpeedDetector},  {"no_contact", UseSpeedDetector},
+      {"filled_event", UseCompanions},   {"no_contact", UseSpeedDetector},
       {"other_lift_axis", TryLiftAxes},  {"wrong_unit", TryUnits},
       {"cutoff_too_high", LowerCutoffs},
   };

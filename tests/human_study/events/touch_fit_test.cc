@@ -240,6 +240,42 @@ TEST(MixFits, TheDistanceOfTwoTouchesIsInTheUncertainty) {
   }
 }
 
+// A slow stop long after the digit came within reach: in 0.7 of all the touch is anywhere from there
+// to the stop, or to its rest where that takes long. Mean and deviation of what is drawn so.
+TEST(CalcTouchTime, ASlowTouchIsAnywhereWithinReach) {
+  TouchFit fit;
+  fit.log_evidence.fill(-INFINITY);
+  fit.log_evidence[0] = 0.0;
+  fit.time.fill(1.0);
+  fit.variance.fill(1e-4);
+  fit.speed = 0.02;
+  fit.earliest = 0.8;
+  RandomStream random("touch", "slow");
+  for (const double latest : {1.05, 1.6}) {
+    fit.latest = latest;
+    const double end = latest > 1.5 ? latest : 1.0;
+    constexpr int kNumDraws = 200000;
+    double sum = 0.0, squares = 0.0;
+    for (int i = 0; i < kNumDraws; ++i) {
+      const double time = random.NextUniform(0.0, 1.0) < 0.7 ? random.NextUniform(0.8, end)
+                                                             : 1.0 + 0.01 * random.NextNormal();
+      sum += time;
+      squares += time * time;
+    }
+    const double mean = sum / kNumDraws, sd = std::sqrt(squares / kNumDraws - mean * mean);
+    const EventTime found = CalcTouchTime(fit, kUsualDepths);
+    EXPECT_NEAR(found.time, mean, 2e-3) << latest;
+    EXPECT_NEAR(found.uncertainty, sd, 3e-3) << latest;
+  }
+  for (const bool is_fast : {false, true}) {  // soon after it came within reach, or fast
+    fit.latest = 1.05;
+    fit.earliest = is_fast ? 0.8 : 0.95;
+    fit.speed = is_fast ? 0.07 : 0.02;
+    EXPECT_NEAR(CalcTouchTime(fit, kUsualDepths).uncertainty, 0.01, 1e-4) << is_fast;
+    EXPECT_DOUBLE_EQ(CalcTouchTime(fit, kUsualDepths).time, 1.0) << is_fast;
+  }
+}
+
 TEST(FitTouch, TooFewSamplesAreTold) {
   RandomStream random("touch", "missing");
   TouchSamples few = Sample({}, random);

@@ -393,7 +393,7 @@ TEST(StudyExamples, ThirtyHertzOfAStrangerAreAnalysed) {
   if (!fs::exists(folder)) GTEST_SKIP() << "shared data are not here";
   const StudyResult result = RunStudy(LoadStudy(folder / "study.yaml"));
   EXPECT_EQ(result.trials.size(), 8u);
-  EXPECT_GE(result.CountKept(), 6);  // a slow camera leaves some contacts not usable
+  EXPECT_EQ(result.CountKept(), 8);
   Diagnostics problems;
   DataTable truth(ReadFile(folder / "truth.csv"), "truth.csv", problems);
   const char* const columns[] = {"c_thumb", "c_index", "c_middle", "c_ring", "c_little"};
@@ -451,16 +451,16 @@ TEST(StudyExamples, KinesisRunsEndToEnd) {
       LoadStudy(FindDataRoot() / "human_study/examples/kinesis/study.yaml", FindMocapData()));
   EXPECT_EQ(result.trials.size(), 45u);
   EXPECT_EQ(result.num_resampled, 45);
-  EXPECT_EQ(result.CountKept(), 22);  // one recorded at half the rate of the others
+  EXPECT_EQ(result.CountKept(), 28);  // one recorded at half the rate of the others
   const std::map<std::string, int> expected = {
       {"no hold: near the object all tips are hidden for a while and never rest together before or "
        "after it",
        6},
-      {"an event fell into a gap", 3},
+      // Nothing stops a digit at a virtual object: ten trials have contacts that are known badly.
+      {"an event fell into a gap", 5},
+      {"no contact of the index: it does not come nearer where it should touch", 1},
+      {"no contact of the index: not usable here: digit or object hidden for ", 1},
       {"no contact of the thumb: not usable here: digit or object hidden for ", 2},
-      // Nothing stops a digit at a virtual object: it slows in one direction, then in the other.
-      {"no contact of the index: not usable here: known to \u00b1 ", 3},
-      {"no contact of the thumb: not usable here: known to \u00b1 ", 7},
       {"no onset of the movement: the threshold is never crossed before", 2}};
   EXPECT_EQ(CountReasons(result), expected);
 }

@@ -20,6 +20,28 @@ TEST(FindRemoval, ADoubtAboutTheTrialComesBeforeWhatItExplains) {
   EXPECT_EQ(FindRemoval(analysis, lenient).code, "no_onset");
 }
 
+// A contact that is known to an interval bounds the trial; one without a bound does not.
+TEST(FindRemoval, AnIntervalKeepsTheTrialHoweverWide) {
+  TrialAnalysis analysis;
+  analysis.movement.onset.time = analysis.hold.time = analysis.closure_start.time = 1.0;
+  for (const char* digit : {"TH", "FF"}) {
+    DigitContactEvents& events = analysis.contacts.emplace_back();
+    events.digit = digit;
+    events.is_thumb = digit == std::string("TH");
+    events.contact.time = 1.2;
+    events.contact.uncertainty = 0.3;
+    events.contact.missing = std::string(kNotUsable) + ": known to \u00b1 588 ms only";
+  }
+  EXPECT_EQ(FindRemoval(analysis, {}).code, "");
+  RemovalConfig strict;
+  strict.missing_digit = true;  // they touched
+  EXPECT_EQ(FindRemoval(analysis, strict).code, "");
+  analysis.contacts[0].contact = MissingEvent(std::string(kNotUsable) + ": hidden");
+  EXPECT_EQ(FindRemoval(analysis, {}).code, "not_usable");
+  analysis.contacts[0].contact = MissingEvent("it moves");
+  EXPECT_EQ(FindRemoval(analysis, {}).code, "no_contact");
+}
+
 TEST(GroupRemoved, TextsThatDifferInNumbersAreOneReason) {
   std::vector<StudyTrial> trials(4);
   const char* texts[] = {"late by 3 ms", "", "late by 4.5 ms", "hidden"};
@@ -99,37 +121,15 @@ TEST(TrialFlags, FilteredExportsAndHandsThatCloseOnAreFlagged) {
 }
 
 TEST(RemovalAdvice, EveryReasonHasItsOwn) {
-  for (const char* code : {"left_out",
-                           "unreadable",
-                           "missing_marker",
-                           "no_reach",
-                           "no_onset",
-                           "no_hold",
-                           "no_opening",
-                           "no_contact",
-                           "not_usable",
-                           "filled_event",
-                           "gap_event",
-                           "disagreement",
-                           "carried_unseen",
-                           "other_lift_axis",
-                           "wrong_unit",
-                           "label_jump",
-                           "no_movement",
-                           "far_digit",
-                           "hand_centred",
-                           "wrong_shape",
-                           "contact_after_end",
-                           "closure_too_long",
-                           "detectors_disagree",
-                           "moved_before_touch",
-                           "object_left_behind",
-                           "thumb_not_opposed",
-                           "same_recording",
-                           "cutoff_too_high",
-                           "frame_jump",
-                           "constant_shape",
-                           "regrasp"}) {
+  for (const char* code :
+       {"left_out",          "unreadable",       "missing_marker",     "no_reach",
+        "no_onset",          "no_hold",          "no_opening",         "no_contact",
+        "not_usable",        "filled_event",     "gap_event",          "disagreement",
+        "carried_unseen",    "other_lift_axis",  "wrong_unit",         "label_jump",
+        "no_movement",       "far_digit",        "hand_centred",       "wrong_shape",
+        "contact_after_end", "closure_too_long", "moved_before_touch", "object_left_behind",
+        "thumb_not_opposed", "same_recording",   "cutoff_too_high",    "frame_jump",
+        "constant_shape",    "regrasp"}) {
     EXPECT_STREQ(FindRemovalAdvice(code).code, code);
   }
   EXPECT_EQ(FindRemovalAdvice("of_tomorrow").curve, RemovalCurve::kOpening);
