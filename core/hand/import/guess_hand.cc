@@ -306,7 +306,7 @@ digits' joint that it moves most. */
 
   /** Of its tip in H; a fixed jaw comes towards the other as that comes towards it. */
   Vector3d CalcClosing(const Digit& digit, const Eigen::VectorXd& q) {
-    if (hand_.links[digit.distal_link].joint >= 0 || digit.links.size() > 1) {
+    if (hand_.links[digit.distal_link].joint >= 0) {
       return CalcClosingMotion(digit, q, digit.p_LTip);
     }
     const Digit& other = hand_.digits[&digit == &hand_.digits[0] ? 1 : 0];
