@@ -337,7 +337,7 @@ std::vector<LinkSolid::BoundaryPoint> LinkSolid::ListOpen(size_t num_points) con
 }
 
 double LinkSolid::CalcOutside(const Vector3d& p) const {
-  if (IsEnclosed(p) || !IsNearFree(p)) return 0.0;
+  if (!IsNearFree(p) || IsEnclosed(p)) return 0.0;
   double distance = CalcMeshDistance(p);
   for (const Vector3d& other : membrane_) distance = std::min(distance, (other - p).norm());
   return distance;

@@ -134,8 +134,8 @@ class UrdfReader : UrdfElements {
       Fail(*origin, where + ": farther than 2 m away (URDF is in metres)");
     }
     Vector3d rpy = Numbers<3>(origin, "rpy", Vector3d::Zero(), where, false);
-    if (const double largest = rpy.cwiseAbs().maxCoeff(); !is_own_ && largest > kWholeTurn) {
-      Warn(*origin, where + ": an angle of " + FormatSignificant(largest, 3) +
+    if (!is_own_ && AreDegrees(rpy)) {
+      Warn(*origin, where + ": an angle of " + FormatSignificant(rpy.cwiseAbs().maxCoeff(), 3) +
                         " in rpy is more than one turn; this rpy is taken as degrees, though URDF "
                         "has radians: look at the others of the file");
       rpy *= RadFromDeg(1.0);

@@ -189,6 +189,15 @@ std::string FindUnknownInOrigin(const tinyxml2::XMLElement& origin) {
   return "";
 }
 
+bool AreDegrees(const Eigen::Vector3d& rpy) {
+  const auto is_multiple = [](double angle, double of) {
+    return std::abs(std::remainder(angle, of)) < 1e-3;
+  };
+  return std::any_of(rpy.begin(), rpy.end(), [&](double angle) {
+    return std::abs(angle) > kWholeTurn && (is_multiple(angle, 1.0) || is_multiple(angle, 2.5));
+  });
+}
+
 std::string JoinSome(const std::vector<std::string>& names) {
   constexpr size_t kMost = 3;
   std::string text;

@@ -28,6 +28,10 @@ std::string NameOtherText(const std::string& text);
 Whoever ignored it would put its part elsewhere. Empty: nothing. */
 std::string FindUnknownInOrigin(const tinyxml2::XMLElement& origin);
 
+/** True when an angle of a rotation is more than a turn and a multiple of 1 or 2.5, as people write
+degrees. Any other one beyond a turn, 5 pi / 2, is right in radians. */
+bool AreDegrees(const Eigen::Vector3d& rpy);
+
 /** The first three in quotes, "a", "b", "c" and 4 more. */
 std::string JoinSome(const std::vector<std::string>& names);
 

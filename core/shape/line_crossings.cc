@@ -9,7 +9,7 @@ namespace graspbench {
 LineCrossings::LineCrossings(const TriMesh& mesh, int axis) : mesh_(&mesh), axis_(axis) {
   Eigen::AlignedBox2d box;
   for (int i = 0; i < mesh.num_vertices(); ++i) box.extend(Flatten(i));
-  num_cells_ = std::clamp(static_cast<int>(std::sqrt(mesh.num_triangles())), 1, 256);
+  num_cells_ = std::clamp(static_cast<int>(4.0 * std::sqrt(mesh.num_triangles())), 1, 256);
   if (!box.isEmpty()) {
     lower_ = box.min();
     cell_ = (box.sizes() / num_cells_).cwiseMax(1e-12);

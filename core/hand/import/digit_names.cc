@@ -53,7 +53,8 @@ void NameByVotes(Hand& hand) {
     std::map<std::string, int> votes;
     for (const int link : digit.links) {
       ++votes[FindNamedDigit(hand.links[link].name)];
-      ++votes[FindNamedDigit(hand.joints[hand.links[link].joint].name)];
+      const int joint = hand.links[link].joint;
+      if (joint >= 0) ++votes[FindNamedDigit(hand.joints[joint].name)];
     }
     votes.erase("");
     for (const auto& [id, count] : votes) {

@@ -77,6 +77,7 @@ struct ForeignJoint {
   double reference = 0.0;         ///< what the description calls its zero here [rad], [m]
   std::vector<size_t> told;       ///< as of a link
   std::optional<ForeignMimic> mimic;
+  bool bears_jaw = false;  ///< fixed, of a jaw on which the only other digit closes (MarkFixedJaw)
 };
 
 struct ForeignHand {

@@ -197,7 +197,7 @@ digits' joint that it moves most. */
       const Vector3d middle = CalcBounds(shapes).center();
       Vector3d along = middle.stableNormalized();
       const int joint = hand_.links[digit.distal_link].joint;
-      if (middle.norm() < 1e-4 || hand_.joints[joint].is_prismatic) {
+      if (middle.norm() < 1e-4 || joint < 0 || hand_.joints[joint].is_prismatic) {
         int longest = 2;
         CalcBounds(shapes).sizes().maxCoeff(&longest);
         along = std::copysign(1.0, middle[longest]) * Vector3d::Unit(longest);
@@ -214,7 +214,7 @@ digits' joint that it moves most. */
     for (Digit& digit : hand_.digits) {
       const auto shapes = ListShapesOf(imported_.shapes, digit.distal_link);
       const Vector3d along = (digit.p_LTip - CalcBounds(shapes).center()).stableNormalized();
-      const Vector3d motion = CalcClosingMotion(digit, half_closed, digit.p_LTip);
+      const Vector3d motion = CalcClosing(digit, half_closed);
       const Eigen::Matrix3d R_HL = CalcLinkPose(hand_, half_closed, digit.distal_link).linear();
       Vector3d facing = R_HL.transpose() * motion;
       facing -= facing.dot(along) * along;
@@ -302,6 +302,15 @@ digits' joint that it moves most. */
     const Eigen::VectorXd step =
         CalcClosedPosture(hand_, closing, kStep) - CalcClosedPosture(hand_, closing, 0.0);
     return (calc_point(q + step) - calc_point(q)) / kStep;
+  }
+
+  /** Of its tip in H; a fixed jaw comes towards the other as that comes towards it. */
+  Vector3d CalcClosing(const Digit& digit, const Eigen::VectorXd& q) {
+    if (hand_.links[digit.distal_link].joint >= 0) {
+      return CalcClosingMotion(digit, q, digit.p_LTip);
+    }
+    const Digit& other = hand_.digits[&digit == &hand_.digits[0] ? 1 : 0];
+    return -CalcClosingMotion(other, q, other.p_LTip);
   }
 
   void Warn(const std::string& text) { problems_.Warn(file_, 0, text); }

@@ -243,9 +243,18 @@ class PalmGuesser {
     // The pads of a gripper face each other.
     const bool is_gripper = all_facing.norm() < kAgreement;
     if (is_gripper || normal.dot(meeting.direction) < kSameSide) {
-      return SnapToAxis(meeting.direction, kSameDirection);
+      return SnapToAxis(LeaveOutFixed(meeting.direction), kSameDirection);
     }
     return SnapToAxis(normal, kNearlyAxis);
+  }
+
+  /** Digits meet at a fixed jaw, not between the bases: what leads to it does not count. */
+  Vector3d LeaveOutFixed(Vector3d direction) const {
+    for (size_t d = 0; d < hand_.digits.size(); ++d) {
+      if (hand_.links[hand_.digits[d].distal_link].joint >= 0) continue;
+      direction = (direction - direction.dot(facing_[d]) * facing_[d]).stableNormalized();
+    }
+    return direction;
   }
 
   std::string ExplainNoClosing() const {

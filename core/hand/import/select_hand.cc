@@ -23,6 +23,11 @@ class HandSelector {
       touches.push_back(!link.collisions.empty() || !link.visuals.empty());
     }
     const std::vector<bool> has_body = FixEmptyEnds(touches, tree_, file_, problems_, foreign_);
+    std::vector<bool> is_asked;  // at or below a named palm
+    for (int link = 0; link < static_cast<int>(foreign_.links.size()); ++link) {
+      is_asked.push_back(palm.empty() || IsBelowNamed(link, palm));
+    }
+    MarkFixedJaw(tree_, has_body, is_asked, file_, problems_, foreign_);
     const HandCandidate place = FindHand(foreign_, tree_, has_body, palm, file_, problems_);
     if (place.palm < 0) return -1;
     FindRoot(place);
@@ -128,6 +133,12 @@ class HandSelector {
       link = foreign_.joints[tree_.joint_of[link]].parent;
     }
     return link == ancestor;
+  }
+  bool IsBelowNamed(int link, const std::string& name) const {
+    while (foreign_.links[link].name != name && tree_.joint_of[link] >= 0) {
+      link = foreign_.joints[tree_.joint_of[link]].parent;
+    }
+    return foreign_.links[link].name == name;
   }
   bool IsLeftOut(int link) const {
     return !IsBelow(link, root_) || std::any_of(left_out_.begin(), left_out_.end(),

@@ -85,7 +85,7 @@ class Welder {
     Pose X_RootNamed = Pose::Identity();  // the frame of the part that names the root
     for (const int member : tree_.order) {
       const int j = tree_.joint_of[member];
-      if (j >= 0 && !Moves(foreign_.joints[j])) {
+      if (j >= 0 && !Moves(foreign_.joints[j]) && !foreign_.joints[j].bears_jaw) {
         const int parent = foreign_.joints[j].parent;
         link_of[member] = link_of[parent];
         X_LM[member] = X_LM[parent] * foreign_.joints[j].X_PJ;
@@ -99,15 +99,17 @@ class Welder {
           const ForeignJoint& joint = foreign_.joints[j];
           link.parent = link_of[joint.parent];
           link.X_PJ = X_LM[joint.parent] * joint.X_PJ;
-          link.axis = joint.axis;
-          link.joint = joint_of[j] = hand.num_joints();
-          HandJoint& moved = hand.joints.emplace_back();
-          moved.name = joint.name;
-          moved.link = link_of[member];
-          moved.is_prismatic = joint.kind == ForeignJoint::Kind::kPrismatic;
-          moved.lower = joint.lower;
-          moved.upper = joint.upper;
-          imported.drives.push_back(joint.drive);
+          if (Moves(joint)) {
+            link.axis = joint.axis;
+            link.joint = joint_of[j] = hand.num_joints();
+            HandJoint& moved = hand.joints.emplace_back();
+            moved.name = joint.name;
+            moved.link = link_of[member];
+            moved.is_prismatic = joint.kind == ForeignJoint::Kind::kPrismatic;
+            moved.lower = joint.lower;
+            moved.upper = joint.upper;
+            imported.drives.push_back(joint.drive);
+          }
         }
       }
       const int index = link_of[member];

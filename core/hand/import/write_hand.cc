@@ -286,6 +286,14 @@ class UrdfWriter {
     });
   }
   void AddJoint(const HandLink& link) {
+    if (link.joint < 0) {
+      Add("joint", {{"name", "fixed_" + link.name}, {"type", "fixed"}}, [&] {
+        AddOrigin(link.X_PJ);
+        Add("parent", {{"link", hand_.links[link.parent].name}});
+        Add("child", {{"link", link.name}});
+      });
+      return;
+    }
     const HandJoint& joint = hand_.joints[link.joint];
     Add("joint", {{"name", joint.name}, {"type", joint.is_prismatic ? "prismatic" : "revolute"}},
         [&] {

@@ -37,8 +37,9 @@ class HandFinder {
       if (num_ends_[palm] < 2) {
         problems_.Fail(
             file_, 0,
-            "the joints form one chain without digits: an arm, one finger, or one jaw against a "
-            "fixed one. A hand has two digits at least that move apart from a palm");
+            "the joints form one chain without digits: an arm, one finger, or one jaw. A hand has "
+            "two digits at least; one may be a fixed jaw, the only link with a shape that is fixed "
+            "to the palm");
         return {};
       }
       if (!IsScene(palm, branches, hands)) {
@@ -127,6 +128,10 @@ class HandFinder {
     const int joint = tree_.joint_of[link];
     return joint >= 0 && foreign_.joints[joint].kind != ForeignJoint::Kind::kFixed;
   }
+  bool IsFixedJaw(int link) const {
+    const int joint = tree_.joint_of[link];
+    return joint >= 0 && foreign_.joints[joint].bears_jaw;
+  }
   const std::string& NameOf(int link) const { return foreign_.links[link].name; }
   bool HasOwnBody(int link) const {
     const ForeignLink& own = foreign_.links[link];
@@ -137,7 +142,8 @@ class HandFinder {
     num_ends_.assign(foreign_.links.size(), 0);
     for (size_t i = tree_.order.size(); i-- > 0;) {
       const int link = tree_.order[i], joint = tree_.joint_of[link];
-      if (Moves(link) && has_body[link]) num_ends_[link] = std::max(num_ends_[link], 1);
+      if ((Moves(link) || IsFixedJaw(link)) && has_body[link])
+        num_ends_[link] = std::max(num_ends_[link], 1);
       if (joint >= 0) num_ends_[foreign_.joints[joint].parent] += num_ends_[link];
     }
   }
@@ -366,6 +372,33 @@ ForeignTree MakeForeignTree(const ForeignHand& foreign) {
     for (int joint : tree.joints[tree.order[i]]) tree.order.push_back(foreign.joints[joint].child);
   }
   return tree;
+}
+
+void MarkFixedJaw(const ForeignTree& tree, const std::vector<bool>& has_body,
+                  const std::vector<bool>& is_asked, const std::string& file, Diagnostics& problems,
+                  ForeignHand& foreign) {
+  const auto has_shape = [&](int link) {
+    return !foreign.links[link].collisions.empty() || !foreign.links[link].visuals.empty();
+  };
+  std::vector<int> moving, fixed;
+  for (int j = 0; j < static_cast<int>(foreign.joints.size()); ++j) {
+    const bool moves = foreign.joints[j].kind != ForeignJoint::Kind::kFixed;
+    if (moves && is_asked[foreign.joints[j].child] && has_body[foreign.joints[j].child]) {
+      moving.push_back(j);
+    }
+  }
+  if (moving.size() != 1) return;
+  const int palm = foreign.joints[moving[0]].parent, jaw = foreign.joints[moving[0]].child;
+  for (const int j : tree.joints[palm]) {
+    if (j != moving[0] && has_body[foreign.joints[j].child]) fixed.push_back(j);
+  }
+  if (fixed.size() != 1 || !has_shape(palm) || !has_shape(foreign.joints[fixed[0]].child)) return;
+  ForeignJoint& joint = foreign.joints[fixed[0]];
+  joint.bears_jaw = true;
+  problems.Warn(file, joint.line,
+                "link \"" + foreign.links[joint.child].name + "\" is fixed to \"" +
+                    foreign.links[palm].name + "\": the jaw on which \"" + foreign.links[jaw].name +
+                    "\" closes, taken as a digit");
 }
 
 HandCandidate FindHand(const ForeignHand& foreign, const ForeignTree& tree,

@@ -3,7 +3,8 @@
 Where in a description the hand is: of an arm, a scene with a table and a door, or a rig of two
 hands only one part is one.
 
-A chain ends at a link that moves, has a shape and carries no further such link. The palm is the
+A chain ends at a link that moves, or is a fixed jaw, has a shape and carries no further such link.
+The palm is the
 lowest link that all chains have in common. The world of a scene is no palm, nor is a link where
 parts meet that are hands themselves (two chains at least, all within 0.5 m) and lie more than 0.2 m
 apart. Of such parts the one hand is taken, the rest is left out and reported; none, or several
@@ -27,6 +28,13 @@ struct ForeignTree {
   std::vector<int> order;                ///< links, parents first
 };
 ForeignTree MakeForeignTree(const ForeignHand& foreign);
+
+/** A jaw that is fixed to the palm is a digit where only one joint moves, and where one link alone
+with a shape is fixed to the link that carries it, which has a shape, too. Its joint is marked and
+reported. @param is_asked  by link: the joint above it counts. @param has_body  as of FindHand. */
+void MarkFixedJaw(const ForeignTree& tree, const std::vector<bool>& has_body,
+                  const std::vector<bool>& is_asked, const std::string& file, Diagnostics& problems,
+                  ForeignHand& foreign);
 
 struct HandCandidate {
   int palm = -1;              ///< foreign link; -1: none, an error is reported

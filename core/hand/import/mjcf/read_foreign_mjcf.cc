@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <memory>
 #include <set>
 
 #include "core/base/text/text.h"
@@ -13,13 +12,12 @@
 #include "core/hand/import/foreign_hand.h"
 #include "core/hand/import/mjcf/mjcf_couplings.h"
 #include "core/hand/import/mjcf/mjcf_document.h"
+#include "core/hand/import/mjcf/mjcf_meshes.h"
 #include "core/hand/import/read_foreign_urdf.h"
-#include "core/shape/convex_hull.h"
 
 namespace graspbench {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using tinyxml2::XMLElement;
 
@@ -92,82 +90,12 @@ class MjcfReader {
     for (XMLElement* section : document_.FindSections("asset")) {
       for (XMLElement* element : document_.ListChildren(*section)) {
         const std::string kind = element->Name();
-        if (kind == "mesh") ReadMesh(*element);
+        if (kind == "mesh") meshes_.Read(*element);
         const char* name = element->Attribute("name");
         if (kind == "material" && name) materials_.emplace(name, element);
         if (kind == "model" || kind == "skin") WarnOnce(*element, kind);
       }
     }
-  }
-
-  void ReadMesh(XMLElement& element) {
-    const MjcfNode node = document_.Resolve(element, nullptr);
-    const char* own = element.Attribute("name");
-    const char* address = document_.Find(node, "file");
-    std::filesystem::path file = address ? address : "";
-    const std::string name = own ? own : file.stem().string();
-    const std::string where = "mesh \"" + name + "\"";
-    Mesh mesh;
-    if (!address || !*address) {
-      mesh.solid = ReadInlineMesh(node, where);
-      if (!mesh.solid) return;
-    }
-    if (document_.settings().strips_paths) file = file.filename();
-    mesh.address = (std::filesystem::path(document_.settings().mesh_folder) / file)
-                       .lexically_normal()
-                       .string();
-    mesh.scale = document_.FindVector(node, "scale", Vector3d::Ones(), where);
-    if (mesh.scale.cwiseAbs().minCoeff() < 1e-9) {
-      document_.Warn(element, where + ": a scale of zero; taken as 1");
-      mesh.scale.setOnes();
-    }
-    // A vertex v lies at scale * refquat^-1 (v - refpos).
-    const Vector3d p = document_.FindVector(node, "refpos", Vector3d::Zero(), where);
-    Matrix3d R = Matrix3d::Identity();
-    if (const auto q = document_.FindNumbers(node, "refquat", 4, 4, where)) {
-      const Eigen::Quaterniond quaternion((*q)[0], (*q)[1], (*q)[2], (*q)[3]);
-      if (quaternion.norm() > 1e-10) R = quaternion.normalized().toRotationMatrix();
-    }
-    const bool is_uniform = (mesh.scale.array() == mesh.scale[0]).all();
-    if (!is_uniform && !R.isIdentity(1e-9)) {
-      document_.Warn(element,
-                     where + ": a scale by axis of a turned mesh; its refquat is left out");
-      R.setIdentity();
-    }
-    mesh.X_GM = MakePose(R.transpose(), -mesh.scale.cwiseProduct(R.transpose() * p));
-    meshes_.emplace(name, mesh);
-  }
-
-  /** Vertices that stand in the model, with faces or as the corners of their convex hull. */
-  std::shared_ptr<const TriMesh> ReadInlineMesh(const MjcfNode& node, const std::string& where) {
-    const auto leave_out = [&](const std::string& why) {
-      document_.Warn(*node.xml, where + " " + why + "; left out");
-      return nullptr;
-    };
-    if (!document_.Find(node, "vertex")) {
-      return leave_out(document_.Find(node, "builtin") ? "is built in (builtin), which is not read"
-                                                       : "has no file and no vertices");
-    }
-    constexpr size_t kMostNumbers = 30000;
-    const auto numbers = document_.FindNumbers(node, "vertex", 12, kMostNumbers, where);
-    if (!numbers || numbers->size() % 3 != 0) return leave_out("has no 4 vertices of 3 numbers");
-    const auto mesh = std::make_shared<TriMesh>();
-    for (size_t i = 0; i < numbers->size(); i += 3) {
-      mesh->vertices.emplace_back((*numbers)[i], (*numbers)[i + 1], (*numbers)[i + 2]);
-    }
-    if (const auto corners = document_.FindNumbers(node, "face", 3, kMostNumbers, where)) {
-      for (size_t i = 0; i + 2 < corners->size(); i += 3) {
-        const Vector3d triangle((*corners)[i], (*corners)[i + 1], (*corners)[i + 2]);
-        if (triangle.minCoeff() < 0.0 || triangle.maxCoeff() >= mesh->num_vertices()) {
-          return leave_out("has a face of vertices that it lacks");
-        }
-        mesh->triangles.push_back(triangle.cast<int>());
-      }
-    } else {
-      *mesh = MakeConvexHull(mesh->vertices);
-    }
-    if (mesh->triangles.empty()) return leave_out("has vertices that enclose nothing");
-    return mesh;
   }
 
   void ReadWorld() {
@@ -437,7 +365,7 @@ class MjcfReader {
     const bool is_mesh = kind->second == Kind::kMesh || document_.Find(node, "mesh") != nullptr;
     const bool has_ends = !is_mesh && document_.Find(node, "fromto") && shape.kind != Kind::kSphere;
     if (!has_ends) shape.X_LS = document_.FindPose(node, where);
-    const bool is_good = is_mesh    ? PlaceMesh(node, where, shape)
+    const bool is_good = is_mesh    ? meshes_.Place(node, where, shape)
                          : has_ends ? ReadGeomFromTo(document_, node, where, shape)
                                     : ReadGeomExtent(document_, node, where, shape);
     if (is_mesh && !is_good) return;
@@ -452,27 +380,6 @@ class MjcfReader {
     if (!is_shown || is_clear) return;
     hand_.links[link].visuals.push_back(shape);
     if (!touches) has_picture_[link] = true;
-  }
-
-  bool PlaceMesh(const MjcfNode& node, const std::string& where, ForeignShape& shape) {
-    const char* name = document_.Find(node, "mesh");
-    const auto mesh = meshes_.find(name ? name : "");
-    if (mesh == meshes_.end()) {
-      std::vector<std::string> known;
-      for (const auto& [known_name, unused] : meshes_) known.push_back(known_name);
-      document_.Warn(*node.xml, where + ": no mesh \"" + std::string(name ? name : "") +
-                                    "\" that is read" + SuggestNames(name ? name : "", known));
-      if (!name) return false;
-      shape.kind = ForeignShape::Kind::kMesh;
-      shape.mesh = name;  // no file: an error if the hand touches with it
-      return true;
-    }
-    shape.kind = ForeignShape::Kind::kMesh;
-    shape.mesh = mesh->second.solid ? mesh->first : mesh->second.address;
-    shape.inline_mesh = mesh->second.solid;
-    shape.scale = mesh->second.scale;
-    shape.X_LS = shape.X_LS * mesh->second.X_GM;
-    return true;
   }
 
   std::optional<Vector3d> FindColour(const MjcfNode& node, const std::string& where,
@@ -506,19 +413,12 @@ class MjcfReader {
     return name;
   }
 
-  struct Mesh {
-    std::string address;
-    std::shared_ptr<const TriMesh> solid;  // of a mesh without file
-    Vector3d scale = Vector3d::Ones();
-    Pose X_GM = Pose::Identity();  // of the scaled vertices in the geom's frame
-  };
-
   const std::string& file_;
   MjcfDocument document_;
   Diagnostics& problems_;
   ForeignHand hand_;
   NameList link_names_{"body"}, joint_names_{"joint"};
-  std::map<std::string, Mesh> meshes_;
+  MjcfMeshes meshes_{document_};
   std::map<std::string, MjcfBody> bodies_;
   std::map<std::string, XMLElement*> materials_;
   std::set<std::string> told_;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/hand/contact_fit.h"
+#include "core/hand/import/shapes/point_grid.h"
 
 namespace graspbench {
 namespace {
@@ -22,19 +23,40 @@ constexpr double kThinnest = 0.0001;                     // [m], of a ball in a 
 constexpr double kNearSink = 0.00065, kFarSink = 0.003;  // [m]
 constexpr double kLeftOver = 0.02;                       // of the points, by the near sink
 
-/** Inside the solid, at the point; without what it may stick out. */
-Ball FindLargest(const LinkSolid& solid, const BoundaryPoint& point) {
-  double rho = kLargestBall;
-  for (const BoundaryPoint& other : solid.boundary()) {
-    const Vector3d d = point.p - other.p;
-    const double along = d.dot(point.nhat) - kSlack;
-    if (along <= 0.0) continue;
-    rho = std::min(rho, std::max(0.0, d.squaredNorm() - kSlack * kSlack) / (2.0 * along));
-  }
-  while (rho > kThinnest && solid.IsOutside(point.p - rho * point.nhat)) rho *= 0.7;
-  rho = std::max(rho, kThinnest);
-  return {point.p - rho * point.nhat, rho};
+std::vector<Vector3d> ListPlaces(const std::vector<BoundaryPoint>& points) {
+  std::vector<Vector3d> places;
+  for (const BoundaryPoint& point : points) places.push_back(point.p);
+  return places;
 }
+
+class LargestBalls {
+ public:
+  explicit LargestBalls(const LinkSolid& solid)
+      : solid_(solid), grid_(ListPlaces(solid.boundary())) {}
+
+  /** Inside the solid, at the point; without what it may stick out. */
+  Ball Find(const BoundaryPoint& point) const {
+    double rho = kLargestBall;
+    // What is farther away than twice rho lies outside the ball.
+    for (double reach = 0.0; reach < 2.0 * rho;) {
+      reach = std::min(2.0 * rho, std::max(kSearch, 2.0 * reach));
+      grid_.Visit(point.p, reach, [&](size_t k) {
+        const Vector3d d = point.p - solid_.boundary()[k].p;
+        const double along = d.dot(point.nhat) - kSlack;
+        if (along <= 0.0) return;
+        rho = std::min(rho, std::max(0.0, d.squaredNorm() - kSlack * kSlack) / (2.0 * along));
+      });
+    }
+    while (rho > kThinnest && solid_.IsOutside(point.p - rho * point.nhat)) rho *= 0.7;
+    rho = std::max(rho, kThinnest);
+    return {point.p - rho * point.nhat, rho};
+  }
+
+ private:
+  static constexpr double kSearch = 0.005;  // [m]
+  const LinkSolid& solid_;
+  PointGrid grid_;
+};
 
 class GreedyCover {
  public:
@@ -42,16 +64,14 @@ class GreedyCover {
               std::vector<Ball> candidates, size_t points_by_candidate)
       : solid_(solid),
         points_(points),
+        grid_(ListPlaces(points)),
         candidates_(std::move(candidates)),
         points_by_candidate_(points_by_candidate),
         is_trimmed_(candidates_.size(), false),
         sinks_(points.size(), 1.0) {}
 
   void Add(const Ball& ball) {
-    for (size_t k = 0; k < points_.size(); ++k) {
-      sinks_[k] =
-          std::min(sinks_[k], CalcSink(points_[k].p, points_[k].nhat, ball.centre, ball.radius));
-    }
+    VisitNear(ball, [&](size_t k, double sink) { sinks_[k] = std::min(sinks_[k], sink); });
   }
 
   /** Takes candidates until all but a share of the points are within `sink`. */
@@ -89,15 +109,18 @@ class GreedyCover {
 
  private:
   std::vector<int> ListCovered(size_t c, double sink) const {
-    const Ball& ball = candidates_[c];
     std::vector<int> covered;
-    for (size_t k = 0; k < points_.size(); ++k) {
-      if (sinks_[k] <= sink) continue;
-      if (CalcSink(points_[k].p, points_[k].nhat, ball.centre, ball.radius) <= sink) {
-        covered.push_back(static_cast<int>(k));
-      }
-    }
+    VisitNear(candidates_[c], [&](size_t k, double own) {
+      if (sinks_[k] > sink && own <= sink) covered.push_back(static_cast<int>(k));
+    });
     return covered;
+  }
+  /** Calls with every point whose probe meets the ball before it sinks in by its radius. */
+  template <class F>
+  void VisitNear(const Ball& ball, F&& visit) const {
+    grid_.Visit(ball.centre, ball.radius + 2.0 * kProbeRadius, [&](size_t k) {
+      visit(k, CalcSink(points_[k].p, points_[k].nhat, ball.centre, ball.radius));
+    });
   }
   /** A smaller ball at the same point where it sticks out too far between boundary points. */
   bool Trim(size_t c) {
@@ -119,6 +142,7 @@ class GreedyCover {
 
   const LinkSolid& solid_;
   const std::vector<BoundaryPoint>& points_;
+  const PointGrid grid_;
   std::vector<Ball> candidates_;
   size_t points_by_candidate_;
   std::vector<bool> is_trimmed_;
@@ -130,21 +154,22 @@ class GreedyCover {
 namespace {
 
 std::vector<Ball> Pack(const LinkSolid& solid, const std::vector<ContactSphere>& present,
-                       double smallest, int num_points, size_t num_candidates) {
+                       double smallest, int num_points, size_t num_candidates, size_t most_balls) {
   const std::vector<BoundaryPoint> points = solid.ListOpen(static_cast<size_t>(num_points));
+  const LargestBalls largest(solid);
   std::vector<Ball> candidates;
   const size_t step = std::max<size_t>(2, points.size() / num_candidates);
   for (size_t k = 0; k < points.size(); k += step) {
-    Ball ball = FindLargest(solid, points[k]);
+    Ball ball = largest.Find(points[k]);
     ball.radius += kOut;
     candidates.push_back(ball);
   }
   GreedyCover cover(solid, points, std::move(candidates), step);
   for (const ContactSphere& ball : present) cover.Add({ball.p_LS, ball.radius});
   std::vector<Ball> taken;
-  cover.Cover(kNearSink, kLeftOver, smallest, kMostBalls, taken);
-  cover.Cover(kNearSink, kLeftOver, 0.0, kMostBalls, taken);
-  cover.Cover(kFarSink, 0.0, 0.0, kMostBalls, taken);
+  cover.Cover(kNearSink, kLeftOver, smallest, most_balls, taken);
+  cover.Cover(kNearSink, kLeftOver, 0.0, most_balls, taken);
+  cover.Cover(kFarSink, 0.0, 0.0, most_balls, taken);
   return taken;
 }
 
@@ -152,10 +177,11 @@ std::vector<Ball> Pack(const LinkSolid& solid, const std::vector<ContactSphere>&
 
 std::vector<Ball> PackBalls(const LinkSolid& solid, const std::vector<ContactSphere>& present,
                             double smallest, int num_points) {
-  const std::vector<Ball> taken = Pack(solid, present, smallest, num_points, kNumCandidates);
+  const std::vector<Ball> taken =
+      Pack(solid, present, smallest, num_points, kNumCandidates, kManyBalls + 1);
   if (taken.size() <= kManyBalls) return taken;
   // A large sheet: its points lie too far apart to tell where it is covered.
-  return Pack(solid, present, smallest, 3 * num_points, 3 * kNumCandidates);
+  return Pack(solid, present, smallest, 3 * num_points, 3 * kNumCandidates, kMostBalls);
 }
 
 namespace {
@@ -307,8 +333,9 @@ class CapsuleCover {
 
 std::vector<FittedCapsule> InscribeCapsules(const LinkSolid& solid) {
   const std::vector<BoundaryPoint> points = solid.ListOpen(600);
+  const LargestBalls largest(solid);
   std::vector<Ball> balls;
-  for (const BoundaryPoint& point : points) balls.push_back(FindLargest(solid, point));
+  for (const BoundaryPoint& point : points) balls.push_back(largest.Find(point));
   CapsuleCover cover(solid, points, kNearCapsule);
   cover.Add(ChooseEnds(balls), kMostSelfCapsules, points.size() / kPerCapsule);
   if (cover.taken().empty()) cover.AddLargest(balls);

@@ -115,6 +115,11 @@ TEST(DescriptionsTest, AThumbThatPointsAwayDoesNotMakeAHandAClaw) {
   EXPECT_EQ(ReadNormal("spread_by_two_drives.urdf"), "[0, 0, 1]");
 }
 
+TEST(DescriptionsTest, AFixedJawDoesNotTurnThePalm) {
+  EXPECT_EQ(ReadNormal("vise.urdf"), "[0, 0, 1]");
+  EXPECT_EQ(ReadNormal("vise_turning.urdf"), "[0, 0, 1]");
+}
+
 TEST(DescriptionsTest, ThereAreAsManyAsClaimed) {
   EXPECT_GE(ReadCases("wrong").size(), 60u);
   EXPECT_GE(ReadCases("right").size(), 25u);

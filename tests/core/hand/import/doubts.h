@@ -19,7 +19,8 @@ inline std::string FindDoubts(const Diagnostics& problems) {
           "longest digit",    "--palm-normal",  "cannot oppose",    "deep in",
           "lies within",      "in the air",     "its picture, ",    "beside its picture",
           "the other way",    "deg from those", "the like links",   "wrong joint",
-          "opposite sign",    "gear wrong",     "second servo",     "crawl"}) {
+          "opposite sign",    "gear wrong",     "second servo",     "crawl",
+          "turn; this rpy"}) {
       if (problem.text.find(doubt) == std::string::npos) continue;
       doubts += problem.text + "\n";
       break;

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "core/base/units.h"
+#include "core/hand/import/shapes/pack_balls.h"
 #include "core/shape/primitives.h"
 
 namespace graspbench {
@@ -77,6 +78,29 @@ TEST(MeasureLinksTest, MoreThan5MmOnATipIsRefusedUnlessAccepted) {
     EXPECT_LE(imported.fits[0].out.most, 0.001);
     EXPECT_NEAR(imported.fits[1].out.most, 0.010, 0.0001);
     EXPECT_NE(problems.Format().find("link \"finger\": its "), std::string::npos);
+  }
+}
+
+// A sheet of 0.4 m has more surface than 2400 balls cover; a palm's holes count as a tip's do.
+TEST(MeasureLinksTest, ASheetTooLargeForTheMostBallsIsRefusedUnlessAccepted) {
+  ImportedHand imported = MakeImported();
+  const Vector3d size(0.4, 0.002, 0.4);
+  imported.hand.palm_normal = Vector3d::UnitY();
+  imported.solids[0] = {MakeRoundedBox(size, 0.0)};
+  imported.shapes[0].size.setConstant(0.001);
+  const LinkSolids solids = MakeLinkSolids(imported.solids);
+  CoverLinks(solids, kNumCoverPoints, imported);
+  for (const bool accepts : {false, true}) {
+    Diagnostics problems;
+    MeasureLinks("hand.urdf", accepts, solids, imported, problems);
+    EXPECT_EQ(problems.num_errors(), accepts ? 0 : 1) << problems.Format();
+    ASSERT_EQ(imported.fits.size(), 2u);
+    EXPECT_EQ(imported.fits[0].num_balls, static_cast<int>(kMostBalls) + 1) << "and its own box";
+    const bool is_told = problems.Format().find(
+                             "5 mm at most on the palmar side and on tips. A link may have 2400 "
+                             "balls, too few for this surface. --coarse-contact takes it as it "
+                             "is") != std::string::npos;
+    EXPECT_EQ(is_told, !accepts) << problems.Format();
   }
 }
 

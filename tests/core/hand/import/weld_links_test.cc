@@ -118,6 +118,32 @@ TEST(WeldLinksTest, AnArmIsLeftOutAndAWristStays) {
   EXPECT_NE(others.Format().find("the 6 joints above"), std::string::npos) << others.Format();
 }
 
+TEST(WeldLinksTest, AFixedJawIsADigitWhereItAloneIsFixedToThePalm) {
+  const std::string vise = ReplaceOnce(kSmallGripper, "slide_right\" type=\"prismatic\"",
+                                       "slide_right\" type=\"fixed\"");
+  Diagnostics problems;
+  const Hand hand = Weld(vise, problems).hand;
+  EXPECT_EQ(problems.num_errors(), 0) << problems.Format();
+  EXPECT_NE(problems.Format().find("link \"right\" is fixed to \"the hand\": the jaw on which "
+                                   "\"left\" closes, taken as a digit"),
+            std::string::npos)
+      << problems.Format();
+  ASSERT_EQ(hand.num_joints(), 1);
+  const int jaw = hand.FindLink("right");
+  ASSERT_GE(jaw, 0);
+  EXPECT_EQ(hand.links[jaw].joint, -1);
+  EXPECT_EQ(hand.links[jaw].parent, hand.palm_link);
+
+  Diagnostics others;
+  Weld(ReplaceOnce(vise, "</robot>",
+                   "<link name=\"camera\"><visual><geometry><sphere radius=\"0.01\"/></geometry>"
+                   "</visual></link><joint name=\"screws\" type=\"fixed\"><parent "
+                   "link=\"the hand\"/><child link=\"camera\"/></joint></robot>"),
+       others);
+  EXPECT_NE(others.Format().find("one may be a fixed jaw, the only link"), std::string::npos)
+      << others.Format();
+}
+
 TEST(WeldLinksTest, WithoutDigitsThereIsNoHand) {
   const auto told = [](const std::string& urdf, const std::string& palm = "") {
     Diagnostics problems;
@@ -132,11 +158,13 @@ TEST(WeldLinksTest, WithoutDigitsThereIsNoHand) {
   }
   EXPECT_EQ(told(fixed),
             "no joint moves anything that could touch: this is not a hand description");
-  const std::string arm = ReplaceOnce(kSmallGripper, "slide_right\" type=\"prismatic\"",
-                                      "slide_right\" type=\"fixed\"");
+  const std::string arm =
+      ReplaceOnce(kSmallGripper, "<parent link=\"the hand\"/><child link=\"right",
+                  "<parent link=\"left\"/><child link=\"right");
   EXPECT_EQ(told(arm),
-            "the joints form one chain without digits: an arm, one finger, or one jaw against a "
-            "fixed one. A hand has two digits at least that move apart from a palm");
+            "the joints form one chain without digits: an arm, one finger, or one jaw. A hand has "
+            "two digits at least; one may be a fixed jaw, the only link with a shape that is fixed "
+            "to the palm");
   EXPECT_EQ(told(kSmallGripper, "hand"),
             "no link \"hand\" for the palm. Known: world, the hand, left, right");
 }
