@@ -166,7 +166,8 @@ std::string FormatJointErrors(const TrialSetup& setup) {
 
 /** Times are those of the shell: since the start of placing. */
 std::string FormatPhases(const TracedTrial& traced, const StrategyConfig& strategy) {
-  std::string text = std::string(NameOf(traced.trace.front().phase)) + " from 0.000 s";
+  const Phase first = traced.trace.empty() ? Phase::kPlacing : traced.trace.front().phase;
+  std::string text = std::string(NameOf(first)) + " from 0.000 s";
   for (const PhaseStart& phase : traced.result.phases) {
     if (phase.name == NameOf(Phase::kDone)) continue;
     text += ", " + phase.name + " from " + FormatFixed(phase.time + traced.closure_start, 3) + " s";
