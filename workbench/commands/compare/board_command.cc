@@ -76,8 +76,9 @@ ExitCode ShowBoard(const Command& command, BoardOptions& options) {
   WriteFile(staged.path() / "index.html", MakeBoardPage(board, options.with_scenes));
   for (const BoardLine& line : options.with_scenes ? board.lines : std::vector<BoardLine>()) {
     MakeFolder(staged.path() / kTrialPages);
+    const Session session = LoadSession(line.entry->public_draws.folder);
     WriteFile(staged.path() / NameTrialsPage(board, line),
-              MakeTrialsPage(board, line, MakeTrialTracer(line.entry->trials)));
+              MakeTrialsPage(board, line, MakeTrialTracer(session)));
   }
   staged.Commit();
   if (options.json) {
