@@ -9,9 +9,10 @@ so the hand yields as the arm's joints do, the arm's reflected inertia is part o
 (Khatib 1987), and along a direction that a singular posture has lost the hand does not yield.
 
 Each joint's drive is a spring with damping beside it to the commanded angle, which is given or
-follows the hand's commanded pose by inverse kinematics (RefinePosture). The drive also carries the arm and the
-hand: their weight, and their inertia along the commanded motion, deflect nothing. Its torque has the
-joint's limit. The weights count towards it, the inertia along the commanded motion does not.
+follows the hand's commanded pose by inverse kinematics (RefinePosture). The drive also carries the
+arm and the hand: their weight, and their inertia along the commanded motion, deflect nothing. Its
+torque has the joint's limit. The weights count towards it, the inertia along the commanded motion
+does not.
 
 Not modelled: friction and play of the joints, links that bend, collisions of the arm, the arm's
 forces of velocity on its drives. */

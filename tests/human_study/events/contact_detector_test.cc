@@ -29,7 +29,7 @@ TEST(FindRegrasp, NamesTouchReleaseAndWay) {
   EXPECT_NEAR(regrasp.left_by, 9e-3, 0.3e-3);
 }
 
-// Two detectors 0.3 s apart that both claim 5 ms: the interval of the one believed reaches the other.
+// Two detectors 0.3 s apart both claim 5 ms: the interval of the believed one reaches the other.
 TEST(CoverDisagreement, TheIntervalReachesTheOtherDetector) {
   DigitContactEvents digit;
   digit.contact.time = 1.0;
