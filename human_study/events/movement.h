@@ -50,9 +50,8 @@ struct Movement {
   EventTime onset;
   EventTime end;
   /** Where the hand left rest: speed = c (t - start)^n (1 + b (t - start)), carried back to zero
-  from
-  the rising flank (4 to 60 % of the peak) for each n from 1 to 3.6, the n weighed by how well they
-  explain the flank. A threshold finds the movement later, by more the slower it starts. */
+  from the rising flank (4 to 60 % of the peak) for each n from 1 to 3.6, the n weighed by how well
+  they explain the flank. A threshold finds the movement later, by more the slower it starts. */
   EventTime start;
   std::array<double, 3> rise = MakeNoRise();  ///< speed last rose through kRiseShares [s]; NaN
   double rise_noise = std::numeric_limits<double>::quiet_NaN();  ///< SD of the first by noise [s]

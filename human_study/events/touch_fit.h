@@ -27,11 +27,10 @@ the speed v of the touch (TouchFit::toe):
     depth = 0.55 mm, SD = 0.28 mm
 
 The depth covers stiff tips as well as soft pads (0.2 to 0.8 N/mm at first, on fingers of 120 to 260
-N/m). A slow touch has no stop of its own:
-the digit goes on as the grip grows, which drives skin in at up to 50 mm/s. Two things tell a stop
-that may not be the touch: it is slow, and the digit was within skin's reach (from `earliest` on)
-for long before it, or took long from there to its rest at `latest`. With [x..y] 0 at x, 1 at y and
-linear between, and T = latest - earliest,
+N/m). A slow touch has no stop of its own: the digit goes on as the grip grows, which drives skin in
+at up to 50 mm/s. Two things tell a stop that may not be the touch: it is slow, and the digit was
+within skin's reach (from `earliest` on) for long before it, or took long from there to its rest at
+`latest`. With [x..y] 0 at x, 1 at y and linear between, and T = latest - earliest,
 
     share = 0.7 [60..40 mm/s](v) max([60..140 ms](stop - earliest), [0.4..0.6 s](T))
 
@@ -100,11 +99,9 @@ TouchFit MixFits(const TouchFit& a, const TouchFit& b, double share);
 
 /** The touch under those weights: mean and standard deviation over all depths, less the toe. The
 deviation contains the toe's, and 0.75 of the time that noise beyond 0.6 mm takes at the touch's
-speed.
-A slow one is partly anywhere within reach, as said above.
-Weights that were learned add one and a half times what they move the touch by beyond half a
-standard deviation, at most 20 ms: of a soft arrival that looks like settling the usual depths, too,
-make a part. */
+speed. A slow touch is partly anywhere within reach, as said above. Weights that were learned add
+one and a half times what they move the touch by beyond half a standard deviation, at most 20 ms: of
+a soft arrival that looks like settling the usual depths, too, make a part. */
 EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights);
 
 /** Where the path seems to stop under the usual depths, skin that gives way unseen included [s].

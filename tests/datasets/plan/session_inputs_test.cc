@@ -79,14 +79,12 @@ TEST(SessionInputs, ConditionsShareHandsAndObjectsThatTheyDoNotChange) {
 
 namespace fs = std::filesystem;
 
-/** The PA-10 with the first row's twist mirrored: its upper arm points down. */
-TEST(SessionInputs, AnArmThatTouchesInItsReadyPostureIsRefused) {
+void ExpectArmRefused(const std::string& arm_yaml, const std::string& hand,
+                      const std::string& part) {
   const TemporaryFolder folder;
-  std::string text = ReadFile(LoadArm("pa10").folder + "/arm.yaml");
-  text.replace(text.find("alpha_deg: -90"), 14, "alpha_deg: 90");
-  WriteFile(folder.path() / "arm.yaml", text);
+  WriteFile(folder.path() / "arm.yaml", arm_yaml);
   SessionConfig config;
-  config.hands = {"tum"};
+  config.hands = {hand};
   config.objects = {"golf_ball"};
   config.arm.model = folder.path().string();
   try {
@@ -94,27 +92,23 @@ TEST(SessionInputs, AnArmThatTouchesInItsReadyPostureIsRefused) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::kRange);
-    EXPECT_TRUE(Has(error.what(), "in its ready posture the base would meet link 2; check "));
+    EXPECT_TRUE(Has(error.what(), part)) << error.what();
   }
+}
+
+/** The PA-10 with the first row's twist mirrored: its upper arm points down. */
+TEST(SessionInputs, AnArmThatTouchesInItsReadyPostureIsRefused) {
+  std::string text = ReadFile(LoadArm("pa10").folder + "/arm.yaml");
+  text.replace(text.find("alpha_deg: -90"), 14, "alpha_deg: 90");
+  ExpectArmRefused(text, "tum", "in its ready posture the base would meet link 2; check ");
 }
 
 /** Fingers of the Shadow Hand reach 0.45 m before the flange. */
 TEST(SessionInputs, AHandThatIsInTheTableInTheReadyPostureIsRefused) {
-  const TemporaryFolder folder;
   std::string text = ReadFile(LoadArm("pa10").folder + "/arm.yaml");
   const size_t at = text.find("ready_deg: [");
   text.replace(at, text.find(']', at) - at, "ready_deg: [0, 30, 0, 90, 0, 60, 0");
-  WriteFile(folder.path() / "arm.yaml", text);
-  SessionConfig config;
-  config.hands = {"shadow"};
-  config.objects = {"golf_ball"};
-  config.arm.model = folder.path().string();
-  try {
-    LoadSessionInputs(config, FieldUse::kLater);
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_TRUE(Has(error.what(), "in its ready posture the hand would meet the table; check "));
-  }
+  ExpectArmRefused(text, "shadow", "in its ready posture the hand would meet the table; check ");
 }
 
 constexpr char kYaml[] =

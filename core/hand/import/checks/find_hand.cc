@@ -142,8 +142,8 @@ class HandFinder {
     num_ends_.assign(foreign_.links.size(), 0);
     for (size_t i = tree_.order.size(); i-- > 0;) {
       const int link = tree_.order[i], joint = tree_.joint_of[link];
-      if ((Moves(link) || IsFixedJaw(link)) && has_body[link])
-        num_ends_[link] = std::max(num_ends_[link], 1);
+      const bool can_end = Moves(link) || IsFixedJaw(link);
+      if (can_end && has_body[link]) num_ends_[link] = std::max(num_ends_[link], 1);
       if (joint >= 0) num_ends_[foreign_.joints[joint].parent] += num_ends_[link];
     }
   }

@@ -4,14 +4,13 @@ Where in a description the hand is: of an arm, a scene with a table and a door, 
 hands only one part is one.
 
 A chain ends at a link that moves, or is a fixed jaw, has a shape and carries no further such link.
-The palm is the
-lowest link that all chains have in common. The world of a scene is no palm, nor is a link where
-parts meet that are hands themselves (two chains at least, all within 0.5 m) and lie more than 0.2 m
-apart. Of such parts the one hand is taken, the rest is left out and reported; none, or several
-without a palm named, is an error that lists what was found. So it is where a second hand is fixed
-to the palm of one without a link between: 0.2 m away, or with as many digits and a thumb like it.
-What a palm is fixed to is taken as a part of it; a palm that is named is cut from it, and without a
-name one that outweighs the hand is reported. */
+The palm is the lowest link that all chains have in common. The world of a scene is no palm, nor is
+a link where parts meet that are hands themselves (two chains at least, all within 0.5 m) and lie
+more than 0.2 m apart. Of such parts the one hand is taken, the rest is left out and reported; none,
+or several without a palm named, is an error that lists what was found. So it is where a second hand
+is fixed to the palm of one without a link between: 0.2 m away, or with as many digits and a thumb
+like it. What a palm is fixed to is taken as a part of it; a palm that is named is cut from it, and
+without a name one that outweighs the hand is reported. */
 
 #include <string>
 #include <vector>
