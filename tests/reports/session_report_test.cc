@@ -51,7 +51,10 @@ TEST(SessionReport, EveryNumberStandsInThePageWithoutScript) {
 
 // Without a rule of the style sheet, a part is black and its text cannot be read.
 TEST(SessionReport, EveryOutcomeHasAColourByDayAndByNight) {
-  const std::string page = MakePageOf(MakeSession({"tum"}, {"can"}, "g3", 1));
+  Session session = MakeSession({"tum"}, {"can"}, "g3", kNumOutcomes);
+  size_t next = 0;
+  for (const Outcome outcome : ListOutcomes()) session.records[next++].result.outcome = outcome;
+  const std::string page = MakePageOf(session);
   for (int k = 0; k < kNumOutcomes; ++k) {
     const std::string part = "part" + std::to_string(k);
     ExpectParts(page,

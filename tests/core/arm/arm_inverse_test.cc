@@ -71,12 +71,14 @@ TEST(ArmInverse, PumaHasEightBranches) {
 
 TEST(ArmInverse, FreeElbowTurnsAboutShoulderAndWrist) {
   const Arm arm = LoadArm("pa10");
-  const Pose X_BF = CalcFlangePose(arm, arm.ready);
+  VectorXd q(7);
+  q << 0.0, 0.5, 0.0, 1.6, 0.0, 1.0, 0.0;
+  const Pose X_BF = CalcFlangePose(arm, q);
   const std::vector<VectorXd> all = FindArmPostures(arm, X_BF, 24).postures;
   EXPECT_GT(all.size(), 100u);
   const Vector3d p_wrist = X_BF * Vector3d(0.0, 0.0, -0.08);
-  for (const VectorXd& q : all) {
-    const std::vector<Pose> X_BL = CalcArmPoses(arm, q);
+  for (const VectorXd& found : all) {
+    const std::vector<Pose> X_BL = CalcArmPoses(arm, found);
     EXPECT_NEAR((X_BL[3].translation() - Vector3d(0.0, 0.0, 0.315)).norm(), 0.45, 1e-9);
     EXPECT_NEAR((X_BL[3].translation() - p_wrist).norm(), 0.5, 1e-7);
   }
