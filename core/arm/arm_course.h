@@ -22,7 +22,7 @@ least time in which no joint exceeds its speed, minimum-jerk: T = 15/8 max_i |dq
 
 Not modelled: the arm's dynamics (torques, masses, deflection), and collisions of the hand with the
 arm in approach and lift. A hand whose grasp seeks the palm is lifted from where it touched, up to
-8 mm off the line that is checked. */
+16 mm off the line that is checked. */
 
 #include <string>
 #include <vector>

@@ -74,7 +74,7 @@ const FileKeys& ListHandKeys() {
              {"camera.link", kRequired, "link of hand.urdf that carries it"},
              {"camera.position_m", kRequired, "of its lens, in that link", -1, 1},
              {"camera.forward", kRequired, "direction in which it looks, in that link"},
-             {"camera.right", kRequired, "direction to the right in its picture, likewise"},
+             {"camera.right", kRequired, "direction to the right in its picture, in that link"},
              {"camera.width_px", "640", "of its picture", 16, 2048},
              {"camera.height_px", "480", "of its picture", 16, 2048},
              {"camera.focal_length_px", "580", "of its lens", 16, 20000},

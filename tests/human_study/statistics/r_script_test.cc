@@ -110,7 +110,7 @@ TEST(RScript, RepeatsEveryRowOfAStudyWithGroupsSessionsAndHypotheses) {
   const std::string against = output.substr(output.find("==== against"));
   EXPECT_EQ(against.find("DIFFERS"), std::string::npos) << against;
   ExpectHolds(against, " 0 differ");
-  // Dealing contact times out anew is not R's, and is named, as is the verdict that follows from it.
+  // A new deal of contact times is not R's, and is named, as is the verdict that follows from it.
   ExpectHolds(against,
               "not repeated: independent digits, by permutation; independent digits, verdict");
 }
