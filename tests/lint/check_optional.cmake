@@ -5,11 +5,11 @@
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 
-set(globs ${SOURCE}/CMakeLists.txt)
+set(files ${SOURCE}/CMakeLists.txt)
 foreach(folder IN LISTS ROOMS ITEMS tests)
-  list(APPEND globs ${SOURCE}/${folder}/CMakeLists.txt ${SOURCE}/${folder}/*/CMakeLists.txt)
+  file(GLOB_RECURSE of_folder ${SOURCE}/${folder}/CMakeLists.txt)  # not of builds, which others change
+  list(APPEND files ${of_folder})
 endforeach()
-file(GLOB_RECURSE files ${globs})
 set(absent "")
 foreach(file IN LISTS files)
   file(READ ${file} text)
