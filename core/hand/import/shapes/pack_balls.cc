@@ -275,19 +275,20 @@ class CapsuleCover {
   }
   /** @param most  in all. @param least_gain  of the points; a first one may have less. */
   void Add(const std::vector<Ball>& ends, size_t most, size_t least_gain) {
-    const std::vector<FittedCapsule> candidates = InscribeBetween(solid_, ends);
+    std::vector<FittedCapsule> candidates = InscribeBetween(solid_, ends);
     while (taken_.size() < most && CalcOpenShare() > 1.0 - kEnough) {
-      const FittedCapsule* best = nullptr;
+      auto best = candidates.end();
       size_t most_near = 0;
-      for (const FittedCapsule& candidate : candidates) {
+      for (auto candidate = candidates.begin(); candidate != candidates.end(); ++candidate) {
         size_t gain = 0;
-        for (size_t k = 0; k < points_.size(); ++k) gain += is_open_[k] && IsNear(candidate, k);
+        for (size_t k = 0; k < points_.size(); ++k) gain += is_open_[k] && IsNear(*candidate, k);
         if (gain <= most_near) continue;
         most_near = gain;
-        best = &candidate;
+        best = candidate;
       }
-      if (!best || (!taken_.empty() && most_near < least_gain)) break;
+      if (best == candidates.end() || (!taken_.empty() && most_near < least_gain)) break;
       Take(*best);
+      candidates.erase(best);  // trimmed, it may not be near all points that it seemed to be
     }
   }
   void AddLargest(const std::vector<Ball>& balls) {
@@ -307,8 +308,10 @@ class CapsuleCover {
   void Trim(FittedCapsule& capsule) const {
     const Vector3d axis = capsule.p_B - capsule.p_A;
     const auto sticks_out = [&] {
+      const int num_steps = 2 + static_cast<int>(axis.norm() / capsule.radius);
       for (const Vector3d& direction : SpreadOnSphere(0.0)) {
-        for (const double share : {0.0, 0.5, 1.0}) {
+        for (int i = 0; i <= num_steps; ++i) {
+          const double share = static_cast<double>(i) / num_steps;
           const Vector3d p = capsule.p_A + share * axis + capsule.radius * direction;
           if (solid_.CalcOutside(p) > kSlack + kOut) return true;
         }
