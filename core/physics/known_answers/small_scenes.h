@@ -78,7 +78,7 @@ class SmallWorld {
   int num_unconverged_ = 0;
 };
 
-/** An object that is squeezed by fingers of known force and then pulled by its weight: the scene
+/* An object that is squeezed by fingers of known force and then pulled by its weight: the scene
 for thresholds of friction, of torsion and of pads. */
 
 struct Squeeze {
