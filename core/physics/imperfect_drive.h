@@ -1,9 +1,9 @@
 #pragma once
 /** @file
-Imperfections of real drives. The thesis (Roethling 2007, 3.1) mentions "hysteresis and
-non-linearities" of 2.5 m of hose and "sticking and sliding effects caused by return springs" of the
-TUM Hand's pistons, and for the Shadow Hand friction of the tendons and "inherent and variable
-compliance" of its muscles. It gives no law and one number: "about 2 degrees in every joint". The
+Imperfections of real drives. For the TUM Hand the thesis (Roethling 2007, 3.1) mentions "hysteresis
+and non-linearities" of 2.5 m of hose and "sticking and sliding effects caused by return springs" of
+its pistons. For the Shadow Hand it mentions friction of the tendons and "inherent and variable
+compliance" of the muscles. It gives no law and one number: "about 2 degrees in every joint". The
 laws are the simplest textbook ones; every constant is proposed.
 
 Hysteresis: the play operator (Krasnosel'skii and Pokrovskii 1989) of width w between command and
