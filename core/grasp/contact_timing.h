@@ -60,7 +60,7 @@ Two consecutive contacts are tied when
 
     t_b - t_a <= z sqrt(u_a^2 + u_b^2)
 
-where u are the standard uncertainties of their times and z is the 95 % normal quantile. */
+where u are the standard uncertainties of their times and z = 1.96, the 95 % normal quantile. */
 struct ContactOrder {
   /** Groups of tied digits, by time between and within groups: {{"TH", "FF"}, {"MF"}}. Digits that
   never touched are left out. */
@@ -76,8 +76,8 @@ a time is missing. */
 ContactOrder FindContactOrder(const std::vector<DigitContact>& contacts,
                               const std::vector<double>& uncertainties);
 
-/** Lower bound of GFT% that scatter alone leaves: the GFT% that remains when a pre-grasp lets all
-digits touch at the same time on average.
+/** Floor of GFT%: what scatter alone leaves when a pre-grasp lets all digits touch at the same time
+on average.
 
 Let t_ik be the first contact of digit i in trial k, m_i the median of t_ik over the trials in which
 the digit touched, and M = max m_i. The times of each digit are shifted so that its median becomes

@@ -6,8 +6,8 @@ and brings its placement (grasp_file.h).
 The hand knows the object's sizes and its nominal pose (frame O: centre of its bounding box, resting
 on the table). With q(s) the linear closing from pre-grasp to target,
 
-    s*   the first s at which the thumb pad and the mean of the other pads are an object's width
-    apart G    the grasp centre, midway between the two at s*
+    s*   the first s at which thumb pad and mean of the other pads are an object's width apart
+    G    the grasp centre, midway between the two at s*
 
 G is placed over the object's centre at grasp height h_g. The opposition axis (thumb to fingers) is
 turned by alpha from the object's long axis. The approach direction (the palm's normal tilted

@@ -55,8 +55,8 @@ struct GraspPrediction {
 
 /** How promising a grasp is by geometry; larger is better. The criteria are, in this order: it
 reaches the object and meets it when it closes; it held at least half of the shapes held out in its
-development; how many of four conditions it meets; how low it meets the object, since an object
-pushed above its centre of mass tips. */
+development (assumed where unknown); how many of four conditions it meets; how low it meets the
+object, since an object pushed above its centre of mass tips. */
 struct GraspRank {
   int meets = -1;
   bool has_held = false;

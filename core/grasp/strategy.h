@@ -72,14 +72,12 @@ struct StrategyConfig {
   double stabilisation_max_time = 2.0;  ///< counted from the end of closing of a regulated grip [s]
   double lift_time = 1.0;               ///< [s]
   double hold_time = 2.0;               ///< [s]
-  double closure_lead = 0.0;            ///< time by which closure begins before the hand arrives
-                                        ///< [s]
+  double closure_lead = 0.0;            ///< closure begins this long before the arrival [s]
   std::string grip = "posture";         ///< one of kGripModes
   /** Setpoint of each digit that does not oppose the others; under "margin" the minimum [N]. */
   double grip_force = 0.7;
-  double grip_margin = 2.0;  ///< multiple of the smallest force that bears the weight
-  double touch_speed = 1.0;  ///< closing speed of a digit after its first touch, share of that
-                             ///< before
+  double grip_margin = 2.0;        ///< multiple of the smallest force that bears the weight
+  double touch_speed = 1.0;        ///< speed of a digit after its first touch, share of that before
   std::string drive_law = "hold";  ///< one of kDriveLaws
 
   template <class V>
