@@ -4,9 +4,9 @@ How well the balls of a link cover its solid (link_solid.h), measured in both di
 
 - out: how far the balls stick out of the solid, at points of a ball's surface that lie in no other
   ball;
-- sink: how far a probe ball of 5 mm sinks into the solid before a ball stops it. The probe comes
-  along the outward normal n of a boundary point p. With v = p + R n - c from the centre c of a ball
-  of radius r,
+- sink: how far a probe ball of 5 mm sinks into the solid before a ball stops it. The probe
+  approaches a boundary point p along its outward normal n. With v = p + R n - c from the centre c
+  of a ball of radius r,
 
       sink = n.v - sqrt((n.v)^2 - v.v + (R + r)^2).
 
