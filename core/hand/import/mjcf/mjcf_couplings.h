@@ -2,8 +2,8 @@
 /** @file
 Couplings and drives of the joints of a MuJoCo model.
 
-    equality joint    a line, q = a + b q_other; for a polynomial of higher degree the best line over
-                      the other's range, with its error reported; for one joint alone: fixed
+    equality joint    a line, q = a + b q_other; for a polynomial of higher degree the best line
+                      over the other's range, with its error reported; one joint alone: fixed
     equality tendon   the same, if there are two joints in all
     limited tendon    of two joints, with limits narrower than a quarter of the motion that either
                       joint gives it: also a coupling, with its play reported

@@ -5,7 +5,7 @@ Finds the mesh files of a URDF. Their addresses are those of the author's comput
     meshes/tip.stl                     relative to the URDF, or to a folder above it
     package://my_hand/meshes/tip.stl   in a folder my_hand above or beside it, in a folder of the
     model://, $(find my_hand)/..       package path; otherwise meshes/tip.stl as above
-    file:///home/me/meshes/tip.stl     there; otherwise as above, by the part after a folder "meshes"
+    file:///home/me/meshes/tip.stl     there; otherwise as above, by the part after "meshes"
 
 A name in other case (tip.STL), or the same name in another format, is used if there is no exact
 match. */

@@ -76,8 +76,8 @@ class ShapeLoader {
   long, some longer than 2 m, and no unit fits. Call before Load. */
   void InferMeshUnit(const ForeignHand& hand);
   /** Loads the shapes of a link. Collision meshes get capsules for the checks (fit_capsules.h). A
-  link with visuals only gets its capsules from these, unless it is decoration. @param is_palm  it must
-  have a shape for contact. */
+  link with visuals only gets its capsules from these, unless it is decoration. @param is_palm  it
+  must have a shape for contact. */
   LoadedShapes Load(const ForeignLink& link, bool is_palm = false);
   /** Computes the inertia of a link without one from those of its shapes that have mass. */
   void Weigh(ForeignLink& link);
