@@ -83,7 +83,7 @@ struct TrialSetup {
   bool keeps_closing = false;                   ///< report TrialResult::closing
   bool finds_strength = false;                  ///< report TrialResult::strength
   PolicyConfig policy = {};                     ///< of policy_lift
-  std::shared_ptr<HandPolicy> controller = {};  ///< of policy_lift; must stay in the trial's thread
+  std::shared_ptr<HandPolicy> controller = {};  ///< of policy_lift; used by one thread only
   std::string trial_id = {};                    ///< sent to a controller
   unsigned policy_seed = 0;                     ///< likewise
   bool is_compliant = false;  ///< use the second world (core/physics/simbody/compliant_world.h)
