@@ -12,7 +12,7 @@ Trace of a trial at many instants, beyond the three postures that its record kee
 
 namespace graspbench {
 
-/** State at the end of a step. */
+/** State after a step. */
 struct TraceInstant {
   double time = 0.0;              ///< since the start of placing [s]
   Phase phase = Phase::kPlacing;  ///< of the completed step; the last of a complete trial is hold
