@@ -20,9 +20,9 @@ File of a single grasp: the optimisation writes it, and `graspbench run --grasp 
       closing_at_contact: 0.4
 
 The same grasp can be exported as isaac_grasp 1.0 (https://nvidia-isaac-ros.github.io/concepts/
-manipulation/isaac_grasp.html): the pose of the hand's root link in the object's frame O (centre of
-the bounding box, x along length, z up), in metres and radians, with the joint names of hand.urdf.
-That format has no digits, approach or closing law, so it cannot be read back. */
+manipulation/isaac_grasp.html). It states the pose of the hand's root link in the object's frame O
+(centre of the bounding box, x along length, z up), in metres and radians, with the joint names of
+hand.urdf. That format has no digits, approach or closing law, so it cannot be read back. */
 
 #include <Eigen/Core>
 #include <string>

@@ -1,8 +1,8 @@
 #pragma once
 /** @file
-Prediction of a standard grasp of this hand on this mesh by geometry alone, before any trial:
-whether the placement reaches the object, whether the open hand arrives without touching it, and how
-the closing digits meet it.
+Prediction of a standard grasp of this hand on this mesh by geometry alone, before any trial. It
+tells whether the placement reaches the object, whether the open hand arrives without touching it,
+and how the closing digits meet it.
 
 The object may deviate from its nominal pose by kPlacementOffset in x and y and by kPlacementYaw
 (method: the variation between trials). Joints err by the hand's accuracy, which moves a fingertip
@@ -53,15 +53,13 @@ struct GraspPrediction {
   bool holds() const { return opposes && lifts && num_touching == num_digits; }
 };
 
-/** How promising a grasp is by geometry; larger is better. The criteria are, in this order: it
-reaches the object and meets it when it closes; it held at least half of the shapes held out in its
-development (assumed where unknown); how many of four conditions it meets; how low it meets the
-object, since an object pushed above its centre of mass tips. */
+/** How promising a grasp is by geometry; larger is better. Its members are criteria in order of
+priority. An object that is pushed above its centre of mass tips, so low contacts are preferred. */
 struct GraspRank {
-  int meets = -1;
-  bool has_held = false;
-  int num_kept = 0;    ///< of: clear approach, opposed forces, all digits touch, palm near
-  double depth = 0.0;  ///< of the contacts below the object's centre of mass [m]
+  int meets = -1;         ///< 0: misses the object, 1: reaches it, 2: also meets it when closing
+  bool has_held = false;  ///< held at least half of the shapes held out in development, or unknown
+  int num_kept = 0;       ///< of: clear approach, opposed forces, all digits touch, palm near
+  double depth = 0.0;     ///< of the contacts below the object's centre of mass [m]
 
   bool operator>(const GraspRank& other) const {
     return std::tie(meets, has_held, num_kept, depth) >

@@ -5,9 +5,9 @@ since a ratio also falls if the closure only takes longer. The values are median
 which every digit touched and none touched before the start of closure. Other trials have no times;
 they are counted.
 
-The floor of GFT [s] corresponds to that of GFT% (core/grasp/contact_timing.h): the times of each
-digit are shifted by their own median, to the median of the last digit, and the median of GFT is
-taken. It is due to the scatter of the digits between trials. */
+The floor of GFT [s] corresponds to that of GFT% (core/grasp/contact_timing.h). The times of each
+digit are shifted by their own median, to the median of the last digit; then the median of GFT is
+taken. The floor is due to the scatter of the digits between trials. */
 
 #include <vector>
 

@@ -95,9 +95,9 @@ normal force each, part of which bears the weight. For a grasp by an object's si
 the six pulls (learning_trial.h) is at most this bound, however the force is distributed over the
 digits (Coulomb). At equal grip no other grasp by the sides exceeds 1 / share times this one.
 
-Not covered: a hand that reaches beneath the object or around a bar, whose share may exceed 1;
-digits that press harder when the object is pushed into them; moments and pulls along the fingers,
-which may break a grasp earlier.
+Not covered: a hand that reaches beneath the object or around a bar, whose share may exceed 1, and
+digits that press harder when the object is pushed into them. Moments and pulls along the fingers
+may break a grasp earlier.
 
 @param normal_force  N [N].  @param weight  m g [N]. */
 double CalcFrictionBound(double normal_force, double friction, double weight);

@@ -81,13 +81,12 @@ void SetOpening(const std::vector<Eigen::Vector3d>& p_OOpen, PersonGrasp& person
 the tip. It faces perpendicular to the phalanx, in the plane in which the digit bends; that of a
 straight digit faces the surface as far as possible. It touches the surface where that direction
 meets it, within kFarthestPad, otherwise at the nearest point. Digits without landmarks are
-unchanged.
-@pre FindPersonFault is empty. */
+unchanged. @pre FindPersonFault is empty. */
 PersonGrasp UseLandmarks(const PersonGrasp& person, const GraspObject& object);
 
-/** Why a recorded grasp cannot be that of a person on this object: too few digits, a digit far from
-the surface (wrong unit, object pose missing or of another trial), digits exchanged, joints of
-another digit. Empty: it can. */
+/** Why a recorded grasp cannot be that of a person on this object; empty: it can. Reasons are too
+few digits, a digit far from the surface (wrong unit, object pose missing or of another trial),
+exchanged digits, or joints of another digit. */
 std::string FindPersonFault(const PersonGrasp& person, const GraspObject& object);
 
 /** +1: a left hand, -1: a right hand, 0: unknown. It is determined by the position of the palm

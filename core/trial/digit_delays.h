@@ -42,8 +42,7 @@ std::map<std::string, ClosingSchedule> DelayBy(const std::map<std::string, doubl
 
 /** Closing schedules with which the digits of a grasp touch an object in succession with given
 lags. Let L_d be the required lag of digit d after the first, and t_d its first touch in a trial
-without
-variation,
+without variation,
 
     delay_d <- delay_d + L_d - (t_d - min t),   then all minus the least
 

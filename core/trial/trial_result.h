@@ -133,9 +133,9 @@ struct TrialResult {
   double hold_creep = kUnset;
   double end_speed = 0.0;   ///< relative to the hand at the end, including rotation [m/s]
   double grip_force = 0.0;  ///< sum of normal forces on the object before lift-off [N]
-  /** Motion of the object's centre of mass from the first touch to the end of stabilisation: its
-  rise relative to the palm, its displacement in the palm's frame, and the distance that it slid
-  through all links that touched it at once [m]; NaN: not lifted. See measures/object_in_hand.h. */
+  /** Motion of the object's centre of mass from the first touch to the end of stabilisation [m]:
+  rise relative to the palm, displacement in the palm's frame, and distance that it slid through all
+  links that touched it at once. NaN: not lifted. See measures/object_in_hand.h. */
   double closure_rise = kUnset, closure_displacement = kUnset, closure_slide = kUnset;
   double object_height = kUnset;       ///< from its lowest to its highest point at the start [m]
   double weight = kUnset;              ///< of the object [N]

@@ -35,10 +35,10 @@ void GuessHand(const std::string& file, const std::optional<Eigen::Vector3d>& pa
 
 The normal is guessed from the directions of the pads when the digits are open, and from the point
 where the digits meet (FindMeeting). Digits that close away from the others (FindOutwardDigits) and
-digits whose limits do not determine a closing direction are ignored. It is an error, which asks for
---palm-normal, if no digit determines the normal, if no digit approaches the thumb, or if they meet
-more than 20 mm behind the palm's surface; from 10 mm on this is reported. A given normal is always
-used; if it is more than 60 degrees from the guess, this is reported.
+digits whose limits do not determine a closing direction are ignored. An error that asks for
+--palm-normal results if no digit determines the normal, if no digit approaches the thumb, or if
+they meet more than 20 mm behind the palm's surface. From 10 mm on this is reported. A given normal
+is always used; if it is more than 60 degrees from the guess, this is reported.
 
 @param given  normal in the palm's frame. @param facing  by digit: direction of its pad in H, with
 the digits open; 0: unknown. @pre the digits have tips and pads, and one of them is the thumb. */

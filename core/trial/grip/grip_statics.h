@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-Statics of a grip: how the parts of a hand press on the object, how the grip force is distributed
-over them, how stiffly a digit presses as it closes, and how much force its drives can exert. */
+Statics of a grip: loads of the parts of a hand on the object, distribution of the grip force over
+them, stiffness of a closing digit that presses, and the force that its drives can exert. */
 
 #include <Eigen/Core>
 #include <vector>

@@ -96,7 +96,7 @@ of accuracy are those of its short steps. That the verdicts agree with those of 
 measured (workbench/manual/validation/physics.yaml). All limits are proposed by graspbench. */
 class SteadyContacts {
  public:
-  /** Call after every step. @param duration  of that step [s]   @param slip_speed 
+  /** Call after every step. @param duration  of that step [s]   @param slip_speed  by
   CalcSlipSpeed. */
   void Observe(const std::vector<HandContact>& contacts, double table_force, double slip_speed,
                double duration);

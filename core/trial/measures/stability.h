@@ -4,8 +4,8 @@ Stability sigma: how firmly an object is held; larger is better. It is the fitne
 
     sigma = mean over the hold of  min over d of s(d)      [N]
 
-where d are the six half axes of the palm's frame. s(d) is the largest pull along d, in addition to
-the object's weight, that the contacts resist with the normal forces they exert at that instant
+where d are the six half axes of the palm's frame. The value s(d) is the largest pull along d, in
+addition to the object's weight, that the contacts resist with their normal forces at that instant
 (holding_force.h). Sigma is thus a force: the pull that would take the object out of the hand,
 predicted from the contact forces before the pull. It is 0 if the object is lost.
 

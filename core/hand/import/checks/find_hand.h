@@ -29,8 +29,8 @@ struct ForeignTree {
 ForeignTree MakeForeignTree(const ForeignHand& foreign);
 
 /** Finds a fixed jaw, marks its joint and reports it. A jaw that is fixed to the palm is a digit if
-only one joint moves, and if it is the only link with a shape that is fixed to the parent of the
-moving jaw. This parent must have a shape, too. @param is_asked  by link: whether the joint above it
+only one joint moves, and if it is the only link with a shape that is fixed to the moving jaw's
+parent. This parent must have a shape, too. @param is_asked  by link: whether the joint above it
 is considered. @param has_body  as in FindHand. */
 void MarkFixedJaw(const ForeignTree& tree, const std::vector<bool>& has_body,
                   const std::vector<bool>& is_asked, const std::string& file, Diagnostics& problems,

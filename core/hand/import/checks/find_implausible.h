@@ -31,10 +31,10 @@ no palm between.
 
 Returns by digit whether it opposes another one. The search covers postures that close both digits
 to any share, and others that move all their joints. In one of them the line between the two pads
-must leave each at most 70 degrees from its normal, not cross the palm, and be at most 40 mm long,
-or half as long as at the open hand. Alternatively, the last links come together by closing. Fingers
-side by side that bend the same way do not oppose each other. A digit without shapes has no pad
-normal and counts as opposed. @pre digits with tips and pads. */
+must leave each at most 70 degrees from its normal and not cross the palm. It must be at most 40 mm
+long, or half as long as at the open hand. Alternatively, the last links come together by closing.
+Fingers side by side that bend the same way do not oppose each other. A digit without shapes has no
+pad normal and counts as opposed. @pre digits with tips and pads. */
 std::vector<bool> FindOpposedDigits(const ImportedHand& imported);
 
 /** Finds digits that close away from all others: their axes or limits are reversed, or they grasp
