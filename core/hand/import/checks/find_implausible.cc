@@ -103,7 +103,7 @@ void FindJawsInStep(const std::string& file, const Hand& hand, Diagnostics& prob
   }
 }
 
-/** Joints called "continuous" have been fixed before, as they have no limits. */
+/** Reports joints of digits that turn farther than a finger can. */
 void FindWideLimits(const std::string& file, const Hand& hand, Diagnostics& problems) {
   std::vector<std::string> wide;
   for (const HandJoint& joint : hand.joints) {
