@@ -141,9 +141,9 @@ double CalcGraspHeight(double height, bool from_side) {
   return std::max(kLowestGrasp, std::min(0.5 * height, height - kBelowTop));
 }
 
-/** Default approach. It is from the side for objects taller than the fingers reach if the palm may
-touch, and always if the palm is sought, since from above fingers reach deeper than most objects are
-tall. */
+/** Default approach. It is from the side if the palm is sought, since from above fingers reach
+deeper than most objects are tall. Otherwise it is from the side if the palm may touch and the
+object is taller than the fingers reach. */
 bool ComesFromSide(const Hand& hand, const Grasp& grasp, double height) {
   if (grasp.approach != Approach::kAutomatic) return grasp.approach == Approach::kSide;
   return grasp.seeks_palm || (grasp.palm_may_touch && height > CalcReach(hand));

@@ -74,11 +74,11 @@ Eigen::VectorXd MakePairSample(const Hand& hand, const Eigen::VectorXd& open, co
 /** Sets the drives of an imported hand: published values where they suit a finger's drive,
 otherwise a guess.
 
-An effort is rejected in two cases. More than three drives have the same 10, 100 or 1000, which
-exporters write as a placeholder. Or it exceeds 100 N at the tip of the longest digit (250 N for a
-gripper), or, for a slide, 1 kN per kilogram of the hand. Stiffness and damping of a position drive
-are used if they hold a finger without letting it oscillate or creep. Rejected values are reported,
-and so is an effort that bears less than half of the weight that its joint moves.
+An effort is rejected if more than three drives have the same 10, 100 or 1000, which exporters write
+as a placeholder. It is also rejected if it exceeds 100 N at the tip of the longest digit (250 N for
+a gripper), or, for a slide, 1 kN per kilogram of the hand. Stiffness and damping of a position
+drive are used if they hold a finger without letting it oscillate or creep. Rejected values are
+reported, and so is an effort that bears less than half of the weight that its joint moves.
 
 @pre the digits are known. */
 void GuessDrives(const std::string& file, ImportedHand& imported, Diagnostics& problems);

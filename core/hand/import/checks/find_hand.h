@@ -4,13 +4,14 @@ Locates the hand in a description: in an arm, a scene with a table and a door, o
 hands, only one part is a hand.
 
 A chain ends at a link that moves or is a fixed jaw, has a shape, and carries no further such link.
-The palm is the lowest link that all chains have in common. Neither the world of a scene is a palm,
-nor a link where parts meet that are hands themselves (at least two chains, all within 0.5 m) and
-lie more than 0.2 m apart. If exactly one of these parts is a hand, it is selected; the rest is left
-out and reported. If there is none, or several without a named palm, an error lists what was found.
-The same holds for a second hand that is fixed rigidly to the palm of the first: 0.2 m away, or with
-the same number of digits and a thumb like it. The link to which a palm is fixed is taken as part of
-the palm. For a named palm it is cut off; without a name it is reported if it outweighs the hand. */
+The palm is the lowest link that all chains have in common. The world of a scene is not a palm.
+Neither is a link that joins parts which are hands themselves (at least two chains, all within 0.5
+m) and lie more than 0.2 m apart. If exactly one of these parts is a hand, it is selected; the rest
+is left out and reported. If there is none, or several without a named palm, an error lists what was
+found. The same holds for a second hand that is fixed rigidly to the palm of the first: 0.2 m away,
+or with the same number of digits and a thumb like it. The link to which a palm is fixed is taken as
+part of the palm. For a named palm it is cut off; without a name it is reported if it outweighs the
+hand. */
 
 #include <string>
 #include <vector>

@@ -48,8 +48,7 @@ std::vector<bool> FindOutwardDigits(const Hand& hand);
 /** Finds digits of the same construction that are not described alike, and reports the joint or
 link. It reports:
 
-- of fingers side by side, and of copies about a hub, an axis that is the mirror image of the
-others;
+- of fingers side by side, and of copies about a hub, an axis that mirrors those of the others;
 - of three in a row, one that differs from two that agree: an axis by more than 37 degrees, a base
   30 mm off the row, a joint range or distance by a factor of 1.8, an effort by a factor of 5, a
   coupling ratio by a factor of 3, a link's length by 1.8 or mass by 3;
