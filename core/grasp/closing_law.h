@@ -1,7 +1,6 @@
 #pragma once
 /** @file
-Closing of one digit: its share s of the path from pre-grasp to target posture as a function of
-time,
+Closing of one digit: its share s of the path from pre-grasp to target posture over time,
 
     s_d(t) = clip((t - delay_d) speed_d / T, 0, 1)
 

@@ -2,7 +2,7 @@
 /** @file
 Simultaneity of contacts, for robots and people alike.
 
-where t_i are the first contacts of the grasping digits, T is the thumb and t0 the start of closure
+Let t_i be the first contacts of the grasping digits, T the thumb and t0 the start of closure
 (simulation: start of phase 3; human: instant of the widest hand opening):
 
     GCT = max t_i - t0                      grasp closure time

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-File of a single grasp: the optimisation writes it, and `graspbench run --grasp PATH` reads it.
+File of a single grasp, written by the optimisation and read by `graspbench run --grasp PATH`.
 
     format: graspbench grasp
     format_version: 1

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
 Pose of the hand relative to the object. It is computed unless the grasp was made for this object
-and brings its placement (grasp_file.h).
+and has its own placement (grasp_file.h).
 
 The hand knows the object's sizes and its nominal pose (frame O: centre of its bounding box, resting
 on the table). With q(s) the linear closing from pre-grasp to target,

@@ -83,7 +83,7 @@ one that brings the palm near is used. Returns the grasp unchanged if it is clea
 object, or cannot be improved. @pre as PredictGrasp. */
 Grasp FitGrasp(const Hand& hand, const Grasp& grasp, const GraspObject& object);
 
-/** Fits the grasp to a placement that deviates from the rule's by `change`; the result brings this
+/** Fits the grasp to a placement that deviates from the rule's by `change`; the result has this
 placement. The pre-grasp is opened by the share `opening` of the path from target to pre-grasp, and
 further until the approach is clear. If nothing helps, it has exactly that opening.
 @pre as PredictGrasp. */

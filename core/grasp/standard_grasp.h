@@ -3,8 +3,8 @@
 The taxonomy: four grasp types t1..t4 and the standard grasps that realise them. These are g1..g5
 (Roethling 2007, chapter 3) and g6, which encloses an object without the palm (proposed). A grasp
 consists of a pre-grasp posture, a target posture (reached with nothing between the fingers), the
-pose of the hand relative to the object, and an approach distance d. d and alpha belong to the grasp
-and are the same for every hand; the rest belongs to the hand and is read from its hand.yaml. */
+pose of the hand relative to the object, and an approach distance d. Both d and alpha belong to the
+grasp and are the same for every hand; the rest belongs to the hand and is read from hand.yaml. */
 
 #include <Eigen/Core>
 #include <array>
@@ -22,7 +22,7 @@ namespace graspbench {
 
 enum class GraspType { kAllFingerPrecision, kTwoFingerPrecision, kPower, kTwoFingerPinch };
 
-/** Least distance of palm and object; the distance itself for a power grasp without its own [m]. */
+/** Least distance between palm and object, and the default distance of power grasps [m]. */
 inline constexpr double kPalmGap = 0.003;
 
 struct GraspTaxon {
@@ -47,7 +47,7 @@ struct Placement {
 };
 
 /** One grasp of one hand. The pose of the hand follows from the postures (placement.h), unless the
-grasp was made for one object and brings its placement. */
+grasp was made for one object and has its own placement. */
 struct Grasp {
   std::string id;  ///< "g1".."g6", or the name of an optimised grasp
   GraspType type = GraspType::kAllFingerPrecision;

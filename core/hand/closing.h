@@ -19,8 +19,8 @@ digit.
   the range. If this decides no joint of the hand, each digit closes so that its tip approaches the
   others.
 - A prismatic joint closes towards the end at which its digit's tip is nearer to the other tips.
-- If closing nowhere brings the tips of two digits without slides nearer together, all directions
-  are reversed: a gripper that is closed at zero. */
+- If no amount of closing brings the tips of two digits without slides nearer together, all
+  directions are reversed: a gripper that is closed at zero. */
 std::vector<int> FindClosing(const Hand& hand);
 
 /** Posture with every closing joint at `share` between its open (0) and its closed end (1). Other
