@@ -62,12 +62,12 @@ std::vector<ContactFit> MeasureContact(const Hand& hand, const LinkSolids& solid
 /** Measures a hand against the solids of its visual meshes. */
 std::vector<ContactFit> MeasureContact(const Hand& hand);
 
-/** "its 12 balls stick out of its surface by up to 0.5 mm, a ball of 5 mm sinks in by 0.8 mm at 95
-of 100 points". */
+/** Formats "its 12 balls stick out of its surface by up to 0.5 mm, a ball of 5 mm sinks in by 0.8
+mm at 95 of 100 points". */
 std::string DescribeContactError(const ContactFit& fit);
 
-/** "its 2 capsules for contact with the hand itself are within 5 mm of 31 % of its surface; other
-links enter the rest". */
+/** Formats "its 2 capsules for contact with the hand itself are within 5 mm of 31 % of its surface;
+other links enter the rest". */
 std::string DescribeSelfContact(const ContactFit& fit);
 
 }  // namespace graspbench

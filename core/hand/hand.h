@@ -86,9 +86,9 @@ struct HandJoint {
   double upper = 0.0;         ///< [rad], [m]
   JointDrive drive;           ///< drive of an actuated joint; unset for a coupled one
   int coupled_to = -1;        ///< index of the joint whose drive also moves this one; -1: own drive
-  /** A linkage couples this joint to any other joint, independently of the hand's coupling rule:
-  q = mimic_offset + mimic_ratio * q[coupled_to]. If false, a coupled joint follows the finger's
-  middle joint by that rule. */
+  /** Whether a linkage couples this joint to any other joint, independently of the hand's coupling
+  rule: q = mimic_offset + mimic_ratio * q[coupled_to]. If false, a coupled joint follows the
+  finger's middle joint by that rule. */
   bool is_mimic = false;
   double mimic_ratio = 1.0;
   double mimic_offset = 0.0;  ///< [rad], [m]
