@@ -89,8 +89,8 @@ Shipped data are not copied. The copies are sealed with the store. Continuing or
 uses them, even if the store was moved or the originals changed. The scenes and the benchmark of a
 campaign use the campaign's copies; the experiments in a session's folder use the session's.
 
-@pre LoadSessionInputs(config) has found them usable. @throws Error(kUsage) for a hand or object that
-refers to a file outside its folder; Error(kIo). */
+@pre LoadSessionInputs(config) has found them usable.
+@throws Error(kUsage) for a hand or object that refers to a file outside its folder; Error(kIo). */
 void CopyInputs(const SessionConfig& config, const std::filesystem::path& folder);
 /** Writes the rehearsed types and grasps into the folder. @throws Error(kIo). */
 void CopyRehearsed(const SessionInputs& inputs, const std::filesystem::path& folder);
