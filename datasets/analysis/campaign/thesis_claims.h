@@ -102,13 +102,12 @@ ThumbPlace CalcThumbPlace(const CellSummary& cell, const Hand& hand, const Grasp
 /** The thesis's example of the adhesive tape with the TUM Hand, as reproduced by a scene. */
 struct TapeCourse {
   std::array<double, kNumVariants> sigma{};  ///< mean [N]
-  double gap_before = 0.0,
-         gap_after = 0.0;        ///< lag of index and middle finger, before and after step 1 [s]
-  bool always_succeeds = false;  ///< all variants succeed in all trials
-  bool index_is_first = false;   ///< index finger touches first in the standard grasp
-  bool fingers_meet = false;     ///< the lag is smaller after step 1
-  bool is_much_firmer = false;   ///< step 1 increases sigma by at least half
-  bool is_firmer_again = false;  ///< step 2 increases sigma
+  double gap_before = 0.0, gap_after = 0.0;  ///< index to middle finger, about step 1 [s]
+  bool always_succeeds = false;              ///< all variants succeed in all trials
+  bool index_is_first = false;               ///< index finger touches first in the standard grasp
+  bool fingers_meet = false;                 ///< the lag is smaller after step 1
+  bool is_much_firmer = false;               ///< step 1 increases sigma by at least half
+  bool is_firmer_again = false;              ///< step 2 increases sigma
 };
 TapeCourse FindTapeCourse(const SceneVariants& scene);
 
