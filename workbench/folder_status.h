@@ -32,7 +32,7 @@ inline constexpr uintmax_t kMostChecked = 30'000'000;
 
 /** Reads the status of a folder. Apparent damage is checked again after 0.1 s, because another
 process may be writing the store.
-@param stale_after as in ReadProgress. @throws Error(kNotFound, kFormat, kIo) when the folder holds
+@param stale_after  as in ReadProgress. @throws Error(kNotFound, kFormat, kIo) when the folder holds
 no such store or cannot be read. */
 FolderStatus ReadFolderStatus(const std::filesystem::path& folder, double stale_after,
                               StatusLook look = StatusLook::kQuick);

@@ -41,7 +41,7 @@ TrialTracer MakeKeptTracer(const Session& session);
 /** Writes the exports and the page of a finished session into its folder. @returns the page. */
 std::filesystem::path WriteResults(const Session& session, const TrialTracer& trace = {});
 
-/** Formats the last lines of a command's output: the paths of its results. @param table empty:
+/** Formats the last lines of a command's output: the paths of its results. @param table  empty:
 none. */
 std::string FormatPlaces(const std::filesystem::path& page,
                          const std::filesystem::path& table = {});
