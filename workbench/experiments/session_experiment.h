@@ -46,7 +46,7 @@ PreparedSession PrepareExperiment(const ExperimentRequest& request, const std::s
 
 /** Prepares the experiment for grip thresholds; for a sweep, under all its conditions. @throws as
 PrepareExperiment and ListThresholdGrips; Error(kRange) for a margin on an object without friction,
-and for forces with `touch: sensed` on a hand without force sensors. */
+and for forces with `touch: sensed` on a hand without tactile elements. */
 PreparedSession PrepareThresholds(const ExperimentRequest& request, const ThresholdScale& scale);
 
 /** Runs the remaining trials; for thresholds, one round per step of all bisections. Then runs the
