@@ -10,8 +10,8 @@ The report page of a result; its kind follows from the content of the folder. */
 
 namespace graspbench {
 
-/** Whether a session's page has 3-D views of selected trials, for which these are simulated again.
-*/
+/** Whether a session's page has 3-D views of selected trials, for which these are simulated
+again. */
 enum class PageViews { kAsBefore, kWith, kWithout };
 
 /** Rebuilds the page of a session, a campaign or judged grasps below `place`. The page of a whole

@@ -74,8 +74,8 @@ extern const RoundKind kExplainShortlyRound;
 /** The next bisection step of each draw's grip threshold; repeated until none is left. */
 extern const RoundKind kThresholdRound;
 
-/** The round of a session's trials: kThresholdRound where its conditions are the grips of a scale.
-*/
+/** The round of a session's trials: kThresholdRound where its conditions are the grips of a
+scale. */
 const RoundKind& FindTrialRound(const SessionConfig& config);
 
 /** Runs the remaining tasks, seals the session before and after, and adds the run to run.json if

@@ -1,8 +1,8 @@
 #pragma once
 /** @file
 A page that shows a recording at a glance: where points are missing or filled, and the height and
-speed of each point. A swapped marker or a gap during the grasp is then visible before the analysis.
-*/
+speed of each point. A swapped marker or a gap during the grasp is then visible before the
+analysis. */
 
 #include <string>
 

@@ -42,8 +42,8 @@ class Shell {
   /** Reverts the last change and advances the trial to its present time. @throws Error(kUsage) when
   there was no change. */
   void Undo();
-  /** Restores the choice that the last `Undo` reverted. @throws Error(kUsage) when there is none.
-  */
+  /** Restores the choice that the last `Undo` reverted. @throws Error(kUsage) when there is
+  none. */
   void Redo();
   int num_changes() const { return static_cast<int>(former_.size()); }
   void Quit() { is_ended_ = true; }
@@ -87,8 +87,8 @@ std::string FormatPrompt(Shell& shell);
 
 /** Installs the shell's signal handlers. Ctrl-C stops the running command; a second one before it
 has stopped ends the program. SIGTERM and SIGHUP also stop the command, then end the program in
-order. A signal that was ignored stays ignored. After a crash, the terminal settings are restored.
-*/
+order. A signal that was ignored stays ignored. After a crash, the terminal settings are
+restored. */
 void CatchShellSignals();
 bool MustShellEnd();
 /** Clears a pending Ctrl-C; true when there was one. */

@@ -50,8 +50,8 @@ struct SchedulePlan {
   PeopleFile people;
   const Session* session = nullptr;  ///< of the schedules
 };
-/** One row per object, hand and schedule: the number of trials, or why there is no such schedule.
-*/
+/** One row per object, hand and schedule: the number of trials, or why there is no such
+schedule. */
 std::string FormatSchedulePlan(const SchedulePlan& plan);
 Json ToJson(const SchedulePlan& plan);
 

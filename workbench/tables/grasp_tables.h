@@ -12,8 +12,8 @@ and JSON. */
 
 namespace graspbench {
 
-/** Side of the cube for which placements are computed [m], since a placement depends on the object.
-*/
+/** Side of the cube for which placements are computed [m], since a placement depends on the
+object. */
 inline constexpr double kReferenceBlock = 0.05;
 
 /** One number of a grasp. */

@@ -31,8 +31,8 @@ std::string DescribeNumericalFailures(const std::vector<EvaluationRecord>& evalu
 /** One line: whether the re-simulated individual matches its stored results. */
 std::string FormatReplay(const ReplayedIndividual& replayed);
 
-/** A campaign's results for the terminal: one row for each variant of the grasps, over all scenes.
-*/
+/** A campaign's results for the terminal: one row for each variant of the grasps, over all
+scenes. */
 std::string FormatVariantsTable(const Campaign& campaign);
 
 /** One row for each search method; empty when none were compared. */

@@ -39,8 +39,8 @@ struct TableFormat {
 };
 const std::vector<TableFormat>& ListTableFormats();
 
-/** Whether `name` is the column's name, or matches it with another word in place of the capitals.
-*/
+/** Whether `name` is the column's name, or matches it with another word in place of the
+capitals. */
 bool IsNameOf(const TableColumn& column, const std::string& name);
 
 }  // namespace graspbench

@@ -1,8 +1,8 @@
 #pragma once
 /** @file
 What `graspbench help WORD` explains: an entry of the manual's glossary (measure, term, outcome,
-mechanism), a table column, a file key, a preset, or a code for a warning or a removal in a study.
-*/
+mechanism), a table column, a file key, a preset, or a code for a warning or a removal in a
+study. */
 
 #include <string>
 #include <string_view>

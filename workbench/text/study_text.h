@@ -29,8 +29,8 @@ contacts. */
 std::string FormatStudy(const StudyResult& result, const std::filesystem::path& folder,
                         const std::filesystem::path& report);
 
-/** Numbers of included and removed trials, the removal reasons, and the paths of further results.
-*/
+/** Numbers of included and removed trials, the removal reasons, and the paths of further
+results. */
 Json MakeStudyJson(const StudyResult& result, const std::filesystem::path& folder,
                    const std::filesystem::path& report);
 

@@ -25,8 +25,8 @@ FindPolicy MakeLivePolicies();
 void CheckPolicies(const SessionConfig& config, const SessionInputs& inputs,
                    const std::vector<PlannedTrial>& plan);
 
-/** Makes controllers that replay the recorded actions of a session. @pre the session outlives it.
-*/
+/** Makes controllers that replay the recorded actions of a session. @pre the session outlives
+it. */
 FindPolicy MakeRecordedPolicies(const Session& session);
 
 }  // namespace graspbench

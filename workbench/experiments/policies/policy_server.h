@@ -54,8 +54,8 @@ bool IsPolicyServer(const std::string& command);
 Error(kUsage) for an invalid address. */
 PolicyServer LoadPolicyServer(const std::string& command);
 
-/** Column names hand.x .. hand.qz and hand.vx .. hand.wz, in the order of hand_pose and hand_twist.
-*/
+/** Column names hand.x .. hand.qz and hand.vx .. hand.wz, in the order of hand_pose and
+hand_twist. */
 const std::vector<std::string>& ListPoseColumns();
 const std::vector<std::string>& ListTwistColumns();
 

@@ -39,8 +39,8 @@ struct MarkdownPlaces {
 };
 
 /** Converts a page. Pictures (PNG, SVG) are embedded. Second- and third-level headings get anchors
-from their words. @throws Error(kFormat) naming page and line: no title, HTML, or a missing picture.
-*/
+from their words. @throws Error(kFormat) naming page and line: no title, HTML, or a missing
+picture. */
 ManualText ReadMarkdown(const std::string& markdown, const MarkdownPlaces& places);
 
 }  // namespace graspbench
