@@ -16,7 +16,7 @@ for a difference decides:
     onset     seconds since the movement's onset
     widest    seconds since the widest opening, the start of closure
     movement  as onset, minus the prediction for the digit from the movement duration (a straight
-                  line within each person), so that variation of speed does not count as simultaneity
+              line within each person), so that variation of speed does not count as simultaneity
 
 An error of the clock is also shared by all digits of a trial and would be mistaken for
 coordination. Its variance lies between zero and that of the clock's stated uncertainty plus the
@@ -49,32 +49,31 @@ all digits, exactly as coordination is. Differences between digits contain neith
 reduced and bounded:
 
     times     t_d - r, the contact of digit d minus the instant r at which the rising wrist speed
-                  crossed 10 % of its peak
+              crossed 10 % of its peak
     adjusted  for the further rise times of the wrist speed (10 to 30 %, 30 to 60 %) and the distance
-                  covered, by regression over all trials: effects of profile or distance on r or on the
-                  contacts are not coordination of the digits
+              covered, by regression over all trials: effects of profile or distance on r or on the
+              contacts are not coordination of the digits
     neighbours differences between successive trials of a person in a condition, minus their mean,
-                  so that a steady drift of all digits does not count either. A random walk of the times
-                  contributes half the squared step. But then successive differences are uncorrelated,
-                  while independent variation of trials reverses half of each difference in the next:
-                  estimated from this product (`alternating_sd`), a random walk gives nothing shared
+              so that a steady drift of all digits does not count either. A random walk of the times
+              contributes half the squared step. But then successive differences are uncorrelated,
+              while independent variation of trials reverses half of each difference in the next:
+              estimated from this product (`alternating_sd`), a random walk gives nothing shared
     shared    variance of the digits' mean, minus the contribution of independent digits
     clock     the remaining variance of r: noise at the crossing, and half of the variance of r about
-                  the extrapolated start of the profile (Movement::start) within person and condition;
-                  the regression is assumed to remove the other half
+              the extrapolated start of the profile (Movement::start) within person and condition;
+              the regression is assumed to remove the other half
 
 Assumptions: the initial profile is a power of time; coordination is uncorrelated with the profile
 and the distance (correlated coordination is not counted). */
 
 /** Timing data of one trial. */
 struct SharedTimingTrial {
-  std::vector<double> contacts;  ///< by digit [s]
-  double shared_variance = 0.0;  ///< variance of errors common to all contacts [s^2]
-  double clock = NAN;            ///< the rising wrist speed crossed 10 % of its peak [s]
-  double clock_noise = 0.0;      ///< standard uncertainty of `clock` due to noise [s]
-  double start = NAN;            ///< extrapolated [s]; NaN: unknown
-  std::vector<double>
-      transport;  ///< rise times, distance; equally many in every trial, possibly none
+  std::vector<double> contacts;   ///< by digit [s]
+  double shared_variance = 0.0;   ///< variance of errors common to all contacts [s^2]
+  double clock = NAN;             ///< the rising wrist speed crossed 10 % of its peak [s]
+  double clock_noise = 0.0;       ///< standard uncertainty of `clock` due to noise [s]
+  double start = NAN;             ///< extrapolated [s]; NaN: unknown
+  std::vector<double> transport;  ///< rise times, distance; same number in all trials, may be 0
 };
 /** Successive trials of one person in one condition. */
 using SharedTimingRun = std::vector<SharedTimingTrial>;
@@ -106,11 +105,10 @@ const std::array<const char*, kNumClocks>& ListClocks();
 /** One measure compared with independent digits: with the reduced-variance set when people lie
 below it, else with the full-variance set. */
 struct IndependenceTest {
-  double observed = NAN;  ///< mean over the trials, in the measure's unit, as `expected`
-  double expected = NAN;  ///< mean over trials and permutations
-  double low = NAN,
-         high = NAN;  ///< 95 % range of the permutations' means; of both sets if between them
-  double p = NAN;     ///< two-sided; 1 between the two sets
+  double observed = NAN;         ///< mean over the trials, in the measure's unit, as `expected`
+  double expected = NAN;         ///< mean over trials and permutations
+  double low = NAN, high = NAN;  ///< 95 % range of permutations' means; of both sets if between
+  double p = NAN;                ///< two-sided; 1 between the two sets
   /** Reduction of the mean, as a share of `expected`, that is detected with a power of 0.8. */
   double detectable = NAN;
   /** Logarithm of observed / expected over persons, with one value per person. None below five

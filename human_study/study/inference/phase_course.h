@@ -22,8 +22,7 @@ using PhaseTimes = std::array<double, kNumPhaseInstants>;
 
 struct PhaseCourse {
   std::array<double, kNumPhaseInstants> at{};  ///< share, by PhaseInstant; NaN: no trial has it
-  std::array<int, kNumPhaseInstants>
-      num_trials{};  ///< trials with this instant, onset and lift-off
+  std::array<int, kNumPhaseInstants> num_trials{};  ///< with it, onset and lift-off
 };
 
 /** Summarises trials; those without onset or lift-off are ignored. */
