@@ -8,8 +8,7 @@ under `reviews` and that every run applies.
     verdict    confirmed; corrected: the digit touched at contact_s; no_contact: it did not touch;
                empty: not reviewed
     contact_s  on the recording's clock, for corrected; for confirmed the time that was confirmed:
-                   it is valid while the contact found is within a frame of it (empty: any
-                   contact)
+               it is valid while the contact found is within a frame of it (empty: any contact)
     uncertainty_s  standard uncertainty, for corrected; else that of a frame
     by         the reviewer; optional, as is `note`
 

@@ -50,18 +50,18 @@ reduced and bounded:
 
     times     t_d - r, the contact of digit d minus the instant r at which the rising wrist speed
               crossed 10 % of its peak
-    adjusted  for the further rise times of the wrist speed (10 to 30 %, 30 to 60 %) and the distance
-              covered, by regression over all trials: effects of profile or distance on r or on the
-              contacts are not coordination of the digits
+    adjusted  for the further rise times of the wrist speed (10 to 30 %, 30 to 60 %) and the
+              distance covered, by regression over all trials: effects of profile or distance on
+              r or on the contacts are not coordination of the digits
     neighbours differences between successive trials of a person in a condition, minus their mean,
               so that a steady drift of all digits does not count either. A random walk of the times
               contributes half the squared step. But then successive differences are uncorrelated,
               while independent variation of trials reverses half of each difference in the next:
               estimated from this product (`alternating_sd`), a random walk gives nothing shared
     shared    variance of the digits' mean, minus the contribution of independent digits
-    clock     the remaining variance of r: noise at the crossing, and half of the variance of r about
-              the extrapolated start of the profile (Movement::start) within person and condition;
-              the regression is assumed to remove the other half
+    clock     the remaining variance of r: noise at the crossing, and half of the variance of r
+              about the extrapolated start of the profile (Movement::start) within person and
+              condition; the regression is assumed to remove the other half
 
 Assumptions: the initial profile is a power of time; coordination is uncorrelated with the profile
 and the distance (correlated coordination is not counted). */
