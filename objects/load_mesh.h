@@ -1,12 +1,12 @@
 #pragma once
 /** @file
-Mesh files: OBJ, STL (binary and ASCII), PLY, GLB and glTF, chosen by the ending of the name. All
+Reads mesh files: OBJ, STL (binary and ASCII), PLY, GLB and glTF, chosen by the file extension. All
 parts of a file become one mesh, with the transforms of its scene applied.
 
-They are read behind the fence (core/fence/fence.h), OBJ by core/shape/obj_file.h, the others by
-assimp (read_foreign_mesh.h); a glTF has its parts from nowhere but the mesh's own folder: a file
-from elsewhere may be damaged or malicious. COLLADA is left out for things to grasp because damaged
-files crash its importer, 3DS and DXF because theirs swaps axes. */
+The files may be damaged or malicious, so they are read behind the fence (core/fence/fence.h): OBJ
+by core/shape/obj_file.h, the others by assimp (read_foreign_mesh.h). A glTF file may only refer to
+files in its own folder or below. For objects to grasp, COLLADA is not supported because damaged
+files crash its importer, nor are 3DS and DXF because theirs swaps axes. */
 
 #include <filesystem>
 #include <string>
@@ -16,31 +16,32 @@ files crash its importer, 3DS and DXF because theirs swaps axes. */
 
 namespace graspbench {
 
-/** "OBJ, STL, PLY, GLB or glTF". */
+/** Returns "OBJ, STL, PLY, GLB or glTF". */
 std::string ListMeshFormats();
 
-/** In metres, coincident vertices welded. Axes as in the file. Coordinates carry single precision.
-Not checked: see core/shape/repair/mesh_check.h. Vertices may be non-finite. Files up to 256 MB and
-meshes up to 2 million triangles.
-@throws Error(kNotFound, kIo); Error(kFormat) when it is no complete file of a format known here. */
+/** Loads a mesh in metres, with coincident vertices welded and the axes of the file. Coordinates
+have single precision. The mesh is not checked (see core/shape/repair/mesh_check.h), and vertices
+may be non-finite. Files may have up to 256 MB and meshes up to 2 million triangles.
+@throws Error(kNotFound, kIo); Error(kFormat) when it is not a complete file of a known format. */
 TriMesh LoadMesh(const std::filesystem::path& path, LengthUnit unit);
 
-/** A picture of a hand's link: the same formats and COLLADA, one unit of the file a metre unless
-the file states another (COLLADA does). Axes as in the file. A damaged COLLADA file that crashes its
-reader is an Error(kFormat) like others. */
+/** Loads the visual mesh of a hand's link, in the same formats or COLLADA, with the axes of the
+file. The file's unit is the metre unless it states another (COLLADA does). A damaged COLLADA file
+that crashes its reader raises Error(kFormat) as well. */
 TriMesh LoadPictureMesh(const std::filesystem::path& path);
 
-/** The same from the content of a file that stands alone; `name` gives the format by its ending. */
+/** As LoadMesh(), from the content of a self-contained file; the extension of `name` gives the
+format. */
 TriMesh ParseMesh(const std::string& bytes, const std::string& name, LengthUnit unit);
 
-/** Reads the bytes of one file behind the fence. Coordinates as in the file, every part of it; not
-welded, perhaps not finite. @param bytes   the file's content.
+/** Reads all parts of one file behind the fence. Coordinates are as in the file, not welded and
+perhaps not finite. Thread-safe.
+@param bytes   the file's content.
 @param format  obj, stl, ply, glb, gltf or dae.
-@param folder  where the files lie that a glTF names; empty: nowhere.
+@param folder  holds the files that a glTF refers to; empty: none may be read.
 @param name    of the file, for messages.
-@throws Error(kFormat) when it is no such file, or reading it took more memory than allowed, or
-crashed; Error(kEnvironment) when the reader cannot be started or took too long. Safe with
-threads. */
+@throws Error(kFormat) when the file does not have this format, or when its reader crashed or
+exceeded its memory limit; Error(kEnvironment) when the reader cannot be started or timed out. */
 TriMesh RunMeshReader(const std::string& bytes, const std::string& format,
                       const std::filesystem::path& folder, const std::string& name);
 

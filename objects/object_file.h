@@ -1,9 +1,9 @@
 #pragma once
 /** @file
-object.yaml: what is known of a thing to grasp beside its mesh.
+object.yaml: the properties of an object to grasp that its mesh does not hold.
 
     name: coffee mug
-    mesh: mesh.stl                  # beside this file; OBJ, STL, PLY, GLB or glTF
+    mesh: mesh.stl                  # in the same folder; OBJ, STL, PLY, GLB or glTF
     mesh_unit: mm                   # m or mm
     mass_kg: 0.31                   # or density_kg_per_m3
     friction_static: 0.45           # against the hand
@@ -40,7 +40,7 @@ object.yaml: what is known of a thing to grasp beside its mesh.
 
 namespace graspbench {
 
-/** How fingertips compress a thing that has ObjectFile::size at rest. */
+/** How fingertips compress an object whose size at rest is ObjectFile::size. */
 struct Compression {
   double force = 0.0;                                                 ///< of each [N]
   Eigen::Vector3d size_of_grasp = Eigen::Vector3d::Constant(kUnset);  ///< under the force [m]
@@ -61,21 +61,22 @@ struct ObjectFile {
   std::map<std::string, std::string> best_grasp;               ///< by hand id
   std::vector<std::string> grasp_order;                        ///< empty: left out
   Approach approach = Approach::kAutomatic;
-  bool has_separate_parts = false;                          ///< bodies that do not touch are meant
+  bool has_separate_parts = false;                          ///< several bodies, apart
   Eigen::Vector3d colour = Eigen::Vector3d(0.8, 0.7, 0.5);  ///< linear RGB
 };
 
-/** What its mesh may be made of. */
+/** Whether its mesh may consist of parts that do not touch. */
 inline PartsApart PartsApartOf(const ObjectFile& file) {
   return file.has_separate_parts ? PartsApart::kMeant : PartsApart::kRefused;
 }
 
-/** @throws Error(kNotFound, kIo); Error(kFormat) listing every problem with its line. */
+/** Reads object.yaml.
+@throws Error(kNotFound, kIo); Error(kFormat) listing every problem with its line. */
 ObjectFile LoadObjectFile(const std::filesystem::path& path);
-/** The same for text in memory; `file` is its name in messages. */
+/** As LoadObjectFile(), for text in memory; `file` is its name in messages. */
 ObjectFile ParseObjectFile(const std::string& text, const std::string& file);
 
-/** The keys of object.yaml, whose ranges the reader checks. */
+/** The keys of object.yaml and their ranges, which the reader checks. */
 const FileKeys& ListObjectKeys();
 
 }  // namespace graspbench

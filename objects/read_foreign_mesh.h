@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-The reader of mesh files behind the fence (core/fence): OBJ by core/shape, the others by assimp. Only
-graspbench-reader links it, and with it assimp. */
+Reads mesh files behind the fence (core/fence): OBJ with core/shape, the others with assimp. Only
+graspbench-reader links this file and thus assimp. */
 
 #include <functional>
 #include <optional>
@@ -14,9 +14,10 @@ namespace graspbench {
 
 using ReadBeside = std::function<std::optional<std::string>(const std::string& name)>;
 
-/** Coordinates as in the file, every part of it; not welded, perhaps not finite.
+/** Reads all parts of a mesh file. Coordinates are as in the file, not welded and perhaps not
+finite.
 @param format  obj, stl, ply, glb, gltf or dae. @param name  for messages.
-@param read_beside  the content of a file that a glTF names.
+@param read_beside  returns the content of a file that the glTF refers to.
 @throws Error(kFormat). */
 TriMesh ReadForeignMesh(const std::string& bytes, const std::string& format,
                         const std::string& name, const ReadBeside& read_beside);

@@ -1,9 +1,9 @@
 #pragma once
 /** @file
-Pages beside the session's report, each as self-contained: of sessions that are more than their
-trials (a map of simultaneity, a sweep, a basin), of judged grasps, of developed postures. Without a
-renderer a page has no pictures and says why. A new one of a session is a file here, a line in this
-header and a row of kKindPages (session_report.cc). */
+Further self-contained pages besides the session's report: for special sessions (a simultaneity map,
+a sweep, a basin), for judged grasps, and for developed postures. Without a renderer a page has no
+pictures and says why. A new page for sessions needs a file here, a line in this header and a row of
+kKindPages (session_report.cc). */
 
 #include <memory>
 #include <string>
@@ -24,52 +24,52 @@ header and a row of kKindPages (session_report.cc). */
 
 namespace graspbench {
 
-/** What it finds of each hand, a map for each measure, the regions with the trials behind them, and
-what correlates with success without delays. */
+/** Page of a simultaneity map: the findings for each hand, a map for each measure, the regions with
+their trials, and what correlates with success without delays. */
 std::string MakeMapPage(const Session& session, const MapResult& result);
 
-/** Its conditions, a map for two factors (one for each level of a third), what each level changes
-and which levels do not simply add up. */
+/** Page of a sweep: its conditions, a map for two factors (one for each level of a third), the
+effect of each level, and the interactions. */
 std::string MakeSweepPage(const Session& session, const SweepSummary& summary);
 
 struct BasinPageData {
   std::string title;    ///< names hand, object and grasp
-  std::string command;  ///< that gives the same samples
+  std::string command;  ///< that reproduces the samples
   std::vector<BasinSample> samples;
-  /** Grip thresholds as margins, one a sample, infinite: no grip held; empty: not looked for. */
+  /** Grip thresholds as margins, one per sample; infinite: no grip held; empty: not determined. */
   std::vector<double> thresholds = {};
 };
 
-/** The robustness basin of one grasp: a map of offsets in slices of yaw, and its radius. */
+/** Page of one grasp's robustness basin: a map of offsets in slices of yaw, and the radius. */
 std::string MakeBasinPage(const BasinPageData& data);
-/** That of a session. @pre IsBasin(session). */
+/** As above, for a session. @pre IsBasin(session). */
 std::string MakeBasinPage(const Session& session);
 
-/** One grasp that somebody made, judged under one profile: the verdict, a moving 3-D view of its
-stages and of the push or lift that decides, what was measured, the profile. */
+/** Page of one external grasp judged under one profile: the verdict, an animated 3-D view of its
+stages and of the deciding push or lift, the measurements, and the profile. */
 struct GraspPageData {
   std::string name;         ///< "mug.npy, grasp 3"
-  std::string object_name;  ///< as the file has it
+  std::string object_name;  ///< as in the file
   std::shared_ptr<const Hand> hand;
   std::shared_ptr<const GraspObject> object;
   FreeSpaceProfile profile;
   TracedFreeSpace traced;
-  std::vector<std::string> assumptions;  ///< what the file does not say
-  std::vector<std::string> commands;     ///< that make the page again
+  std::vector<std::string> assumptions;  ///< about what the file does not state
+  std::vector<std::string> commands;     ///< that reproduce the page
 };
 
 /** Without a renderer it has no pictures and says
 why. */
 std::string MakeGraspPage(const GraspPageData& data);
 
-/** Grasps that others made and profiles have judged: success under each profile, agreement with the
-files' own verdicts, transitions, failures with their reasons, what was nearest the border.
-@param config  frozen, of the store.   @param judged  what the summary is of. */
+/** Page of external grasps judged under profiles: success under each profile, agreement with the
+files' own verdicts, transitions, failures with reasons, and the most marginal verdicts.
+@param config  frozen configuration of the store. @param judged  the summarised grasps. */
 std::string MakeGraspsPage(const Json& config, const std::vector<JudgedGrasp>& judged,
                            const JudgedSummary& summary);
 
-/** Developed postures: what they look like, how far they keep the rules, what the simulation said
-of them. */
+/** Page of developed postures: pictures, how well they comply with the rules, and the results of
+their simulation. */
 struct PosturePageData {
   std::shared_ptr<const Hand> hand;
   DevelopConfig config;
@@ -77,33 +77,32 @@ struct PosturePageData {
   std::vector<std::vector<DevelopmentStage>> stages;  ///< by grasp, as far as known
 };
 
-/** On a machine that cannot draw it says so in the
-place of pictures. @pre a grasp's digits and postures fit the hand. */
+/** On a machine that cannot draw, a message replaces the pictures.
+@pre each grasp's digits and postures fit the hand. */
 std::string MakePosturePage(const PosturePageData& data);
 
-/** Rehearsed grasps of hands on objects: what was chosen, which candidates were tried, what each
-held and why it failed, pictures of the chosen one and of the three next. */
+/** Page of rehearsed grasps of hands on objects: the choice, the candidates simulated, their
+successes and reasons of failure, and pictures of the chosen grasp and the next three. */
 struct RehearsalPageData {
   RehearsalConfig config;
-  std::vector<RehearsalTask> tasks;  ///< one a pair
+  std::vector<RehearsalTask> tasks;  ///< one per pair
   std::vector<RehearsedPair> pairs;
 };
 
 /** Without a renderer it has no pictures and says why. */
 std::string MakeRehearsalPage(const RehearsalPageData& data);
 
-/** People's grasps on robot hands, of a session that transferred them: which hand follows people
-best and loses least, by object and digit, why grasps are not transferable, pictures.
+/** Page of a session that transferred human grasps to robot hands: how closely each hand follows
+the human grasp and what it loses, by object and digit; why grasps are not transferable; pictures.
 @pre IsTransfer(session). */
 std::string MakeTransferPage(const Session& session);
 bool IsTransfer(const Session& session);
 
-/** The five claims of the thesis on one page: the answers, then of each its picture, its numbers,
-the commands that made them and what was not run.
-@param sources  what was read: "1 study, 2 maps". */
+/** Page of the five claims of the thesis: the answers, then for each claim a picture, the numbers,
+the commands that made them, and what was not run. @param sources  data read: "1 study, 2 maps". */
 std::string MakeArgumentPage(const std::vector<ArgumentClaim>& claims, const std::string& sources);
 
-/** Success over sessions that followed each other: a curve and a table. */
+/** Page of success over consecutive sessions: a curve and a table. */
 std::string MakeLearningPage(const std::vector<LearningPoint>& points);
 
 }  // namespace graspbench

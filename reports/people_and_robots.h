@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-People and robots in one picture, for a campaign's page and a study's: when each digit touches under
-each schedule on the same objects, and what a schedule costs
+Comparison of people and robots, for the pages of a campaign and a study: when each digit touches
+under each schedule on the same objects, and the cost of each schedule
 (datasets/analysis/schedules/schedule_comparison.h). */
 
 #include "datasets/analysis/schedules/schedule_comparison.h"
@@ -10,12 +10,12 @@ each schedule on the same objects, and what a schedule costs
 
 namespace graspbench {
 
-/** A figure for each hand, object and grasp, the first ones unfolded; a table of costs; what is not
-compared, with the reason. */
+/** Draws a figure for each hand, object and grasp, the first ones expanded; a table of costs; and
+the omitted comparisons with reasons. */
 Html DrawPeopleAndRobots(const ScheduleComparison& comparison, const SessionModels& models);
 
-/** The comparisons one after the other; of none the command that makes one.
-@param session  as a person names it. */
+/** Draws all comparisons; without any, the command that makes one. @param session  as the user
+named it. */
 Html DrawSchedules(const std::vector<ScheduleComparison>& comparisons, const SessionModels& models,
                    const std::string& session);
 

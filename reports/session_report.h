@@ -1,7 +1,7 @@
 #pragma once
 /** @file
 The report of a benchmark session: one self-contained HTML file made from stored results alone. It
-needs no network, and no script but for its 3-D views; the pictures are drawn from the trials'
+needs no network, and no script except for its 3-D views. The pictures are drawn from the trials'
 snapshots. */
 
 #include <filesystem>
@@ -13,18 +13,17 @@ snapshots. */
 
 namespace graspbench {
 
-/** Writes report/index.html in the session's folder and returns its path. Same records, same bytes.
-A machine that cannot draw, or a model that is gone, costs the pictures and not the report: the page
-says what is missing and why.
-@param trace  gives the page 3-D views of chosen trials; empty: none.
+/** Writes report/index.html in the session's folder and returns its path. Equal records give equal
+bytes. If the machine cannot draw or a model is missing, the page has no pictures and says why.
+@param trace  for 3-D views of selected trials; empty: none.
 @throws Error(kIo) when the file cannot be written. */
 std::filesystem::path WriteSessionReport(const std::filesystem::path& folder,
                                          const Session& session, const TrialTracer& trace = {});
-/** The same in less memory: the session loses its plan on the way, but keeps its records. */
+/** As above with less memory: the session loses its plan but keeps its records. */
 std::filesystem::path WriteSessionReport(const std::filesystem::path& folder, Session&& session,
                                          const TrialTracer& trace = {});
 
-/** The page from its parts, for those who bring their own pictures. */
+/** Makes the page from its parts, for callers with pictures of their own. */
 std::string MakeSessionReport(const ReportData& data);
 
 }  // namespace graspbench

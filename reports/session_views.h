@@ -1,8 +1,8 @@
 #pragma once
 /** @file
-Chosen trials of a session as moving 3-D views (scene_3d.h): of every cell one trial of each outcome,
-the same whose pictures are shown. A record keeps three postures of a trial; its course comes from
-whoever can carry it out again. */
+Selected trials of a session as animated 3-D views (scene_3d.h): for every condition one trial per
+outcome, the same as in the pictures. A record keeps only three postures of a trial, so the motion
+comes from a re-simulation by the caller. */
 
 #include <functional>
 #include <string_view>
@@ -15,7 +15,7 @@ whoever can carry it out again. */
 
 namespace graspbench {
 
-/** Carries out a trial of the session again. @throws Error when it cannot. */
+/** Simulates a trial of the session again. @throws Error when that fails. */
 using TrialTracer = std::function<TracedTrial(const PlannedTrial&)>;
 
 struct SessionViews {
@@ -23,12 +23,12 @@ struct SessionViews {
   PageScript script;
 };
 
-/** True for a page of a session that has such views. */
+/** Whether a session's page has such views. */
 bool HasSessionViews(std::string_view page);
 
-/** A course that is not what the record says is shown with a sentence that names the first field
-that differs. Of very many trials the first that fit into a page; it says how many others there are.
-*/
+/** Draws the views. If a re-simulation differs from its record, the view names the first field that
+differs. Of very many trials, the first that fit into a page are shown, and the number of others is
+stated. */
 SessionViews DrawSessionViews(const Session& session, const SessionSummary& summary,
                               const SessionModels& models, const TrialTracer& trace);
 

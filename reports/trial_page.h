@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-One trial as one page: what was grasped and how, how it ended and why, pictures, times, contacts. */
+The page of one trial: object and grasp, outcome and reason, pictures, times, contacts. */
 
 #include <optional>
 #include <string>
@@ -16,19 +16,19 @@ namespace graspbench {
 
 struct TrialPageData {
   TrialSetup setup;
-  TrialRecord record;                      ///< its plan names hand, object, grasp and the draw
-  std::string name = {};                   ///< "tum-can-g3:2"; empty: of no session
-  std::optional<TracedTrial> traced = {};  ///< unset: nobody can carry it out again
-  /** A heading and plain text in columns, shown as it is. */
+  TrialRecord record;                      ///< its plan names hand, object, grasp and draw
+  std::string name = {};                   ///< "tum-can-g3:2"; empty: not from a session
+  std::optional<TracedTrial> traced = {};  ///< unset: it cannot be simulated again
+  /** Pairs of a heading and preformatted text. */
   std::vector<std::pair<std::string, std::string>> cards;
-  std::vector<std::string> script;              ///< lines of the shell that lead here
-  std::vector<std::string> commands = {};       ///< that make the page again
-  std::vector<std::string> warnings = {};       ///< what a reader must know, as sentences
-  std::optional<Explanation> explanation = {};  ///< of a failure: what would have held
+  std::vector<std::string> script;              ///< shell commands that reproduce the trial
+  std::vector<std::string> commands = {};       ///< that reproduce the page
+  std::vector<std::string> warnings = {};       ///< sentences for the reader
+  std::optional<Explanation> explanation = {};  ///< of a failure: what would have held the object
 };
 
-/** A self-contained page like the session's report. Without a renderer it has no pictures and says
-why. @pre the record is of the setup; the trial is over. */
+/** Makes a self-contained page like the session's report. Without a renderer it has no pictures and
+says why. @pre the record belongs to the setup; the trial is over. */
 std::string MakeTrialPage(const TrialPageData& data);
 
 }  // namespace graspbench

@@ -1,9 +1,9 @@
 #pragma once
 /** @file
-A command adds itself to the program: its options, and a callback that does the work and leaves the
-exit code. Faults are thrown as Error; program.cc prints them and chooses the exit code.
+Each command adds itself to the program: its options, and a callback that does the work and returns
+the exit code. Failures are thrown as Error; program.cc prints them and chooses the exit code.
 
-Results go to stdout, messages and progress to stderr. `--json` prints one object. */
+Results go to stdout, messages and progress to stderr. `--json` prints one JSON object. */
 
 #include <filesystem>
 #include <string>
@@ -23,27 +23,28 @@ namespace graspbench {
 #include "workbench/commands/command_list.inc"
 #undef GRASPBENCH_COMMAND
 
-/** --arm, and --arm-base as a text for ReadArmBase. */
+/** Adds --arm, and --arm-base, whose text ReadArmBase parses. */
 void AddArmOptions(Command& command, ArmConfig& arm, std::string& base);
-/** Takes the place of the base from "X,Y,Z,YAW" [m], [deg]. @throws Error(kUsage). */
+/** Sets the pose of the arm's base from "X,Y,Z,YAW" [m], [deg]. @throws Error(kUsage). */
 void ReadArmBase(const std::string& text, ArmConfig& arm);
 
 /** Options that several commands share. */
 ///@{
-/** A list in one word: "--object can,cup"; what it holds is shown as the default. */
+/** Adds a comma-separated list option ("--object can,cup"); its current content is shown as the
+default. */
 void AddListOption(Command& command, const std::string& name, std::vector<std::string>& list,
                    const std::string& text, const std::string& form);
-/** "--hand" and "--object", with the configuration's defaults. */
+/** Adds "--hand" and "--object", with the defaults of the configuration. */
 void AddSceneOptions(Command& command, SessionConfig& config);
-/** "--set KEY=VALUE", may be repeated. */
+/** Adds "--set KEY=VALUE", which may be repeated. */
 void AddSettingsOption(Command& command, std::vector<std::string>& settings,
                        const std::string& example);
-/** "--evaluations" and "--fitness-trials". */
+/** Adds "--evaluations" and "--fitness-trials". */
 void AddSearchOptions(Command& command, OptimiseConfig& config, const std::string& of);
-/** "--json": one object instead of lines for a person. */
+/** Adds "--json": one object instead of human-readable text. */
 void AddJsonOption(Command& command, bool& as_json,
                    const std::string& text = "print one JSON object");
-/** How a session with a folder of its own is run. */
+/** Options for running a session in a folder of its own. */
 struct RunOptions {
   std::string out;
   bool resume = false, plan_only = false, json = false;
@@ -51,54 +52,57 @@ struct RunOptions {
   double trial_time_limit = kTrialTimeLimit;
   int num_workers = 1;
 };
-/** "--jobs", "--out", "--resume", "--plan-only", "--accept-damage", "--trial-timeout",
+/** Adds "--jobs", "--out", "--resume", "--plan-only", "--accept-damage", "--trial-timeout",
 "--allow-remote", "--json".
-@param what  "session", "sweep". */
+@param what  what is run: "session", "sweep". */
 void AddRunOptions(Command& command, RunOptions& options, const std::string& what,
                    const std::string& usual_folder);
-/** "--trials" of each hand, object, grasp. @param usual  the default in words. */
+/** Adds "--trials", per hand, object and grasp. @param usual  the default in words. */
 void AddTrialsOption(
     Command& command, int& trials, const std::string& usual,
     const std::string& text = "finished trials of each hand, object, grasp to take");
-/** "--seed". @param what  another seed gives: "other variations". */
+/** Adds "--seed". @param what  what another seed gives: "other variations". */
 void AddSeedOption(Command& command, int& seed, const std::string& what);
-/** "--grasp": one of the files' grasps, by number. */
+/** Adds "--grasp": index of one grasp within the files. */
 void AddGraspNumberOption(Command& command, int& number);
-/** "--replace": an older result of the command's own kind. */
+/** Adds "--replace": overwrite an older result of the same kind. */
 void AddReplaceOption(Command& command, bool& replace);
-/** Before a session is made: rehearses what its grasps ask for and no earlier run has found, with
-progress and the time said before. @throws as RehearseTasks. */
+/** Rehearses the hand-object pairs that the session's grasps need and that no earlier run has
+rehearsed. To be called before the session is created. Announces the estimated time and shows
+progress. @throws as RehearseTasks. */
 void RehearseGrasps(const SessionConfig& config, int num_workers);
-/** "--plan-only": for several machines. */
+/** Adds "--plan-only": prepare the folder for several machines and run nothing. */
 void AddPlanOnlyOption(Command& command, bool& plan_only);
-/** Says what was planned and how to go on. */
+/** Prints what was planned and the next command to run. */
 void PrintPlan(const std::filesystem::path& folder, int count, const std::string& unit,
                bool as_json = false);
-/** The same of an experiment: how several machines work on it. */
+/** As PrintPlan, for the trials of an experiment. */
 void PrintExperimentPlan(const PreparedSession& experiment, bool as_json = false);
-/** Runs what is left of an experiment on the terminal, or prints its plan where that is all that is
-asked for. @returns whether it has run. @throws Error(kInterrupted) as DemandFinished. */
+/** Runs the remaining trials of an experiment with progress on the terminal, or prints its plan if
+the request is plan-only. @returns whether it was run. @throws Error(kInterrupted) as
+DemandFinished. */
 bool RunOrPlan(const PreparedSession& experiment, const ExperimentRequest& request);
-/** @throws Error(kInterrupted) saying how to go on, unless it is. */
+/** @throws Error(kInterrupted) saying how to continue, unless `is_finished`. */
 void DemandFinished(bool is_finished);
-/** "--resume": with the settings and the copies of the inputs that are in the folder of --out. */
+/** Adds "--resume": continue with the settings and copied inputs stored in the folder of --out. */
 void AddResumeOption(Command& command, bool& resume);
-/** When it was given. @throws Error(kUsage) when one of `settings` was too, or no folder. */
+/** Checks the options of a resumed session. @throws Error(kUsage) when one of `settings` or no
+--out was given. */
 void CheckResume(const Command& command, const std::vector<std::string>& settings);
-/** "--accept-damage": go on with what is left of a damaged store. */
+/** Adds "--accept-damage": use the intact part of a damaged store. */
 void AddAcceptDamageOption(Command& command, OnDamage& on_damage);
-/** A number of seconds, finite and above 0; the value is the default. */
+/** Adds an option in seconds, finite and above 0; the current value is the default. */
 void AddSecondsOption(Command& command, const std::string& name, double& seconds,
                       const std::string& text);
-/** "--trial-timeout". */
+/** Adds "--trial-timeout". */
 void AddTrialTimeoutOption(Command& command, double& seconds);
-/** The folder of a store, the command's argument. "." is replaced by its path, so that what is
-advised holds anywhere. */
+/** Adds the store folder as a required argument. "." is replaced by its absolute path, so that
+printed commands work from any folder. */
 void AddStoreFolder(Command& command, std::filesystem::path& folder, const std::string& text);
-/** "--at", "--camera" and "--size" of a picture (workbench/pictures/trial_picture.h). */
+/** Adds "--at", "--camera" and "--size" of a picture (workbench/pictures/trial_picture.h). */
 std::vector<Option*> AddPictureOptions(Command& command, std::string& at,
                                        std::vector<std::string>& view, std::string& size);
-/** "--jobs": sets num_workers to the number of processors, unless told otherwise. */
+/** Adds "--jobs" and sets num_workers to the number of processors as its default. */
 void AddJobsOption(Command& command, int& num_workers, const std::string& what = "trials");
 ///@}
 

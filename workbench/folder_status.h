@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-How far a session, a campaign, an optimisation or a development is, in words: through the door of
-every reader (sealed_store.h), so that no number comes from a store that is damaged. */
+Progress of a session, a campaign, an optimisation or a development, as text. Read through the same
+integrity checks as every reader (sealed_store.h), so that no count comes from damaged data. */
 
 #include <filesystem>
 #include <string>
@@ -12,31 +12,32 @@ every reader (sealed_store.h), so that no number comes from a store that is dama
 namespace graspbench {
 
 struct FolderStatus {
-  std::string text;                ///< lines; the first one of each store counts what is finished
-  std::vector<std::string> steps;  ///< those that count, without how long ago
-  std::string notes;               ///< what a reader should know besides; empty: nothing
-  std::string damage;              ///< what cannot be relied on, and where; empty: nothing
-  bool is_checked = false;         ///< as by `verify`: every byte
+  std::string text;  ///< lines; the first line of each store counts its finished items
+  std::vector<std::string> steps;  ///< the counting lines of `text`, without elapsed times
+  std::string notes;               ///< notes for the reader; empty: none
+  std::string damage;              ///< what is damaged, and where; empty: nothing
+  bool is_checked = false;         ///< every byte was checked, as `verify` does
   Json json;
-  int num_done = 0, num_all = 0;  ///< trials, scenes or held grasps of what runs now
+  int num_done = 0, num_all = 0;  ///< trials, scenes or held grasps of the current stage
   bool is_finished = false;
 };
 
 enum class StatusLook {
   kVerified,  ///< as `verify` does
-  kQuick,     ///< the same up to kMostChecked; above that it counts
-  kCounted    ///< lines of journals, by their indices or by what is sealed; files by their lengths
+  kQuick,     ///< as kVerified up to kMostChecked bytes, above as kCounted
+  kCounted    ///< counts journal lines by indices or seals; checks only file lengths
 };
-/** A processor takes some half a second for it [bytes]. */
+/** Size up to which kQuick checks every byte, which takes one processor about 0.5 s [bytes]. */
 inline constexpr uintmax_t kMostChecked = 30'000'000;
 
-/** What is being written while it is looked at is looked at again, so that it is no damage.
+/** Reads the status of a folder. Apparent damage is checked again after 0.1 s, because another
+process may be writing the store.
 @param stale_after  as in ReadProgress. @throws Error(kNotFound, kFormat, kIo) when the folder holds
-none of these or cannot be read. */
+no such store or cannot be read. */
 FolderStatus ReadFolderStatus(const std::filesystem::path& folder, double stale_after,
                               StatusLook look = StatusLook::kQuick);
 
-/** What a person is told of a status that is not checked. */
+/** Message for the user about an unchecked status. */
 std::string DescribeUncheckedStatus(const std::filesystem::path& folder);
 
 }  // namespace graspbench

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-The command line program: finds the command, runs it, turns every fault into one message on stderr
-and an exit code of core/base/error.h. */
+The command line program: finds and runs the command, and turns every failure into one message on
+stderr and an exit code of core/base/error.h. */
 
 #include "core/base/error.h"
 
@@ -9,7 +9,7 @@ namespace graspbench {
 
 class Command;
 
-/** Makes an empty parser that of graspbench: its name, help and every command. */
+/** Sets up an empty parser as that of graspbench: name, help and every command. */
 void AddCommands(Command& program);
 
 int RunProgram(int argc, const char* const* argv);

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-The page of a result of any kind, found by what its folder holds. */
+The report page of a result; its kind follows from the content of the folder. */
 
 #include <filesystem>
 
@@ -10,36 +10,39 @@ The page of a result of any kind, found by what its folder holds. */
 
 namespace graspbench {
 
-/** 3-D views of chosen trials in a session's page, which are carried out again for them. */
+/** Whether a session's page has 3-D views of selected trials, for which these are simulated
+again. */
 enum class PageViews { kAsBefore, kWith, kWithout };
 
-/** Makes the page of a session or a campaign again below `place`; that of a whole result (a study,
-a basin) was written with it and is taken as it is.
-@returns its path from `place`.
-@throws Error(kUsage) for views of anything else; Error(kNotFound) when the folder holds neither;
-as LoadSession and LoadCampaign. */
+/** Rebuilds the page of a session, a campaign or judged grasps below `place`. The page of a whole
+result (a study, a basin) was written with it and is copied as it is.
+@returns its path relative to `place`.
+@throws Error(kUsage) for 3-D views of anything but a session; Error(kNotFound) when the folder
+holds no result with a page; as LoadSession and LoadCampaign. */
 std::filesystem::path WriteResultPage(const std::filesystem::path& folder,
                                       const std::filesystem::path& place, OnDamage on_damage,
                                       PageViews views = PageViews::kAsBefore);
 
-/** Explains shortly what the page of a complete session explains unasked (FindUnexplained), and
-keeps it in the folder, so that the next page costs nothing. Says so, and for how long, on the
-terminal. What cannot be explained, or is stopped, is said there and leaves the page as it is. */
+/** Runs the short explanations that the page of a complete session shows by default
+(FindUnexplained). They are kept in the folder, so the next page reuses them. Announces the
+estimated time on the terminal. If it fails or is stopped, says so there; the page then shows the
+explanations found so far. */
 void ExplainUnasked(const std::filesystem::path& folder, int num_workers, OnDamage on_damage);
 
-/** Any trial of a session carried out again, for its report. Hands and objects are loaded once for
-all trials.
-@throws Error when a hand or an object of the session is gone. */
+/** Returns a function that simulates any trial of the session again for its report. Hands and
+objects are loaded once for all trials.
+@throws Error when a hand or an object of the session is missing. */
 TrialTracer MakeTrialTracer(const Session& session);
 
-/** For a page that is made again: the same where the one before has 3-D views, else empty. Says on
-the terminal when they cannot be kept. */
+/** As MakeTrialTracer if the session's existing page has 3-D views, else empty. Prints a message
+when the views cannot be rebuilt. */
 TrialTracer MakeKeptTracer(const Session& session);
 
-/** Exports and page of a finished session in its folder, made again. @returns the page. */
+/** Writes the exports and the page of a finished session into its folder. @returns the page. */
 std::filesystem::path WriteResults(const Session& session, const TrialTracer& trace = {});
 
-/** Where the answer of a command is, its last lines. @param table  empty: none. */
+/** Formats the last lines of a command's output: the paths of its results. @param table  empty:
+none. */
 std::string FormatPlaces(const std::filesystem::path& page,
                          const std::filesystem::path& table = {});
 

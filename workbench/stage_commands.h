@@ -1,7 +1,6 @@
 #pragma once
 /** @file
-The commands that a stage of a pipeline can be, with the options that they have; and packs of
-pipelines, made again. */
+The commands that a pipeline stage can run, with their options; and replays of pipeline packs. */
 
 #include <filesystem>
 #include <vector>
@@ -13,18 +12,18 @@ namespace graspbench {
 
 class Command;
 
-/** @param program  the command line, complete. */
+/** Lists the commands that a stage can run. @param program  the complete command line. */
 std::vector<StageCommand> ListStageCommands(const Command& program);
 
 struct PackReplayOptions {
   std::filesystem::path pack;
-  std::filesystem::path folder;  ///< empty: nothing is kept
+  std::filesystem::path folder;  ///< for the results; empty: none are kept
   int num_workers = 1;
   bool json = false;
 };
 
-/** What graspbench replay PACK and graspbench pipeline replay PACK do: makes the pack again and
-prints what it found. @returns kExitBadInput when a byte differs. @throws as ReplayPack. */
+/** Implements graspbench replay PACK and graspbench pipeline replay PACK: reruns the pack and
+prints the comparison. @returns kExitBadInput when a byte differs. @throws as ReplayPack. */
 ExitCode ReplayPackFile(const Command& program, const PackReplayOptions& options);
 
 }  // namespace graspbench

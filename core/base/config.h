@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-Configurations as plain structs. A struct names each field once, with its default beside it:
+Configurations as plain structs. A struct lists each field once, with its default beside it:
 
     struct SimConfig {
       double step = 0.002;
@@ -11,10 +11,10 @@ Configurations as plain structs. A struct names each field once, with its defaul
       }
     };
 
-and that one listing drives reading YAML, writing and reading JSON, `--set sim.step_s=0.001`, the
-checks of range, and the rows of help and schema (KeyInfo, FileKeys). Fields are int, double, bool,
-std::string, std::vector<std::string> or another such struct. A list of texts may be given as one
-text with commas: "tum, shadow". */
+This listing drives reading YAML, writing and reading JSON, `--set sim.step_s=0.001`, range checks,
+and the rows of help and schema (KeyInfo, FileKeys). A field is an int, double, bool, std::string,
+std::vector<std::string> or another such struct. A list of strings may be given as one string with
+commas: "tum, shadow". */
 
 #include <string>
 #include <string_view>
@@ -60,10 +60,11 @@ class JsonConfigWriter {
   Json json_ = Json::object();
 };
 
-/** A frozen configuration is complete: every key must be there, and no other. */
+/** Reads a stored configuration, which must be complete: every key must be present, and no
+other. */
 class JsonConfigReader {
  public:
-  /** @param where  prefix of full keys: "" or "sim.". */
+  /** @param where  prefix of the full keys: "" or "sim.". */
   JsonConfigReader(const Json& json, std::string file, std::string where, Diagnostics& problems);
 
   template <class T>
@@ -96,7 +97,7 @@ class JsonConfigReader {
   std::vector<std::string> known_;
 };
 
-/** Absent keys keep their defaults. */
+/** Reads a YAML map; fields whose keys are absent keep their defaults. */
 class YamlConfigReader {
  public:
   YamlConfigReader(const YAML::Node& node, const std::string& file, const std::string& where,
@@ -138,7 +139,7 @@ constexpr KeyType KeyTypeOf() {
 
 class KeyLister {
  public:
-  /** @param group  of the struct whose fields are visited: holds for what they leave out. */
+  /** @param group  attributes of the visited struct; they apply to fields that have none. */
   KeyLister(std::string where, const KeyInfo& group, FileKeys& keys)
       : where_(std::move(where)), group_(group), keys_(&keys) {}
   template <class T>
@@ -158,21 +159,21 @@ class KeyLister {
   FileKeys* keys_;
 };
 
-/** Splits "sim.step_s=0.001" and gives {sim: {step_s: 0.001}}.
-@throws Error(kUsage) when it is not of that form or the key is not known. */
+/** Parses "sim.step_s=0.001" into {sim: {step_s: 0.001}}.
+@throws Error(kUsage) if it is not of that form or if the key is unknown. */
 YAML::Node ParseSetting(const std::string& assignment, const std::vector<std::string>& known);
 
 std::vector<std::pair<std::string, std::string>> FindOutOfRange(
     const Json& config, const Json& defaults, const std::vector<std::string>& names,
     const FileKeys& keys);
 
-/** @pre both are made by ConfigToJson from the same struct. */
+/** @pre both come from ConfigToJson of the same struct. */
 void FindDifferences(const Json& a, const Json& b, const std::string& where,
                      std::vector<std::string>& differences);
 
 }  // namespace internal
 
-/** The complete configuration, in the order of its fields. */
+/** Returns the complete configuration, in the order of its fields. */
 template <class Config>
 Json ConfigToJson(Config config) {
   internal::JsonConfigWriter writer;
@@ -180,7 +181,7 @@ Json ConfigToJson(Config config) {
   return writer.json();
 }
 
-/** Whether all values are equal; one that is not a number equals none. */
+/** Returns whether all values are equal; NaN is not equal to anything. */
 template <class Config>
 [[nodiscard]] bool HaveEqualValues(Config a, Config b) {
   return ConfigToJson(std::move(a)) == ConfigToJson(std::move(b));
@@ -196,8 +197,8 @@ Config ConfigFromJson(const Json& json, const std::string& file, Diagnostics& pr
   return config;
 }
 
-/** Reads what a YAML document gives over the defaults in `config`; an empty document gives none.
-@param what  what the document describes, for messages: "session". */
+/** Overwrites the values in `config` that a YAML document gives; an empty document gives none.
+@param what  name of what the document describes, for messages: "session". */
 template <class Config>
 void ReadConfig(const YAML::Node& root, const std::string& file, const std::string& what,
                 Config& config, Diagnostics& problems) {
@@ -207,8 +208,8 @@ void ReadConfig(const YAML::Node& root, const std::string& file, const std::stri
   reader.FinishKnownKeys();
 }
 
-/** The rows of a configuration's keys, in the order of its fields, with the defaults of `config`.
- */
+/** Returns the rows of a configuration's keys, in the order of its fields, with the defaults of
+`config`. */
 template <class Config>
 FileKeys DescribeConfig(Config config) {
   FileKeys keys;
@@ -216,7 +217,7 @@ FileKeys DescribeConfig(Config config) {
   return keys;
 }
 
-/** Full names of all values: "trials", "sim.step_s", ... */
+/** Returns the full names of all values: "trials", "sim.step_s", ... */
 template <class Config>
 std::vector<std::string> ListConfigKeys(const Config& config) {
   std::vector<std::string> names;
@@ -224,8 +225,8 @@ std::vector<std::string> ListConfigKeys(const Config& config) {
   return names;
 }
 
-/** Every number that is not in the range of its row, unless it is not given: its key, and "-1 is
-out of range; expected 0 to 1". */
+/** Returns the numbers that are outside the ranges of their rows, as pairs of the key and a text:
+"-1 is out of range; expected 0 to 1". NaN is accepted where the default is NaN. */
 template <class Config>
 std::vector<std::pair<std::string, std::string>> FindOutOfRange(const Config& config,
                                                                 const FileKeys& keys) {
@@ -233,7 +234,8 @@ std::vector<std::pair<std::string, std::string>> FindOutOfRange(const Config& co
                                   ListConfigKeys(config), keys);
 }
 
-/** Applies "sim.step_s=0.001". @throws Error(kUsage) naming the known keys or the expected type. */
+/** Applies a setting such as "sim.step_s=0.001".
+@throws Error(kUsage) naming the known keys or the expected type. */
 template <class Config>
 void SetConfigValue(const std::string& assignment, Config& config) {
   const YAML::Node node = internal::ParseSetting(assignment, ListConfigKeys(config));
@@ -245,7 +247,8 @@ void SetConfigValue(const std::string& assignment, Config& config) {
   }
 }
 
-/** Where two configurations differ: "sim.step_s: 0.002 and 0.001", in the order of the fields. */
+/** Lists where two configurations differ, in the order of the fields: "sim.step_s: 0.002 and
+0.001". */
 template <class Config>
 std::vector<std::string> FindConfigDifferences(const Config& a, const Config& b) {
   std::vector<std::string> differences;
@@ -253,7 +256,7 @@ std::vector<std::string> FindConfigDifferences(const Config& a, const Config& b)
   return differences;
 }
 
-/** Line of a full key in a YAML document; 0 when it is not there. */
+/** Returns the line of a full key in a YAML document; 0 if the key is absent. */
 int FindConfigLine(const YAML::Node& root, std::string_view full_key);
 
 }  // namespace graspbench

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-One table per enum: a row for each value, with its name and whatever else is said of it.
+One table per enum, with one row per value: its name and any further attributes.
 
     enum class Shape { kBall, kBox };
     struct ShapeRow {
@@ -9,8 +9,8 @@ One table per enum: a row for each value, with its name and whatever else is sai
     };
     inline constexpr ShapeRow kShapes[] = {{Shape::kBall, "ball"}, {Shape::kBox, "box"}};
 
-A row may hold more: words for a person, a code, rules. Nothing else repeats the names. Where there
-is no more, NamedValue<Shape> is the row. */
+A row may have more members: text for a person, a code, rules. The names are written nowhere else.
+If there are no more members, NamedValue<Shape> is the row. */
 
 #include <string>
 #include <vector>
@@ -22,7 +22,7 @@ namespace graspbench {
 template <class Enum>
 struct NamedValue {
   Enum value;
-  const char* name;  ///< in files
+  const char* name;  ///< as in files
 };
 
 /** @pre the table has a row of this value. */
@@ -42,7 +42,7 @@ std::vector<std::string> ListNames(const Row (&table)[N]) {
   return names;
 }
 
-/** Null when no row has this name. */
+/** Returns null if no row has this name. */
 template <class Row, size_t N>
 const Row* FindRow(const Row (&table)[N], const std::string& name) {
   for (const Row& row : table) {
@@ -51,7 +51,8 @@ const Row* FindRow(const Row (&table)[N], const std::string& name) {
   return nullptr;
 }
 
-/** @param what  for the message: "outcome".  @throws Error(kFormat) with suggestions. */
+/** @param what  noun for the message, for example "outcome".
+@throws Error(kFormat) with suggestions if no row has this name. */
 template <class Row, size_t N>
 const Row& RowFromName(const Row (&table)[N], const std::string& name, const char* what) {
   if (const Row* row = FindRow(table, name)) return *row;

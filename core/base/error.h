@@ -1,9 +1,9 @@
 #pragma once
 /** @file
-The one error class: a fault of the user, of a file or of the environment, reported to a person.
+The only error class: a fault of the user, of a file or of the environment, reported to a person.
 
-Three cases, three mechanisms:
-- our own bug: GRASPBENCH_DEMAND, stops with file, line and values;
+Three cases have three mechanisms:
+- our own bug: GRASPBENCH_DEMAND aborts with file, line and values;
 - the user's or a file's fault: throw Error (several faults in one file: Diagnostics);
 - the outcome of an experiment (dropped, diverged): a status in the result, never an exception.
 
@@ -19,7 +19,7 @@ namespace graspbench {
 enum class ErrorKind {
   kUsage,        ///< the command line asks for something that does not exist or contradicts itself
   kNotFound,     ///< no hand, object, grasp or file of that name
-  kFormat,       ///< a file's content is not what its format promises
+  kFormat,       ///< a file's content violates its format
   kRange,        ///< a value is outside its range, or not finite
   kVersion,      ///< written by another version
   kIo,           ///< reading or writing failed (disk full, no permission)
@@ -37,7 +37,8 @@ class Error : public std::runtime_error {
   ErrorKind kind_;
 };
 
-/** The program's exit codes. Ok and failed work are 0 and 1; the rest follow from the error. */
+/** The program's exit codes. 0 is success and 1 is failed work; the others follow from the
+error. */
 enum ExitCode : int {
   kExitOk = 0,
   kExitFailed = 1,
@@ -49,9 +50,9 @@ enum ExitCode : int {
 };
 ExitCode ExitCodeOf(ErrorKind kind);
 
-/** "; did you mean "mug"? Known: a, b, c" for a misspelt name; at most 24 names are listed,
-none where more than 8 stand beside a suggestion. The suggestion is left out when nothing known is
-within a third of the name's length in edits. */
+/** Returns "; did you mean "mug"? Known: a, b, c" for a misspelt name. A name is suggested if its
+edit distance is at most a third of the misspelt name's length (at least 1). At most 24 known names
+are listed, and none if there is a suggestion and more than 8 names are known. */
 std::string SuggestNames(std::string_view misspelt, const std::vector<std::string>& known);
 
 enum class Severity { kWarning, kError };
@@ -59,11 +60,11 @@ enum class Severity { kWarning, kError };
 struct Diagnostic {
   Severity severity = Severity::kError;
   std::string file;
-  int line = 0;  ///< one-based; 0 = the file as a whole
+  int line = 0;  ///< one-based; 0: the file as a whole
   std::string text;
 };
 
-/** The faults inside one file: its reader goes on, and all problems are reported at once. */
+/** Collects the faults of one file: its reader continues, and all problems are reported at once. */
 class Diagnostics {
  public:
   void Warn(const std::string& file, int line, const std::string& text) {
@@ -75,7 +76,7 @@ class Diagnostics {
   const std::vector<Diagnostic>& entries() const { return entries_; }
   int num_errors() const;
 
-  /** One line each: "hand.urdf:12: error: ...". */
+  /** Returns one line per entry: "hand.urdf:12: error: ...". */
   std::string Format() const;
 
   /** Throws Error(kind) with all entries when there is at least one error. */
@@ -92,8 +93,8 @@ namespace internal {
 
 }  // namespace graspbench
 
-/** Stops the program on a bug of ours. `values` is a std::string that shows the culprits.
-User input must never reach it. */
+/** Aborts the program on a bug of ours. `values` is a std::string that shows the offending values.
+User input must never trigger it. */
 #define GRASPBENCH_DEMAND(condition, values)                                          \
   do {                                                                                \
     if (!(condition))                                                                 \

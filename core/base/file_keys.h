@@ -1,8 +1,9 @@
 #pragma once
 /** @file
-The keys of a file format, a row each: its reader takes the ranges from them, `graspbench help FILE`
-prints them, the JSON Schema is made of them. The listing of a configuration (config.h) makes its
-rows; a test compares those written by hand with what their reader asks for. */
+The keys of a file format, one row each. The reader takes the ranges from the rows, `graspbench help
+FILE` prints them, and the JSON Schema is generated from them. Rows of a configuration (config.h)
+come from its listing. A test compares rows that are written by hand with the keys that their reader
+requests. */
 
 #include <limits>
 #include <string>
@@ -12,19 +13,19 @@ rows; a test compares those written by hand with what their reader asks for. */
 
 namespace graspbench {
 
-/** Of a key that must be there. */
+/** Fallback of a mandatory key. */
 inline constexpr const char* kRequired = "required";
-/** The least number above 0, as a limit. */
+/** Lower limit that excludes 0: the smallest positive number. */
 inline constexpr double kAboveZero = std::numeric_limits<double>::min();
 inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 enum class KeyType {
-  kAny,           ///< a text, several, or a map of the keys below it; with limits a number
-  kBoolean,       //
-  kNumber,        ///< or several
-  kNumberOfSome,  ///< the same; some entries of a list need it, others must not have it
-  kList,          ///< of the keys below it
-  kMap            ///< whose names are free
+  kAny,      ///< string, list of strings, or map of the keys below it; a number if it has limits
+  kBoolean,  //
+  kNumber,   ///< one number or several
+  kNumberOfSome,  ///< as kNumber; required in some entries of a list, not allowed in others
+  kList,          ///< list of maps with the keys below it
+  kMap            ///< map with free names
 };
 
 struct FileKey {
@@ -41,17 +42,17 @@ struct FileKey {
         low(least),
         high(most) {}
 
-  std::string key;       ///< in full: "palm.centre_m"; of the entries of a list: "digits.tip_m"
-  std::string fallback;  ///< what holds where it is left out, kRequired, or empty: see `meaning`
+  std::string key;       ///< full name: "palm.centre_m"; for the entries of a list: "digits.tip_m"
+  std::string fallback;  ///< default, kRequired, or empty: see `meaning`
   KeyType type;
-  std::string meaning;  ///< without full stop
-  double low, high;     ///< of a number, or of each of several
+  std::string meaning;  ///< without a full stop
+  double low, high;     ///< range of the number, or of each of several
 };
 using FileKeys = std::vector<FileKey>;
 
-/** What a configuration's listing says of a field beside its key; of a struct: what holds for those
-of its fields that say nothing. The default stands in the struct; a `fallback` is what its help says
-instead, as "none" of an empty text. */
+/** Attributes of a field in a configuration's listing, besides its key. The attributes of a struct
+apply to those of its fields that have none. The default value is the initialiser in the struct; a
+`fallback` replaces it in the help, for example "none" for an empty string. */
 struct KeyInfo {
   constexpr KeyInfo(const char* about = "", double least = -kNoLimit, double most = kNoLimit)
       : meaning(about), low(least), high(most) {}
@@ -62,23 +63,24 @@ struct KeyInfo {
 
   const char* meaning;
   std::string_view fallback = {};
-  KeyType type = KeyType::kAny;  ///< else that of the field's C++ type
+  KeyType type = KeyType::kAny;  ///< kAny: from the field's C++ type
   double low = -kNoLimit, high = kNoLimit;
 };
 
-/** Null when there is no such row. */
+/** Returns null if there is no such row. */
 const FileKey* FindFileKey(const FileKeys& keys, const std::string& key);
 
-/** Not for a value that is no number. */
+/** Returns whether the value is in the key's range; false for NaN. */
 bool IsInRange(const FileKey& key, double value);
 
-/** "0 to 45", "above 0", "at least 1"; empty when all numbers will do. */
+/** Returns "0 to 45", "above 0" or "at least 1"; empty if the key has no limits. */
 std::string FormatRange(const FileKey& key);
 
-/** The unit that the end of a key names: "N/m" of "contact_stiffness_n_per_m"; empty: none. */
+/** Returns the unit that the suffix of a key names: "N/m" for "contact_stiffness_n_per_m". Empty if
+there is none. */
 std::string FindUnit(const std::string& key);
 
-/** For people: a key to a line, its range, unit and default, and below it what it is. */
+/** Formats the help text: one line per key with range, unit and default, and its meaning below. */
 std::string FormatFileKeys(const FileKeys& keys);
 
 }  // namespace graspbench

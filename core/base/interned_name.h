@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-A name out of a small set (digits, rules, conventions) that very many records repeat: each text is
-kept once in the process, and a name is as large as a pointer. */
+A name from a small set (digits, rules, conventions) that very many records repeat. Each string is
+stored once per process, and a name has the size of a pointer. */
 
 #include <ostream>
 #include <string>
@@ -29,11 +29,11 @@ class InternedName {
   }
 
  private:
-  const std::string* text_;  ///< lives as long as the process
+  const std::string* text_;  ///< has the lifetime of the process
 };
 
 Json ToJson(InternedName name);
-/** @throws Json::exception when it is no text. */
+/** @throws Json::exception if it is not a string. */
 void ReadJson(const Json& json, InternedName& name);
 
 }  // namespace graspbench

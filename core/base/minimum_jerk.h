@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-The minimum-jerk course (Flash and Hogan 1985) from 0 to 1 and its rate, x in [0, 1]. */
+The minimum-jerk profile from 0 to 1 (Flash and Hogan 1985) and its rate, for x in [0, 1]. */
 
 namespace graspbench {
 

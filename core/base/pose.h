@@ -32,7 +32,8 @@ inline Pose MakePose(const Eigen::Vector3d& p_AB) {
   return MakePose(Eigen::Matrix3d::Identity(), p_AB);
 }
 
-/** Fixed-axis roll (x), pitch (y), yaw (z), the order of URDF: R = Rz(yaw) Ry(pitch) Rx(roll). */
+/** Returns the rotation of fixed-axis roll (x), pitch (y) and yaw (z) [rad] in the convention of
+URDF: R = Rz(yaw) Ry(pitch) Rx(roll). */
 inline Eigen::Matrix3d MakeRotationRpy(double roll, double pitch, double yaw) {
   return (Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) *
           Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
@@ -40,8 +41,8 @@ inline Eigen::Matrix3d MakeRotationRpy(double roll, double pitch, double yaw) {
       .toRotationMatrix();
 }
 
-/** The inverse of MakeRotationRpy: roll, pitch, yaw [rad]. One angle after the other is
-taken out, so that they stay exact where the pitch is 90 degrees. */
+/** Returns roll, pitch and yaw [rad], the inverse of MakeRotationRpy. The angles are extracted one
+after another, so that they stay exact at a pitch of 90 degrees. */
 inline Eigen::Vector3d CalcRollPitchYaw(const Eigen::Matrix3d& R) {
   const double yaw = std::atan2(R(1, 0), R(0, 0));
   const Eigen::Matrix3d tilted = Eigen::AngleAxisd(-yaw, Eigen::Vector3d::UnitZ()) * R;

@@ -2,10 +2,10 @@
 /** @file
 Random streams derived from ids.
 
-A stream is named, never seeded from the clock: RandomStream("a1b2c3", "object pose") gives the same
-numbers on every machine, in every order of trials and for any number of threads. The generator is
-SplitMix64 (Steele, Lea, Flood 2014) started at the hash of the names; the mapping to numbers is our
-own, because the standard library's distributions differ between implementations. */
+A stream is named, never seeded from the clock. RandomStream("a1b2c3", "object pose") gives the same
+numbers on every machine, for any order of trials and any number of threads. The generator is
+SplitMix64 (Steele, Lea, Flood 2014), started at the hash of the names. The mapping to numbers is
+our own, because the distributions of the standard library differ between implementations. */
 
 #include <cstdint>
 #include <string_view>
@@ -20,7 +20,8 @@ class RandomStream {
   /** Uniform in [0, 1) with 53 random bits. */
   double NextUnit();
   double NextUniform(double low, double high) { return low + (high - low) * NextUnit(); }
-  /** Standard normal by Box-Muller; two uniforms a number, so the stream's position is plain. */
+  /** Standard normal by Box-Muller. Each number takes two uniform numbers, so that the stream's
+  position is predictable. */
   double NextNormal();
   /** Uniform in {0, .., count - 1}, count >= 1. */
   int NextIndex(int count);
@@ -29,7 +30,7 @@ class RandomStream {
   uint64_t state_;
 };
 
-/** Limits between which a number is drawn evenly. */
+/** Range from which a number is drawn uniformly. */
 struct DrawnRange {
   double low = 0.0, high = 0.0;
   double Draw(RandomStream& stream) const { return stream.NextUniform(low, high); }

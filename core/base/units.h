@@ -1,14 +1,15 @@
 #pragma once
 /** @file
-Inside the program everything is SI (m, kg, s, rad, N) and carries no suffix. Any other unit carries
-one in its name (`_mm`, `_deg`, `_g`, `_ms`) and is converted here, at the border, and nowhere else.
-*/
+All quantities inside the program are in SI units (m, kg, s, rad, N) and have no suffix. A quantity
+in another unit has a suffix in its name (`_mm`, `_deg`, `_g`, `_ms`) and is converted here, at the
+program's boundary, and nowhere else. */
 
 #include <limits>
 
 namespace graspbench {
 
-/** A quantity that has no value: written as null or an empty cell, never as a plausible number. */
+/** Marks a quantity without a value. It is written as null or an empty cell, never as a plausible
+number. */
 inline constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
 
 inline constexpr double kPi = 3.14159265358979323846;

@@ -1,19 +1,19 @@
 #pragma once
 /** @file
-What program this is. */
+Version of the program and of its sources. */
 
 namespace graspbench {
 
-/** Version of this program, "0.1.0"; it stands in the root CMakeLists. */
+/** Returns the version of this program, for example "0.1.0", as set in the root CMakeLists.txt. */
 const char* program_version();
 
-/** Commit of the source it was built from, 40 hexadecimal digits, changes beside it not included;
-"unknown" when the source was no clone. */
+/** Returns the commit of the source that the program was built from: 40 hexadecimal digits.
+Uncommitted changes are not included. "unknown" when the source was not a clone. */
 const char* program_commit();
 
-/** Hash of the sources from which fitted grasps and mesh checks follow (core/base, core/shape,
-core/hand, core/grasp, objects), and of the compiler: a result that is kept between runs is keyed by
-it, so that no change of a rule meets an old one. */
+/** Returns the hash of the compiler and of all sources that determine fitted grasps and mesh checks
+(core/base, core/shape, core/hand, core/grasp, objects). Cached results are keyed by it, so that a
+changed rule never uses an old result. */
 const char* program_sources();
 
 }  // namespace graspbench

@@ -1,15 +1,16 @@
 #pragma once
 /** @file
-Numbers that somebody else wrote, as sizes and indices. A cast of a number that the type does not
-hold has no defined result, so every reader of foreign files converts here (tests/lint looks). */
+Safe conversion of foreign numbers, such as sizes and indices, to integers. A cast of a number that
+the type cannot represent is undefined, so every reader of foreign files converts here (checked in
+tests/lint). */
 
 #include <cmath>
 #include <limits>
 
 namespace graspbench {
 
-/** Without its fraction; the type's limit for what lies beyond it, 0 for what is no number. Whether
-a number makes sense is for the reader to check. */
+/** Truncates towards zero; saturates at the type's limits and returns 0 for NaN. The reader must
+check whether the number is plausible. */
 template <class Whole>
 Whole ToWhole(double value) {
   using Limits = std::numeric_limits<Whole>;

@@ -21,7 +21,7 @@ constexpr double kTouching = 0.3;
 constexpr double kLifting = 0.2;
 constexpr double kSlightPull = 0.2;  // [N]
 
-/** Digits that touched, of those that grasp. */
+/** Share of the grasping digits that touched. */
 double CalcTouchingShare(const TrialResult& result) {
   if (result.contacts.empty()) return 0.0;
   const auto num_touched =
@@ -71,14 +71,14 @@ int CountAsCalled(const std::vector<DevelopTrial>& trials) {
 
 namespace {
 
-// Draws of the variation, other ones at each stage; the search's begin with the last.
+// Draws of the variation, different at each stage; those of the search start at the last.
 constexpr int kCheckDraw = 1, kFirstRaceDraw = 2, kFirstFinalsDraw = 5, kFirstSearchDraw = 10;
 
-/** How a budget is spent. Most evaluations are of half of the shapes. */
+/** Distribution of a budget. Most evaluations use half of the shapes. */
 struct Plan {
-  int num_racing;       ///< proposals
+  int num_racing;       ///< number of proposals
   int num_shapes;       ///< even
-  int num_finalists;    ///< beside the proposal
+  int num_finalists;    ///< in addition to the proposal
   int num_evaluations;  ///< of the search
 
   int CountRace() const {
@@ -89,7 +89,7 @@ struct Plan {
     return (num_finalists + 1 + 2 * KeepLast(num_finalists + 1)) * num_shapes + kNumTrainingShapes;
   }
   static int KeepThird(int count) { return count / 3 + 1; }
-  /** The start stays to the end, so that it is beaten on the same trials. */
+  /** The start stays to the end, so that it is compared on the same trials. */
   static int KeepLast(int count) { return std::max(2, KeepThird(count)); }
 };
 
@@ -103,7 +103,7 @@ Plan MakePlan(int budget) {
   return plan;
 }
 
-/** Asks, counts and remembers. */
+/** Sends requests, and counts trials and failures. */
 class Course {
  public:
   explicit Course(const RunDevelopTrials& run) : run_(run) {}
@@ -143,7 +143,7 @@ class Course {
   int num_failures_ = 0;  ///< numerical ones
 };
 
-/** Indices by falling score, equal ones in their order. */
+/** Indices by descending score; ties keep their order. */
 std::vector<size_t> SortByScore(const std::vector<double>& scores) {
   std::vector<size_t> order(scores.size());
   std::iota(order.begin(), order.end(), size_t{0});
@@ -152,7 +152,7 @@ std::vector<size_t> SortByScore(const std::vector<double>& scores) {
   return order;
 }
 
-/** Sums of scores of those that are left. */
+/** A contest by the sums of scores of the remaining grasps. */
 class Contest {
  public:
   Contest(size_t size, Course& course) : sums_(size, 0.0), left_(size), course_(course) {
@@ -175,21 +175,21 @@ class Contest {
     left_.resize(std::min(left_.size(),
                           static_cast<size_t>(Plan::KeepThird(static_cast<int>(left_.size())))));
   }
-  /** The best, `always` among them. */
+  /** Keeps the best, including `always`. */
   void KeepLast(size_t always) {
     const auto count = static_cast<size_t>(Plan::KeepLast(static_cast<int>(left_.size())));
     left_.resize(std::min(left_.size(), count));
     if (std::count(left_.begin(), left_.end(), always) == 0) left_.back() = always;
   }
   size_t winner() const { return left_.front(); }
-  /** Mean of one that is left. */
+  /** Mean score of a remaining grasp. */
   double CalcScore(size_t k) const { return sums_[k] / num_trials_; }
 
  private:
   std::vector<double> sums_;
   std::vector<size_t> left_;
   Course& course_;
-  int num_trials_ = 0;  ///< of each that is left
+  int num_trials_ = 0;  ///< of each remaining grasp
 };
 
 /** @returns the index of the winner. */
@@ -208,7 +208,7 @@ size_t RunRace(const std::vector<ProposedGrasp>& proposals, const Plan& plan, Co
   return race.winner();
 }
 
-/** Of the search, the best evaluations of its later half, when it had found its way. */
+/** Best evaluations of the later half of the search, when it has converged. */
 std::vector<Grasp> ListFinalists(const SearchResult& search, const PostureChanges& changes,
                                  int count) {
   const size_t first = search.individuals.size() / 2;
@@ -239,7 +239,7 @@ DevelopedGrasp DevelopGrasp(const Hand& hand, const std::vector<ProposedGrasp>& 
   DevelopedGrasp developed;
   developed.proposed = proposals[RunRace(proposals, plan, course)];
 
-  // Every generation meets other shapes and draws, so that none of them is learned by heart.
+  // Shapes and draws change with every generation, to avoid overfitting to them.
   const PostureChanges changes(hand, developed.proposed.grasp);
   const int half = plan.num_shapes / 2;
   const auto evaluate = [&](const std::vector<Individual>& generation) {

@@ -1,19 +1,19 @@
 #pragma once
 /** @file
-Develops one grasp of a hand: geometry proposes, simulation on training shapes decides.
+Develops one grasp of a hand: geometry proposes candidates, simulation on training shapes selects.
 
-    race      the best proposals grasp half of the shapes, the better ones the others, the best
-              ones all of them again with other draws
-    search    CMA-ES among small changes of the winner's postures (posture_changes.h), mean score of
-              half of the shapes, of other ones with other draws in every generation
-    finals    the best of the search's later half and the winner as it was, the start, on draws that
-              neither has seen; the best third of them once more, the start among them, so that
+    race      the best proposals run on half of the shapes, the better ones on the other half, the
+              best of these on all shapes with other draws
+    search    CMA-ES over small changes of the winner's postures (posture_changes.h), by the mean
+              score over half of the shapes; shapes and draws change with every generation
+    finals    the best of the search's later half and the unchanged winner, the start, on draws that
+              neither has seen; the best third of them once more, including the start, so that
               nothing is chosen that scores lower on the same trials
-    check     the chosen one on shapes that nothing has seen
+    check     the chosen one on shapes that were never used before
 
-How it scores stands at DevelopTrial, the shapes in core/shape/synthetic_shapes.h. The simulation is
-asked, so that the caller runs the trials on its threads and keeps a journal; the same answers lead
-to the same questions. */
+The score is defined at DevelopTrial, the shapes in core/shape/synthetic_shapes.h. Trials are run by
+a callback, so that the caller can use its threads and keep a journal. The same answers lead to the
+same requests. */
 
 #include <functional>
 #include <string>
@@ -27,20 +27,20 @@ to the same questions. */
 
 namespace graspbench {
 
-/** What the development keeps of a simulated trial, and how it scores it, larger is better:
+/** The stored data of a simulated trial in development, and its score, larger is better:
 
     success    1 + 0.3 x / (1 + x),  x = sigma / (m g + 0.2 N): how firmly it is held
                + 0.2 (digits that touched) / (all)
-               + 0.6 when the opposition is that of its name (core/trial/measures/grasp_types.h)
-               - 0.3 when a digit touched before the hand closed
-    else       0.3 (digits that touched) / (all) + 0.2 (height reached) / (height of the lift),
-               0 of a numerical failure
+               + 0.6 if the opposition is that of its type (core/trial/measures/grasp_types.h)
+               - 0.3 if a digit touched before the start of closure
+    failure    0.3 (digits that touched) / (all) + 0.2 (height reached) / (height of the lift);
+               0 for a numerical failure
 
-so that a failure leads towards success, and among successes the firm ones win. */
+so that failures are guided towards success, and firm grasps win among successes. */
 struct DevelopTrial {
   Outcome outcome = Outcome::kNotRun;
   double score = 0.0;
-  bool is_as_called = false;  ///< it was held by the opposition of its name
+  bool is_as_called = false;  ///< held by the opposition of its type
 
   template <class V>
   static void ListFields(V&& field) {
@@ -55,13 +55,13 @@ DevelopTrial MakeDevelopTrial(const Grasp& grasp, const GraspObject& object,
 
 double CalcMeanScore(const std::vector<DevelopTrial>& trials);  ///< 0 without trials
 int CountSuccesses(const std::vector<DevelopTrial>& trials);
-int CountAsCalled(const std::vector<DevelopTrial>& trials);  ///< of the successes
+int CountAsCalled(const std::vector<DevelopTrial>& trials);  ///< among the successes
 
 struct DevelopConfig {
-  int budget = 15000;  ///< trials of all grasps together, about
+  int budget = 15000;  ///< approximate number of trials of all grasps together
   int seed = 1;
-  /** Of coupled joints (core/hand/hand.h): the hand's own rule, or that and all others in turn,
-  for a hand whose rule is not known. */
+  /** For coupled joints (core/hand/hand.h): use the hand's own rule, or all rules in turn for a
+  hand whose rule is unknown. */
   bool any_coupling = false;
 
   template <class V>
@@ -75,34 +75,34 @@ struct DevelopConfig {
 /** One grasp on some shapes. */
 struct DevelopRequest {
   struct Trial {
-    int shape = 0;  ///< index into the shapes; those for the check follow those for training
-    int draw = 0;   ///< of the variation between trials
+    int shape = 0;  ///< index into the shapes; those of the check follow those of training
+    int draw = 0;   ///< number of the draw of the variation between trials
   };
   std::string stage;  ///< "race", "search", "finals", "check"
   Grasp grasp;
   std::vector<Trial> trials;
 };
-/** The trials of each request, in the order of the requests. */
+/** Returns the trials of each request, in the order of the requests. */
 using RunDevelopTrials =
     std::function<std::vector<std::vector<DevelopTrial>>(const std::vector<DevelopRequest>&)>;
 
-/** Shapes of a grasp: so many to train on, then as many to check with. */
+/** Number of shapes for training a grasp, followed by as many for the check. */
 inline constexpr int kNumTrainingShapes = 24;
 
 struct DevelopedGrasp {
-  ProposedGrasp proposed;           ///< what geometry gave, and the race chose
-  Grasp grasp;                      ///< what came of it
-  double proposed_score = 0.0;      ///< in the finals
-  double score = 0.0;               ///< in the finals
-  int num_trials = 0;               ///< in all
+  ProposedGrasp proposed;           ///< proposed by geometry and selected by the race
+  Grasp grasp;                      ///< the result
+  double proposed_score = 0.0;      ///< score of `proposed` in the finals
+  double score = 0.0;               ///< score of `grasp` in the finals
+  int num_trials = 0;               ///< total
   int num_numerical_failures = 0;   ///< of these; they score 0
-  std::vector<DevelopTrial> check;  ///< a trial of each shape
+  std::vector<DevelopTrial> check;  ///< one trial per shape
 };
 
-/** About how many trials DevelopGrasp asks for. */
+/** Approximate number of trials that DevelopGrasp requests. */
 int CountDevelopTrials(int budget);
 
-/** @param budget  of trials of this grasp.  @pre `proposals` is not empty, best first. */
+/** @param budget  number of trials of this grasp.  @pre `proposals` is not empty, best first. */
 DevelopedGrasp DevelopGrasp(const Hand& hand, const std::vector<ProposedGrasp>& proposals,
                             int budget, int seed, const RunDevelopTrials& run);
 

@@ -16,15 +16,15 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kNearestPads = 0.005, kFarthestPads = 0.09;  // pads [m]
-constexpr int kNumDrawn = 3000, kNumRefined = 1500;           // postures
-constexpr double kFirstChange = 0.3, kLastChange = 0.01;      // of a joint's range
+constexpr double kNearestPads = 0.005, kFarthestPads = 0.09;  // distance of the pads [m]
+constexpr int kNumDrawn = 3000, kNumRefined = 1500;           // number of postures
+constexpr double kFirstChange = 0.3, kLastChange = 0.01;      // share of a joint's range
 
 double CalcAngle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/** Of pads that are too near or too far, half a turn. */
+/** Half a turn for pads that are too near or too far. */
 DigitOpposition CalcOpposition(const Hand& hand, const Digit& a, const Digit& b,
                                const VectorXd& q) {
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, q);
@@ -85,9 +85,9 @@ std::vector<std::string> ListPairsApart(const Hand& hand, const std::vector<std:
 
 namespace {
 
-constexpr double kMostFailures = 0.01;  // numerical ones, of the trials
-constexpr double kLeastHeld = 0.1;      // of the check's shapes
-constexpr double kHalf = 0.5;           // of them, below which two digits are asked why
+constexpr double kMostFailures = 0.01;  // share of numerical failures
+constexpr double kLeastHeld = 0.1;      // share of the check's shapes
+constexpr double kHalf = 0.5;           // share below which the opposition of two digits is checked
 
 }  // namespace
 

@@ -49,7 +49,7 @@ PadState CalcSideState(const Hand& hand, const Digit& digit, double side,
     state.nhat_H = side * (X_HL[index].linear() * link.axis);
     break;
   }
-  // As far along the link as the pad, on its axis, then out to the outermost ball.
+  // At the pad's position along the link, on its axis, then out to the outermost ball.
   const Vector3d p_HAxis =
       X_HF.translation() + (state.p_HPad - X_HF.translation()).dot(state.axis_H) * state.axis_H;
   double out = 0.0;

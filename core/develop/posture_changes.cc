@@ -20,14 +20,14 @@ double CalcUnit(const HandJoint& joint) {
   return joint.is_prismatic ? (joint.upper - joint.lower) / (0.5 * kPi) : 1.0;
 }
 
-/** The range of one is that of the other seen in a mirror, and has two different sides. */
+/** Whether one range is the mirror image of the other, and is not symmetric itself. */
 bool AreMirrored(const HandJoint& a, const HandJoint& b) {
   const double near = 0.05 * (a.upper - a.lower);
   return std::abs(a.lower + b.upper) < near && std::abs(a.upper + b.lower) < near &&
          std::abs(a.lower + a.upper) > 2.0 * near;
 }
 
-/** A palm that is sought is brought to the object, whatever its gap. */
+/** A palm that is sought is moved to the object, whatever its gap. */
 bool HasGap(const Grasp& grasp) { return grasp.palm_may_touch && !grasp.seeks_palm; }
 
 }  // namespace
@@ -35,7 +35,7 @@ bool HasGap(const Grasp& grasp) { return grasp.palm_may_touch && !grasp.seeks_pa
 PostureChanges::PostureChanges(const Hand& hand, Grasp grasp)
     : hand_(hand), grasp_(std::move(grasp)) {
   const int opposing = FindOpposingDigit(hand, grasp_);
-  std::map<std::pair<size_t, size_t>, size_t> group_of_build;  // driven joints, place from base
+  std::map<std::pair<size_t, size_t>, size_t> group_of_build;  // driven joints, index from base
   for (size_t d = 0; d < hand.digits.size(); ++d) {
     const Digit& digit = hand.digits[d];
     if (!std::count(grasp_.digits.begin(), grasp_.digits.end(), digit.id)) continue;

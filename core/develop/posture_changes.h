@@ -1,12 +1,13 @@
 #pragma once
 /** @file
-The changes of a grasp's postures that the development searches among, few enough for some hundred
-evaluations: fingers of one build change together, the opposing digit by itself.
+Posture changes among which the development searches. They are few enough for some hundred
+evaluations: similar fingers change together, the opposing digit separately.
 
-A coordinate moves one joint of the opposing digit, or one of each finger with as many driven joints
-(the same from the base), in the pre-grasp or in the target, or the tilt, or the gap of a palm that
-may touch and is not sought. Joints with mirrored limits move against each other. The unit is a
-radian; of a slide, its range counts as a quarter turn, of the gap 40 mm as a radian. */
+A coordinate moves one joint of the opposing digit, or the same joint, counted from the base, of all
+fingers with as many driven joints. It changes the pre-grasp or the target. Further coordinates are
+the tilt, and the gap of a palm that may touch but is not sought. Joints with mirrored limits move
+in opposite directions. The unit is a radian: the range of a slide counts as a quarter turn, and 40
+mm of the gap as a radian. */
 
 #include <Eigen/Core>
 #include <vector>
@@ -21,20 +22,20 @@ class PostureChanges {
  public:
   PostureChanges(const Hand& hand, Grasp grasp);
 
-  /** No change at the start; 30 degrees either way at most. */
+  /** The start is no change; the bounds are 30 degrees in either direction. */
   SearchSpace MakeSpace() const;
-  /** The grasp, changed and within the joints' limits. */
+  /** Returns the changed grasp, within the joint limits. */
   Grasp Apply(const Eigen::VectorXd& change) const;
 
  private:
   struct Move {
     int joint = -1;
-    double per_unit = 1.0;  ///< of the coordinate
+    double per_unit = 1.0;  ///< change per unit of the coordinate
   };
 
   const Hand& hand_;
   Grasp grasp_;
-  std::vector<std::vector<Move>> groups_;  ///< of joints that change together
+  std::vector<std::vector<Move>> groups_;  ///< joints that change together
 };
 
 }  // namespace graspbench

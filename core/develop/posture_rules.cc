@@ -14,21 +14,21 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// By how much a rule may be missed before it matters.
+// Relevant deviations from the rules.
 constexpr double kLength = 0.005;      // [m]
 constexpr double kHeight = 0.004;      // of pads at one level [m]
-constexpr double kStraight = 0.004;    // aside from the way to each other [m]
-constexpr double kFacing = 0.5;        // change of a unit normal, met
-constexpr double kFacingOpen = 1.2;    // open
-constexpr double kWideGap = 0.015;     // of neighbouring pads beyond what is asked [m]
+constexpr double kStraight = 0.004;    // sideways [m]
+constexpr double kFacing = 0.5;        // of a unit normal, met
+constexpr double kFacingOpen = 1.2;    // likewise, open
+constexpr double kWideGap = 0.015;     // excess of the gap of neighbouring pads [m]
 constexpr double kCosine = 0.2;        // of fingertips
-constexpr double kShare = 0.008;       // of the thumb's way [m]
+constexpr double kShare = 0.008;       // of the thumb's distance [m]
 constexpr double kEase = 8.0;          // ranges of a joint
-constexpr double kLeaderEase = 0.15;   // of one that is to stay straight
+constexpr double kLeaderEase = 0.15;   // of a joint that should stay straight
 constexpr double kDeepestTip = 0.012;  // tips below their pads [m]
-constexpr double kAbovePads = 0.008;   // all the rest of the hand [m]
+constexpr double kAbovePads = 0.008;   // all other parts of the hand [m]
 constexpr double kOutside = 0.05;      // ranges beyond a limit
-constexpr double kOffPalm = 0.01;      // middle of the pads beside that of the palm [m]
+constexpr double kOffPalm = 0.01;      // horizontal distance of pad centre and palm centre [m]
 
 }  // namespace
 
@@ -39,10 +39,10 @@ struct PostureRules::Stand {
   Vector3d p_HFingers = Vector3d::Zero();  ///< mean of their pads
   double opening = 0.0;                    ///< across the approach [m]
   Vector3d across_H = Vector3d::UnitX();   ///< unit, thumb to fingers
-  double height = 0.0;                     ///< of the pads, mean [m]
-  double tips = 0.0;                       ///< deepest of the links with pads [m]
-  double palm = 0.0;                       ///< deepest of the palm [m]
-  double rest = 0.0;                       ///< deepest of all other links [m]
+  double height = 0.0;                     ///< mean height of the pads [m]
+  double tips = 0.0;                       ///< lowest point of the links with pads [m]
+  double palm = 0.0;                       ///< lowest point of the palm [m]
+  double rest = 0.0;                       ///< lowest point of all other links [m]
 };
 
 PostureRules::PostureRules(const Hand& hand, const PostureAim& aim, const VectorXd& q_rest)
@@ -62,7 +62,7 @@ PostureRules::PostureRules(const Hand& hand, const PostureAim& aim, const Vector
   forward_H_ = CalcApproachDirection(hand, 0.5 * kPi);
 }
 
-/** The sides that look at each other at rest. */
+/** Selects the sides that face each other at rest. */
 void PostureRules::FindSides() {
   sides_.assign(fingers_.size() + 1, 0.0);
   if (!aim_.by_side) return;

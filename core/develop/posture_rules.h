@@ -1,23 +1,24 @@
 #pragma once
 /** @file
-The rules by which postures of a grasp are found from a hand's geometry alone, before anything is
-simulated, as residuals that a least-squares solver makes small:
+Rules by which postures of a grasp are found from a hand's geometry alone, before any simulation, as
+residuals that a least-squares solver minimises:
 
-    opening      thumb pad and middle of the finger pads stand as far apart as asked, open and met
+    opening      the thumb pad and the centre of the finger pads have the required distance, open
+                 and met
     opposition   the pads face each other
-    level        all pads stand at one height over the table, and stay there while they close
-    straight     pads close along the opposition axis, not aside
-    in line      the fingers' pads stand side by side, in one plane across the opposition axis
-    side by side neighbouring pads do not meet, and stand no wider than a small thing
-    tips down    fingertips point to the table, and nothing of the hand reaches deeper than they do
-    reach        the palm stays as far above the pads as asked
-    over palm    pads that are to press a thing into the palm meet under its middle
-    share        the thumb does its share of the way
-    ease         joints stay off their limits and near their rest
+    level        all pads are at one height above the table, and stay there while they close
+    straight     pads close along the opposition axis, not sideways
+    in line      the fingers' pads are side by side, in one plane across the opposition axis
+    side by side neighbouring pads neither touch nor are wider apart than a small object
+    tips down    fingertips point to the table, and no other part of the hand is lower
+    reach        the palm has the required distance above the pads
+    over palm    pads that are to press an object into the palm meet under its centre
+    share        the thumb covers its share of the distance
+    ease         joints stay off their limits and near their rest position
 
-A pair of postures is sought at once: the open one, from which the hand closes, and that in which
-the pads (nearly) meet. "Height" is along the approach. Proposed by graspbench after the titles of
-the thesis's development rules (section 3.2.4); its text is not known. */
+Two postures are solved for at once: the open one, from which the hand closes, and the met one, in
+which the pads (nearly) touch. "Height" is along the approach. Proposed by graspbench after the
+titles of the thesis's development rules (section 3.2.4), whose text is not known. */
 
 #include <Eigen/Core>
 #include <string>
@@ -29,23 +30,23 @@ the thesis's development rules (section 3.2.4); its text is not known. */
 
 namespace graspbench {
 
-/** What is asked of a grasp. */
+/** Requirements of a grasp. */
 struct PostureAim {
-  std::vector<std::string> digits;  ///< the opposing one among them
+  std::vector<std::string> digits;  ///< including the opposing one
   double opening = 0.08;            ///< between the pads when open [m]
   double meeting = 0.008;           ///< when closed [m]
-  double thumb_share = 0.5;         ///< of the way that the pads come together
-  bool by_side = false;             ///< fingers take with their sides; the thumb with its pad
-  double reach = 0.05;              ///< of the pads beyond the palm [m]
-  bool is_reach_exact = false;      ///< else at least
-  bool is_over_palm = false;        ///< they meet under the middle of the palm
-  double lift = 0.0;                ///< by which met pads face up, towards the palm [rad]
-  double tips_down = 0.5;           ///< least cosine of fingertips to the approach
-  double pad_gap = 0.02;            ///< between the middles of neighbouring pads [m]
+  double thumb_share = 0.5;         ///< thumb's share of the distance that the pads close
+  bool by_side = false;             ///< fingers grasp with their sides, the thumb with its pad
+  double reach = 0.05;              ///< distance of the pads beyond the palm [m]
+  bool is_reach_exact = false;      ///< else a minimum
+  bool is_over_palm = false;        ///< pads meet under the centre of the palm
+  double lift = 0.0;                ///< angle by which met pads face up, towards the palm [rad]
+  double tips_down = 0.5;           ///< least cosine of fingertips and approach
+  double pad_gap = 0.02;            ///< between the centres of neighbouring pads [m]
   bool leaders_straight = false;    ///< joints that others follow stay near zero
 };
 
-/** Postures that are sought. */
+/** The two postures to be found. */
 struct PosturePair {
   Eigen::VectorXd q_open;  ///< (num_joints)
   Eigen::VectorXd q_met;   ///< (num_joints)
@@ -54,24 +55,24 @@ struct PosturePair {
 
 class PostureRules {
  public:
-  /** @param q_rest  posture of the joints that do not grasp. @pre the hand has the aim's digits. */
+  /** @param q_rest  posture of the other joints. @pre the hand has the aim's digits. */
   PostureRules(const Hand& hand, const PostureAim& aim, const Eigen::VectorXd& q_rest);
 
-  /** Coordinates x of a pair: grasping joints open, then met, each 0 at its lower limit and 1 at its
-  upper one, then the tilt in radians. */
+  /** Number of coordinates x of a pair: the grasping joints when open, then when met, each 0 at its
+  lower and 1 at its upper limit, then the tilt in radians. */
   int num_coordinates() const { return 2 * static_cast<int>(joints_.size()) + 1; }
   PosturePair MakePair(const Eigen::VectorXd& x) const;
   Eigen::VectorXd MakeCoordinates(const PosturePair& pair) const;
 
   int num_residuals() const;
-  /** Of the met posture: the largest angle between what takes (pad or side) and the way to what it
-  opposes [rad]. */
+  /** Largest angle, in the met posture, between the normal of a grasping pad or side and the
+  direction to the opposing one [rad]. */
   double CalcWorstFacing(const PosturePair& pair) const;
-  /** Each is about 1 where a rule is missed by as much as matters. */
+  /** Each residual is about 1 for a relevant deviation from a rule. */
   Eigen::VectorXd CalcResiduals(const Eigen::VectorXd& x) const;
 
  private:
-  struct Stand;  // what the rules ask of one posture
+  struct Stand;  // quantities of one posture that the rules use
   void FindSides();
   PadState CalcPad(const Digit& digit, double side, const std::vector<Pose>& X_HL) const;
   Stand CalcStand(const Eigen::VectorXd& q, const Eigen::Vector3d& approach_H) const;
@@ -84,8 +85,9 @@ class PostureRules {
   std::vector<int> joints_;
   std::vector<const Digit*> fingers_;  // without the opposing digit
   const Digit* opposing_;
-  std::vector<bool> is_tip_;   // by link: carries a pad that grasps
-  std::vector<double> sides_;  // of opposing_ and fingers_: 0 takes with its pad; see CalcSideState
+  std::vector<bool> is_tip_;   // by link: carries a grasping pad
+  std::vector<double> sides_;  // of opposing_ and fingers_: 0: grasps with its pad; see
+                               // CalcSideState
   Eigen::Vector3d normal_H_, forward_H_;
 };
 

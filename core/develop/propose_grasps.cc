@@ -21,7 +21,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/** What is drawn for a grasp type. Lengths in metres but for `reach`, in lengths of a finger. */
+/** Ranges to sample for a grasp type. Lengths in metres, `reach` in finger lengths. */
 struct AimRanges {
   const char* taxon;
   int least_digits;
@@ -55,8 +55,8 @@ const AimRanges& FindRanges(const GraspTaxon& taxon) {
   throw Error(ErrorKind::kNotFound, "no rules to develop a grasp \"" + taxon.id + "\"");
 }
 
-/** The thumb (without one, the first digit) and the others that the grasp's name asks for, in the
-hand's order. */
+/** Returns the thumb (or the first digit if there is none) and the others that the grasp type
+requires, in the hand's order. */
 std::vector<std::string> DrawDigits(const Hand& hand, const AimRanges& ranges,
                                     RandomStream& stream) {
   const int num_all = static_cast<int>(hand.digits.size());
@@ -86,7 +86,7 @@ std::vector<std::string> DrawDigits(const Hand& hand, const AimRanges& ranges,
   return digits;
 }
 
-/** Two that stand side by side, in the hand's order, without the thumb; sides of theirs meet. */
+/** Two neighbouring fingers, in the hand's order, without the thumb, whose sides will meet. */
 std::vector<std::string> DrawNeighbours(const Hand& hand, RandomStream& stream) {
   std::vector<std::string> fingers;
   for (const Digit& digit : hand.digits) {
@@ -116,8 +116,7 @@ PostureAim DrawAim(const Hand& hand, const AimRanges& ranges, bool any_coupling,
   return aim;
 }
 
-/** Where a search starts: closing joints open and half closed, all others somewhere about their
-rest. */
+/** Samples the start of a search: closing joints open and half closed, others near their rest. */
 PosturePair DrawStart(const Hand& hand, const std::vector<int>& closing, RandomStream& stream) {
   PosturePair start;
   start.q_open = CalcClosedPosture(hand, closing, stream.NextUniform(0.0, 0.4));
@@ -133,7 +132,7 @@ PosturePair DrawStart(const Hand& hand, const std::vector<int>& closing, RandomS
   return start;
 }
 
-/** The rules as Eigen's solver wants them. */
+/** The rules in the form that Eigen's solver requires. */
 struct RuleFunctor {
   using Scalar = double;
   using InputType = VectorXd;
@@ -164,8 +163,8 @@ PosturePair SolvePair(const PostureRules& rules, const PosturePair& start, doubl
   return rules.MakePair(x);
 }
 
-/** How deep links are inside each other on the way from open to met, fingertips that grasp aside:
-they are to meet [m]. */
+/** Penetration of links, summed over postures from open to met [m]. Grasping fingertips are ignored
+near the met posture, since they should meet. */
 double CalcOverlap(const Hand& hand, const std::vector<std::string>& digits,
                    const std::vector<CapsulePair>& pairs, const PosturePair& pair) {
   const auto is_tip = [&](int link) {
@@ -196,15 +195,15 @@ double CalcOverlap(const Hand& hand, const std::vector<std::string>& digits,
 ProposedGrasp ProposeOne(const Hand& hand, const GraspTaxon& taxon, bool any_coupling,
                          const std::vector<int>& closing, const std::vector<CapsulePair>& pairs,
                          RandomStream& stream) {
-  constexpr double kOverlap = 0.002;                      // that matters [m]
-  constexpr double kLargestSideAngle = RadFromDeg(35.0);  // else pads take, not sides
-  constexpr double kNoSide = 1e3;                         // behind all that take with sides
+  constexpr double kOverlap = 0.002;                      // relevant penetration [m]
+  constexpr double kLargestSideAngle = RadFromDeg(35.0);  // beyond it pads grasp, not sides
+  constexpr double kNoSide = 1e3;                         // ranks it behind grasps with sides
   const AimRanges& ranges = FindRanges(taxon);
   ProposedGrasp proposed;
   proposed.aim = DrawAim(hand, ranges, any_coupling, stream);
   proposed.grip = ranges.grip.Draw(stream);
   const PosturePair start = DrawStart(hand, closing, stream);
-  // Fingers that do not grasp stay open or are folded.
+  // Digits that do not grasp stay open or are folded.
   const bool are_folded = stream.NextIndex(2) == 1;
   const VectorXd q_rest = CalcClosedPosture(hand, closing, are_folded ? 1.0 : 0.0);
   const PostureRules rules(hand, proposed.aim, q_rest);
@@ -250,7 +249,7 @@ std::optional<ProposedGrasp> ProposeOwn(const Hand& hand, const std::vector<Gras
   for (const Grasp& grasp : grasps) {
     ProposedGrasp own;
     own.grasp = grasp;
-    own.grasp.as_called_share = kUnset;  // that of its digits alone
+    own.grasp.as_called_share = kUnset;  // check its digits only
     if (grasp.id != taxon.id || !ListTypeFaults(hand, own.grasp).empty()) continue;
     own.is_own = true;
     if (taxon.type == GraspType::kPower) {
@@ -269,7 +268,7 @@ bool CanDevelop(const Hand& hand, const GraspTaxon& taxon) {
 
 VectorXd CalcSqueeze(const Hand& hand, const std::vector<std::string>& digits,
                      const VectorXd& q_met, const Vector3d& approach_H, double grip) {
-  constexpr double kMostTorque = 0.5;  // of a drive's limit
+  constexpr double kMostTorque = 0.5;  // share of a drive's limit
   Grasp grasp;
   grasp.digits = digits;
   const Digit& opposing = hand.digits[FindOpposingDigit(hand, grasp)];

@@ -18,7 +18,7 @@ bool StartsWith(const std::string& text, const std::string& head) {
   return text.compare(0, head.size(), head) == 0;
 }
 
-/** Belongs to the section of a top-level key. */
+/** Whether a line belongs to the section of a top-level key. */
 bool IsInside(const std::string& line) {
   return line.empty() || line[0] == ' ' || line[0] == '\t' || line[0] == '}';
 }

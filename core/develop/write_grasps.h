@@ -1,7 +1,6 @@
 #pragma once
 /** @file
-Developed grasps as the section `grasps` of hand.yaml, each with a sentence on where it is
-from. */
+Writes developed grasps as the section `grasps` of hand.yaml, each with a sentence on its origin. */
 
 #include <string>
 #include <vector>
@@ -10,15 +9,15 @@ from. */
 
 namespace graspbench {
 
-/** How a developed grasp came to be, in words. */
+/** Describes how a grasp was developed. */
 std::string DescribeDevelopment(const Hand& hand, const DevelopedGrasp& developed);
 
-/** The section, with a comment above it. */
+/** Formats the section, with a comment above it. */
 std::string FormatGrasps(const Hand& hand, const DevelopConfig& config,
                          const std::vector<DevelopedGrasp>& developed);
 
-/** hand.yaml with `section` in the place of its own, or at its end; a comment that says that there
-are none goes. What else stands there stays as it is. */
+/** Returns hand.yaml with its section replaced by `section`, or with `section` at its end. A
+comment that there are no grasps is removed. All else is unchanged. */
 std::string ReplaceGrasps(const std::string& hand_yaml, const std::string& section);
 
 }  // namespace graspbench

@@ -1,13 +1,13 @@
 #pragma once
 /** @file
-How a digit closes: its share s of the way from pre-grasp to target posture over time,
+Closing of one digit: its share s of the path from pre-grasp to target posture over time,
 
     s_d(t) = clip((t - delay_d) speed_d / T, 0, 1)
 
-with T the time of the closure. Delays of zero and speeds of one are the thesis's common s. After
-the digit's first touch its speed may be a share of that, and a regulated grip holds the digit where
-it is, shifts it, or takes back what it was ahead of its drive (core/trial/grip). Knows time and
-touch, no physics. */
+where T is the closure time. Zero delays and unit speeds give the thesis's common s. After its first
+touch a digit may close more slowly. A regulated grip holds the digit at its position, shifts it, or
+takes back its lead over its drive (core/trial/grip). The law depends on time and touch only, not on
+physics. */
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ struct ClosingSchedule {
 inline bool operator==(const ClosingSchedule& a, const ClosingSchedule& b) {
   return a.delay == b.delay && a.speed == b.speed;
 }
-/** From the start of closure to s = 1 [s]. */
+/** Time from the start of closure to s = 1 [s]. */
 inline double CalcClosingTime(const ClosingSchedule& schedule, double closure_time) {
   return schedule.delay + closure_time / schedule.speed;
 }
@@ -30,13 +30,13 @@ class ClosingLaw {
  public:
   explicit ClosingLaw(const ClosingSchedule& schedule = {}) : schedule_(schedule) {}
 
-  /** One step of the closure. @param share  of the digit's own speed. */
+  /** Closes by one time step. @param share  share of the digit's own speed. */
   void Advance(double step, double closure_time, double share) {
     ++num_steps_;
     if (num_steps_ <= std::lround(schedule_.delay / step)) return;
     closing_ = std::min(1.0, closing_ + share * schedule_.speed * step / closure_time);
   }
-  /** Never beyond the target posture. */
+  /** Sets s, clipped to [0, 1]. */
   void MoveTo(double closing) { closing_ = std::clamp(closing, 0.0, 1.0); }
 
   double closing() const { return closing_; }  ///< s

@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 
 constexpr char kFormat[] = "graspbench grasp";
 constexpr int kFormatVersion = 1;
-constexpr double kUnitTolerance = 1e-3;  ///< of vectors that should have length one
+constexpr double kUnitTolerance = 1e-3;  ///< tolerance of the length of unit vectors
 
 std::string FormatList(const std::vector<double>& values) {
   std::string text;
@@ -29,7 +29,7 @@ std::string FormatList(const std::vector<double>& values) {
   return "[" + text + "]";
 }
 
-/** Of the two quaternions of a rotation the one with w >= 0. */
+/** Of the two quaternions of a rotation, returns the one with w >= 0. */
 Quaterniond MakeQuaternion(const Pose& X) {
   Quaterniond quaternion(X.linear());
   if (quaternion.w() < 0.0) quaternion.coeffs() = -quaternion.coeffs();
@@ -66,8 +66,8 @@ Placement ReadPlacement(const YAML::Node& node, const std::string& file, Diagnos
   return placement;
 }
 
-/** The standard grasp that gives type, d and alpha; a problem and the first one when there is none.
- */
+/** Returns the standard grasp that gives type, d and alpha. If it does not exist, reports a problem
+and returns the first one. */
 const GraspTaxon& ReadTaxon(YamlMap& map) {
   std::string made_from;
   map.Read("made_from", made_from);

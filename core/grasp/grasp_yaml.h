@@ -1,9 +1,9 @@
 #pragma once
 /** @file
-A grasp in YAML: what stands in hand.yaml for each standard grasp, and in files of their own.
+A grasp in YAML: an entry of hand.yaml for each standard grasp, and the body of a grasp file.
 
-A posture has degrees of the driven joints of each digit, from base to tip; of a prismatic joint,
-millimetres. The closing schedule stands by digit; what is left out is that of all.
+A posture lists the driven joints of each digit from base to tip: degrees, or millimetres for a
+prismatic joint. The closing schedule is given per digit; omitted digits have no delay and speed 1.
 
     digits: [TH, FF, MF]
     tilt_deg: -3
@@ -24,39 +24,39 @@ millimetres. The closing schedule stands by digit; what is left out is that of a
 
 namespace graspbench {
 
-/** What each of `grasps` in hand.yaml may have: "grasps.ID.digits". */
+/** The keys of an entry of `grasps` in hand.yaml, such as "grasps.ID.digits". */
 const FileKeys& ListHandGraspKeys();
 
 /** The keys of a grasp file (grasp_file.h). */
 const FileKeys& ListGraspFileKeys();
 
-/** The part of a file that describes one grasp. */
+/** The part of a file that describes a single grasp. */
 struct GraspNode {
   YamlMap& map;
-  const FileKeys& keys;  ///< the format's rows
-  std::string prefix;    ///< of the grasp's keys there: "grasps.ID."
+  const FileKeys& keys;  ///< known keys of the format
+  std::string prefix;    ///< prefix of the grasp's keys in `keys`: "grasps.ID."
   std::string file;
-  std::string where;  ///< before the names of its parts in messages: "grasp g2, "
+  std::string where;  ///< prefix of the names of its parts in messages: "grasp g2, "
   Diagnostics& problems;
 };
 
-/** The keys that both formats have; type, d and alpha are the taxon's. Digits that do not grasp,
-postures outside the limits, and schedules with which a digit would stay open for good, go into
-`problems`. @param hand  null: not known, digits and postures are not judged. */
+/** Reads the keys that both formats share; type, d and alpha are the taxon's. Adds to `problems`
+digits that cannot grasp, postures outside the limits, and schedules that would never close a digit.
+@param hand  null: unknown, so digits and postures are not checked. */
 Grasp ReadGrasp(const Hand* hand, const GraspTaxon& taxon, const GraspNode& node);
 
-/** Coupled joints are filled in. Wrong numbers and angles outside the limits go into `problems`.
-@param where  what this posture is, for messages: "grasp g2, pre_deg". */
+/** Reads a posture and fills in coupled joints. Adds malformed numbers and angles outside the
+limits to `problems`. @param where  name of the posture in messages: "grasp g2, pre_deg". */
 void ReadPosture(const Hand& hand, const YAML::Node& node, const std::string& file,
                  const std::string& where, Diagnostics& problems, Eigen::VectorXd& q);
 
-/** On one line; with six decimals what is read is written again as it was. */
+/** Formats a posture on one line; with six decimals, reading and writing reproduces the text. */
 std::string FormatPosture(const Hand& hand, const Eigen::VectorXd& q, int decimals = 6);
 
-/** The posture that is read when `q` was written with so many decimals. */
+/** The posture that is read back after `q` was written with `decimals` decimals. */
 Eigen::VectorXd RoundPosture(const Hand& hand, const Eigen::VectorXd& q, int decimals);
 
-/** The closing schedules on one line, with six decimals. */
+/** Formats the closing schedules on one line, with six decimals. */
 std::string FormatClosing(const Grasp& grasp);
 
 }  // namespace graspbench

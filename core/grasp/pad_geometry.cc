@@ -36,7 +36,7 @@ double CalcMeetingResidual(const Matrix3Xd& pads, const Matrix3Xd& directions) {
   }
   if (!across_all.allFinite() || !offset.allFinite()) return kUnset;
   if (directions.colwise().squaredNorm().minCoeff() <= 0.0) return kUnset;
-  // Of parallel lines the nearest points lie on a line; the one nearest to the mean is as good.
+  // The nearest points of parallel lines form a line; the one nearest to the mean is chosen.
   const Vector3d from_mean = across_all.completeOrthogonalDecomposition().solve(offset);
   double sum = 0.0;
   for (Eigen::Index i = 0; i < pads.cols(); ++i) {

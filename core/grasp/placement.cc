@@ -17,8 +17,9 @@ using Eigen::Vector3d;
 
 constexpr double kLowestGrasp = 0.009;  ///< smallest h_g [m]
 constexpr double kBelowTop = 0.008;     ///< h_g stays this far below the object's top [m]
-constexpr double kLeastHold = 0.003;    ///< by which pads reach past the object's near face [m]
-constexpr double kFarAway = 1.0;        ///< from where a hand comes at the latest [m]
+constexpr double kLeastHold = 0.003;    ///< distance by which pads must reach past the near face
+                                        ///< [m]
+constexpr double kFarAway = 1.0;        ///< largest distance from which a hand comes [m]
 constexpr int kClosingSteps = 200;
 
 struct Pads {
@@ -41,8 +42,8 @@ Pads CalcPads(const Hand& hand, const Grasp& grasp, const std::vector<Pose>& X_H
   return pads;
 }
 
-/** Axis about which the fingers flex, at rest: that of the outermost joint that turns across the
-palm's normal, of the first finger that has one. */
+/** Axis about which the fingers flex, at rest. It is that of the outermost joint that rotates
+across the palm's normal, of the first finger that has one. */
 Vector3d CalcFlexionAxis(const Hand& hand) {
   constexpr double kMostAlong = 0.7;
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, Eigen::VectorXd::Zero(hand.num_joints()));
@@ -58,7 +59,7 @@ Vector3d CalcFlexionAxis(const Hand& hand) {
   return hand.palm_normal.unitOrthogonal();
 }
 
-/** How far the fingers reach beyond the palm when bent, about: that much can be held from above. */
+/** Approximate reach of bent fingers beyond the palm, the height that they can hold from above. */
 double CalcReach(const Hand& hand) {
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, Eigen::VectorXd::Zero(hand.num_joints()));
   double reach = 0.0;
@@ -82,10 +83,10 @@ double CalcExtent(const Hand& hand, const std::vector<Pose>& X_HL, const Pose& X
   return extent;
 }
 
-/** Signed distance of a point in O from what stands in the hand's way. */
+/** Signed distance of a point in O from the obstacle. */
 using CalcObstacle = std::function<double(const Vector3d& p_O)>;
 
-/** How far along the approach the open hand must stop short of `placement` [m]. */
+/** Distance along the approach by which the open hand must stop short of `placement` [m]. */
 double CalcWayBack(const Hand& hand, const Grasp& grasp, const GraspObject& object,
                    const CalcObstacle& calc_obstacle, const Placement& placement) {
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, CalcClosingPosture(hand, grasp, 0.0));
@@ -105,7 +106,7 @@ double CalcWayBack(const Hand& hand, const Grasp& grasp, const GraspObject& obje
     }
     return gap;
   };
-  // No point moves faster than the hand: a gap is a safe step.
+  // No point moves faster than the hand, so a gap is a safe step.
   constexpr double kNear = 1e-4;
   double back = kFarAway;
   while (back > 0.0) {
@@ -119,8 +120,8 @@ double CalcWayBack(const Hand& hand, const Grasp& grasp, const GraspObject& obje
   return back;
 }
 
-/** Raises the hand until it is clear of the table on its whole `course`. What is thinner than the
-lowest grasp is picked off the table: there the fingertips may slide on it until they meet the
+/** Raises the hand until it is clear of the table on its whole `course`. Objects thinner than the
+lowest grasp are picked off the table, where the fingertips may slide on it until they meet the
 object. */
 void LiftOffTable(const Hand& hand, const std::vector<std::vector<Pose>>& course, double height,
                   Placement& placement) {
@@ -134,14 +135,15 @@ void LiftOffTable(const Hand& hand, const std::vector<std::vector<Pose>>& course
   }
 }
 
-/** Above the table: half the object's height, from above at most kBelowTop under its top. */
+/** Height above the table: half the object's height; from above at most kBelowTop below its top. */
 double CalcGraspHeight(double height, bool from_side) {
   if (from_side) return 0.5 * height;
   return std::max(kLowestGrasp, std::min(0.5 * height, height - kBelowTop));
 }
 
-/** When nobody says: what is taller than the fingers reach, with a palm that may touch; and with a
-palm that is sought always, since from above fingers reach deeper than most things are tall. */
+/** Default approach. It is from the side if the palm is sought, since from above fingers reach
+deeper than most objects are tall. Otherwise it is from the side if the palm may touch and the
+object is taller than the fingers reach. */
 bool ComesFromSide(const Hand& hand, const Grasp& grasp, double height) {
   if (grasp.approach != Approach::kAutomatic) return grasp.approach == Approach::kSide;
   return grasp.seeks_palm || (grasp.palm_may_touch && height > CalcReach(hand));
@@ -192,13 +194,13 @@ Placement CalcPlacement(const Hand& hand, const Grasp& grasp, const Vector3d& ob
   const Vector3d lateral_H = CalcFlexionAxis(hand);
   const Vector3d approach_H = CalcApproachDirection(hand, from_side ? 0.0 : grasp.tilt);
 
-  // The opening seen along the approach.
+  // The opening as seen along the approach.
   const auto across = [&](const Vector3d& v) -> Vector3d {
     return v - v.dot(approach_H) * approach_H;
   };
   Placement placement;
   placement.closing_at_contact = 1.0;
-  std::vector<std::vector<Pose>> course;  // of the links, from s = 0 to s*
+  std::vector<std::vector<Pose>> course;  // link poses from s = 0 to s*
   Pads pads;
   for (int k = 0; k <= kClosingSteps; ++k) {
     const double s = static_cast<double>(k) / kClosingSteps;
@@ -214,7 +216,7 @@ Placement CalcPlacement(const Hand& hand, const Grasp& grasp, const Vector3d& ob
 
   Matrix3d R_WH;
   if (from_side) {
-    // The hand comes along +y of the world, its thumb's side up.
+    // The hand comes along +y of the world, with its thumb side up.
     const Vector3d up_H =
         lateral_H.dot(across(pads.p_HThumb)) < 0.0 ? Vector3d(-lateral_H) : lateral_H;
     placement.approach_W = Vector3d::UnitY();
@@ -250,8 +252,8 @@ double CalcNearFace(const GraspObject& object, const Vector3d& approach_W) {
 
 namespace {
 
-/** By how much the pads, where they would meet the object, stay off what they need to hold it [m];
-negative: they reach it. */
+/** Distance by which the pads, where they would meet the object, miss the depth that they need to
+hold it [m]; negative: they reach it. */
 double CalcShortfall(const Hand& hand, const Grasp& grasp, const GraspObject& object,
                      const Placement& placement) {
   const Pads pads =
@@ -261,7 +263,7 @@ double CalcShortfall(const Hand& hand, const Grasp& grasp, const GraspObject& ob
   return CalcNearFace(object, placement.approach_W) + kLeastHold - placement.approach_W.dot(p_WG);
 }
 
-/** Back along the approach until nothing is in the way, with whether it still reaches the object. */
+/** Moves the hand back along the approach until it is clear, and updates `reaches_object`. */
 Placement StopBefore(const Hand& hand, const Grasp& grasp, const GraspObject& object,
                      const CalcObstacle& calc_obstacle, Placement placement) {
   const double back = CalcWayBack(hand, grasp, object, calc_obstacle, placement);
@@ -271,7 +273,7 @@ Placement StopBefore(const Hand& hand, const Grasp& grasp, const GraspObject& ob
   return placement;
 }
 
-/** A hand that was moved, on its course to s*. */
+/** Raises a moved hand off the table on its course to s*. */
 void RaiseOffTable(const Hand& hand, const Grasp& grasp, const GraspObject& object,
                    Placement& placement) {
   std::vector<std::vector<Pose>> course;
@@ -282,7 +284,7 @@ void RaiseOffTable(const Hand& hand, const Grasp& grasp, const GraspObject& obje
   LiftOffTable(hand, course, object.size.z(), placement);
 }
 
-/** Of CalcPlacement, with what stands in the way. */
+/** As CalcPlacement, for a given obstacle. */
 Placement PlaceBefore(const Hand& hand, const Grasp& grasp, const GraspObject& object,
                       const CalcObstacle& calc_obstacle) {
   Grasp chosen = grasp;

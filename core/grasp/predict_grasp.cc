@@ -15,17 +15,19 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kFarthest = 0.1;     ///< way before the grasp position that is looked at [m]
-constexpr double kLeastStep = 0.001;  ///< along it [m]
+constexpr double kFarthest = 0.1;     ///< length of the approach path that is checked [m]
+constexpr double kLeastStep = 0.001;  ///< least step along it [m]
 constexpr int kPredictionSteps = 100;
-constexpr int kOpeningSteps = 10;                ///< of the way from target to pre-grasp once more
-constexpr double kPalmNear = kPalmGap + 0.0005;  ///< by more, closing moves an object [m]
+constexpr int kOpeningSteps = 10;                ///< steps of additional opening, up to the path
+                                                 ///< from target to pre-grasp
+constexpr double kPalmNear = kPalmGap + 0.0005;  ///< beyond this distance, closing moves an object
+                                                 ///< [m]
 
 bool IsGrasping(const Grasp& grasp, const Digit& digit) {
   return std::count(grasp.digits.begin(), grasp.digits.end(), digit.id) > 0;
 }
 
-/** Centres in O's axes about the nominal p_WO, of the spheres on digits. */
+/** Contact spheres of the digits; centres in O's axes about the nominal p_WO. */
 struct Ball {
   Vector3d p;
   double radius;
@@ -48,7 +50,7 @@ std::vector<Ball> ListDigitBalls(const Hand& hand, const Placement& placement, d
 
 using CalcObstacle = std::function<double(const Vector3d& p_O)>;
 
-/** Smallest gap on the way to the grasp position, of balls that are there in the end. */
+/** Smallest gap on the path to the grasp position. @param balls  in the grasp position. */
 double CalcGapOnWay(const std::vector<Ball>& balls, const Vector3d& approach_W, const Pose& X_ON,
                     const CalcObstacle& calc_obstacle) {
   double smallest = std::numeric_limits<double>::infinity();
@@ -58,7 +60,7 @@ double CalcGapOnWay(const std::vector<Ball>& balls, const Vector3d& approach_W, 
       gap = std::min(gap, calc_obstacle(X_ON * Vector3d(ball.p - back * approach_W)) - ball.radius);
     }
     smallest = std::min(smallest, gap);
-    // Nearer than this it is not closer than `smallest`: no ball moves faster than the hand.
+    // No ball moves faster than the hand, so the gap stays above `smallest` within this step.
     back += std::max(kLeastStep, gap - smallest);
   }
   return smallest;
@@ -85,7 +87,7 @@ CalcObstacle MakeObstacle(const GraspObject& object) {
   return [&object](const Vector3d& p_O) { return object.field->CalcDistance(p_O); };
 }
 
-/** Base to tip of the longest grasping digit, its joints at rest [m]. */
+/** Distance from base to tip of the longest grasping digit, with its joints at rest [m]. */
 double CalcDigitLength(const Hand& hand, const Grasp& grasp) {
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, Eigen::VectorXd::Zero(hand.num_joints()));
   double length = 0.0;
@@ -165,7 +167,7 @@ double CalcNeededRoom(const Hand& hand, const Grasp& grasp) {
   return hand.joint_accuracy * CalcDigitLength(hand, grasp);
 }
 
-/** Once more `share` of the way from target to pre-grasp. */
+/** Opens the pre-grasp by an additional `share` of the path from target to pre-grasp. */
 Grasp Open(const Hand& hand, const Grasp& grasp, double share) {
   Grasp opened = grasp;
   opened.q_pre += share * (grasp.q_pre - grasp.q_target);
@@ -177,7 +179,7 @@ Grasp Open(const Hand& hand, const Grasp& grasp, double share) {
   return opened;
 }
 
-/** Opened until it is clear; nothing when it cannot be, or does not reach. */
+/** Opens the grasp until it is clear; nullopt if it cannot be clear and reach the object. */
 std::optional<Grasp> OpenUntilClear(const Hand& hand, const Grasp& grasp,
                                     const GraspObject& object) {
   for (int k = 0; k <= kOpeningSteps; ++k) {

@@ -1,20 +1,20 @@
 #pragma once
 /** @file
-What geometry says of a standard grasp of this hand on this mesh, before any trial: whether the
-placement reaches it, whether the open hand comes there without touching it, and how its digits will
-meet it when they close.
+Prediction of a standard grasp of this hand on this mesh by geometry alone, before any trial. It
+tells whether the placement reaches the object, whether the open hand arrives without touching it,
+and how the closing digits meet it.
 
-The object may stand off its nominal place by kPlacementOffset in x and y and kPlacementYaw (method:
-the variation between trials), and joints err by the hand's accuracy, which moves a fingertip by
-accuracy times a finger's length. The way is clear when, for the object at its nominal place and in
-every corner of that box, no digit comes nearer to it on the straight approach than that.
+The object may deviate from its nominal pose by kPlacementOffset in x and y and by kPlacementYaw
+(method: the variation between trials). Joints err by the hand's accuracy, which moves a fingertip
+by at most accuracy times finger length. The approach is clear when every digit keeps more than this
+distance on the straight path, for the nominal pose and every corner of the range of poses.
 
-Closing is followed kinematically, each digit until one of its links meets the object where it
-nominally stands: objects that are pushed and digits that yield are not foreseen. The fit is then
-judged by two conditions that are necessary for a grasp by friction mu alone: the forces along the
-surface normals, thumb against the mean of the others, oppose each other within twice atan(mu), and
-the mean surface normal does not point up by more than atan(mu), or squeezing would push the object
-out of the hand.
+Closing is computed kinematically: each digit closes until one of its links meets the object at its
+nominal pose. Pushed objects and compliant digits are not modelled. Two conditions that are
+necessary for a grasp with friction mu are then tested. The forces along the surface normals, thumb
+against the mean of the others, must oppose each other within twice atan(mu). The mean surface
+normal must not point up by more than atan(mu), since squeezing would then push the object out of
+the hand.
 
 All of this is proposed by graspbench. */
 
@@ -28,40 +28,38 @@ All of this is proposed by graspbench. */
 
 namespace graspbench {
 
-inline constexpr double kPlacementOffset = 0.005;  ///< [m]
+inline constexpr double kPlacementOffset = 0.005;  ///< variation in x and y [m]
 inline constexpr double kPlacementYaw = 5.0 * kPi / 180.0;
 
 struct GraspPrediction {
-  double reach_miss = 0.0;   ///< by which the pads stop short of the object [m]; 0: they reach it
-  double room = 0.0;         ///< of the open digits beside the object, at worst; negative where one
-                             ///< would be inside it [m]
-  double needed_room = 0.0;  ///< [m]
-  int num_digits = 0;        ///< that grasp
-  int num_touching = 0;      ///< of these, when the hand has closed
+  double reach_miss = 0.0;     ///< distance by which the pads miss the object [m]; 0: they reach it
+  double room = 0.0;           ///< smallest gap between open digits and object; negative where a
+                               ///< digit would be inside it [m]
+  double needed_room = 0.0;    ///< required gap: joint accuracy times finger length [m]
+  int num_digits = 0;          ///< grasping digits
+  int num_touching = 0;        ///< grasping digits that touch when the hand has closed
   bool thumb_touches = false;  ///< the opposing digit is one of them
   bool opposes = false;        ///< normals of the thumb and the others oppose each other
   bool lifts = false;          ///< normals do not point up
-  /** Of the contacts, thumb against the mean of the others, above the centre of mass [m]; what is
-  pushed above it tips. */
+  /** Height above the centre of mass of the contacts, thumb averaged with the mean of the others
+  [m]; an object that is pushed above it tips. */
   double contact_height = 0.0;
-  bool palm_is_near = false;  ///< it may touch, and stops within 3.5 mm of the near face
+  bool palm_is_near = false;  ///< the palm may touch, and stops within 3.5 mm of the near face
 
   bool reaches() const { return reach_miss <= 0.0; }
-  /** Closing brings the opposing digit and another to the object. */
+  /** Whether the opposing digit and another one meet the object as the hand closes. */
   bool meets() const { return thumb_touches && num_touching >= 2; }
   bool is_clear() const { return room >= needed_room; }
   bool holds() const { return opposes && lifts && num_touching == num_digits; }
 };
 
-/** How promising a grasp is by geometry; larger is better. That it reaches the object and meets it
-when it closes comes first, then that its development found it to hold what it had not met, then how
-many of four conditions it keeps, then how low it meets the object: what is pushed above its centre
-of mass tips. */
+/** How promising a grasp is by geometry; larger is better. Its members are criteria in order of
+priority. An object that is pushed above its centre of mass tips, so low contacts are preferred. */
 struct GraspRank {
-  int meets = -1;
-  bool has_held = false;
-  int num_kept = 0;    ///< clear of it; forces that hold; every digit meets it; the palm near
-  double depth = 0.0;  ///< of the contacts below the object's centre of mass [m]
+  int meets = -1;         ///< 0: misses the object, 1: reaches it, 2: also meets it when closing
+  bool has_held = false;  ///< held at least half of the shapes held out in development, or unknown
+  int num_kept = 0;       ///< of: clear approach, opposed forces, all digits touch, palm near
+  double depth = 0.0;     ///< of the contacts below the object's centre of mass [m]
 
   bool operator>(const GraspRank& other) const {
     return std::tie(meets, has_held, num_kept, depth) >
@@ -73,21 +71,22 @@ GraspRank RankGrasp(const Grasp& grasp, const GraspPrediction& prediction);
 /** @pre the object has its distance field. */
 GraspPrediction PredictGrasp(const Hand& hand, const Grasp& grasp, const GraspObject& object);
 
-/** Whether the grasp reaches the object and is clear of it even if the object filled its bounding
+/** Whether the grasp reaches the object and would be clear of it even if it filled its bounding
 box; needs no distance field. Such a grasp need not be fitted. */
 bool ClearsBoundingBox(const Hand& hand, const Grasp& grasp, const GraspObject& object);
 
-/** The grasp as the hand does it on this object: its pre-grasp opened, along the line from target
-to pre-grasp and within the joints' limits, until the way is clear. Where nobody says from where the
-hand comes, it comes by the rule's way (placement.h), or by the other one if only that is clear,
-reaches and meets it, or if only there the palm of a grasp that holds bears with the digits; where
-neither is clear, from where the palm comes near. Itself when it is clear as it is, was made for an
-object, or when nothing helps. @pre as PredictGrasp. */
+/** Fits the grasp to this object: opens its pre-grasp along the line from target to pre-grasp,
+within the joint limits, until the approach is clear. If neither grasp nor object chooses an
+approach, the rule's (placement.h) is used by default. The other is used if only it is clear and
+meets the object, or if a palm that may touch supports the grip only there. If neither is clear, the
+one that brings the palm near is used. Returns the grasp unchanged if it is clear, was made for one
+object, or cannot be improved. @pre as PredictGrasp. */
 Grasp FitGrasp(const Hand& hand, const Grasp& grasp, const GraspObject& object);
 
-/** The grasp from another place than the rule's, which it then brings: its pre-grasp opened by the
-share `opening` of the way from target to pre-grasp, and further until the way is clear. As it is
-with that opening when nothing helps. @pre as PredictGrasp. */
+/** Fits the grasp to a placement that deviates from the rule's by `change`; the result has this
+placement. The pre-grasp is opened by the share `opening` of the path from target to pre-grasp, and
+further until the approach is clear. If nothing helps, it has exactly that opening.
+@pre as PredictGrasp. */
 Grasp FitGraspAt(const Hand& hand, const Grasp& grasp, const GraspObject& object,
                  const PlaceChange& change, double opening);
 

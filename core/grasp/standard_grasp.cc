@@ -20,7 +20,7 @@ Grasp ReadStandardGrasp(const Hand& hand, const GraspTaxon& taxon, const YAML::N
   YamlMap map(node, file, where, problems, &ListHandGraspKeys(), "grasps.ID.");
   Grasp grasp = ReadGrasp(&hand, taxon,
                           {map, ListHandGraspKeys(), "grasps.ID.", file, where + ", ", problems});
-  std::string changed;  // for people
+  std::string changed;  // reason of a change, for the reader
   map.Read("held_share", grasp.held_share, Needed::kNo);
   map.Read("as_called_share", grasp.as_called_share, Needed::kNo);
   map.Read("changed", changed, Needed::kNo);

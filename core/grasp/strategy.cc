@@ -8,7 +8,7 @@
 namespace graspbench {
 namespace {
 
-/** The grip counts as steady when its force has stayed within this share for this long. */
+/** The grip is steady when its force has stayed within this share for this time [s]. */
 constexpr double kSteadyShare = 0.02;
 constexpr double kSteadyTime = 0.1;
 
@@ -35,7 +35,7 @@ double GraspStrategy::CalcPlacingDistance(double time_before_arrival) const {
   return distance_ * (1.0 - CalcMinimumJerk(x));
 }
 
-/** Under regulation its band decides; else the force has stopped changing. */
+/** With a regulated grip: the force is in its band; otherwise it has stopped changing. */
 bool GraspStrategy::IsSteady(const StrategyObservation& observation) {
   if (observation.is_regulated) return observation.is_in_band;
   if (closing_ < 1.0 ||

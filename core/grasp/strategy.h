@@ -2,21 +2,21 @@
 /** @file
 The five-phase grasp strategy as a serial state machine (Roethling 2007, chapter 3):
 
-    1 pre-grasp       the hand stands at distance d and takes the pre-grasp posture
+    1 pre-grasp       the hand is at distance d and takes the pre-grasp posture
     2 placing         it moves to the grasp position
-    3 closure         only after it has arrived: it closes towards the target posture; ends at the
-                      first instant at which all grasping digits touch
-    4 stabilisation   until the fingers exert enough force, or have not for its longest time
-    5 lift-off        back to the pre-grasp position; the object comes along, or not
+    3 closure         after its arrival it closes towards the target posture; ends at the first
+                      instant at which all grasping digits touch
+    4 stabilisation   until the grip is steady, or its maximum time has passed
+    5 lift-off        back to the pre-grasp position, with or without the object
 
-and a hold, in which the verdict is reached. The machine knows time and touch, no physics: the same
-one can drive a simulation or a replay. Closing is linear in the joint angles,
+followed by a hold, in which the outcome is judged. The machine knows time and touch, but no
+physics: the same one can drive a simulation or a replay. Closing is linear in the joint angles,
 
     q(s) = q_pre + s (q_target - q_pre),
 
-and goes on after the first touch until s = 1: what the object prevents becomes force. That is the
-grip "posture"; under "force" and "margin" each digit closes until it has its force, which is then
-held (core/trial/grip). */
+and continues after the first touch until s = 1: the motion that the object prevents becomes force.
+That is the grip "posture". Under "force" and "margin" each digit closes until it reaches its force
+setpoint, which is then held (core/trial/grip). */
 
 #include <optional>
 #include <string>
@@ -39,8 +39,8 @@ inline const char* NameOf(Phase phase) { return RowOf(kPhases, phase).name; }
 
 /** What ends the closing of a digit. */
 enum class GripMode {
-  kPosture,  ///< its target posture: the force is what posture times stiffness gives
-  kForce,    ///< the force asked of it
+  kPosture,  ///< its target posture: the force results from posture and stiffness
+  kForce,    ///< its force setpoint
   kMargin    ///< a multiple of the smallest force with which the contacts bear the weight
 };
 struct GripModeRow {
@@ -53,7 +53,7 @@ inline constexpr GripModeRow kGripModes[] = {
 /** How a digit's drives hold a regulated force. */
 enum class DriveLaw {
   kHold,       ///< at a position, with their stiffness
-  kSaturating  ///< at a limit of their torque, without restoring stiffness, as at a pressure
+  kSaturating  ///< at a torque limit, without restoring stiffness, as at constant pressure
 };
 struct DriveLawRow {
   DriveLaw value;
@@ -62,23 +62,23 @@ struct DriveLawRow {
 inline constexpr DriveLawRow kDriveLaws[] = {{DriveLaw::kHold, "hold"},
                                              {DriveLaw::kSaturating, "saturating"}};
 
-/** Times of the phases, and the grip. Proposed by graspbench: the thesis names phases, no seconds.
-*/
+/** Times of the phases, and the grip. Proposed by graspbench: the thesis names the phases but gives
+no times. */
 struct StrategyConfig {
   double placing_time = 0.8;            ///< [s]
-  double closure_time = 1.0;            ///< from pre-grasp to target with nothing between [s]
+  double closure_time = 1.0;            ///< from pre-grasp to target without contact [s]
   double closure_patience = 0.3;        ///< after s = 1, wait this long for missing digits [s]
-  double stabilisation_min_time = 0.5;  ///< sigma is taken over its last 0.5 s [s]
-  double stabilisation_max_time = 2.0;  ///< after a regulated grip's digits have closed [s]
+  double stabilisation_min_time = 0.5;  ///< sigma is computed over its last 0.5 s [s]
+  double stabilisation_max_time = 2.0;  ///< counted from the end of closing of a regulated grip [s]
   double lift_time = 1.0;               ///< [s]
   double hold_time = 2.0;               ///< [s]
-  double closure_lead = 0.0;            ///< closure begins so long before the hand's arrival [s]
-  std::string grip = "posture";         ///< of kGripModes
-  /** Asked of each digit that does not oppose the others; under "margin" at least this [N]. */
+  double closure_lead = 0.0;            ///< closure begins this long before the arrival [s]
+  std::string grip = "posture";         ///< one of kGripModes
+  /** Setpoint of each digit that does not oppose the others; under "margin" the minimum [N]. */
   double grip_force = 0.7;
-  double grip_margin = 2.0;  ///< times the smallest force that bears the weight
-  double touch_speed = 1.0;  ///< of a digit's closing after its first touch, share of the speed
-  std::string drive_law = "hold";  ///< of kDriveLaws
+  double grip_margin = 2.0;        ///< multiple of the smallest force that bears the weight
+  double touch_speed = 1.0;        ///< speed of a digit after its first touch, share of that before
+  std::string drive_law = "hold";  ///< one of kDriveLaws
 
   template <class V>
   void Visit(V&& v) {
@@ -117,35 +117,35 @@ struct StrategyConfig {
   }
 };
 
-/** What the machine must know of the world, once a step. */
+/** What the machine observes in each step. */
 struct StrategyObservation {
   bool all_digits_touched = false;  ///< every grasping digit has touched the object at least once
-  double grip_force = 0.0;          ///< sum of the normal forces on the object by the hand [N]
-  /** Of a regulated grip: its force was in its band for a while; digits still close towards their
-  shares. */
+  double grip_force = 0.0;          ///< sum of the hand's normal forces on the object [N]
+  /** State of a regulated grip: `is_in_band`: its force has stayed in its band for a while;
+  `is_closing`: digits still close towards their setpoints. */
   bool is_regulated = false, is_in_band = false, is_closing = false;
-  /** Whether a controller wants the hand to be lifted; unset: there is none, the machine decides. */
+  /** Whether a controller commands the lift; unset: there is no controller, the machine decides. */
   std::optional<bool> lifts = {};
 };
 
-/** What the hand is asked to do at the end of the step. */
+/** The command to the hand at the end of the step. */
 struct StrategyCommand {
   double closing = 0.0;   ///< s in [0, 1]
-  double distance = 0.0;  ///< from the grasp position: against the approach until the end of
-                          ///< stabilisation, straight up from lift-off on [m]
+  double distance = 0.0;  ///< from the grasp position: backwards along the approach until the end
+                          ///< of stabilisation, straight up from lift-off on [m]
   double speed = 0.0;     ///< d distance / dt [m/s]
 };
 
 class GraspStrategy {
  public:
-  /** @param distance  d: where the hand starts and returns to [m]. */
+  /** @param distance  d, at which the hand starts and to which it returns [m]. */
   GraspStrategy(const StrategyConfig& config, double distance);
 
-  /** Closure waits for the slowest digit: from its start to s = 1 at the earliest [s]. */
+  /** Sets the earliest time from the start of closure to s = 1 of the slowest digit [s]. */
   void SetClosureTime(double time) { slowest_closure_ = time; }
 
-  /** Starts in the placing phase `time_before_arrival` before the hand arrives; nothing can touch
-  earlier than that, so there is nothing to compute. */
+  /** Starts in the placing phase, `time_before_arrival` before the hand arrives. Nothing can touch
+  before that, so nothing needs to be simulated. */
   void StartPlacing(double time_before_arrival);
 
   /** Advances by one step. */

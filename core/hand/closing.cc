@@ -10,14 +10,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kDecided = 0.2;          // of the range
-constexpr double kLeastApproach = 0.005;  // [m] of a tip
+constexpr double kDecided = 0.2;          // share of the range
+constexpr double kLeastApproach = 0.005;  // of a tip [m]
 
 Vector3d CalcTip(const Hand& hand, const Digit& digit, const Eigen::VectorXd& q) {
   return CalcLinkPose(hand, q, digit.distal_link) * digit.p_LTip;
 }
 
-/** Mean distance of the tips from one another. */
+/** Mean distance between the tips. */
 double CalcTipSpread(const Hand& hand, const Eigen::VectorXd& q) {
   double sum = 0.0;
   int num_pairs = 0;
@@ -42,7 +42,7 @@ int FindClosingOfSlide(const Hand& hand, int joint) {
   return change < 0.0 ? 1 : -1;
 }
 
-/** The digit's outermost joint that turns has an axis of about this direction. */
+/** Whether the axis is roughly parallel to that of the digit's outermost revolute joint. */
 bool Bends(const Hand& hand, int joint, const std::vector<Pose>& X_HL) {
   constexpr double kAlong = 0.7;
   const auto calc_axis = [&](int link) -> Vector3d {
@@ -63,8 +63,8 @@ double CalcPosition(const HandJoint& joint, int direction, double share) {
   return open + share * (closed - open);
 }
 
-/** Of a hand whose limits decide nothing, zero in the middle of each stroke, the joints that bend a
-digit close to where its tip comes nearer to the middle of the others'. */
+/** If the limits of the hand determine no direction, with zero in the middle of each range: closes
+the joints that bend a digit so that its tip approaches the mean of the others. */
 void CloseUndecided(const Hand& hand, const std::vector<Pose>& X_HL, std::vector<int>& closing) {
   if (hand.digits.size() < 2 ||
       std::any_of(closing.begin(), closing.end(), [](int direction) { return direction != 0; })) {
@@ -113,7 +113,7 @@ std::vector<int> FindClosing(const Hand& hand) {
     }
   }
   CloseUndecided(hand, X_HL, closing);
-  // Fingers that close all the way pass each other: what counts is that they come nearer at all.
+  // Fingers that close completely pass each other, so any approach during closing counts.
   const auto calc_spread = [&](double share) {
     return CalcTipSpread(hand, CalcClosedPosture(hand, closing, share));
   };

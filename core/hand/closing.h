@@ -1,7 +1,8 @@
 #pragma once
 /** @file
-Which way the joints of a digit close, judged from their limits and, for slides, from where the
-other digits are; a guess that holds for fingers as they are usually described. */
+Direction in which the joints of a digit close. It is inferred from the joint limits and, for
+prismatic joints, from the positions of the other digits. The heuristic holds for fingers as they
+are usually described. */
 
 #include <vector>
 
@@ -9,25 +10,27 @@ other digits are; a guess that holds for fingers as they are usually described. 
 
 namespace graspbench {
 
-/** By joint, +1 or -1: which end of its range bends the digit towards the others; 0: neither, it
-spreads or turns the digit, follows another joint, or belongs to no digit.
+/** Closing direction by joint, +1 or -1: the end of the range that bends the digit towards the
+others. It is 0 if the joint spreads or twists the digit, follows another joint, or belongs to no
+digit.
 
-- A joint that turns about the same direction as the outermost one of its digit bends it; it closes
-  towards the end that is farther from zero, where that is decided by a fifth of its range; where
-  that decides no joint of a hand, to where the digits' tips come nearer to each other.
-- One that slides closes towards the end at which its digit's tip is nearer to the other digits'.
-- When all that brings the tips of two digits without slides nowhere nearer to each other, it is
-  turned round: a gripper that is closed at zero. */
+- A revolute joint bends its digit if its axis is roughly parallel to that of the digit's outermost
+  joint. It closes towards the end farther from zero, provided that the ends differ by a fifth of
+  the range. If this decides no joint of the hand, each digit closes so that its tip approaches the
+  others.
+- A prismatic joint closes towards the end at which its digit's tip is nearer to the other tips.
+- If no amount of closing brings the tips of two digits without slides nearer together, all
+  directions are reversed: a gripper that is closed at zero. */
 std::vector<int> FindClosing(const Hand& hand);
 
-/** A position between the open (0) and the closed end (1) of every closing joint; the others where
-their range is nearest to zero. Followers follow. */
+/** Posture with every closing joint at `share` between its open (0) and its closed end (1). Other
+joints are as near to zero as their range allows; coupled joints follow. */
 Eigen::VectorXd CalcClosedPosture(const Hand& hand, const std::vector<int>& closing, double share);
 
-/** A link of the digit moves with the joint: it is its own, or leads one of its own. */
+/** Whether the joint moves a link of the digit, directly or through a joint that follows it. */
 bool MovesDigit(const Hand& hand, int joint, const Digit& digit);
 
-/** Sets only the closing joints of one digit; followers, too, stay as they are in q. */
+/** Sets only the closing joints of one digit in q; coupled joints also stay unchanged. */
 void CloseDigit(const Hand& hand, const std::vector<int>& closing, const Digit& digit, double share,
                 Eigen::VectorXd& q);
 

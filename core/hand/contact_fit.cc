@@ -46,7 +46,8 @@ double CalcSink(const Vector3d& p, const Vector3d& nhat, const Vector3d& c, doub
   const Vector3d v = p + kProbeRadius * nhat - c;
   const double along = v.dot(nhat);
   const double square = along * along - v.squaredNorm() + (kProbeRadius + r) * (kProbeRadius + r);
-  const bool is_ahead = along <= 0.0 && v.norm() > kProbeRadius + r;  // it comes from there
+  const bool is_ahead = along <= 0.0 && v.norm() > kProbeRadius + r;  // the probe starts beyond the
+                                                                      // ball
   return square < 0.0 || is_ahead ? kNotMet : std::min(kNotMet, along - std::sqrt(square));
 }
 
@@ -60,7 +61,8 @@ std::vector<ContactFit> MeasureContact(const Hand& hand, const LinkSolids& solid
   for (size_t link = 0; link < hand.links.size(); ++link) {
     ContactFit fit;
     fit.link = hand.links[link].name;
-    std::vector<PlacedBall> own, near;  // those of the link; of others that can hide its points
+    std::vector<PlacedBall> own, near;  // own: of the link; near: of others, which can hide its
+                                        // points
     for (const PlacedBall& ball : balls)
       (ball.link == static_cast<int>(link) ? own : near).push_back(ball);
     fit.num_balls = static_cast<int>(own.size());

@@ -84,7 +84,7 @@ namespace {
 constexpr double kSpacing = 1.5;
 constexpr double kPadSpacing = 0.8;
 
-/** Positions along [-half, half], symmetric, at most `spacing` apart. */
+/** Positions in [-half, half], symmetric and at most `spacing` apart. */
 std::vector<double> Spread(double half, double spacing) {
   const int num_gaps = static_cast<int>(std::ceil(2.0 * half / spacing - 1e-9));
   if (num_gaps <= 0) return {0.0};
@@ -93,8 +93,8 @@ std::vector<double> Spread(double half, double spacing) {
   return positions;
 }
 
-/** Rows of balls along the axis `along`, side by side along the axis `wide`, in the middle plane.
- */
+/** Adds rows of balls along the axis `along`, side by side along the axis `wide`, in the central
+plane. */
 void AddRows(const CollisionShape& shape, double radius, int along, int wide, bool is_pad,
              Hand& hand) {
   const double spacing = (is_pad ? kPadSpacing : kSpacing) * radius;

@@ -8,8 +8,8 @@
 namespace graspbench {
 namespace {
 
-// A middle joint this close to its upper limit is at its end; it must come back twice as far before
-// it moves again, so that a springy limit does not make the mode flicker.
+// A middle joint this close to its upper limit is at its end. It must come back twice as far before
+// it moves again, so that an elastic limit does not make the mode flicker.
 constexpr double kEndMargin = RadFromDeg(0.5);
 
 }  // namespace
@@ -44,7 +44,7 @@ void ApplyCoupling(const Hand& hand, Eigen::VectorXd& q) {
       q[j] = joint.mimic_offset + joint.mimic_ratio * q[joint.coupled_to];
       continue;
     }
-    // Nothing touches, so under middle-first the distal joint has not begun to move.
+    // Without contact, under middle-first, the distal joint has not begun to move.
     double distal = 0.0;
     if (hand.coupling != CouplingRule::kMiddleFirst) {
       const DistalRates rates =
@@ -119,7 +119,7 @@ const char* DisplayUnitOf(const HandJoint& joint) { return joint.is_prismatic ? 
 
 namespace {
 
-/** X_HL from the pose of the joint's place, X_HJ. */
+/** X_HL from the pose X_HJ of the joint frame. */
 Pose MoveJoint(const Hand& hand, const HandLink& link, Pose X_HJ, const Eigen::VectorXd& q) {
   if (link.joint < 0) return X_HJ;
   if (hand.joints[link.joint].is_prismatic) {

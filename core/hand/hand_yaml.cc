@@ -57,7 +57,7 @@ class HandYamlReader {
   }
 
  private:
-  /** Reports when hand.urdf has no such link or joint; `what` is "link" or "joint". */
+  /** Reports a name that hand.urdf does not have; `what` is "link" or "joint". */
   bool CheckName(const std::string& name, const char* what, int line, const std::string& where) {
     if (links_.empty()) return false;  // hand.urdf cannot be read, which has been reported
     const auto& known = *what == 'l' ? links_ : moving_joints_;
@@ -67,8 +67,7 @@ class HandYamlReader {
                        " \"" + name + "\"" + SuggestNames(name, known));
     return false;
   }
-  /** The items of a sequence; a problem when the node is something else. A missing key has been
-  reported before. */
+  /** Items of a sequence; reports any other node. A missing key has been reported before. */
   std::vector<YAML::Node> Items(const YAML::Node& node, const std::string& where) {
     if (node.IsSequence() && node.size() > 0) return {node.begin(), node.end()};
     if (node.IsDefined() && LineOf(node) > 0) {
@@ -243,7 +242,7 @@ class HandYamlReader {
       const std::string where = "drives, entry " + std::to_string(++number);
       YamlMap map(item, file_, where, problems_, &ListHandKeys(), "drives.");
       std::vector<std::string> joints;
-      const double unset = std::nan("");  // reported when missing, and no value to judge
+      const double unset = std::nan("");  // a missing value is reported, and not checked
       JointDrive drive = {unset, unset, unset};
       map.Read("joints", joints);
       const bool slides = map.Has("stiffness_n_per_m");
@@ -315,7 +314,7 @@ class HandYamlReader {
       YamlMap map(item, file_, where, problems_, &ListHandKeys(), "pads.");
       std::vector<std::string> links;
       SoftPad pad;
-      std::string source;  // for people
+      std::string source;  // origin of the values, for the reader
       map.Read("links", links);
       map.Read("youngs_modulus_pa", pad.youngs_modulus);
       map.Read("depth_m", pad.depth);
@@ -328,7 +327,7 @@ class HandYamlReader {
         if (!has_pad.insert(link).second) map.Fail("links", "\"" + name + "\" already has a pad");
         SurfaceMaterial& surface = hand_.links[link].surface;
         surface.pad = pad;
-        // That of its patch, unless the link itself says a limit.
+        // The radius of the pad's patch, unless the link itself has one.
         if (has_own_torsion_.count(link) == 0) surface.torsion_radius = kUnset;
       }
     }
@@ -414,8 +413,8 @@ class HandYamlReader {
   Diagnostics& problems_;
   std::map<std::string, std::string> digit_of_link_;
   std::set<std::string> coupled_;
-  std::set<int> has_own_torsion_;                   // links of surfaces: with a torsion radius
-  std::vector<std::pair<int, int>> coupled_lines_;  // a coupled joint and where it is named
+  std::set<int> has_own_torsion_;                   // links whose surface has a torsion radius
+  std::vector<std::pair<int, int>> coupled_lines_;  // coupled joints and the lines that name them
 };
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 namespace graspbench {
 
-// One line a key.
+// One line per key.
 const FileKeys& ListHandKeys() {
   static const FileKeys keys = [] {
     FileKeys rows = {

@@ -15,8 +15,8 @@ constexpr double kMostCells = 200.0;      // along the longest side
 constexpr double kSmallestCell = 0.0007;  // [m]
 constexpr double kNumMeshPoints = 4000.0, kMostMeshPoints = 6e4;
 constexpr double kNearestPoints = 0.0005, kFarthestPoints = 0.001;  // [m] from each other
-constexpr double kBeside = 0.0002;                                  // [m] off a mesh
-constexpr double kInTheWay = 0.0005;  // [m] of another surface into the probe
+constexpr double kBeside = 0.0002;                                  // distance off a mesh [m]
+constexpr double kInTheWay = 0.0005;  // depth of another surface in the probe [m]
 constexpr float kFar = 1e12f;
 
 /** Squared distances from the cells of value 0, in cells, along one axis (Felzenszwalb and
@@ -73,7 +73,7 @@ void SpreadDistances(const Vector3i& num, std::vector<float>& values) {
   }
 }
 
-/** Calls with points of a triangle at most `spacing` apart. */
+/** Calls `visit` with points of a triangle at most `spacing` apart. */
 template <class Visit>
 void VisitPoints(const Vector3d& a, const Vector3d& b, const Vector3d& c, double spacing,
                  Visit&& visit) {
@@ -158,7 +158,7 @@ bool LinkSolid::IsEnclosed(const Vector3d& p) const {
   return false;
 }
 
-/** Within the closing ball of a free centre, or within a cell of that. */
+/** Whether the point is within the closing ball of a free centre, plus one cell. */
 bool LinkSolid::IsNearFree(const Vector3d& p) const {
   const Vector3i cell = FindCell(p);
   const double reach = kClosingBall / size_ + 1.0;
@@ -173,7 +173,7 @@ double LinkSolid::CalcMeshDistance(const Vector3d& p) const {
   return std::sqrt(square);
 }
 
-/** The cells that the centre of a ball from far away gets to. */
+/** Finds the cells that the centre of a ball from far away can reach. */
 std::vector<uint8_t> LinkSolid::FindReached(double radius) const {
   const double reach = std::max(1.0, radius / size_);
   std::vector<uint8_t> is_reached(from_mesh_.size(), 0);
@@ -237,7 +237,7 @@ void LinkSolid::FindOutside() {
     for (size_t i = 0; i < count; ++i) is_enclosed[i] |= votes[i] >= 2;
   }
 
-  // A probe that rests on a mesh is within a cell of those that do not touch it.
+  // The centre of a probe that rests on a mesh is within one cell of the centres without contact.
   is_probe_ = FindReached(kProbeRadius - 1.5 * size_);
   const std::vector<uint8_t> is_free = FindReached(kClosingBall - 0.5 * size_);
   from_free_.resize(count);
@@ -263,7 +263,7 @@ void LinkSolid::AddMeshPoints() {
   const double spacing =
       std::max(std::clamp(std::sqrt(area / kNumMeshPoints), kNearestPoints, kFarthestPoints),
                std::sqrt(area / kMostMeshPoints));
-  // Evenly by area: every share along the triangles, within one by a Kronecker sequence.
+  // Points are spaced evenly by area along the triangles, within one by a Kronecker sequence.
   const double share = spacing * spacing;
   double until = 0.5 * share, so_far = 0.0, u = 0.0, v = 0.0;
   for (const TriMesh& mesh : meshes_) {
@@ -289,7 +289,7 @@ void LinkSolid::AddMeshPoints() {
 }
 
 void LinkSolid::AddMembrane() {
-  constexpr float kOff = 1.6f * 1.6f;  // squared, in cells: nearer is the mesh itself
+  constexpr float kOff = 1.6f * 1.6f;  // squared, in cells: nearer cells belong to the mesh itself
   Vector3i cell;
   for (cell.z() = 1; cell.z() + 1 < num_.z(); ++cell.z()) {
     for (cell.y() = 1; cell.y() + 1 < num_.y(); ++cell.y()) {
@@ -309,7 +309,7 @@ void LinkSolid::AddMembrane() {
   }
 }
 
-/** A probe rests on it: nothing else is in its way by more than half a millimetre. */
+/** Whether a probe can rest on the point: nothing else penetrates it by more than 0.5 mm. */
 bool LinkSolid::IsOpen(const BoundaryPoint& point) const {
   const Vector3d centre = point.p + kProbeRadius * point.nhat;
   const Vector3i middle = FindCell(centre);

@@ -1,20 +1,22 @@
 #pragma once
 /** @file
-The solid that the meshes of a link stand for, open or overlapping ones too, as boundary points.
+The solid that the meshes of a link represent, also if they are open or overlap, as boundary points.
 
-On a grid of cells of size h:
+Points on a grid of cells of size h are classified as:
 
-- free: centres of balls of 1.5 mm that come from far away and touch no mesh;
-- enclosed: two of the three lines along the axes through a point wind around it (a winding number
-  other than 0, and 0 in all, so a line through an opening does not count);
-- outside: nearer than 1.5 mm to a free centre, and not enclosed.
+- free: centres of balls of 1.5 mm that can come from far away without touching a mesh;
+- enclosed: at least two of the three axis-parallel lines through the point wind around it. The
+  winding number at the point is not 0, but that of the whole line is, so lines through an opening
+  do not count;
+- outside: within 1.5 mm of a free centre, and not enclosed.
 
-The rest is the solid. Its boundary is the part of the meshes with the outside on one side of it,
-and a membrane where the solid ends away from the meshes. A boundary point is open where
-a probe of 5 mm that comes from far away rests on it.
+All other points form the solid. Its boundary consists of the parts of the meshes that have the
+outside on one side, and of a membrane where the solid ends away from the meshes. A boundary point
+is open if a probe of 5 mm from far away can rest on it.
 
-h is a 200th of the longest side, at least 0.6 mm; points of the meshes lie 0.5 to 1 mm apart and on
-the meshes, those of a membrane within h. */
+h is a 200th of the longest side, at least 0.7 mm. Points on the meshes are 0.5 to 1 mm apart, more
+on surfaces above 0.06 m^2, and lie exactly on the meshes. Points of a membrane are accurate to
+h. */
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -35,23 +37,23 @@ class LinkSolid {
  public:
   struct BoundaryPoint {
     Eigen::Vector3d p = Eigen::Vector3d::Zero();     ///< [m]
-    Eigen::Vector3d nhat = Eigen::Vector3d::Zero();  ///< outwards
+    Eigen::Vector3d nhat = Eigen::Vector3d::Zero();  ///< unit outward normal
     bool is_membrane = false;
   };
 
-  /** @param meshes  of one link in its frame [m]. @pre one has a triangle; valid indices, finite
-  vertices within 2 m. */
+  /** @param meshes  meshes of one link, in its frame [m]. @pre one has a triangle; indices are
+  valid; vertices are finite and within 2 m. */
   explicit LinkSolid(const std::vector<TriMesh>& meshes);
   LinkSolid(const LinkSolid&) = delete;
   LinkSolid& operator=(const LinkSolid&) = delete;
 
   const std::vector<BoundaryPoint>& boundary() const { return boundary_; }
-  /** Every k-th open point of the boundary, about as many as asked for. */
+  /** Returns every k-th boundary point that is open, with k chosen to test `num_points` of them. */
   std::vector<BoundaryPoint> ListOpen(size_t num_points) const;
-  /** Of the cell that holds the point. */
+  /** Whether the cell that contains the point is outside. */
   bool IsOutside(const Eigen::Vector3d& p) const;
-  /** How far a point lies outside: its distance from the meshes or the membrane; 0 in the solid
-  [m]. Exact but for what the closing ball fills: within 1.5 mm of two meshes. */
+  /** Distance of an outside point from the meshes or the membrane; 0 in the solid [m]. Exact except
+  in gaps that the ball of 1.5 mm cannot enter. */
   double CalcOutside(const Eigen::Vector3d& p) const;
 
  private:
@@ -71,17 +73,17 @@ class LinkSolid {
   double size_ = 0.0;  // h
   Eigen::Vector3d lower_ = Eigen::Vector3d::Zero();
   Eigen::Vector3i num_ = Eigen::Vector3i::Zero();
-  // By cell; distances are squared, in cells.
+  // By cell; distances are squared, in units of a cell.
   std::vector<uint8_t> is_outside_, is_probe_;
   std::vector<float> from_mesh_, from_free_;
-  std::vector<TriMesh> meshes_;  // with a triangle
+  std::vector<TriMesh> meshes_;  // those with a triangle
   std::vector<TriangleTree> trees_;
   std::vector<std::array<LineCrossings, 3>> lines_;  // along each axis
   std::vector<BoundaryPoint> boundary_;
   std::vector<Eigen::Vector3d> membrane_;
 };
 
-/** By link; nullptr: it has no triangle. */
+/** By link; nullptr if the link has no triangle. */
 using LinkSolids = std::vector<std::unique_ptr<LinkSolid>>;
 LinkSolids MakeLinkSolids(const std::vector<std::vector<TriMesh>>& meshes);
 

@@ -24,12 +24,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Turns a URDF of our own form into the hand's tree, its collision shapes and its looks.
-/** Fills links (depth first, siblings by their joints' names), joints and visuals of `hand`; a hand
-without any visual looks like its collision shapes. Drives, coupling and the root's pose are left
+// Converts a URDF of our own form to the hand's tree, its collision shapes and its visuals.
+/** Fills links (depth first, siblings by their joints' names), joints and visuals of `hand`. A hand
+without visuals is drawn by its collision shapes. Drives, coupling and the root's pose are left
 unset.
-@param urdf  read without errors. @param folder  meshes are found relative to it; faults within them
-are reported. */
+@param urdf  read without errors. @param folder  mesh paths are relative to it; faults of meshes are
+reported. */
 std::vector<CollisionShape> BuildHand(const Urdf& urdf, const std::filesystem::path& folder,
                                       Hand& hand, Diagnostics& problems);
 
@@ -39,7 +39,7 @@ float LinearFromSrgb(float value) {
   return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
 }
 
-/** A mesh as it is in its file, scaled. */
+/** Reads a mesh from its file and scales it. */
 TriMesh LoadMesh(const UrdfShape& visual, const std::filesystem::path& folder,
                  Diagnostics& problems) {
   const std::filesystem::path path = folder / visual.mesh;
@@ -57,8 +57,8 @@ TriMesh LoadMesh(const UrdfShape& visual, const std::filesystem::path& folder,
   return mesh;
 }
 
-/** The solid around the origin of its frame. @param is_contact  as AddContact has it
-(contact_shape.h), but for the edges of a box. */
+/** Mesh of a solid about the origin of its frame. @param is_contact  with the shape that AddContact
+uses (contact_shape.h), except for the edges of a box. */
 TriMesh MakeSolid(const UrdfShape& shape, bool is_contact) {
   if (shape.kind == UrdfShape::Kind::kBox) return MakeRoundedBox(shape.size, 0.0);
   const double radius = 0.5 * shape.size.x();
@@ -186,14 +186,14 @@ fs::path FindHandFolder(const std::string& id_or_folder) {
               "no hand and no folder \"" + id_or_folder + "\"" + SuggestNames(id_or_folder, ids));
 }
 
-/** The folder's own name, also for "hands/mine/" and ".". */
+/** The folder's own name, also for paths such as "hands/mine/" and ".". */
 std::string IdOfFolder(const fs::path& folder) {
   const fs::path path = fs::absolute(folder).lexically_normal();
   return (path.has_filename() ? path.filename() : path.parent_path().filename()).string();
 }
 
-/** Without the block of its camera: whoever adds or moves one changes no trial that does not look
-through it. */
+/** Removes the camera's block. A change of the camera thus leaves all trials valid that do not use
+it. */
 std::string WithoutCamera(const std::string& yaml) {
   std::string kept;
   bool is_camera = false;
@@ -206,7 +206,7 @@ std::string WithoutCamera(const std::string& yaml) {
   return kept;
 }
 
-/** Puts the joints in the order of the digits, base to tip; the rest (a wrist) follows. */
+/** Sorts the joints in the order of the digits, base to tip; others (a wrist) follow. */
 void SortJoints(Hand& hand) {
   std::vector<int> order;
   for (const Digit& digit : hand.digits) {
@@ -232,7 +232,8 @@ void SortJoints(Hand& hand) {
   hand.joints = std::move(sorted);
 }
 
-/** A ball that is compressed to its middle would stand on the other side of a thin object. */
+/** Reports pads that are too deep: a ball compressed to its centre would be on the far side of a
+thin object. */
 void CheckPadDepths(const Hand& hand, const std::string& file, Diagnostics& problems) {
   std::vector<bool> is_reported(hand.links.size(), false);
   for (const ContactSphere& ball : hand.contact_spheres) {

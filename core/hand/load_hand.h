@@ -3,10 +3,10 @@
 Reads a hand: `hand.urdf` (kinematics, inertia, collision and visual shapes, limits) and `hand.yaml`
 (digits, pads, drives, coupling; standard grasps are read by core/grasp).
 
-Collision shapes become contact: a sphere stays one; a cylinder is taken as the capsule of the same
-axis and radius and is sampled by spheres; a box is filled by rows of capsules of its half
-thickness (contact_shape.h). One that is named "cover" is met by objects and the table
-alone, one that is named "self_contact" by other links of the hand alone. */
+Collision shapes become contact geometry. A sphere stays a sphere. A cylinder is treated as the
+capsule of the same axis and radius and is sampled by spheres. A box is filled by rows of capsules
+of half its thickness (contact_shape.h). A shape named "cover" touches objects and the table only; a
+shape named "self_contact" touches other links of the hand only. */
 
 #include <filesystem>
 #include <string>
@@ -17,7 +17,7 @@ alone, one that is named "self_contact" by other links of the hand alone. */
 
 namespace graspbench {
 
-/** Ids of the hands that come with the program: the folders of core/hand/models, sorted. */
+/** Ids of the bundled hands: the folders of core/hand/models, sorted. */
 std::vector<std::string> ListHands();
 
 /** @param id_or_folder  a known id, or the path of a folder with hand.urdf and hand.yaml.
@@ -25,12 +25,12 @@ std::vector<std::string> ListHands();
 */
 Hand LoadHand(const std::string& id_or_folder);
 
-/** As LoadHand, but collects the problems (warnings too) instead of throwing on them. The hand is
-usable only when `problems` holds no error. */
+/** As LoadHand, but collects problems and warnings instead of throwing. The hand is usable only if
+`problems` contains no error. */
 Hand CheckHand(const std::string& id_or_folder, Diagnostics& problems);
 
-/** As CheckHand, from the texts of hand.urdf and hand.yaml. @param folder  names the hand, and
-meshes are found relative to it. */
+/** As CheckHand, from the texts of hand.urdf and hand.yaml. @param folder  gives the hand its id;
+mesh paths are relative to it. */
 Hand ParseHand(const std::string& urdf, const std::string& yaml,
                const std::filesystem::path& folder, Diagnostics& problems);
 

@@ -16,13 +16,13 @@ namespace {
 using Eigen::Vector3d;
 using tinyxml2::XMLElement;
 
-constexpr double kLargestExtent = 2.0;       // [m]; a larger part is a mistake of units
+constexpr double kLargestExtent = 2.0;       // [m]; a larger part is an error of units
 constexpr double kLargestStroke = 1.0;       // [m] of a prismatic joint
 constexpr double kMostElongated = 30.0;      // length / thickness of a collision shape
 constexpr double kTriangleTolerance = 1e-3;  // relative, for inertia given with few digits
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/** MakeRotationRpy but for its last digit, which is urdfdom's: stored results of a hand have it. */
+/** MakeRotationRpy with the last digit of urdfdom, with which results of hands were stored. */
 Eigen::Matrix3d MakeRotation(const Vector3d& rpy) {
   const Eigen::Array3d half = 0.5 * rpy.array();
   const double sx = std::sin(half.x()), sy = std::sin(half.y()), sz = std::sin(half.z());
@@ -91,7 +91,7 @@ class UrdfReader : UrdfElements {
   }
 
  private:
-  /** Names of links or of joints: the line of each, and what foreign ones are called instead. */
+  /** Names of links or of joints: the line of each, and the new names of foreign ones. */
   struct Names {
     std::string kind;
     NameList given{kind};
@@ -164,7 +164,7 @@ class UrdfReader : UrdfElements {
       Fail(material,
            where + ": material \"" + name + "\" is not defined" + SuggestNames(name, names));
     }
-    return {};  // a texture, or a material that the file leaves to others: drawn grey
+    return {};  // a texture, or a material defined elsewhere: drawn grey
   }
 
   void ReadLink(XMLElement& element) {
@@ -184,7 +184,7 @@ class UrdfReader : UrdfElements {
         if (shape) shapes->push_back(*shape);
       }
     }
-    if (is_own_ && link_names_.lines.size() == num_before) return;  // nameless, or a second one
+    if (is_own_ && link_names_.lines.size() == num_before) return;  // no name, or a duplicate
     const char* own_name = element.Attribute("name");
     link_index_.emplace(own_name ? own_name : link.name, static_cast<int>(urdf_.links.size()));
     urdf_.links.push_back(std::move(link));
@@ -212,7 +212,7 @@ class UrdfReader : UrdfElements {
   }
 
   void CheckInertia(XMLElement& element, const UrdfInertia& inertia, const std::string& where) {
-    // Sorted upwards. Scaled, so that tiny and huge numbers keep their ratios.
+    // In ascending order, and scaled, so that tiny and huge numbers keep their ratios.
     const double scale = inertia.I_I.cwiseAbs().maxCoeff();
     if (scale == 0.0) {
       Fail(element, where + ": the inertia is zero; a moving body needs one");
@@ -264,7 +264,7 @@ class UrdfReader : UrdfElements {
       const double radius = Number(solid, "radius", kNaN, where);
       const double length = Number(solid, "length", kind == "cylinder" ? kNaN : 0.0, where);
       shape.kind = kind == "cylinder" ? UrdfShape::Kind::kCylinder : UrdfShape::Kind::kCapsule;
-      // A capsule's length is that of its middle part.
+      // A capsule's length is that of its cylindrical part.
       shape.size = {2.0 * radius, 2.0 * radius,
                     kind == "cylinder" ? length : length + 2.0 * radius};
     } else if (kind == "box") {
@@ -376,7 +376,7 @@ class UrdfReader : UrdfElements {
     return -1;
   }
 
-  /** Axis, limit and mimic of a joint that moves. */
+  /** Reads axis, limit and mimic of a moving joint. */
   void ReadMotion(XMLElement& element, const std::string& where, UrdfJoint& joint) {
     if (XMLElement* axis = Only(element, "axis", where, false)) {
       const Vector3d xyz = Numbers<3>(axis, "xyz", Vector3d::UnitX(), where);
@@ -391,7 +391,7 @@ class UrdfReader : UrdfElements {
       limit.line = e->GetLineNum();
       const double effort = Number(e, "effort", kNaN, where);
       if (!std::isnan(effort)) limit.effort = effort;
-      // One that is left out is zero in URDF.
+      // An omitted limit is zero in URDF.
       const auto read = [&](const char* end) {
         return Number(e, end, is_own_ || e->Attribute(end) ? kNaN : 0.0, where);
       };
@@ -436,7 +436,7 @@ class UrdfReader : UrdfElements {
         other = &joint;
       }
     }
-    // Up from every link, over no link twice: who meets the own walk again has found a cycle.
+    // Walk up from every link, visiting none twice: meeting the current walk again is a cycle.
     std::vector<size_t> walks(urdf_.links.size(), urdf_.links.size());
     std::vector<std::string> roots;
     int line = 0;  // of the second root

@@ -16,10 +16,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kFarFromSurface = 0.005;  // of an element: a slip of the pen is less [m]
-constexpr double kMostArea = 1.1;          // of all cells, share of the sensed surface
+constexpr double kFarFromSurface = 0.005;  // of an element; a smaller distance is a rounding error
+                                           // [m]
+constexpr double kMostArea = 1.1;          // of all cells, as a share of the sensed surface
 
-/** To length 1, so that a file need not have all digits; what may be missing may be 0. */
+/** Reads a direction and normalises it, so that a file may round it; an optional one may be 0. */
 void ReadDirection(const std::string& key, Needed needed, YamlMap& map, Vector3d& direction) {
   map.Read(key, direction, needed);
   if (direction.norm() > 1e-6) {
@@ -41,7 +42,7 @@ bool HasContact(const Hand& hand, int link) {
                      [&](const LinkCapsule& capsule) { return capsule.link == link; });
 }
 
-/** Whoever writes millimetres, or in another frame, is told. */
+/** Reads an element; reports positions off the surface, as in millimetres or in another frame. */
 TactileElement ReadElement(const Hand& hand, int link, YamlMap& map) {
   TactileElement element;
   element.link = link;
@@ -60,7 +61,7 @@ TactileElement ReadElement(const Hand& hand, int link, YamlMap& map) {
   return element;
 }
 
-/** After the points have their elements. */
+/** Checks normals and areas, once the points have their elements. */
 void CheckElements(const TactileSkin& skin, const SensedSurface& surface, YamlMap& map) {
   for (const TactileElement& element : skin.elements) {
     if (element.link != surface.part.link || surface.points.empty()) continue;
@@ -161,7 +162,7 @@ int CountSteps(double length) {
   return std::max(1, static_cast<int>(std::ceil(length / kPointSpacing)));
 }
 
-/** Of one capsule: rings along its axis, and of both its ends. */
+/** Samples one capsule: rings along its axis and on both of its caps. */
 std::vector<SurfacePoint> SampleCapsule(const LinkCapsule& capsule) {
   const Vector3d span = capsule.p_LB - capsule.p_LA;
   const double r = capsule.radius, length = span.norm();

@@ -1,10 +1,10 @@
 #pragma once
 /** @file
-What a hand feels with, and its file tactile.yaml.
+Tactile sensors of a hand, and their file tactile.yaml.
 
-A sensed surface is that part of its link's contact surface (its capsules). Each point of it belongs
-to the nearest of its elements, so that there is no gap between cells. The surface is kept as points
-some 0.7 mm apart, each with the area around it. Frames: L of the link; SI. */
+A sensed surface is a part of its link's contact surface (its capsules). Each of its points belongs
+to the nearest element, so that the cells leave no gaps. The surface is stored as points about 0.7
+mm apart, each with the area around it. Frame: L of the link; SI units. */
 
 #include <Eigen/Core>
 #include <string>
@@ -28,24 +28,24 @@ inline constexpr TactileResponseRow kTactileResponses[] = {
 
 struct TactileElement {
   int link = -1;                                        ///< index into Hand::links
-  Eigen::Vector3d p_LE = Eigen::Vector3d::Zero();       ///< on the surface [m]
-  Eigen::Vector3d normal_L = Eigen::Vector3d::UnitX();  ///< unit, out of the hand
-  double area = 0.0;                                    ///< of its cell [m^2]
+  Eigen::Vector3d p_LE = Eigen::Vector3d::Zero();       ///< position on the surface [m]
+  Eigen::Vector3d normal_L = Eigen::Vector3d::UnitX();  ///< unit outward normal
+  double area = 0.0;                                    ///< area of its cell [m^2]
 };
 
 struct SurfacePoint {
   Eigen::Vector3d p_L = Eigen::Vector3d::Zero();
-  Eigen::Vector3d normal_L = Eigen::Vector3d::UnitX();  ///< unit, out of the hand
-  double area = 0.0;                                    ///< around it [m^2]
+  Eigen::Vector3d normal_L = Eigen::Vector3d::UnitX();  ///< unit outward normal
+  double area = 0.0;                                    ///< area around the point [m^2]
   int element = -1;                                     ///< index into TactileSkin::elements
 };
 
-/** Which part of a link's surface is sensed. */
+/** The part of a link's surface that is sensed. */
 struct SensedPart {
   int link = -1;
-  Eigen::Vector3d palmar = Eigen::Vector3d::Zero();  ///< zero: all round
-  Eigen::Vector3d along = Eigen::Vector3d::Zero();   ///< zero: all of its length
-  double from = 0.0;                                 ///< [m]
+  Eigen::Vector3d palmar = Eigen::Vector3d::Zero();  ///< side that is sensed; zero: all sides
+  Eigen::Vector3d along = Eigen::Vector3d::Zero();   ///< direction of `from`; zero: whole length
+  double from = 0.0;                                 ///< least coordinate along `along` [m]
 };
 
 struct SensedSurface {
@@ -56,38 +56,38 @@ struct SensedSurface {
 struct TactileSkin {
   TactileResponse response = TactileResponse::kExponential;
   std::vector<TactileElement> elements;
-  std::vector<SensedSurface> surfaces;  ///< at most one a link
+  std::vector<SensedSurface> surfaces;  ///< at most one per link
   std::string content_hash;             ///< of tactile.yaml
 
-  const SensedSurface* FindSurface(int link) const;  ///< null: not sensed
+  const SensedSurface* FindSurface(int link) const;  ///< null: the link has no sensors
 };
 
-/** The points of a part of a link's surface, without an element. */
+/** Samples a part of a link's surface; the points have no element yet. */
 std::vector<SurfacePoint> SampleSurface(const Hand& hand, const SensedPart& part);
 
-/** Gives each point the nearest of the elements of its link, by p_LE. */
+/** Assigns to each point the element of its link whose p_LE is nearest. */
 void AssignElements(const std::vector<TactileElement>& elements, SensedSurface& surface);
 
-/** The nearest point of a link's contact surface. @pre the link has contact. */
+/** Returns the nearest point of a link's contact surface. @pre the link has contact. */
 Eigen::Vector3d ProjectOntoSurface(const Hand& hand, int link, const Eigen::Vector3d& p_L);
 
-/** What a hand feels with, from tactile.yaml beside its hand.yaml (absent: nothing):
+/** Tactile sensors of a hand, from tactile.yaml in the folder of its hand.yaml (absent: none):
 
     response: exponential      # of each element to its force: exponential or linear
     surfaces:
       - link: ffdistal
-        palmar: [0, -1, 0]     # only the side whose normal has a part along it; absent: all round
+        palmar: [0, -1, 0]     # only where the normal has a component along it; absent: all sides
         along: [0, 0, 1]       # and only what lies beyond from_m in this direction; absent: all
         from_m: -0.001
         elements:
           - {position_m: [0, -0.007, 0.01], normal: [0, -1, 0], area_m2: 1.4e-5}
 
-Frames: L of the link; SI. Directions need no length.
+Frame: L of the link; SI units. Directions need not be unit vectors.
 
-Every key of tactile.yaml, a line each. */
+All keys of tactile.yaml. */
 const FileKeys& ListTactileKeys();
 
-/** From the text of a tactile.yaml; `file` is its name in messages. */
+/** Parses the text of a tactile.yaml; `file` names it in messages. */
 TactileSkin ParseTactile(const std::string& text, const std::string& file, const Hand& hand,
                          Diagnostics& problems);
 

@@ -90,7 +90,7 @@ tinyxml2::XMLElement* UrdfElements::Only(XMLElement& parent, const char* name,
     return nullptr;
   }
   XMLElement* second = child->NextSiblingElement(name);
-  // Readers take the first or the last of two; only of a colour it makes no difference.
+  // Readers use the first or the last of two, which is harmless only for a colour.
   if (second && (is_own_ || std::strcmp(name, "material") != 0)) {
     Fail(*second, where + ": a second <" + name + ">; one is allowed");
   }

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-Numbers, names and elements as they stand in XML. */
+Numbers, names and elements in XML. */
 
 #include <tinyxml2.h>
 
@@ -14,33 +14,33 @@ Numbers, names and elements as they stand in XML. */
 
 namespace graspbench {
 
-/** Finite numbers below 1e9, blanks or commas between them; nothing when something else stands
-there. */
+/** Parses finite numbers below 1e9, separated by blanks or commas; nullopt if the text contains
+anything else. */
 std::optional<std::vector<double>> ParseNumbers(const char* text);
 
-/** True when a number in the text is 1e9 or larger, which ParseNumbers refuses. */
+/** Whether the text contains a number of 1e9 or more, which ParseNumbers rejects. */
 bool IsTooLarge(const char* text);
 
-/** What a file is that holds no XML in UTF-8: UTF-16, a Git LFS pointer. Empty: neither. */
+/** Names the content of a file that is not XML in UTF-8: UTF-16, a Git LFS pointer; else empty. */
 std::string NameOtherText(const std::string& text);
 
-/** What an <origin> has beside `xyz` and `rpy`: another attribute (`quat_xyzw`), an element, text.
-Whoever ignored it would put its part elsewhere. Empty: nothing. */
+/** Names what an <origin> contains besides `xyz` and `rpy`: another attribute (`quat_xyzw`), an
+element or text. Ignoring it would misplace the part. Empty: nothing. */
 std::string FindUnknownInOrigin(const tinyxml2::XMLElement& origin);
 
-/** True when an angle of a rotation is more than a turn and a multiple of 1 or 2.5, as people write
-degrees. Any other one beyond a turn, 5 pi / 2, is right in radians. */
+/** Whether an angle of a rotation exceeds a full turn and is a multiple of 1 or 2.5, as people
+write degrees. Any other angle beyond a full turn, such as 5 pi / 2, is taken for radians. */
 bool AreDegrees(const Eigen::Vector3d& rpy);
 
-/** The first three in quotes, "a", "b", "c" and 4 more. */
+/** Joins names in quotes; after the first three: "a", "b", "c" and 4 more. */
 std::string JoinSome(const std::vector<std::string>& names);
 
-/** Names of one kind of thing ("link"), each given once. */
+/** Unique names for things of one kind ("link"). */
 class NameList {
  public:
   explicit NameList(std::string kind) : kind_(std::move(kind)) {}
 
-  /** The name; another one where it is no text or taken, and then `changes` says so. */
+  /** Returns the name, or another one if it is not text or taken; then adds a note to `changes`. */
   std::string Add(const char* text, std::vector<std::string>& changes);
 
  private:
@@ -48,8 +48,9 @@ class NameList {
   std::set<std::string> taken_;
 };
 
-/** Elements and attributes of a URDF, their faults reported with their lines. Base of the reader.
-In a hand of our own form any fault is an error; in a foreign description most are warnings. */
+/** Base class of the URDF reader: reads elements and attributes and reports their faults with
+lines. In a hand of our own form any fault is an error; in a foreign description most are
+warnings. */
 class UrdfElements {
  protected:
   using XMLElement = tinyxml2::XMLElement;
@@ -63,17 +64,17 @@ class UrdfElements {
   void Warn(const XMLElement& at, const std::string& text) {
     problems_.Warn(file_, at.GetLineNum(), text);
   }
-  /** A fault that is repaired in a foreign description. */
+  /** Reports a fault that can be repaired in a foreign description. */
   void FailOrRepair(const XMLElement& at, const std::string& text, const std::string& repair) {
     is_own_ ? Fail(at, text) : Warn(at, text + "; " + repair);
   }
-  /** The document's <robot>; null, with an error, where it holds no description of a hand. */
+  /** Returns the document's <robot>; null, with an error, if it does not describe a hand. */
   XMLElement* FindRobot(tinyxml2::XMLDocument& document, const std::string& text);
-  /** The child of that name, with an error when it is needed and absent. */
+  /** Returns the only child of this name; reports an error if it is needed and missing. */
   XMLElement* Only(XMLElement& parent, const char* name, const std::string& where, bool is_needed);
   std::string Text(XMLElement& element, const char* attribute, const std::string& where);
-  /** The numbers of an attribute; none, with a problem, when something else stands there or, in a
-  hand of our own that needs them, nothing. */
+  /** Returns the numbers of an attribute. Returns none, with a problem, if it has other content or,
+  in a hand of our own form, is needed and missing. */
   std::vector<double> ReadNumbers(XMLElement* element, const char* attribute, size_t count,
                                   const std::string& where, bool is_needed);
   template <int kCount>
@@ -89,7 +90,7 @@ class UrdfElements {
     const std::vector<double> read = ReadNumbers(element, attribute, 1, where, true);
     return read.empty() ? otherwise : read[0];
   }
-  /** In our own form, a warning of each element that the model does not use. */
+  /** In a hand of our own form, warns of each element that the model does not use. */
   void WarnOfUnused(XMLElement& parent, const std::vector<std::string>& used,
                     const std::vector<std::string>& ignored, const std::string& where);
 

@@ -1,12 +1,13 @@
 #pragma once
 /** @file
-GFT, GOT and GCT of learning trials in seconds, beside their ratios (grasp_optimiser.h): a ratio
-falls, too, where the closure only takes longer. Medians over the trials in which every digit touched
-and none before the start of closure; the others have no times and are counted.
+GFT, GOT and GCT of learning trials in seconds, in addition to their ratios (grasp_optimiser.h),
+since a ratio also falls if the closure only takes longer. The values are medians over the trials in
+which every digit touched and none touched before the start of closure. Other trials have no times;
+they are counted.
 
-The floor of GFT [s] is that of GFT% (core/grasp/contact_timing.h) in seconds: each digit's times are
-shifted by their own median, to the median of the digit that comes last; then the median of GFT. What
-is left is how the digits scatter from trial to trial. */
+The floor of GFT [s] corresponds to that of GFT% (core/grasp/contact_timing.h). The times of each
+digit are shifted by their own median, to the median of the last digit; then the median of GFT is
+taken. The floor is due to the scatter of the digits between trials. */
 
 #include <vector>
 

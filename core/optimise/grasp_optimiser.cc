@@ -15,14 +15,14 @@
 namespace graspbench {
 namespace {
 
-// Learning draws by their use; those of the fitness start with 2000 (target_search.cc), those of
-// step 1's choice with 0, the trial without variation.
+// Learning draws by their use. Those of the fitness start at 2000 (target_search.cc), those of step
+// 1's choice at 0, the trial without variation.
 constexpr int kFirstTargetCheck = 1000;
 constexpr int kFirstFinalDraw = 3000;
 constexpr int kFirstScreeningDraw = 4000;
 constexpr int kFirstPreGraspCheck = 5000;
 
-constexpr double kSameAngle = 1e-5;  ///< relative; two pre-grasps that differ by less are one
+constexpr double kSameAngle = 1e-5;  ///< relative; pre-grasps that differ by less count as one
 constexpr double kDelayGains[] = {1.0, 0.5};
 constexpr int kNumCandidates = 100;
 constexpr int kScreeningTrials = 3;
@@ -39,7 +39,7 @@ std::vector<LearningTrial> RunOne(const RunLearningTrials& run, LearningStage st
   return run({request}).at(0);
 }
 
-/** The same grasp with the angles that a grasp file holds. */
+/** The same grasp with angles rounded as in a grasp file. */
 Grasp RoundAngles(const Hand& hand, const Grasp& grasp, const std::string& made_from) {
   return ParseGraspFile(FormatGraspFile(hand, grasp, made_from), grasp.id, {&hand}).grasp;
 }
@@ -52,14 +52,14 @@ constexpr WidthChoice kWidthChoices[] = {{"widest", PreGraspWidth::kWidest},
                                          {"above the table", PreGraspWidth::kAboveTable},
                                          {"half", PreGraspWidth::kHalf}};
 
-/** Of so many trials of the standard grasp the successes that a pre-grasp needs: not more, because
-one of twenty that fell otherwise says nothing of it. */
+/** Number of successes that a pre-grasp needs, given the trials of the standard grasp. More do not
+count, since one different outcome in twenty is not significant. */
 int CountEnough(const std::vector<LearningTrial>& standard) {
   const double margin = kSuccessMargin * static_cast<double>(standard.size());
   return CountSuccesses(standard) - static_cast<int>(margin + 1e-9);
 }
 
-/** More successes than `enough` do not count. */
+/** Whether `a` is better; successes beyond `enough` do not count. */
 bool IsBetter(const std::vector<LearningTrial>& a, const std::vector<LearningTrial>& b,
               int enough) {
   const int successes_a = std::min(CountSuccesses(a), enough);
@@ -82,7 +82,7 @@ double CalcPreGraspGoal(const LearningTrial& trial) {
 
 bool IsAny(const PreGraspShot&) { return true; }
 
-/** Of the shots that `is_asked` the best one; -1: there is none. */
+/** Index of the best shot for which `is_asked` holds; -1: there is none. */
 template <class IsAsked>
 int FindBest(const std::vector<PreGraspShot>& shots, int enough, const IsAsked& is_asked) {
   int best = -1;
@@ -95,7 +95,7 @@ int FindBest(const std::vector<PreGraspShot>& shots, int enough, const IsAsked& 
   return best;
 }
 
-/** Checks a shot against the standard grasp, or says why it is not worth it. */
+/** Checks a shot against the standard grasp, or explains why it is not worth it. */
 void Check(int number, const Grasp& standard, const OptimiseConfig& config,
            const RunLearningTrials& run, PreGraspStep& step) {
   const PreGraspShot& shot = step.shots[number];
@@ -116,7 +116,7 @@ void Check(int number, const Grasp& standard, const OptimiseConfig& config,
   }
 }
 
-/** The best of the shots; where it is refused, the best of the other kind: delayed, or not. */
+/** Checks the best shot; if it is refused, the best of the other kind, with or without delays. */
 void Choose(const Grasp& standard, const OptimiseConfig& config, const RunLearningTrials& run,
             PreGraspStep& step) {
   if (step.shots.empty()) {
@@ -139,8 +139,8 @@ std::vector<LearningTrial> TakeFirstLook(const std::vector<LearningTrial>& trial
   return {trials.begin(), trials.begin() + std::min<ptrdiff_t>(kPairsPerLook, trials.size())};
 }
 
-/** Tries what the pre-grasp reaches without delays where something was checked: else nothing looked
-better on the draws of the choice. */
+/** Runs the best pre-grasp without delays if anything was checked; otherwise nothing looked better
+on the draws of the choice. */
 void TryAlone(const RunLearningTrials& run, PreGraspStep& step) {
   if (step.check.before.empty()) return;
   step.alone = FindBest(step.shots, CountEnough(step.standard_trials),
@@ -152,7 +152,7 @@ void TryAlone(const RunLearningTrials& run, PreGraspStep& step) {
                                    ListDraws(kFirstPreGraspCheck, kPairsPerLook));
 }
 
-/** Appends shots in which digits wait, made from one and its trials. */
+/** Appends shots in which digits wait, derived from one shot and its trials. */
 void LearnToWait(const Hand& hand, PreGraspShot shot, const std::string& made_from,
                  const RunLearningTrials& run, std::vector<PreGraspShot>& shots) {
   const std::string name = shot.name;
@@ -242,7 +242,7 @@ void ChooseFinalist(const TargetSearch& search, const OptimiseConfig& config,
   if (!step.finalists.empty()) step.found = step.finalists.front().number;
 }
 
-/** The search alone. */
+/** Runs the search only. */
 TargetStep RunTargetSearch(TargetSearch& search, const OptimiseConfig& config,
                            const RunLearningTrials& run) {
   TargetStep step;
@@ -262,7 +262,7 @@ TargetStep RunTargetSearch(TargetSearch& search, const OptimiseConfig& config,
   return step;
 }
 
-/** Empty where it grips about as the start does, or may grip as it likes. */
+/** Empty if it grips about as hard as the start, or if its grip is not limited. */
 std::string DescribeGrip(const TargetStep& step) {
   constexpr double kHarder = 1.05;
   const double times = CalcMeanGrip(step.check.after) / CalcMeanGrip(step.check.before);
@@ -302,8 +302,8 @@ double CalcMeanSigma(const std::vector<LearningTrial>& trials) {
 }
 
 int CountLearningTrials(const OptimiseConfig& config) {
-  constexpr double kShareOfPairs = 0.6;  // until a check is decided, in the campaigns run so far
-  constexpr int kNumPreGrasps = 9;       // the standard one and, of ten, those that differ
+  constexpr double kShareOfPairs = 0.6;  // until a check is decided, in the campaigns so far
+  constexpr int kNumPreGrasps = 9;       // the standard one and, of ten others, those that differ
   const OptimiseStepRow& steps = StepsOf(config);
   const int check = static_cast<int>(2.0 * kShareOfPairs * config.check_pairs);
   const int step1 = kNumPreGrasps * config.choice_trials + check;

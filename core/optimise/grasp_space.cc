@@ -13,9 +13,9 @@ namespace graspbench {
 namespace {
 
 constexpr double kFirstStep = RadFromDeg(8.0);
-constexpr double kLargestChange = RadFromDeg(25.0);  // of a coordinate, to both sides
+constexpr double kLargestChange = RadFromDeg(25.0);  // of a coordinate, in either direction
 
-/** Between what a target angle of the start may become [rad]; the start's lies within. */
+/** Range of a target angle about the start's [rad]. */
 struct TargetRange {
   double lower, upper;
 };
@@ -39,7 +39,7 @@ std::vector<int> FindGraspingJoints(const GraspSpaceStart& start) {
   return joints;
 }
 
-/** Of these joints' target angles, each a coordinate. */
+/** Space of these joints' target angles, one coordinate each. */
 class TargetSpace : public GraspSpace {
  public:
   TargetSpace(const GraspSpaceStart& start, std::vector<int> joints)
@@ -65,7 +65,7 @@ class TargetSpace : public GraspSpace {
   std::vector<int> joints_;
 };
 
-constexpr double kShiftPerRadian = 0.04;  // [m/rad]: what an angle moves a pad 40 mm away
+constexpr double kShiftPerRadian = 0.04;  // [m/rad]: an angle moves a pad at 40 mm by this
 
 class HandPoseSpace : public GraspSpace {
  public:
@@ -92,11 +92,11 @@ class HandPoseSpace : public GraspSpace {
 };
 
 constexpr size_t kFewestPostures = 4;
-constexpr double kVarianceShare = 0.95;  // that the components explain together
+constexpr double kVarianceShare = 0.95;  // that the selected components explain
 constexpr double kNoVariance = 1e-6;     // [rad], root of the sum of squares
 
-/** Pre-grasps and targets of the hand's standard grasps in which all digits of the start grasp, a
-row each; what else the other digits do is no part of them. */
+/** Pre-grasps and targets of the hand's standard grasps in which all digits of the start grasp, one
+row each. Other digits are not included. */
 Eigen::MatrixXd ListPostures(const GraspSpaceStart& start, const std::vector<int>& joints) {
   std::vector<Eigen::VectorXd> postures;
   for (const Grasp& grasp : LoadStandardGrasps(start.hand)) {
@@ -123,8 +123,8 @@ Eigen::MatrixXd ListPostures(const GraspSpaceStart& start, const std::vector<int
   return rows;
 }
 
-/** Principal components in columns, the most important first; the largest element of each is 1, so
-that a coordinate tells the angle of the joint that moves most. */
+/** Principal components in columns, the most important first. The largest element of each is 1, so
+that a coordinate is the angle of the joint that moves most. */
 Eigen::MatrixXd CalcSynergies(const GraspSpaceStart& start, const std::vector<int>& joints) {
   const Eigen::MatrixXd postures = ListPostures(start, joints);
   const Eigen::MatrixXd centred = postures.rowwise() - postures.colwise().mean();
@@ -193,7 +193,7 @@ class ClosingSpace : public GraspSpace {
     Grasp grasp = start_.grasp;
     for (size_t d = 0; d < grasp.digits.size(); ++d) {
       if (genome[d] == box().start[d]) {
-        continue;  // the start is the grasp to the bit
+        continue;  // the start reproduces the grasp bit by bit
       }
       ClosingSchedule schedule = FindSchedule(grasp.digits[d]);
       schedule.delay = kDelayPerRadian * genome[d];

@@ -1,19 +1,20 @@
 #pragma once
 /** @file
-What of a grasp step 2 may change, as coordinates of a search:
+Degrees of freedom of a grasp that step 2 may change, as coordinates of a search:
 
     thumb       target angles of the opposing digit (Roethling 2007), the default
-    hand-pose   where the hand stands: shifted by 17.5 mm at most along each axis of the world,
-                turned by 25 deg at most about the object's centre (placement.h, MovePlacement)
+    hand-pose   pose of the hand: shifted by at most 17.5 mm along each axis of the world, rotated
+                by at most 25 deg about the object's centre (placement.h, MovePlacement)
     all-digits  target angles of all grasping digits
     synergy     target angles of all grasping digits along the principal components of the hand's
-                own standard postures (Santello, Flanders and Soechting 1998 for people's hands)
-    closing     when each grasping digit begins to close, up to 0.22 s after the first
+                own standard postures (cf. Santello, Flanders and Soechting 1998 for human hands)
+    closing     start of closing of each grasping digit, up to 0.22 s after the first
 
-Every coordinate counts in radians, so that one step fits all: a shift of 40 mm counts as one. No
-target angle leaves its joint's limits or goes farther than 25 deg from the start's; coupled joints
-follow; a hand that was moved keeps the rules of placing; pre-grasps stay. The start is the point of
-the grasp as it is, to the bit. All but the thumb is proposed by graspbench. */
+Every coordinate is measured in radians, so that one step size fits all: a shift of 40 mm counts as
+one radian. Target angles stay within the joint limits and within 25 deg of the start's. Coupled
+joints follow, a hand that was moved obeys the rules of placement, and pre-grasps stay unchanged.
+The start point reproduces the grasp bit by bit. All spaces but `thumb` are proposed by
+graspbench. */
 
 #include <Eigen/Core>
 #include <memory>
@@ -29,9 +30,9 @@ the grasp as it is, to the bit. All but the thumb is proposed by graspbench. */
 namespace graspbench {
 
 struct GraspCoordinate {
-  std::string name;         ///< of a joint, or what is moved: "hand_x"
-  const char* unit;         ///< of values for people and tables: "rad" or "m"
-  double per_radian = 1.0;  ///< of that unit, to a radian of the search
+  std::string name;         ///< name of a joint, or of the moved quantity: "hand_x"
+  const char* unit;         ///< unit in reports and tables: "rad" or "m"
+  double per_radian = 1.0;  ///< size of a radian of the search, in that unit
 };
 
 class GraspSpace {
@@ -39,7 +40,7 @@ class GraspSpace {
   virtual ~GraspSpace() = default;
   const SearchSpace& box() const { return box_; }
   const std::vector<GraspCoordinate>& coordinates() const { return coordinates_; }
-  /** The start with the coordinates changed. @pre as many as there are. */
+  /** The start with these coordinates. @pre `genome` has as many entries as there are. */
   virtual Grasp MakeGrasp(const Eigen::VectorXd& genome) const = 0;
 
  protected:
@@ -50,24 +51,24 @@ class GraspSpace {
   std::vector<GraspCoordinate> coordinates_;
 };
 
-/** What a space is made from; the references must outlive it. */
+/** Input of a search space; the references must outlive it. */
 struct GraspSpaceStart {
   const Hand& hand;
   const GraspObject& object;
-  const Grasp& grasp;  ///< brings its placement
+  const Grasp& grasp;  ///< has a placement
 };
 
-/** A space by its name. */
+/** A search space with its name. */
 struct GraspSpaceRow {
   const char* name;   ///< in files and options
   const char* words;  ///< "the thumb's target angles"
   std::unique_ptr<GraspSpace> (*make)(const GraspSpaceStart& start);
 };
 
-/** The first of all. */
+/** Name of the first space, the default. */
 inline constexpr char kThumbSpace[] = "thumb";
 
-/** "thumb", "hand-pose", ...: all. */
+/** Names of all spaces: "thumb", "hand-pose", ... */
 const std::vector<std::string>& ListGraspSpaces();
 /** @throws Error(kNotFound) with suggestions. */
 const GraspSpaceRow& FindGraspSpace(const std::string& name);

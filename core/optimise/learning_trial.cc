@@ -9,8 +9,8 @@
 namespace graspbench {
 namespace {
 
-constexpr double kFarAway = 1.0;   ///< the distance of a digit that was never measured [m]
-constexpr double kGapForce = 1.0;  ///< what it costs a lost object [N/m]
+constexpr double kFarAway = 1.0;   ///< distance of a digit that was not measured [m]
+constexpr double kGapForce = 1.0;  ///< penalty for a lost object [N/m]
 
 }  // namespace
 

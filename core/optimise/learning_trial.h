@@ -1,19 +1,19 @@
 #pragma once
 /** @file
-What the optimisation keeps of a simulated trial, and the fitness it takes from it:
+The data of a simulated trial that the optimisation stores, and the fitness computed from it:
 
-    sigma     sigma (core/trial/measures/stability.h), which is 0 when the object is lost,
-              times G / g when the hand grips with g, more than the grip G that it may use
-              (g: sum of its normal forces in the hold [N]), or
-              - the opposing digit's smallest distance to the object [m] when that digit never
-              touches, so that a thumb in the air is led towards the object
-    strength  TrialResult::strength [N], of a held object times G / g, too, of a lost one minus
-              1 N/m times the same distance
+    sigma     sigma (core/trial/measures/stability.h), which is 0 if the object is lost, times G / g
+              if the grip g exceeds the grip G that the hand may use (g: sum of its normal forces in
+              the hold [N]); or minus the opposing digit's smallest distance from the object [m] if
+              that digit never touches, to guide a thumb in the air towards the object
+    strength  TrialResult::strength [N], also times G / g if the object is held; if it is lost,
+              minus 1 N/m times the same distance
 
-and for several trials their mean. Larger is better. Strength is found by pulling, with the grip
-regulated on and drives that yield; sigma by statics beforehand. A trial that has a strength counts
-with it. All contact forces at a posture grow about as one, so a pull that is withstood by squeezing
-twice as hard is worth half; a grasp that needs less grip than it may use gains nothing by that. */
+The fitness of several trials is their mean; larger is better. Strength is measured by pulling, with
+the grip still regulated and compliant drives. Sigma is predicted by statics before a pull. If a
+trial has a strength, this is its fitness. The contact forces of a posture grow approximately in
+proportion, so a pull that is resisted by squeezing twice as hard counts half. A grasp that uses
+less grip than allowed gains nothing. */
 
 #include <Eigen/Core>
 #include <limits>
@@ -27,22 +27,22 @@ twice as hard is worth half; a grasp that needs less grip than it may use gains 
 namespace graspbench {
 
 struct LearningTrial;
-/** What is kept of the grasping digits, one object each. */
+/** The stored data of the grasping digits, one JSON object per digit. */
 Json LearningDigitsToJson(const LearningTrial& trial);
 void ReadLearningDigits(const Json& json, LearningTrial& trial);
 
 struct LearningTrial {
-  int draw = 0;  ///< number of the learning draw: 0 without any variation
+  int draw = 0;  ///< number of the learning draw; 0: without variation
   Outcome outcome = Outcome::kNotRun;
   double sigma = 0.0;
-  StabilityPart stability;             ///< of the hold, from which sigma comes
+  StabilityPart stability;             ///< of the hold, from which sigma is computed
   std::vector<DigitContact> contacts;  ///< of the grasping digits
   std::vector<double> closings;        ///< s at their first touch; NaN: never
-  /** Joints of the whole hand at those touches (num_joints) [rad]; empty for a digit that never
-  touched. No element unless they were asked for. */
+  /** Joints of the hand at those touches (num_joints) [rad]; empty for a digit that never touched.
+  The list is empty unless postures were requested. */
   std::vector<Eigen::VectorXd> touch_postures;
-  double opposing_gap = 0.0;       ///< smallest distance of the opposing digit [m]
-  std::optional<double> strength;  ///< where it was asked for [N]
+  double opposing_gap = 0.0;       ///< smallest distance of the opposing digit from the object [m]
+  std::optional<double> strength;  ///< only on request [N]
   ContactTiming timing;
 
   template <class V>
@@ -61,53 +61,54 @@ struct LearningTrial {
   }
 };
 
-/** @param keep_postures  those of the first touches, from which step 1 learns. */
+/** @param keep_postures  store the postures of first touches, from which step 1 learns. */
 LearningTrial MakeLearningTrial(int draw, const TrialResult& result, bool keep_postures);
 
-/** A grip that no hand reaches [N]. */
+/** No limit of the grip [N]. */
 inline constexpr double kAnyGrip = std::numeric_limits<double>::infinity();
 
 /** @param grip_limit  G [N]. */
 double CalcFitness(const LearningTrial& trial, double grip_limit = kAnyGrip);
-/** The mean. @pre at least one. */
+/** Mean fitness. @pre at least one trial. */
 double CalcFitness(const std::vector<LearningTrial>& trials, double grip_limit = kAnyGrip);
 
-/** Those of each trial, in their order; empty where the simulation failed. */
+/** Contacts by trial, in order; empty if the simulation failed. */
 std::vector<std::vector<DigitContact>> ListContacts(const std::vector<LearningTrial>& trials);
 int CountSuccesses(const std::vector<LearningTrial>& trials);
-/** Mean of what the grasps stand, 0 where the object is lost [N]; NaN when it was never asked for.
-*/
+/** Mean strength, with 0 for a lost object [N]; NaN if it was never requested. */
 double CalcMeanStrength(const std::vector<LearningTrial>& trials);
-/** Mean grip in the hold, of the trials that got there [N]; NaN without any. */
+/** Mean grip in the hold, over the trials that reached it [N]; NaN if none did. */
 double CalcMeanGrip(const std::vector<LearningTrial>& trials);
 
 Json ToJson(const LearningTrial& trial);
-/** @throws Json::exception or Error(kFormat). Gives back the very same numbers. */
+/** Reproduces the numbers exactly. @throws Json::exception or Error(kFormat). */
 LearningTrial LearningTrialFromJson(const Json& json);
 
-/** How much of what friction and grip allow a grasp uses, so that nobody asks a search for more:
+/** Upper bound of the strength that friction and grip allow, to judge how much a search can still
+gain:
 
-    bound = mu_s N - m g      [N]
+    bound = mu_s N - m g      [N], at least 0
 
-with N the sum of the hand's normal forces in the hold and m g the object's weight: pulled straight
-down, contacts whose normals are horizontal resist with friction alone, at most mu_s times their
-normal force each, of which the weight has its part. The weakest of the six pulls (learning_trial.h)
-of a grasp by an object's sides is no larger, whichever digits press how much (Coulomb). At
-equal grip no other grasp by the sides gets more than 1 / share of what this one has.
+where N is the sum of the hand's normal forces in the hold and m g the object's weight. When pulled
+straight down, contacts with horizontal normals resist by friction only: at most mu_s times their
+normal force each, part of which bears the weight. For a grasp by an object's sides, the weakest of
+the six pulls (learning_trial.h) is at most this bound, however the force is distributed over the
+digits (Coulomb). At equal grip no other grasp by the sides exceeds 1 / share times this one.
 
-Blind to: a hand that reaches beneath the object or around a bar, which may have a share above 1;
-digits that press harder when the object is pushed into them; moments and pulls along the fingers,
-which may end a grasp earlier.
+Not covered: a hand that reaches beneath the object or around a bar, whose share may exceed 1, and
+digits that press harder when the object is pushed into them. Moments and pulls along the fingers
+may break a grasp earlier.
 
-At least 0. @param normal_force  N [N].  @param weight  m g [N]. */
+@param normal_force  N [N].  @param weight  m g [N]. */
 double CalcFrictionBound(double normal_force, double friction, double weight);
 
 struct Headroom {
   double bound = 0.0;  ///< mean over the trials that held [N]; NaN: none did
-  /** Mean strength (sigma where it was not asked for) of the trials that held, over the bound. */
+  /** Mean strength of the trials that held (sigma if strength was not requested), over the
+  bound. */
   double share = 0.0;
 };
-/** By what factor a grasp by the sides may be stronger at equal grip: 1 / share, at least 1. */
+/** Largest factor by which a grasp by the sides can be stronger at equal grip: 1 / share, >= 1. */
 double CalcMostGain(double share);
 
 /** @param gravity  [m/s^2] */

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-An optimisation's settings and terms, one table each: its steps, the stages in which it asks the
-simulation something, and the variants of a grasp that it makes. */
+Settings and terms of an optimisation, in one table each: its steps, the stages of its requests to
+the simulation, and the variants of a grasp that it generates. */
 
 #include <string>
 
@@ -18,7 +18,7 @@ struct OptimiseStepRow {
 inline constexpr OptimiseStepRow kOptimiseSteps[] = {
     {"1", true, false}, {"2", false, true}, {"both", true, true}};
 
-/** What a new target may grip with, so that it holds better and does not only squeeze harder. */
+/** Grip that a new target may use, so that it holds better and does not merely squeeze harder. */
 enum class GripBudget { kFree, kEqual, kLimit };
 struct GripBudgetRow {
   GripBudget value;
@@ -31,7 +31,7 @@ inline constexpr GripBudgetRow kGripBudgets[] = {
     {GripBudget::kLimit, "limit", "as much as grip_limit_n says"},
 };
 
-/** What step 2 makes larger (learning_trial.h). */
+/** Quantity that step 2 maximises (learning_trial.h). */
 enum class FitnessKind { kSigma, kStrength };
 struct FitnessKindRow {
   FitnessKind value;
@@ -57,8 +57,8 @@ enum class LearningStage {
 };
 struct LearningStageRow {
   LearningStage value;
-  const char* name;     ///< in files and for people
-  bool has_individual;  ///< asks about an individual of the search
+  const char* name;     ///< in files and reports
+  bool has_individual;  ///< the request is about an individual of the search
 };
 inline constexpr LearningStageRow kLearningStages[] = {
     {LearningStage::kStandard, "standard", false},
@@ -73,12 +73,12 @@ inline constexpr LearningStageRow kLearningStages[] = {
     {LearningStage::kCheckAlone, "check without delays", false},
 };
 
-/** In the order of their making; also an index. */
+/** In the order in which they are generated; also an index. */
 enum Variant { kStandardGrasp, kNewPreGrasp, kNewTarget };
 struct VariantRow {
   Variant value;
-  const char* name;   ///< in tables; of the two new ones also the grasp's id and its file's name
-  const char* words;  ///< the name of the thesis
+  const char* name;   ///< in tables; for the two new ones also the grasp's id and file name
+  const char* words;  ///< name in the thesis
 };
 inline constexpr VariantRow kVariants[] = {
     {kStandardGrasp, "standard", "standard grasp"},
@@ -86,10 +86,10 @@ inline constexpr VariantRow kVariants[] = {
     {kNewTarget, "new-target", "new target grasp"},
 };
 inline constexpr int kNumVariants = static_cast<int>(std::size(kVariants));
-/** What the optimisation makes. */
+/** Variants that the optimisation generates. */
 inline constexpr Variant kNewVariants[] = {kNewPreGrasp, kNewTarget};
 
-/** Of grasp ids: those of the new variants, else the standard grasp. */
+/** Variant of a grasp id: that of a new variant, otherwise the standard grasp. */
 inline Variant VariantOfGrasp(const std::string& grasp) {
   for (const Variant variant : kNewVariants) {
     if (grasp == RowOf(kVariants, variant).name) return variant;
@@ -103,19 +103,19 @@ inline Json ToJson(Variant variant) { return NameOf(variant); }
 inline const char* WordsOf(Variant variant) { return RowOf(kVariants, variant).words; }
 
 struct OptimiseConfig {
-  std::string step = "both";         ///< of kOptimiseSteps
-  std::string search = kThumbSpace;  ///< what step 2 changes, see grasp_space.h
-  std::string method = "es";         ///< of step 2, see search.h
-  int evaluations = 1000;            ///< of step 2
-  /** Per evaluation; 1: without variation, more: so many drawn ones. At the same number of trials
-  the one without variation found targets that hold better on unseen draws (README.md). */
+  std::string step = "both";         ///< one of kOptimiseSteps
+  std::string search = kThumbSpace;  ///< search space of step 2, see grasp_space.h
+  std::string method = "es";         ///< search method of step 2, see search.h
+  int evaluations = 1000;            ///< number of evaluations in step 2
+  /** Trials per evaluation; 1: without variation; more: on as many draws. At the same number of
+  trials, searches without variation found targets that hold better on unseen draws (README.md). */
   int fitness_trials = 1;
-  bool race = false;              ///< not all are simulated (Race)
-  std::string fitness = "sigma";  ///< of kFitnessKinds
-  std::string grip = "equal";     ///< of kGripBudgets
+  bool race = false;              ///< skip the simulation of unpromising evaluations (Race)
+  std::string fitness = "sigma";  ///< one of kFitnessKinds
+  std::string grip = "equal";     ///< one of kGripBudgets
   double grip_limit = 0.0;        ///< for the grip "limit" [N]
-  int choice_trials = 20;         ///< by which pre-grasps, and step 2's finalists, are compared
-  int check_pairs = 100;          ///< of the old and the new grasp, at most; 20 are one look
+  int choice_trials = 20;         ///< trials to compare pre-grasps, and the finalists of step 2
+  int check_pairs = 100;          ///< most pairs of old and new grasp; 20 are one look
   int seed = 1;
 
   template <class V>
@@ -139,11 +139,11 @@ struct OptimiseConfig {
 inline const OptimiseStepRow& StepsOf(const OptimiseConfig& config) {
   return RowFromName(kOptimiseSteps, config.step, "step");
 }
-/** The same for its grip. */
+/** The grip budget. @throws Error(kFormat) for one that is not in the table. */
 inline const GripBudgetRow& GripOf(const OptimiseConfig& config) {
   return RowFromName(kGripBudgets, config.grip, "grip");
 }
-/** The same for its fitness. */
+/** The fitness. @throws Error(kFormat) for one that is not in the table. */
 inline const FitnessKindRow& FitnessOf(const OptimiseConfig& config) {
   return RowFromName(kFitnessKinds, config.fitness, "fitness");
 }

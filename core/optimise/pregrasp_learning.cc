@@ -17,7 +17,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kFreeRoom = 0.02;    ///< the opening exceeds the width by this [m]
+constexpr double kFreeRoom = 0.02;    ///< excess of the opening over the width [m]
 constexpr double kMostOpened = 3.0;   ///< largest l
 constexpr double kMostClosed = -0.9;  ///< smallest l
 constexpr int kOpeningSteps = 30;
@@ -25,8 +25,8 @@ constexpr int kOpeningSteps = 30;
 constexpr int kSteps = 100;
 
 struct DigitPlace {
-  double gap = std::numeric_limits<double>::infinity();     ///< to the object [m]
-  double lowest = std::numeric_limits<double>::infinity();  ///< above the table [m]
+  double gap = std::numeric_limits<double>::infinity();     ///< from the object [m]
+  double lowest = std::numeric_limits<double>::infinity();  ///< height above the table [m]
 };
 
 DigitPlace CalcPlace(const Hand& hand, const GraspObject& object, const Pose& X_WH,
@@ -51,7 +51,7 @@ const Digit& FindDigit(const Hand& hand, const std::string& id) {
   return *digit;
 }
 
-/** One digit as it can be opened and closed. */
+/** One digit, to be opened and closed. */
 class OpenableDigit {
  public:
   OpenableDigit(const Hand& hand, const GraspObject& object, const Grasp& grasp, const Digit& digit,
@@ -75,10 +75,10 @@ class OpenableDigit {
   }
 
   double first_touch() const { return first_touch_; }      ///< s from the old pre-grasp
-  double largest_touch() const { return largest_touch_; }  ///< s when opened as far as it can be
+  double largest_touch() const { return largest_touch_; }  ///< s when opened as far as possible
   double largest_above_table() const { return largest_above_table_; }
 
-  /** Puts into `q` the joints of the digit from which it touches at s. */
+  /** Sets the joints of the digit in `q` such that it touches at s. */
   void Open(double s, VectorXd& q) const {
     double low = kMostClosed, high = most_opened_;
     constexpr int kHalvings = 20;
@@ -116,7 +116,7 @@ class OpenableDigit {
   double most_opened_ = 0.0;  // the l of largest_touch_
 };
 
-/** Of a digit that comes to the object at `touch` from the old pre-grasp. */
+/** Case of a digit that reaches the object at `touch` from the old pre-grasp. */
 DigitCase FindCase(double touch) {
   if (std::isnan(touch)) return DigitCase::kNeverTouched;
   return touch > 0.0 ? DigitCase::kLearned : DigitCase::kTouchedAtOnce;
@@ -137,7 +137,7 @@ DigitCourse CalcDigitCourse(const Hand& hand, const GraspObject& object, const G
     const DigitPlace place = CalcPlace(hand, object, grasp.placement->X_WH, digit, q + deviation);
     course.lowest = std::min(course.lowest, place.lowest);
     if (place.gap <= 0.0) {
-      // Between two steps the gap changes linearly.
+      // The gap changes linearly between two steps.
       course.touch = k == 0 ? 0.0 : s + place.gap / (last_gap - place.gap) / kSteps;
       return course;
     }

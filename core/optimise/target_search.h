@@ -1,8 +1,7 @@
 #pragma once
 /** @file
-Step 2's questions to the simulation: an individual of the search as a grasp, its fitness, and which
-individuals are worth more trials. Any search asks through it, so that methods are compared on the
-same footing. */
+Requests of step 2 to the simulation: conversion of an individual to a grasp, its fitness, and the
+choice of individuals for more trials. All search methods use it, so that they are comparable. */
 
 #include <memory>
 #include <vector>
@@ -17,13 +16,13 @@ same footing. */
 namespace graspbench {
 
 struct Finalist {
-  int number = 0;  ///< of the individual
+  int number = 0;  ///< number of the individual
   std::vector<LearningTrial> trials;
 };
 
 class TargetSearch {
  public:
-  /** All references must outlive it. @pre the start brings its placement.
+  /** All references must outlive this object. @pre the start has a placement.
   @throws Error of the space. */
   TargetSearch(const Hand& hand, const GraspObject& object, const Grasp& start,
                const OptimiseConfig& config);
@@ -31,17 +30,16 @@ class TargetSearch {
   TargetSearch& operator=(const TargetSearch&) = delete;
 
   const GraspSpace& space() const { return *space_; }
-  /** That holds for the search [N]; of an equal grip known when the start was evaluated. */
+  /** Grip that the search may use [N]; for an equal grip, known once the start was evaluated. */
   double grip_limit() const { return grip_limit_; }
-  /** Of the search's random numbers. */
+  /** Random numbers of the search. */
   RandomStream MakeStream() const;
 
-  /** The fitness of each; the start, number 0, comes first of all. */
+  /** Returns the fitness of each individual; the start, number 0, must be evaluated first. */
   std::vector<double> Evaluate(const std::vector<Individual>& generation,
                                const RunLearningTrials& run);
 
-  /** Tries the individuals and sorts them: those that succeed most often first, among equals those
-  of higher fitness. */
+  /** Evaluates the individuals and sorts them by number of successes, then by fitness. */
   std::vector<Finalist> Rank(LearningStage stage, const std::vector<Individual>& individuals,
                              const std::vector<int>& draws, const RunLearningTrials& run) const;
 
@@ -56,12 +54,12 @@ class TargetSearch {
   double grip_limit_ = kAnyGrip;
 };
 
-/** The fittest individuals, so many at most, that differ by 2 deg or more in some coordinate; never
-the start. @param simulated  numbers of the included trials, rising. */
+/** Returns the `most` fittest individuals that differ by 2 deg or more in some coordinate, without
+the start. @param simulated  numbers of the simulated individuals, ascending. */
 std::vector<Individual> FindCandidates(const SearchResult& search,
                                        const std::vector<int>& simulated, int most);
 
-/** @throws Error when the space or the method cannot be used here: a grid of many coordinates. */
+/** @throws Error if the space or the method is unusable here, e.g. a grid of many coordinates. */
 void CheckSearch(const Hand& hand, const GraspObject& object, const Grasp& start,
                  const OptimiseConfig& config);
 

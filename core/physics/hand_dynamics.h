@@ -1,24 +1,24 @@
 #pragma once
 /** @file
-The hand's equations of motion in the degrees of freedom that its couplings leave.
+Equations of motion of the hand in the degrees of freedom that its couplings leave.
 
-Where the links are, what each carries and the forces of velocity are Simbody's (hand_tree.h). With
-a joint's motion vector about the world's origin, S = (a, p x a), of a prismatic joint (0, a), and
-the momentum F of all that it carries, the mass matrix is
+Simbody (hand_tree.h) provides the link poses, the mass that each link carries, and the
+velocity-dependent forces. The motion vector of a joint about the world's origin is S = (a, p x a),
+or (0, a) for a prismatic joint. With the momentum F of everything that the joint carries, the mass
+matrix is
 
     M(joint, ancestor) = S_ancestor . F_joint
 
-(Featherstone 2008), summed over joints with their rates.
+(Featherstone 2008), summed over joints, weighted with their rates.
 
-Degrees of freedom: one for every driven joint, then six of the base, which an arm carries. A
-coupled joint shares that of the joint it follows: u_joint = rate_j * u_dof (core/hand/hand.h). One
-whose coupling yields has a second one of its own, its deviation: u_joint = rate_j * u_dof +
-u_deviation. Speeds are
+There is one degree of freedom per driven joint, followed by the six of the base, which an arm
+carries. A coupled joint shares the degree of freedom of the joint that it follows: u_joint = rate_j
+* u_dof (core/hand/hand.h). A joint with a compliant coupling also has a degree of freedom of its
+own, its deviation: u_joint = rate_j * u_dof + u_deviation. The speeds are
 
     u = [ of driven joints and deviations (num_dofs) | w_WH (3) | v_WH (3) ]
 
-v_WH is that of H's origin.
-*/
+where v_WH is the velocity of H's origin. */
 
 #include <Eigen/Core>
 #include <vector>
@@ -31,7 +31,8 @@ namespace graspbench {
 
 using SpatialVector = Eigen::Matrix<double, 6, 1>;  ///< (angular, linear)
 
-/** Slower than this a hand has no forces of velocity: at a finger some 1e-4 N m [rad/s, m/s]. */
+/** Below this speed, velocity-dependent forces of the hand are neglected: some 1e-4 N m at a finger
+[rad/s, m/s]. */
 inline constexpr double kFastSpeed = 0.3;
 
 class HandDynamics {
@@ -42,14 +43,16 @@ class HandDynamics {
   int num_speeds() const { return num_dofs_ + 6; }
   int num_joints() const { return static_cast<int>(joint_link_.size()); }
   int dof_of_joint(int joint) const { return dof_of_joint_[joint]; }
-  /** That of the joint's deviation from its coupling; -1: none, it is rigid. */
+  /** Returns the degree of freedom of the joint's deviation from its coupling; -1: the coupling is
+  rigid. */
   int deviation_dof(int joint) const { return deviation_dof_[joint]; }
   bool is_deviation(int dof) const { return deviation_dof_[joint_of_dof_[dof]] == dof; }
-  /** The joint a degree of freedom is named after (its middle joint when coupled; of a deviation
-  the joint that deviates). */
+  /** Returns the joint that a degree of freedom is named after: the middle joint of a coupled pair,
+  or the joint that deviates. */
   int joint_of_dof(int dof) const { return joint_of_dof_[dof]; }
-  /** The distal joint that shares the degree of freedom by the hand's coupling rule; -1: none.
-  Joints tied by a linkage (HandJoint::is_mimic) do not count: their rate never changes. */
+  /** Returns the distal joint that shares the degree of freedom by the hand's coupling rule; -1:
+  none. Joints tied by a linkage (HandJoint::is_mimic) do not count, because their rate never
+  changes. */
   int distal_of_dof(int dof) const { return distal_of_dof_[dof]; }
   double rate_of_joint(int joint) const { return rate_[joint]; }
   void SetRate(int joint, double rate) { rate_[joint] = rate; }
@@ -66,22 +69,23 @@ class HandDynamics {
     return speed;
   }
 
-  /** Poses of links, motion vectors of joints, carried centres of mass.
+  /** Updates link poses, joint motion vectors and the centres of the carried masses.
   @param q  (num_joints) [rad]. */
   void UpdatePositions(const Pose& X_WH, const Eigen::VectorXd& q);
 
   const Eigen::Vector3d& p_WH() const { return p_WH_; }
   const Pose& X_WL(int link) const { return X_WL_[link]; }
-  /** Motion vector of a joint about the world's origin; a unit rate of the joint. */
+  /** Motion vector of a joint about the world's origin, for a unit rate of the joint. */
   const SpatialVector& motion(int joint) const { return S_[joint]; }
-  /** Joints between root and link, base first. */
+  /** Joints between the root and a link, base first. */
   const std::vector<int>& chain(int link) const { return chain_[link]; }
 
-  /** Mass matrix (num_speeds x num_speeds) for the current positions. */
+  /** Computes the mass matrix (num_speeds x num_speeds) for the current positions. */
   void CalcMassMatrix(Eigen::Ref<Eigen::MatrixXd> M);
 
-  /** Generalised force (num_speeds) that gives zero acceleration at speeds u (num_speeds): gravity,
-  and where a speed is above kFastSpeed Coriolis, centrifugal and gyroscopic forces. */
+  /** Computes the generalised force (num_speeds) that gives zero acceleration at speeds u
+  (num_speeds): gravity and, if a speed exceeds kFastSpeed, Coriolis, centrifugal and gyroscopic
+  forces. */
   void CalcBias(const Eigen::VectorXd& u, const Eigen::Vector3d& gravity_W,
                 Eigen::Ref<Eigen::VectorXd> bias);
 

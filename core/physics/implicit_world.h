@@ -1,37 +1,36 @@
 #pragma once
 /** @file
-The default backend: contact solved implicitly on top of the hand's rigid body dynamics.
+The default backend: implicit contact on top of the hand's rigid-body dynamics.
 
 One step of length h goes from (q, u) to (q + h (u + v) / 2, v):
-1. positions move by h u / 2 to the middle of the step (the object turns by its rotation vector);
-2. mass matrix, bias and contacts are taken there. The hand's mass matrix is kept until a joint, or
-   the hand, has turned by kKeptAngle; its forces of velocity count above kFastSpeed;
-3. the implicit solve gives the speeds v at the end (step_solver.h); the bias is that of the mean
-   speeds (u + v) / 2, so that the smooth part is second order and keeps its energy;
-4. positions move by h v / 2.
+1. Positions move by h u / 2 to the middle of the step (the object turns by its rotation vector).
+2. Mass matrix, bias and contacts are computed there. The hand's mass matrix is reused until a
+   joint, or the hand, has turned by kKeptAngle. Its velocity-dependent forces count above
+   kFastSpeed.
+3. The implicit solve gives the speeds v at the end (step_solver.h). The bias is taken at the mean
+   speeds (u + v) / 2, so that the smooth part is second order and conserves its energy.
+4. Positions move by h v / 2.
 
-Drives act by the means of command and angle at the step's start and end (the trapezoidal rule: a
-drive without damping swings on, whatever its stiffness) and by the speed of its end; so a finger
-lags behind a ramp by damping over stiffness whatever the step. Contacts and limits look farther
-ahead, from the middle by the whole of h v, which makes stiff springs settle in one step instead of
-ringing.
+Drives act on the means of command and angle over the step (trapezoidal rule: an undamped drive
+keeps oscillating, whatever its stiffness) and on the speed at its end. So a finger lags behind a
+ramp by damping divided by stiffness, whatever the step. Contacts and limits look ahead from the
+middle by the full h v, so that stiff springs settle in one step instead of ringing.
 
-What rolls on the table under the force N is braked by a moment of at most
-SimConfig::table_rolling_resistance N against its turn about the horizontal; it gives way in
-proportion below kRollingRestSpeed, so that what has come to rest stays there.
+A part that rolls on the table under the normal force N is braked about the horizontal axis by a
+moment of at most SimConfig::table_rolling_resistance N. Below kRollingRestSpeed this moment is
+proportional to the speed, so that an object at rest stays at rest.
 
-The hand hangs on an arm: a spring with damping beside it, in six dimensions, between the hand's
-base and where it is commanded to be, that gives no more than the arm can (SimConfig). The arm
-carries the hand itself: its weight and inertia along the commanded motion load no spring, so that
-a hand that touches nothing is where it is commanded to be. The arm's own inertia is not modelled.
-Where WorldState names a robot arm, its joints take the place of that spring (carrying_arm.h).
+The hand is mounted on an arm: a six-dimensional spring-damper between the hand's base and its
+commanded pose, with the force limits of the arm (SimConfig). The arm carries the hand itself: its
+weight and its inertia along the commanded motion do not deflect the spring, so a hand that touches
+nothing is at its commanded pose. The arm's own inertia is not modelled. If WorldState names a robot
+arm, its joints replace this spring (carrying_arm.h).
 
-Where everything stands and nothing that acts has changed, a step changes nothing: it is not
-calculated and its report is that of the last one.
+If nothing moves and nothing that acts has changed, a step is not computed and returns the last
+report.
 
-A clone goes on to the very same bytes: it carries the bristles of all contacts, the speeds the
-solver starts from, the blocked links, the drives' imperfections, loads and the account of energy.
-*/
+A clone continues bit for bit: it copies the bristles of all contacts, the solver's starting speeds,
+the blocked links, the drives' imperfections, loads and the energy account. */
 
 #include <memory>
 #include <optional>
@@ -43,24 +42,23 @@ solver starts from, the blocked links, the drives' imperfections, loads and the 
 
 namespace graspbench {
 
-/** [rad/s] */
+/** Rolling resistance is proportional to the speed below this [rad/s]. */
 inline constexpr double kRollingRestSpeed = 1e-3;
 
-/** Energy account [J]. Were the integration exact,
-kinetic_energy - start = drives + arm + gravity + contacts + limits + external; the rest is the
-residual. */
+/** Energy account [J]. With exact integration, kinetic energy - start = drives + arm + gravity +
+contacts + limits + external; the difference is the residual. */
 struct EnergyAccount {
-  double drives = 0.0;    ///< work of the drives, their friction and yielding couplings on joints
+  double drives = 0.0;    ///< work on the joints by drives, their friction and compliant couplings
   double arm = 0.0;       ///< work of the arm on the hand's base
   double limits = 0.0;    ///< work of the joint limits and of the stops of coupled joints
   double gravity = 0.0;   ///< work of gravity
-  double contacts = 0.0;  ///< work of the contacts on hand and object; minus what they dissipate
+  double contacts = 0.0;  ///< work of the contacts on hand and object: minus the dissipated energy
   double external = 0.0;  ///< work of the external load on the object
   double kinetic_at_start = 0.0;
 };
 
-/** The solver keeps room for contacts of links behind so many joints (ContactPoint::kMaxChain).
-@param num_base  speeds that move the hand's base: six, or the joints of a robot arm.
+/** Checks that every chain of joints fits into a ContactPoint (ContactPoint::kMaxChain).
+@param num_base  number of speeds that move the hand's base: six, or the joints of a robot arm.
 @throws Error(kUnsupported) for a hand with a longer chain. */
 void DemandShortChains(const Hand& hand, int num_base = 6);
 
@@ -81,7 +79,7 @@ class ImplicitWorld : public World {
     external_moment_W_ = moment_W;
     stands_ = false;
   }
-  /** Forces of the step's end at the places of its middle, in the collider's order. */
+  /** Reports forces at the step's end and positions at its middle, in the collider's order. */
   void FindHandContacts(std::vector<HandContact>& contacts) const override;
   double CalcEnergyResidual() override;
 
@@ -89,22 +87,22 @@ class ImplicitWorld : public World {
 
  private:
   void MovePositions(double h, const Eigen::VectorXd& u, WorldState& state) const;
-  /** Positions of the hand and the mass matrix at middle_. */
+  /** Updates the hand's positions and the mass matrix at middle_. */
   void UpdateDynamics();
-  /** The hand's part of the mass matrix, where that has changed enough. */
+  /** Updates the hand's part of the mass matrix if positions have changed enough. */
   void UpdateHandMass();
-  /** Whether the step asks for nothing new. */
+  /** Returns whether the command equals the last one and does not move. */
   bool IsAsBefore(const WorldCommand& command) const;
   void AddDrives(const WorldCommand& command);
-  /** Forces of what carries the base, one for each of its speeds. */
+  /** Adds the forces of the arm on the base, one for each of its speeds. */
   void AddArm(const WorldCommand& command);
-  /** Of the first of the object's six speeds. */
+  /** Index of the first of the object's six speeds. */
   int object_dof() const { return dynamics_.num_dofs() + num_base_; }
-  /** Of state_, as the problem has them. */
+  /** Returns the speeds of state_ in the order of the problem. */
   Eigen::VectorXd FindSpeeds() const;
-  // With a robot arm, whose joints' speeds take the place of the base's six (carried_world.cc):
+  // With a robot arm, whose joint speeds replace the six of the base (carried_world.cc):
   void ResetArm();
-  /** Speeds of the hand as HandDynamics has them, of speeds of the problem. */
+  /** Converts speeds of the problem to the hand's speeds as in HandDynamics. */
   Eigen::VectorXd CalcHandPart(const Eigen::VectorXd& speeds) const;
   void CalcArmMasses();
   void ProjectContacts();
@@ -116,7 +114,7 @@ class ImplicitWorld : public World {
   void AddRollingResistance();
   void AddStops(int dof, double rate, double q, double lower, double upper, double stiffness);
   void CalcBias(const Eigen::VectorXd& mean_speeds, const Eigen::Vector3d& acceleration_W);
-  /** Accounts for the work of all forces and moves what contacts remember. */
+  /** Accounts for the work of all forces and updates the memory of contacts. */
   void FinishForces(const Eigen::VectorXd& v);
   double CalcTouchAge(const ContactPoint& contact) const;
   StepReport MakeReport(const Eigen::VectorXd& v, bool converged) const;
@@ -125,38 +123,38 @@ class ImplicitWorld : public World {
   SimConfig config_;
   StepSolver solver_;
   StepProblem problem_;
-  /** Where the hand's part of problem_.M was calculated. */
+  /** Positions at which the hand's part of problem_.M was computed. */
   struct MassPlace {
-    Eigen::VectorXd q;  ///< empty: nowhere
+    Eigen::VectorXd q;  ///< empty: not computed yet
     Eigen::Matrix3d R_WH = Eigen::Matrix3d::Identity();
     std::vector<double> rates;  ///< by joint
     Eigen::VectorXd q_arm = {};
   };
   MassPlace mass_place_;
-  int num_base_ = 6;                // speeds that move the base: six, or the arm's joints
-  std::optional<CarryingArm> arm_;  // a robot arm, at middle_ within a step
-  Eigen::MatrixXd hand_mass_;       // with it, as HandDynamics has it
+  int num_base_ = 6;                // number of speeds that move the base: six, or the arm's joints
+  std::optional<CarryingArm> arm_;  // robot arm, if any; at middle_ during a step
+  Eigen::MatrixXd hand_mass_;       // with a robot arm: as in HandDynamics
   Eigen::MatrixXd arm_mass_;        // of the arm alone
-  Eigen::VectorXd arm_weight_;      // of arm and hand on its joints [N m]
-  Eigen::VectorXd arm_carrying_;    // torques of its drives beside their springs [N m]
+  Eigen::VectorXd arm_weight_;      // weight of arm and hand on its joints [N m]
+  Eigen::VectorXd arm_carrying_;    // torques of its drives in addition to their springs [N m]
   WorldState middle_;               // of the current step
   Eigen::VectorXd v_;         // speeds at the end of the last step: [u, w_WH, v_WH, w_WO, v_WOcm]
-  Eigen::VectorXd v_before_;  // at its start; empty where the next step has another length
+  Eigen::VectorXd v_before_;  // at its start; empty if the next step has another length
   Eigen::Vector3d commanded_v_WH_ = Eigen::Vector3d::Zero();
   Eigen::Matrix<double, 6, 1> carrying_ = Eigen::Matrix<double, 6, 1>::Zero();  // the hand itself
   Eigen::Vector3d external_force_W_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d external_moment_W_ = Eigen::Vector3d::Zero();
   std::vector<DriveMemory> drives_;  // by dof
-  // The first entries of problem_.scalars: drives and couplings by dof, then the drives' friction
-  // from first_friction_ on, num_drives_ in all; then those of the arm, the limits, and from
-  // first_rolling_ on the object's rolling resistance.
+  // Order of problem_.scalars: drives and couplings by dof, and from first_friction_ on the drives'
+  // friction, num_drives_ in all; then the arm, the limits, and from first_rolling_ on the object's
+  // rolling resistance.
   int first_friction_ = 0;
   int num_drives_ = 0;
   int first_rolling_ = 0;
   int step_number_ = 0;
   WorldCommand last_command_;
   StepReport last_report_;
-  bool stands_ = false;  // nothing moved in the last step, whose command was that before it
+  bool stands_ = false;  // nothing moved in the last step, and its command equalled the one before
   EnergyAccount energy_;
 };
 

@@ -1,15 +1,16 @@
 #pragma once
 /** @file
-What of a mesh can touch a plane: the vertices farthest out, and the circles that its rims stand for.
+Parts of a mesh that can touch a plane: the outermost vertices, and the circles that its rims
+represent.
 
-A can, a coin or a cone is round about one
-axis, but its mesh is a polygon there, and a rigid polygon that rolls is braked by every edge: of 48
-sides a solid cylinder keeps (1/2 + cos a) / (3/2), a = 7.5 degrees, of its speed at each. So rings
-of equal sides that turn by less than 19 degrees each and cover most of a turn carry as circles.
+A can, a coin or a cone is round about one axis, but its mesh is a polygon there, and every edge
+brakes a rolling rigid polygon. At each edge of 48, a solid cylinder keeps (1/2 + cos a) / (3/2) of
+its speed, with a = 7.5 degrees. So rings of equal sides that turn by less than 19 degrees each and
+cover most of a turn act as circles.
 
-Ridges of an even relief, such as the dimples of a golf ball, are rings about many axes; only axes
-about which much of the outside is round count. Prisms of 17 to 23 sides are near that limit: of
-18 sides or fewer they stay polygons, of 19 or more they roll as circles. */
+Ridges of a regular relief, such as the dimples of a golf ball, form rings about many axes; only
+axes about which much of the outside is round count. Prisms of 17 to 23 sides are near that limit:
+up to 18 sides they stay polygons, from 19 on they roll as circles. */
 
 #include <Eigen/Core>
 #include <vector>
@@ -18,14 +19,15 @@ about which much of the outside is round count. Prisms of 17 to 23 sides are nea
 
 namespace graspbench {
 
-/** The vertex farthest out in each of many directions, v(d) = argmax d . v, the first of equals.
+/** Finds the outermost vertex in each of many directions, v(d) = argmax d . v; the first of equal
+ones.
 
-Vertices that follow each other in a mesh lie near each other, so that most blocks of them are
-passed over: the extent of the corner of a block's bounding box that lies farthest out is, rounding
-included, not below that of any vertex in it. The answer is that of trying every vertex.
+Consecutive vertices of a mesh are close to each other, so most blocks of them can be skipped. The
+outermost corner of a block's bounding box bounds all vertices in it, rounding included. The result
+equals that of testing every vertex.
 
-@returns by direction. The directions' order is free; neighbours that follow each other `stride`
-apart make it fast.
+@returns vertices by direction. Directions may have any order; it is fast if neighbouring directions
+are `stride` apart.
 @pre vertices is not empty, all of them are finite, stride > 0. */
 std::vector<size_t> FindOutermostVertices(const std::vector<Eigen::Vector3d>& vertices,
                                           const std::vector<Eigen::Vector3d>& directions,
@@ -38,7 +40,8 @@ struct RimCircle {
   std::vector<size_t> vertices;
 };
 
-/** @param outermost  by vertex: it can touch a plane. Only rings of such vertices are looked at. */
+/** Finds the circles that rims of a mesh represent.
+@param outermost  by vertex: whether it can touch a plane. Only rings of such vertices count. */
 std::vector<RimCircle> FindRimCircles(const TriMesh& mesh, const std::vector<bool>& outermost);
 
 }  // namespace graspbench

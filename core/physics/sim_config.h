@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-Settings of the physics, and the number that tells its versions apart. */
+Settings of the physics, and the version number of the physics. */
 
 #include <Eigen/Core>
 
@@ -8,36 +8,39 @@ Settings of the physics, and the number that tells its versions apart. */
 
 namespace graspbench {
 
-/** Counts changes of the physics, or of a record's measures, that change results. Part of every
-trial id, so that records of different physics never meet under one id. */
+/** Counts changes of the physics, or of a record's measures, that change results. It is part of
+every trial id, so that records of different physics never share an id. */
 inline constexpr int kPhysicsVersion = 14;
 
-/** Settings of the physics; part of the frozen session configuration. */
+/** Settings of the physics; part of the stored session configuration. */
 struct SimConfig {
   double step = 0.002;  ///< [s]
-  /** Where contacts are steady, one step is as long as so many (contact_events.h); 1: none is. */
+  /** Number of steps taken as one while contacts are steady (contact_events.h); 1: never. */
   int steady_step_factor = 5;
   double gravity = kStandardGravity;   ///< downwards [m/s^2]
   double contact_stiffness = 1e5;      ///< normal, per contact point [N/m]
-  double tangential_stiffness = 1e5;   ///< bristle, per contact point [N/m]
-  double table_friction_static = 0.4;  ///< object and fingers on the table
+  double tangential_stiffness = 1e5;   ///< of the bristle, per contact point [N/m]
+  double table_friction_static = 0.4;  ///< of object and fingers on the table
   double table_friction_dynamic = 0.35;
-  /** c: a round part that rolls on the table under the force N is braked by the moment c N. Wood,
-  leather and plastics have some 0.1 to 1 mm, hard metal hundredths; proposed: the low end. */
+  /** Rolling resistance c: a round part that rolls on the table under the normal force N is braked
+  by the moment c N. c is some 0.1 to 1 mm for wood, leather and plastics, and hundredths of a
+  millimetre for hard metal. The proposed value is the low end of the former. */
   double table_rolling_resistance = 1e-4;  ///< [m]
-  double hand_friction_static = 0.5;  ///< of the hand against itself, where its links say nothing
+  double hand_friction_static = 0.5;       ///< between links of the hand that specify no friction
   double hand_friction_dynamic = 0.4;
 
-  /** The arm is a spring with damping beside it between the hand's base and its commanded pose; it
-  carries the hand itself without load. The thesis names the arms (PUMA; Mitsubishi PA-10), not
-  their stiffness: all five are proposed. 1 mm at 20 N; 1 mm at 0.3 m at the same force; close to
-  critical damping with a hand of 1 to 4 kg; the weight of the PA-10's payload of 10 kg, and that
-  weight 0.2 m from the wrist. */
+  /** The arm is a spring-damper between the hand's base and its commanded pose; it carries the hand
+  itself without deflection. The thesis names the arms (PUMA; Mitsubishi PA-10) but not their
+  stiffness, so all five values are proposed:
+  - stiffness: 1 mm at 20 N;
+  - angular stiffness: 1 mm at a distance of 0.3 m under the same force;
+  - damping: nearly critical with a hand of 1 to 4 kg;
+  - limits: the weight of the PA-10's payload of 10 kg, and that weight 0.2 m from the wrist. */
   double arm_stiffness = 2e4;          ///< [N/m]
   double arm_angular_stiffness = 2e3;  ///< about H's origin [N m/rad]
-  double arm_damping_time = 0.02;      ///< damping over stiffness [s]
-  double arm_force_limit = 98.0;       ///< along each axis of W; at it the trial ends [N]
-  double arm_moment_limit = 20.0;      ///< about H's origin, likewise [N m]
+  double arm_damping_time = 0.02;      ///< damping divided by stiffness [s]
+  double arm_force_limit = 98.0;       ///< along each axis of W; reaching it ends the trial [N]
+  double arm_moment_limit = 20.0;      ///< about H's origin; reaching it ends the trial [N m]
 
   template <class V>
   void Visit(V&& v) {
@@ -75,10 +78,10 @@ struct SimConfig {
   }
 };
 
-/** In W [m/s^2]. */
+/** Returns the gravitational acceleration in W [m/s^2]. */
 inline Eigen::Vector3d MakeGravity(const SimConfig& config) { return {0.0, 0.0, -config.gravity}; }
 
-/** Whether there is one: the plane z = 0. */
+/** Whether the scene has a table: the plane z = 0. */
 enum class TablePresence { kPresent, kNone };
 
 }  // namespace graspbench

@@ -1,18 +1,20 @@
 #pragma once
 /** @file
-One implicit step: the speeds v at its end, from
+One implicit step: solves for the speeds v at its end,
 
     M (v - u) + h b = h ( drives(v) + limits(v) + sum J^T f(J v) )
 
-With the friction limits held fixed every force on the right is minus the gradient of a convex
-potential of v, so Newton with an exact line search always finds the one solution; then the limits
-are taken from the new normal forces until they agree, a fixed point that Anderson's mixing of the
-last two passes reaches quickly where contacts are wedged (Walker and Ni 2011). Both details are
-needed: without them light objects blow up and slipping heavy ones stall. Cost: a dense Cholesky
-factor of at most 36 unknowns per iteration, none when the last speeds solve the step already. The
-factor serves on while no contact's or drive's gain has changed, of a pad by more than a thousandth,
-from step to step too: mass matrix and contacts move so little that the next residual shows whether
-it still does. */
+With fixed friction limits, every force on the right is minus the gradient of a convex potential of
+v. So Newton's method with an exact line search always finds the unique solution. The limits are
+then recomputed from the new normal forces until they agree. This fixed-point iteration is
+accelerated by Anderson mixing of the last two passes, which converges quickly even if contacts are
+wedged (Walker and Ni 2011). Both parts are needed: without them light objects diverge and slipping
+heavy ones stall.
+
+An iteration costs a dense Cholesky factorisation of at most 36 unknowns, or none if the last speeds
+already solve the step. The factor is reused, also across steps, while no gain of a contact or drive
+has changed (for a pad, by more than a thousandth). Mass matrix and contacts change so little that
+the next residual shows whether the factor is still good enough. */
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -22,8 +24,8 @@ it still does. */
 
 namespace graspbench {
 
-/** A force on one degree of freedom, piecewise linear in its speed:
-tau = clamp(offset - gain v, lower, upper). Drives and joint limits. */
+/** A force on one degree of freedom, piecewise linear in its speed: tau = clamp(offset - gain v,
+lower, upper). Used for drives and joint limits. */
 struct ScalarForce {
   int dof = -1;
   double offset = 0.0;  ///< [N m]
@@ -46,17 +48,18 @@ struct StepProblem {
 class StepSolver {
  public:
   static constexpr double kTolerance = 1e-9;  ///< largest impulse residual [N s, N m s]
-  /** And at most what gives a degree of freedom alone this speed: a thin disc of 1 g would turn by
-  3e-3 rad/s for the other, in every step again [m/s, rad/s]. */
+  /** In addition, the residual must not give a degree of freedom alone more than this speed [m/s,
+  rad/s]. With the first tolerance alone, a thin disc of 1 g would turn by 3e-3 rad/s in every
+  step. */
   static constexpr double kSpeedTolerance = 1e-5;
-  /** While limits and bias still change, a pass may miss the tolerances by this factor. */
+  /** Factor on the tolerances while limits and bias still change. */
   static constexpr double kLooseness = 100.0;
-  static constexpr int kMaxIterations = 50;  ///< of Newton, per pass
-  static constexpr int kMaxPasses = 30;      ///< of friction limits and bias
+  static constexpr int kMaxIterations = 50;  ///< Newton iterations per pass
+  static constexpr int kMaxPasses = 30;      ///< passes over friction limits and bias
 
-  /** Solves for v, starting from its value. `refresh_bias(v)` is called between passes and may
-  change problem.bias; it returns whether it did. False when the tolerance was not reached or limits
-  and bias did not settle. Contacts keep their limits and forces for FinishContact. */
+  /** Solves for v, starting from its value. `refresh_bias(v)` is called between passes, may change
+  problem.bias and returns whether it did. Returns false if the tolerance was not reached or if
+  limits and bias did not converge. Contacts keep their limits and forces for FinishContact. */
   template <class RefreshBias>
   bool Solve(StepProblem& problem, Eigen::VectorXd& v, RefreshBias&& refresh_bias) {
     limits_.clear();
@@ -72,11 +75,11 @@ class StepSolver {
       looseness_ = 1.0;
     }
     looseness_ = 1.0;
-    SolvePass(problem, v);  // with the last limits
+    SolvePass(problem, v);  // at the last limits
     return false;
   }
 
-  /** Nothing of earlier steps is used any more. */
+  /** Discards the factor of earlier steps. */
   void Forget() { has_factor_ = false; }
 
   const std::vector<ContactRates>& rates() const { return rates_; }
@@ -84,30 +87,32 @@ class StepSolver {
 
  private:
   bool SolvePass(StepProblem& problem, Eigen::VectorXd& v);
-  /** Brings the factor to the gains at v; false when there is none. */
+  /** Updates the factor to the gains at v; returns false if there is none. */
   bool UpdateFactor(const StepProblem& problem, const Eigen::VectorXd& v);
   void CalcHessian(const StepProblem& problem);
-  /** @param v  a full step along the direction, where the slope is `slope`   @return how much of
-  that step to take. */
+  /** Finds the step length along the direction.
+  @param v  a full step along the direction, where the slope is `slope`
+  @returns the share of that step to take. */
   double SearchAlong(const StepProblem& problem, const Eigen::VectorXd& v, double slope_at_start,
                      double slope) const;
   void MoveAlong(double share, Eigen::VectorXd& v);
-  /** Returns whether a limit that matters was off; only then moves them. */
+  /** Updates the friction limits if a relevant one was off; returns whether one was. */
   bool RefreshFrictionLimits(StepProblem& problem);
   void MixLimits(StepProblem& problem) const;
   void CalcRates(const StepProblem& problem, const Eigen::VectorXd& v,
                  std::vector<ContactRates>& rates) const;
-  /** What follows from v alone, whatever limits and bias are: momentum and rates of contacts. */
+  /** Computes what depends on v alone, not on limits and bias: momentum and contact rates. */
   void CalcMotion(const StepProblem& problem, const Eigen::VectorXd& v);
   /** @pre CalcMotion at v. */
   void CalcResidual(const StepProblem& problem, const Eigen::VectorXd& v);
   double CalcSlope(const StepProblem& problem, const Eigen::VectorXd& v, double alpha) const;
-  /** Largest residual over its tolerance: at most 1 when solved, `looseness_` for now. */
+  /** Returns the largest ratio of a residual to its tolerance: at most 1 when solved, and at most
+  `looseness_` meanwhile. */
   double CalcMiss() const { return (residual_.array().abs() / tolerance_.array()).maxCoeff(); }
 
   struct FrictionLimit {
     double used = 0.0;  ///< in the last pass [N]
-    double miss = 0.0;  ///< mu fn that came of it, less `used` [N]
+    double miss = 0.0;  ///< resulting mu fn minus `used` [N]
     bool is_dynamic = false;
   };
 
@@ -120,27 +125,26 @@ class StepSolver {
     int link, num_dofs;
     ContactGains gains;
   };
-  std::vector<GainKey> gains_;   // by contact, of the factor
-  std::vector<bool> is_inside_;  // by scalar, of the factor: between its bounds
+  std::vector<GainKey> gains_;   // by contact, as in the factor
+  std::vector<bool> is_inside_;  // by scalar, as in the factor: between its bounds
   std::vector<double> scalar_gains_;
   bool has_factor_ = false;
   double looseness_ = 1.0;
-  bool is_fresh_ = false;     // the factor is of this iteration
+  bool is_fresh_ = false;     // the factor is from this iteration
   Eigen::VectorXd momentum_;  // M (v - u)
   Eigen::VectorXd residual_, direction_, M_direction_;
   Eigen::VectorXd tolerance_;  // of the residual
-  Eigen::MatrixXd H_;          // its lower triangle; then the factor
+  Eigen::MatrixXd H_;          // lower triangle; then the factor
 };
 
-/** The factor of small symmetric matrices in the solver's inner loop.
+/** Cholesky factorisation of small matrices for the solver's inner loop: replaces the lower
+triangle of H, the only part that is read, by L of H = L L^T. Returns false if H is not positive
+definite.
 
-Sums run in the order of Eigen 3.4's LLT, so the results are the same bits where its sizes are
-multiples of 4 or below 32; it takes less than half the time, because nothing is packed, copied or
-dispatched at some 30 unknowns. Zeros before the first entry of a row, as between the joints of two
-fingers, are skipped.
-
-L of H = L L^T in place of H's lower triangle, which alone is read; false when H is not positive
-definite. @pre square. */
+Sums run in the order of Eigen 3.4's LLT, so the results are identical bit for bit for sizes that
+are multiples of 4 or below 32. It takes less than half the time at some 30 unknowns, because
+nothing is packed, copied or dispatched. Zeros before the first entry of a row, as between the
+joints of two fingers, are skipped. @pre square. */
 bool FactorCholesky(Eigen::MatrixXd& H);
 
 }  // namespace graspbench

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-All quality measures of one set of contacts under one convention; a grasp is force closed where the
-hull of its generators has the origin inside (wrench_hull.h).
+All quality measures of one set of contacts under one convention. A grasp has force closure if the
+hull of its generators contains the origin in its interior (wrench_hull.h).
 
 @code
 QualityRequest request;
@@ -25,8 +25,8 @@ const GraspQuality quality = CalcGraspQuality(request);  // @pre ListProblems(re
 
 namespace graspbench {
 
-/* Epsilon is not one number: tools that all report "the Ferrari-Canny epsilon" form it differently.
-Each way is a row of one table here, with a name, and every result names the row it was formed by.
+/* Epsilon is ambiguous: tools that all report "the Ferrari-Canny epsilon" define it differently.
+Each definition is a named row of this table, and every result states its row.
 
   id             force   moment / by, about                            mu     edges  not closed
   ferrari-canny  normal  given, given                                   x 1    8      0
@@ -40,25 +40,25 @@ Each way is a row of one table here, with a name, and every result names the row
                          corner), given (centre of mass)
   frogger        total   1 m (not scaled), origin of the frame          x 1    4      -1
 
-"normal" and "total" say which force of a generator is one newton. "given" is what the caller gives;
-in brackets, what the tool would give. All take the convex hull of the union of the generators (L1),
-ferrari-canny and dexgraspbench together with the origin, which shows in the volume of a grasp that
-is not closed; all but simox measure from the origin. ferrari-canny is ours: rho = largest distance
-of the surface from the centre of mass.
+"normal" and "total" state which force of a generator is one newton. "given" is supplied by the
+caller; the tool's own choice is in brackets. All use the convex hull of the union of the generators
+(L1). ferrari-canny and dexgraspbench also include the origin, which changes the volume of a grasp
+without force closure. All except simox measure from the origin. ferrari-canny is our default: rho =
+largest distance of the surface from the centre of mass.
 
-Source: read in the tools' own code. Differences kept: Simox divides by the same number of some 300
-points sampled on the whole surface, which contacts alone do not tell; GraspIt! and Simox joggle
-their hull, which turns exact zeros into tiny numbers; here a flat set is exactly flat. */
+Source: the code of the tools. Remaining differences: Simox divides by the same measure of some 300
+points sampled on the whole surface, which contacts alone do not determine. GraspIt! and Simox
+joggle their hull, which turns exact zeros into tiny numbers; here a flat set is exactly flat. */
 
 enum class TorqueScaleRule { kGiven, kMeanContactDistance, kOneMetre };
 enum class ReferenceRule { kGiven, kContactCentroid, kFrameOrigin };
 enum class EpsilonRule {
-  kFromOrigin,      ///< distance of the nearest facet from the origin
-  kFromHullCentre,  ///< ... from the mean of the hull's vertices
+  kFromOrigin,      ///< distance from the origin to the nearest facet
+  kFromHullCentre,  ///< distance from the mean of the hull's vertices
   kTwoMinus,        ///< 2 - distance from the origin: smaller is better
 };
 
-/** What tools take their lengths from. */
+/** Lengths of an object from which tools derive their scales. */
 struct ObjectExtent {
   double radius = 0.0;  ///< largest distance of the surface from the centre of mass [m]
   Eigen::Vector3d size = Eigen::Vector3d::Zero();  ///< of the bounding box [m]
@@ -71,38 +71,39 @@ struct QualityConvention {
   TorqueScaleRule torque_scale;
   ReferenceRule reference;
   EpsilonRule epsilon;
-  bool includes_origin;                   ///< in the set whose hull is taken
-  double friction_factor;                 ///< mu and torsion are multiplied by it
-  int num_edges;                          ///< unless the caller says otherwise
-  std::optional<double> without_closure;  ///< reported then; unset: the distance as it is
+  bool includes_origin;                   ///< whether the hull includes the origin
+  double friction_factor;                 ///< factor on mu and torsion
+  int num_edges;                          ///< default number of edges
+  std::optional<double> without_closure;  ///< epsilon without force closure; nullopt: the distance
   std::string torque_scale_meaning;       ///< in words
-  /** Where the caller gives it: the length the tool itself would take [m]. */
+  /** If the caller gives the scale: the length that the tool itself would use [m]. */
   double (*calc_torque_scale)(const ObjectExtent& object);
 };
 
-/** All rows in the order of the table. */
+/** Returns all rows in the order of the table. */
 const std::vector<QualityConvention>& ListQualityConventions();
-/** @throws Error(kNotFound) with suggestions. */
+/** Returns the convention with this id. @throws Error(kNotFound) with suggestions. */
 const QualityConvention& FindQualityConvention(const std::string& id);
 
-/** Smallest of the six singular values of the grasp matrix: how far the contacts are from a
-configuration in which some wrench cannot be resisted at all, friction being unlimited. 0 if there
-is such a wrench. Source: Li and Sastry, IEEE J. Robotics and Automation 4, 1988. */
+/** Returns the smallest of the six singular values of the grasp matrix: the distance of the
+contacts from a configuration in which some wrench cannot be resisted even with unlimited friction.
+0 if there is such a wrench. Source: Li and Sastry, IEEE J. Robotics and Automation 4, 1988. */
 double CalcMinSingularValue(const WrenchMatrix& grasp_matrix);
 
-/** What the normal forces of the contacts may be. */
+/** Limit on the normal forces of the contacts. */
 enum class ForceLimit {
-  kSum,   ///< together at most 1 N: a fixed effort shared freely; consistent with epsilon
-  kEach,  ///< at most 1 N at each contact: fingers of equal strength
+  kSum,   ///< sum at most 1 N: a fixed effort, shared freely; consistent with epsilon
+  kEach,  ///< at most 1 N per contact: fingers of equal strength
 };
 
-/** The largest wrench s * direction the grasp can put on the object:
+/** Computes the largest wrench s * direction that the grasp can apply to the object:
 
     maximise s   subject to   sum_j lambda_j w_j = s direction,  lambda >= 0,  ForceLimit
 
-with the weights lambda_j in newtons of normal force (of total force where the generators have unit
-total force). With kSum, the distance from the origin to the hull along the direction, thus never
-below epsilon. 0 if the direction cannot be served at all; NaN should rounding defeat the program.
+with the weights lambda_j in newtons of normal force (of total force if the generators have unit
+total force). With kSum it is the distance from the origin to the hull along the direction, and so
+never below epsilon. 0 if no wrench in this direction is possible; NaN if rounding defeats the
+program.
 
 Source: Haschke, Steil, Steuwer, Ritter, "Task-oriented quality measures for dextrous grasping",
 CIRA 2005, with its conic constraints replaced by the pyramids of wrench_space.h (a linear program).
@@ -110,14 +111,14 @@ CIRA 2005, with its conic constraints replaced by the pyramids of wrench_space.h
 double CalcTaskForce(const ConeWrenches& cones, const Eigen::Matrix<double, 6, 1>& direction,
                      ForceLimit limit);
 
-/** What is asked. */
+/** Input of CalcGraspQuality. */
 struct QualityRequest {
   std::vector<GraspContact> contacts;  ///< 2 .. 64
   QualityConvention convention = ListQualityConventions().front();
-  /** 3 .. 64, times the contacts at most 640 (the exact hull would take minutes); unset: as the
-  convention has it. */
+  /** 3 .. 64; times the number of contacts at most 640 (the exact hull would take minutes). Unset:
+  as in the convention. */
   std::optional<int> num_edges;
-  std::optional<double> torque_scale;  ///< 1e-6 .. 1e6 [m]; needed if the convention uses it
+  std::optional<double> torque_scale;  ///< 1e-6 .. 1e6 [m]; required if the convention uses it
   Eigen::Vector3d p_OR = Eigen::Vector3d::Zero();  ///< reference point of the moments [m]
 };
 
@@ -130,23 +131,23 @@ struct TaskForce {
 
 struct GraspQuality {
   std::string convention;   ///< id
-  std::string description;  ///< the convention in words, with every number that went in
-  WrenchSpace space;        ///< as it was used
-  double epsilon = 0.0;     ///< as the convention reports it
+  std::string description;  ///< the convention in words, with all numbers used
+  WrenchSpace space;        ///< as used
+  double epsilon = 0.0;     ///< as defined by the convention
   bool force_closure = false;
   double volume = 0.0;
   double min_singular_value = 0.0;
-  /** Unit wrench the grasp resists least (its opposite, put on the object, is the first to break
-  it); unset without force closure. */
+  /** Unit wrench in the direction in which the grasp can apply least; its opposite is the first
+  disturbance that the grasp cannot resist. Unset without force closure. */
   std::optional<Eigen::Matrix<double, 6, 1>> weakest_wrench;
   std::vector<TaskForce> task_forces;  ///< six forces, six moments
 };
 
-/** @returns every problem of a request in words, contacts by their zero-based index. */
+/** Returns all problems of a request in words, contacts by their zero-based index. */
 std::vector<std::string> ListProblems(const QualityRequest& request);
 
-/** @pre ListProblems finds nothing.
-@throws Error(kUnsupported) should the hull fail, see CalcWrenchHull. */
+/** Computes all measures. @pre ListProblems(request) is empty.
+@throws Error(kUnsupported) if the hull fails, see CalcWrenchHull. */
 GraspQuality CalcGraspQuality(const QualityRequest& request);
 
 Json ToJson(const GraspQuality& quality);

@@ -13,12 +13,13 @@
 namespace graspbench {
 namespace {
 
-const double kSameYaw = RadFromDeg(10.0);  ///< nearer angles are one
+const double kSameYaw = RadFromDeg(10.0);  ///< smaller differences of angles are ignored
 constexpr char kPostureSpace[] = "all-digits";
-constexpr double kRound = 0.05;       ///< of the moments: less is as long as wide
-constexpr double kRiseShare = 0.2;    ///< of the object's height
+constexpr double kRound = 0.05;       ///< share of the moments: below it the object is as long as
+                                      ///< wide
+constexpr double kRiseShare = 0.2;    ///< share of the object's height
 constexpr double kLeastRise = 0.006;  ///< [m]
-constexpr double kAlongShare = 0.2;   ///< of the object's length in the turned axes
+constexpr double kAlongShare = 0.2;   ///< share of the object's length in the rotated axes
 constexpr double kMoreOpening = 0.3;  ///< see GraspCandidate::opening
 const double kSmallTurn = RadFromDeg(20.0);
 
@@ -61,7 +62,7 @@ std::string Describe(const GraspCandidate& candidate) {
 
 double CalcPrincipalYaw(const GraspObject& object) {
   const Eigen::Matrix3d& I = object.mass_properties.I_OOcm;
-  // Of the mass: integrals of x^2 - y^2 and of 2 x y.
+  // Of the mass distribution: integrals of x^2 - y^2 and of 2 x y.
   const double difference = I(1, 1) - I(0, 0), mixed = -2.0 * I(0, 1);
   if (std::hypot(difference, mixed) <= kRound * I(2, 2)) return 0.0;
   return 0.5 * std::atan2(mixed, difference);
@@ -145,7 +146,7 @@ std::vector<GraspCandidate> CandidateMaker::ListByApproach() const {
 }
 
 std::vector<GraspCandidate> CandidateMaker::ListByYaw() const {
-  std::vector<double> yaws = {0.0};  // both approaches are tried there already
+  std::vector<double> yaws = {0.0};  // both approaches were tested there
   const double principal = CalcPrincipalYaw(object_), right = 0.5 * kPi;
   for (const double yaw :
        {principal, principal + right, right, principal + 0.5 * right, principal - 0.5 * right}) {

@@ -11,15 +11,15 @@
 namespace graspbench {
 namespace {
 
-constexpr double kYawShare = 0.4;    ///< of all candidates
-constexpr size_t kNumVaried = 3;     ///< candidates that are varied in one go
-constexpr size_t kNumFinalists = 3;  ///< candidates that are tried on all draws, at least
+constexpr double kYawShare = 0.4;    ///< share of all candidates
+constexpr size_t kNumVaried = 3;     ///< candidates varied at a time
+constexpr size_t kNumFinalists = 3;  ///< least number of candidates tested on all draws
 constexpr size_t kNumPostureFinalists = 8;
-constexpr int kPostureDraws = 4;  ///< times the draws, on which they are compared
-constexpr int kMostLost = 1;      ///< of kNumProofDraws, that a choice may lose
+constexpr int kPostureDraws = 4;  ///< multiple of the draws on which they are compared
+constexpr int kMostLost = 1;      ///< draws of kNumProofDraws that a choice may lose
 constexpr double kGripShares[] = {0.5, 0.25, 0.125};
 
-/** The tried ones in the order of their runs. */
+/** Indices of the tested candidates, by descending run. */
 std::vector<size_t> SortByRun(const std::vector<RehearsedCandidate>& tried) {
   std::vector<size_t> order;
   for (size_t i = 0; i < tried.size(); ++i) order.push_back(i);
@@ -28,8 +28,8 @@ std::vector<size_t> SortByRun(const std::vector<RehearsedCandidate>& tried) {
   return order;
 }
 
-/** The run, and of the first lost draw the share of the outcomes of closing, lift-off and hold that
-it came through. */
+/** Run, plus the progress of the first lost draw: the share of the outcomes of closing, lift-off
+and hold that it passed. */
 double CalcFitness(const RehearsedCandidate& tried) {
   constexpr Outcome kCourse[] = {Outcome::kNoContact, Outcome::kPushedAway,
                                  Outcome::kLostWhileClosing, Outcome::kSlippedInLiftOff,
@@ -84,14 +84,14 @@ class Rehearser {
 
   int CalcNumProofDraws() const { return std::max(config_.num_draws, kNumProofDraws); }
 
-  /** So far; it holds all draws, and of those that prove it enough. */
+  /** Whether it can still be chosen: it held all of `num_draws`, and enough of the proof so far. */
   bool MayBeChosen(const RehearsedCandidate& tried) const {
     const auto num = static_cast<int>(tried.outcomes.size());
     return tried.FindRun() >= std::min(num, config_.num_draws) &&
            num - tried.CountHeld() <= kMostLost;
   }
 
-  /** Until it cannot be chosen any more. */
+  /** Tests a candidate until it can no longer be chosen. */
   RehearsedCandidate TryDraws(const GraspCandidate& candidate, int num_draws) {
     const Grasp grasp = maker_.Make(candidate);
     RehearsedCandidate tried;
@@ -102,7 +102,7 @@ class Rehearser {
     return tried;
   }
 
-  /** @returns whether one proves itself, which is chosen then. */
+  /** @returns whether a candidate passed the proof; it is then chosen. */
   bool TryAll(const std::vector<GraspCandidate>& candidates) {
     for (const GraspCandidate& candidate : candidates) {
       const bool is_known =
@@ -118,7 +118,7 @@ class Rehearser {
     return false;
   }
 
-  /** The best ones that were not varied before. @returns whether there is anything new. */
+  /** Varies the best candidates not yet varied. @returns whether there is anything new. */
   bool Vary() {
     const size_t num_before = rehearsal_.tried.size();
     size_t num_varied = 0;
@@ -132,7 +132,7 @@ class Rehearser {
     return rehearsal_.tried.size() > num_before;
   }
 
-  /** From the choice on. */
+  /** Searches postures, starting from the choice. */
   void SearchPosture() {
     const auto start_of_search = static_cast<size_t>(rehearsal_.chosen);
     GraspCandidate candidate = rehearsal_.choice().candidate;
@@ -152,7 +152,7 @@ class Rehearser {
     ChooseOnMoreDraws(start_of_search);
   }
 
-  /** The start of the search against the postures that held most. */
+  /** Compares the start of the search with the postures that held most. */
   void ChooseOnMoreDraws(size_t start) {
     std::vector<size_t> finalists = {start};
     for (const size_t i : SortByRun(rehearsal_.tried)) {
@@ -180,7 +180,7 @@ class Rehearser {
     }
   }
 
-  /** Those of the longest run, and at least kNumFinalists. */
+  /** Candidates of the longest run, and at least kNumFinalists. */
   std::vector<size_t> ListFinalists() const {
     std::vector<size_t> finalists;
     const std::vector<size_t> order = SortByRun(rehearsal_.tried);

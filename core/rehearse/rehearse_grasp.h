@@ -1,28 +1,30 @@
 #pragma once
 /** @file
-Chooses a grasp by trying candidates (grasp_candidates.h) on imagined draws before the first trial.
+Chooses a grasp by testing candidates (grasp_candidates.h) in simulated draws before the first
+trial.
 
-    order      candidates one after the other, each on draws 0, 1, .. until one is not held
-    proof      one that is held in all `num_draws` goes on to kNumProofDraws, until a second one is
-               lost: the first of many candidates that holds a few draws often does so by luck
-    choice     the first that proves itself; else those of the longest run, and at least three, are
-               tried on all draws (of the proof, where one came to it), and that held most is taken,
-               of equal ones that with the longest run, then that with the lowest grip threshold,
-               else the first
-    posture    where nothing was held in all draws and a search is asked for: an evolution strategy
-               (core/optimise/methods/search.h) starts from the choice and tries so many postures;
-               fitness is the run, of equal ones how far the first lost draw came. The choice is
-               made again among all
+    order      candidates run one after the other, each on draws 0, 1, .. until one is not held
+    proof      a candidate held in all `num_draws` continues to kNumProofDraws, until a second draw
+               is lost: the first of many candidates that holds a few draws often does so by chance
+    choice     the first that passes the proof. Otherwise those of the longest run, and at least
+               three, are tested on all draws (on those of the proof if one reached it). The one
+               that held most is chosen; ties are decided by the longest run, then by the lowest
+               grip threshold, then by order
+    posture    if none passed the proof and a search is requested: an evolution strategy
+               (core/optimise/methods/search.h) starts from the choice and tests `num_postures`
+               postures. The fitness is the run; between equal runs it is the progress of the first
+               lost draw. The start and the postures of the longest runs are then tested on more
+               draws, and the one that held most is chosen
     threshold  the smallest of the shares 1/2, 1/4, 1/8 of the grip with which draw 0 is still
-               held; 1 where none is
+               held; 1 if there is none
 
-So the cost is that of one trial for each candidate that fails at once. Every second draw has a
-wrong model, friction times kDoubtFriction and mass times kDoubtMass, so that what is chosen does not
-stand on an edge. All candidates meet the same draws.
+A candidate that fails at once thus costs one trial only. Every second draw has a wrong model, with
+friction times kDoubtFriction and mass times kDoubtMass, so that the choice is not borderline. All
+candidates run on the same draws.
 
-The simulation is asked, so that the caller says what a draw is. Its draws must be none on which
-the choice is judged later: of many candidates one that is held by luck is chosen, and on the
-draws of its choice it looks better than it is. Proposed by graspbench. */
+Trials are run by a callback, so that the caller defines the draws. They must differ from the draws
+on which the choice is evaluated later. Among many candidates, one that held by chance is chosen,
+and its success rate on the draws of the choice is biased upwards. Proposed by graspbench. */
 
 #include <functional>
 #include <string>
@@ -34,7 +36,7 @@ draws of its choice it looks better than it is. Proposed by graspbench. */
 
 namespace graspbench {
 
-inline constexpr int kNumProofDraws = 12;  ///< in all
+inline constexpr int kNumProofDraws = 12;  ///< total, including `num_draws`
 inline constexpr double kDoubtFriction = 0.8, kDoubtMass = 1.2;
 /** Whether the draw of this number has the wrong model. */
 inline bool IsDoubtful(int draw) { return draw % 2 == 1; }
@@ -42,11 +44,11 @@ inline bool IsDoubtful(int draw) { return draw % 2 == 1; }
 struct RehearsalConfig {
   int num_candidates = 40;  ///< at most
   int num_draws = 4;
-  int num_postures = 0;  ///< that a search tries where no candidate is held in all draws; 0: none
+  int num_postures = 0;  ///< postures to search if no candidate passes the proof; 0: none
 };
 bool operator==(const RehearsalConfig& a, const RehearsalConfig& b);
 
-/** One imagined trial. */
+/** One simulated trial. */
 struct RehearsalQuestion {
   int draw = 0;
   double grip_share = 1.0;  ///< of the strategy's grip
@@ -57,17 +59,17 @@ struct RehearsalAnswer {
 };
 using RunRehearsal = std::function<RehearsalAnswer(const Grasp& grasp, const RehearsalQuestion&)>;
 
-/** A candidate and what was found of it. */
+/** A candidate and its results. */
 struct RehearsedCandidate {
   GraspCandidate candidate;
-  std::vector<Outcome> outcomes;  ///< by draw, until one is not held; of finalists all
-  std::string reason;             ///< of its first failure
-  double grip_threshold = 1.0;    ///< share of the grip; 1 where it was not looked for
+  std::vector<Outcome> outcomes;  ///< by draw, until one is not held; for finalists all
+  std::string reason;             ///< reason of its first failure
+  double grip_threshold = 1.0;    ///< share of the grip; 1 if it was not searched
 
   int CountHeld() const;
   std::string FormatHeld() const;      ///< "11 of 12"
-  std::string FormatInterval() const;  ///< Wilson's at 95 %: "65 to 99 %"
-  /** Held draws before the first that was not. */
+  std::string FormatInterval() const;  ///< Wilson interval at 95 %: "65 to 99 %"
+  /** Number of held draws before the first that was not held. */
   int FindRun() const;
 
   template <class V>
@@ -81,12 +83,12 @@ struct RehearsedCandidate {
 };
 
 struct Rehearsal {
-  std::vector<RehearsedCandidate> tried;  ///< in order
-  int chosen = 0;                         ///< index into them
-  int num_trials = 0;                     ///< in all
+  std::vector<RehearsedCandidate> tried;  ///< in the order of testing
+  int chosen = 0;                         ///< index into `tried`
+  int num_trials = 0;                     ///< total
 
   const RehearsedCandidate& choice() const { return tried[static_cast<size_t>(chosen)]; }
-  /** Held in every draw of rehearsal. */
+  /** Whether the choice was held in every draw of the rehearsal. */
   bool is_robust() const {
     return choice().CountHeld() == static_cast<int>(choice().outcomes.size());
   }
@@ -99,7 +101,7 @@ struct Rehearsal {
   }
 };
 
-/** @pre the maker has a grasp, and the configuration a candidate and a draw. */
+/** @pre the maker has at least one grasp, and the configuration a candidate and a draw. */
 Rehearsal RehearseGrasp(const CandidateMaker& maker, const RehearsalConfig& config,
                         const RunRehearsal& run);
 

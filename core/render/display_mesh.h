@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-A triangle mesh made ready for drawing: corners with smooth normals, sharp edges kept sharp. */
+A triangle mesh prepared for drawing: corners with smooth normals, while sharp edges stay sharp. */
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -18,18 +18,18 @@ struct DisplayVertex {
 struct DisplayMesh {
   std::vector<DisplayVertex> vertices;
   std::vector<uint32_t> indices;  ///< three per triangle
-  bool is_closed = false;  ///< around a volume, facing outwards: its back faces are never seen
+  bool is_closed = false;         ///< closed and facing outwards: back faces are never visible
 };
 
-/** At each corner the normal is the mean of the faces around that point whose own normal is within
-`crease_angle` [rad] of the corner's face, weighted by their angle at the point (Thuermer and
-Wuethrich 1998). Vertices at the same place count as one, so a seam in the file does not show.
-Triangles without area are left out. */
+/** Computes smooth normals. The normal at a corner is the mean over the faces around that point
+whose normal is within `crease_angle` [rad] of that of the corner's face. Faces are weighted by
+their angle at the point (Thuermer and Wuethrich 1998). Coincident vertices count as one, so a seam
+in the file is invisible. Degenerate triangles are dropped. */
 DisplayMesh MakeDisplayMesh(const TriMesh& mesh, double crease_angle);
 
-/** The mesh with its vertices joined over a distance, of a row of powers of sqrt 2, that leaves at
-most `max_triangles`; as it is when it has no more. What is left of a very small number may
-be nothing. @pre finite vertices */
+/** Returns a mesh with at most `max_triangles` triangles by merging vertices within the smallest
+sufficient distance of a sequence of powers of sqrt 2. A mesh that is small enough is returned
+unchanged. A very small limit may leave no triangles. @pre finite vertices */
 TriMesh MakeCoarseMesh(const TriMesh& mesh, int max_triangles);
 
 }  // namespace graspbench

@@ -2,10 +2,10 @@
 /** @file
 An off-screen OpenGL 3.3 core context and its functions.
 
-Mesa's software renderer (no display, no GPU) is loaded when the first context is made, as OSMesa, or
-where that is missing (Mesa 25.1 dropped it) as EGL without a surface. Every function comes from the
-library's own loader: calling a linked gl* symbol instead would reach libGL if that comes first, and
-every picture would be black without any error; so nothing here is linked. */
+Mesa's software renderer (no display, no GPU) is loaded when the first context is created: as
+OSMesa, or, if OSMesa is missing (Mesa 25.1 dropped it), as EGL without a surface. Every function
+comes from the library's own loader. A call of a linked gl* symbol would reach libGL if that is
+loaded first, and every picture would be black without any error. So nothing is linked here. */
 
 #define GL_GLEXT_PROTOTYPES  // for the types only
 #include <GL/glcorearb.h>
@@ -19,7 +19,7 @@ every picture would be black without any error; so nothing here is linked. */
 
 namespace graspbench {
 
-/** The functions in use, without their prefix: gl.Clear(...) is glClear(...). */
+/** The functions used, without their prefix: gl.Clear(...) is glClear(...). */
 #define GRASPBENCH_FOR_EACH_GL_FUNCTION(X) \
   X(ActiveTexture)                         \
   X(AttachShader)                          \
@@ -82,15 +82,16 @@ struct GlFunctions {
 #undef GRASPBENCH_DECLARE
 };
 
-/** Mesa ends the program where it gets no memory, so it is asked before.
-@throws Error(kEnvironment) when so many bytes are not to be had. */
+/** Checks in advance that this much memory is available, because Mesa aborts the program if an
+allocation fails.
+@throws Error(kEnvironment) if the memory is not available. */
 void DemandMemory(size_t size);
 
 class GlContext {
  public:
-  /** Of OSMesa, and where that library is missing of EGL.
-  @throws Error(kEnvironment) when both, or a function, are missing, or no 3.3 core context can be
-  made. */
+  /** Creates a context of OSMesa or, if that library is missing, of EGL.
+  @throws Error(kEnvironment) if both libraries or a function are missing, or if no 3.3 core context
+  can be created. */
   explicit GlContext(const std::string& osmesa = "libOSMesa.so.8",
                      const std::string& egl = "libEGL.so.1");
   ~GlContext();
@@ -101,7 +102,7 @@ class GlContext {
   void MakeCurrent();
   const GlFunctions& functions() const { return functions_; }
 
-  /** How a library makes contexts. */
+  /** Creates contexts with one library. */
   struct Maker;
 
  private:
@@ -147,7 +148,7 @@ inline GLuint CompileShader(const GlFunctions& gl, GLenum stage, const char* nam
   return shader;
 }
 
-/** A fault of a shader is one of ours. */
+/** Compiles and links a program. A faulty shader is a bug of ours and aborts. */
 inline GlProgram MakeProgram(const GlFunctions& gl, const ShaderSource& source) {
   GlProgram program;
   program.gl = &gl;

@@ -1,10 +1,10 @@
 #pragma once
 /** @file
-Off-screen pictures: a list of meshes with poses and colours, a camera, an image.
+Off-screen rendering of a list of meshes with poses and colours through a camera into an image.
 
-OSMesa core 3.3 is loaded at first use and every GL function is taken from its own loader, so a
-program without pictures pays nothing and libGL cannot get in between. Smoothed edges, soft ground
-shadow. The same scene gives the same bytes on one Mesa version. */
+OSMesa core 3.3 is loaded at first use, and all GL functions come from its own loader. So programs
+without pictures have no cost, and libGL cannot interfere. Edges are smoothed, and the shadow on the
+ground is soft. The same scene gives the same bytes with the same Mesa version. */
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -22,14 +22,14 @@ struct Drawable {
   Pose X_WM = Pose::Identity();         ///< mesh frame in the world
   Eigen::Vector3f colour = Eigen::Vector3f(0.7f, 0.7f, 0.7f);  ///< linear RGB
   double crease_angle = 0.7;  ///< edges sharper than this stay sharp [rad]
-  bool is_mark = false;       ///< over all that is none, without shadow: a note on the picture
-  /** A camera made for the scene (hand_scene.h) keeps it in the picture; what need not be seen fades
-  away towards the picture's edge. */
+  bool is_mark = false;       ///< annotation, in front of all others, without shadow
+  /** A framing camera (hand_scene.h) keeps this drawable in the picture; others may fade at its
+  edge. */
   bool must_be_seen = true;
 };
 
-/** Pinhole that looks from `p_WEye` at `p_WTarget`; z of the world is up in the picture (looking
-straight down: y). Nothing nearer than 10 mm is drawn.
+/** Pinhole camera that looks from `p_WEye` at `p_WTarget`. The world's z is up in the picture (if
+the camera looks straight down: y). Nothing nearer than 10 mm is drawn.
 @pre eye and target differ, 0 < field_of_view < pi. */
 struct Camera {
   Eigen::Vector3d p_WEye = Eigen::Vector3d(0.4, -0.5, 0.35);    ///< [m]
@@ -37,13 +37,13 @@ struct Camera {
   double field_of_view = 0.6;                                   ///< vertical [rad]
 };
 
-/** A camera that stands somewhere, rolled as it may be. A point at (x, y, z) in K (x right, y down,
-z forward) appears at
+/** A camera with any position and orientation. A point at (x, y, z) in K (x right, y down, z
+forward) appears at
 
     u = focal_x x / z + centre_x,   v = focal_y y / z + centre_y
 
-pixels from the picture's left and upper edge; the first pixel's middle is at (0.5, 0.5). Nothing
-nearer than 10 mm is drawn. @pre the focal lengths are positive. */
+pixels from the picture's left and upper edge; the centre of the first pixel is at (0.5, 0.5).
+Nothing nearer than 10 mm is drawn. @pre the focal lengths are positive. */
 struct PinholeCamera {
   Pose X_WK = Pose::Identity();
   double focal_x = 580.0;   ///< [pixel]
@@ -56,10 +56,10 @@ inline const Eigen::Vector3f kPaper = Eigen::Vector3f(237.0f, 238.0f, 240.0f) / 
 
 struct Scene {
   std::vector<Drawable> drawables;
-  bool has_table = true;                     ///< the plane z = 0, catching the shadow
-  bool has_grid = true;                      ///< its lines, 50 mm apart
-  Eigen::Vector3f table_srgb = kPaper;       ///< where all light reaches it, encoded, 0 to 1
-  Eigen::Vector3f background_srgb = kPaper;  ///< where there is nothing, encoded, 0 to 1
+  bool has_table = true;                     ///< the plane z = 0, which receives the shadow
+  bool has_grid = true;                      ///< lines on the table, 50 mm apart
+  Eigen::Vector3f table_srgb = kPaper;       ///< fully lit table, encoded, 0 to 1
+  Eigen::Vector3f background_srgb = kPaper;  ///< empty background, encoded, 0 to 1
 };
 
 /** 8-bit sRGB, rows from the top. */
@@ -69,7 +69,8 @@ struct Image {
   std::vector<uint8_t> rgb;  ///< (height x width x 3)
 };
 
-/** What each pixel's middle shows, rows from the top: the truth for what is found in pictures. */
+/** Content at the centre of each pixel, rows from the top: the ground truth for detection in
+pictures. */
 struct GeometryPicture {
   static constexpr int kNothing = -1, kTable = -2;
   int width = 0;
@@ -80,33 +81,33 @@ struct GeometryPicture {
 
 enum class RenderQuality {
   kFull,
-  /** For a camera whose pictures are many: no shadows, edges as they come. */
+  /** For cameras that take many pictures: no shadows, no smoothing of edges. */
   kFast,
-  /** For a look into a terminal many times a second: the same, and meshes are coarsened to some
-  8,000 triangles in all. */
+  /** For display in a terminal many times per second: as kFast, and meshes are coarsened to some
+  8,000 triangles in total. */
   kDraft
 };
 
-/** For a program that draws one picture: shaders are ready 0.2 s sooner and draw slower by a sixth,
-to the same bytes. Before the first Renderer, or without effect. */
+/** For a program that draws a single picture: shaders compile 0.2 s faster and run slower by a
+sixth, with the same bytes. It must be called before the first Renderer is created. */
 void CompileShadersQuickly();
 
-/** Draws pictures of one size. For a Camera the lights are fixed to its heading: the key light comes
-from the left before the scene, high up, so shadows fall to the right and back. For a PinholeCamera
-they are fixed to the world, as if it looked along y, and nothing fades at the picture's edge.
+/** Draws pictures of one size. For a Camera the lights are fixed relative to its heading: the key
+light comes from the front left, high up, so shadows fall to the right and back. For a PinholeCamera
+they are fixed in the world, as if it looked along y, and nothing fades at the picture's edge.
 
-Not to be used by two threads at once; each thread may have its own. Meshes are uploaded when they
-are first seen and kept as long as somebody owns them, so a filmstrip costs little more than its
-pixels. @pre a mesh is not changed once it was drawn. */
+Two threads may not use it at once; each thread may have its own. Meshes are uploaded at their first
+use and kept as long as they have an owner, so a filmstrip costs little more than its pixels.
+@pre a mesh does not change after it was drawn. */
 class Renderer {
  public:
-  /** @throws Error(kEnvironment) when neither OSMesa nor EGL can be loaded, saying what to install;
+  /** @throws Error(kEnvironment) if neither OSMesa nor EGL can be loaded, stating what to install;
   Error(kRange) for sides outside 1 to 4096 pixels. */
   Renderer(int width, int height, RenderQuality quality = RenderQuality::kFull);
   ~Renderer();
   Image Render(const Scene& scene, const Camera& camera);
   Image Render(const Scene& scene, const PinholeCamera& camera);
-  /** One sample a pixel, with the meshes of the same quality as the pictures. */
+  /** Renders with one sample per pixel, with meshes of the same quality as in the pictures. */
   GeometryPicture RenderGeometry(const Scene& scene, const PinholeCamera& camera);
 
  private:
@@ -114,26 +115,27 @@ class Renderer {
   std::unique_ptr<Impl> impl_;
 };
 
-/** PNG bytes, without time stamps: exact. */
+/** Encodes as PNG, lossless and without time stamps. */
 std::string EncodePng(const Image& image);
 
-/** WebP bytes, lossy, for pages with many pictures that are shown smaller than they are: 480 x 360
-pixels of a hand take some 8 KB. Every current browser shows it.
-@throws Error(kUnsupported) when the image is larger than 16383 pixels on a side. */
+/** Encodes as WebP, lossy, for pages with many pictures that are displayed at reduced size. A hand
+of 480 x 360 pixels takes some 8 KB. Every current browser supports it.
+@throws Error(kUnsupported) if a side exceeds 16383 pixels. */
 std::string EncodeWebp(const Image& image);
 
-/** An animated WebP file, which every current browser shows. Takes the pictures one by one, so that
-a long film needs the memory of few. */
+/** Encodes an animated WebP file, which every current browser supports. It takes the pictures one
+by one, so that a long video needs the memory of few. */
 class AnimatedWebp {
  public:
-  /** @throws Error(kUnsupported) outside of 1 to 16383 pixels on a side. */
+  /** @throws Error(kUnsupported) if a side is outside 1 to 16383 pixels. */
   AnimatedWebp(int width, int height);
   ~AnimatedWebp();
-  /** @param time  at which it begins to be shown [s], in milliseconds when stored; later than the
-  one before. @pre of the constructor's size. */
+  /** Adds a picture of the constructor's size.
+  @param time  time at which its display starts [s], stored in milliseconds; later than the previous
+  one. */
   void Add(const Image& image, double time);
-  /** The file's bytes. It starts over for ever. @param end  of the last picture [s]. @pre something
-  was added; to be called once. */
+  /** Returns the file's bytes; the animation loops forever. Can be called once.
+  @param end  end of the last picture [s]. @pre at least one picture was added. */
   std::string Finish(double end);
 
  private:

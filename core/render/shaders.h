@@ -3,8 +3,8 @@
 The GLSL programs of the renderer, one vertex and one fragment stage each.
 
 All shading happens in the stage frame S: origin on the table below the camera's target, z up, y
-along the camera's heading. Light comes from fixed directions in S, so a picture depends on where
-the camera stands relative to the scene and not on where both stand in the world. */
+along the camera's heading. Light directions are fixed in S. So a picture depends on the camera's
+pose relative to the scene, not on the pose of both in the world. */
 
 #include <string>
 #include <string_view>
@@ -30,13 +30,14 @@ struct ShaderSource {
   std::string fragment;
 };
 
-/** Depth of the surfaces as a light sees them. */
+/** Returns the shader for the depth of surfaces as seen by a light. */
 ShaderSource MakeDepthShader();
-/** The drawables. @param taps  of a shadow's filter; 0: no shadows. */
+/** Returns the shader for drawables. @param taps  samples of a shadow's filter; 0: no shadows. */
 ShaderSource MakeSurfaceShader(int taps);
-/** The table with its shadow and its 50 mm grid. */
+/** Returns the shader for the table with its shadow and its 50 mm grid. */
 ShaderSource MakeTableShader();
-/** Which drawable, and how far before the camera: of the drawables, of the table. */
+/** Return the shaders for the drawable's index and the depth from the camera: for drawables, for
+the table. */
 ///@{
 ShaderSource MakeGeometryShader();
 ShaderSource MakeTableGeometryShader();

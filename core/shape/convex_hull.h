@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-The convex hull of a few thousand points as a closed mesh, by adding one point after another: the
-faces that see the point are replaced by those from their rim to it. O(n f) for f faces. */
+The convex hull of a few thousand points as a closed mesh, built incrementally: the faces that see a
+new point are replaced by faces from their rim to that point. O(n f) for f faces. */
 
 #include <Eigen/Core>
 #include <vector>
@@ -10,8 +10,8 @@ faces that see the point are replaced by those from their rim to it. O(n f) for 
 
 namespace graspbench {
 
-/** Faces outwards. Points within 1e-9 of the extent of a face's plane count as on it. Without
-triangles when the points lie in a plane. @pre finite points. */
+/** Computes the convex hull, facing outwards. Points within 1e-9 of the extent of a face's plane
+count as on it. The result has no triangles if the points are coplanar. @pre finite points. */
 TriMesh MakeConvexHull(const std::vector<Eigen::Vector3d>& points);
 
 }  // namespace graspbench

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-A thing to grasp, as the simulation and the pictures need it. Made by objects/ from the catalogue or
-from a user's mesh; shared read-only between threads. */
+An object to grasp, as the simulation and the renderer need it. objects/ creates it from the
+catalogue or from a user's mesh. It is shared between threads and read-only. */
 
 #include <Eigen/Core>
 #include <map>
@@ -19,60 +19,64 @@ from a user's mesh; shared read-only between threads. */
 
 namespace graspbench {
 
-/** From where a hand comes to an object: a grasp, an object and a session may each say so. What a
-session says comes before what the object says, and that before the grasp's own word. */
+/** Direction from which a hand approaches an object. A grasp, an object and a session may each
+specify it; the session takes precedence over the object, and the object over the grasp. */
 enum class Approach {
-  kAutomatic,  ///< by the rule in core/grasp/placement.h
+  kAutomatic,  ///< chosen by the rule in core/grasp/placement.h
   kAbove,
   kSide
 };
 
 struct ApproachRow {
   Approach value;
-  const char* name;  ///< in files
+  const char* name;  ///< as in files
 };
 inline constexpr ApproachRow kApproaches[] = {
     {Approach::kAutomatic, "automatic"}, {Approach::kAbove, "above"}, {Approach::kSide, "side"}};
 
-/** The key `approach`, which may be left out; another word is a problem with a hint. */
+/** Reads the optional key `approach`; an unknown word is reported with a suggestion. */
 void ReadApproach(YamlMap& map, Approach& approach);
 
-/** How a compressible object gives way to fingers (core/physics/soft_surface.h). */
+/** How a compressible object yields to fingers (core/physics/soft_surface.h). */
 struct Compressibility {
-  double force = 0.0;  ///< of one fingertip [N]
-  /** By nhat^T yield nhat the surface whose normal in O is nhat gives way to it [m]. */
+  double force = 0.0;  ///< pressing force of one fingertip [N]
+  /** Yield tensor in O: a surface with unit normal nhat yields by nhat^T yield nhat [m] to
+  `force`. */
   Eigen::Matrix3d yield = Eigen::Matrix3d::Zero();
-  bool is_sight_guessed = false;  ///< nobody measured the size at rest
+  bool is_sight_guessed = false;  ///< the size at rest is a guess
 };
 
-/** No side of an object may be compressed to less than this share of its size at rest. */
+/** A grasp may compress no side of an object to less than this share of its size at rest. */
 inline constexpr double kLeastSizeOfGrasp = 0.6;
 
 struct GraspObject {
   std::string id;    ///< "adhesive_tape"
   std::string name;  ///< "adhesive tape"
-  /** In frame O: centre of the bounding box as the object rests on the table; x along length, y
-  along width, z up. At rest: what a camera sees of a compressible object. */
+  /** In frame O: origin at the centre of the bounding box as the object rests on the table, x along
+  its length, y along its width, z up. The mesh of a compressible object is the shape at rest, which
+  a camera sees. */
   TriMesh mesh;
   std::shared_ptr<const SignedDistanceField> field;  ///< of `mesh`
   Eigen::Vector3d size = Eigen::Vector3d::Zero();    ///< length, width, height at rest [m]
-  std::optional<Compressibility> compressible;       ///< none: it is rigid
+  std::optional<Compressibility> compressible;       ///< nullopt: rigid
   MassProperties mass_properties;
-  SurfaceMaterial surface;  ///< its friction is that against the hand
-  /** Best-suited standard grasp, "g1".."g6", by hand id; hands not named here use grasp_order. */
+  SurfaceMaterial surface;  ///< friction: against the hand
+  /** Best-suited standard grasp, "g1" to "g6", by hand id; hands without an entry use
+  grasp_order. */
   std::map<std::string, std::string> best_grasp;
-  /** Grasps by falling suitability; a hand without an entry in best_grasp takes the first of them
-  that it can do. */
+  /** Grasps in order of decreasing suitability. A hand without an entry in best_grasp takes the
+  first one that it can perform. */
   std::vector<std::string> grasp_order = {"g1", "g3", "g6", "g2", "g4"};
-  Approach approach = Approach::kAutomatic;  ///< said of the object; else the grasp's
-  Eigen::Vector3f colour = Eigen::Vector3f(0.8f, 0.7f, 0.5f);  ///< linear RGB, for pictures
-  std::string content_hash;  ///< of everything that the simulation depends on
-  /** By how much it was turned from how its mesh lay to how it rests (resting_pose.h) [rad]. */
+  Approach approach = Approach::kAutomatic;                    ///< automatic: the grasp decides
+  Eigen::Vector3f colour = Eigen::Vector3f(0.8f, 0.7f, 0.5f);  ///< linear RGB, for rendering
+  std::string content_hash;  ///< hash of everything that the simulation depends on
+  /** Angle of the rotation from the orientation of the input mesh to the resting pose
+  (resting_pose.h) [rad]. */
   double turned_to_rest = 0.0;
 };
 
-/** Its size where fingertips press with Compressibility::force on both sides of each axis; of a
-rigid one its size [m]. */
+/** Returns the object's size while fingertips press with Compressibility::force on both sides of
+each axis; for a rigid object, its size [m]. */
 inline Eigen::Vector3d CalcSizeOfGrasp(const GraspObject& object) {
   if (!object.compressible) return object.size;
   return object.size - 2.0 * object.compressible->yield.diagonal();

@@ -1,9 +1,9 @@
 #pragma once
 /** @file
-Where lines parallel to an axis cross a mesh, and so how often its surface winds around each of
-their points: one more at every way in, one less at every way out. A point belongs to the solid
-where the surface winds around it at least once: overlapping parts are one body, and a shell that
-faces inwards makes a cavity. */
+Intersections of a mesh with lines parallel to an axis, which give the winding number of the surface
+around each point of a line: it increases by one at every entry and decreases by one at every exit.
+A point belongs to the solid if the winding number is at least one. So overlapping parts are one
+body, and a shell that faces inwards makes a cavity. */
 
 #include <vector>
 
@@ -17,11 +17,12 @@ class LineCrossings {
   LineCrossings(const TriMesh& mesh, int axis);
 
   struct Crossing {
-    double at = 0.0;  ///< along the axis [m]
-    int winding = 0;  ///< +1 into the solid, -1 out of it, going up the axis
+    double at = 0.0;  ///< position along the axis [m]
+    int winding = 0;  ///< +1 into the solid, -1 out of it, in the axis direction
   };
-  /** Ordered along the axis. (u, v) are the other two coordinates in cyclic order (axis 2: x, y);
-  lines through an edge or a corner count consistently unless they miss it by less than rounding. */
+  /** Finds the crossings of one line, ordered along the axis. (u, v) are the other two coordinates
+  in cyclic order (axis 2: x, y). Lines through an edge or a corner are counted consistently, unless
+  they miss it by less than the rounding error. */
   void Find(double u, double v, std::vector<Crossing>& crossings) const;
 
  private:

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-Wavefront OBJ, the part that carries shape: `v` and `f`. For meshes that belong to the project and
-for the looks of a hand; other formats of a user's object are read in objects/. */
+Wavefront OBJ, restricted to shape: `v` and `f`. Used for the project's own meshes and for the
+appearance of hands; objects/ reads a user's objects in other formats. */
 
 #include <string>
 
@@ -10,13 +10,13 @@ for the looks of a hand; other formats of a user's object are read in objects/. 
 
 namespace graspbench {
 
-/** Polygons are cut into triangles; texture and normal indices and all other statements
-are skipped: a material library is never opened. Time grows with the text; polygons that are not
-convex cost up to a second together, then they are refused. A bad line goes into `problems`; the
-first one ends the reading with an empty mesh. */
+/** Parses an OBJ file. Polygons are triangulated; texture and normal indices and all other
+statements are ignored, so a material library is never opened. Run time grows with the text. Concave
+polygons take up to a second in total; beyond that they are rejected. A bad line is added to
+`problems`; the first one stops parsing and gives an empty mesh. */
 TriMesh ParseObj(const std::string& text, const std::string& file, Diagnostics& problems);
 
-/** Coordinates with six decimals, in metres unless another number of units per metre is given
+/** Formats a mesh. Coordinates have six decimals and are in metres unless `units_per_metre` differs
 (1000: millimetres). The same mesh gives the same bytes. */
 std::string FormatObj(const TriMesh& mesh, double units_per_metre = 1.0);
 

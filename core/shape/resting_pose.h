@@ -1,14 +1,14 @@
 #pragma once
 /** @file
-How an object rests on the table when it is set down as its mesh lies: it rolls over its outermost
-vertices, from edge to edge, until its centre of mass stands over the polygon on which it stands.
+Resting pose of an object that is placed on the table in the orientation of its mesh. It rolls over
+its outermost vertices, from edge to edge, until its centre of mass is above its support polygon.
 
-With p_i the vertices at rest, z up, c the centre of mass and S the convex hull of those p_i that
-touch the table, seen from above, it rests when c lies over S. Else it pivots about the edge (or
-corner) of S that is nearest to c, by the smallest angle at which another vertex meets the table;
-each pivot lowers c, so that no position comes twice. Nothing slides, nothing swings on
-beyond a stable position: a fast fall may end elsewhere. A surface that the simulation takes for
-round (core/physics/table_support.h) is the polyhedron of its mesh here. */
+Let p_i be the vertices, z up, and c the centre of mass. S is the convex hull, seen from above, of
+those p_i that touch the table. The object rests if c is above S. Otherwise it pivots about the edge
+(or corner) of S nearest to c, by the smallest angle at which another vertex reaches the table. Each
+pivot lowers c, so no position recurs. The model has no sliding and no momentum: an object that
+falls fast may come to rest elsewhere. A surface that the simulation treats as round
+(core/physics/table_support.h) is the polyhedron of its mesh here. */
 
 #include <Eigen/Core>
 
@@ -17,13 +17,13 @@ round (core/physics/table_support.h) is the polyhedron of its mesh here. */
 
 namespace graspbench {
 
-/** R_RO: turns the mesh from how it lies, z up, to how it rests; the identity, to the bit, when it
-turns by less than 0.01 mrad.
+/** Returns R_RO, the rotation of the mesh from its own orientation, z up, to its resting
+orientation. It is exactly the identity if the angle is below 0.01 mrad.
 @param p_OOcm  centre of mass, inside the convex hull of the mesh [m].  @pre finite vertices. */
 Eigen::Matrix3d FindRestingRotation(const TriMesh& mesh, const Eigen::Vector3d& p_OOcm);
 
-/** Turns an object to how it rests: its mesh, box, sizes and mass properties; `field` must not be
-made yet. An object that rests as it lies stays as it is, to the bit. */
+/** Rotates an object to its resting pose: mesh, bounding box, size and mass properties. `field`
+must not exist yet. An object that already rests is unchanged, bit for bit. */
 void LayDown(GraspObject& object);
 
 }  // namespace graspbench

@@ -1,16 +1,15 @@
 #pragma once
 /** @file
-Signed distance to a closed mesh, sampled on a grid: the contact solver asks it hundreds of times a
-step, so a query costs one trilinear interpolation.
+Signed distance to a closed mesh, sampled on a grid. The contact solver queries it hundreds of times
+per step, so a query costs one trilinear interpolation.
 
     phi(p) = +- min over the surface of |p - s|,  positive outside
 
-Every node is exact: nearest triangle by a tree of boxes, sign by the winding number
-(line_crossings.h), so parts that overlap or touch are one body; inside such a body the surfaces
-that lie in it do not count, to within a cell where they come out of it. Between nodes the error is
-that of trilinear interpolation, O(cell^2 * curvature); next to a sharp edge it is up to about half
-a cell, so query a few millimetres away from the surface (sphere centres), where the field is
-smooth. */
+Every node is exact: the nearest triangle comes from a tree of boxes, the sign from the winding
+number (line_crossings.h). So parts that overlap or touch are one body; surfaces inside such a body
+are ignored, to within a cell of where they emerge. Between nodes the error is that of trilinear
+interpolation, O(cell^2 * curvature). Next to a sharp edge it reaches about half a cell. So query a
+few millimetres away from the surface (sphere centres), where the field is smooth. */
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -25,37 +24,38 @@ namespace graspbench {
 
 class SignedDistanceField {
  public:
-  static constexpr double kMargin = 0.015;    ///< [m] the grid reaches this far beyond the mesh
+  static constexpr double kMargin = 0.015;    ///< margin of the grid around the mesh [m]
   static constexpr double kMinCell = 0.0005;  ///< [m]
-  static constexpr int kMaxNodes = 500000;    ///< sets the cell of all but the smallest objects
+  static constexpr int kMaxNodes = 500000;  ///< sets the cell size of all but the smallest objects
 
-  /** @pre every edge has as many triangles in either direction (core/shape/repair/mesh_check.h).
-  Cells are cubes. Costs about half a second for 5,000 triangles. */
+  /** Builds the field; takes about half a second for 5,000 triangles. Cells are cubes.
+  @pre every edge has as many triangles in either direction (core/shape/repair/mesh_check.h). */
   static SignedDistanceField Build(const TriMesh& mesh);
 
-  /** Build, or read what an earlier call kept (core/base/files/kept.h) under the mesh's hash in
-  `cache_folder`. The result is the same bits either way. */
+  /** Builds the field, or reads the one that an earlier call stored in `cache_folder` under the
+  mesh's hash (core/base/files/kept.h). Both give the same bits. */
   static std::shared_ptr<const SignedDistanceField> LoadOrBuild(
       const TriMesh& mesh, const std::filesystem::path& cache_folder);
 
-  /** What LoadOrBuild would read; nothing when it would build. */
+  /** Returns the stored field, or null if LoadOrBuild would have to build it. */
   static std::shared_ptr<const SignedDistanceField> LoadCached(
       const TriMesh& mesh, const std::filesystem::path& cache_folder);
 
   struct Sample {
     double distance = 0.0;                                ///< [m]
-    Eigen::Vector3d gradient = Eigen::Vector3d::UnitZ();  ///< unit, points away from the object
+    Eigen::Vector3d gradient = Eigen::Vector3d::UnitZ();  ///< unit vector, away from the object
   };
-  /** The interpolant, and the gradient by central differences at the nodes, interpolated likewise
-  and made unit: continuous, where the interpolant's own jumps from cell to cell. Outside the grid:
-  a lower bound of the distance, gradient from the nearest grid point. */
+  /** Returns the interpolated distance and gradient. The gradient comes from central differences at
+  the nodes, interpolated and normalised. It is continuous, whereas the interpolant's own gradient
+  jumps between cells. Outside the grid the distance is a lower bound, and the gradient is that of
+  the nearest grid point. */
   Sample Query(const Eigen::Vector3d& p_O) const;
-  /** The distance alone: a sixth of the work. */
+  /** Returns only the distance, at a sixth of the cost. */
   double CalcDistance(const Eigen::Vector3d& p_O) const { return CalcDistance(FindCell(p_O)); }
 
-  /** Where a point lies in the grid, for those who want its gradient only when it is near. */
+  /** Position of a point in the grid, for callers that need the gradient only near the surface. */
   struct Cell {
-    Eigen::Vector3i node;   ///< its lowest corner
+    Eigen::Vector3i node;   ///< lowest corner of the cell
     Eigen::Vector3d share;  ///< position in the cell, in [0, 1]
     double beyond;          ///< distance from the grid [m]
   };
@@ -73,7 +73,7 @@ class SignedDistanceField {
   }
   void CalcValues(const TriMesh& mesh, const std::vector<bool>& is_inside, bool only_inside);
   std::string FormatCache() const;
-  // False, and the field is of no use, when the bytes are not those of a whole field.
+  // Returns false, and leaves the field unusable, unless the bytes are a complete field.
   bool ParseCache(const std::string& bytes);
   double Interpolate(const Eigen::Vector3i& node, const Eigen::Vector3d& share) const;
 

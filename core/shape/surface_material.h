@@ -1,9 +1,9 @@
 #pragma once
 /** @file
-What a surface brings into a contact. Every object and every link of a hand has one; how the two of
-a contact are combined says core/physics/contact.h.
+Contact properties of a surface. Every object and every link of a hand has a SurfaceMaterial;
+core/physics/contact.h defines how the two of a contact are combined.
 
-Stiffness is that of one contact point, f = k x, not of a material as such: a link has as many
+The stiffness is that of one contact point, f = k x, not of a material: a link has as many contact
 points as its surface has balls. */
 
 #include <string>
@@ -17,22 +17,23 @@ namespace graspbench {
 enum class Needed;
 class YamlMap;
 
-/** A soft layer on the surface, of a rubber that keeps its volume (Poisson's ratio 1/2). How it
-gives way: core/physics/contact.h. */
+/** A soft layer on the surface, made of incompressible rubber (Poisson's ratio 1/2).
+core/physics/contact.h defines how it deforms. */
 struct SoftPad {
-  double youngs_modulus = 0.0;  ///< [Pa]; 0: there is none, the surface is bare
-  double depth = 0.0;           ///< beyond which it yields no more [m]
-  double torsion_scale = 1.0;   ///< on the torsion radius of its patch of contact
+  double youngs_modulus = 0.0;  ///< [Pa]; 0: no pad, the surface is bare
+  double depth = 0.0;           ///< maximum indentation [m]
+  double torsion_scale = 1.0;   ///< factor on the torsion radius of its contact patch
 };
 
-/** Values that were left out are NaN: the other side of the contact, or the session, gives them. */
+/** NaN marks a value that is not given; the other surface of the contact or the session supplies
+it. */
 struct SurfaceMaterial {
   double friction_static = kUnset;   ///< Coulomb coefficient
   double friction_dynamic = kUnset;  ///< <= friction_static
-  double stiffness = kUnset;         ///< k, normal, per contact point [N/m]
-  double torsion_radius = kUnset;    ///< r: resists spin up to mu fn r [m]
-  SoftPad pad = {};                  ///< of links of a hand: hand.yaml
-  double relaxation_time = kUnset;   ///< tau of core/physics/contact.h; no key of a file [s]
+  double stiffness = kUnset;         ///< normal stiffness k per contact point [N/m]
+  double torsion_radius = kUnset;    ///< r: resists torsion up to mu fn r [m]
+  SoftPad pad = {};                  ///< of a hand's links, from hand.yaml
+  double relaxation_time = kUnset;   ///< tau of core/physics/contact.h [s]; not read from files
 
   template <class V>
   void Visit(V&& v) {
@@ -46,11 +47,12 @@ struct SurfaceMaterial {
   }
 };
 
-/** The rows of these keys (core/base/file_keys.h). @param prefix  of each: "surfaces.". */
+/** Returns the rows of these keys (core/base/file_keys.h).
+@param prefix  prefix of each key: "surfaces.". */
 FileKeys ListSurfaceKeys(Needed friction, const std::string& prefix);
 
-/** Reads the keys that are there into `surface` and reports what is out of range. Friction comes as
-a pair, the static coefficient not below the dynamic one. */
+/** Reads the given keys into `surface` and reports values that are out of range. Both friction
+coefficients must be given together, the static one not below the dynamic one. */
 void ReadSurface(YamlMap& map, Needed friction, SurfaceMaterial& surface);
 
 }  // namespace graspbench

@@ -1,21 +1,23 @@
 #pragma once
 /** @file
-Synthetic things to grasp: solids made on the spot, with sizes, densities and friction drawn
-between limits. Grasps are developed on some, so that none is developed on what it is judged by, and
-benchmarks have others (objects/catalogue.h). Seven families,
+Synthetic objects to grasp: procedurally generated solids whose sizes, densities and friction are
+drawn uniformly from ranges. Grasps are developed on one set, so that none is developed on the
+objects that evaluate it; benchmarks have another set (objects/catalogue.h). There are seven
+families,
 
     sphere    with a flat spot of 1 mm to rest on
-    box       a plate when it is flat
-    cylinder  standing: a disc when it is flat
-    rod       a cylinder that lies, of 24 sides
-    ring      lying, its hole upright
-    bulb      a ball on a neck, of 24 sides, lying, its weight in the ball
+    box       a flat one is a plate
+    cylinder  upright; a flat one is a disc
+    rod       a lying cylinder with 24 sides
+    ring      lying, with a vertical hole
+    bulb      a ball on a neck with 24 sides, lying, with its centre of mass in the ball
     cross     four flat arms
 
-chosen by grasp type: the power grasp gets the large and the heavy, the precision grasp with two
-digits and the pinch the thin and the small, the others what is in between (Roethling 2007, section
-2.3). Shapes of the power grasp are 40 to 85 mm wide and taken from the side; those of encompassing
-precision from above, some tall cylinders from the side. All limits are proposed by graspbench. */
+assigned to grasp types. The power grasp gets large and heavy shapes, the precision grasp with two
+digits and the pinch get thin and small ones, and the others get those in between (Roethling 2007,
+section 2.3). Shapes of the power grasp are 40 to 85 mm wide and approached from the side. Those of
+encompassing precision are approached from above, except some tall cylinders. All limits are
+proposed by graspbench. */
 
 #include <memory>
 #include <string>
@@ -25,15 +27,16 @@ precision from above, some tall cylinders from the side. All limits are proposed
 
 namespace graspbench {
 
-/** Shapes of another purpose share no stream of random numbers. */
+/** Purpose of the shapes. Different purposes use independent random streams. */
 enum class ShapeUse { kTraining, kValidation, kBenchmark };
 
-/** @param grasp  id of a standard grasp, "g1" to "g6".
-@param largest  what the hand can take between its pads [m]: no width is larger.
-@param judges  sizes of the objects that will judge the hand: what comes within 2 mm of one in
-length, width and height is drawn again.
-@returns objects without a distance field, called "training-g1-0", ..; their names say what they
-are: "box, 71 x 33 x 30 mm, 34 g". */
+/** Generates synthetic shapes.
+@param grasp  id of a standard grasp, "g1" to "g6".
+@param largest  largest width that the hand can take between its pads [m]; no width exceeds it.
+@param judges  sizes of the objects that will evaluate the hand. A shape within 2 mm of one of them
+in length, width and height is drawn again.
+@returns objects without a distance field, with ids such as "training-g1-0". Their names describe
+them: "box, 71 x 33 x 30 mm, 34 g". */
 std::vector<std::shared_ptr<const GraspObject>> MakeShapes(
     const std::string& grasp, ShapeUse use, int seed, int count, double largest,
     const std::vector<Eigen::Vector3d>& judges);

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-Triangle mesh as plain data, in metres, counter-clockwise seen from outside. */
+Triangle mesh as plain data, in metres; triangles are counter-clockwise seen from outside. */
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -21,14 +21,14 @@ struct TriMesh {
   int num_triangles() const { return static_cast<int>(triangles.size()); }
 };
 
-/** Of all vertices, used or not; empty without any. */
+/** Returns the bounding box of all vertices, used or not; empty without vertices. */
 inline Eigen::AlignedBox3d CalcBounds(const TriMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : mesh.vertices) box.extend(p);
   return box;
 }
 
-/** Of all its numbers, to the bit. */
+/** Returns the hash of all coordinates and indices, bit for bit. */
 inline uint64_t CalcMeshHash(const TriMesh& mesh) {
   static_assert(sizeof(Eigen::Vector3d) == 24 && sizeof(Eigen::Vector3i) == 12);
   const std::string_view vertices(reinterpret_cast<const char*>(mesh.vertices.data()),

@@ -15,7 +15,8 @@ class TriangleTree {
   /** @pre at least one triangle, valid indices, finite vertices. Keeps copies of the corners. */
   explicit TriangleTree(const TriMesh& mesh);
 
-  /** Where on its triangle the nearest point lies: decides which normal tells the side. */
+  /** Feature of the triangle on which the nearest point lies; it decides which normal determines
+  the side. */
   enum class Feature { kFace, kEdge01, kEdge12, kEdge20, kVertex0, kVertex1, kVertex2 };
   struct Nearest {
     int triangle = -1;  ///< index into the mesh's triangles
@@ -23,17 +24,18 @@ class TriangleTree {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
     double squared_distance = 0.0;  ///< [m^2]
   };
-  /** `hint` is any triangle of the mesh; one that is near makes the search faster. */
+  /** Finds the nearest triangle. `hint` is any triangle of the mesh; a near one speeds up the
+  search. */
   Nearest FindNearest(const Eigen::Vector3d& p, int hint = 0) const;
 
-  /** Appends every triangle whose bounding box meets `box`, in the tree's order. */
+  /** Appends every triangle whose bounding box intersects `box`, in the tree's order. */
   void FindNear(const Eigen::AlignedBox3d& box, std::vector<int>& triangles) const;
 
  private:
   struct Corners {
     Eigen::Vector3d a, b, c;
   };
-  // An inner node's children are `first` and `first + 1`; a leaf holds triangles
+  // The children of an inner node are `first` and `first + 1`; a leaf contains triangles
   // order_[first .. first + count).
   struct Node {
     Eigen::AlignedBox3d box;

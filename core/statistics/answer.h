@@ -2,10 +2,9 @@
 /** @file
 A result, or the reason in words why there is none.
 
-Statistics of real studies meet one person, no spread, an empty cell. That is neither a fault of the
-program nor of a file: it is an outcome, and the report prints it where the number would stand. So a
-calculation that can have no result returns Answer<T>; it never returns a number made up for the
-occasion. */
+In real studies a statistic may face a single person, no variation or an empty cell. This is a fault
+of neither the program nor a file. It is an outcome, which the report prints in place of the number.
+So a calculation that may have no result returns Answer<T>, never an invented number. */
 
 #include <optional>
 #include <string>
@@ -15,7 +14,7 @@ occasion. */
 
 namespace graspbench {
 
-/** Turns into an Answer of any type: return NoAnswer{"1 person; expected at least 2"}; */
+/** Converts to an Answer of any type: return NoAnswer{"1 person; expected at least 2"}; */
 struct NoAnswer {
   std::string reason;
 };
@@ -35,9 +34,9 @@ class Answer {
     return *value_;
   }
   const T* operator->() const { return &**this; }
-  /** Empty when there is a value. */
+  /** Empty if there is a value. */
   const std::string& reason() const { return reason_; }
-  /** The reason alone, to be passed on by a calculation that needed this one. */
+  /** The reason alone, for a dependent calculation to pass on. */
   NoAnswer none() const { return {reason_}; }
 
  private:

@@ -1,9 +1,9 @@
 #pragma once
 /** @file
-Tail probabilities and quantiles of the distributions that tests are read from.
+Tail probabilities and quantiles of the distributions used in tests.
 
-Upper tails are computed as such, never as 1 - p: a p value of 1e-30 keeps its digits. Degrees of
-freedom are real numbers, as sphericity corrections and Satterthwaite need.
+Upper tails are computed directly, never as 1 - p, so a p value of 1e-30 keeps its digits. Degrees
+of freedom are real numbers, as sphericity corrections and Satterthwaite's method need.
 @pre for all: degrees of freedom > 0, probabilities strictly between 0 and 1, no NaN. */
 
 namespace graspbench {
@@ -18,20 +18,19 @@ double CalcFisherQuantile(double probability, double df_1, double df_2);
 double CalcChiSquaredUpperP(double x, double df);
 double CalcChiSquaredQuantile(double probability, double df);
 
-/** 95 % of normally distributed errors lie within so many standard deviations; as published tables
-round it. */
+/** 95 % of normally distributed errors are within this many standard deviations; rounded as in
+published tables. */
 inline constexpr double kNormal95 = 1.96;
 
-/** P(so many successes or more) in so many trials. @pre 0 <= num_successes <= num_trials. */
+/** Probability of at least `num_successes` successes in `num_trials` trials.
+@pre 0 <= num_successes <= num_trials. */
 double CalcBinomialUpperP(int num_successes, int num_trials, double probability);
 
 double CalcNormalP(double z);  ///< lower tail
 double CalcNormalQuantile(double probability);
 
-/** The noncentral t distribution: of a t value when the mean is not zero, from which the power of
-a t test is read.
-
-P(T > t) with the noncentrality `shift`, the true difference over its standard error.
+/** P(T > t) for the noncentral t distribution, from which the power of a t test follows. The
+noncentrality `shift` is the true difference divided by its standard error.
 @pre df > 0, no NaN; |shift| up to some hundreds. */
 double CalcNoncentralStudentUpperP(double t, double df, double shift);
 

@@ -1,18 +1,20 @@
 #pragma once
 /** @file
-Success of two controllers on the same draws, where pairs of one object are alike: which of the two
-succeeds more often, and how many pairs that takes.
+Comparison of the success of two controllers on the same initial poses, where pairs of one object
+are correlated: a test for which controller succeeds more often, and the number of pairs it needs.
 
-Where the two are equal, each object's difference could as well have the other sign. So the test is
-exact given the differences d_o (gained less lost pairs of object o): p is the share of all 2^k signs
-with |sum of +-d_o| at least as large as it is (R. A. Fisher, "The design of experiments", 1935,
-section 21; by counting sums, not by chance). Pairs of an object may depend on each other in any way.
-With fewer than 6 objects no result is below 5 %.
+If both controllers are equal, each object's difference is equally likely to have the opposite sign.
+So the test is exact given the differences d_o (pairs of object o gained minus lost). p is the share
+of all 2^k sign assignments with |sum of +-d_o| at least as large as observed (R. A. Fisher, "The
+design of experiments", 1935, section 21). It is computed by counting sums, not by sampling. Pairs
+of one object may depend on each other in any way. With fewer than 6 objects no p value is below 5
+%.
 
-How many pairs: with n pairs on k objects, of which a share q differ, the mean difference D has the
-standard error sqrt((q - D^2) / n + s^2 / k), where s is the spread of the objects' true differences;
-power is that of the two-sided t test with k - 1 degrees of freedom, which the exact one resembles,
-of D less 1 / n: half a step of the sums, which the exact test gives away. */
+Number of pairs: take n pairs on k objects, a share q of them discordant, and let s be the standard
+deviation of the objects' true differences. The mean difference D has the standard error sqrt((q -
+D^2) / n + s^2 / k). The power is that of the two-sided t test with k - 1 degrees of freedom, which
+approximates the exact test, for the difference D - 1 / n. The term 1 / n is half a step of the
+sums, which the discreteness of the exact test costs. */
 
 #include <optional>
 #include <vector>
@@ -23,22 +25,23 @@ namespace graspbench {
 
 inline constexpr size_t kFewestClusters = 6;
 
-/** p value, two-sided; 1 where nothing differs. @pre no count is negative. */
+/** Returns the two-sided p value; 1 without discordant pairs. @pre no count is negative. */
 double CalcClusteredExactTwoSided(const std::vector<PairedCounts>& clusters);
 
 struct PairedPlan {
-  double difference = 0.1;   ///< of the success probabilities that is to be decided
-  double discordance = 0.0;  ///< share of pairs that differ, at least |difference|
+  double difference = 0.1;   ///< difference of the success probabilities to be detected
+  double discordance = 0.0;  ///< share of discordant pairs, at least |difference|
   double spread = 0.0;       ///< standard deviation of the difference between objects
   int num_clusters = 0;      ///< objects
 };
 
-/** Pairs, as many on each object, with which a share `power` of comparisons is decided at 5 %;
-nullopt: more than a million, or too few objects. @pre 0 < difference <= 1. */
+/** Returns the total number of pairs, equally many per object, for a share `power` of comparisons
+to be significant at 5 %. nullopt: more than a million, or too few objects. @pre 0 < difference <=
+1. */
 std::optional<int> CalcPairsNeeded(const PairedPlan& plan, double power = 0.8);
 
-/** What pairs say of others like them: share that differ, and spread between objects by the method
-of moments, 0 where chance explains it. */
+/** Estimates from observed pairs the share of discordant pairs and, by the method of moments, the
+spread between objects, which is 0 if chance explains it. */
 PairedPlan EstimatePairedPlan(const std::vector<PairedCounts>& clusters, double difference);
 
 }  // namespace graspbench

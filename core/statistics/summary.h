@@ -2,9 +2,9 @@
 /** @file
 Location and spread of one sample.
 
-Sums of squares are taken about the mean in a second pass with the rounding of the first removed
-(Chan, Golub and LeVeque, "Algorithms for computing the sample variance", Am. Stat. 37 (1983)), so
-that values with many constant leading digits keep their spread. */
+Sums of squares are computed about the mean in a second pass, corrected for the rounding of the
+first one (Chan, Golub and LeVeque, "Algorithms for computing the sample variance", Am. Stat. 37
+(1983)). So values with many identical leading digits keep their spread. */
 
 #include <optional>
 #include <vector>
@@ -14,7 +14,7 @@ that values with many constant leading digits keep their spread. */
 namespace graspbench {
 
 struct Summary {
-  int count = 0;        ///< of values
+  int count = 0;        ///< number of values without the missing ones
   int num_missing = 0;  ///< NaN in the input
   double mean = 0.0;
   std::optional<double> standard_deviation;  ///< none for a single value
@@ -25,32 +25,32 @@ struct Summary {
   double maximum = 0.0;
 };
 
-/** No answer without a finite value, or with an infinite one. */
+/** Computes the summary. No answer without a finite value, or with an infinite one. */
 Answer<Summary> CalcSummary(const std::vector<double>& values);
 
 struct Moments {
   double mean = 0.0;
   double sum_of_squares = 0.0;  ///< about the mean
-  /** The spread is no more than what rounding the values leaves behind: they are all equal. */
+  /** The spread does not exceed the rounding error of the values: they are all equal. */
   bool is_constant = true;
 };
 
-/** @pre at least one value, all finite. `scale` is the largest magnitude the values were computed
-from, when that is more than their own: differences inherit the rounding of what was subtracted. */
+/** Computes the moments. `scale` is the largest magnitude that the values were computed from, if it
+exceeds their own: differences inherit the rounding error of their operands.
+@pre at least one value, all finite. */
 Moments CalcMoments(const std::vector<double>& values, double scale = 0.0);
 
-/** Their plain sum over their number; NaN without values. */
+/** Returns the plain sum divided by the count; NaN without values. */
 double CalcMean(const std::vector<double>& values);
 
-/** The middle of the values, half-way between the two in the middle of an even number: the type 7
-quantile at 1/2, without sorting all. Infinite values keep their place; NaN without values.
-@pre no NaN among the values. */
+/** Returns the median: the type 7 quantile at 1/2, without a full sort. Infinite values are ordered
+as usual; NaN without values. @pre no NaN among the values. */
 double CalcMedian(std::vector<double> values);
 
-/** The same of the finite values alone. */
+/** Returns the median of the finite values. */
 double CalcMedianOfFinite(std::vector<double> values);
 
-/** Quantile of sorted values, type 7. @pre not empty, 0 <= probability <= 1. */
+/** Returns the type 7 quantile of sorted values. @pre not empty, 0 <= probability <= 1. */
 double CalcSortedQuantile(const std::vector<double>& sorted, double probability);
 
 }  // namespace graspbench

@@ -14,13 +14,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kFarthestMarker = 0.03;  ///< of a digit that touches, from the surface [m]
+constexpr double kFarthestMarker = 0.03;  ///< distance of a touching digit from the surface [m]
 constexpr double kOutOfOrder = 0.005;     ///< of neighbouring fingers along their row [m]
-constexpr double kWorseOpposition = 0.5;  ///< of the thumb than of another digit, cosine
-constexpr double kShortestPhalanx = 0.01, kLongestPhalanx = 0.05;  ///< the last, of people [m]
-constexpr double kFlat = 0.1;  ///< of the volume that tells left from right, of a cube's
+constexpr double kWorseOpposition = 0.5;  ///< of the thumb relative to another digit, cosine
+constexpr double kShortestPhalanx = 0.01, kLongestPhalanx = 0.05;  ///< human last phalanx [m]
+constexpr double kFlat = 0.1;  ///< least volume that distinguishes left and right, share of a cube
 
-/** Mean of the places of all digits but the first. */
+/** Mean position of all digits but the first. */
 Vector3d CalcFingersMiddle(const std::vector<PersonDigit>& digits) {
   Vector3d middle = Vector3d::Zero();
   for (size_t d = 1; d < digits.size(); ++d) {
@@ -29,7 +29,7 @@ Vector3d CalcFingersMiddle(const std::vector<PersonDigit>& digits) {
   return middle;
 }
 
-/** -1: right, of the first and last finger, the thumb and the palm or wrist behind them. */
+/** -1: right hand, from the first and last finger, the thumb, and the palm or wrist behind them. */
 int CalcHandedness(const Vector3d& p_Thumb, const Vector3d& p_First, const Vector3d& p_Last,
                    const Vector3d& p_Palm) {
   const Vector3d middle = 0.5 * (p_First + p_Last);
@@ -39,7 +39,7 @@ int CalcHandedness(const Vector3d& p_Thumb, const Vector3d& p_First, const Vecto
   return std::abs(volume) < kFlat ? 0 : volume > 0.0 ? 1 : -1;
 }
 
-/** Fingers of the hand in its order. */
+/** Fingers of the hand in order. */
 std::vector<int> ListFingers(const Hand& hand) {
   std::vector<int> fingers;
   for (int d = 0; d < static_cast<int>(hand.digits.size()); ++d) {
@@ -48,7 +48,7 @@ std::vector<int> ListFingers(const Hand& hand) {
   return fingers;
 }
 
-/** The digit that stands for the thumb: without one the first. */
+/** The digit in the role of the thumb: the first if there is none. */
 int FindThumbOf(const Hand& hand) {
   for (size_t d = 0; d < hand.digits.size(); ++d) {
     if (hand.digits[d].is_thumb) return static_cast<int>(d);
@@ -70,7 +70,7 @@ PadGoal MakeGoal(int digit, const std::vector<PersonDigit>& people, const GraspO
     goal.axis_O += person.axis_O;
     if (person.nhat_O.isZero(0.0)) goal.is_direction_measured = false;
   }
-  constexpr int kSteps = 4;  // on a curved surface the mean of its points lies inside
+  constexpr int kSteps = 4;  // on a curved surface the mean of its points is inside
   SignedDistanceField::Sample near;
   for (int k = 0; k < kSteps; ++k) {
     near = object.field->Query(goal.p_O);
@@ -78,7 +78,7 @@ PadGoal MakeGoal(int digit, const std::vector<PersonDigit>& people, const GraspO
   }
   if (!goal.is_direction_measured) goal.nhat_O = -near.gradient;
   goal.nhat_O.normalize();
-  goal.axis_O.normalize();  // of zero: zero
+  goal.axis_O.normalize();  // zero stays zero
   return goal;
 }
 
@@ -102,8 +102,8 @@ void SetOpening(const std::vector<Vector3d>& p_OOpen, PersonGrasp& person) {
 PersonGrasp UseLandmarks(const PersonGrasp& person, const GraspObject& object) {
   constexpr double kStraight =
       0.17;                        // sine of the bends, in sum: below it their plane is not known
-  constexpr int kSteps = 20;       // by the distance from the surface
-  constexpr double kMet = 0.0005;  // of the surface [m]
+  constexpr int kSteps = 20;       // each by the distance from the surface
+  constexpr double kMet = 0.0005;  // distance that counts as contact [m]
   PersonGrasp used = person;
   for (PersonDigit& digit : used.digits) {
     if (digit.p_OJoints.empty()) continue;
@@ -112,7 +112,7 @@ PersonGrasp UseLandmarks(const PersonGrasp& person, const GraspObject& object) {
     const Vector3d last = digit.p_O - digit.p_OJoints.back();
     digit.axis_O = last.normalized();
     digit.p_O -= kPadShare * last;
-    Vector3d bend = Vector3d::Zero();  // about this axis, out of the palm's side
+    Vector3d bend = Vector3d::Zero();  // about this axis, away from the palmar side
     for (size_t k = 0; k + 2 < chain.size(); ++k) {
       const Vector3d bone = (chain[k + 1] - chain[k]).normalized();
       bend += bone.cross((chain[k + 2] - chain[k + 1]).normalized());

@@ -19,16 +19,16 @@ using Eigen::Index;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// By how much a rule may be missed before it matters.
+// Relevant deviations from the goals.
 constexpr double kDirection = 0.2;         // of unit vectors, measured
-constexpr double kSurfaceDirection = 0.7;  // taken from the surface
+constexpr double kSurfaceDirection = 0.7;  // likewise, taken from the surface
 constexpr double kAxis = 0.7;              // of the last phalanx, unit vectors
 constexpr double kPalmDirection = 0.5;     // of unit vectors
 constexpr double kBeyondLimit = 0.05;      // ranges of a joint
-constexpr double kShift = 0.05;            // of the hand for a unit of its coordinate [m]
-constexpr double kSelfOverlap = 0.002;     // of links that matters [m]
-constexpr double kSelfRoom = 5e-4;         // of links beside each other [m]
-constexpr double kLinkRoom = 1e-3;         // of other links beside the object [m]
+constexpr double kShift = 0.05;            // of the hand per unit of its coordinate [m]
+constexpr double kSelfOverlap = 0.002;     // relevant penetration of links [m]
+constexpr double kSelfRoom = 5e-4;         // clearance between links [m]
+constexpr double kLinkRoom = 1e-3;         // clearance of other links from the object [m]
 
 std::vector<std::string> NamesOfDigits(const Hand& hand) {
   std::vector<std::string> names;
@@ -42,15 +42,15 @@ double AngleBetween(const Vector3d& a, const Vector3d& b) {
 
 }  // namespace
 
-/** Of each link, positive inside [m]. */
+/** Penetration by link, positive inside [m]. */
 struct PadPlacer::Depths {
   std::vector<double> object, table;
   double self = -std::numeric_limits<double>::infinity();
   int self_a = 0, self_b = 0;  ///< links
 };
 
-/** The rules as Eigen's solver wants them: joints in shares of their range, then the hand's turn
-[rad] and shift from the start. */
+/** The objective in the form that Eigen's solver requires. Coordinates are joints in shares of
+their range, then the hand's rotation [rad] and shift from the start. */
 struct PadPlacer::Functor {
   using Scalar = double;
   using InputType = VectorXd;
@@ -123,7 +123,7 @@ std::vector<bool> PadPlacer::FindTips(const std::vector<PadGoal>& goals) const {
 
 PadPlacer::Depths PadPlacer::CalcDepths(const PlacedPosture& placed,
                                         const std::vector<Pose>& X_HL) const {
-  constexpr double kNone = -1.0;  // deeper than nothing [m]
+  constexpr double kNone = -1.0;  // no penetration [m]
   Depths depths;
   depths.object.assign(hand_.links.size(), kNone);
   depths.table.assign(hand_.links.size(), kNone);
@@ -195,10 +195,10 @@ PlacedPosture PadPlacer::Place(const PadTask& task, const PlacedPosture& start, 
 
 PlacedPosture PadPlacer::PlaceAnywhere(const PadTask& task) const {
   constexpr int kFirstCalls = 300, kLastCalls = 2500;
-  constexpr double kAside = RadFromDeg(40.0);  // of starts beside the palm's direction
+  constexpr double kAside = RadFromDeg(40.0);  // of starts from the palm's direction
   constexpr int kNumRound = 8;
-  constexpr double kTowardsMiddle = 0.6;  // of the joints' ranges, of other starts
-  constexpr double kLastLength = 0.5;     // of the pads' length, at the end
+  constexpr double kTowardsMiddle = 0.6;  // share of the joint ranges, for other starts
+  constexpr double kLastLength = 0.5;     // share of the pads' length, at the end
   constexpr double kDeepestPalm = -0.5;   // below it the palm starts under the table
   Vector3d middle = Vector3d::Zero(), fingers = Vector3d::Zero();
   const auto num_goals = static_cast<double>(task.goals.size());
@@ -246,14 +246,14 @@ PlacedPosture PadPlacer::PlaceAnywhere(const PadTask& task) const {
       best = placed;
     }
   }
-  // Places come before directions.
+  // Positions have priority over directions.
   PadTask last = task;
   last.pad_length *= kLastLength;
   last.collision *= kLastLength;
   const bool are_measured =
       std::all_of(task.goals.begin(), task.goals.end(),
                   [](const PadGoal& goal) { return !goal.axis_O.isZero(0.0); });
-  if (are_measured) {  // then digits say where the palm is, and little is left to the standard grasp
+  if (are_measured) {  // digits then determine the palm, and the standard grasp counts little
     last.palm_O.reset();
     last.to_standard *= 10.0;
   }
@@ -311,8 +311,8 @@ double PadPlacer::CalcTableRoom(const PlacedPosture& placed) const {
 std::vector<std::string> PadPlacer::FindUndetermined(const std::vector<PadGoal>& goals,
                                                      const PlacedPosture& placed) const {
   constexpr double kStep = 1e-6;
-  constexpr double kFree = 0.2;     // share of a joint's movement that leaves the pad where it is
-  constexpr double kNoMove = 1e-3;  // of the largest singular value
+  constexpr double kFree = 0.2;     // share of a joint's motion that does not move the pad
+  constexpr double kNoMove = 1e-3;  // share of the largest singular value
   std::vector<std::string> names;
   for (const PadGoal& goal : goals) {
     const Digit& digit = hand_.digits[static_cast<size_t>(goal.digit)];

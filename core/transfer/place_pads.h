@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-Inverse kinematics of pads on an object: see transfer_grasp.h for what is made small. */
+Inverse kinematics of pads on an object; the objective is described in transfer_grasp.h. */
 
 #include <Eigen/Core>
 #include <optional>
@@ -12,7 +12,7 @@ Inverse kinematics of pads on an object: see transfer_grasp.h for what is made s
 
 namespace graspbench {
 
-/** Where the hand is and how it is bent. */
+/** Pose of the hand and its joint positions. */
 struct PlacedPosture {
   Pose X_OH = Pose::Identity();
   Eigen::VectorXd q;  ///< (num_joints)
@@ -20,41 +20,44 @@ struct PlacedPosture {
 
 struct PadTask {
   std::vector<PadGoal> goals;
-  /** All joints; those that are of no digit stay so. */
+  /** All joints; those of no digit keep these values. */
   Eigen::VectorXd q_standard;
-  double to_standard = 2.0;   ///< by which a joint may differ from it, of its range
-  double collision = 0.001;   ///< depth of a link that matters [m]
-  bool moves_hand = true;     ///< else joints alone
-  double pad_length = 0.001;  ///< by which a pad may miss before it matters [m]
-  /** Of all links beside the object [m]; 0: fingertips with goals may sink in by kTipSink. */
+  double to_standard = 2.0;   ///< tolerated deviation of a joint from it, in units of its range
+  double collision = 0.001;   ///< tolerated depth of a link [m]
+  bool moves_hand = true;     ///< else only joints move
+  double pad_length = 0.001;  ///< tolerated distance of a pad from its goal [m]
+  /** Clearance of all links from the object [m]; 0: fingertips with goals may penetrate by
+  kTipSink. */
   double room = 0.0;
-  /** Unit, from the pads' middle to the palm; none: anywhere. */
+  /** Unit direction from the centre of the pads to the palm; unset: any. */
   std::optional<Eigen::Vector3d> palm_O;
 };
 
-inline constexpr double kTipSink = 0.002;  ///< a ball stands out of the pad's surface [m]
+inline constexpr double kTipSink = 0.002;  ///< by which a ball protrudes from the pad's surface [m]
 
 class PadPlacer {
  public:
-  /** @pre the object has its distance field; both outlive this. */
+  /** @pre the object has its distance field; both outlive this object. */
   PadPlacer(const Hand& hand, const GraspObject& object);
 
-  /** @param cost  root of the summed squared residuals.  @param calls  of the rules, at most. */
+  /** @param cost  root of the summed squared residuals.  @param calls  largest number of
+  evaluations. */
   PlacedPosture Place(const PadTask& task, const PlacedPosture& start, int calls,
                       double& cost) const;
-  /** From starts all round the opposition axis, or about the palm's direction, with the standard
-  posture and one nearer to the middle of the joints' ranges. */
+  /** Starts from several poses around the opposition axis, or about the palm's direction, each with
+  the standard posture and one nearer to the middle of the joint ranges. */
   PlacedPosture PlaceAnywhere(const PadTask& task) const;
 
   std::vector<PadMiss> CalcMisses(const std::vector<PadGoal>& goals,
                                   const PlacedPosture& placed) const;
-  /** The link that is deepest in the object (fingertips of `goals` by more than kTipSink), in the
-  table or in another, by more than `allowed` [m]: "ffproximal is 3.1 mm inside the object". */
+  /** Describes the deepest penetration of a link above `allowed` [m] into the object, the table or
+  another link: "ffproximal is 3.1 mm inside the object". Fingertips of `goals` may penetrate the
+  object by kTipSink more. */
   std::string FindCollision(const std::vector<PadGoal>& goals, const PlacedPosture& placed,
                             double allowed) const;
-  /** Smallest height of the hand above the table [m]. */
+  /** Least height of the hand above the table [m]. */
   double CalcTableRoom(const PlacedPosture& placed) const;
-  /** Names of the goals' joints that the pads leave open. */
+  /** Names of the goals' joints that the pads do not determine. */
   std::vector<std::string> FindUndetermined(const std::vector<PadGoal>& goals,
                                             const PlacedPosture& placed) const;
 

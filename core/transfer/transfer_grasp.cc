@@ -20,14 +20,14 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kMostDepth = 0.003;   ///< of a link that is no fingertip, in the contact [m]
-constexpr double kOpenRoom = 0.011;    ///< beside the object where it nominally is [m]
-constexpr double kOpenLength = 0.004;  ///< by which an open pad may miss the person's [m]
-/** Draws move the object by kPlacementOffset in x and y: with less room than this an open digit
-would meet it where it nominally is. Fingertips may brush it in the others, as in placement.h. */
+constexpr double kMostDepth = 0.003;   ///< of links other than fingertips, at contact [m]
+constexpr double kOpenRoom = 0.011;    ///< clearance from the object at its nominal pose [m]
+constexpr double kOpenLength = 0.004;  ///< tolerated deviation of an open pad [m]
+/** Draws move the object by kPlacementOffset in x and y. With less clearance an open digit would
+meet it at its nominal pose. Fingertips may brush it in other draws, as in placement.h. */
 constexpr double kBrush = 1.4142 * kPlacementOffset;
-constexpr double kGripMargin = 2.0;  ///< of the smallest forces that bear the weight
-constexpr double kLeastGrip = 2.0;   ///< of the opposing digit [N]
+constexpr double kGripMargin = 2.0;  ///< multiple of the smallest forces that bear the weight
+constexpr double kLeastGrip = 2.0;   ///< force of the opposing digit [N]
 constexpr double kGravity = 9.81;    ///< [m/s^2]
 constexpr int kNumShares = 100;
 
@@ -35,8 +35,8 @@ bool Grasps(const Grasp& grasp, const std::string& digit) {
   return std::count(grasp.digits.begin(), grasp.digits.end(), digit) > 0;
 }
 
-/** The standard grasp of these digits; else that which shares most with them, the first of equals.
-*/
+/** Returns the standard grasp of these digits, otherwise the first that shares most digits with
+them. */
 const Grasp& FindStandard(const Hand& hand, const std::vector<Grasp>& standard,
                           const std::vector<PadGoal>& goals) {
   const Grasp* best = &standard.front();
@@ -74,7 +74,7 @@ std::vector<Vector3d> ListPads(const Hand& hand, const std::vector<PadGoal>& goa
   return pads;
 }
 
-/** The standard grasp closed until its pads are as far apart as the goals; digits without a goal
+/** Closes the standard grasp until its pads are as far apart as the goals. Digits without a goal
 stay open. */
 VectorXd CloseStandard(const Hand& hand, const Grasp& grasp, const std::vector<PadGoal>& goals) {
   std::vector<Vector3d> places;
@@ -115,7 +115,7 @@ double FindClosingAtContact(const Hand& hand, const std::vector<PadGoal>& goals,
   return best;
 }
 
-/** One transfer, step by step. */
+/** Performs one transfer, step by step. */
 class Transfer {
  public:
   Transfer(const Hand& hand, const std::vector<Grasp>& standard, const PersonGrasp& person,
@@ -146,7 +146,7 @@ class Transfer {
     return task;
   }
 
-  /** Unreachable digits leave one after the other. */
+  /** Removes unreachable digits one by one. */
   bool PlaceContact() {
     std::vector<PadMiss> left;
     for (;;) {
@@ -166,7 +166,7 @@ class Transfer {
       const bool is_reached = worst->is_reached();
       const auto place = worst - result_.pads.begin();
       if (!is_reached && goals_.size() > 2) {
-        // The thumb stays: without it nothing is opposed.
+        // The thumb stays, since nothing is opposed without it.
         const auto leaves = place == 0 ? static_cast<std::ptrdiff_t>(goals_.size()) - 1 : place;
         left.push_back(result_.pads[static_cast<size_t>(leaves)]);
         goals_.erase(goals_.begin() + leaves);
@@ -220,7 +220,7 @@ class Transfer {
     const double grip =
         std::max(kLeastGrip, kGripMargin * weight / (2.0 * object_.surface.friction_static));
     grasp.q_target = CalcSqueeze(hand_, grasp.digits, CloseOn(), approach_H, grip);
-    // Shifted as a whole onto the contact, or straight on from the opening.
+    // Two alternatives: shifted as a whole onto the contact, or straight on from the opening.
     const double s = FindClosingAtContact(hand_, goals_, grasp, met_.X_OH);
     const VectorXd beside = CalcClosingPosture(hand_, grasp, s) - met_.q;
     const double way = (met_.q - grasp.q_pre).norm();
@@ -231,7 +231,7 @@ class Transfer {
     return true;
   }
 
-  /** Both ends, moved where limits ask for it so that the line meets the contact at s. */
+  /** Sets both ends of the closing, adjusted to the limits so that it meets the contact at s. */
   void CloseThroughContact(const VectorXd& q_pre, const VectorXd& q_target, double s) {
     Grasp& grasp = result_.grasp;
     grasp.q_pre = q_pre;
@@ -249,10 +249,10 @@ class Transfer {
     ApplyCoupling(hand_, grasp.q_target);
   }
 
-  /** On from the opening through the contact, until every pad is as deep as it is to be. */
+  /** Continues from the opening through the contact until every pad has the required depth. */
   VectorXd CloseOn() const {
     constexpr int kMostSteps = 20;
-    constexpr double kStep = 0.1;  // of the way from the opening to the contact
+    constexpr double kStep = 0.1;  // share of the distance from the opening to the contact
     VectorXd q = met_.q;
     for (int k = 1; k <= kMostSteps; ++k) {
       q = met_.q + k * kStep * (met_.q - result_.grasp.q_pre);
@@ -268,8 +268,8 @@ class Transfer {
     return q;
   }
 
-  /** From where the hand may come, level or downwards: as the person did, as the palm looks, and
-  from the palm to the pads. */
+  /** Possible approach directions, horizontal or downwards: that of the person, that of the palm,
+  and that from the palm to the pads. */
   std::vector<Vector3d> ListApproaches() const {
     Vector3d middle = Vector3d::Zero();
     for (const PadGoal& goal : goals_) middle += goal.p_O / static_cast<double>(goals_.size());
@@ -286,7 +286,7 @@ class Transfer {
     return approaches;
   }
 
-  /** Where the closing hand is clear of the table; the reason where it is not. */
+  /** Returns why the closing hand touches the table; empty if it is clear. */
   std::string FindTableFault(const Grasp& grasp) const {
     for (int k = 0; k <= kNumShares; ++k) {
       const double s = grasp.placement->closing_at_contact * k / kNumShares;
@@ -297,7 +297,7 @@ class Transfer {
     return "";
   }
 
-  /** The approach with the most room, for the grasp as it is. */
+  /** Returns the approach with the largest clearance for the unchanged grasp. */
   Placement FindPlacement(double s) {
     Grasp& grasp = result_.grasp;
     const Vector3d p_WO(0.0, 0.0, 0.5 * object_.size.z());
@@ -313,7 +313,7 @@ class Transfer {
     return best;
   }
 
-  /** Of the open hand where it starts and where it grasps, and of the way between. */
+  /** Checks the open hand at its start and at the grasp, and the path between. */
   std::string FindOpenFault() const {
     const Grasp& grasp = result_.grasp;
     for (const double back : {0.0, grasp.approach_distance}) {
@@ -327,7 +327,7 @@ class Transfer {
            " mm too near to the object on their way, draws included";
   }
 
-  /** Opens the pre-grasp, on its line with the target, until nothing is in the way. */
+  /** Opens the pre-grasp, along its line with the target, until nothing is in the way. */
   bool FindWay() {
     constexpr int kOpenings = 10;
     std::string first_fault;
@@ -362,12 +362,12 @@ class Transfer {
   std::vector<PadGoal> goals_;
   std::vector<Vector3d> inwards_;  // at the goals, unit
   PlacedPosture met_;
-  /** Of all joints, with the share of the way at which it is to meet the contact. */
+  /** Line of closing for all joints, with the s at which it should meet the contact. */
   struct ClosingLine {
     VectorXd q_pre, q_target;
     double s = 1.0;
   };
-  std::vector<ClosingLine> lines_;  // tried one after the other
+  std::vector<ClosingLine> lines_;  // tested one after the other
   TransferredGrasp result_;
 };
 
@@ -375,7 +375,7 @@ class Transfer {
 
 TransferredGrasp TransferGrasp(const Hand& hand, const std::vector<Grasp>& standard,
                                const PersonGrasp& person, const GraspObject& object) {
-  constexpr size_t kMostReversible = 2;  // fingers that may change places
+  constexpr size_t kMostReversible = 2;  // fingers that may exchange their roles
   TransferredGrasp failed;
   failed.not_transferable = FindPersonFault(person, object);
   if (hand.digits.size() < 2 || standard.empty()) {

@@ -87,7 +87,7 @@ LaggedClosing FitContactLags(TrialRunner& runner, TrialSetup setup, const Times&
       errors[contact.digit] = lags.at(contact.digit) - (contact.time - first);
       largest = std::max(largest, std::abs(errors[contact.digit]));
     }
-    // A digit that comes late may push the object elsewhere: then less of the correction.
+    // A late digit may push the object elsewhere; then a smaller correction is tried.
     if (all_touch && !(largest >= best.largest_error)) {
       best.closing = setup.grasp.closing;
       best.largest_error = largest;

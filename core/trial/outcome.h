@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-What a trial is called in the end: one table, in which every rule that depends on the outcome
-stands. A new outcome is a value, a row, and its condition in protocols/table_lift_outcome.cc. */
+Outcomes of a trial: one table that contains every property depending on the outcome. A new outcome
+needs a value, a row, and its condition in protocols/table_lift_outcome.cc. */
 
 #include <string>
 #include <vector>
@@ -15,40 +15,40 @@ enum class Outcome {
   kNotRun,
   kSuccess,
   kNoContact,            ///< not all grasping digits ever touched
-  kPushedAway,           ///< the object left the fingers' reach before or during closure
-  kKnockedOver,          ///< it tipped over
+  kPushedAway,           ///< the object left the reach of the fingers before or during closure
+  kKnockedOver,          ///< the object tipped over
   kLostWhileClosing,     ///< touched, but contact was lost again before lift-off
-  kSlippedInLiftOff,     ///< it did not come along
+  kSlippedInLiftOff,     ///< the object was not lifted with the hand
   kDroppedWhileHolding,  ///< lifted, then lost, touching the table or still slipping at the end
   kUnreachable,          ///< this grasp cannot hold this object without the palm inside it
   kArmOutOfReach,        ///< the arm has no posture for the grasp (core/arm/arm_course.h)
-  kNoStraightPath,       ///< it has, but cannot approach or lift in a straight line
-  kNearSingularity,      ///< it can, but a joint would be too fast near a singular posture
+  kNoStraightPath,       ///< the arm has one, but cannot approach or lift in a straight line
+  kNearSingularity,      ///< a joint of the arm would be too fast near a singular posture
   kNotSeen,              ///< the camera did not find the object; `reason` says why
   kArmOverloaded,        ///< object or table pushed harder on the hand than the arm can bear
   kNotPhysical,       ///< held, but in a way no real hand could: see protocols/table_lift_outcome.h
-  kWrongAnswer,       ///< its controller answered what it must not; `reason` says what
+  kWrongAnswer,       ///< the controller gave an invalid answer; `reason` says how
   kNumericalFailure,  ///< the simulation failed; `reason` says why
 };
 
-/** What an outcome says about the trial. */
+/** Category of an outcome. */
 enum class OutcomeKind {
   kNone,
   kSuccess,
   kFailure,
-  kOutOfReach,   ///< a failure that moved the object away, so that later touches tell nothing
-  kMaybeInHand,  ///< a failure at whose end the object may still be in the hand
-  kNumerical,    ///< tells nothing about the grasp: counts as not successful, and in no measure
+  kOutOfReach,   ///< a failure that moved the object away, so that later touches are meaningless
+  kMaybeInHand,  ///< a failure after which the object may still be in the hand
+  kNumerical,    ///< no result about the grasp: not a success, and excluded from all measures
 };
 
 struct OutcomeRow {
   Outcome value;
-  const char* name;  ///< in files and for people
-  const char* code;  ///< two letters for where there is no room
+  const char* name;  ///< in files and reports
+  const char* code;  ///< two-letter abbreviation
   OutcomeKind kind;
 };
 
-/** In the order in which results are shown, which is that of the enum. */
+/** In display order, which is that of the enum. */
 inline constexpr OutcomeRow kOutcomes[] = {
     {Outcome::kNotRun, "not run", "", OutcomeKind::kNone},
     {Outcome::kSuccess, "success", "OK", OutcomeKind::kSuccess},
@@ -68,7 +68,7 @@ inline constexpr OutcomeRow kOutcomes[] = {
     {Outcome::kWrongAnswer, "wrong answer", "WA", OutcomeKind::kFailure},
     {Outcome::kNumericalFailure, "numerical failure", "NF", OutcomeKind::kNumerical},
 };
-/** Without kNotRun. */
+/** Number of outcomes without kNotRun. */
 inline constexpr int kNumOutcomes = static_cast<int>(std::size(kOutcomes)) - 1;
 
 /** "success", "no contact", ... */
@@ -80,14 +80,14 @@ inline bool IsSuccess(Outcome outcome) { return KindOf(outcome) == OutcomeKind::
 inline bool IsNumericalFailure(Outcome outcome) {
   return KindOf(outcome) == OutcomeKind::kNumerical;
 }
-/** The object was moved away. */
+/** Whether the object was moved away. */
 inline bool IsOutOfReach(Outcome outcome) { return KindOf(outcome) == OutcomeKind::kOutOfReach; }
-/** At the end of the hold, so that there may be a judgement. */
+/** Whether the object may be in the hand at the end of the hold, so that it can be judged. */
 inline bool MayBeInHand(Outcome outcome) {
   return IsSuccess(outcome) || KindOf(outcome) == OutcomeKind::kMaybeInHand;
 }
 
-/** All outcomes but kNotRun, in the order of the table. */
+/** All outcomes except kNotRun, in the order of the table. */
 inline const std::vector<Outcome>& ListOutcomes() {
   static const std::vector<Outcome> outcomes = [] {
     std::vector<Outcome> all;
@@ -98,7 +98,7 @@ inline const std::vector<Outcome>& ListOutcomes() {
   }();
   return outcomes;
 }
-/** @throws Error(kFormat) for another name, and for that of kNotRun. */
+/** @throws Error(kFormat) for an unknown name, and for that of kNotRun. */
 inline Outcome OutcomeFromName(const std::string& name) {
   const OutcomeRow* row = FindRow(kOutcomes, name);
   if (row && row->kind != OutcomeKind::kNone) return row->value;

@@ -18,7 +18,7 @@ namespace {
 constexpr double kPlaceboShift = 0.0002;      // [m]
 const double kPlaceboTurn = RadFromDeg(0.2);  // [rad]
 constexpr double kHeightChange = 0.008;       // [m]
-/** How many go on, and on how many draws. */
+/** Number of remedies and of draws in each further round. */
 constexpr struct {
   size_t num_remedies;
   int num_draws;
@@ -28,11 +28,11 @@ constexpr char kGripPrefix[] = "grip-";
 constexpr char kFrictionPrefix[] = "friction-x";
 constexpr const char* kFrictionFactors[] = {"1.1", "1.25", "1.5", "2"};
 
-/** A remedy with the words for it. */
+/** A remedy and its name in reports. */
 struct RemedyRow {
   const char* id;
   const char* words;
-  enum { kOften, kUsable, kExplains } use;  ///< helps often; else by a user; or it only explains
+  enum { kOften, kUsable, kExplains } use;  ///< often helpful, usable, or diagnostic
 };
 constexpr RemedyRow kRemedies[] = {
     {"grip-x2", "twice the grip", RemedyRow::kUsable},
@@ -102,7 +102,7 @@ bool Holds(TrialRunner& runner, const TrialSetup& setup) {
   return IsSuccess(runner.Run(setup).outcome);
 }
 
-/** Runs remedies of one failed trial. */
+/** Runs the remedies of one failed trial. */
 class RemedyTrials {
  public:
   RemedyTrials(TrialRunner& runner, const FailedTrial& failed) : runner_(runner), failed_(failed) {}
@@ -132,7 +132,7 @@ bool RemedyTrials::HoldsWith(const std::string& id, const TrialDraw& draw) {
   return Holds(own, setup);
 }
 
-/** On fresh draws that it has not run on, up to so many. */
+/** Runs a remedy on further new draws, up to this number. */
 void RemedyTrials::RunOn(int num_draws, RemedyResult& remedy) {
   for (; remedy.num_draws < num_draws; ++remedy.num_draws) {
     const auto draw = static_cast<size_t>(remedy.num_draws);
@@ -142,7 +142,7 @@ void RemedyTrials::RunOn(int num_draws, RemedyResult& remedy) {
   }
 }
 
-/** The least factor that holds. */
+/** Adds the least friction factor that holds. */
 void RemedyTrials::AddFriction() {
   for (const char* factor : kFrictionFactors) {
     const std::string id = std::string(kFrictionPrefix) + factor;
@@ -152,7 +152,7 @@ void RemedyTrials::AddFriction() {
   }
 }
 
-/** And a little aside. */
+/** Runs the unchanged trial on new draws, and the placebo. */
 void RemedyTrials::RunAsItIs(int num_draws) {
   TrialDraw beside = failed_.setup.draw;
   beside.offset_x += kPlaceboShift;
@@ -168,7 +168,8 @@ void RemedyTrials::RunFirst(const std::string& id) {
   RunOn(kNumFirstDraws, found_.remedies.back());
 }
 
-/** Among other grasps or among the rest. Of equal gains those go on that hold on the failed draw. */
+/** Runs further rounds of other grasps or of the other remedies. Of equal net gains, those that
+hold on the failed draw proceed. */
 void RemedyTrials::RunFinalists(bool is_grasp) {
   std::vector<RemedyResult*> left;
   for (RemedyResult& remedy : found_.remedies) {
@@ -229,7 +230,7 @@ std::string NameRemedy(const std::string& id) {
   for (const RemedyRow& row : kRemedies) {
     if (id == row.id) return row.words;
   }
-  return id;  // of another version
+  return id;  // a remedy of another version
 }
 
 int Explanation::num_held() const {

@@ -28,7 +28,7 @@ double CalcTurn(const Pose& a, const Pose& b) {
   return Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle();
 }
 
-/** Without what it moved sideways and turned about the vertical. */
+/** Removes horizontal motion and rotation about the vertical. */
 Pose Level(const Pose& X_WO) {
   const Eigen::Vector3d x_W = X_WO.linear().col(0);
   const double yaw = std::atan2(x_W.y(), x_W.x());
@@ -70,7 +70,7 @@ std::optional<Pose> FindRestPose(const GraspObject& object, const SimConfig& sim
   };
   static std::mutex mutex;
   static std::map<Key, std::optional<Pose>, Less> known;
-  // Mass, too, is a setting of some studies, on one and the same mesh.
+  // In some studies the mass is also a setting, for the same mesh.
   const Json settings = {ConfigToJson(sim), object.mass_properties.mass,
                          JsonVector(object.mass_properties.p_OOcm)};
   const Key key{object.field, FormatJson(settings)};

@@ -1,12 +1,12 @@
 #pragma once
 /** @file
-How an object rests on the simulated table, so that a trial begins when it does.
+Rest pose of an object on the simulated table, from which a trial can start without transients.
 
-A scan is rough: set down as its mesh lies it rocks, and its springs let it sink. It is let go
-alone, stopped every tenth of a second, until it moves by less than 1 um and 0.01 mrad in such a
-time; what still moves after ten seconds is taken as it is then. Where it went sideways or turned
-about the vertical meanwhile does not count, so that the draw of a trial is the pose that is
-grasped. An object that ends within 0.025 mm and 0.5 mrad of how it lies is set down as it lies. */
+A scan is rough: placed as its mesh lies, it rocks, and it sinks as its contact springs are loaded.
+It is released alone and stopped every 0.1 s until it moves by less than 1 um and 0.01 mrad in that
+time; after ten seconds its pose is taken as it is. Horizontal motion and rotation about the
+vertical are discarded, so that the sampled pose of a trial is the pose that is grasped. An object
+that ends within 0.025 mm and 0.5 mrad of its initial pose is placed there. */
 
 #include <optional>
 
@@ -16,9 +16,9 @@ grasped. An object that ends within 0.025 mm and 0.5 mrad of how it lies is set 
 
 namespace graspbench {
 
-/** X_WO at rest, its origin over that of W and its x axis in the plane y = 0; nothing of an object
-that rests as it lies. Found once for an object's distance field and these settings; safe to call
-from several threads. */
+/** Returns X_WO at rest, its origin above that of W and its x axis in the plane y = 0; nullopt for
+an object that rests in its initial pose. The result is cached by distance field, mass and settings.
+Safe to call from several threads. */
 std::optional<Pose> FindRestPose(const GraspObject& object, const SimConfig& sim);
 
 }  // namespace graspbench

@@ -1,8 +1,8 @@
 #pragma once
 /** @file
-What presses on each tactile element of a hand at an instant, from its contacts, whether or not the
-trial went by them. As in touch_sensors.h before any response: a contact is spread over the disc that
-it presses on; a contact beside every sensed surface presses on no element. */
+Force on each tactile element of a hand at one instant, computed from its contacts, whether or not
+the trial uses sensed touch. As in touch_sensors.h before any response, a contact is spread over the
+disc on which it presses. A contact outside every sensed surface presses on no element. */
 
 #include <Eigen/Core>
 #include <vector>
@@ -14,8 +14,8 @@ it presses on; a contact beside every sensed surface presses on no element. */
 
 namespace graspbench {
 
-/** On the cell of each element of the hand's skin [N].
-@param q  of the hand's joints (num_joints) [rad].   @pre the hand has a skin. */
+/** Returns the force on the cell of each element of the hand's skin [N].
+@param q  joint positions of the hand (num_joints) [rad].   @pre the hand has a skin. */
 std::vector<double> CalcTaxelForces(const Hand& hand, const SensorConfig& config, const Pose& X_WH,
                                     const Eigen::VectorXd& q,
                                     const std::vector<HandContact>& contacts);

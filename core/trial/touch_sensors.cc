@@ -8,10 +8,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kPatchForce = 5.0;      // at which a patch has its stated radius [N]
-constexpr double kTouchForce = 0.1;      // of a touch that should be felt [N]
+constexpr double kPatchForce = 5.0;      // at which a patch has its nominal radius [N]
+constexpr double kTouchForce = 0.1;      // at which a touch should be felt [N]
 constexpr double kInTime = 0.01;         // [s]
-constexpr double kOnSurface = 0.001;     // from its nearest point: half their spacing and more [m]
+constexpr double kOnSurface = 0.001;     // from the nearest point: more than half their spacing [m]
 constexpr double kRoundPeak = 1000.0;    // to mN
 constexpr double kTimeTolerance = 1e-9;  // of sums of steps [s]
 
@@ -23,7 +23,7 @@ double CalcFullResponse(const SensorConfig& config) {
 
 bool SpreadForce(const SensedSurface& surface, const Vector3d& p_L, double force,
                  double patch_radius, std::vector<double>& forces) {
-  std::vector<double> squares;  // of distances from the place [m^2]
+  std::vector<double> squares;  // squared distances from the position [m^2]
   squares.reserve(surface.points.size());
   for (const SurfacePoint& point : surface.points) {
     squares.push_back((point.p_L - p_L).squaredNorm());
@@ -40,7 +40,7 @@ bool SpreadForce(const SensedSurface& surface, const Vector3d& p_L, double force
                          point.area * std::sqrt(1.0 - squares[i] / (a * a)));
     sum += pressed.back().second;
   }
-  if (pressed.empty()) {  // smaller than the points' spacing
+  if (pressed.empty()) {  // patch smaller than the spacing of the points
     const auto nearest = static_cast<size_t>(least - squares.begin());
     forces[static_cast<size_t>(surface.points[nearest].element)] += force;
   }

@@ -1,24 +1,24 @@
 #pragma once
 /** @file
-What the hand feels of a trial by the elements of its tactile.yaml (core/hand/tactile.h).
+Tactile measurements of a trial by the elements of the hand's tactile.yaml (core/hand/tactile.h).
 
-A contact of the simulation is a point; flesh spreads it. After Hertz the force F of a contact
-presses a disc of radius a around it,
+A contact of the simulation is a point, while soft tissue distributes it. By Hertz's law the force F
+of a contact presses on a disc of radius a around it,
 
     a = patch_radius (F / 5 N)^(1/3),   p(r) ~ sqrt(1 - r^2 / a^2),
 
-clipped to the sensed surface: what it presses on there sums to F. A contact whose place on the hand
-is no sensed surface is not felt. An element answers to the force f on its cell, which hysteresis
-holds back while it falls (x, the force remembered), with noise n of its own in each sample:
+clipped to the sensed surface; the pressure on the surface sums to F. A contact outside the sensed
+surfaces is not felt. An element responds to the force f on its cell. Hysteresis delays a falling
+force (x, the remembered force), and each sample has independent noise n:
 
     x        = clamp(x, f, f / (1 - hysteresis))
     reading  = x / saturation + n                                                    linear
     reading  = (1 - exp(-x / force_scale)) / (1 - exp(-saturation / force_scale)) + n  exponential
 
-and x at most `saturation`. It is felt where the reading is above the threshold; what is felt is
-turned back into a force by the same equations without hysteresis. The thesis says that the Shadow
-Hand's response is exponential; all numbers are proposals of graspbench. Not modelled: shear, heat,
-drift, cells that press on their neighbours. */
+where x is at most `saturation`. The element feels contact if its reading is above the threshold.
+The reading is converted back to a force by the same equations without hysteresis. The thesis says
+that the Shadow Hand's response is exponential; all numbers are proposals of graspbench. Not
+modelled: shear, temperature, drift, coupling between neighbouring cells. */
 
 #include <memory>
 #include <optional>
@@ -34,22 +34,22 @@ drift, cells that press on their neighbours. */
 
 namespace graspbench {
 
-/** By what the strategy ends closure and stabilisation. */
+/** Signal by which the strategy ends closure and stabilisation. */
 enum class TouchSense {
   kExact,  ///< the contacts themselves
-  kSensed  ///< what the elements feel
+  kSensed  ///< the readings of the tactile elements
 };
 inline constexpr NamedValue<TouchSense> kTouchSenses[] = {{TouchSense::kExact, "exact"},
                                                           {TouchSense::kSensed, "sensed"}};
 
 struct SensorConfig {
-  double patch_radius = 0.004;  ///< at 5 N [m]
+  double patch_radius = 0.004;  ///< radius of the disc at 5 N [m]
   double force_scale = 2.0;     ///< of an exponential response [N]
-  double saturation = 10.0;     ///< of an element: more changes nothing [N]
+  double saturation = 10.0;     ///< force above which a reading stays constant [N]
   double hysteresis = 0.05;     ///< share by which a falling force is remembered
   double noise = 0.001;         ///< standard deviation, share of the full reading
   double threshold = 0.006;     ///< detection threshold, share of the full reading
-  double rate = 500.0;          ///< samples of every element [Hz]: a bounce may last 2 ms
+  double rate = 500.0;          ///< sampling rate of every element [Hz]: a bounce may last 2 ms
 
   template <class V>
   void Visit(V&& v) {
@@ -70,25 +70,26 @@ struct SensorConfig {
   }
 };
 
-/** Adds a contact's force to the forces on the cells of a surface, which sum to it; false where the
-place is not on the surface. @param forces  of all elements of the skin [N]. */
+/** Adds a contact's force to the forces on the cells of a surface, where it sums to `force`.
+Returns false if the position is not on the surface. @param forces  of all elements of the skin
+[N]. */
 bool SpreadForce(const SensedSurface& surface, const Eigen::Vector3d& p_L, double force,
                  double patch_radius, std::vector<double>& forces);
 
-/** Reading of an element without noise, from the force that it remembers. */
+/** Reading of an element without noise, for a remembered force. */
 double CalcReading(TactileResponse response, const SensorConfig& config, double force);
-/** The force of a reading [N]: its inverse, at most the saturation. */
+/** Force of a reading [N]: the inverse of CalcReading, at most the saturation. */
 double CalcForce(TactileResponse response, const SensorConfig& config, double reading);
 
-/** What became of the touches of a trial. A touch begins when the contacts of a link on its sensed
-surface press with more than 0.1 N, and ends when none is left. */
+/** Summary of the touches of a trial. A touch begins when the contacts of a link on its sensed
+surface press with more than 0.1 N, and ends when no contact is left. */
 struct TouchRecord {
   int num_touches = 0;
-  int num_felt_in_time = 0;    ///< within 10 ms
-  int num_felt_late = 0;       ///< after that
-  int num_elsewhere = 0;       ///< the same of contacts beside any sensed surface
-  double longest_delay = 0.0;  ///< of those felt [s]
-  std::vector<double> peak;    ///< of each element: largest force on it, to 1 mN [N]
+  int num_felt_in_time = 0;    ///< felt within 10 ms
+  int num_felt_late = 0;       ///< felt later
+  int num_elsewhere = 0;       ///< touches by contacts outside the sensed surface of their link
+  double longest_delay = 0.0;  ///< of the touches that were felt [s]
+  std::vector<double> peak;    ///< by element: largest force, rounded to 1 mN [N]
 
   template <class V>
   static void ListFields(V&& field) {
@@ -101,27 +102,27 @@ struct TouchRecord {
   }
 };
 
-/** Feels a trial. A value: it is saved and restored with the trial. */
+/** The tactile sensors in a trial. A value type: saved and restored with the trial. */
 class TouchSensors {
  public:
-  /** @param hand  with a skin; must outlive it.   @param id  names the noise. */
+  /** @param hand  has a skin; must outlive this object.   @param id  seeds the noise. */
   TouchSensors(const Hand& hand, const SensorConfig& config, const std::string& id);
 
-  /** To be called after every step with its contacts and the hand's posture. */
+  /** Call after every step with its contacts and the hand's posture. */
   void Observe(double time, const std::vector<HandContact>& contacts, const HandDynamics& dynamics);
 
-  double time() const { return time_; }  ///< of the last step that was observed [s]
-  bool has_felt(int digit) const { return has_felt_[static_cast<size_t>(digit)]; }  ///< ever
-  /** Sum over the elements, of the last sample [N]. @param digit  -1: the rest of the hand; unset:
-  all. */
+  double time() const { return time_; }  ///< of the last observed step [s]
+  bool has_felt(int digit) const { return has_felt_[static_cast<size_t>(digit)]; }  ///< so far
+  /** Sum of the felt forces over the elements in the last sample [N]. @param digit  -1: the rest of
+  the hand; unset: all. */
   double CalcFeltForce(std::optional<int> digit = std::nullopt) const;
-  /** The same of one link. */
+  /** The same for one link. */
   double CalcLinkForce(int link) const;
-  /** An element of the link reads as much as it can, so that the force may be larger. */
+  /** Whether an element of the link reads its maximum, so that the force may be larger. */
   bool IsSaturated(int link) const;
-  /** Whether a contact of the last step lies on a sensed surface, by its place among them. */
+  /** Whether a contact of the last step is on a sensed surface. @param contact  its index. */
   bool is_on_elements(size_t contact) const { return on_elements_[contact]; }
-  /** On each cell, before any response [N]. */
+  /** Force on each cell, before any response [N]. */
   const std::vector<double>& forces() const { return forces_; }
   const TouchRecord& record() const { return record_; }
 

@@ -9,7 +9,7 @@
 namespace graspbench {
 
 ContactOrder FindContactOrder(const TrialResult& result) {
-  // Standard deviation of a uniform error within a step. Two of them explain 0.8 steps.
+  // Standard deviation of a uniform error within a step. Two of them cover 0.8 steps.
   const double uncertainty = result.simulated_time / result.num_steps / std::sqrt(12.0);
   return FindContactOrder(result.contacts,
                           std::vector<double>(result.contacts.size(), uncertainty));

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-What is known of a trial after it was carried out. */
+The result of a trial. */
 
 #include <Eigen/Core>
 #include <optional>
@@ -27,19 +27,20 @@ What is known of a trial after it was carried out. */
 
 namespace graspbench {
 
-/** The moments of a trial whose posture is kept, for pictures and numbers. Each stands for a phase
-of the strategy: the pre-grasp at the object, the end of stabilisation, the end of the trial. */
+/** Moments of a trial at which the posture is stored, for images and numbers. Each represents a
+phase of the strategy: the pre-grasp at the object, the end of stabilisation, the end of the
+trial. */
 enum class Moment { kPreGrasp, kClosed, kLifted };
 struct MomentRow {
   Moment value;
   const char* name;  ///< in records
-  Phase phase;       ///< gives its name in options and headings
+  Phase phase;       ///< provides its name in options and headings
 };
 inline constexpr MomentRow kMoments[] = {{Moment::kPreGrasp, "pregrasp", Phase::kPreGrasp},
                                          {Moment::kClosed, "closed", Phase::kStabilisation},
                                          {Moment::kLifted, "lifted", Phase::kHold}};
 
-/** That of its phase. */
+/** Name of its phase. */
 inline const char* NameOf(Moment moment) { return NameOf(RowOf(kMoments, moment).phase); }
 
 inline Json ToJson(Moment moment) { return RowOf(kMoments, moment).name; }
@@ -48,7 +49,7 @@ inline void ReadJson(const Json& json, Moment& moment) {
   moment = RowFromName(kMoments, json.get<std::string>(), "moment").value;
 }
 
-/** A posture of the whole scene, for pictures. */
+/** Posture of the whole scene, for images. */
 struct SceneSnapshot {
   Moment moment = Moment::kClosed;
   double time = 0.0;  ///< since the start of placing [s]
@@ -66,11 +67,11 @@ struct SceneSnapshot {
   }
 };
 
-/** How a grasping digit met the object. */
+/** How a grasping digit touched the object. */
 struct DigitTouch {
   double closing = kUnset;       ///< s of the closing law at its first touch; NaN: never touched
-  Eigen::VectorXd q;             ///< joints of the whole hand then (num_joints) [rad]; else empty
-  double smallest_gap = kUnset;  ///< to the object up to lift-off, 0 after a touch [m]; NaN: no
+  Eigen::VectorXd q;             ///< joints of the hand at that time (num_joints) [rad], or empty
+  double smallest_gap = kUnset;  ///< from the object up to lift-off; 0 after a touch [m]; NaN: no
                                  ///< closure
 
   template <class V>
@@ -92,8 +93,8 @@ struct PhaseStart {
   }
 };
 
-/** @param where  the record's field, for the message.
-@throws Error(kFormat) when several digits oppose the others. */
+/** @param where  name of the record's field in the message.
+@throws Error(kFormat) if several digits oppose the others. */
 void CheckOneThumb(const std::vector<DigitContact>& contacts, const char* where);
 
 /** A motion of the object. */
@@ -108,55 +109,55 @@ struct Displacement {
   }
 };
 
-/** In TrialResult::sight_grasp: the camera did not find the object. */
+/** Value of TrialResult::sight_grasp if the camera did not find the object. */
 inline constexpr const char* kNotSeenGrasp = "not seen";
 
 struct TrialResult;
-/** Contacts and touches of the grasping digits, one object each. */
+/** Contacts and touches of the grasping digits, one JSON object per digit. */
 Json DigitsToJson(const TrialResult& result);
 void ReadDigits(const Json& json, TrialResult& result);
 void ReadDigitsText(JsonCursor& text, TrialResult& result);
 
-/** A new field is a member and a line in ListFields here, and the place that finds it. */
+/** To add a field, add a member, a line in ListFields, and the code that computes it. */
 struct TrialResult {
   Outcome outcome = Outcome::kNotRun;
-  std::string reason;                  ///< one sentence for a person; empty for a success
-  std::optional<Diagnosis> diagnosis;  ///< of a failure that hand and object were in
+  std::string reason;                  ///< one sentence; empty for a success
+  std::optional<Diagnosis> diagnosis;  ///< of a failure with contact of hand and object
   std::vector<DigitContact> contacts;  ///< of the grasping digits; times since the start of closure
   std::vector<DigitTouch> touches;     ///< of the same digits
-  ContactTiming timing;                ///< t0 = 0 = start of closure
+  ContactTiming timing;                ///< with t0 = 0 at the start of closure
   double lift_height = 0.0;            ///< of the object's centre at the end, above rest [m]
   double hold_slip = kUnset;           ///< motion relative to the palm during the hold [m]
-  /** Motion in the palm's frame in the second half of the hold: of the centre of mass, plus the
-  turn times the object's radius [m]; NaN: not held to the end. */
+  /** Motion in the palm's frame in the second half of the hold: that of the centre of mass plus the
+  rotation times the object's radius [m]; NaN: not held to the end. */
   double hold_creep = kUnset;
-  double end_speed = 0.0;   ///< against the hand at the end, turning too [m/s]
+  double end_speed = 0.0;   ///< relative to the hand at the end, including rotation [m/s]
   double grip_force = 0.0;  ///< sum of normal forces on the object before lift-off [N]
-  /** Of the object's centre of mass from the first touch to the end of stabilisation: how far it
-  rose against the palm, its displacement in the palm's frame, and how far it slid through all links
-  that touched it at once; NaN: not lifted [m]. See measures/object_in_hand.h. */
+  /** Motion of the object's centre of mass from the first touch to the end of stabilisation [m]:
+  rise relative to the palm, displacement in the palm's frame, and distance that it slid through all
+  links that touched it at once. NaN: not lifted. See measures/object_in_hand.h. */
   double closure_rise = kUnset, closure_displacement = kUnset, closure_slide = kUnset;
   double object_height = kUnset;       ///< from its lowest to its highest point at the start [m]
   double weight = kUnset;              ///< of the object [N]
   double worst_penetration = 0.0;      ///< deepest finger contact of the whole trial [m]
   double steady_penetration = kUnset;  ///< deepest finger contact at the end of the hold [m]
   Stability stability;
-  std::vector<PhaseStart> phases;            ///< those reached, in order
+  std::vector<PhaseStart> phases;            ///< those that were reached, in order
   std::vector<ContactEvent> contact_events;  ///< times since the start of closure
-  /** What the camera chose where it chooses the grasp: its id, or kNotSeenGrasp. */
+  /** If the camera chooses the grasp: id of the grasp chosen, or kNotSeenGrasp. */
   std::optional<std::string> sight_grasp;
-  /** Where the hand took the object to be [m], [rad], as the draw counts; NaN: where it should be.
-  How it knew: the session's positioning. */
+  /** Object pose that the hand assumed [m], [rad], in the coordinates of the draw; NaN: the nominal
+  pose. The session's positioning tells how it was obtained. */
   double believed_x = kUnset, believed_y = kUnset, believed_yaw = kUnset;
-  std::optional<Opposition> opposition;  ///< at the end, of an object that is held
-  std::optional<ArmRecord> arm;          ///< of a trial with an arm
-  std::optional<GripRecord> grip;        ///< of a trial that regulates its grip
-  std::optional<PolicyRecord> policy;    ///< of a trial with a controller
-  std::optional<TouchRecord> touch;      ///< of a trial that goes by sensed touch
-  std::optional<Displacement> closing;   ///< until the last digit touched, where it was asked for
-  /** Where it was asked for: the smallest of six pulls that take the held object out of the hand,
-  its grip regulated on (judge.h); of a lost object negative: m g times the share of lift-off and
-  hold in which the hand no longer touched it [N]. */
+  std::optional<Opposition> opposition;  ///< at the end, if the object is held
+  std::optional<ArmRecord> arm;          ///< if there is an arm
+  std::optional<GripRecord> grip;        ///< if the grip is regulated
+  std::optional<PolicyRecord> policy;    ///< if there is a controller
+  std::optional<TouchRecord> touch;      ///< if the trial uses sensed touch
+  std::optional<Displacement> closing;   ///< until the last digit touched; only on request
+  /** Only on request: the smallest of six pulls that take the held object out of the hand while its
+  grip is regulated further (judge.h). Negative for a lost object: m g times the share of lift-off
+  and hold in which the hand no longer touched it [N]. */
   std::optional<double> strength;
   double energy_residual = 0.0;  ///< unexplained energy of the whole trial [J]
   int num_steps = 0;
@@ -225,13 +226,13 @@ struct TrialResult {
   }
 };
 
-/** The course between two steps is only interpolated: first contacts less than a step of the physics
-apart are tied. */
+/** Order of the first contacts. The motion within a step is only interpolated, so contacts less
+than a step of the physics apart are tied. */
 ContactOrder FindContactOrder(const TrialResult& result);
 
 Json ToJson(const TrialResult& result);
 TrialResult TrialResultFromJson(const Json& json);
-/** The same from its text; fails as record_fields.h says. */
+/** Reads the result from its JSON text; errors as in record_fields.h. */
 TrialResult ReadTrialResultText(JsonCursor& text);
 
 }  // namespace graspbench

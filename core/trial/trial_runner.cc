@@ -29,7 +29,7 @@ JudgedTrial MakeNumericalFailure(const char* reason) {
   return trial;
 }
 
-/** Of one hand and object, and without a late digit. */
+/** Setups of one hand and object, without a delayed digit. */
 bool IsSame(const TrialSetup& a, const TrialSetup& b) {
   return a.grasp.id == b.grasp.id && a.grasp.q_pre == b.grasp.q_pre &&
          a.grasp.q_target == b.grasp.q_target && HaveEqualValues(a.sim, b.sim) &&
@@ -47,30 +47,30 @@ bool IsSame(const TrialSetup& a, const TrialSetup& b) {
 struct TrialRunner::Impl {
   std::shared_ptr<const Hand> hand;
   std::shared_ptr<const GraspObject> object;
-  std::unique_ptr<const World> world;  // for `sim` and `table`; each trial runs in a clone
+  std::unique_ptr<const World> world;  // for `sim` and `table`; trials run in clones
   SimConfig sim;
   TablePresence table = TablePresence::kPresent;
-  std::unique_ptr<WristCamera> camera;  // for `camera_config`; null: nothing looked yet
+  std::unique_ptr<WristCamera> camera;  // for `camera_config`; null: not used yet
   CameraConfig camera_config;
   struct Undelayed {
     TrialSetup setup;
     TrialResult result;
   };
-  std::optional<Undelayed> undelayed;  // the last trial that one with a late digit may ask for
+  std::optional<Undelayed> undelayed;  // the last undelayed trial, for one with a delayed digit
 
   Impl(std::shared_ptr<const Hand> the_hand, std::shared_ptr<const GraspObject> the_object)
       : hand(std::move(the_hand)), object(std::move(the_object)) {}
 
-  /** Without an exception for what happens inside the trial. */
+  /** Does not throw for events within the trial. */
   JudgedTrial Run(const TrialSetup& setup, bool is_judged,
                   const std::function<void(TrialCourse&)>& observe = {});
-  /** Of a setup that is neither chosen by sight nor delayed. */
+  /** Runs a setup that is neither chosen by sight nor delayed. */
   JudgedTrial RunCourse(const TrialSetup& setup, bool is_judged,
                         const std::function<void(TrialCourse&)>& observe);
   std::unique_ptr<World> MakeWorld(const SimConfig& config, TablePresence the_table);
-  /** The setup with the commands of its late digit. */
+  /** Returns the setup with the delay of its late digit. */
   TrialSetup Delay(const TrialSetup& setup);
-  /** Null where none is needed. */
+  /** Returns null if none is needed. */
   WristCamera* FindCamera(const TrialSetup& setup);
 };
 
@@ -109,15 +109,15 @@ TrialRunner::~TrialRunner() = default;
 void TrialRunner::Prepare(const SimConfig& sim) {
   try {
     impl_->MakeWorld(sim, TablePresence::kPresent);
-  } catch (const std::bad_alloc&) {  // of the machine, not of the trial
+  } catch (const std::bad_alloc&) {  // a fault of the machine, not of the trial
     throw;
-  } catch (const std::exception&) {  // the trial will fail by it, as a result with its reason
+  } catch (const std::exception&) {  // the trial will fail with this reason
   }
 }
 
 TrialResult TrialRunner::Run(const TrialSetup& setup) {
   TrialResult result = impl_->Run(setup, false).result;
-  // In a plan the same trial with a late digit follows.
+  // In a plan, the same trial with a delayed digit follows.
   if (setup.keeps_closing && setup.late == LateDigit::kNone && !setup.is_compliant) {
     impl_->undelayed = Impl::Undelayed{setup, result};
   }
@@ -158,12 +158,12 @@ JudgedTrial TrialRunner::Impl::Run(const TrialSetup& setup, bool is_judged,
       return {TableLift(std::move(second_world), setup).Run(), std::nullopt};
     }
     return RunCourse(setup, is_judged, observe);
-  } catch (const std::bad_alloc&) {  // of the machine, not of the trial
+  } catch (const std::bad_alloc&) {  // a fault of the machine, not of the trial
     throw;
-  } catch (const PolicyLost&) {  // nothing is known of the trial
+  } catch (const PolicyLost&) {  // the trial has no result
     throw;
   } catch (const std::exception& e) {
-    // Simbody reports impossible states, and steps that become too short, this way.
+    // Simbody thus reports impossible states, and steps that become too short.
     return MakeNumericalFailure(e.what());
   }
 }
@@ -194,7 +194,7 @@ JudgedTrial TrialRunner::Impl::RunCourse(const TrialSetup& setup, bool is_judged
 TrialSetup ChooseGraspBySight(TrialSetup setup, std::unique_ptr<World> world, WristCamera* camera) {
   if (setup.sight_grasps.empty()) return setup;
   TrialSetup looking = setup;
-  looking.positioning = Positioning::kNominal;  // else the course would look, too
+  looking.positioning = Positioning::kNominal;  // else the course would use the camera, too
   const Sighting seen = TableLift(std::move(world), looking).Look(camera);
   const std::vector<Grasp> grasps = std::exchange(setup.sight_grasps, {});
   if (!seen.is_found) {

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-One grasp trial by the setup's protocol (protocols/protocol.h), carried out by a hand on an object in
-physics.
+Runs one grasp trial by the setup's protocol (protocols/protocol.h), with a hand and an object in
+simulated physics.
 
 @code
 #include "core/hand/load_hand.h"
@@ -29,27 +29,28 @@ namespace graspbench {
 
 struct JudgedTrial {
   TrialResult result;
-  std::optional<Judgement> judgement;  ///< unset: nothing was in the hand at the end of the hold
+  std::optional<Judgement> judgement;  ///< unset: nothing in the hand at the end of the hold
 };
 
 class TrialCourse;
 class WristCamera;
 
-/** Runs trials of one hand and object; builds their world once, and each trial runs in a copy.
-Not to be shared between threads. Never throws for what happens inside a trial. */
+/** Runs trials of one hand and object. Their world is built once, and each trial runs in a copy.
+Not thread-safe. Never throws for events within a trial. */
 class TrialRunner {
  public:
-  /** @throws Error(kUnsupported) for a hand with a longer chain of joints than the solver holds. */
+  /** @throws Error(kUnsupported) for a hand whose chain of joints is too long for the solver. */
   TrialRunner(std::shared_ptr<const Hand> hand, std::shared_ptr<const GraspObject> object);
   ~TrialRunner();
-  /** What the first Run would do before its trial: points on the surfaces of a large object may take
-  seconds. What cannot be made, Run says. */
+  /** Does what the first Run would do before its trial: sampling the surface of a large object may
+  take seconds. Run reports failures. */
   void Prepare(const SimConfig& sim);
   /** @pre setup.hand and setup.object are those of the constructor. */
   TrialResult Run(const TrialSetup& setup);
-  /** The same, to the same bytes, watched: `observe` is called at the start and after every step. */
+  /** The same with byte-identical results; calls `observe` at the start and after every step. */
   TrialResult Run(const TrialSetup& setup, const std::function<void(TrialCourse&)>& observe);
-  /** The same trial, and then the judge of what it holds (judge.h); some five times the cost. */
+  /** The same trial, followed by the judge of the held object (judge.h); about five times the
+  cost. */
   JudgedTrial Judge(const TrialSetup& setup);
 
  private:
@@ -57,18 +58,18 @@ class TrialRunner {
   std::unique_ptr<Impl> impl_;
 };
 
-/** A trial whose grasp is chosen by what the hand's camera sees: the outline of the object suggests
-a type (core/vision/locate_object.h), and the hand does its grasp of this type. The camera looks as
-for positioning by camera, in the pre-grasp posture of TrialSetup::grasp. Where the hand goes is the
-setup's positioning; a hand that is positioned by camera looks again in the pre-grasp of the chosen
-grasp.
+/** Chooses a trial's grasp from an image of the hand's camera. The outline of the object suggests a
+grasp type (core/vision/locate_object.h), and the hand uses its grasp of this type. The image is
+taken as for positioning by camera, in the pre-grasp posture of TrialSetup::grasp. The hand's
+position follows from the setup's positioning; a hand that is positioned by camera takes another
+image in the pre-grasp of the chosen grasp.
 
-@returns the setup with the grasp that was chosen and none left to choose; `sight` says what was. A
-setup that has none to choose stays as it is.
-@pre there is one of each type that an outline suggests: power, two and all finger precision.
-@param world   of the setup's hand, object and physics.   @param camera  of both; null: one is made.
-@throws Error(kUnsupported) for a hand without a camera; Error(kEnvironment) where no picture can be
-made. */
+@returns the setup with the chosen grasp and no others to choose from; `sight` records the choice. A
+setup without a choice is returned unchanged.
+@pre there is one grasp of each type that an outline suggests: power, two and all finger precision.
+@param world   with the setup's hand, object and physics.   @param camera  for both; null: created.
+@throws Error(kUnsupported) for a hand without a camera; Error(kEnvironment) if no image can be
+rendered. */
 ///@{
 TrialSetup ChooseGraspBySight(TrialSetup setup, std::unique_ptr<World> world, WristCamera* camera);
 TrialSetup ChooseGraspBySight(TrialSetup setup);

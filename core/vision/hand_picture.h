@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-What the camera of a hand shows while the hand moves: the square in the middle of its lens, scaled,
-without the lens's distortion, with the noise, blur and exposure of the session's camera. */
+Pictures from the camera of a hand during its motion: the central square of the lens's picture,
+scaled and without distortion, with the noise, blur and exposure of the session's camera. */
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -15,9 +15,10 @@ without the lens's distortion, with the noise, blur and exposure of the session'
 
 namespace graspbench {
 
-/** @param size  of the picture's sides [pixel].  @param q  of the hand's joints (num_joints) [rad].
-@throws Error(kEnvironment) where no picture can be made, Error(kUnsupported) for a hand without a
-camera. @pre the configuration's colour is one. */
+/** Takes a picture.
+@param size  side length of the picture [pixel].  @param q  the hand's joints (num_joints) [rad].
+@throws Error(kEnvironment) if no picture can be made, Error(kUnsupported) for a hand without a
+camera. @pre the configuration's colour is valid. */
 Image TakeHandPicture(const std::shared_ptr<const Hand>& hand,
                       const std::shared_ptr<const GraspObject>& object, const CameraConfig& config,
                       int size, const Pose& X_WH, const Eigen::VectorXd& q, const Pose& X_WO,

@@ -1,24 +1,25 @@
 #pragma once
 /** @file
-The outline of a thing as a camera above the table sees it, and how one outline is laid onto another.
+The outline of an object as seen by a camera above the table, and the fit of one outline to another.
 
-An outline is thrown from the camera onto the level plane through the middle of the object. Of what
-lies there only its convex hull counts, as its support function: how far it reaches in each of
-kNumDirections directions. The object's own outline (of its mesh, at a supposed pose) is thrown in
-the same way, so that near and far parts, high ones and low ones fall where the camera sees them:
-nothing is left to correct for tall things, and no height of the outline need be guessed.
+An outline is projected from the camera onto the horizontal plane through the object's middle. Only
+its convex hull is used, as its support function h: its extent in each of kNumDirections directions.
+The outline of the object's mesh at a supposed pose is projected in the same way. So near and far
+parts, high and low ones appear where the camera sees them. Tall objects need no correction, and no
+height of the outline is guessed.
 
     h(theta) = max over the outline's points p of p . (cos theta, sin theta)
 
-An outline that is shifted by d, turned by delta and thicker by b has
+An outline that is shifted by d, rotated by delta and thicker by b has
 
     h'(theta) = h(theta - delta) + d . (cos theta, sin theta) + b,
 
-which is fitted by least squares: first over all turns, then by Gauss-Newton steps with the outline
-thrown again. b takes up that blur and threshold move the edge of the picture outwards.
+which is fitted by least squares: first over all rotations, then by Gauss-Newton steps that project
+the outline again. b absorbs the outward shift of the edges by blur and threshold.
 
-An outline that fits nearly as well after another turn does not tell which it is; the fit weighs the
-third moment of the outline, in which the ends of a long thing differ, with all its other parts. */
+If the outline fits nearly as well after another rotation, it does not determine the rotation. The
+fit includes the third moment of the outline, in which the ends of a long object differ, along with
+all its other moments. */
 
 #include <Eigen/Core>
 #include <array>
@@ -33,56 +34,59 @@ inline constexpr int kNumDirections = 180;
 
 struct Silhouette {
   std::array<double, kNumDirections> reach{};             ///< h [m]
-  std::array<Eigen::Vector2d, kNumDirections> extreme{};  ///< the point that reaches so far [m]
+  std::array<Eigen::Vector2d, kNumDirections> extreme{};  ///< the point with this extent [m]
 };
-/** Unit; direction `i` of kNumDirections, from x towards y. */
+/** Returns the unit vector of direction `i` of kNumDirections, from x towards y. */
 Eigen::Vector2d SilhouetteDirection(int i);
-/** Corners of the convex hull, counter-clockwise (Andrew 1979). @pre there are points. */
+/** Returns the corners of the convex hull, counter-clockwise (Andrew 1979). @pre at least one
+point. */
 std::vector<Eigen::Vector2d> FindHull(std::vector<Eigen::Vector2d> points);
-/** Of a polygon that does not cross itself, whichever way round [m^2]. */
+/** Returns the area of a simple polygon in either orientation [m^2]. */
 double CalcArea(const std::vector<Eigen::Vector2d>& polygon);
-/** @pre there are points. */
+/** @pre at least one point. */
 Silhouette MakeSilhouette(const std::vector<Eigen::Vector2d>& points);
 
-/** Where an object lies on the table. */
+/** Pose of an object on the table. */
 struct PlanarPose {
   double x = 0.0, y = 0.0;  ///< of O [m]
   double yaw = 0.0;         ///< [rad]
 };
 
-/** A resting object, as its outline needs it. */
+/** A resting object, reduced to what its outline needs. */
 class OutlineModel {
  public:
   /** @param mesh  in frame O, as it rests. @pre it has vertices. */
   explicit OutlineModel(const TriMesh& mesh);
   double middle() const { return middle_; }  ///< height of O above the table [m]
   double height() const { return height_; }  ///< [m]
-  /** Thrown from the eye onto the plane at the height of O. @pre the eye is above the object. */
+  /** Projects the outline from the eye onto the plane at the height of O. @pre the eye is above the
+  object. */
   Silhouette Throw(const PlanarPose& pose, const Eigen::Vector3d& p_WEye) const;
 
  private:
-  std::vector<Eigen::Vector3d> points_;  // of the convex hull, p_OP, to some 0.02 mm
+  std::vector<Eigen::Vector3d> points_;  // of the convex hull, p_OP, to some 0.02 mm [m]
   double middle_, height_;
 };
 
-/** Which turns of the object give the outline that is seen. */
+/** Rotations of the object that match the observed outline. */
 enum class KnownDirection {
   kFull,       ///< one
-  kHalfTurns,  ///< two, half a turn apart: not which end is which
-  kSeveral,    ///< more: a square, or another shape that is like itself
-  kNone        ///< any: it is round
+  kHalfTurns,  ///< two, half a turn apart: the ends are not distinguished
+  kSeveral,    ///< several: a square, or another symmetric shape
+  kNone        ///< any: the object is round
 };
 
 struct OutlineFit {
   PlanarPose pose;
   KnownDirection direction = KnownDirection::kNone;
-  double residual = 0.0;   ///< root mean square of what the fit leaves [m]
+  double residual = 0.0;   ///< root mean square error of the fit [m]
   double thickness = 0.0;  ///< b [m]
 };
 
-/** Of turns that fit alike, the nearest to the supposed one is taken; with no direction at all, the
-supposed one. Where the ends are not distinguished, O is midway between what the two half-turns say.
-@param tolerance  root mean square by which a worse fit is clearly worse [m]. */
+/** Fits the outline. Among rotations that fit equally well, the nearest to the supposed one is
+chosen; for a round object, the supposed one. If the ends are not distinguished, O is midway between
+the positions for the two half turns.
+@param tolerance  increase of the root mean square that makes a fit clearly worse [m]. */
 OutlineFit FitOutline(const Silhouette& seen, const OutlineModel& model,
                       const Eigen::Vector3d& p_WEye, const PlanarPose& supposed, double tolerance);
 

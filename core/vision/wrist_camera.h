@@ -1,14 +1,13 @@
 #pragma once
 /** @file
-Finds the object with the camera that the hand carries, while the hand comes to it.
+Finds the object with the camera on the hand while the hand approaches it.
 
-Before the hand reaches its pre-grasp position the arm brings the camera over the place where the
-object is supposed to be, looking straight down, with the picture's width along the object's
-supposed length. There one picture is taken. Then the hand goes to where the object was seen and
-turns along its main axis, and a second picture from there refines the first. From each place there
-is a picture of the empty table, too, without noise: the mean of many; where neither hand nor
-shadows are in it, it is the same everywhere and taken once. All of this is proposed by graspbench.
-*/
+Before the hand reaches its pre-grasp position, the arm moves the camera above the supposed position
+of the object. The camera looks straight down, with the picture's width along the object's supposed
+length, and takes one picture. Then the hand moves to the observed position and turns along the
+object's main axis, and a second picture from there refines the first. For each camera pose there is
+also a noise-free picture of the empty table, the mean of many. If it shows neither hand nor
+shadows, it is the same everywhere and is taken once. All of this is proposed by graspbench. */
 
 #include <Eigen/Core>
 #include <memory>
@@ -26,40 +25,41 @@ shadows are in it, it is the same everywhere and taken once. All of this is prop
 
 namespace graspbench {
 
-/** The lens of a hand's camera. */
+/** Returns the lens of a hand's camera. */
 Lens MakeLens(const HandCamera& camera);
 
-/** Not to be used by two threads at once. */
+/** Two threads may not use it at once. */
 class WristCamera {
  public:
-  /** @throws Error(kUnsupported) for a hand without a camera. @pre the configuration's colour is
-  one. What takes a picture throws Error(kEnvironment) where none can be made. */
+  /** Methods that take a picture throw Error(kEnvironment) if none can be made.
+  @throws Error(kUnsupported) for a hand without a camera.
+  @pre the configuration's colour is valid. */
   WristCamera(std::shared_ptr<const Hand> hand, std::shared_ptr<const GraspObject> object,
               const CameraConfig& config);
 
-  /** From the first to the second look, or to where the first one failed.
-  @param X_WO  where the object really lies.
-  @param q     of the hand's joints while it looks (num_joints) [rad].
-  @param id    names the noise: the same gives the same pictures. */
+  /** Takes both pictures. Returns the second sighting, or the first one if it failed.
+  @param X_WO  true pose of the object.
+  @param q     the hand's joints during the pictures (num_joints) [rad].
+  @param id    names the noise: the same id gives the same pictures. */
   Sighting FindObject(const Pose& X_WO, const Eigen::VectorXd& q, std::string_view id);
 
-  /** X_WK over an object at this pose. */
+  /** Returns X_WK above an object at this pose. */
   Pose CalcLookPose(const PlanarPose& supposed) const;
-  /** What the camera sees of the hand and, unless it is null, of the object. */
+  /** Makes the scene of the hand and, unless X_WO is null, of the object. */
   Scene MakeScene(const Pose& X_WK, const Eigen::VectorXd& q, const Pose* X_WO) const;
   /** @param noise_seed  null: without noise. */
   Image TakePicture(const Scene& scene, const Pose& X_WK, const uint64_t* noise_seed);
 
   const Lens& lens() const { return lens_; }
-  /** The perfect camera that the lens distorts, of which it shows a part. */
+  /** Returns the ideal camera that the lens distorts; the lens shows a part of its picture. */
   PinholeCamera MakePinhole(const Pose& X_WK) const;
 
  private:
   struct VisualBall {
-    Eigen::Vector3d p_LC;  // around a visual of the hand, in its link
+    Eigen::Vector3d p_LC;  // centre of a ball around a visual of the hand, in its link
     double radius;
   };
-  /** Whether a part of the hand may be in the picture. @param scene  with the hand alone. */
+  /** Returns whether a part of the hand may be in the picture. @param scene  with only the hand. */
   bool MaySeeHand(const Scene& scene, const Pose& X_WK) const;
   Sighting Look(const PlanarPose& supposed, const Pose& X_WO, const Eigen::VectorXd& q,
                 uint64_t noise_seed);
@@ -69,7 +69,7 @@ class WristCamera {
   CameraConfig config_;
   Eigen::Vector3f table_srgb_;
   Lens lens_;
-  int margin_;  // by which the pinhole's picture is larger on each side [pixel]
+  int margin_;  // extra size of the pinhole's picture on each side [pixel]
   PictureFaults faults_;
   OutlineModel outline_;
   std::vector<VisualBall> balls_;    // of hand_->visuals

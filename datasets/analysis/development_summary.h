@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-What the trials of a development were spent on, and what they gave. */
+Summarises a grasp development: how its trials were spent and what they achieved. */
 
 #include <string>
 #include <vector>
@@ -10,16 +10,16 @@ What the trials of a development were spent on, and what they gave. */
 
 namespace graspbench {
 
-/** Part of the development of one grasp: "race", "search", "finals", "check". */
+/** A stage in the development of one grasp: "race", "search", "finals" or "check". */
 struct DevelopmentStage {
   std::string name;
-  int num_requests = 0;     ///< postures on some shapes; one may be asked again with other draws
-  double best_score = 0.0;  ///< largest mean score of a request
+  int num_requests = 0;     ///< evaluations of a posture on some shapes; may recur with new draws
+  double best_score = 0.0;  ///< largest mean score of any request
   Tally tally;              ///< of its trials
 };
 
-/** Of each grasp, in the order of development, its stages. A check ends a grasp; what was stopped
-before has none. */
+/** Returns the stages of each grasp, in the order of development. The last stage of a grasp is its
+check; a development that was stopped earlier has none. */
 std::vector<std::vector<DevelopmentStage>> SummariseDevelopment(const DevelopmentJournal& journal);
 
 }  // namespace graspbench

@@ -1,7 +1,6 @@
 #pragma once
 /** @file
-What a finished session's folder holds beside its journals, by what kind of session it
-is. */
+Writes the derived files of a finished session's folder, depending on the kind of session. */
 
 #include <filesystem>
 
@@ -9,9 +8,10 @@ is. */
 
 namespace graspbench {
 
-/** ExportSession; of a session with conditions also export/effects.csv and conditions.csv with their
-dictionaries (sweep_summary.h); where grip thresholds are known export/thresholds.csv
-(threshold_summary.h); of a basin basin.csv in its folder. @throws Error(kIo). */
+/** Calls ExportSession. For a session with conditions, also writes export/effects.csv and
+conditions.csv with their dictionaries (sweep_summary.h). Where grip thresholds are known, writes
+export/thresholds.csv (threshold_summary.h); for a basin, basin.csv in the session's folder. @throws
+Error(kIo). */
 void ExportResult(const std::filesystem::path& folder, const Session& session,
                   bool with_records = false);
 

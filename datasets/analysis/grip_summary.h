@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-How regulated grips of each condition came out: what was asked and held in sum, and which digits
-differ from what was asked of them by more than kGripTolerance, for which reason. */
+How well the grips of each cell were regulated: setpoint and measured total force, and which digits
+missed their setpoint by more than kGripTolerance, with the reason. */
 
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ differ from what was asked of them by more than kGripTolerance, for which reason
 
 namespace graspbench {
 
-/** A digit that did not have its force for this reason, in so many trials that reached the hold. */
+/** Number of trials that reached the hold in which a digit missed its setpoint for this reason. */
 struct GripFaultCount {
   std::string digit;
   GripFault fault = GripFault::kNone;
@@ -22,26 +22,26 @@ struct GripFaultCount {
 
 struct GripSummary {
   const CellSummary* cell = nullptr;
-  Spread asked, held;    ///< sums over the hand, of the trials that reached the hold [N]
-  Spread pressed;        ///< the true sum of these trials, felt or not [N]
-  int num_within = 0;    ///< of them, whose sum is within kGripTolerance
-  bool is_felt = false;  ///< by sensed touch: held is what the hand estimates
+  Spread asked, held;    ///< total setpoint and force of the hand, in the hold [N]
+  Spread pressed;        ///< true total force in the hold, whether sensed or not [N]
+  int num_within = 0;    ///< trials whose total is within kGripTolerance of the setpoint
+  bool is_felt = false;  ///< under sensed touch, `held` is the hand's estimate
   std::vector<GripFaultCount> faults;  ///< by digit, then by reason
 };
 
-/** Cells in their order, of those that regulate their grip. The result points into `summary`. */
+/** Lists the cells with a regulated grip, in their order. The result points into `summary`. */
 std::vector<GripSummary> ListGrips(const SessionSummary& summary);
 
-/** "FF: limit 3; TH: balance 1"; empty: every digit had its force. */
+/** Returns "FF: limit 3; TH: balance 1"; empty if every digit had its force. */
 std::string DescribeFaults(const std::vector<GripFaultCount>& faults);
 
-/** Trials whose sum stayed more than kGripTolerance below what was asked: in the hold, or before
-lift-off where there was no hold. */
+/** Trials whose total force stayed more than kGripTolerance below the setpoint, in the hold, or
+before lift-off where there was no hold. */
 struct GripShortfall {
-  int num = 0, num_closed = 0;      ///< of those whose grip had closed
-  Spread asked, reached;            ///< of these trials [N]
-  std::string reason;               ///< most frequent of their digits; empty: none is known
-  Spread asked_of_excess, pressed;  ///< by sensed touch, above 1.5 times asked [N]
+  int num = 0, num_closed = 0;      ///< of the trials whose grip had closed
+  Spread asked, reached;            ///< setpoint and force of these trials [N]
+  std::string reason;               ///< most frequent reason of their digits; empty: unknown
+  Spread asked_of_excess, pressed;  ///< under sensed touch, above 1.5 times the setpoint [N]
 };
 GripShortfall FindShortfall(const SessionSummary& summary);
 
@@ -51,11 +51,10 @@ std::string DescribeShortfall(const GripShortfall& shortfall);
 /** "grip     2 of 4 trials pressed more than 1.5 times as hard as asked: ..."; empty: none did. */
 std::string DescribeExcess(const GripShortfall& shortfall);
 
-/* What held grasps of a condition are like, seat by seat (object_in_hand.h): grip force,
-sigma and GFT of two seats of one object differ by several times, so that a figure over both would
-describe neither. */
+/* Held grasps of a cell by seat (object_in_hand.h): grip force, sigma and GFT of two seats of one
+object differ by a factor of several, so that a figure over both would describe neither. */
 
-/** Successes of one cell that sit alike. */
+/** Successes of one cell with the same seat. */
 struct SeatSummary {
   const CellSummary* cell = nullptr;
   Seat seat = Seat::kUnknown;
@@ -63,21 +62,21 @@ struct SeatSummary {
   int num_caged = 0;
   Spread grip;   ///< mean sum of the normal forces over the hold [N]
   Spread sigma;  ///< [N]
-  Spread gft;    ///< without trials with a contact before the start of closure [s]
+  Spread gft;    ///< excludes trials with a contact before the start of closure [s]
 };
 
-/** Cells in their order, of each the seats that occur: kept, reseated, unknown (records of older
-physics). Cells without a success have none. The result points into `summary`. */
+/** Lists the seats that occur in each cell, in the order of cells: kept, reseated, unknown (records
+of older physics). Cells without a success have none. The result points into `summary`. */
 std::vector<SeatSummary> ListSeats(const SessionSummary& summary);
 
-/** "12 of 420 held grasps are reseated, 1 is caged; 5 conditions have two seats"; empty where no
-seat is known. */
+/** Returns "12 of 420 held grasps are reseated, 1 is caged; 5 conditions have two seats"; empty if
+no seat is known. */
 std::string DescribeSeats(const std::vector<SeatSummary>& seats);
 
-/** Medians, lowest to highest. */
+/** Shows medians and ranges. */
 ShownTable ShowSeats(const std::vector<SeatSummary>& seats);
 
-/** One object each. */
+/** Writes one JSON object per seat. */
 Json ToJson(const std::vector<SeatSummary>& seats);
 
 }  // namespace graspbench

@@ -1,18 +1,18 @@
 #pragma once
 /** @file
-Trials of the same draws under two conditions or in two sessions: which belong together, and what
-the change between them is. Sweeps, sensitivity, delays, numerics and comparisons of sessions all
-pair and estimate here, so that one question has one answer.
+Pairs trials of the same draws under two conditions or in two sessions and estimates the change
+between them. Sweeps, sensitivity, delays, numerics and comparisons of sessions all use these
+functions, so that one question has one answer.
 
-A draw is one hand, object and number of a trial, with the object in the very same place. Its trials
-are compared whatever grasp each of them was done with; only an object that one of the sides grasps
-in several ways is compared grasp by grasp. What has no partner is counted.
+A draw is one hand, object and trial number, with the object in the identical pose. Its trials are
+compared regardless of their grasps, unless one of the sides uses several grasps on the object: then
+they are compared grasp by grasp. Trials without a partner are counted.
 
-The change of a measure is the mean over the draws of its differences. Draws of one object are
-alike, so the 95 % interval comes from drawing objects (core/statistics/bootstrap.h). Of success,
-where there are fewer than 5 objects or all change alike, it is Newcombe's of the pairs
-(core/statistics/proportion.h) and speaks for these objects alone. Where all compared trials
-succeed, or all fail, success cannot be decided, and there is none. */
+The change of a measure is the mean of its differences over the draws. Draws of one object are
+alike, so the 95 % interval comes from resampling objects (core/statistics/bootstrap.h). For success
+with fewer than 5 objects, or with the same change on all, it is Newcombe's interval of the pairs
+(core/statistics/proportion.h), which is valid for these objects only. Where all compared trials
+succeed, or all fail, there is no interval for success. */
 
 #include <map>
 #include <optional>
@@ -26,60 +26,61 @@ succeed, or all fail, success cannot be decided, and there is none. */
 
 namespace graspbench {
 
-/** Trials of a session under one of its conditions; none: as it is configured. */
+/** Trials of a session under one of its conditions; none: the base. */
 struct ComparedSide {
   const Session* session = nullptr;
   std::optional<std::string> condition = {};
 };
 
-/** The planned grasp, or what the camera chose in its place (TrialResult::sight_grasp). */
+/** Returns the planned grasp, or the one that the camera chose (TrialResult::sight_grasp). */
 std::string FindUsedGrasp(const TrialRecord& record);
 
-/** One draw on every side; null: nothing is planned, or not finished. */
+/** One draw on every side; null: not planned, or not finished. */
 struct ComparedDraw {
   std::string hand, object;
   std::vector<const PlannedTrial*> planned;
   std::vector<const TrialRecord*> records;
 
-  /** Two planned trials of these sides have other grasps. @pre both are planned. */
+  /** Whether the planned trials of two sides have different grasps. @pre both are planned. */
   bool ChangesGrasp(size_t side, size_t other) const {
     return planned[side]->grasp != planned[other]->grasp;
   }
 };
 
-/** In the order of the plans. @param is_any_hand  hands are what is compared: each
-side has one. @pre sessions and records outlive the draws. */
+/** Lists the draws in the order of the plans. @pre sessions and records outlive the draws.
+@param is_any_hand  pairs trials of different hands, which are what is compared: each side has
+one. */
 std::vector<ComparedDraw> ListComparedDraws(const std::vector<ComparedSide>& sides,
                                             bool is_any_hand = false);
 
-/** How many trials and successes there are. */
+/** Number of finished trials and of successes. */
 struct OutcomeCounts {
   int num_finished = 0, num_successes = 0;
 };
 OutcomeCounts CountOutcomes(const std::set<const TrialRecord*>& records);
 
-/** "cannot decide success: all 12 trials succeed"; empty: both outcomes are among the compared.
-@param left_out  finished trials of the same conditions that are not compared. */
+/** Returns "cannot decide success: all 12 trials succeed"; empty if the compared trials have both
+outcomes. @param left_out  finished trials of the same conditions that are not compared. */
 std::string ExplainUndecided(const OutcomeCounts& compared, const OutcomeCounts& left_out = {});
 
-/** Differences of one measure by object, a value for each draw. */
+/** Differences of one measure, one value per draw, by object. */
 using ObjectChanges = std::map<std::string, std::vector<double>>;
 
 struct ChangeEstimate {
   int num_draws = 0, num_objects = 0;
   double estimate = kUnset;
   Answer<Interval> interval = NoAnswer{"no draw has every value"};
-  bool is_of_these_objects = false;  ///< the interval says nothing of other objects
+  bool is_of_these_objects = false;  ///< the interval is valid for these objects only
 };
 
 ChangeEstimate EstimateChange(const ObjectChanges& changes);
-/** @param pairs  of which the changes are the differences; none: they are of several pairs each.
-@param undecided  ExplainUndecided of the trials. */
+/** @param pairs  whose differences are the changes; none: each change combines several pairs.
+@param undecided  result of ExplainUndecided for the trials. */
 ChangeEstimate EstimateSuccessChange(const ObjectChanges& changes,
                                      const std::optional<PairedCounts>& pairs,
                                      const std::string& undecided);
 
-/** "2 not finished, 1 without a value": counts with what they count, the empty ones left out. */
+/** Formats counts with what they count, without zeros: "2 not finished, 1 without a value". */
 std::string DescribeCounts(const std::vector<std::pair<int, std::string>>& counts);
 
 }  // namespace graspbench

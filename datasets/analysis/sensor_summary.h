@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-What the sensors of a session found: where the hand took the objects to be, against where they lay,
-and what it felt of its touches. */
+Summarises the sensors of a session: errors of the estimated object poses, and how contacts were
+sensed. */
 
 #include <string>
 #include <vector>
@@ -11,19 +11,19 @@ and what it felt of its touches. */
 
 namespace graspbench {
 
-/** Of one hand's trials with an object. NaN: none was found. */
+/** Pose errors in one hand's trials with an object. NaN: the object was never found. */
 struct PlaceErrors {
   std::string hand, object;
   int num_trials = 0, num_found = 0;
   double median = kUnset, worst = kUnset;            ///< of the position [m]
-  double median_turn = kUnset, worst_turn = kUnset;  ///< of the direction, half-turns apart [rad]
+  double median_turn = kUnset, worst_turn = kUnset;  ///< of the yaw, modulo half a turn [rad]
 };
 
-/** Of one hand's trials that went by sensed touch. */
+/** Contacts in one hand's trials with sensed touch. */
 struct FeltTouches {
   std::string hand;
   int num_trials = 0;
-  TouchRecord sum;  ///< delays and peaks: the largest of the trials
+  TouchRecord sum;  ///< over the trials; of delays and peaks the largest
 };
 
 struct SensorSummary {

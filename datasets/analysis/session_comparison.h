@@ -1,14 +1,14 @@
 #pragma once
 /** @file
-Two sessions trial by trial, in the pairs of datasets/analysis/pairs.h, under each condition that
-both have. Hands are what is compared where each session has only one.
+Compares two sessions trial by trial, in the pairs of datasets/analysis/pairs.h, under each
+condition that both have. If each session has only one hand, the hands are compared.
 
-Where an object's grasp differs between the sessions, some pairs change grasp with everything else.
-Then there are two estimates: of all pairs, and of those with the same grasp. Where all pairs change
-grasp, grasps are what is compared.
+Where an object's grasp differs between the sessions, some pairs also change their grasp. Then there
+are two estimates: over all pairs, and over those with the same grasp. If all pairs change their
+grasp, the grasps are compared.
 
-Where both have looked for grip thresholds on the same scale, these are compared draw by draw, too. A
-draw that no grip held is above every other. */
+If both have grip thresholds on the same scale, these are also compared draw by draw. A draw that no
+grip held counts as above every other. */
 
 #include <string>
 #include <vector>
@@ -35,15 +35,15 @@ struct SessionComparison {
   std::vector<TrialPair> pairs;  ///< in the order of the first session's plan
   int num_only_before = 0;       ///< finished trials that are in no pair
   int num_only_after = 0;
-  /** Of all pairs of a hand, "all pairs", then of its pairs with the same grasp where some have
-  another: "same grasp". `hand` is the first's. */
+  /** By hand: "all pairs", then, where some pairs change their grasp, "same grasp". `hand` is that
+  of the first session. */
   std::vector<SettingChange> changes;
 
   int num_other_grasp() const;
   std::vector<std::string> settings;  ///< "sim.step_s: 0.002 and 0.001"
 };
 
-/** The records must outlive what is found.
+/** Compares two sessions, whose records must outlive the result.
 @throws Error(kUsage) when there is no pair, saying why. */
 SessionComparison CompareSessions(const Session& before, const Session& after);
 
@@ -52,14 +52,14 @@ struct ThresholdChange {
   std::string hand;  ///< of the first session
   int num_pairs = 0;
   int num_lower = 0, num_equal = 0, num_higher = 0;  ///< in the second session
-  /** Of the second session's over the first's, of the pairs in which both have one; its interval is
-  that of order statistics, NaN: too few. */
+  /** Median ratio of the second session's threshold to the first's, over pairs in which both have
+  one, with the 95 % interval of order statistics; NaN: too few pairs. */
   double ratio = kUnset, low = kUnset, high = kUnset;
   int num_left_out = 0;  ///< pairs of the hand without a threshold in both sessions
-  int num_infinite = 0;  ///< of num_pairs: no grip held in one of them, so that there is no ratio
+  int num_infinite = 0;  ///< of num_pairs: no grip held in one session, so there is no ratio
 };
 
-/** By scale, then by hand. None where one of them has no thresholds. */
+/** Compares thresholds by scale, then by hand; empty where one session has none. */
 std::vector<ThresholdChange> CompareThresholds(const std::vector<TrialPair>& pairs,
                                                const std::vector<ThresholdSummary>& before,
                                                const std::vector<ThresholdSummary>& after);

@@ -1,13 +1,14 @@
 #pragma once
 /** @file
-Does simultaneity matter? Of a session's trials as they came: how GFT, GOT, GFT% and GOT% go with
-what became of the trial, within conditions (hand, object, grasp) (core/statistics/ranks.h), so that
-easy objects do not pass for an effect. The trials of a cell differ in where the object stood and in
-the drives' errors, which move both sides: a relation is no cause. `delay_summary.h` imposes one.
+Whether simultaneity correlates with the outcome, in a session's trials as run. GFT, GOT, GFT% and
+GOT% are correlated with the responses of a trial within cells (hand, object, grasp;
+core/statistics/ranks.h), so that easy objects are not mistaken for an effect. The trials of a cell
+differ in object pose and drive errors, which affect times and responses alike. So a correlation is
+not a cause; delay_summary.h imposes delays instead.
 
 Trials in which a digit never touched, or touched before the start of closure, have no measure of
-simultaneity and take no part; a numerical failure takes none either. Cells that hold the same
-trials again, a campaign's variants that kept the grasp before, count once. */
+simultaneity and are excluded, as are numerical failures. Cells that repeat the same trials, as
+variants of a campaign that kept the previous grasp, count once. */
 
 #include <string>
 #include <vector>
@@ -19,25 +20,25 @@ trials again, a campaign's variants that kept the grasp before, count once. */
 
 namespace graspbench {
 
-/* What a lack of simultaneity might change of a trial: the list that SummariseSimultaneity relates
-to the measured times and `delay_summary.h` to delays that were imposed. One more: a row. */
+/* Responses of a trial that may depend on simultaneity. SummariseSimultaneity relates them to
+measured times, delay_summary.h to imposed delays. */
 
-/** A number as JSON names it and as people read it. */
+/** How a quantity is named in JSON and displayed. */
 struct ShownQuantity {
   const char* id = "";     ///< "shift_m"
-  const char* label = "";  ///< "push before lift-off [mm]", which is
-  double scale = 1.0;      ///< times the value, with
+  const char* label = "";  ///< "push before lift-off [mm]"
+  double scale = 1.0;      ///< displayed number = scale * value
   int decimals = 0;
 };
 
 struct GraspResponse {
   ShownQuantity shown;
-  /** NaN where it is not defined: of a lost object, of a numerical failure. */
+  /** NaN where undefined, as for a lost object or a numerical failure. */
   double (*value)(const TrialRecord& record);
 };
 
-/** success, push and turn before lift-off, slip in the hold, way and turn in the hand, sigma,
-breaking force (judged trials). */
+/** Success, push and turn before lift-off, slip in the hold, in-hand displacement and rotation,
+sigma, and breaking force (judged trials). */
 const std::vector<GraspResponse>& ListGraspResponses();
 
 struct SimultaneityRelation {
@@ -45,21 +46,21 @@ struct SimultaneityRelation {
   std::string measure;  ///< "gft_s", "got_s", "gft_ratio", "got_ratio"
   const GraspResponse* response = nullptr;
   Answer<WithinCorrelation> relation;
-  double p_holm = kUnset;  ///< over all relations of the session; NaN: there is none
+  double p_holm = kUnset;  ///< Holm over all relations of the session; NaN: none
 };
 
-/** Reads brief records again. Hand by hand, measure by measure, in the order of
-ListGraspResponses(). Responses that no trial of the hand has, such as a breaking force without
+/** Computes the relations by hand, then measure, then response (ListGraspResponses()). Reloads
+records that are brief. Responses that no trial of the hand has, such as a breaking force without
 judge, are left out. */
 std::vector<SimultaneityRelation> SummariseSimultaneity(const Session& session);
 
-/** "gft_ratio" as it is shown: "GFT%". */
+/** Returns the displayed name of a measure: "GFT%" for "gft_ratio". */
 std::string NameTimingMeasure(const std::string& measure);
 
-/** "push before lift-off" of "push before lift-off [mm]". */
+/** Returns the response's label without its unit: "push before lift-off". */
 std::string NameResponse(const SimultaneityRelation& row);
 
-/** "-0.50 (-0.70 to -0.25)"; "n/a". */
+/** Returns "-0.50 (-0.70 to -0.25)", or "n/a". */
 std::string FormatRho(const SimultaneityRelation& row);
 
 ShownTable ShowRelations(const std::vector<SimultaneityRelation>& relations);

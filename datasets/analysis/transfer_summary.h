@@ -1,10 +1,10 @@
 #pragma once
 /** @file
-People's grasps on robot hands (core/transfer): what was kept of each, and what trials say of them
-beside the standard and the rehearsed grasp on the same draws.
+Human grasps on robot hands (core/transfer): how closely each was reproduced, and how it performs in
+trials compared with the standard and the rehearsed grasp on the same draws.
 
-A session of transferred grasps has, of each hand on each object, "best", "rehearsed" and every
-transferred grasp. Its inputs/grasps/transfer.json lists all that were tried, transferable or not. */
+A session of transferred grasps has "best", "rehearsed" and every transferred grasp of each hand on
+each object. Its inputs/grasps/transfer.json lists all attempted transfers, successful or not. */
 
 #include <Eigen/Core>
 #include <string>
@@ -19,7 +19,7 @@ transferred grasp. Its inputs/grasps/transfer.json lists all that were tried, tr
 
 namespace graspbench {
 
-/** A pad beside the person's. */
+/** A robot pad compared with the person's. */
 struct TransferPad {
   std::string digit, person;  ///< "RF"; "RF+LF"
   double distance = 0.0;      ///< [m]
@@ -37,11 +37,11 @@ struct TransferPad {
   }
 };
 
-/** One digit of the person, for pictures: joints from the palm and the tip, each three numbers in O
-[m]; with one marker the tip alone. */
+/** One digit of the person, for figures: positions of the joints from the palm on and of the tip,
+three numbers each in O [m]; with one marker only the tip. */
 struct TransferPerson {
   std::string digit;
-  double lag = kUnset;  ///< of its contact after the first one [s]
+  double lag = kUnset;  ///< of its contact after the first contact [s]
   Eigen::VectorXd open, contact;
 
   template <class V>
@@ -57,9 +57,9 @@ struct TransferPerson {
 /** One person's grasp on one hand. */
 struct TransferRow {
   std::string hand, object, participant;
-  std::string grasp;             ///< id of the grasp in the session; of each source
-  std::string not_transferable;  ///< reason; empty: it is in the session
-  std::string type;  ///< of the standard grasp that it goes towards: "power"; empty: none
+  std::string grasp;             ///< id of the grasp in the session, one per source
+  std::string not_transferable;  ///< reason; empty: the grasp is in the session
+  std::string type;              ///< of the standard grasp that it resembles: "power"; empty: none
   std::vector<TransferPad> pads;
   std::vector<std::string> undetermined;  ///< joints
   std::vector<TransferPerson> person;
@@ -81,7 +81,7 @@ struct TransferRow {
 
 struct TransferFile {
   std::string study;                ///< its name
-  std::vector<std::string> doubts;  ///< about sizes and sides
+  std::vector<std::string> doubts;  ///< warnings about sizes and sides
   std::vector<TransferRow> rows;
 
   template <class V>
@@ -93,43 +93,43 @@ struct TransferFile {
 };
 
 inline constexpr const char* kTransferPath = "inputs/grasps/transfer.json";
-/** Of a session of transferred grasps. @throws Error(kFormat, kIo). */
+/** Reads the transfers of a session's folder. @throws Error(kFormat, kIo). */
 TransferFile LoadTransferFile(const std::filesystem::path& folder);
 
-/** The session's grip thresholds and breaking loads of the transferred grasps or of those beside
-them: medians over trials; NaN: none was looked for (graspbench threshold, judge). */
+/** Grip threshold and breaking force of a group of the session's grasps: medians over trials; NaN:
+not measured (graspbench threshold, judge). */
 struct TransferLoads {
-  double threshold = kUnset;       ///< margin; infinite: half of them or more never held
+  double threshold = kUnset;       ///< margin; infinite: half of the draws or more never held
   double breaking_force = kUnset;  ///< [N]
 };
 
-/** Of a hand on all objects, or on one; or of its grasps of one type on all objects. */
+/** Results of a hand on all objects, on one, or with one grasp type on all objects. */
 struct TransferSummary {
   std::string hand, object;  ///< empty object: all
-  std::string type;          ///< empty: all
+  std::string type;          ///< empty: all types
   int num_grasps = 0, num_transferred = 0;
-  /** Over the pads of transferred grasps; NaN: none. */
+  /** Over the pads of transferred grasps; NaN without a pad. */
   double median_distance = kUnset, median_angle = kUnset;  ///< [m], [rad]
   double near_share = kUnset;                              ///< of pads within 2 mm
   Tally transferred, rehearsed, standard;
   TransferLoads loads, loads_rehearsed, loads_standard;
-  /** Success of the transferred grasps less that of the others on the same draws. */
+  /** Success rate of the transferred grasps minus that of the others on the same draws. */
   ChangeEstimate over_rehearsed, over_standard;
 
   double transferable_share() const { return CalcShare(num_transferred, num_grasps); }
 };
 
-/** By hand over all objects, then each hand's objects, then its types, in the file's order. */
+/** Summarises by hand over all objects, then by object, then by type, in the file's order. */
 std::vector<TransferSummary> SummariseTransfers(const TransferFile& file, const Session& session);
 std::vector<CsvColumn<TransferSummary>> ListTransferColumns();
 std::vector<CsvColumn<TransferSummary>> ListTransferLoadColumns();
 
-/** Reasons why grasps were not transferable on a hand, most frequent first. Those that differ in
-numbers alone are one, with the numbers of the first. */
+/** Counts the reasons why grasps were not transferable to a hand, most frequent first. Reasons that
+differ only in numbers are merged under the first. */
 std::vector<std::pair<std::string, int>> CountTransferReasons(const TransferFile& file,
                                                               const std::string& hand);
 
-/** Pads of one digit of a hand, of transferred grasps. */
+/** Pads of one digit of a hand in transferred grasps. */
 struct TransferDigit {
   std::string hand, digit;
   int num_pads = 0;
@@ -139,8 +139,8 @@ struct TransferDigit {
 std::vector<TransferDigit> ListTransferDigits(const TransferFile& file);
 std::vector<CsvColumn<TransferDigit>> ListTransferDigitColumns();
 
-/** When a digit of a hand touches after the first one, in successful trials, beside the persons'
-that it stands for: each a list [s]. */
+/** Lags of a digit's contact after the first contact in successful trials, and of the human digits
+that it represents [s]. */
 struct TransferLags {
   std::string hand, digit;
   std::vector<double> person, transferred, standard;

@@ -1,7 +1,8 @@
 #pragma once
 /** @file
-Whether grasps are what they are called (core/trial/measures/grasp_types.h): of a hand's grasp the
-opposition that its name asks for, the oppositions found in what it held, and the parts that bore. */
+Whether grasps match their names (core/trial/measures/grasp_types.h): for each grasp of a hand the
+opposition that its name implies, the oppositions found in held trials, and the parts that carried
+the load. */
 
 #include <array>
 #include <string>
@@ -15,24 +16,24 @@ opposition that its name asks for, the oppositions found in what it held, and th
 namespace graspbench {
 
 struct TypeSummary {
-  std::string hand, grasp;  ///< ids; of a choice by sight the grasp that was chosen
-  std::string asked;        ///< opposition; empty: no standard grasp, so that none is asked for
+  std::string hand, grasp;  ///< ids; for by-sight, the grasp that was chosen
+  std::string asked;        ///< expected opposition; empty: not a standard grasp, so none
   int num_finished = 0;     ///< trials
-  int num_held = 0;         ///< of these; a record without opposition is not held
-  std::array<int, std::size(kOppositions)> found{};  ///< of the held, by opposition
-  int num_as_called = 0;                             ///< of the held
-  /** "palm 14 %, TH 44 %": shares of the normal force in the hold, mean of the held trials whose
-  grip was regulated by exact touch; empty: none was. */
+  int num_held = 0;         ///< of these; excludes records without opposition
+  std::array<int, std::size(kOppositions)> found{};  ///< held trials by opposition
+  int num_as_called = 0;                             ///< held trials that match the name
+  /** "palm 14 %, TH 44 %": shares of the normal force in the hold, averaged over held trials whose
+  grip was regulated by exact touch; empty: there are none. */
   std::string parts;
 
-  double share() const;  ///< as called, of the held; NaN: nothing is asked for, or nothing held
+  double share() const;  ///< num_as_called / num_held; NaN: none expected, or none held
 };
 
-/** By hand, then grasp. Numerical failures are left out. */
+/** Lists summaries by hand, then grasp, without numerical failures. */
 std::vector<TypeSummary> ListTypeSummaries(const Session& session);
 
 std::vector<CsvColumn<TypeSummary>> ListTypeColumns();
-/** Empty where nothing was held. */
+/** Returns an empty text if nothing was held. */
 std::string FormatTypeLine(const std::vector<TypeSummary>& types);
 
 }  // namespace graspbench

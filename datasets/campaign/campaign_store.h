@@ -1,11 +1,11 @@
 #pragma once
 /** @file
 A campaign: every scene (a hand, an object, its best standard grasp) is optimised, then the standard
-grasp, the new pre-grasp and the new target grasp are tried on the same trial poses; if wanted,
+grasp, the new pre-grasp and the new target grasp are run on the same object poses. Optionally,
 search methods are compared over several seeds. Its folder:
 
     campaign.json                       frozen configuration, schema and program version
-    manifest.json                       hashes of what is not in a scene or the benchmark
+    manifest.json                       hashes of files outside scenes and benchmark
     scenes/<hand>-<object>/             one optimised scene each, see scene_store.h
     benchmark/                          a session (session_store.h) of all three variants, judged;
                                         grasps: the standard one, "new-pregrasp", "new-target"
@@ -16,8 +16,8 @@ search methods are compared over several seeds. Its folder:
     comparison.csv                      one row per search: best fitness, evaluations to 90 %
     real/trials.csv                     a laboratory's own trials (real_trials.h), if any
 
-Same promise as for sessions: the same bytes for any number of workers and interruptions, run.json
-and the benchmark's journals of each worker aside. */
+As for sessions, the bytes are the same for any number of workers and interruptions, except run.json
+and the benchmark's journals of the workers. */
 
 #include <filesystem>
 #include <optional>
@@ -49,7 +49,8 @@ struct ComparisonConfig {
   }
 };
 
-/** As a session, but that hands come from where objects and grasps say, and blindly. */
+/** As a session, but with automatic approach, nominal positioning and the other defaults of keys
+that a campaign does not have. */
 struct CampaignSession : SessionConfig {
   template <class V>
   void Visit(V&& v) {
@@ -58,7 +59,7 @@ struct CampaignSession : SessionConfig {
 };
 
 struct CampaignConfig {
-  /** A fifth of the evaluations of one scene alone: 42 scenes take 42 times as long. */
+  /** Uses a fifth of the evaluations of a single scene, since 42 scenes take 42 times as long. */
   CampaignConfig() { optimise.evaluations /= 5; }
 
   CampaignSession session;  ///< hands, objects, and the benchmark's trials; grasps is "best"
@@ -76,11 +77,12 @@ struct CampaignConfig {
 /** @throws Error(kRange) listing all problems of the values. */
 void CheckCampaignConfig(const CampaignConfig& config);
 
-/** The frozen configuration; no other file is read. @throws Error(kNotFound, kVersion, kFormat). */
+/** Loads the frozen configuration; reads no other file. @throws Error(kNotFound, kVersion,
+kFormat). */
 CampaignConfig LoadCampaignConfig(const std::filesystem::path& folder);
 
 bool HasCampaign(const std::filesystem::path& folder);
-/** Creates the folder, or finds the same campaign there.
+/** Creates the folder, or accepts the same campaign there.
 @throws Error(kUsage) listing the settings that differ; kVersion; kFormat; kIo. */
 void CreateCampaign(const std::filesystem::path& folder, const CampaignConfig& config);
 
@@ -89,33 +91,35 @@ struct CampaignScene {
   SceneInputs inputs;
   std::filesystem::path folder;
 };
-/** The scenes in the order hand, object. @throws as LoadSessionInputs and MakePlan. */
+/** Plans the scenes in the order hand, object. @throws as LoadSessionInputs and MakePlan. */
 std::vector<CampaignScene> PlanScenes(const CampaignConfig& config, const SessionInputs& inputs,
                                       const std::filesystem::path& folder);
 
-/** Where a scene stands among all of them by the names of their folders, from 0: what status can see
+/** Index of a scene, from 0, when all are sorted by folder name. `graspbench status` can find it
 without loading a hand. */
 size_t FindSceneNumber(const std::vector<CampaignScene>& scenes, const CampaignScene& scene);
-/** The folders of the scenes that are begun, by name. */
+/** Lists the folders of the scenes that have begun, by name. */
 std::vector<std::filesystem::path> ListScenes(const std::filesystem::path& folder);
 
 /** Seals the campaign with a hash of the scenes' hands, objects and grasps. */
 void SealScenes(const std::filesystem::path& folder, const std::vector<CampaignScene>& scenes);
-/** @throws Error(kVersion) when they were sealed with others, saying both hashes. */
+/** @throws Error(kVersion) when other scenes were sealed, with both hashes. */
 void CheckSameScenes(const std::filesystem::path& folder, const std::vector<CampaignScene>& scenes);
 
-/** The inputs of the benchmark: `inputs` and the saved grasps of all scenes, which are finished. */
+/** Returns the inputs of the benchmark: `inputs` with the saved grasps of all scenes. @pre all
+scenes are finished. */
 SessionInputs AddSceneGrasps(SessionInputs inputs, const std::vector<CampaignScene>& scenes);
 SessionConfig MakeBenchmarkConfig(const CampaignConfig& config);
 
 /** One search of the comparison. */
 struct ComparisonTask {
   const CampaignScene* scene = nullptr;
-  SceneConfig config;  ///< that of the scene with the task's method, seed and budget
+  SceneConfig config;  ///< the scene's, with the task's method, seed and budget
   std::filesystem::path journal;
 };
-/** @throws Error(kNotFound) for a scene that the campaign has not. A grid is planned once, and only
-where it is possible. */
+/** Plans all searches. A grid search is planned once per scene, if it has at most three
+coordinates.
+@throws Error(kNotFound) for a scene that the campaign does not have. */
 std::vector<ComparisonTask> PlanComparison(const CampaignConfig& config,
                                            const std::vector<CampaignScene>& scenes,
                                            const std::filesystem::path& folder);
@@ -124,8 +128,8 @@ struct ComparisonRun {
   std::string hand, object, method;
   int seed = 0;
   std::vector<double> fitness;  ///< of each evaluation in order
-  /** Evaluations until the best so far has made 90 % of the way from the start's fitness to the
-  best of all runs of the scene; 0: never. */
+  /** Evaluations until the best fitness so far reaches 90 % of the gain from the start to the best
+  of all runs of the scene; 0: never. */
   int evaluations_to_90 = 0;
 };
 
@@ -134,53 +138,50 @@ struct Campaign {
   std::vector<SceneRecord> scenes;
   Session benchmark;  ///< empty plan: not begun
   std::vector<ComparisonRun> comparison;
-  std::vector<RealTrial> real;  ///< a laboratory's, or else the published ones
-  std::vector<Damage> damage;   ///< found and accepted, that of scenes and benchmark too
+  std::vector<RealTrial> real;  ///< a laboratory's, else the published ones
+  std::vector<Damage> damage;   ///< found and accepted
 };
-/** Everything that is stored, finished or not; hands and objects are not loaded.
+/** Loads everything that is stored, finished or not, without hands and objects.
 @throws Error(kNotFound, kVersion, kFormat, kIo). */
 Campaign LoadCampaign(const std::filesystem::path& folder, OnDamage on_damage = OnDamage::kRefuse);
 
-/** The parts of one campaign, or of one optimisation, from several folders, where machines share no
-disk.
-
-Takes what the optimisation in `folder` lacks of those in `others`. The same questions have the
-same answers, so one journal must be the beginning of the other, and the longer one is taken, with
-the result when there is one. Nothing is written unless all of it fits.
-@returns how many answers were new. @throws Error(kUsage) for one of other settings or another
-physics; Error(kFormat) for damage, and when the answers differ; as LoadScene; Error(kIo). */
+/** Merges an optimisation from several folders, for machines without a shared disk. Adds to
+`folder` what it lacks and `others` have. Since equal questions have equal answers, one journal must
+be a prefix of the other; the longer one is taken, with its result if any. Each folder of `others`
+is checked before any of it is written.
+@returns the number of new answers. @throws Error(kUsage) for other settings or another physics;
+Error(kFormat) for damage, and when answers differ; as LoadScene; Error(kIo). */
 int MergeScenes(const std::filesystem::path& folder,
                 const std::vector<std::filesystem::path>& others);
 
-/** The same for the scenes and the compared searches of a campaign, and lines of its workers. The
-benchmark is a session and has its own merge (merge_sessions.h). */
+/** As MergeScenes(), for the scenes, the compared searches and the workers' lines of a campaign.
+The benchmark, a session, is merged separately (merge_sessions.h). */
 int MergeCampaigns(const std::filesystem::path& folder,
                    const std::vector<std::filesystem::path>& others);
 
-/** How far a campaign, an optimisation or a development is, from its folders and journals alone; no
-hand or object is loaded. */
+/** Progress of a campaign, from its folders and journals alone, without loading hands or
+objects. */
 struct CampaignProgress {
   int num_scenes = 0;
   int num_finished = 0;
-  std::vector<ShardProgress> shards;  ///< of the scenes; of every number of shards with a worker
+  std::vector<ShardProgress> shards;  ///< by scenes, for every number of shards with a worker
   std::set<std::string> unchecked;    ///< see SessionProgress
   std::vector<Damage> damages;        ///< see SessionProgress
-  int num_searches = 0;               ///< of the comparison that are begun
-  std::optional<SessionProgress> benchmark;  ///< none: it is not planned yet
+  int num_searches = 0;               ///< of the comparison, begun
+  std::optional<SessionProgress> benchmark;  ///< none: not planned yet
 };
 
 /** @param stale_after  as in ReadProgress. @throws as LoadCampaignConfig; Error(kIo). */
 CampaignProgress ReadCampaignProgress(const std::filesystem::path& folder, double stale_after,
                                       IndexUse index_use = IndexUse::kBelieve);
 
-/** A search that keeps one journal, of an optimisation or of a hand's development: its number of
-answers. */
+/** Progress of a search with one journal, such as an optimisation or a hand's development. */
 struct SearchProgress {
   bool is_finished = false;
   int num_answers = 0;
   int num_bad_lines = 0;
   std::vector<Damage> damages;  ///< see SessionProgress
-  std::optional<double> age;    ///< since its journal was written [s]; none: nobody has begun
+  std::optional<double> age;    ///< since its journal was last written [s]; none: not begun
 };
 SearchProgress ReadSearchProgress(const std::filesystem::path& folder);
 

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-What the hashes and checksums of a store cannot tell: lines that are all as they were written may
-belong to another session or contradict each other, or be no answer that this program can read. */
+Checks that hashes and checksums of a store cannot make: intact lines may belong to another session,
+contradict each other, or be unreadable for this program. */
 
 #include <filesystem>
 
@@ -10,10 +10,10 @@ belong to another session or contradict each other, or be no answer that this pr
 
 namespace graspbench {
 
-/** Adds to `state`, what CheckStore has found in the folder, what is wrong with the records of a
-session and the answers of a search there or in a store of it; nothing where there is damage
-already. @returns what else the journals say of their lines.
-@throws Error as LoadSession, but for damage. */
+/** Adds to `state` the damage of session records and search answers in the folder and in its
+stores. Does nothing if `state` has damage already.
+@param state  result of CheckStore for the folder. @returns warnings about journal lines.
+@throws Error as LoadSession, except for damage. */
 Diagnostics CheckRecords(const std::filesystem::path& folder, StoreState& state);
 
 }  // namespace graspbench

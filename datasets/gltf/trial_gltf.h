@@ -2,26 +2,26 @@
 /** @file
 A trial as binary glTF 2.0 (GLB), for viewers of 3-D models and for the pages of reports.
 
-    world           turned so that W's z axis is glTF's y, up
+    world           rotated so that W's z axis is glTF's y axis, up
       hand          X_WH, moving
-        <link> ..   the hand's tree as in hand.urdf: node frame L, joints as rotations, sliding
-                    joints as translations; below each the meshes of its looks
+        <link> ..   the hand's tree as in hand.urdf: node frame L, revolute joints as rotations,
+                    prismatic joints as translations; below each link its visual meshes
       object        X_WO, moving
-      arm           X_WB of a robot arm that carries the hand; its links in a chain below it, each
+      arm           X_WB of a robot arm that carries the hand; its links as a chain below it, each
                     with its capsules
 
-Lengths are metres, times seconds since the start of placing. All channels share one row of key
-times and are linear (rotations spherically) between them; what does not move has no channel. The
-first and the last instant of the trial are keys, in single precision; of a trial that failed
-numerically the last that is finite.
+Lengths are in metres, times in seconds since the start of placing. All channels share one list of
+key times and are interpolated linearly (rotations spherically); nodes that do not move have no
+channel. Key times have single precision and include the first and the last instant of the trial, or
+the last finite one of a trial that failed numerically.
 
 The scene's `extras` hold
 
     outcome, reason    of the trial
-    phases             {name, time_s}: where each began
+    phases             {name, time_s}: start of each phase
     times_s            of the keys
-    contacts           fields: what the numbers of one contact are; units: what 1 stands for;
-                       keys: for each key its contacts, in W
+    contacts           fields: the numbers of one contact; units: their units; keys: the contacts
+                       at each key, in W
 
 Meshes are coarse, some 10,000 triangles for hand and object together (glb_file.h). */
 
@@ -33,18 +33,17 @@ Meshes are coarse, some 10,000 triangles for hand and object together (glb_file.
 
 namespace graspbench {
 
-inline constexpr double kGltfKeyRate = 30.0;  ///< keys a second
+inline constexpr double kGltfKeyRate = 30.0;  ///< keys per second
 
-/** @param traced  with instants at least as often as there are keys.   @param key_rate  [1/s]
+/** Makes the file. @param traced  with instants at least at the key rate. @param key_rate  [1/s].
 @throws Error(kUnsupported) for a trial that could not begin. */
 std::string MakeTrialGlb(const Hand& hand, const GraspObject& object, const TracedTrial& traced,
                          double key_rate = kGltfKeyRate);
 
-/** The same in parts, for a page that shows many trials with few hands and objects: the motion
-without meshes and names, the meshes without motion. A node of either says where it belongs in its
-`extras`: {"part": link's index, -1 for the object;
-behind the hand's links come those of the arm, its base first}. The hand's meshes are with the
-arm's. */
+/** Make the file in parts, for a page that shows many trials with few hands and objects: the motion
+without meshes and names, and the meshes without motion. The `extras` of each node state its part:
+{"part": index of the link, -1 for the object}. The arm's links, base first, follow the hand's. The
+hand's meshes include the arm's. */
 ///@{
 std::string MakeMotionGlb(const Hand& hand, const GraspObject& object, const TracedTrial& traced);
 std::string MakeHandGlb(const Hand& hand, const MountedArm* arm = nullptr);

@@ -13,14 +13,14 @@ namespace graspbench {
 
 struct MultigripperGripper {
   const char* id;
-  int axis;  ///< 1, 2, 3: x, y, z of the root, which gravity acts along; -: against
+  int axis;  ///< 1, 2, 3: gravity acts along x, y, z of the root; negative: against
   std::vector<double> closing;  ///< by joint, as ClosingTable::shares
-  std::vector<double> open;     ///< by joint [rad], of a slide [m]
+  std::vector<double> open;     ///< by joint [rad]; prismatic joints [m]
   std::vector<const char*> contact_links;
   int num_touching;
 };
 
-/** nullptr: the tables have no such gripper. */
+/** Returns nullptr if the tables do not have the gripper. */
 const MultigripperGripper* FindMultigripperGripper(std::string_view id);
 
 }  // namespace graspbench

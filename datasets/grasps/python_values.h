@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-Numbers and texts out of what a pickle holds, whichever way the writer kept them: a number of Python
-or of numpy, a list or tuple, an array of any type of number. A message names the key. */
+Reads numbers and texts from a pickle, in whatever form the writer stored them: Python or numpy
+numbers, lists, tuples, or arrays of any number type. Messages name the key. */
 
 #include <cstdint>
 #include <string>
@@ -11,12 +11,12 @@ or of numpy, a list or tuple, an array of any type of number. A message names th
 
 namespace graspbench {
 
-/** A file that was written by np.save: a header, then a pickle; or a pickle alone, which np.load
-takes as well.
+/** Reads a file written by np.save (a header, then a pickle), or a plain pickle, which np.load also
+accepts.
 @throws Error(kFormat) for any other file, for plain arrays of numbers, and as ReadPickle. */
 Pickle ReadNpy(std::string_view bytes, const std::string& file);
 
-/** Numbers in rows: of a number both sizes are 1, of a row of numbers num_rows is 1. */
+/** Numbers in rows. A single number has one row and one column; a list of numbers has one row. */
 struct NumberTable {
   int64_t num_rows = 0;
   int64_t num_columns = 0;
@@ -27,24 +27,26 @@ struct NumberTable {
   }
 };
 
-/** An array without dimensions holds one value, so does a scalar: the value itself. */
+/** Returns the single value of a scalar or of an array without dimensions; else the value
+itself. */
 const PickleValue& Unwrap(const PickleValue& value);
 
-/** Value of a key of a dictionary; null where it is not there. The last one counts, as in Python. */
+/** Returns the value of a key in a dictionary; null if absent. The last one counts, as in
+Python. */
 const PickleValue* FindItem(const PickleValue& dict, std::string_view key);
 
-/** @param where  of the value: "grasps.npy: grasp_qpos".
-@throws Error(kFormat) for anything else than finite numbers in at most two dimensions, for rows
-without numbers, and for a list of more than 16 million numbers. */
+/** @param where  location of the value: "grasps.npy: grasp_qpos".
+@throws Error(kFormat) for anything but finite numbers in at most two dimensions, for empty rows,
+and for a list of more than 16 million numbers. */
 NumberTable ReadNumbers(const PickleValue& value, const std::string& where);
 
-/** One number. @throws Error(kFormat). */
+/** Reads one number. @throws Error(kFormat). */
 double ReadNumber(const PickleValue& value, const std::string& where);
 
-/** @throws Error(kFormat) when it is no text. */
+/** @throws Error(kFormat) when it is not a text. */
 std::string ReadText(const PickleValue& value, const std::string& where);
 
-/** "a text", "a list", "an array of numpy (2 x 29)": what was found, for messages. */
+/** Describes a value for messages: "a text", "a list", "an array of numpy (2 x 29)". */
 std::string DescribeValue(const PickleValue& value);
 
 }  // namespace graspbench

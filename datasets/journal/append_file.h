@@ -1,8 +1,7 @@
 #pragma once
 /** @file
-A file of lines that only grows: locked against a second writer, each Append on the disk when it
-returns. A line that a crash has torn stays where it is; the next one starts on a line of its own.
-*/
+An append-only file of lines, locked against a second writer; appended lines are on disk when Append
+returns. An incomplete line left by a crash stays; the next line starts after a line break. */
 
 #include <cstdint>
 #include <filesystem>
@@ -11,25 +10,25 @@ returns. A line that a crash has torn stays where it is; the next one starts on 
 
 namespace graspbench {
 
-/** False when there is no such file. */
+/** Whether the last line of a file lacks its line break; false if there is no such file. */
 bool EndsInTornLine(const std::filesystem::path& path);
 
 class AppendFile {
  public:
-  /** Locks it (file_lock.h). @throws Error(kIo) when it cannot be written or another process writes
-  it. */
+  /** Locks the file (file_lock.h). @throws Error(kIo) when it cannot be written or another process
+  writes to it. */
   explicit AppendFile(const std::filesystem::path& path);
-  /** @param in_use  what to say when another process writes it. */
+  /** @param in_use  message if another process writes to it. */
   AppendFile(const std::filesystem::path& path, const std::string& in_use);
   ~AppendFile();
   /** @param lines  each with its line break.
-  @throws Error(kIo) with the system's reason; what was appended before stays valid. */
+  @throws Error(kIo) with the system's reason; earlier lines stay valid. */
   void Append(const std::string& lines);
 
-  /** Of the file now, if nobody else writes it [bytes]. */
+  /** Size of the file, if no one else writes to it [bytes]. */
   uintmax_t size() const;
 
-  /** Cuts off what lies behind the first `length` bytes. @throws Error(kIo). */
+  /** Truncates the file to its first `length` bytes. @throws Error(kIo). */
   void Truncate(size_t length);
 
  private:

@@ -1,11 +1,11 @@
 #pragma once
 /** @file
-One JSON object as one line of text, safe against torn and damaged bytes.
+One JSON object as one line of text, with a checksum against torn and damaged lines.
 
     {"trial_id":"..","hand":"tum",..,"xxh64":"0123456789abcdef"}
 
-The last member is the checksum: XXH64 of all bytes of the line before `,"xxh64"`. So a journal is
-JSON Lines to every other program, and a flipped bit is found before the line is parsed. */
+The last member is the checksum: XXH64 of all bytes of the line before `,"xxh64"`. So other programs
+can read a journal as JSON Lines, and a flipped bit is detected before the line is parsed. */
 
 #include <algorithm>
 #include <exception>
@@ -19,20 +19,20 @@ JSON Lines to every other program, and a flipped bit is found before the line is
 
 namespace graspbench {
 
-/** Without the line break. @pre `record` is an object with at least one member. */
+/** Formats the line without its line break. @pre `record` is an object with at least one member. */
 std::string FormatCheckedLine(const Json& record);
 
-/** Whether the line ends in the checksum of its bytes; it is not parsed. */
+/** Whether the line ends in the correct checksum; does not parse it. */
 bool IsCheckedLine(std::string_view line);
 
-/** What the checksum is of; empty when the line does not end in it. */
+/** Returns the part that the checksum covers; empty if the line does not end in it. */
 std::string_view FindCheckedBody(std::string_view line);
 
 /** @returns the object, its checksum included.
 @throws Error(kFormat) saying what is wrong with the line: cut off, or its checksum. */
 Json ParseCheckedLine(std::string_view line);
 
-/** `read(object)`. @throws Error(kFormat) as ParseCheckedLine, and where `read` throws. */
+/** Returns `read(object)`. @throws Error(kFormat) as ParseCheckedLine, and when `read` throws. */
 template <class Read>
 auto ReadCheckedLine(std::string_view line, Read&& read) {
   const Json json = ParseCheckedLine(line);
@@ -43,8 +43,8 @@ auto ReadCheckedLine(std::string_view line, Read&& read) {
   }
 }
 
-/** Calls `take(line, number, is_whole)` for every non-empty line; the last one is whole only when
-it ends in a line break. */
+/** Calls `take(line, number, is_whole)` for every non-empty line. The last one is whole only if it
+ends in a line break. */
 template <class Take>
 void ForEachLine(const std::string& text, Take&& take) {
   int number = 1;
@@ -63,13 +63,13 @@ struct FileLine {
   uintmax_t start;        ///< of the text in the file [bytes]
   bool is_whole;          ///< ends in a line break; false for the last one only
 };
-/** Every line of a file, the empty ones too; holds one line at a time.
-@param start  where the first line begins, and is counted as number 1. @throws as ReadFile. */
+/** Calls `take` for every line of a file, including empty ones; holds one line in memory at a time.
+@param start  position of the first line, which has number 1 [bytes]. @throws as ReadFile. */
 void ForEachLineOfFile(const std::filesystem::path& path,
                        const std::function<void(const FileLine&)>& take, uintmax_t start = 0);
 
-/** What is wrong with a JSON text: "it is no JSON from line 1, column 3 on", "its key "schema" is
-missing", or that a value is not of its type: the end of a sentence that names the file. */
+/** Describes a JSON fault as the end of a sentence that names the file: "it is no JSON from line 1,
+column 3 on", "its key "schema" is missing", or a value of the wrong type. */
 std::string DescribeJsonFault(const Json::exception& fault);
 
 }  // namespace graspbench

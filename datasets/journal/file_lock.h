@@ -1,13 +1,13 @@
 #pragma once
 /** @file
-The lock of a file against other programs: one rule for every lock of the project.
+Locks a file against other programs; all locks of the project follow this rule.
 
-Two things together. flock of the open file, which ends with its process, but which some file
-systems of clusters lack (ENOSYS, ENOLCK) and others grant without telling other machines. And an
-owner file beside it, `<file>.owner`: host, boot, process namespace, process and its start. It is
-removed when the lock is given back. What a killed program left is taken over where that program
-certainly has ended: same boot, same namespace, and no such process. Of any other owner nobody here
-knows whether it lives, so a person decides, by removing the owner file. */
+A lock has two parts. One is flock of the open file, which ends with the process. Some cluster file
+systems lack it (ENOSYS, ENOLCK), others grant it without informing other machines. The other is an
+owner file, `<file>.owner`, with host, boot, process namespace, process and its start time; it is
+removed when the lock is released. The owner file of a killed program is taken over if that program
+has certainly ended: same boot, same namespace, and no such process. Whether any other owner still
+runs is unknown, so the user decides by removing the owner file. */
 
 #include <filesystem>
 #include <string>
@@ -18,30 +18,30 @@ inline const std::string kOwnerEnding = ".owner";
 
 class FileLock {
  public:
-  /** Takes the lock unless somebody has it. Does not wait for who has it.
-  @param file  open for writing; outlives this.
-  @param path  its name. @throws Error(kIo) with the system's reason. */
+  /** Takes the lock unless another process holds it; does not wait.
+  @param file  open for writing; must outlive this.
+  @param path  of the file. @throws Error(kIo) with the system's reason. */
   FileLock(int file, std::filesystem::path path);
   ~FileLock();
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;
 
   bool is_held() const { return is_held_; }
-  /** Of a lock that somebody else has: who, and how it is taken over; empty: of this machine. */
+  /** If another process holds the lock: who, and how to take it over; empty for this machine. */
   const std::string& holder() const { return holder_; }
 
  private:
   std::filesystem::path path_;
-  std::string owner_;  // what the owner file holds while this has the lock
+  std::string owner_;  // contents of the owner file while the lock is held
   std::string holder_;
   bool is_held_ = false;
 };
 
-/** Whether somebody has the lock of the file, as far as this machine can know: an owner that
-certainly has ended has not. False where there is no such file. */
+/** Whether another process holds the lock, as far as this machine can know; an owner that has
+certainly ended does not. False if there is no such file. */
 bool IsLocked(const std::filesystem::path& path);
 
-/** Removes the owner file of a program that certainly has ended. */
+/** Removes the owner file of a program that has certainly ended. */
 void RemoveLeftOwner(const std::filesystem::path& path);
 
 }  // namespace graspbench

@@ -1,16 +1,16 @@
 #pragma once
 /** @file
-Grasps that others made, judged under profiles: the folder of `graspbench grasps judge`.
+Foreign grasps judged under profiles: the folder of `graspbench grasps judge`.
 
     grasps.json     frozen: files with their hashes, hand, objects, profiles in full, jitter
     manifest.json   hashes of all of it (manifest.h)
-    journal.jsonl   a line for each task, in their order
-    grasps.csv      the same as a table, when all are judged; grasps.schema.json: its dictionary
+    journal.jsonl   one line per task, in order
+    grasps.csv      the results as a table, when all are judged; grasps.schema.json: its dictionary
     report/         the page
 
 A task is one grasp, with one disturbance of its root, under one profile. The journal is written in
-the order of the tasks whatever the number of workers, so that an interrupted run that is continued
-leaves the same bytes. */
+the order of tasks for any number of workers, so that an interrupted and resumed run gives the same
+bytes. */
 
 #include <filesystem>
 #include <map>
@@ -31,9 +31,9 @@ struct JudgedGrasp {
   int request = 0;      ///< number of the task, from 0
   std::string source;   ///< file of the grasp
   int index = 0;        ///< in its file
-  std::string object;   ///< as the file names it
+  std::string object;   ///< name in the grasp's file
   std::string profile;  ///< its name
-  int jitter = 0;       ///< 0: as it is; else number of the disturbance
+  int jitter = 0;       ///< 0: undisturbed; else number of the disturbance
   std::string label;    ///< the file's own verdict: "success", "failure", empty: none
   FreeSpaceResult result;
   std::optional<std::string> search = {};  ///< see answer_journal.h
@@ -56,48 +56,48 @@ struct JudgedGrasp {
   /** @throws Error(kFormat). */
   static JudgedGrasp Parse(std::string_view line);
 
-  std::vector<int> trials;  ///< none: asked of a record by AnswerJournal
+  std::vector<int> trials;  ///< always empty; required by AnswerJournal
 };
 
 using GraspJournal = AnswerJournal<JudgedGrasp>;
 
 bool HasJudgedGrasps(const std::filesystem::path& folder);
-/** Makes the folder a store; it exists. @throws Error(kIo). */
+/** Makes the folder a store. @pre the folder exists. @throws Error(kIo). */
 void CreateJudgedGrasps(const std::filesystem::path& folder, const Json& config);
-/** @throws Error(kUsage) when it was made of other files, hands, objects or profiles, naming the
-first keys that differ; kVersion; kFormat; kIo. */
+/** @throws Error(kUsage) when it was made from other files, hands, objects or profiles, naming the
+keys that differ; kVersion; kFormat; kIo. */
 void CheckSameGrasps(const std::filesystem::path& folder, const Json& config);
 
-/** The frozen configuration, verified. @throws as LoadFrozen. */
+/** Verifies and loads the frozen configuration. @throws as LoadFrozen. */
 Json LoadGraspConfig(const std::filesystem::path& folder);
 
-/** All that is judged, verified. @throws as LoadFrozen. */
+/** Verifies and loads all judged grasps. @throws as LoadFrozen. */
 std::vector<JudgedGrasp> LoadJudgedGrasps(const std::filesystem::path& folder);
 
 inline constexpr char kGraspTable[] = "grasps.csv";
-/** Its data dictionary. */
+/** The data dictionary of grasps.csv. */
 Json MakeGraspTableSchema();
 /** Writes grasps.csv and seals the store. @throws Error(kIo). */
 void FinishJudgedGrasps(const std::filesystem::path& folder,
                         const std::vector<JudgedGrasp>& judged);
 
-/** Summary: how many pass under each profile, how far the files' own verdicts agree, how
-verdicts change from profile to profile, and what nearly passed or failed.
+/** Summary: how many grasps pass under each profile, how well the files' own verdicts agree, how
+verdicts change between profiles, and which grasps nearly passed or failed.
 
-Agreement beyond chance: Cohen's kappa = (p_o - p_e) / (1 - p_e), p_o the share of equal verdicts and
-p_e that of two judges who pass as often, independently (J. Cohen, Educ. Psychol. Meas. 20, 1960).
-Grasps whose simulation failed fail, and are counted. */
+Agreement beyond chance is Cohen's kappa = (p_o - p_e) / (1 - p_e), with p_o the share of equal
+verdicts and p_e that of two independent judges with the same pass rates (J. Cohen, Educ. Psychol.
+Meas. 20, 1960). Grasps whose simulation failed count as failed and are also counted separately. */
 
-/** NaN where both always say the same. */
+/** Returns Cohen's kappa; NaN if p_e is 1. */
 double CalcKappa(const PairedCounts& counts);
 
 struct ProfileSummary {
   std::string profile;
   int num_judged = 0, num_passed = 0, num_numerical = 0;
-  PairedCounts labels;  ///< of the grasps with one: first the label, second the verdict
-  std::vector<std::pair<std::string, int>> stages;  ///< where grasps failed, most first
-  /** Of grasps that passed undisturbed: the share of their disturbances that passes, too; NaN: none
-  were asked for. */
+  PairedCounts labels;  ///< of labelled grasps: first the label, second the verdict
+  std::vector<std::pair<std::string, int>> stages;  ///< where grasps failed, most frequent first
+  /** Share of disturbed grasps that pass, among grasps that pass undisturbed; NaN without
+  disturbances. */
   double jitter_share = kUnset;
 };
 
@@ -111,15 +111,16 @@ struct JudgedSummary {
   int num_grasps = 0;  ///< without disturbances
   std::vector<ProfileSummary> profiles;
   std::vector<ProfileTransition> transitions;  ///< of each profile to the next
-  /** Undisturbed, nearest to the limits first. */
+  /** Undisturbed grasps, nearest to the limits first. */
   std::vector<const JudgedGrasp*> nearest;
 };
 
-/** @param judged  outlives the summary. @param limits  of each profile: shift [m], turn [deg]. */
+/** @param judged  must outlive the summary. @param limits  of each profile: shift [m], turn
+[deg]. */
 JudgedSummary SummariseJudged(const std::vector<JudgedGrasp>& judged,
                               const std::map<std::string, std::pair<double, double>>& limits);
 
-/** The limits of the profiles in a frozen configuration. @throws Error(kFormat). */
+/** Returns the limits of the profiles in a frozen configuration. @throws Error(kFormat). */
 std::map<std::string, std::pair<double, double>> FindLimits(const Json& config);
 
 }  // namespace graspbench

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-profile.yaml: how somebody judges grasps (core/trial/protocols/free_space_profile.h), with sources.
-Those that come with the program are the files of datasets/profiles, `<name>.yaml` each. */
+profile.yaml: rules by which grasps are judged (core/trial/protocols/free_space_profile.h), with
+sources. The shipped profiles are the files `<name>.yaml` in datasets/profiles. */
 
 #include <string>
 #include <vector>
@@ -15,18 +15,18 @@ namespace graspbench {
 const FileKeys& ListProfileKeys();
 
 /** @param file  its name in messages.
-@throws Error(kFormat) listing every key that is unknown, out of range or no word it takes. */
+@throws Error(kFormat) listing every key that is unknown or has an invalid value. */
 FreeSpaceProfile ParseProfile(const std::string& text, const std::string& file);
 
-/** Of the profiles that come with the program, sorted by name.
+/** Lists the shipped profiles, sorted by name.
 @throws as ParseProfile; Error(kIo). */
 std::vector<FreeSpaceProfile> ListProfiles();
 
-/** @param name_or_path  a shipped one's name, or a file. @throws Error(kNotFound) with suggestions;
-as ParseProfile. */
+/** @param name_or_path  the name of a shipped profile, or a file. @throws Error(kNotFound) with
+suggestions; as ParseProfile. */
 FreeSpaceProfile LoadProfile(const std::string& name_or_path);
 
-/** @throws as LoadProfile; Error(kUsage) when two have one name. */
+/** @throws as LoadProfile; Error(kUsage) when two have the same name. */
 std::vector<FreeSpaceProfile> LoadProfiles(const std::vector<std::string>& names_or_paths);
 
 }  // namespace graspbench

@@ -2,14 +2,15 @@
 /** @file
 A hand on its robot arm as one URDF, for programs that plan or show motions.
 
-    world            the root link; the fixed joint "arm" puts the arm's base B in it
-    arm/<joint>      links and revolute joints of the arm, limits, torques and speeds included. The
-                     frame of a link is that of its joint, z along the axis; the frame of
-                     Denavit and Hartenberg lies behind it (core/arm/arm.h)
-    the hand         hand.urdf, unchanged; the fixed joint "arm to hand" puts its root on the flange
+    world            the root link; the fixed joint "arm" attaches the arm's base B to it
+    arm/<joint>      links and revolute joints of the arm, with limits, torques and speeds. A link
+                     has the frame of its joint, with z along the axis; the Denavit-Hartenberg
+                     frame follows it (core/arm/arm.h)
+    the hand         hand.urdf, unchanged; the fixed joint "arm to hand" attaches its root to the
+                     flange
 
-Forward kinematics are those of CalcArmPoses and CalcLinkPoses. URDF has no place for stiffness,
-armature and the coupling of a finger's joints; these are left out. */
+Forward kinematics equal CalcArmPoses and CalcLinkPoses. URDF cannot represent stiffness, armature
+and the coupling of finger joints; these are left out. */
 
 #include <string>
 
@@ -17,13 +18,13 @@ armature and the coupling of a finger's joints; these are left out. */
 
 namespace graspbench {
 
-/** Moments of inertia as bodies have them: none is larger than the other two together. What an arm's
-data leave at 0, because no joint moves it, is raised. */
+/** Makes moments of inertia physically possible: none may exceed the sum of the other two.
+Increases those that an arm's data leave at 0 because no joint excites them. */
 Eigen::Vector3d MakePossibleInertia(Eigen::Vector3d inertia);
 
-/** The file's text. @param hand_urdf  text of the hand's hand.urdf; addresses of meshes stay as they
-are. @throws Error(kFormat) when it is no URDF, Error(kUnsupported) when the hand has a name of the
-arm's. */
+/** Formats the file. @param hand_urdf  text of the hand's hand.urdf; mesh paths are not changed.
+@throws Error(kFormat) when it is not a URDF; Error(kUnsupported) when the hand uses a name of the
+arm. */
 std::string FormatArmUrdf(const MountedArm& mounted, const Hand& hand,
                           const std::string& hand_urdf);
 

@@ -1,15 +1,14 @@
 #pragma once
 /** @file
-A solid as a union of convex parts, for engines that know convex shapes only.
+Decomposes a solid into convex parts, for engines that support only convex shapes.
 
-The mesh is cut by planes across its axes repeatedly, where the convex hull of a part reaches
-farthest out of the solid, until it reaches out by no more than a tolerance. The parts fill the
-solid (nothing of it is lost but slivers thinner than 0.1 mm) and stick out of it by at most
-`excess`: a groove or dimple shallower than the tolerance is bridged, a round hole becomes a
-polygon's.
+The mesh is cut repeatedly by axis-aligned planes, where the convex hull of a part protrudes
+farthest from the solid, until it protrudes by at most a tolerance. The parts cover the solid
+(except slivers thinner than 0.1 mm) and protrude from it by at most `excess`: a groove or dimple
+shallower than the tolerance is bridged, and a round hole becomes polygonal.
 
-The idea is that of approximate convex decomposition (Lien and Amato 2007): the depth of the notch,
-not the volume, says where to cut. */
+As in approximate convex decomposition (Lien and Amato 2007), the depth of a notch, not its volume,
+determines where to cut. */
 
 #include <set>
 #include <utility>
@@ -22,25 +21,24 @@ not the volume, says where to cut. */
 namespace graspbench {
 
 struct ConvexPart {
-  std::vector<Eigen::Vector3d> vertices;  ///< of its hull, in the mesh's frame [m]
-  double excess = 0.0;  ///< how far its hull reaches out, as sampled in the field [m]
+  std::vector<Eigen::Vector3d> vertices;  ///< of its convex hull, in the mesh's frame [m]
+  double excess = 0.0;  ///< protrusion of its hull, sampled in the distance field [m]
 };
 
 struct ConvexPartsConfig {
-  double tolerance = 0.001;  ///< of the excess [m]
-  int max_parts = 200;       ///< what is left then stays uncut, and its excess says so
+  double tolerance = 0.001;  ///< on the excess [m]
+  int max_parts = 200;       ///< limit; remaining parts stay uncut, with their excess
 };
 
-/** The same arguments give the same bits. @pre the mesh is closed, `field` is its own. Costs up to
-some seconds. */
+/** Decomposes the mesh; deterministic, takes up to some seconds. @pre the mesh is closed, and
+`field` is its distance field. */
 std::vector<ConvexPart> CutIntoConvexParts(const TriMesh& mesh, const SignedDistanceField& field,
                                            const ConvexPartsConfig& config = {});
 
-/** Which links of a hand are built so that they touch, and are therefore no contact.
-
-Pairs of links, the smaller index first, of different digits or of a digit and the palm, whose
-capsules touch with all joints at zero: balls along the axis of one against the axis of the other, a
-64th of its length apart. */
+/** Finds pairs of links that touch by design, so that their contact is ignored. The links, smaller
+index first, belong to different digits or to a digit and the palm, and their capsules touch with
+all joints at zero. Balls along one axis, a 64th of its length apart, are tested against the other
+axis. */
 std::set<std::pair<int, int>> FindLinksTouchingAtRest(const Hand& hand);
 
 }  // namespace graspbench

@@ -1,12 +1,12 @@
 #pragma once
 /** @file
-Trials as scenes for MuJoCo: a folder a trial with
+Exports trials as scenes for MuJoCo. The folder of a trial has
 
     scene.xml     hand, object, table and drives (FormatMjcf)
     motion.csv    the commanded motion (RecordMotion)
 
-Whoever opens scene.xml in MuJoCo starts from its key "start" and gives the actuators row after
-row of motion.csv; tests/peer does so and compares. */
+A simulation in MuJoCo starts from the key "start" of scene.xml and sets the actuators row by row
+from motion.csv. tests/peer does so and compares the results. */
 
 #include <filesystem>
 #include <map>
@@ -23,7 +23,7 @@ namespace graspbench {
 
 class MjcfExporter {
  public:
-  /** Carries out the trial and writes its folder; files of these names are replaced.
+  /** Simulates the trial and writes its folder, replacing files of these names.
   @throws Error(kIo). */
   void Export(const TrialSetup& setup, const std::filesystem::path& folder);
 
@@ -31,17 +31,16 @@ class MjcfExporter {
   std::map<std::string, std::vector<ConvexPart>> parts_;  // by the object's content hash
 };
 
-/** What the hand is asked for in the course of a trial, step by step: what another engine needs to
-carry out the same trial.
+/** Commands to the hand in one step of a trial, as another engine needs them to repeat the trial.
 
-The strategy listens to the fingers (when all have touched, when the grip is steady), so the motion
-is that of our own run. A trial that is over early here, because the object was lost, is commanded
-to its end as if nothing touched: whether it is lost elsewhere too is for the other engine to
-find. */
+The strategy responds to contacts (all digits have touched, the grip is steady), so the motion is
+that of graspbench's own simulation. A trial that ends early here, because the object was lost, is
+commanded to its end as if nothing touched; the other engine determines whether it loses the object
+too. */
 struct MotionStep {
   Phase phase = Phase::kPlacing;
-  WorldCommand command;                    ///< for the step's end
-  Eigen::VectorXd q_arm = {}, u_arm = {};  ///< of a robot arm that carries the hand
+  WorldCommand command;                    ///< for the end of the step
+  Eigen::VectorXd q_arm = {}, u_arm = {};  ///< of the robot arm that carries the hand
 };
 
 struct CommandedMotion {
@@ -50,49 +49,49 @@ struct CommandedMotion {
   std::vector<MotionStep> steps;  ///< the first ends at `step`
 };
 
-/** Carries out the trial. @throws Error(kRange) when its start is not finite, Error(kUnsupported)
-for a controller that turns the hand or scales its drives' stiffness. */
+/** Simulates the trial and records its commands. @throws Error(kRange) when its start is not
+finite; Error(kUnsupported) for a controller that rotates the hand or scales the drives'
+stiffness. */
 CommandedMotion RecordMotion(const TrialSetup& setup);
 
-/** One row a step, the start first: time_s, phase, arm_x_m .. arm_z_m and arm_x_m_per_s .. of the
-root's displacement from the start along the world's axes, `<joint>_rad` of every drive. With a robot
-arm `arm/<joint>_rad` and `_rad_per_s` of its joints in place of the root's. */
+/** Writes one row per step, the start first: time_s, phase, arm_x_m .. arm_z_m and arm_x_m_per_s ..
+for the root's displacement from the start along the world's axes, and `<joint>_rad` of every drive.
+With a robot arm, `arm/<joint>_rad` and `arm/<joint>_rad_per_s` of its joints replace the root's
+columns. */
 std::string FormatMotionCsv(const Hand& hand, const CommandedMotion& motion);
-/** Its data dictionary. */
+/** Returns the data dictionary of motion.csv. */
 Json MakeMotionSchema(const Hand& hand);
 
 /* The scene of a trial in MuJoCo's format (MJCF), for MuJoCo 3.
 
-    bodies      "hand/<link>" as in hand.urdf, masses and inertias given; "object" in frame O
-    arm         slide joints arm/x, arm/y, arm/z along the world's axes with a position and a
-                velocity actuator each, together at most the arm's force; arm/turn, a ball joint
-                about H's origin with spring and damping. "carried" takes the hand's weight off them.
-                A robot arm instead: bodies "arm" and "arm/<joint>" with the same two actuators for
-                each joint, together at most its torque, and capsules that do not collide
+    bodies      "hand/<link>" as in hand.urdf, with explicit mass and inertia; "object" in frame O
+    arm         slide joints arm/x, arm/y, arm/z along the world's axes, each with a position and a
+                velocity actuator, limited together to the arm's force; arm/turn, a ball joint
+                about H's origin with spring and damping. "carried" compensates the hand's weight.
+                With a robot arm instead: bodies "arm" and "arm/<joint>" with the same two actuators
+                per joint, limited together to its torque, and capsules that do not collide
     drives      a position actuator per drive with stiffness, damping and torque limit
-    coupling    even and fixed: an equality of both joints. middle-first: the drive pulls on the sum
-                of both joints, a tendon keeps distal <= middle, and of the equalities lock/<joint>
-                exactly one holds its joint where it is; who steps the file says which
-                (core/hand/hand.h), the file starts with the distal joints locked
-    hand        capsules that collide, named "<digit or palm>/<link>/<n>"; in group 3, not
-                colliding, the balls that graspbench puts on the same surface, for whoever wants the
-                very same points of contact
-    object      convex parts (datasets/mjcf/convex_parts.h); MuJoCo would take the hull of a whole
-                mesh
-    friction    elliptic cone of the static coefficient, pads with torsion; the dynamic one is told
-                in <custom>, MuJoCo has no use for it. Links of the hand rub on each other as on
-                the object
-    key "start" where the trial begins: hand, drives, object
+    coupling    even and fixed: an equality of both joints. middle-first: the drive acts on the sum
+                of both joints, a tendon keeps distal <= middle, and exactly one of the equalities
+                lock/<joint> holds its joint in place. The stepping program selects it
+                (core/hand/hand.h); initially the distal joints are locked
+    hand        colliding capsules named "<digit or palm>/<link>/<n>"; in group 3, not colliding,
+                the balls that graspbench uses for the same surface, for programs that need
+                identical contact points
+    object      convex parts (datasets/mjcf/convex_parts.h), since MuJoCo would use the hull of a
+                whole mesh
+    friction    elliptic cone with the static coefficient, pads with torsion; the dynamic
+                coefficient, which MuJoCo cannot use, is in <custom>. Friction between links of the
+                hand is the same as with the object
+    key "start" the trial's start: hand, drives, object
 
-Not the same as in graspbench: the inertia of the hand along the commanded motion loads the arm
-(some 0.1 mm), its moment has no limit (whoever steps the file ends there); hysteresis and friction
-of
-drives and yielding couplings (core/physics/imperfect_drive.h) are left out; contacts and stops are
-MuJoCo's own springs, critically damped with a time constant of 5 ms, of soft pads too, whose patch
-is that of 1 N; what a joint's stop gives way
-is scaled to be alike.
+Differences from graspbench: the inertia of the hand along the commanded motion loads the arm (some
+0.1 mm), and the arm's moment has no limit (the stepping program must stop there). Hysteresis and
+friction of drives and compliant couplings (core/physics/imperfect_drive.h) are left out. Contacts
+and stops are MuJoCo's own springs, critically damped with a time constant of 5 ms, also for soft
+pads, whose contact patch is that of 1 N. The compliance of joint stops is scaled to match.
 
-The file's text. @param start  where the trial begins.   @param parts  of the setup's object. */
+Formats the file. @param start  the trial's start. @param parts  of the setup's object. */
 std::string FormatMjcf(const TrialSetup& setup, const WorldState& start,
                        const std::vector<ConvexPart>& parts);
 

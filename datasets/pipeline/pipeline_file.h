@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-pipeline.yaml: named stages, each one of the program's own commands with its inputs and parameters.
+pipeline.yaml: named stages, each a command of the program with its inputs and parameters.
 
     stages:
       benchmark:
@@ -11,8 +11,8 @@ pipeline.yaml: named stages, each one of the program's own commands with its inp
         command: judge
         inputs: {folder: benchmark}
 
-Inputs are files and folders beside the file, or stages; names from its folder, with slashes. What a
-command is called, takes and needs is told by whoever knows the commands (StageCommand). */
+Inputs are files and folders in the pipeline's folder, or stages; paths are relative to it, with
+slashes. The caller provides names, options and requirements of the commands (StageCommand). */
 
 #include <filesystem>
 #include <string>
@@ -23,11 +23,11 @@ command is called, takes and needs is told by whoever knows the commands (StageC
 
 namespace graspbench {
 
-/** Where a command puts what it makes. */
+/** Where a command puts its result. */
 enum class StagePlace {
-  kOwn,   ///< in a folder of --out
-  kCopy,  ///< inside its first argument: it gets a copy of it
-  kText   ///< it prints, which is kept as output.txt
+  kOwn,   ///< in the folder of --out
+  kCopy,  ///< inside its first argument, of which it gets a copy
+  kText   ///< on standard output, stored as output.txt
 };
 
 struct StageOption {
@@ -41,19 +41,19 @@ struct StageOption {
 struct StageCommand {
   std::string name;  ///< "study run"
   StagePlace place = StagePlace::kOwn;
-  std::vector<StageOption> options;  ///< arguments in their order
+  std::vector<StageOption> options;  ///< arguments in order
 };
 
 struct StageInput {
-  std::string option;  ///< that it is given to; empty: the command finds it by itself
-  std::string path;    ///< from the pipeline's folder, or the stage and what is in its result
-  std::string stage;   ///< empty: a file or folder of the user
+  std::string option;  ///< that receives it; empty: the command finds it itself
+  std::string path;    ///< relative to the pipeline's folder, or a stage and a path in its result
+  std::string stage;   ///< empty: a user's file or folder
   int line = 0;
 };
 
 struct StageParameter {
   std::string option;
-  std::vector<std::string> values;  ///< none: a flag
+  std::vector<std::string> values;  ///< empty: a flag
 };
 
 struct PipelineStage {
@@ -63,41 +63,42 @@ struct PipelineStage {
   std::vector<StageParameter> parameters;
   int line = 0;
 
-  /** The stages that it needs, each once, sorted. */
+  /** Lists the stages that this stage needs, each once, sorted. */
   std::vector<std::string> ListNeeded() const;
 };
 
 struct Pipeline {
   std::filesystem::path file;
-  std::string name;    ///< of the file, without ending
-  std::string folder;  ///< of the file; "." when its name has none
+  std::string name;    ///< of the file, without extension
+  std::string folder;  ///< of the file; "." if its path has none
   std::string about;
-  std::vector<PipelineStage> stages;  ///< each behind those that it needs, else as they stand
+  std::vector<PipelineStage> stages;  ///< each after those it needs, else in the file's order
 
   const PipelineStage* Find(const std::string& stage) const;
 };
 
-/** The rows that the reader checks. */
+/** The keys that the reader checks. */
 const FileKeys& ListPipelineKeys();
 
-/** No file but the text is looked at. @param file  its name in messages.
+/** Parses the text without accessing other files. @param file  its name in messages.
 @throws Error(kFormat) with all faults and their lines. */
 Pipeline ParsePipeline(const std::string& text, const std::string& file,
                        const std::vector<StageCommand>& commands);
-/** With a look whether the inputs are there. @throws as ParsePipeline; Error(kNotFound, kIo). */
+/** Reads a pipeline and checks that its inputs exist. @throws as ParsePipeline; Error(kNotFound,
+kIo). */
 Pipeline LoadPipeline(const std::filesystem::path& file, const std::vector<StageCommand>& commands);
 
-/** The folder beside the stages' results in which their inputs stand. */
+/** The folder next to the stages' results that holds their inputs. */
 inline constexpr char kStageInputs[] = "inputs";
-/** What a command that prints is kept as, in its stage's folder. */
+/** File in the stage's folder that stores the output of a printing command. */
 inline constexpr char kStageOutput[] = "output.txt";
 
-/** The command's words behind "graspbench", for a process whose folder holds the results of the
-stages by their names, and their inputs in `inputs`; empty: beside them. */
+/** Returns the command line after "graspbench", for a process whose working folder holds the
+stages' results by name and their inputs in `inputs` (empty: in the same folder). */
 std::vector<std::string> ListStageWords(const PipelineStage& stage,
                                         const std::string& inputs = kStageInputs);
 
-/** Of a command that works in a copy: what is copied, as in StageInput. @pre place is kCopy. */
+/** Returns what a command that works in a copy copies, as in StageInput. @pre place is kCopy. */
 std::string FindCopied(const PipelineStage& stage);
 
 }  // namespace graspbench

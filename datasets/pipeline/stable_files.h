@@ -1,9 +1,10 @@
 #pragma once
 /** @file
-What of a result has the same bytes whoever made it, when, on how many workers and with how many
-interruptions. Of a store (datasets/journal/store_kind.h) that is everything but run.json and what
-is made from it, progress/, workers/ and the manifest, of which only counts whether it can be read;
-journals whose files are named after workers count by their lines, whichever file holds them. */
+The parts of a result whose bytes do not depend on who made it, when, on how many workers and with
+how many interruptions. For a store (datasets/journal/store_kind.h) these are all files except
+run.json, ro-crate-metadata.json, progress/, workers/ and the manifest; for the manifest only its
+readability counts. Journals whose files are named after workers count by their lines, in whichever
+file these are. */
 
 #include <filesystem>
 #include <map>
@@ -13,24 +14,25 @@ journals whose files are named after workers count by their lines, whichever fil
 
 namespace graspbench {
 
-/** SHA-256 by name from the folder, of stores inside it too; such journals by their pattern.
-Of a file itself: one with its name. Instead of a manifest's: "whole" or "damaged". @throws
-Error(kNotFound, kIo). */
+/** Lists SHA-256 hashes by path relative to the folder, including stores inside it; journals of
+workers are listed by their pattern. If `path` is a file, lists only this file. A manifest has the
+value "whole" or "damaged" instead of a hash. @throws Error(kNotFound, kIo). */
 std::map<std::string, std::string> ListStableFiles(const std::filesystem::path& path);
 
-/** One hash of what ListStableFiles has found. */
+/** Returns one hash of the result of ListStableFiles. */
 std::string CalcStableSha256(const std::map<std::string, std::string>& files);
 
-/** Copies the same to a new folder: such journals as one file each, "journal/0.jsonl", sorted; and
-each store gets a manifest again, so that every program can open it. The same result, the same
-bytes. @throws Error(kNotFound, kIo). */
+/** Copies these parts to a new folder. Journals of workers become one sorted file each,
+"journal/0.jsonl", and each store gets a new manifest, so that every command can open it. Equal
+results give equal bytes. @throws Error(kNotFound, kIo). */
 void CopyStableFiles(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/** Files that a stage would read though its pipeline does not name them: an object's folder given
-by a session file, recordings of a study. Nobody would see them change, and no pack would hold them.
+/** Finds files that a stage would read although its pipeline does not list them, as an object's
+folder named in a session file, or a study's recordings. Their changes would be undetected, and
+packs would lack them.
 
-A fault for each value in a YAML file among the stage's inputs that is a path outside of them, by
-its root or by "..", and leads to something. */
+Adds a fault for each value in a YAML file among the stage's inputs that is an absolute path or
+contains "..", and exists. */
 void CheckHiddenInputs(const Pipeline& pipeline, const PipelineStage& stage, Diagnostics& problems);
 
 }  // namespace graspbench

@@ -1,8 +1,8 @@
 #pragma once
 /** @file
-Standard grasps fitted to objects, with what is predicted of them (core/grasp/predict_grasp.h): found
-once for a session, shared by its threads, and kept between runs (core/base/files/kept.h) under the
-hash of the numbers of hand, grasp and object and of the sources (core/base/version.h). */
+Standard grasps fitted to objects, with their predictions (core/grasp/predict_grasp.h). They are
+computed once for a session, shared by its threads, and kept between runs (core/base/files/kept.h)
+under a hash of the hand, the grasp, the object and the sources (core/base/version.h). */
 
 #include <map>
 #include <memory>
@@ -19,13 +19,14 @@ namespace graspbench {
 
 /** A standard grasp on one object. */
 struct FittedGrasp {
-  Grasp grasp;                 ///< as the hand does it there
-  GraspPrediction prediction;  ///< of it
+  Grasp grasp;                 ///< as the hand performs it on the object
+  GraspPrediction prediction;  ///< for `grasp`
 };
 
 class FittedGrasps {
  public:
-  /** The reference stays valid. @param object  completed where that is needed. */
+  /** Returns the grasp fitted to the object. The reference stays valid. @param object  completed
+  (CompleteObject) if needed. */
   const FittedGrasp& Find(const std::shared_ptr<const Hand>& hand, const Grasp& grasp,
                           const std::shared_ptr<const GraspObject>& object);
 

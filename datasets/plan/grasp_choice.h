@@ -1,7 +1,8 @@
 #pragma once
 /** @file
-Which grasps of a hand a session tries on an object, how the hand does them there, and whether any
-of them reaches it: known by geometry before the first trial (core/grasp/predict_grasp.h). */
+Which grasps of a hand a session uses on an object, how the hand performs them there, and whether
+any of them reaches it. Geometry answers this before the first trial
+(core/grasp/predict_grasp.h). */
 
 #include <memory>
 #include <string>
@@ -13,61 +14,67 @@ of them reaches it: known by geometry before the first trial (core/grasp/predict
 
 namespace graspbench {
 
-/** In a configuration and a plan: the hand's camera chooses the grasp in the trial. */
+/** Name in configurations and plans for the grasp that the hand's camera chooses in the trial. */
 inline constexpr const char* kBySight = "by-sight";
 
-/** Whether the hand looks in the trials, conditions left aside: to be positioned or to choose. */
+/** Whether the session's base needs the hand's camera, for positioning or to choose the grasp. */
 bool NeedsCamera(const SessionConfig& config);
-/** A controller gets the pictures of the hand's camera, or the object's pose that it finds. */
+/** Whether the controller receives the images of the hand's camera or the object pose estimated
+from them. */
 bool ShowsCamera(const PolicyConfig& policy);
 
-/** Whether a grasp is chosen by sight in any trial, conditions included. */
+/** Whether the base or any condition chooses a grasp by sight. */
 bool HasGraspBySight(const SessionConfig& config);
 
-/** The hand's grasp of this id that may be used on the object; null: none. */
+/** Returns the hand's grasp with this id that may be used on the object; null if there is none. */
 const Grasp* FindGrasp(const SessionHand& hand, const GraspObject& object, const std::string& id);
 
-/** The id that a name in the configuration stands for: that of the grasp of a file, or itself. */
+/** Returns the grasp id for a name in the configuration: the id in the file if the name is a grasp
+file, else the name itself. */
 std::string ResolveGraspName(const SessionInputs& inputs, const std::string& name);
 
-/** The grasp as the trial takes it: fitted to the object (predict_grasp.h), which is found once for
-the session and shared by threads. What was made for the object, or is what the object names as best
-for this hand, stays as it is; so does what is clear of its bounding box, unless its palm may touch.
-*/
+/** Returns the grasp as trials use it: fitted to the object (predict_grasp.h). The fit is computed
+once for the session and shared by threads. A grasp made for the object, or named by the object as
+best for this hand, stays unchanged. So does one that is clear of the object's bounding box, unless
+its palm may touch. */
 Grasp FindFitted(const SessionInputs& inputs, const SessionHand& hand, const Grasp& grasp,
                  const std::shared_ptr<const GraspObject>& object);
 
-/** What stands in the plan as one grasp. */
+/** One grasp entry of the plan. */
 struct GraspEntry {
   std::string id;
-  std::vector<const Grasp*> grasps;  ///< one, or those of which the camera chooses
+  std::vector<const Grasp*> grasps;  ///< one, or those from which the camera chooses
 };
 
-/** Of the hand's standard grasps the first of each type that the outline of an object may suggest
-(core/vision/locate_object.h). @throws Error(kUsage) when the hand has none of one type. */
+/** Returns the first of the hand's standard grasps of each type that an object's outline may
+suggest (core/vision/locate_object.h). @throws Error(kUsage) when the hand lacks one of these
+types. */
 std::vector<const Grasp*> FindSightGrasps(const SessionHand& hand, const GraspObject& object);
 
-/** As MakePlan says (session_plan.h). "predicted" is what the object names for this hand, else of
-those that reach and meet it by prediction one that held half of the shapes that its development had
-not met (Grasp::held_share), else any; then the one that keeps most of four conditions (clear of it,
-forces that hold, every digit meets it, the palm near), and of those alike the one that meets it
-lowest. */
+/** Lists the grasps of the plan by the rules of MakePlan (session_plan.h). "predicted" is the grasp
+that the object names for this hand. Otherwise candidates are ranked by these criteria in turn:
+
+- predicted to reach and meet the object;
+- held at least half of the shapes that its development had not seen (Grasp::held_share);
+- how many of four conditions are met: clear of the object, forces that hold, every digit meets the
+  object, the palm near it;
+- how low it meets the object. */
 std::vector<GraspEntry> ListGraspEntries(const SessionConfig& config, const SessionInputs& inputs,
                                          const SessionHand& hand,
                                          const std::shared_ptr<const GraspObject>& object);
 
-/** All grasps of the entries, each once. */
+/** All grasps of ListGraspEntries, each once. */
 std::vector<const Grasp*> FindGrasps(const SessionConfig& config, const SessionInputs& inputs,
                                      const SessionHand& hand,
                                      const std::shared_ptr<const GraspObject>& object);
 
-/** What is to be said of the session's objects before it, each in the order hand, object:
+/** Lists warnings about the session's objects before it runs, each in the order hand, object:
 
-- "allegro, carton: the grasp that rehearsal chose, g3, held 1 of 4 imagined trials", of "best"
-  grasps that held half or less;
+- "allegro, carton: the grasp chosen by rehearsal, g3, held 1 of 4 imagined trials", for "best" and
+  rehearsed grasps that held half or fewer;
 - "allegro, carton: none of g1, g2 reaches it, so every trial will be unreachable; nearest is g2,
-  whose pads stop 6.2 mm short", with the widths where the object is too wide, of each name of a
-  grasp; what an object names as its best grasp is believed;
+  whose pads stop 6.2 mm short", for each name in the configuration's list of grasps, with both
+  widths where the object is too wide; a best grasp that the object names is not checked;
 - objects that tip over when they are set down as their mesh lies (core/shape/resting_pose.h). */
 std::vector<std::string> ListObjectWarnings(const SessionConfig& config,
                                             const SessionInputs& inputs);

@@ -1,11 +1,12 @@
 #pragma once
 /** @file
-What a session's hands and objects must have for its grip, asked before it starts; and what its
-frozen configuration says of it.
+Checks before a session starts that its hands and objects suit its grip, and decides what its frozen
+configuration records of the grip.
 
-What all trials did before there was a choice is a firm grip: they closed to the target posture at
-full speed once the hand had arrived. Frozen configurations and ids say nothing of it, so that they
-are what they were; whatever the defaults are, what says nothing means that. */
+Before the grip was configurable, all trials used a firm grip: they closed to the target posture at
+full speed once the hand had arrived. Frozen configurations and trial ids omit the keys of a firm
+grip, so that old ones stay valid. A configuration without these keys means a firm grip, whatever
+the defaults are. */
 
 #include <string>
 #include <vector>
@@ -17,40 +18,42 @@ are what they were; whatever the defaults are, what says nothing means that. */
 
 namespace graspbench {
 
-/** @throws Error(kRange) for a force above the bound of a hand in one of the session's grasps, with
-the largest possible (core/trial/grip/grip_statics.h). */
+/** @throws Error(kRange) for a force above what a hand can exert in one of the session's grasps;
+the message gives the bound (core/trial/grip/grip_statics.h). */
 void CheckGripForces(const SessionConfig& config, const SessionInputs& inputs);
-/** By sensed touch. @throws Error(kRange) for a force that a digit's elements do not feel: below the
-detection threshold of one, or above what all of the digit together can feel. */
+/** Checks forces under sensed touch. @throws Error(kRange) for a force that a digit's elements
+cannot measure: not above the detection threshold of one element, or above the saturation of all
+elements together. */
 void CheckFeltForces(const SessionConfig& config, const SessionInputs& inputs);
-/** Of hands whose pads give less than is asked in one of the session's grasps, by estimate; whose
-elements feel one by one less than is asked, or nothing of the least that a margin asks. */
+/** Lists warnings about hands whose pads exert less than the setpoint in one of the session's
+grasps, by estimate. Under sensed touch also about hands of which one element saturates below the
+setpoint or does not detect the minimum setpoint. */
 std::vector<std::string> ListGripWarnings(const SessionConfig& config, const SessionInputs& inputs);
 /** @throws Error(kRange) for a margin with an object that has no friction. */
 void CheckGripMargins(const SessionConfig& config, const SessionInputs& inputs);
 
-/** Without what a firm grip does not say or does not look at. */
+/** Converts the strategy to JSON, without the keys that a firm grip omits or ignores. */
 Json StrategyToJson(const StrategyConfig& strategy);
 
-/** Whether a setting of this key can change a trial: "strategy.grip_margin" only with a grip of
-margin, "strategy.grip_force_n" not with a firm one; every other key. */
+/** Whether a setting with this key can change a trial. "strategy.grip_margin" can only if the grip
+is margin, "strategy.grip_force_n" if the grip is not firm; every other key can. */
 bool CanMatter(const std::string& key, const StrategyConfig& strategy);
 
-/** "has no use where strategy.grip is force; ...", of a setting that cannot matter. */
+/** Returns "has no effect if strategy.grip is force; ...", for a setting that cannot matter. */
 std::string DescribeUnusedGrip(const StrategyConfig& strategy);
 
 /** @param assignment  "strategy.grip_margin=3".
 @throws Error(kUsage) for one that cannot matter. */
 void RefuseUnusedGrip(const std::string& assignment, const StrategyConfig& strategy);
 
-/** That of the session's trials: where a controller closes the digits, a firm grip, which regulates
-nothing. */
+/** Returns the strategy that the session's trials use. Where a controller closes the digits, it has
+a firm grip, which regulates no force. */
 StrategyConfig FindUsedStrategy(const SessionConfig& config);
 
-/** A firm grip with the values that its frozen configuration does not say. */
+/** Resets the force and margin of a firm grip, which its frozen configuration omits. */
 void DropUnusedGrip(StrategyConfig& strategy);
 
-/** Adds to "strategy" of these conditions, where there is one, what it does not say. */
+/** Adds the omitted keys of a firm grip to "strategy" of these conditions, where there is one. */
 void AddFirmGrip(Json& conditions);
 
 }  // namespace graspbench

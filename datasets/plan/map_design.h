@@ -1,14 +1,15 @@
 #pragma once
 /** @file
-The design of graspbench map simultaneity: sessions whose conditions are regions of how a hand grips
-and of what it grips, each without delay and with the last or first digit late.
+The design of `graspbench map simultaneity`: sessions whose conditions are regions of grip and
+object properties, each without delay and with the last or first digit delayed.
 
-Regions are a regular fraction of two-level factors, a factor of four levels taking two columns
-(G. E. P. Box and J. S. Hunter, Technometrics 3 (1961)): of seven columns 32 runs of resolution IV,
-offset = law x speed x grip1 x grip2 and mass = law x speed x grip2 x friction; without the grip,
-five columns, 16 runs of resolution V, mass = law x speed x friction x offset. So every two levels
-of two factors meet equally often. A firm grip closes to its posture and has no drive law: its four
-regions with the law "saturating" are left out. */
+The regions are a regular fractional factorial of two-level factors (G. E. P. Box and J. S. Hunter,
+Technometrics 3 (1961)); a factor with four levels takes two columns. With the grip there are seven
+columns and 32 runs of resolution IV, with the generators offset = law x speed x grip1 x grip2 and
+mass = law x speed x grip2 x friction. Without the grip there are five columns and 16 runs of
+resolution V, with mass = law x speed x friction x offset. So every two levels of two factors occur
+together equally often. A firm grip closes to its posture and has no drive law: its four regions
+with the law "saturating" are left out. */
 
 #include <string>
 #include <vector>
@@ -18,13 +19,13 @@ regions with the law "saturating" are left out. */
 namespace graspbench {
 
 struct MapLevelRow {
-  std::string name;     ///< for people: "margin 1.5"
+  std::string name;     ///< for display: "margin 1.5"
   std::string setting;  ///< of a condition (conditions.h)
 };
 struct MapFactorRow {
   std::string name;
-  std::vector<MapLevelRow> levels;  ///< that of the base first; two or four
-  bool scales_draws = false;        ///< how far they put the object off
+  std::vector<MapLevelRow> levels;  ///< two or four, the base's first
+  bool scales_draws = false;        ///< the levels scale the object's offset
 };
 /** Drive law, speed after touch, grip, friction, offset, mass. */
 const std::vector<MapFactorRow>& ListMapFactors();
@@ -36,23 +37,23 @@ struct MapPart {
   bool varies_grip;
   std::vector<double> delays;  ///< of the last and of the first digit [s]
   int most_trials;             ///< of each hand, object and region
-  int most_objects;            ///< dealt by the seed; 0: all
+  int most_objects;            ///< chosen by the seed; 0: all
   bool with_thresholds, with_judge;
 };
-/** @param is_quick  success alone, with one delay and one draw. */
+/** The sessions of a map. @param is_quick  success only, with one delay and one draw. */
 std::vector<MapPart> ListMapParts(bool is_quick);
 
-/** So many draws of each object as make some sixty trials of a hand in a region: of more objects
-fewer, because more objects tell more than more draws.
-@param base  hands, objects and seed are kept; what the factors vary is set.
+/** Makes the session of one part. The draws of each object are chosen to give some sixty trials per
+hand and region: more objects get fewer draws, because objects are more informative than draws.
+@param base  gives hands, objects and seed; the keys of the factors are set to their base level.
 @throws as ApplyCondition. */
 SessionConfig MakeMapSession(const MapPart& part, SessionConfig base);
 
 /** Whether a session is the first part of a map, of either size. */
 bool IsMap(const SessionConfig& config);
 
-/** The level of each factor under each condition; the grip's is the base's where it is not varied.
-*/
+/** Index of each factor's level under each condition; the grip has its base level where it is not
+varied. */
 std::vector<std::vector<size_t>> ListMapLevels(const std::vector<Condition>& conditions,
                                                const SessionConfig& config);
 

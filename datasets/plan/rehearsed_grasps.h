@@ -1,13 +1,13 @@
 #pragma once
 /** @file
-The grasps "rehearsed" of a session (core/rehearse): for each hand and object the one that imagined
-trials choose. Imagined trials are those of the session, by its variation, strategy and simulation,
-with draws of a stream of their own, so that no session meets the draws of its rehearsal whatever
-its seed.
+The grasps "rehearsed" of a session (core/rehearse): for each hand and object the grasp that
+imagined trials choose. Imagined trials use the session's variation, strategy and simulation, but
+draws from a random stream of their own. So no session uses the draws of its rehearsal, whatever its
+seed.
 
-What was found is kept between runs (core/base/files/kept.h) under the hash of all that decides it
-and of the sources; a session keeps the grasps themselves among its inputs (session_inputs.h),
-as grasp files. */
+Rehearsals are kept between runs (core/base/files/kept.h) under a hash of all their inputs and of
+the sources. A session stores the grasps themselves among its inputs (session_inputs.h), as grasp
+files. */
 
 #include <memory>
 #include <optional>
@@ -20,56 +20,59 @@ as grasp files. */
 
 namespace graspbench {
 
-/** Reads "rehearsed", "rehearsed:N,k" as people write it, and ids of NameRehearsed; nothing for
-another name. @throws Error(kUsage) for numbers that are none, or out of range. */
+/** Parses "rehearsed", the user's form "rehearsed:N,k" and ids from NameRehearsed; nothing for
+another name. @throws Error(kUsage) for numbers that are malformed or out of range. */
 std::optional<RehearsalConfig> ParseRehearsed(const std::string& name);
-/** The grasp's id under such a name, which holds no comma: "rehearsed", "rehearsed-80-8". */
+/** Returns the grasp's id, which has no comma: "rehearsed", "rehearsed-80-8". */
 std::string NameRehearsed(const RehearsalConfig& config);
-/** Of names that were parted at their commas the ids: "rehearsed:80", "8" is "rehearsed-80-8".
+/** Rejoins names that were split at commas and converts them to ids: "rehearsed:80", "8" gives
+"rehearsed-80-8".
 @throws as ParseRehearsed. */
 std::vector<std::string> JoinRehearsed(const std::vector<std::string>& names);
-/** What the grasps of the session and of its conditions ask for, each once. */
+/** Lists the rehearsals that the grasps of the session and its conditions require, each once. */
 std::vector<RehearsalConfig> ListRehearsals(const SessionConfig& config);
 
-/** The grasps that may be rehearsed on the object, in its order: standard ones, without a placement
-and for no object alone. */
+/** Returns the grasps that may be rehearsed on the object, in its grasp_order: standard ones
+without a placement that are not made for one object. */
 std::vector<Grasp> ListRehearsable(const std::vector<Grasp>& grasps, const GraspObject& object);
 
-/** What decides a rehearsal. */
+/** The inputs of a rehearsal. */
 struct RehearsalTask {
   std::shared_ptr<const Hand> hand;
-  std::vector<Grasp> grasps;                  ///< of ListRehearsable
-  std::shared_ptr<const GraspObject> object;  ///< completed where that is needed
-  TrialConditions conditions;                 ///< hand and object are already changed by its model
-  ImperfectionConfig imperfections;           ///< likewise, of the hand
+  std::vector<Grasp> grasps;                  ///< from ListRehearsable
+  std::shared_ptr<const GraspObject> object;  ///< completed (CompleteObject) if needed
+  TrialConditions conditions;                 ///< its model is already applied to hand and object
+  ImperfectionConfig imperfections;           ///< already applied to the hand
   RehearsalConfig config;
-  std::shared_ptr<const MountedArm> arm = {};  ///< of the session; null: none
+  std::shared_ptr<const MountedArm> arm = {};  ///< the session's arm; null: none
 };
 RehearsalTask MakeRehearsalTask(const SessionConfig& config, const RehearsalConfig& rehearsal,
                                 const std::shared_ptr<const Hand>& hand,
                                 const std::vector<Grasp>& grasps,
                                 const std::shared_ptr<const GraspObject>& object);
 
-/** Hash of all that decides it: hand, grasps, object, conditions, physics, rules of choice. */
+/** Hash of all that determines the rehearsal: hand, grasps, object, conditions, physics and rules
+of choice. */
 std::string CalcRehearsalHash(const RehearsalTask& task);
 
-/** The setup of an imagined trial; its stream is named by the hand, the object and the draw.
-@param object  that of the draw: doubted or not. */
+/** Makes the setup of an imagined trial. Its random stream is named by hand, object and draw.
+@param object  the task's object, or its changed copy for a draw for which IsDoubtful(). */
 TrialSetup MakeRehearsalSetup(const RehearsalTask& task,
                               const std::shared_ptr<const GraspObject>& object, const Grasp& grasp,
                               const RehearsalQuestion& question);
 
-/** Kept from an earlier run; nothing: it is to be run. */
+/** Returns the rehearsal kept by an earlier run; nothing if it must be run. */
 std::optional<Rehearsal> FindKeptRehearsal(const RehearsalTask& task);
-/** Kept, or run in this thread and kept; some seconds. Threads may do so side by side.
+/** Returns the kept rehearsal, or runs it in this thread and keeps it, which takes some seconds.
+Thread-safe.
 @throws Error(kUsage) for a hand without a standard grasp; as TrialRunner. */
 Rehearsal FindRehearsal(const RehearsalTask& task);
 
-/** The warning about a grasp that held half of its imagined trials or fewer; else empty. */
+/** Returns the warning for a grasp that held half of its imagined trials or fewer; else empty. */
 std::string DescribeDoubt(const std::string& hand, const std::string& object,
                           const std::string& grasp, int held, int draws);
 
-/** The chosen grasp as the text of a grasp file (core/grasp/grasp_file.h), and any other one.
+/** Formats a candidate as the text of a grasp file (core/grasp/grasp_file.h).
 @param id  of the grasp in the file. */
 std::string FormatRehearsedGrasp(const RehearsalTask& task, const GraspCandidate& candidate,
                                  const std::string& id);

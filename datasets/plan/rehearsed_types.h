@@ -1,14 +1,14 @@
 #pragma once
 /** @file
-Which standard grasp a hand takes on an object by "best", the default. What the object names for the
-hand (best_grasp of object.yaml) is taken. Else imagined trials choose among the standard grasps,
-each as the rule places it (core/rehearse): for the shipped hands and objects once, stored in
-objects/catalogue/rehearsed_types.json with the hash of the rehearsal, for others when the session
-is made, under its settings. The stored choice is that under the default settings; sessions with
-other settings take it, too, so that they compare the same grasps. It is found by its hash, so that
-a hand, an object or an approach that is another is rehearsed.
+Which standard grasp a hand uses on an object for "best", the default. If the object names one for
+the hand (best_grasp in object.yaml), it is used. Otherwise imagined trials choose among the
+standard grasps, each placed by the rule (core/rehearse). For the shipped hands and objects this was
+done once, under the default settings; objects/catalogue/rehearsed_types.json stores the choice with
+the hash of the rehearsal. For others it is done when the session is made, under its settings.
+Sessions with other settings also use the stored choice, so that they compare the same grasps. It is
+looked up by its hash, so a changed hand, object or approach is rehearsed again.
 
-"predicted" is the choice by geometry alone (grasp_choice.h). The thesis (4.2) chooses by trying
+"predicted" is the choice by geometry alone (grasp_choice.h). The thesis (4.2) chooses by executing
 every grasp on every object. */
 
 #include <map>
@@ -29,17 +29,17 @@ struct SessionConfig;
 inline constexpr const char* kBestGrasp = "best";
 inline constexpr const char* kPredictedGrasp = "predicted";
 
-/** Makes the stored choice again, from the root of the sources. */
+/** Command that regenerates the stored choice, from the root of the sources. */
 inline constexpr char kRehearseTypes[] =
     "graspbench rehearse --types --draws 20 --out results/types && cp results/types/types.json "
     "objects/catalogue/rehearsed_types.json";
-inline constexpr int kShippedTypeDraws = 20;  ///< as there
-inline constexpr int kTypeDraws = 4;          ///< of what a session rehearses itself
+inline constexpr int kShippedTypeDraws = 20;  ///< in that command
+inline constexpr int kTypeDraws = 4;          ///< in a session's own rehearsal
 
 struct RehearsedType {
   std::string hand, object;  ///< ids
   std::string grasp;         ///< id of the standard grasp
-  int held = 0, draws = 0;   ///< of its imagined trials
+  int held = 0, draws = 0;   ///< imagined trials: successful, all
   std::string hash;          ///< of the rehearsal (rehearsed_grasps.h)
 
   template <class V>
@@ -53,25 +53,27 @@ struct RehearsedType {
     field("hash", &R::hash);
   }
 };
-/** By hand and object. */
+/** Keyed by hand and object id. */
 using RehearsedTypes = std::map<std::pair<std::string, std::string>, RehearsedType>;
 
-/** A JSON list, one line each. */
+/** Formats the types as a JSON list, one line per type. */
 std::string FormatTypes(const RehearsedTypes& types);
-/** @param file  its name in messages. @throws Error(kFormat). */
+/** Parses the text of FormatTypes. @param file  its name in messages. @throws Error(kFormat). */
 RehearsedTypes ParseTypes(const std::string& text, const std::string& file);
 
-/** Those of objects/catalogue/rehearsed_types.json, read once. */
+/** The types in objects/catalogue/rehearsed_types.json, read once. */
 const RehearsedTypes& LoadShippedTypes();
-/** The stored choice for the task's hand, grasps and object; nothing: it is to be rehearsed. */
+/** Returns the stored choice for the task's hand, grasps and object; nothing if it must be
+rehearsed. */
 std::optional<RehearsedType> FindShippedType(const RehearsalTask& task);
 
-/** Whether the session, or one of its conditions, asks for "best". */
+/** Whether the session or one of its conditions uses "best". */
 bool HasBestGrasp(const SessionConfig& config);
 
-/** The same rehearsal of the standard grasps alone, each as the rule places it. */
+/** Restricts a rehearsal to the standard grasps alone, each placed by the rule, without an arm. */
 RehearsalTask MakeTypeTask(RehearsalTask task, int num_draws);
-/** Whether rehearsal chooses: the hand has standard grasps for the object, which names none. */
+/** Whether rehearsal must choose: the hand has standard grasps for the object, and the object names
+none as best. */
 bool NeedsType(const RehearsalTask& task);
 RehearsedType MakeType(const RehearsalTask& task, const Rehearsal& rehearsal);
 

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-Hands, objects and grasps by the names that people call them: "TUM", "light bulb", "power". Names
-become ids before anything else sees them, so that results do not depend on how they were given. */
+Resolves everyday names of hands, objects and grasps: "TUM", "light bulb", "power". Names are
+replaced by ids before any other use, so results do not depend on how they were given. */
 
 #include <string>
 #include <vector>
@@ -10,26 +10,27 @@ become ids before anything else sees them, so that results do not depend on how 
 
 namespace graspbench {
 
-/** A name as it is compared: lower-case, blanks and hyphens as underscores. */
+/** Returns the name in the form used for comparison: lower case, with underscores for blanks and
+hyphens. */
 std::string MakeComparable(const std::string& name);
 
-/** The id of what comes with the program, for its id or name in any case; what is none of them, a
-path perhaps, as it is. A file or folder goes before a name. */
+/** Returns the id of a shipped hand, object or grasp for its id or name in any case. Returns other
+text, such as a path, unchanged. An existing file or folder takes precedence over a name. */
 ///@{
 std::string FindHandId(const std::string& given);
 std::string FindObjectId(const std::string& given);
 std::string FindGraspId(const std::string& given);
 ///@}
 
-/** Each object of a list by itself: "all" among others is the catalogue's ids, a folder of objects'
-folders is each of them, by name. "all" alone stays. */
+/** Expands a list to single objects: "all" among others becomes the catalogue's ids, and a folder
+of object folders becomes these folders, sorted by name. "all" alone stays. */
 std::vector<std::string> ExpandObjects(const std::vector<std::string>& names);
 
-/** Does so in all lists of names, and lists objects one by one. */
+/** Replaces the names in all lists of the configuration by ids and expands the objects. */
 void ReplaceNames(SessionConfig& config);
 
-/** "29 objects: 21 of the catalogue, 8 of the folder scans", by the folders that hold the folders of
-objects. */
+/** Returns "29 objects: 21 of the catalogue, 8 of the folder scans", counted by the folder that
+holds the object folders. */
 std::string DescribeObjectNames(const std::vector<std::string>& names);
 
 }  // namespace graspbench

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-What a benchmark session runs: read from YAML, completed with defaults, overridden by `--set a.b=v`,
-frozen in full into the session's folder. */
+The configuration of a benchmark session: read from YAML, completed with defaults, overridden by
+`--set a.b=v` and frozen in full in the session's folder. */
 
 #include <filesystem>
 #include <string>
@@ -21,8 +21,8 @@ frozen in full into the session's folder. */
 
 namespace graspbench {
 
-/** How far a session's hands and objects differ from their files: factors on what no data sheet
-gives or nobody has measured. The defaults change nothing. */
+/** How far a session's hands and objects differ from their files: factors on parameters that are
+unmeasured or in no data sheet. The defaults change nothing. */
 struct ModelConfig {
   static constexpr const char* kOwnRule = "own";
 
@@ -49,17 +49,18 @@ struct ModelConfig {
   }
 };
 
-/** "own" (what hand.yaml says) and the rules. */
+/** Lists the values of coupling_rule: "own" (the rule in hand.yaml) and the named rules. */
 std::vector<std::string> ListModelCouplings();
 
-/** @pre model.coupling_rule is one of ListModelCouplings(). */
+/** Applies the factors to a hand or an object.
+@pre model.coupling_rule is one of ListModelCouplings(). */
 void ApplyModel(const ModelConfig& model, Hand& hand);
 void ApplyModel(const ModelConfig& model, GraspObject& object);
 
-/** What a session's real hands do beside following their commands, as named options
-(core/physics/imperfect_drive.h). The thesis names all four and gives no size; none is the default,
-and the same for every hand of the session. Joints that slide have no hysteresis, stick-slip or
-yielding coupling. */
+/** How the joints of real hands deviate from their commands, as named options
+(core/physics/imperfect_drive.h). The thesis names all four but quantifies none. By default there
+are none; they are the same for every hand of the session. Prismatic joints have no hysteresis,
+stick-slip or compliant coupling. */
 struct ImperfectionConfig {
   double hysteresis = 0.0;           ///< width of the loop between command and joint [rad]
   double stick_slip = 0.0;           ///< breakaway friction over the drive's torque limit
@@ -84,11 +85,10 @@ inline constexpr double kSlidingFrictionShare = 0.6;
 
 bool operator==(const ImperfectionConfig& a, const ImperfectionConfig& b);
 
-/** @throws Error(kUsage) where an option concerns no joint of the hand. */
+/** @throws Error(kUsage) where an option applies to no joint of the hand. */
 void ApplyImperfections(const ImperfectionConfig& config, Hand& hand);
 
-/** Half-widths of the uniform variation between trials. Proposed by graspbench, not by the thesis.
- */
+/** Half-widths of the uniform variation between trials. Proposed by graspbench, not the thesis. */
 struct VariationConfig {
   double offset = 0.005;             ///< object in x and y [m]
   double yaw = 0.08726646259971647;  ///< object about the vertical [rad]
@@ -102,8 +102,8 @@ struct VariationConfig {
   }
 };
 
-/** How people grip, which is what sessions do by default (datasets/presets/people.yaml): twice the
-smallest force that bears the weight, at least grip_force, closing gently after the touch. */
+/** The human-like grip that sessions use by default (datasets/presets/people.yaml): twice the
+smallest force that bears the weight, at least grip_force, with slow closure after contact. */
 inline StrategyConfig MakePeopleGrip() {
   StrategyConfig strategy;
   strategy.grip = "margin";
@@ -111,7 +111,7 @@ inline StrategyConfig MakePeopleGrip() {
   return strategy;
 }
 
-/** What holds for every trial of a session, and of a scene's optimisation. */
+/** Conditions common to all trials of a session, or of a scene's optimisation. */
 struct TrialConditions {
   VariationConfig variation;
   StrategyConfig strategy = MakePeopleGrip();
@@ -127,7 +127,7 @@ struct TrialConditions {
   }
 };
 
-/** What differs from the session as it is configured: conditions.h. */
+/** A named change of the session's configuration (conditions.h). */
 struct Condition {
   std::string name;                   ///< unique in its session
   std::vector<std::string> settings;  ///< "model.mass_scale=0.5", as NormaliseSetting writes them
@@ -136,20 +136,20 @@ struct Condition {
 struct SessionConfig : TrialConditions {
   std::vector<std::string> hands = {"tum", "shadow"};
   std::vector<std::string> objects = {"all"};
-  std::vector<std::string> grasps = {"best"};  ///< "all", or words, ids, files
+  std::vector<std::string> grasps = {"best"};  ///< names, ids or files, or "all"
   std::string approach = "automatic";          ///< core/shape/grasp_object.h
   std::string positioning = "nominal";         ///< core/trial/trial_setup.h
-  ArmConfig arm;                               ///< that carries the hands; none by default
-  CameraConfig camera;                         ///< for positioning, and grasps, by camera
+  ArmConfig arm;                               ///< carries the hands; none by default
+  CameraConfig camera;                         ///< for positioning or grasps by camera
   std::string touch = "exact";                 ///< core/trial/touch_sensors.h
-  SensorConfig sensors;                        ///< for touch: sensed
+  SensorConfig sensors;                        ///< if touch is sensed
   ImperfectionConfig imperfections;            ///< of the hands; none by default
-  PolicyConfig policy;                         ///< a controller in the place of the strategy
+  PolicyConfig policy;                         ///< a controller instead of the strategy
   int trials = 10;                             ///< per hand, object and grasp
   int seed = 1;
-  /** Where draws come from: "random", or "halton" (a basin's); no key of session files. */
+  /** Source of the draws: "random", or "halton" for a basin; not a key of session files. */
   std::string draws = "random";
-  /** Under which every draw is tried again, beside the base, which is the rest of this. */
+  /** Conditions under which every draw is repeated, in addition to the base. */
   std::vector<Condition> conditions;
 
   template <class V>
@@ -169,7 +169,7 @@ struct SessionConfig : TrialConditions {
     v("imperfections", imperfections);
     v("policy", policy);
   }
-  /** Without what a campaign does not choose. */
+  /** Only the keys that a campaign also sets. */
   template <class V>
   void VisitOwn(V&& v) {
     v("hands", hands, "hands by id, name or folder, or all");
@@ -183,9 +183,9 @@ struct SessionConfig : TrialConditions {
   }
 };
 
-/** A session file: what is left out is that of a preset, or the default. */
+/** A session file. A key that is left out has the value of the preset, or else its default. */
 struct SessionFile : SessionConfig {
-  std::string preset;  ///< datasets/plan/session_config.h; empty: none
+  std::string preset;  ///< name in datasets/presets; empty: none
 
   template <class V>
   void Visit(V&& v) {
@@ -194,60 +194,61 @@ struct SessionFile : SessionConfig {
   }
 };
 
-/** The keys of a session file. The ranges keep the simulation stable and short; they are wider than
-anything sensible. */
+/** The keys of a session file. Their ranges keep the simulation stable and short, and are wider
+than any sensible value. */
 const FileKeys& ListSessionKeys();
 
 /** A value that a session must not have. */
 struct ConfigProblem {
   std::string key;   ///< full name: "sim.step_s"
-  std::string text;  ///< what it is and what was expected
+  std::string text;  ///< the value found and what was expected
 };
 
-/** Values of the simulation that contradict each other, in a session or a profile: keys
-("sim.table_friction_dynamic") with what is wrong. Ranges are checked where the keys are listed. */
+/** Finds contradictory values of the simulation, in a session or a profile: pairs of key
+("sim.table_friction_dynamic") and problem. Ranges are checked where the keys are listed. */
 std::vector<std::pair<std::string, std::string>> FindSimProblems(const SimConfig& sim);
 
-/** All problems of the values: ranges, empty or repeated names. Whether hands, objects and grasps
-of these names exist is asked when they are loaded (session_inputs.h). */
+/** Lists all problems of the values: ranges, and empty or repeated names. Whether the named hands,
+objects and grasps exist is checked when they are loaded (session_inputs.h). */
 [[nodiscard]] std::vector<ConfigProblem> Validate(const SessionConfig& config);
 /** @throws Error(kRange) listing all problems. */
 void CheckSessionConfig(const SessionConfig& config);
 
-/** @throws Error(kNotFound, kIo) when the file cannot be read; Error(kFormat) listing every problem
-with file and line; unknown keys are errors. */
+/** Reads a session file; unknown keys are errors.
+@throws Error(kNotFound, kIo) when the file cannot be read; Error(kFormat) listing every problem
+with file and line. */
 SessionConfig LoadSessionConfig(const std::string& path);
-/** The same for text in memory; `file` is its name in messages. */
+/** As LoadSessionConfig(), for text in memory; `file` is its name in messages. */
 SessionConfig ParseSessionConfig(const std::string& text, const std::string& file);
-/** What a preset contains. @throws as FindPreset; Error(kFormat) as LoadSessionConfig. */
+/** Returns the contents of a preset. @throws as FindPreset; Error(kFormat) as LoadSessionConfig. */
 [[nodiscard]] SessionConfig LoadPreset(const std::string& name);
 
-/** Applies "sim.step_s=0.001". The range is checked with the rest, by CheckSessionConfig.
+/** Applies an assignment such as "sim.step_s=0.001". CheckSessionConfig checks its range.
 @throws Error(kUsage) naming the known keys or the expected type. */
 void ApplySetting(const std::string& assignment, SessionConfig& config);
 
-/** The complete configuration, every default written out, but for an automatic approach, nominal
-positioning, no arm, exact touch, a grip by posture with its keys, no imperfections, no controller,
-random draws, no conditions, and for camera and sensors of a session without them: sessions without
-a choice are what they were before there was one. */
+/** Writes the complete configuration, with every default written out. Left out are only: an
+automatic approach, nominal positioning, no arm, exact touch, a grip by posture with its keys, no
+imperfections, no controller, random draws, no conditions, and camera or sensors that the session
+does not use. So older sessions without these keys keep their meaning. */
 Json ToJson(const SessionConfig& config);
-/** @param file  name of the file in messages.
-@throws Error(kFormat) listing every missing, unknown or wrong key or value. */
+/** Reads what ToJson() writes. @param file  name of the file in messages.
+@throws Error(kFormat) listing every missing or unknown key and every wrong value. */
 SessionConfig SessionConfigFromJson(const Json& json, const std::string& file = "session.json");
 
-/** Named settings of sessions: the files of datasets/presets, `<name>.yaml` each. A preset is a
-session file that stands in the place of the defaults; a session that begins with one freezes what
-it contains, so a later change of the preset changes no session. */
+/** A named set of session settings, in the file `<name>.yaml` of datasets/presets. A preset is a
+session file that replaces the defaults. A session freezes the contents of its preset, so a later
+change of the preset does not affect it. */
 struct Preset {
   std::string name;
   std::filesystem::path file;
-  std::string about;  ///< its first line, which is a comment
+  std::string about;  ///< the first line of the file, a comment
 };
 
-/** Sorted by name. @throws Error(kIo) when a file of the folder cannot be read. */
+/** Lists the presets by name. @throws Error(kIo) when a file of the folder cannot be read. */
 [[nodiscard]] std::vector<Preset> ListPresets();
 
-/** @throws Error(kNotFound) with suggestions; as ListPresets. */
+/** Finds a preset by name. @throws Error(kNotFound) with suggestions; as ListPresets. */
 [[nodiscard]] Preset FindPreset(const std::string& name);
 
 }  // namespace graspbench

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-The plan of a session: one line per trial, a pure function of the configuration and of the content
+The plan of a session: one entry per trial, a pure function of the configuration and of the content
 of hands and objects. */
 
 #include <optional>
@@ -17,14 +17,14 @@ of hands and objects. */
 namespace graspbench {
 
 struct PlannedTrial {
-  /** Hash of everything that matters for the result, and of nothing else: 16 hexadecimal digits.
-  Adding a hand or an object to a session leaves the other trials' ids as they are. */
+  /** Hash of everything that affects the result, and of nothing else: 16 hexadecimal digits. Adding
+  a hand or an object to a session leaves the other trials' ids as they are. */
   std::string id;
   std::string hand;
   std::string object;
   std::string grasp;
-  int trial = 0;  ///< zero-based number within the cell
-  /** Name of one of the session's conditions; none: as the session is configured. */
+  int trial = 0;  ///< zero-based number within its hand, object and grasp
+  /** Name of one of the session's conditions; none: the base. */
   std::optional<std::string> condition = {};
 
   template <class V>
@@ -44,59 +44,61 @@ struct PlannedTrial {
 };
 bool operator==(const PlannedTrial& a, const PlannedTrial& b);
 
-/** "tum, golf_ball, g1, number 3", for a person. */
+/** Describes a trial for display: "tum, golf_ball, g1, number 3". */
 std::string DescribeTrial(const PlannedTrial& planned);
 
-/** The same without the condition: what the trials of one draw share. */
+/** As DescribeTrial(), without the condition: the same for all trials of one draw. */
 std::string NameDraw(PlannedTrial planned);
 
-/** Hands and objects have names of their own, and the hands the camera and the skin that the
-configuration asks for. @throws Error(kUsage) that names the first offender. */
+/** Checks that the names of hands and objects are unique and that hands have the camera and the
+skin that the configuration requires. @throws Error(kUsage) that names the first offender. */
 void CheckInputs(const SessionConfig& config, const SessionInputs& inputs);
 
-/** Cells in the order hand, object, grasp. Under several conditions: hand, object, settings, grasp,
-trial, condition, so that a world serves as many trials in a row as it can and the same trial with
-several delays is undelayed once; what a condition's backend cannot move has no trial there. With
-the grasps
+/** Makes the plan in the order hand, object, grasp, trial. With several conditions the order is
+hand, object, settings, grasp, trial, condition. So consecutive trials share a world where possible,
+and the undelayed trial is simulated once for several delays. Hands and objects that a condition's
+backend cannot move have no trial under it. The grasps may be
 
-- "best": the object's best grasp for that hand; where it names none (a user's hand) the one that
-  was rehearsed (rehearsed_types.h). Conditions use the one that the base chooses, so that every
-  draw has a pair; how the hand does it on the object (FindFitted) each finds with its own settings,
-  as a session of its own would;
-- "predicted": the same, but where the object names none, or one that the hand cannot do, of the
-  object's grasp_order that of the highest rank by prediction, the first of equal ones
-  (grasp_choice.h); else the hand's first;
-- "all": all that the hand can do;
-- ids and grasp files, "best" and "predicted" among them: those that the hand can do on the object;
-- "by-sight", which may be among ids: what the hand's camera chooses in the trial
+- "best": the object's best grasp for that hand, or the rehearsed one (rehearsed_types.h) where the
+  object names none, as for a user's hand. Conditions use the grasp that the base chooses, so that
+  every draw has a pair. Each condition fits it to the object (FindFitted) with its own settings, as
+  a separate session would;
+- "predicted": the object's best grasp for that hand. Where it names none, or one that the hand
+  cannot perform, the grasp of highest predicted rank in the object's grasp_order, the first of
+  equal ones (grasp_choice.h); else the hand's first;
+- "all": all grasps of the hand;
+- ids and grasp files, "best" and "predicted" among them: those that the hand can perform on the
+  object;
+- "by-sight", which may be among ids: the grasp that the hand's camera chooses in the trial
   (core/trial/trial_runner.h).
 
-@throws Error(kRange) for a bad configuration; Error(kUsage) for two hands or objects of one name,
-for a hand that cannot choose by sight or when nothing is left to do; Error(kNotFound) for a grasp
-that none of the hands can do. */
+@throws Error(kRange) for an invalid configuration; Error(kUsage) for two hands or objects of the
+same name, for a hand that cannot choose by sight or for an empty plan; Error(kNotFound) for a grasp
+that none of the hands can perform. */
 std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInputs& inputs);
 
-/** The draws of a trial: object pose from (seed, object, trial) only, so that every hand and grasp
-meets the same poses; joint errors from (seed, hand, object, trial), uniform within the hand's
-accuracy for every joint with a drive of its own. */
+/** Draws a trial's variation. The object pose depends only on (seed, object, trial), so that every
+hand and grasp meets the same poses. Joint errors depend on (seed, hand, object, trial) and are
+uniform within the hand's accuracy for every joint with its own drive. */
 TrialDraw MakeTrialDraw(const SessionConfig& config, const Hand& hand, const GraspObject& object,
                         int trial);
 
-/** The object's part of it, which needs no hand: joint_error is empty. */
+/** Draws only the object pose of MakeTrialDraw, which needs no hand: joint_error is empty. */
 TrialDraw MakeObjectDraw(const SessionConfig& config, const std::string& object, int trial);
 
-/** How differently two draws put the object: the shift, and the turn as the way of a point at
-`radius` from its centre [m]. */
+/** Distance between the object poses of two draws [m]: the shift, with the rotation counted as the
+displacement of a point at `radius` from the object's centre. */
 double CalcDrawDistance(const TrialDraw& a, const TrialDraw& b, double radius);
 
-/** Three numbers of `pose` (x, y, yaw), then one of `error` for every joint with a drive. */
+/** Takes three numbers from `pose` (x, y, yaw) and one from `error` for every joint with a
+drive. */
 TrialDraw DrawVariation(const VariationConfig& variation, const Hand& hand, RandomStream pose,
                         RandomStream error);
 
-/** Every field that decides a grasp's result. */
+/** Writes every field that affects a grasp's result. */
 Json ToJson(const Grasp& grasp);
 
-/** Everything TrialRunner needs for a trial of MakePlan(config, inputs). */
+/** Collects everything that TrialRunner needs for a trial of MakePlan(config, inputs). */
 TrialSetup MakeTrialSetup(const SessionConfig& config, const SessionInputs& inputs,
                           const PlannedTrial& planned);
 

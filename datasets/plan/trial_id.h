@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-The id of a trial: a hash of all that decides its result, and of nothing else. The trial's random
-stream derives from it. */
+The id of a trial: a hash of everything that affects its result, and of nothing else. The trial's
+random stream derives from it. */
 
 #include <string>
 
@@ -14,9 +14,9 @@ namespace graspbench {
 
 struct MountedArm;
 
-/** @param grasp  one, or the list of those of which the camera chooses.
+/** @param grasp  one, or the list of those from which the camera chooses.
 @param arm  null: none.
-@pre a hand that looks has a camera, one that feels has a skin. */
+@pre the hand has a camera if the session needs one, and a skin if touch is sensed. */
 std::string CalcTrialId(const SessionConfig& config, const Hand& hand, const GraspObject& object,
                         const Json& grasp, int trial, const MountedArm* arm = nullptr);
 

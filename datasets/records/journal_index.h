@@ -1,15 +1,15 @@
 #pragma once
 /** @file
-Which trials a journal holds, as short lines beside it, so that a million of them are counted
-without reading gigabytes of records:
+An index of the trials in a journal, so that a million trials are counted without reading gigabytes
+of records:
 
-    progress/3of7-0.jsonl   of journal/3of7-0.jsonl, one line per trial: its id and where
-                            its record's line ends in the journal [bytes], as a checked line
+    progress/3of7-0.jsonl   index of journal/3of7-0.jsonl: one checked line per trial with its id
+                            and the end of its record's line in the journal [bytes]
 
-Made from the journal, never sealed, not synced, and may be deleted at any time: what it lacks is
-read in the journal. It is believed as far as its last line is true of the journal, and while the
-journal was not written to after it. A byte that a disk changes inside a record is therefore not
-noticed here; `graspbench verify` looks at every byte. */
+The index is made from the journal, never sealed, not synced, and may be deleted at any time;
+missing entries are read from the journal. It is used if its last line matches the journal and the
+journal was not written after it. So it does not detect a changed byte inside a record; `graspbench
+verify` checks every byte. */
 
 #include <cstdint>
 #include <filesystem>
@@ -20,17 +20,17 @@ noticed here; `graspbench verify` looks at every byte. */
 
 namespace graspbench {
 
-/** Of a line of the plan, a journal or an index: ids stand first in all of them. Empty: the line
-begins otherwise. */
+/** Returns the trial id at the beginning of a line of the plan, a journal or an index; empty if the
+line does not begin with one. */
 std::string_view FindTrialId(std::string_view line);
 
 enum class IndexUse { kBelieve, kIgnore };
 
-/** Calls `take` with the id of each whole record and its line, which is empty where the index names
-it.
-@param sealed  so many bytes at the journal's beginning are sealed by a manifest: their lines are
-counted without a look at their checksums.
-@returns how many lines were none, among those that the index does not know.
+/** Calls `take` with the id and the line of each valid record. The line is empty if the index has
+the record.
+@param sealed  number of bytes at the journal's beginning that a manifest seals; checksums of their
+lines are not verified.
+@returns the number of invalid lines among those that the index does not have.
 @throws Error(kNotFound, kIo). */
 int ForEachTrialOf(
     const std::filesystem::path& journal, IndexUse index_use, uintmax_t sealed,
@@ -38,11 +38,12 @@ int ForEachTrialOf(
 
 class JournalIndex {
  public:
-  /** Makes it again unless it ends where the journal ends, which nobody else writes.
+  /** Opens the index, and rebuilds it unless it covers the whole journal. @pre no one else writes
+  the journal.
   @throws Error(kIo). */
   explicit JournalIndex(const std::filesystem::path& journal);
 
-  /** A record that is on the disk. What cannot be written is missing, no more. */
+  /** Adds a record that is on disk. A failed write only leaves the entry missing. */
   void Append(const std::string& trial_id, uintmax_t end);
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-The course of a trial as a table, one row an instant. */
+The trace of a trial as a table, one row per instant. */
 
 #include <vector>
 
@@ -9,12 +9,12 @@ The course of a trial as a table, one row an instant. */
 
 namespace graspbench {
 
-/** Time and phase, poses of hand and object, every joint, and of every digit and the palm what it
-presses with and how much of its friction cone it uses.
-@param hand  whose trace it is; outlives the columns. */
+/** Lists the columns: time and phase, poses of hand and object, every joint, and for every digit
+and the palm its normal force and its use of the friction cone.
+@param hand  of the trace; must outlive the columns. */
 std::vector<CsvColumn<TraceInstant>> ListTraceColumns(const Hand& hand);
 
-/** Sum of the normal forces of a digit on the object, of the palm where digit is -1 [N]. */
+/** Sum of the normal forces of a digit on the object, or of the palm if `digit` is -1 [N]. */
 double CalcDigitForce(const Hand& hand, const TraceInstant& instant, int digit);
 
 }  // namespace graspbench

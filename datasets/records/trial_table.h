@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-The table of trials, one row per finished trial: one list of columns, from which the CSV file, its
-data dictionary and the SQLite index are made. */
+The table of trials, with one row per finished trial. The CSV file, its data dictionary and the
+SQLite index are made from one list of columns. */
 
 #include <vector>
 
@@ -13,12 +13,12 @@ namespace graspbench {
 
 using TrialColumn = CsvColumn<TrialRecord>;
 
-/** Name of the column of a convention's epsilon: "epsilon_dex_net". */
+/** Returns the column name of a convention's epsilon: "epsilon_dex_net". */
 std::string NameEpsilonColumn(const QualityConvention& convention);
 
-/** All columns in order; their values are those of whole records. Those of first contacts follow the
-digits TH FF MF RF LF, which are always there, then any other digits of the records by name.
-@param config  of the session, from which the drawn places of the object follow. */
+/** Lists all columns in order. Their values need complete records. First contacts have columns for
+the digits TH FF MF RF LF, which are always present, then for other digits of the records by name.
+@param config  of the session, which determines the drawn poses of the object. */
 std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& records,
                                           const SessionConfig& config = {});
 
@@ -26,9 +26,10 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
 struct EventRow {
   const TrialRecord* record = nullptr;
   const ContactEvent* event = nullptr;
-  int rank = 0;  ///< in the order of contact, on a grasping digit's first touch; else 0
+  int rank = 0;  ///< rank in the contact order for a grasping digit's first contact; else 0
 };
-/** The events of a whole record, which must outlive them, and the columns of `events.csv`. */
+/** List the events of a complete record, which must outlive them, and the columns of
+`events.csv`. */
 std::vector<EventRow> ListEvents(const TrialRecord& record);
 std::vector<CsvColumn<EventRow>> ListEventColumns();
 

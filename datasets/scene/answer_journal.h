@@ -1,11 +1,11 @@
 #pragma once
 /** @file
-The journal of a search, which is deterministic: the same answers lead to the same questions. So it
-is resumed by asking again from the start and answering from the journal what is there, and a
-resumed journal has the same bytes as one that was never interrupted. A line is good when its
-checksum is right, whatever the lines before it are: `request` says which question it answers, and
-`search` in which journal it was written (read_journal.h). What a crash has left of a line at the
-end is cut off when the journal is opened for writing. */
+The journal of a search. The search is deterministic: the same answers lead to the same questions.
+It is therefore resumed by repeating it from the start with the answers that the journal has. A
+resumed journal has the same bytes as one that was never interrupted. A line is valid if its
+checksum is correct, whatever lines precede it: `request` gives the question that it answers, and
+`search` the journal in which it was written (read_journal.h). An incomplete last line, left by a
+crash, is cut off when the journal is opened for writing. */
 
 #include <algorithm>
 #include <filesystem>
@@ -21,8 +21,9 @@ end is cut off when the journal is opened for writing. */
 
 namespace graspbench {
 
-/** The good lines by `request`; of several with one, that which stands first. No file: none.
-@tparam Record  as of AnswerJournal. @throws Error(kIo). */
+/** Loads the valid lines, sorted by `request` and, among equal ones, by position; empty without a
+file.
+@tparam Record  as for AnswerJournal. @throws Error(kIo). */
 template <class Record>
 std::vector<Record> LoadAnswers(const std::filesystem::path& path, Diagnostics& findings,
                                 std::vector<Damage>& damage) {
@@ -35,7 +36,7 @@ std::vector<Record> LoadAnswers(const std::filesystem::path& path, Diagnostics& 
   return records;
 }
 
-/** The answer to a question; null: not there. @param records  as LoadAnswers gives them. */
+/** Returns the answer to a question; null: none. @param records  result of LoadAnswers. */
 template <class Record>
 const Record* FindAnswer(const std::vector<Record>& records, int request) {
   const auto found =
@@ -51,12 +52,13 @@ inline void RefuseAnswers(const std::filesystem::path& folder, const std::vector
                "move these lines elsewhere; what they answer is asked again");
 }
 
-/** @tparam Record  with `request`, `search`, `trials`, and static functions Parse and Format of a
+/** Answers the questions of a search from its journal, and appends new answers.
+@tparam Record  with `request`, `search`, `trials`, and static functions Parse and Format for a
 line. */
 template <class Record>
 class AnswerJournal {
  public:
-  /** @throws Error(kIo), also when another process writes it; Error(kFormat) for damage. */
+  /** @throws Error(kIo), also when another process writes to it; Error(kFormat) for damage. */
   explicit AnswerJournal(const std::filesystem::path& path)
       : file_(path), search_(FindJournalId(path)) {
     Diagnostics findings;  // verified by whoever reads the store
@@ -70,9 +72,9 @@ class AnswerJournal {
     file_.Truncate(end);
   }
 
-  /** The stored answer to a question; null: not there. */
+  /** Returns the stored answer to a question; null: none. */
   const Record* Find(int request) const { return FindAnswer(stored_, request); }
-  /** Behind the stored ones, on the disk when it returns. */
+  /** Appends records after the stored ones; they are on disk when it returns. */
   void Append(std::vector<Record> records) {
     std::string lines;
     for (Record& record : records) {
@@ -82,12 +84,12 @@ class AnswerJournal {
     file_.Append(lines);
   }
 
-  /** Answers the next questions, in their order: from the journal, else by simulation, and then it
-  keeps the answers.
+  /** Answers the next questions in order, from the journal, or else by simulation; stores new
+  answers.
   @param questions  records without number and trials.
-  @param recall  (i, stored): takes note of a stored answer to question i; throws when it is one to
-  another question.
-  @param simulate  (records, left): fills the trials of the records with these numbers.
+  @param recall  (i, stored): receives the stored answer to question i; throws if it answers another
+  question.
+  @param simulate  (records, left): fills the trials of the records with the indices `left`.
   @returns the trials of each question. */
   template <class Recall, class Simulate>
   auto Answer(std::vector<Record> questions, Recall&& recall, Simulate&& simulate) {
@@ -117,8 +119,8 @@ class AnswerJournal {
   int num_asked_ = 0;
 };
 
-/** Everything that an optimisation asked of the simulation, one line a request, in the order of
-asking.
+/** A request of an optimisation to the simulation, with its answer. The journal has one line per
+request, in order.
 
     {"request":57,"stage":"search","number":41,"generation":3,"parents":[12,8],"genome_rad":[..],
      "steps_rad":[..],"fitness":3.2,"trials":[{"trial_id":"..","draw":0,"sigma":3.2,..}],
@@ -126,7 +128,7 @@ asking.
 struct EvaluationRecord {
   int request = 0;  ///< index of the question, from 0
   LearningStage stage = LearningStage::kStandard;
-  Individual individual;  ///< of the stages that have one; `fitness` is that of the trials
+  Individual individual;  ///< for stages that have one; `fitness` is computed from the trials
   std::vector<std::string> trial_ids;
   std::vector<LearningTrial> trials;
   std::optional<std::string> search = {};

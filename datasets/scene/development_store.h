@@ -1,18 +1,19 @@
 #pragma once
 /** @file
-How a hand's grasps were developed (core/develop), the folder development/ of a developed hand:
+The record of developing a hand's grasps (core/develop), in the folder development/ of the hand:
 
     development.json   frozen configuration: the hand, budget, seed, physics
     manifest.json      hashes of all of it (manifest.h)
-    journal.jsonl      every request in order, its trials' outcomes and scores
-    result.json        the developed grasps: what geometry gave, scores, the check
+    journal.jsonl      every request in order, with its trials' outcomes and scores
+    result.json        the developed grasps: result of the geometry, scores and check
 
 A journal line:
 
     {"request":57,"stage":"search","id":"0123456789abcdef","trials":[{"outcome":"success",
      "score":1.21},..],"search":"..","xxh64":".."}
 
-`id` is a hash of the question: an answer to another one is never taken. See answer_journal.h. */
+`id` is a hash of the question, so that an answer to another question is never used. See
+answer_journal.h. */
 
 #include <filesystem>
 #include <string>
@@ -40,7 +41,7 @@ struct DevelopmentConfig : TrialConditions {
 };
 
 bool HasDevelopment(const std::filesystem::path& folder);
-/** Makes the folder the store of a new development; it exists. @throws Error(kIo). */
+/** Makes the folder the store of a new development. @pre the folder exists. @throws Error(kIo). */
 void CreateDevelopment(const std::filesystem::path& folder, const DevelopmentConfig& config);
 /** @throws Error(kUsage) listing the settings that differ; kVersion; kFormat; kIo. */
 void CheckSameDevelopment(const std::filesystem::path& folder, const DevelopmentConfig& config);

@@ -4,8 +4,8 @@ Rehearsals of hands on objects (core/rehearse): the folder of `graspbench rehear
 
     rehearsal.json   frozen: candidates, draws, conditions, each pair with the hash of its rehearsal
     manifest.json    hashes of all of it (manifest.h)
-    journal.jsonl    a line for each pair of hand and object, in their order
-    candidates.csv   a row for each candidate that was tried, when all pairs are rehearsed
+    journal.jsonl    one line per pair of hand and object, in their order
+    candidates.csv   one row per evaluated candidate; written when all pairs are rehearsed
     grasps/HAND/OBJECT.yaml   the chosen grasps, as grasp files
     isaac/HAND/OBJECT.yaml, dexgraspbench/HAND/OBJECT.npy   the same for other programs
     report/          the page
@@ -15,8 +15,8 @@ A journal line:
     {"request":3,"hand":"tum","object":"can","hash":"0123456789abcdef","result":{..},"search":"..",
      "xxh64":".."}
 
-`hash` is that of all that decides the rehearsal (datasets/plan/rehearsed_grasps.h). The journal is
-written in the order of the pairs whatever the number of workers. See answer_journal.h. */
+`hash` covers everything that determines the rehearsal (datasets/plan/rehearsed_grasps.h). The
+journal is written in the order of the pairs for any number of workers. See answer_journal.h. */
 
 #include <filesystem>
 #include <map>
@@ -55,13 +55,13 @@ using RehearsalJournal = AnswerJournal<RehearsedPair>;
 
 inline constexpr char kCandidateTable[] = "candidates.csv";
 
-/** All that is rehearsed, verified. @throws as LoadFrozen. */
+/** Verifies and loads all rehearsals. @throws as LoadFrozen. */
 std::vector<RehearsedPair> LoadRehearsals(const std::filesystem::path& folder);
 
-/** Its data dictionary. */
+/** The data dictionary of candidates.csv. */
 Json MakeCandidateTableSchema();
 /** Writes candidates.csv and the chosen grasps, and seals the store.
-@param grasps  texts of grasp files by their names from the folder. @throws Error(kIo). */
+@param grasps  texts of grasp files, by path relative to the folder. @throws Error(kIo). */
 void FinishRehearsals(const std::filesystem::path& folder, const std::vector<RehearsedPair>& pairs,
                       std::map<std::string, std::string> grasps);
 

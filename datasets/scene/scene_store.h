@@ -5,14 +5,14 @@ The folder of one optimised scene (a hand, an object, a standard grasp):
     scene.json                        frozen configuration, schema and program version
     manifest.json                     hashes of all of it (manifest.h)
     journal.jsonl                     every evaluation in order: lineage, fitness and its parts
-    result.json                       what the steps decided and why; in the manifest: finished
+    result.json                       decisions of the steps with reasons; if sealed: finished
     new-pregrasp.yaml                 the grasp after step 1, for graspbench run --grasp
-    new-target.yaml                   the grasp after step 2 (each only if the step was asked for)
-    new-*.isaac_grasp.yaml            the same for other programs
+    new-target.yaml                   the grasp after step 2 (each only if the step was requested)
+    new-*.isaac_grasp.yaml            these grasps for other programs
     individuals.csv                   step 2's individuals as a table
 
-All but scene.json and journal.jsonl is made from the journal; all of it has the same bytes after
-any number of interruptions. */
+All files except scene.json and journal.jsonl are derived from the journal. All have the same bytes
+after any number of interruptions. */
 
 #include <filesystem>
 #include <memory>
@@ -27,10 +27,8 @@ any number of interruptions. */
 
 namespace graspbench {
 
-/** One scene of the optimisation, a hand, an object and the standard grasp to improve: its settings,
-its trials' ids and draws.
-
-Frozen in scene.json; the variation is that of the drawn learning trials. */
+/** One scene of the optimisation: a hand, an object, the standard grasp to improve, and the
+settings. Frozen in scene.json. `variation` applies to the drawn learning trials. */
 struct SceneConfig : TrialConditions {
   std::string hand;
   std::string object;
@@ -53,37 +51,37 @@ struct SceneInputs {
   Grasp grasp;
 };
 
-/** All problems of the values, as Validate(SessionConfig) reports them. */
+/** Lists all problems of the values, as Validate(SessionConfig) does. */
 [[nodiscard]] std::vector<ConfigProblem> Validate(const OptimiseConfig& config);
 /** @throws Error(kRange) listing them. */
 void CheckOptimiseConfig(const OptimiseConfig& config);
 
-/** The draw of a number: 0 without variation, else from streams of (seed, object, number) and
-(seed, hand, object, number) that no benchmark trial uses. */
+/** Makes the setup of a learning trial. Draw 0 has no variation; the others come from the streams
+of (seed, object, draw) and (seed, hand, object, draw), which no benchmark trial uses. */
 TrialSetup MakeLearningSetup(const SceneConfig& config, const SceneInputs& inputs,
                              const LearningRequest& request, int draw);
 
-/** Hash of all that decides the trial's result, as PlannedTrial::id. */
+/** Hash of everything that affects the trial's result, as PlannedTrial::id. */
 std::string CalcLearningTrialId(const SceneConfig& config, const SceneInputs& inputs,
                                 const LearningRequest& request, int draw);
 
-/** Creates the folder, or finds the same scene there.
+/** Creates the folder, or accepts the same scene there.
 @throws Error(kUsage) listing the settings that differ; kVersion; kFormat; kIo. */
 void CreateScene(const std::filesystem::path& folder, const SceneConfig& config);
 
 bool HasScene(const std::filesystem::path& folder);
 /** Hash of the hand, the object, the grasp and the physics. */
 std::string CalcInputsHash(const SceneInputs& inputs);
-/** True when it was finished, with whatever hand, object and grasp. */
+/** Whether the scene is finished, regardless of the hand, object and grasp used. */
 bool HasSceneResult(const std::filesystem::path& folder);
-/** True when it was finished with the hand, the object, the grasp and the physics of today. */
+/** Whether the scene is finished with the present hand, object, grasp and physics. */
 bool IsSceneFinished(const std::filesystem::path& folder, const SceneInputs& inputs);
 
-/** What result.json says of some trials of one grasp; null: of none.
-@param grip_limit  that of their fitness [N]. */
+/** Writes the score of trials of one grasp for result.json; null without trials.
+@param grip_limit  of their fitness [N]. */
 Json MakeScore(const std::vector<LearningTrial>& trials, double grip_limit = kAnyGrip);
 
-/** Writes everything but scene.json and journal.jsonl, and seals it. */
+/** Writes all files except scene.json and journal.jsonl, and seals the store. */
 void WriteSceneResult(const std::filesystem::path& folder, const SceneConfig& config,
                       const SceneInputs& inputs, const OptimisedGrasp& optimised);
 
@@ -92,14 +90,14 @@ Json MakeIndividualSchema();
 
 struct SceneRecord {
   SceneConfig config;
-  Json result;  ///< of result.json; null when the scene is not finished
+  Json result;  ///< contents of result.json; null if not finished
   std::vector<EvaluationRecord> evaluations;
   Diagnostics findings;  ///< about journal lines that were skipped
 };
-/** @throws Error(kNotFound) no scene there; kVersion; kFormat, also for damage; kIo. */
+/** Loads a scene. @throws Error(kNotFound, kVersion, kIo); kFormat, also for damage. */
 SceneRecord LoadScene(const std::filesystem::path& folder, OnDamage on_damage = OnDamage::kRefuse);
 
-/** The grasp of a new variant as it was saved. */
+/** Loads the saved grasp of a new variant. */
 Grasp LoadSceneGrasp(const std::filesystem::path& folder, Variant variant, const Hand& hand);
 
 }  // namespace graspbench

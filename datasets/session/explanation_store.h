@@ -1,13 +1,13 @@
 #pragma once
 /** @file
-Explanations of a session's failures (core/trial/remedies.h), in its folder beside the trials:
+Explanations of a session's failures (core/trial/remedies.h), in its folder:
 
     explain/<n>.jsonl   append-only, one file per worker; a line = trial id, version of the
                         explanation, explanation, checksum; synced
 
-Explained = a valid line with the trial's id and today's version. A full explanation takes the place
-of a short one. Equal duplicates are fine, unequal ones of one depth are an error. The session's
-records and ids stay what they were. */
+A trial is explained if there is a valid line with its id and the current version. A full
+explanation replaces a short one. Equal duplicates are accepted; unequal ones of the same depth are
+an error. The session's records and ids do not change. */
 
 #include <filesystem>
 #include <map>
@@ -20,7 +20,7 @@ records and ids stay what they were. */
 
 namespace graspbench {
 
-/** Appends to one worker's file; each Append is on the disk when it returns. */
+/** Appends to one worker's file; a line is on disk when Append returns. */
 class ExplanationWriter {
  public:
   /** @throws Error(kIo) as JournalWriter. */
@@ -33,26 +33,26 @@ class ExplanationWriter {
 
 using Explanations = std::map<std::string, Explanation>;  ///< by trial id
 
-/** Those in a session's folder; none for a session that stands in no folder. Damaged lines count as
-not there; `graspbench verify` names them. @throws Error(kFormat) for unequal duplicates,
+/** Loads the explanations in a session's folder; none for a session without a folder. Skips damaged
+lines, which `graspbench verify` reports. @throws Error(kFormat) for unequal duplicates;
 Error(kIo). */
 Explanations LoadExplanations(const std::filesystem::path& folder);
 
-/** Which failures. */
+/** Which failures to explain. "Condition" here means hand, object, grasp and session condition. */
 enum class ExplainScope {
-  kShortly,  ///< one of each condition, in kMostShortly conditions at most; a short explanation is
-             ///< enough
-  kOneOfEach,  ///< of a condition
+  kShortly,    ///< one per condition, at most kMostShortly conditions; a short explanation
+               ///< suffices
+  kOneOfEach,  ///< one per condition
   kAll
 };
 inline constexpr size_t kMostShortly = 20;
 
-/** Failures that can be explained and are not yet, in the plan's order: those with a mechanism and
-without a controller. Of each hand, object, grasp and condition the first one, unless one is
-explained, or all. */
+/** Lists failures without an explanation that can have one (a mechanism and no controller), in the
+plan's order. Depending on `scope`, lists all, or the first of each condition without an explained
+failure. */
 std::vector<PlannedTrial> FindUnexplained(const Session& session, ExplainScope scope);
 
-/** Appends what `folder` lacks of the explanations in `other`. @throws as LoadExplanations. */
+/** Appends the explanations in `other` that `folder` lacks. @throws as LoadExplanations. */
 void MergeExplanations(const std::filesystem::path& folder, const std::filesystem::path& other);
 
 }  // namespace graspbench

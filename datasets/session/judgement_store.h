@@ -1,12 +1,12 @@
 #pragma once
 /** @file
-Judgements of a session's held grasps, in its folder beside the trials:
+Judgements of a session's held grasps, in its folder:
 
     judge/<n>.jsonl     append-only, one file per worker; a line = trial id, version of the judge,
                         judgement, checksum; synced
 
-Judged = a valid line with the trial's id and today's version of the judge; what an earlier version
-has found counts as not judged. Equal duplicates are fine, unequal ones are an error. */
+A trial is judged if there is a valid line with its id and the current version of the judge; results
+of an earlier version do not count. Equal duplicates are accepted, unequal ones are an error. */
 
 #include <filesystem>
 #include <string>
@@ -17,7 +17,7 @@ has found counts as not judged. Equal duplicates are fine, unequal ones are an e
 
 namespace graspbench {
 
-/** Appends to one worker's file; each Append is on the disk when it returns. */
+/** Appends to one worker's file; a line is on disk when Append returns. */
 class JudgementWriter {
  public:
   /** @throws Error(kIo) as JournalWriter. */
@@ -28,16 +28,16 @@ class JudgementWriter {
   AppendFile file_;
 };
 
-/** Joins the stored judgements to session.records, brief to brief ones; damaged lines become
-findings, lines of trials that are not in the plan session.damage.
-@throws Error(kFormat) for unequal duplicates, Error(kIo). */
+/** Adds the stored judgements to session.records, in brief form if the records are brief. Damaged
+lines go to session.findings, lines of trials that are not in the plan to session.damage.
+@throws Error(kFormat) for unequal duplicates; Error(kIo). */
 void LoadJudgements(const std::filesystem::path& folder, Session& session);
 
-/** Whether somebody has begun to judge the session in the folder. */
+/** Whether judging the session in the folder has begun. */
 bool HasBegunJudge(const std::filesystem::path& folder);
 
-/** Trials that the judge can say something about and has not yet: those whose object was in the
-hand when the hold ended, in the plan's order. */
+/** Lists trials that can be judged and are not yet: those whose object was in the hand at the end
+of the hold, in the plan's order. */
 std::vector<PlannedTrial> FindUnjudged(const Session& session);
 
 }  // namespace graspbench

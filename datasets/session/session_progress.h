@@ -1,9 +1,9 @@
 #pragma once
 /** @file
-How far the shards of a session are, from plan and journals alone: no machine is asked. With the
-indices no record is read whose trial one of them names (journal_index.h), unless trials are being
-judged, and lines that the manifest seals are counted without a look at their checksums; without
-them every line is checked. */
+Progress of a session's shards, from plan and journals alone, without contacting machines. With the
+indices (journal_index.h), records of indexed trials are not read unless trials are being judged.
+Lines sealed by the manifest are counted without verifying their checksums. Without the indices
+every other line is checked. */
 
 #include <filesystem>
 #include <map>
@@ -36,51 +36,57 @@ struct ShardProgress {
   Shard shard;
   int num_trials = 0;
   int num_finished = 0;
-  /** Since its journals or its worker's file were last written [s]; none: it has none. */
+  /** Time since its journals or its worker's file were last written [s]; none: there is no such
+  file. */
   std::optional<double> age;
   ShardState state = ShardState::kWaiting;
 };
 
-/** Of the grasps that were held when their trial's hold ended; a shard's are its "trials". */
+/** Progress of judging the grasps that were held at the end of the hold. They are the "trials" of a
+shard. */
 struct JudgeProgress {
   int num_held = 0;
   int num_judged = 0;
-  std::vector<ShardProgress> shards;  ///< of every number of shards that has a file of judgements
+  std::vector<ShardProgress> shards;  ///< for every number of shards with a judgement file
 };
 
 struct SessionProgress {
   int num_trials = 0;
   int num_finished = 0;
-  int num_bad_lines = 0;              ///< among those that were looked at; see `verify`
-  int num_foreign_lines = 0;          ///< good ones of trials that the plan does not have
-  std::vector<Damage> damages;        ///< files that are gone or have lost bytes
-  std::vector<ShardProgress> shards;  ///< of every number of shards that has a journal
-  /** Labels of shards of whose machine no sentinel trials are kept, see worker_log.h. */
+  int num_bad_lines = 0;              ///< among the lines read; see `verify`
+  int num_foreign_lines = 0;          ///< valid lines of trials that are not in the plan
+  std::vector<Damage> damages;        ///< files that are missing or have lost bytes
+  std::vector<ShardProgress> shards;  ///< for every number of shards with a journal
+  /** Labels of shards without sentinel trials of their machine; see worker_log.h. */
   std::set<std::string> unchecked;
-  std::optional<JudgeProgress> judge;  ///< none: nobody has begun to judge
+  std::optional<JudgeProgress> judge;  ///< none: judging has not begun
 };
 
-/** What the files of workers say of the shards of one deal, by number. */
+/** State of the shards of one partition, by shard number, from the workers' files. */
 struct Deal {
-  std::map<int, double> ages;  ///< since the youngest file was written [s]
-  std::set<int> at_rest;       ///< whose worker has ended
+  std::map<int, double> ages;  ///< since the newest file was written [s]
+  std::set<int> at_rest;       ///< shards whose worker has ended
 };
-/** @param subfolder  of the results; @param prefix  of the label of a worker;
-@param num_trials  there are no more shards. @returns by number of shards. */
+/** Finds the partitions of which there are files, by number of shards.
+@param subfolder  of the results. @param prefix  of a worker's label.
+@param num_trials  upper bound on the number of shards. */
 std::map<int, Deal> FindDeals(const std::filesystem::path& folder, const char* subfolder,
                               const std::string& prefix, const Workers& workers, int num_trials);
-/** Adds age and state of the shards of a deal whose trials are counted. @param stale_after  [s]. */
+/** Fills in age and state of a partition's shards, whose trials are counted already. @param
+stale_after  [s]. */
 void CompleteShards(const Deal& deal, double stale_after, std::vector<ShardProgress>& shards);
-/** Since the file was written [s]; 0: it cannot be asked. */
+/** Returns the time since the file was written [s]; 0 if unknown. */
 double CalcAge(const std::filesystem::path& path);
 
-/** The numbers of shards that journals of the folder are of; 0: a journal of no shard. */
+/** Returns the numbers of shards of the folder's journals; 0 stands for a journal without a
+shard. */
 std::set<int> FindShardCounts(const std::filesystem::path& folder);
 
-/** A worker that ended with trials left has stopped. One that was killed counts as running until it
-is stale. Of a judge the records are read, too, because they say what was held.
-@param stale_after  an unfinished shard whose files are older is stale [s].
-@throws as LoadFrozen, without a look at other files; Error(kIo). */
+/** Reads the progress of a session. A worker that ended with trials left is stopped; one that was
+killed counts as running until it is stale. If judging has begun, records are read as well, because
+they contain what was held.
+@param stale_after  age of its files beyond which an unfinished shard is stale [s].
+@throws as LoadFrozen for the frozen configuration alone; Error(kIo). */
 SessionProgress ReadProgress(const std::filesystem::path& folder, double stale_after,
                              IndexUse index_use = IndexUse::kBelieve);
 

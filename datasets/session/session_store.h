@@ -5,32 +5,33 @@ A session's folder:
     session.json          frozen configuration, schema and program version; its presence makes the
                           folder a session
     manifest.json         hashes of all that must not change and of what was committed (manifest.h)
-    plan.jsonl            one planned trial a line
+    plan.jsonl            one planned trial per line
     inputs/               the user's own hands, objects and grasps, see session_inputs.h
     journal/<n>.jsonl     append-only, one file per worker; a line = record + checksum, synced
     judge/<n>.jsonl       what `graspbench judge` found, see judgement_store.h
     sensitivity/<hash>/   sessions of the same draws under conditions (datasets/plan/conditions.h),
-    numerics/<hash>/      each a store of its own, without inputs
+    numerics/<hash>/      each a separate store without inputs
     delays/<hash>/
-    thresholds/<hash>/    of each draw those trials that its bisection asked for
-    map/<part>/           of a map of simultaneity its other sessions (datasets/plan/map_design.h)
-    progress/<n>.jsonl    what the journals of shards hold, see journal_index.h; may be deleted
-    workers/<n>.jsonl     where shards were worked on, and their sentinel trials, see worker_log.h
+    thresholds/<hash>/    likewise, with the trials that each draw's bisection required
+    map/<part>/           the other sessions of a simultaneity map (datasets/plan/map_design.h)
+    progress/<n>.jsonl    index of the shards' journals, see journal_index.h; may be deleted
+    workers/<n>.jsonl     machines of the shards, and their sentinel trials, see worker_log.h
     index.sqlite          made from plan and journals, may be deleted at any time
-    export/               trials.csv, events.csv, their dictionaries, datapackage.json; when
-                          asked for records.jsonl, the whole records in the plan's order, without
+    export/               trials.csv, events.csv, their dictionaries, datapackage.json; on
+                          request records.jsonl, the complete records in the plan's order without
                           checksums; manifest.json
     report/               index.html, manifest.json
-    ro-crate-metadata.json  when asked for: the folder for archives (ro_crate.h), with the clock
-    run.json              when, where, how long: the only file with a host
+    ro-crate-metadata.json  on request: metadata for archives (ro_crate.h), with times
+    run.json              date, host and duration of runs: the only file with a host
 
-Finished = a valid journal line with the trial's id. Equal duplicates are fine, unequal ones are an
-error. Resume = plan minus finished. A worker of a shard (shard.h) has journals of its own,
-`SHARD-WORKER.jsonl`, and neither writes anything else nor reads what the others write.
+A trial is finished if there is a valid journal line with its id. Equal duplicates are accepted,
+unequal ones are an error. Resuming runs the plan minus the finished trials. A worker of a shard
+(shard.h) has its own journals, `SHARD-WORKER.jsonl`. It writes no other results, and does not read
+what other workers write.
 
-Results hold no wall clock or host, and no absolute path but those a person wrote into the
-configuration. session.json, plan.jsonl, index.sqlite and export/ have
-the same bytes for any number of workers and any number of interruptions.
+Results contain no wall-clock time, no host, and no absolute path except those that the user wrote
+into the configuration. session.json, plan.jsonl, index.sqlite and export/ have the same bytes for
+any number of workers and interruptions.
 
 @code
 const Session session = LoadSession("results/benchmark");
@@ -55,37 +56,37 @@ for (const TrialRecord& record : session.records) {
 
 namespace graspbench {
 
-/** How much of every record is held in memory: 7 kB of journal are 5 kB whole and 1 kB brief. */
+/** How much of each record is held in memory. A journal line of 7 kB takes 5 kB whole and 1 kB
+brief. */
 enum class RecordParts {
   kWhole,
-  /** Without what only exports, pictures and single trials need: postures at the touches, phases,
-  contact events, snapshots, the loads of a judgement. LoadWhole reads a record again. */
+  /** Without the parts that only exports, figures and single trials need: postures at contact,
+  phases, contact events, snapshots, the loads of a judgement. LoadWhole reloads a record. */
   kBrief,
-  /** None of them, though all are read and checked: RecordLines says where each of the plan is. */
+  /** No records, though all are read and checked: RecordLines locates each trial of the plan. */
   kPlaces
 };
 
-/** A session in memory, as LoadSession gives it. */
+/** A session in memory, from LoadSession. */
 struct Session {
-  std::filesystem::path folder;  ///< it was loaded from; empty: it stands in none
+  std::filesystem::path folder;  ///< from which it was loaded; empty: none
   SessionConfig config;
-  int physics_version = 0;  ///< kPhysicsVersion of the program that planned it; 0: not said
+  int physics_version = 0;  ///< kPhysicsVersion of the program that planned it; 0: unknown
   std::vector<PlannedTrial> plan;
   std::vector<TrialRecord> records;  ///< finished trials in the plan's order
-  RecordLines lines;                 ///< of brief records and of places; empty when they are whole
-  /** Warnings about journal lines that were skipped; files are named from the session's folder. */
+  RecordLines lines;                 ///< for kBrief and kPlaces; empty for kWhole
+  /** Warnings about skipped journal lines, with file names relative to the session's folder. */
   Diagnostics findings;
   std::vector<Damage> damage;  ///< found and accepted
-  /** Machines that did not agree on a sentinel trial or have run none, as sentences
-  (worker_log.h). */
+  /** Sentences about machines that disagree on a sentinel trial or have run none (worker_log.h). */
   std::vector<std::string> machine_differences = {};
 };
 
-/** The whole of one of session.records. Several threads may ask.
-@throws Error(kFormat, kIo) when its line is not what it was when the session was loaded. */
+/** Returns the complete form of one of session.records. Thread-safe.
+@throws Error(kFormat, kIo) when its line has changed since the session was loaded. */
 TrialRecord LoadWhole(const Session& session, const TrialRecord& record);
 
-/** Calls `take(const TrialRecord&)` for the whole of every record, in their order. */
+/** Calls `take(const TrialRecord&)` with the complete form of every record, in order. */
 template <class Take>
 void ForEachWhole(const Session& session, Take&& take) {
   for (const TrialRecord& record : session.records) {
@@ -97,10 +98,10 @@ void ForEachWhole(const Session& session, Take&& take) {
   }
 }
 
-/** What is wrong with a whole line of a trial that is not in the plan. */
+/** Returns the message about a valid line of a trial that is not in the plan. */
 std::string DescribeForeign(const std::string& trial_id);
 
-/** True when the folder holds a session, of whatever version and state. */
+/** Whether the folder holds a session, of any version and state. */
 bool HasSession(const std::filesystem::path& folder);
 
 /** Creates the folder with configuration and plan. @throws Error(kUsage) when it already holds a
@@ -108,36 +109,38 @@ session (suggesting --resume), Error(kIo) when it cannot be written. */
 void CreateSession(const std::filesystem::path& folder, const SessionConfig& config,
                    const std::vector<PlannedTrial>& plan);
 
-/** @throws Error(kNotFound) no session there; kVersion; kFormat for damage, which is looked for
-before anything is read, for lines of another session, and for unequal duplicates; kIo. */
+/** Verifies and loads a session.
+@throws Error(kNotFound, kVersion, kIo); kFormat for damage, which is checked first, for lines of
+another session, and for unequal duplicates. */
 Session LoadSession(const std::filesystem::path& folder, OnDamage on_damage = OnDamage::kRefuse,
                     RecordParts parts = RecordParts::kWhole);
 
-/** Configuration and plan, without a look at any other file. @throws as LoadSession. */
+/** Loads configuration and plan without reading any other file. @throws as LoadSession. */
 Session LoadPlannedSession(const std::filesystem::path& folder);
 
-/** What a worker of a shard needs: configuration, plan, and the brief records in the journals that
-begin with `label` or that a merge has brought. No other file is read. @throws as LoadSession. */
+/** Loads what a worker of a shard needs: configuration, plan, and brief records from the journals
+that begin with `label` or come from a merge. Other journals are not read. @throws as
+LoadSession. */
 Session LoadShardOfSession(const std::filesystem::path& folder, const std::string& label);
 
-/** What resuming has to run: the plan without the finished trials, in the plan's order. */
+/** Returns the trials to run when resuming: the plan without the finished trials, in its order. */
 std::vector<PlannedTrial> FindUnfinished(const Session& session);
 
-/** To be called before a session is resumed.
+/** Checks that a session can be resumed with this configuration and plan.
 @throws Error(kUsage) listing the settings that differ, or the cells whose hand, object, grasp or
-physics has changed since. */
+physics has changed. */
 void CheckSameSession(const Session& session, const SessionConfig& config,
                       const std::vector<PlannedTrial>& plan);
 
-/** Appends finished trials to one worker's journal, and a shard's to its index; see append_file.h,
-journal_index.h. */
+/** Appends finished trials to one worker's journal and, for a shard, to its index; see
+append_file.h, journal_index.h. */
 class JournalWriter {
  public:
   /** @param label  of a shard's worker. @throws Error(kIo) when the journal cannot be written or
-  another process writes it. */
+  another process writes to it. */
   JournalWriter(const std::filesystem::path& folder, int worker, const std::string& label = "")
       : JournalWriter(FindJournal(folder / "journal", worker, label), !label.empty()) {}
-  /** @throws Error(kIo) with the system's reason; what was appended before stays valid. */
+  /** @throws Error(kIo) with the system's reason; earlier records stay valid. */
   void Append(const TrialRecord& record);
 
  private:
@@ -147,24 +150,22 @@ class JournalWriter {
   std::optional<JournalIndex> index_;
 };
 
-/** A table beside those of trials and events. */
+/** A table in addition to those of trials and events. */
 struct ExportTable {
-  std::string name;  ///< of its file, without ending
+  std::string name;  ///< of its file, without extension
   std::string csv;
   Json schema;  ///< its dictionary
 };
 
-/** Writes index.sqlite and export/ from what LoadSession gives, record by record. Same records, same
-bytes. @param with_records  also records.jsonl; where it is, it is always written again.
+/** Writes index.sqlite and export/ from a loaded session, record by record. Equal records give
+equal bytes. @param with_records  also writes records.jsonl; an existing one is always rewritten.
 @throws Error(kIo). */
 void ExportSession(const std::filesystem::path& folder, const Session& session,
                    bool with_records = false, const std::vector<ExportTable>& more = {});
 
-/** What lines that fail their checksum still say. Its integrity cannot be verified: it is for a
-comparison with the trial run again, which names what has changed, and for nothing else.
-
-The records in the damaged lines of the session's journals whose trials are in the plan and have
-no whole line, in the plan's order. A line that is no record any more is left out.
+/** Reads records from damaged journal lines, for planned trials without a valid line, in the plan's
+order. Their integrity cannot be verified: use them only for comparison with a re-simulation, which
+shows what has changed. Lines that cannot be parsed are left out.
 @pre the session was loaded despite its damage. @throws Error(kIo). */
 std::vector<TrialRecord> ReadDamagedRecords(const Session& session);
 

@@ -1,16 +1,16 @@
 #pragma once
 /** @file
-On which machines a session's shards were worked on, beside its results and never in them:
+The machines that worked on a session's shards, recorded separately from the results:
 
-    workers/<shard>-0.jsonl   append-only, synced; a line when a worker begins on the shard: the
-                              machine, the program, and what the sentinel trials gave there; and
-                              one when it ends, unless it is killed
-    workers/judge-<shard>-0.jsonl   the same of a worker that breaks what the trials held
+    workers/<shard>-0.jsonl   append-only, synced; one line when a worker begins on the shard, with
+                              machine, program and results of the sentinel trials there; one
+                              when it ends, unless it is killed
+    workers/judge-<shard>-0.jsonl   likewise for a worker that judges held trials
 
-The sentinels (shard.h) are trials of the plan that every machine runs before its own. Machines
-whose processor or libraries round differently are found by them, before their trials are believed
-to be one session. A worker that finds those of its own machine and build in another shard's file
-does not run them again; it may miss them, as nothing waits for what others write. */
+The sentinels (shard.h) are trials of the plan that every machine runs before its own trials. They
+reveal machines whose processor or libraries round differently, before their trials are accepted as
+one session. A worker that finds the sentinels of its own machine and build in another shard's file
+does not repeat them. It may miss them, since it does not wait for other workers. */
 
 #include <filesystem>
 #include <set>
@@ -23,11 +23,11 @@ does not run them again; it may miss them, as nothing waits for what others writ
 
 namespace graspbench {
 
-/** What may decide the last bit of a result, and how people call the machine. */
+/** The properties of a machine that may affect the last bit of a result, and its name. */
 struct Machine {
   std::string host;
   std::string processor;        ///< "AMD EPYC 7763"
-  std::string processor_flags;  ///< hash: functions of the C library are chosen by them
+  std::string processor_flags;  ///< hash; they select functions of the C library
   std::string c_library;        ///< "glibc 2.36"
   std::string build;            ///< hash of the program's own bytes
   std::string program_version;
@@ -44,19 +44,19 @@ struct Machine {
 };
 bool operator==(const Machine& a, const Machine& b);
 
-/** A worker's beginning on a machine. */
+/** Start of a worker on a machine. */
 struct WorkerStart {
   std::string shard;  ///< "3of7"
   std::string started_utc;
   Machine machine;
-  std::vector<TrialRecord> sentinels;  ///< none: another start on the machine has them
+  std::vector<TrialRecord> sentinels;  ///< empty: another start on this machine has them
 };
 
-/** A worker's end that it has seen coming. */
+/** Regular end of a worker. */
 struct WorkerEnd {
   std::string shard;
   std::string ended_utc;
-  int num_left = 0;  ///< trials of the shard
+  int num_left = 0;  ///< unfinished trials of the shard
 };
 
 std::string FormatWorkerLine(const WorkerStart& start);
@@ -66,46 +66,48 @@ WorkerStart ParseWorkerLine(std::string_view line);
 
 struct Workers {
   std::vector<WorkerStart> starts;  ///< by file and line
-  std::set<std::string> at_rest;    ///< shards whose last worker has said that it ended
+  std::set<std::string> at_rest;    ///< shards whose last worker recorded its end
 };
-/** Lines that are none go into `findings`. @throws Error(kIo). */
+/** Loads the workers' files. Invalid lines are added to `findings`. @throws Error(kIo). */
 Workers LoadWorkers(const std::filesystem::path& folder, Diagnostics& findings);
 
 /** Whether the sentinels of `plan` have been run by this build on this machine. */
 bool HasSentinels(const std::vector<WorkerStart>& starts, const Machine& machine,
                   const std::vector<PlannedTrial>& plan);
 
-/** One sentence for each machine whose sentinels are not those of most machines: which trial, in how
-many values, and where and how far they differ most. Independent of the order of `starts`. */
+/** Returns one sentence for each machine whose sentinels differ from those of most machines: the
+trial, the number of different values, and the largest difference. Independent of the order of
+`starts`. */
 std::vector<std::string> DescribeDifferences(const std::vector<WorkerStart>& starts);
 
-/** Labels of the shards, among those that have begun or have a journal in the folder, of which a
-machine has no sentinels. */
+/** Returns labels of shards that have begun, or have a journal in the folder, without sentinels of
+their machine. */
 std::set<std::string> FindUnchecked(const std::filesystem::path& folder,
                                     const std::vector<WorkerStart>& starts);
-/** A sentence that names these shards; empty when there are none. */
+/** Returns a sentence that names these shards; empty if there are none. */
 std::string DescribeUnchecked(const std::set<std::string>& labels);
 
-/** "node1 (AMD EPYC 7763, flags 0123456789abcdef, glibc 2.36, build fedcba9876543210)". */
+/** Returns "node1 (AMD EPYC 7763, flags 0123456789abcdef, glibc 2.36, build fedcba9876543210)". */
 std::string DescribeMachine(const Machine& machine);
 
-/** What a merge adds to the files of workers of `folder`, and adding it; `known` grows. Where the
-other folder says nothing of a shard's machine, that is kept. */
+/** Merge the workers' lines: ListStartLines returns the lines known in `folder`, CollectStarts the
+new lines of another folder (extending `known`), and AppendStarts writes them. A shard whose machine
+the other folder does not record keeps its gap. */
 ///@{
 std::set<std::string> ListStartLines(const std::filesystem::path& folder);
 std::string CollectStarts(const std::filesystem::path& other, std::set<std::string>& known);
 void AppendStarts(const std::filesystem::path& folder, const std::string& lines);
 ///@}
 
-/** What stands before a shard's label where its held grasps are broken, so that neither of run and
-judge takes the other's worker for its own. */
+/** Prefixes of a shard's label for workers that judge or explain, so that no command mistakes
+another's worker for its own. */
 inline constexpr char kJudgeLabel[] = "judge-";
 inline constexpr char kExplainLabel[] = "explain-";
 
-/** How the files begin that a merge writes, in the place of a shard's label. */
+/** Prefix of the files that a merge writes, in place of a shard's label. */
 inline constexpr char kMergedLabel[] = "merged";
 
-/** The shard's own file; while it lives no other process works on the shard. */
+/** The shard's own file. While the object exists, no other process can work on the shard. */
 class WorkerLog {
  public:
   /** @throws Error(kIo) when it cannot be written or another process works on the shard. */

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-An MCAP file in the making: messages of several channels by their times, compressed in chunks, with
+Builds an MCAP file: messages of several channels in the order of time, in compressed chunks, with
 index, statistics and metadata.
 
 Source: the MCAP format specification, version 0, https://mcap.dev/spec. Compression is zstd
@@ -16,29 +16,30 @@ namespace graspbench {
 
 class McapFile {
  public:
-  /** @param library  says who wrote the file. */
+  /** @param library  name of the writing program. */
   explicit McapFile(const std::string& library);
 
-  /** @param encoding  "protobuf": `data` is a serialised FileDescriptorSet. @returns its id. */
+  /** @param encoding  "protobuf": `data` is a serialised FileDescriptorSet. @returns the schema's
+  id. */
   uint16_t AddSchema(const std::string& name, const std::string& encoding, const std::string& data);
-  /** @param encoding  of the messages. @returns its id. */
+  /** @param encoding  of the messages. @returns the channel's id. */
   uint16_t AddChannel(uint16_t schema, const std::string& topic, const std::string& encoding);
-  /** @param time  not before that of the message before [ns]. */
+  /** @param time  not before that of the previous message [ns]. */
   void AddMessage(uint16_t channel, uint64_t time, std::string_view data);
   void AddMetadata(const std::string& name, const std::map<std::string, std::string>& values);
 
-  /** The file's bytes; to be called once, at the end. */
+  /** Returns the file's bytes; call once, at the end. */
   std::string Finish();
 
  private:
   struct MessagePlace {
-    uint64_t time, offset;  // in its chunk
+    uint64_t time, offset;  // offset in its chunk
   };
 
   void FinishChunk();
 
   std::string file_;
-  std::string schemas_, channels_;  // their records, for the first chunk and the summary
+  std::string schemas_, channels_;  // records for the first chunk and the summary
   uint16_t num_schemas_ = 0, num_channels_ = 0;
   std::string chunk_;  // records of the current one
   uint64_t chunk_start_ = 0, chunk_end_ = 0;

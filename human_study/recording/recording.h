@@ -2,13 +2,13 @@
 /** @file
 One motion-capture recording in memory, whatever file it came from.
 
-Coordinates are kept as 32-bit floats in the file's own unit, exactly as the formats store them, so
-that a file written back loses nothing and a long recording fits into memory. What is handed out is
-in metres and double precision (RecordedPoint::Position). A coordinate of 1 m is resolved to
-0.06 um, three orders below the noise of the cameras.
+Coordinates are kept as 32-bit floats in the file's own unit, as the formats store them, so that a
+file can be written back without loss and a long recording fits into memory. Accessors return metres
+in double precision (RecordedPoint::Position). A coordinate of 1 m is resolved to 0.06 um, three
+orders below the noise of the cameras.
 
-Clock: a recording without time stamps places frame number f at (f - 1) / rate, so one that starts
-at frame 1 starts at zero and a cropped one keeps its place. */
+Clock: without time stamps, frame number f is at (f - 1) / rate. A recording that starts at frame 1
+therefore starts at zero, and a cropped one keeps its times. */
 
 #include <Eigen/Core>
 #include <cmath>
@@ -39,9 +39,9 @@ inline const char* NameOf(SampleState state) { return RowOf(kSampleStates, state
 /** One named point over all frames. */
 struct RecordedPoint {
   std::string label;  ///< unique in its recording
-  std::string unit;   ///< as the file says it: "mm"
+  std::string unit;   ///< as the file states it: "mm"
   /** Length of `unit` [m]; NaN when the file does not state a unit or the values are not lengths
-  (C3D stores angles and forces as points, too). */
+  (C3D also stores angles and forces as points). */
   double metres_per_unit = std::numeric_limits<double>::quiet_NaN();
   std::vector<float> xyz;           ///< 3 x num_frames, in `unit`; NaN where invalid
   std::vector<SampleState> states;  ///< num_frames
@@ -58,10 +58,10 @@ struct RecordedPoint {
   Eigen::Vector3d CalcMeanPosition() const;
 
   void Resize(size_t num_frames);
-  /** Stores a measured sample in file units; a coordinate that is not finite makes it invalid. */
+  /** Stores a measured sample in file units; a non-finite coordinate makes it invalid. */
   void SetMeasured(size_t frame, double x, double y, double z);
   void SetInvalid(size_t frame);
-  /** One more frame, as SetMeasured. */
+  /** Appends a frame as SetMeasured does. */
   void Append(double x, double y, double z) {
     Resize(states.size() + 1);
     SetMeasured(states.size() - 1, x, y, z);
@@ -70,14 +70,14 @@ struct RecordedPoint {
 
 struct AnalogChannel {
   std::string label;
-  std::string unit;            ///< of the samples, as the file says it
+  std::string unit;            ///< of the samples, as the file states it
   double rate = 0.0;           ///< [Hz]
   std::vector<float> samples;  ///< physical values: offset and scale are applied
 };
 
 enum class EventSource {
   kEventGroup,  ///< C3D's EVENT parameters, or the event list of another format
-  kHeader,      ///< the up to 18 events of a C3D header
+  kHeader,      ///< the events of a C3D header, at most 18
 };
 
 struct RecordedEvent {
@@ -87,7 +87,7 @@ struct RecordedEvent {
   EventSource source = EventSource::kEventGroup;
 };
 
-/** One deviation from its format that was accepted. */
+/** An accepted deviation from the file format. */
 struct ImportFinding {
   std::string code;   ///< stable, for programs: "duplicate_label"
   std::string where;  ///< "POINT:LABELS", "byte 512", "line 3"
@@ -121,23 +121,24 @@ struct Recording {
 without a label becomes "point_<number>" ("missing_label"). */
 void MakeLabelsUnique(Recording& recording, const std::string& where);
 
-/** [m] for "mm", "Millimeters", "m", "cm", "um", "in", "ft", ..; NaN for anything else. */
+/** Returns the length [m] of "mm", "Millimeters", "m", "cm", "um", "in", "ft", ..; NaN for anything
+else. */
 double FindMetresPerUnit(const std::string& unit);
 
-/** Gives every point the unit. Unknown or empty: `metres_per_unit` stays NaN and a finding
-"unit_missing" says what to do. */
+/** Sets the unit of every point. If it is unknown or empty, `metres_per_unit` stays NaN and a
+finding "unit_missing" advises the user. */
 void SetLengthUnit(Recording& recording, const std::string& unit, const std::string& where);
 
-/** @throws Error(kFormat) when a point's unit is not known, with what to do about it. */
+/** @throws Error(kFormat) when a point's unit is unknown, with advice. */
 void CheckLengthUnits(const Recording& recording, const std::string& file);
 
-// What is in a recording, for people (`graspbench mocap info`) and for programs (`--json`).
+// Summaries of a recording, as text (`graspbench mocap info`) and as JSON (`--json`).
 /** Keys: format, processor, points, frames, first_frame, rate_hz, duration_s, unit, labels,
 invalid_samples and filled_samples (by label), analog_channels, analog_rate_hz, analog_labels,
 events, findings, mean_m (by label: mean position over the valid samples [m], null without any). */
 Json DescribeRecording(const Recording& recording);
 
-/** The same as text, one fact a line. */
+/** The summary as text, one fact per line. */
 std::string FormatRecording(const Recording& recording);
 
 }  // namespace graspbench

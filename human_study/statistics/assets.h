@@ -6,6 +6,6 @@ Files of human_study/statistics/assets, compiled into the program (graspbench_em
 
 namespace graspbench::assets {
 
-extern const std::string_view kAnalysisR;  ///< analysis.R, all but what names the study's columns
+extern const std::string_view kAnalysisR;  ///< analysis.R without the study's column names
 
 }  // namespace graspbench::assets

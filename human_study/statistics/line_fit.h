@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-Straight lines y = intercept + slope x by least squares, and a line for each person: how much wider
-the hand opens per metre of object. The persons' slopes are then one sample, tested against a
+Least-squares lines y = intercept + slope x, for example how much wider the hand opens per metre of
+object size. Lines are fitted per person; the persons' slopes form one sample, tested against a
 reference such as 0 or 1. */
 
 #include <optional>
@@ -17,11 +17,11 @@ struct LineFit {
   int count = 0;
   double intercept = 0.0;
   double slope = 0.0;
-  /** None for two points, as the standard errors. */
+  /** Unset for two points, as are the standard errors. */
   std::optional<double> residual_sd;
   std::optional<double> intercept_error;  ///< standard error
   std::optional<double> slope_error;
-  std::optional<double> r_squared;  ///< none when all y are equal
+  std::optional<double> r_squared;  ///< unset when all y are equal
 };
 
 /** @pre equal sizes. No answer below two points, when all x are equal or a value is not finite. */
@@ -33,8 +33,8 @@ struct PersonPoint {
   double y = 0.0;
 };
 
-/** Every trial with a value as a point; x is the level's number. No answer when the factor has no
-numbers, or with the faults of CalcCellMeans. @pre factor < table.factors.size(). */
+/** Lists all trials with a value as points; x is the level's number. No answer when the factor has
+no numbers, or for the reasons of CalcCellMeans. @pre factor < table.factors.size(). */
 Answer<std::vector<PersonPoint>> ListPoints(const MeasureTable& table, size_t factor);
 
 struct PersonLine {
@@ -44,7 +44,7 @@ struct PersonLine {
 
 struct PersonSlopes {
   std::vector<PersonLine> persons;  ///< in order of appearance
-  Answer<TTest> test;               ///< of the slopes of those who have one
+  Answer<TTest> test;               ///< of all slopes found
 };
 
 PersonSlopes CalcPersonSlopes(const std::vector<PersonPoint>& points, double reference);

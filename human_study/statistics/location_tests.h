@@ -15,8 +15,8 @@ t tests of one value per person: against a number, between two conditions, and f
 namespace graspbench {
 
 struct TTest {
-  int count = 0;        ///< persons with a value (in both conditions)
-  int num_missing = 0;  ///< persons without
+  int count = 0;        ///< persons with a value (for pairs, in both conditions)
+  int num_missing = 0;  ///< persons without a value
   double mean = 0.0;    ///< of the values, or of the differences a - b
   double standard_deviation = 0.0;
   double reference = 0.0;
@@ -27,16 +27,16 @@ struct TTest {
   double d_z = 0.0;
 };
 
-/** One value a person against a reference. NaN is missing.
-No answer below two values, with an infinite one, or when all values are equal. */
+/** Tests one value per person against a reference. NaN is missing. No answer below two values, with
+an infinite one, or when all values are equal. */
 Answer<TTest> CalcTTest(const std::vector<double>& values, double reference = 0.0);
 
-/** Differences a - b of the same persons in the same order; a person missing on either side is left
-out. @pre equal sizes. No answer as above. */
+/** Tests the differences a - b of the same persons in the same order; a person missing in either is
+left out. No answer as above. @pre equal sizes. */
 Answer<TTest> CalcPairedTTest(const std::vector<double>& a, const std::vector<double>& b);
 
-/** Two groups of persons, one value a person, whose spread may differ (B. L. Welch, Biometrika 34
-(1947)); a - b. */
+/** Test of a - b between two groups of persons with unequal variances, one value per person (B. L.
+Welch, Biometrika 34 (1947)). */
 struct WelchTest {
   int count_a = 0, count_b = 0;  ///< persons with a value
   double difference = 0.0;
@@ -48,12 +48,12 @@ struct WelchTest {
   double d_s = 0.0;   ///< difference / pooled standard deviation
 };
 
-/** NaN is missing. No answer below two values in a group, with an infinite one, or when the values
-of both groups are equal among themselves. */
+/** NaN is missing. No answer below two values in a group, with an infinite one, or when neither
+group has any spread. */
 Answer<WelchTest> CalcWelchTest(const std::vector<double>& a, const std::vector<double>& b);
 
-/** Two one-sided tests: is the mean surely within the bounds? (Schuirmann, "A comparison of the two
-one-sided tests procedure ..", J. Pharmacokinet. Biopharm. 15 (1987)). */
+/** Two one-sided tests of whether the mean lies within the bounds (Schuirmann, "A comparison of the
+two one-sided tests procedure ..", J. Pharmacokinet. Biopharm. 15 (1987)). */
 struct EquivalenceTest {
   Interval bounds;
   double t_low = 0.0, p_low = 1.0;    ///< against mean <= bounds.low
@@ -62,25 +62,25 @@ struct EquivalenceTest {
   Interval interval;                  ///< 90 %: inside the bounds exactly when p < 0.05
 };
 
-/** @param bounds  the largest difference that would not matter, from the field, not from the data.
-No answer where the t test has none, or unless bounds.low < bounds.high. */
+/** Tests for equivalence. No answer where the t test has none, or unless bounds.low < bounds.high.
+@param bounds  the largest irrelevant difference, from knowledge of the field, not from the data. */
 Answer<EquivalenceTest> CalcEquivalence(const Answer<TTest>& test, Interval bounds);
 
-/** Tests from ranks alone, for measures that are skewed or bounded.
+/** Rank tests, for skewed or bounded measures.
 
-Wilcoxon's signed-rank test is exact: its distribution is that of all 2^n signs on the ranks that
-occurred, ties included (average ranks). Pairs without a difference are left out, as Wilcoxon did
-(Biometrics Bull. 1 (1945)), and counted.
+Wilcoxon's signed-rank test is exact: its distribution is that of all 2^n sign assignments to the
+observed ranks, ties included (average ranks). Pairs without a difference are left out, as by
+Wilcoxon (Biometrics Bull. 1 (1945)), and counted.
 
 Friedman's test is his chi-squared with the correction for ties (J. Am. Stat. Assoc. 32 (1937);
-Conover, "Practical nonparametric statistics", 3rd ed. 1999, section 5.8); an approximation that is
-rough below about 10 persons and 3 conditions.
+Conover, "Practical nonparametric statistics", 3rd ed. 1999, section 5.8); the approximation is poor
+below about 10 persons and 3 conditions.
 
-Differences that agree but for rounding (8 units in the last place of the largest value) are ties. */
+Differences equal up to rounding (8 units in the last place of the largest value) are ties. */
 struct WilcoxonTest {
   int count = 0;        ///< pairs that differ
-  int num_zeros = 0;    ///< pairs that do not
-  int num_missing = 0;  ///< persons missing on either side
+  int num_zeros = 0;    ///< pairs without a difference
+  int num_missing = 0;  ///< persons missing in either condition
   bool has_ties = false;
   double w_plus = 0.0;  ///< sum of the ranks of positive differences a - b
   double w_minus = 0.0;
@@ -88,8 +88,8 @@ struct WilcoxonTest {
   double rank_biserial = 0.0;  ///< (w_plus - w_minus) / (w_plus + w_minus), in [-1, 1]
 };
 
-/** a - b of the same persons in the same order; NaN is missing. @pre equal sizes.
-No answer without a pair that differs, with an infinite value or above 1000 pairs. */
+/** Tests a - b of the same persons in the same order; NaN is missing. No answer without a pair that
+differs, with an infinite value or above 1000 pairs. @pre equal sizes. */
 Answer<WilcoxonTest> CalcWilcoxon(const std::vector<double>& a, const std::vector<double>& b);
 
 struct FriedmanTest {
@@ -97,11 +97,12 @@ struct FriedmanTest {
   double chi_squared = 0.0;
   double df = 0.0;
   double p = 1.0;
-  double kendall_w = 0.0;          ///< agreement of the persons, 0 to 1
-  std::vector<double> mean_ranks;  ///< per cell, 1 is the smallest value
+  double kendall_w = 0.0;          ///< agreement between the persons, 0 to 1
+  std::vector<double> mean_ranks;  ///< per condition; 1 is the smallest value
 };
 
-/** All cells as one factor. No answer below two persons or two cells, or when all are tied. */
+/** Tests all conditions as one factor. No answer below two persons or two conditions, or when all
+values are tied. */
 Answer<FriedmanTest> CalcFriedman(const CellMeans& cells);
 
 }  // namespace graspbench

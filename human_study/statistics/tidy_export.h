@@ -1,17 +1,16 @@
 #pragma once
 /** @file
-The trials as one tidy table with its data dictionary, and a script that repeats the statistics with
-R: for readers who trust only what they have computed themselves.
+Exports the trials as one tidy table with a data dictionary, and an R script that repeats the
+statistics, so that readers can check them independently.
 
 - tidy.csv: one row per trial and measure: person, trial, the factors, `<factor>_number` for factors
   whose levels are quantities, the groups, the session, measure, value (core/base/text/csv.h; a
   missing value is an empty cell);
 - tidy.json: the data dictionary, a Frictionless Table Schema with the list of measures;
-- analysis.R: the statistics of a study once more, by R's own means, for readers who trust only what
-  they have computed themselves. It reads tidy.csv (and openings.csv, where it is there), repeats the
-  rows of statistics.csv, writes them to r_statistics.csv and, where ../statistics.csv lies, says of
-  every row how far the two are apart and which it does not repeat. Base R does most; the mixed
-  models need lme4 and lmerTest. */
+- analysis.R: the statistics of the study computed with R. It reads tidy.csv (and openings.csv, if
+  present), repeats the rows of statistics.csv and writes them to r_statistics.csv. If
+  ../statistics.csv exists, it reports the difference of every row, and the rows that it does not
+  repeat. Most of it needs only base R; the mixed models need lme4 and lmerTest. */
 
 #include <filesystem>
 #include <string>
@@ -21,10 +20,10 @@ R: for readers who trust only what they have computed themselves.
 
 namespace graspbench {
 
-/** Of tidy.csv. */
+/** Name of the session column in tidy.csv. */
 inline constexpr const char* kSessionColumn = "trial_session";
 
-/** @param table  any measure of the study: its factors, groups and sessions. */
+/** @param table  any measure of the study; only its factors, groups and sessions are used. */
 std::string FormatRScript(const MeasureTable& table, const std::vector<Hypothesis>& hypotheses);
 
 struct TidyExport {
@@ -33,9 +32,9 @@ struct TidyExport {
   std::string r_script;
 };
 
-/** Measures of one study, all with the same factors.
+/** Formats the measures of one study, all with the same factors.
 @throws Error(kFormat) when their factors differ, a factor's name is that of another column, or a
-row has not one level for each factor. */
+row does not have one level per factor. */
 TidyExport FormatTidyExport(const std::vector<MeasureTable>& measures,
                             const std::vector<Hypothesis>& hypotheses = {});
 

@@ -1,10 +1,10 @@
 #pragma once
 /** @file
-The shapes of the 21 objects of the benchmark. The thesis gives their sizes, masses and friction
-(table 4.1), not their geometry: the shapes are ours, drawn after things of that name and size.
+Shapes of the 21 benchmark objects. The thesis gives their sizes, masses and friction (table 4.1)
+but not their geometry: these shapes are modelled on real objects of the same name and size.
 
-Each function draws one object as it rests on the table, z up, length along x, in millimetres and
-only roughly of the right size: the generator fits it to the size in object.yaml. */
+Each function draws one object as it rests on the table, with z up and its length along x, in
+millimetres. Its size is approximate: the generator scales it to the size in object.yaml. */
 
 #include <filesystem>
 #include <string>
@@ -35,12 +35,11 @@ TriMesh DrawEraser();
 TriMesh DrawBunchOfKeys();
 TriMesh DrawPencil();
 
-/** Draws the catalogue's meshes; see main.cc. The drawn shape of a catalogue object, exactly of
-`size` [m], its bounding box centred at O. @throws Error(kNotFound) for an id that has no drawing.
-*/
+/** Draws the mesh of a catalogue object, scaled exactly to `size` [m], with its bounding box
+centred at O. @throws Error(kNotFound) for an id without a drawing function. */
 TriMesh GenerateMesh(const std::string& id, const Eigen::Vector3d& size);
 
-/** Writes `FOLDER/ID/mesh.obj` for every drawing, sized by `FOLDER/ID/object.yaml`. */
+/** Writes `FOLDER/ID/mesh.obj` for every object, with the size in `FOLDER/ID/object.yaml`. */
 void GenerateMeshes(const std::filesystem::path& folder);
 
 }  // namespace graspbench

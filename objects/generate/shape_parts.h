@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-What the shapes of the catalogue are put together from. Every length in objects/generate is in
-millimetres, as on a drawing; FitTo() brings the finished shape into metres. */
+Building blocks of the catalogue's shapes. Every length in objects/generate is in millimetres;
+FitTo() converts the finished shape to metres. */
 
 #include <vector>
 
@@ -12,34 +12,34 @@ namespace graspbench {
 /** A closed polygon in a plane, counter-clockwise. */
 using Outline = std::vector<Eigen::Vector2d>;
 
-/** Ellipse with `num_points`, or a regular polygon; a flat side, not a corner, faces each axis when
-num_points is a multiple of four. */
+/** An ellipse with `num_points` corners, or a regular polygon. If num_points is a multiple of four,
+a flat side, not a corner, faces each axis. */
 Outline MakeEllipse(double size_x, double size_y, int num_points);
-/** Always 4 (num_arc + 1) points, so that rectangles of any size and radius can be lofted. */
+/** Always has 4 (num_arc + 1) points, so that rectangles of any size and radius can be lofted. */
 Outline MakeRoundedRectangle(double size_x, double size_y, double radius, int num_arc = 4);
-/** Where the ray from the origin at `angle` leaves the outline. @pre star-shaped about the origin.
- */
+/** Distance from the origin to the outline along the ray at `angle`. @pre star-shaped about the
+origin. */
 double CalcRadius(const Outline& outline, double angle);
 Outline MakeTurned(const Outline& outline, double angle);
 
-/** Outline in the plane z. */
+/** The outline as a ring in the plane at height z. */
 Ring MakeRing(const Outline& outline, double z);
 
 struct Layer {
   Outline outline;  ///< star-shaped about the origin
   double z = 0.0;
 };
-/** Loft through outlines with any number of corners; every corner is kept. Two layers at one height
-make a step, even where the outlines cross. */
+/** Lofts through outlines with any number of corners and keeps every corner. Two layers at the same
+height make a step, even where the outlines cross. */
 TriMesh MakeStack(const std::vector<Layer>& layers);
 
-/** Turns z into x, x into y, y into z: for things that are made upright and lie on the table. */
+/** Maps z to x, x to y and y to z: for shapes that are built upright and lie on the table. */
 TriMesh MakeLying(TriMesh mesh);
 
-/** Icosahedron with every edge cut into `frequency` pieces: a ball of equal triangles. */
+/** A ball of nearly equal triangles: an icosahedron with every edge cut into `frequency` pieces. */
 TriMesh MakeGeodesicSphere(double radius, int frequency);
 
-/** Flattens the lowest `depth`, so that a round thing rests instead of rolling about a corner. */
+/** Flattens the lowest `depth`, so that a round object rests flat instead of rolling on an edge. */
 void FlattenBottom(TriMesh& mesh, double depth);
 
 /** Scales to the size [m] and centres the bounding box at the origin. */

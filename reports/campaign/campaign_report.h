@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-The evaluation of the optimisation, from a campaign's stored results alone. */
+The report of a campaign, made from its stored results alone. */
 
 #include <filesystem>
 #include <string>
@@ -9,11 +9,11 @@ The evaluation of the optimisation, from a campaign's stored results alone. */
 
 namespace graspbench {
 
-/** The whole page. */
+/** Makes the whole page. */
 std::string MakeCampaignReport(const CampaignData& data);
 
-/** Writes report/index.html into the campaign's folder and returns its path. What is not finished
-is left out and said. @throws Error(kIo). */
+/** Writes report/index.html into the campaign's folder and returns its path. Unfinished parts are
+left out and named. @throws Error(kIo). */
 std::filesystem::path WriteCampaignReport(const std::filesystem::path& folder,
                                           const Campaign& campaign);
 

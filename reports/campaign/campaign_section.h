@@ -16,14 +16,15 @@ of the page. */
 
 namespace graspbench {
 
-/** The three variants of a scene's grasp side by side, closed, seen by one camera. */
+/** Pictures of the three variants of a scene's grasp, closed, from one camera. */
 struct VariantPictures {
-  /** By the scene's anchor; a variant without a drawable trial has an empty picture. */
+  /** By scene anchor; a variant without a drawable trial has an empty picture. */
   std::map<std::string, std::array<Picture, kNumVariants>> by_scene;
   std::vector<std::string> problems;  ///< why pictures are missing
 };
 
-/** Never throws for a machine that cannot draw: the reason becomes a problem. */
+/** Renders the pictures. If the machine cannot draw, the reason becomes a problem; nothing is
+thrown. */
 VariantPictures RenderVariantPictures(const Session& benchmark,
                                       const std::vector<SceneVariants>& scenes,
                                       const SessionModels& models);
@@ -41,7 +42,7 @@ struct CampaignData {
   }
 };
 
-/** Must bear a campaign of which nothing is finished. */
+/** A section must accept a campaign without finished parts. */
 using CampaignSection = PageSection<CampaignData>;
 
 std::vector<CampaignSection> ListCampaignSections();
@@ -50,9 +51,8 @@ std::vector<CampaignSection> ListCampaignSections();
 #include "reports/campaign/sections/section_list.inc"
 #undef GRASPBENCH_CAMPAIGN_SECTION
 
-/** Everything a reader of a campaign must know before trusting the numbers, as sentences. Scenes
-that are not finished, damage, models and pictures that are missing, trials that failed numerically,
-grasps that are not judged. Empty for a flawless campaign. */
+/** Lists, as sentences, all limitations of a campaign's results: unfinished scenes, damage, missing
+models and pictures, numerical failures, unjudged grasps. Empty for a flawless campaign. */
 std::vector<std::string> ListCampaignFindings(const CampaignData& data);
 
 }  // namespace graspbench

@@ -11,7 +11,7 @@ extern const std::string_view kStyle;        ///< style.css
 extern const std::string_view kPlotStyle;    ///< plot.css, which uses the variables of style.css
 extern const std::string_view kScript;       ///< page.js
 extern const std::string_view kReferences;   ///< references.bib
-extern const std::string_view kReleaseYear;  ///< of CITATION.cff
+extern const std::string_view kReleaseYear;  ///< from CITATION.cff
 extern const std::string_view kLibraries;    ///< "Simbody 3.7, .."
 /** For scene_3d.h: three.js with its loader and controls and scene_3d.js, in this order. */
 extern const std::string_view kSceneScript;

@@ -1,14 +1,14 @@
 #pragma once
 /** @file
-Markup as a type: what came from a file can never be taken for a tag.
+Markup as a type, so that text from a file can never become a tag.
 
-A fragment of `Html` is made by Text() and Element() only, and is well-formed XML as well as HTML 5
-(every element closed, every attribute quoted), so a page can be checked by any XML parser. Text and
-attribute values are written by one escaping function:
+Only Text() and Element() make fragments of `Html`. They are well-formed XML as well as HTML 5
+(every element closed, every attribute quoted), so any XML parser can check a page. A single
+function escapes text and attribute values:
 
 - & < > " ' become entities;
-- invalid UTF-8, control characters and characters that change the direction of the text around
-  them become U+FFFD, so a name shows as what it is and cannot rearrange its neighbours. */
+- invalid UTF-8, control characters and characters that change the text direction become U+FFFD, so
+  that a name is shown as it is and cannot rearrange its surroundings. */
 
 #include <string>
 #include <string_view>
@@ -40,22 +40,22 @@ class Html {
   std::string markup_;
 };
 
-/** The text, escaped. */
+/** Escapes the text. */
 Html Text(std::string_view text);
 
-/** `<tag attributes>content</tag>`; an HTML void element (img, br, col) is closed in its tag. SVG
-elements are made in the same way. @pre a void element has no content. */
+/** Makes `<tag attributes>content</tag>`; an HTML void element (img, br, col) is self-closed. Also
+makes SVG elements. @pre a void element has no content. */
 Html Element(const char* tag, const Attributes& attributes, const Html& content = {});
-/** The element with text in it. */
+/** Makes an element that contains text. */
 Html Element(const char* tag, const Attributes& attributes, std::string_view text);
 
-/** A link within the page. */
+/** Makes a link within the page. */
 Html LinkTo(const std::string& anchor, std::string_view text);
 
-/** RFC 4648. */
+/** Encodes bytes as in RFC 4648. */
 std::string EncodeBase64(std::string_view bytes);
 
-/** "data:<type>;base64,..." for an image inside the page. */
+/** Makes "data:<type>;base64,..." for an image embedded in the page. */
 std::string MakeDataUri(std::string_view media_type, std::string_view bytes);
 
 }  // namespace graspbench

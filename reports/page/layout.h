@@ -1,7 +1,6 @@
 #pragma once
 /** @file
-The page's recurring parts: tables, figures with what to look for, notes, and the frame around
-everything. */
+The recurring parts of a page: tables, figures with reading hints, notes, and the page frame. */
 
 #include <filesystem>
 #include <string>
@@ -15,32 +14,33 @@ everything. */
 
 namespace graspbench {
 
-/* What every page says of itself beside its sections: how it was made, with what, and whom to cite.
-Nothing of it depends on when or where the page was made. */
+/* What every page states besides its sections: how and with what it was made, and what to cite.
+None of it depends on the time or the machine. */
 struct PageFrame {
   std::string title;
   std::string subtitle = {};
-  std::vector<std::string> commands = {};  ///< that give the same page again
-  /** Of the results, beside the versions: {"Seed", "1"}. */
+  std::vector<std::string> commands = {};  ///< that reproduce the page
+  /** Facts about the results, in addition to versions: {"Seed", "1"}. */
   std::vector<std::pair<std::string, std::string>> facts = {};
   std::vector<std::string> references =
-      {};  ///< keys of assets/references.bib that the methods rest on
+      {};  ///< keys of the entries in assets/references.bib that the methods cite
 };
 
-/** The entries with these keys, after that of the program. @pre known keys. */
+/** Returns the program's BibTeX entry, then those with these keys. @pre the keys are known. */
 std::string MakeBibtex(const std::vector<std::string>& keys);
 
-/** The page's last part: commands, versions and facts as a table, BibTeX. */
+/** Draws the page's last part: a table of commands, versions and facts, and BibTeX. */
 Html DrawProvenance(const PageFrame& frame);
 
-/** The same for machines, in the words of schema.org, without characters that end a script. */
+/** The provenance as JSON-LD in the vocabulary of schema.org, without characters that could end a
+script. */
 std::string MakeJsonLd(const PageFrame& frame);
 
-/** Of results by another physics, or by one that their folder does not name, for a subtitle: ";
-simulated with physics 12, this graspbench has 13"; else empty. @param version  0: not named. */
+/** Note for the subtitle of results from another or an unstated physics version: "; simulated with
+physics 12, this graspbench has 13"; else empty. @param version  0: not stated. */
 std::string DescribePhysics(int version);
 
-/** A framed text for a paper; `report --paper` takes it from the page. */
+/** Makes a framed methods text for a paper; `report --paper` extracts it from the page. */
 Html MakeMethodsText(const std::vector<std::string>& paragraphs);
 
 struct Column {
@@ -49,10 +49,10 @@ struct Column {
   Column(const char* its_head) : head(its_head) {}
 
   std::string head;  ///< with the unit in brackets: "GCT [s]"
-  std::string hint;  ///< what the number is; shown when pointed at
+  std::string hint;  ///< explanation of the number; shown on hover
 };
 
-/** Text, a whole number, or markup. */
+/** Text, an integer, or markup. */
 struct Cell {
   Cell(Html its_markup)
       : text(its_markup.markup().substr(0, its_markup.markup().find('<'))),
@@ -66,13 +66,13 @@ struct Cell {
   Html markup;
 };
 
-/** A table whose first column names its row. Columns of numbers are aligned to the right, long texts
-wrap. Wide tables scroll inside their frame. Its id is "table-" and its caption in plain letters, its
-number that of the page. */
+/** A table whose first column names the row. Columns of numbers are aligned to the right; long
+texts wrap. Wide tables scroll inside their frame. The id is "table-" followed by the caption in
+plain letters; the page assigns the number. */
 class Table {
  public:
   Table(std::string caption, std::vector<Column> columns);
-  /** @param anchor  of the row, for links; empty: none. @pre as many cells as columns */
+  /** @param anchor  of the row, for links; empty: none. @pre as many cells as columns. */
   void AddRow(std::vector<Cell> cells, std::string anchor = {});
   Html ToHtml() const;
 
@@ -86,29 +86,29 @@ class Table {
   std::vector<Row> rows_;
 };
 
-/** The rows of an analysis; headings begin with a capital letter.
-@param first  of each row, instead of the first column's text: a link; empty: the text. */
+/** Makes a table from the rows of an analysis; headings begin with a capital letter.
+@param first  by row: a link that replaces the text of the first column; empty: the text. */
 Html MakeTable(const std::string& caption, const ShownTable& shown,
                const std::vector<Html>& first = {});
 
-/** Every value of a configuration under its key, "sim.step_s". */
+/** Makes a table of all values of a configuration by key ("sim.step_s"). */
 Html MakeConfigTable(const std::string& caption, const Json& config);
 
-/** Content that scrolls sideways where the window is narrow, within reach of the keyboard. */
+/** Makes content that scrolls sideways in a narrow window, also by keyboard. */
 Html MakeScroll(std::string_view label, const Html& content);
 
-/** A figure whose caption ends with one line on how to read it. Its id is "figure-" and its caption
-in plain letters, its number that of the page. */
+/** Makes a figure whose caption ends with one line on how to read it. The id is "figure-" followed
+by the caption in plain letters; the page assigns the number. */
 Html MakeFigure(std::string_view caption, std::string_view look_for, const Html& content);
 
 Html MakeParagraph(std::string_view text);
 
-/** A framed note: `kind` is "warning" or "info". */
+/** Makes a framed note; `kind` is "warning" or "info". */
 Html MakeNote(const char* kind, std::string_view headline, const Html& content);
 
 Html MakeList(const std::vector<std::string>& items);
 
-/** Something to open, with the number of what is in it in `summary`. */
+/** Makes a collapsed section; `summary` states how many items it holds. */
 Html MakeDetails(std::string_view summary, const Html& content);
 
 struct PageLink {
@@ -116,33 +116,33 @@ struct PageLink {
   std::string title;
 };
 
-/** A page of text, which shows no results. */
+/** A page of text without results. */
 struct PlainPage {
   std::string title;
   std::string subtitle;
-  Html navigation;  ///< items of a list
+  Html navigation;  ///< list items
   Html body;
 };
 
-/** Head with a strict content security policy and the style sheet inside, skip link, navigation,
-body, and the script of assets/page.js, the only one that the policy allows. */
+/** Makes a page: head with a strict content security policy and an inline style sheet, skip link,
+navigation, body, and the script assets/page.js, the only one that the policy allows. */
 std::string MakePlainPage(const PlainPage& page);
 
-/** A page of results, as MakePlainPage: contents, body, provenance. Figures and tables are numbered
-here. */
+/** Makes a page of results as MakePlainPage does, with contents, body and provenance. Numbers
+figures and tables. */
 std::string MakePage(const PageFrame& frame, const std::vector<PageLink>& contents, Html body);
 
-/** The one place where the page of a stored result is written.
-Writes report/index.html in the result's folder and seals it, so that `graspbench verify`
-notices when it is not what was written. @returns its path. @throws Error(kIo). */
+/** The only function that writes the page of a stored result. Writes report/index.html into the
+result's folder and seals it, so that `graspbench verify` detects later changes. @returns its path.
+@throws Error(kIo). */
 std::filesystem::path WriteReportPage(const std::filesystem::path& folder, std::string_view page);
 
-/** Pages made of sections: a list in the order of the page, each drawn from the same data. */
+/** A section of a page; all sections are drawn from the same data, in the order of a list. */
 template <class Data>
 struct PageSection {
-  const char* anchor;  ///< lower-case letters only, so that it never meets another anchor
+  const char* anchor;  ///< lower-case letters only, so that it equals no other anchor
   const char* title;
-  Html (*draw)(const Data& data);  ///< must bear empty data; empty: the page leaves it out
+  Html (*draw)(const Data& data);  ///< must accept empty data; an empty result is left out
 };
 
 template <class Data>
@@ -166,21 +166,21 @@ std::string MakeSectionedPage(const std::string& title, const std::string& subti
   return MakeSectionedPage(PageFrame{title, subtitle}, sections, data);
 }
 
-// A page that runs a script of its own beside what every page has.
-/** A script as a page's content security policy names it: 'sha256-...'. */
+// Pages with a script of their own in addition to the common one.
+/** Formats a script's hash for a content security policy: 'sha256-...'. */
 std::string FormatScriptSource(const std::string& script);
 
-/** The page of MakePage or MakePlainPage with a style sheet of its own. */
+/** Adds a style sheet to the page of MakePage or MakePlainPage. */
 std::string AddStyle(std::string page, const std::string& style);
 
-/** Both are ours, never from a file. */
+/** Style and script of a page; part of the program, never from a file. */
 struct PageScript {
   std::string style;   ///< sheet
-  std::string script;  ///< neither "</script" nor "]]>" is in it
+  std::string script;  ///< contains neither "</script" nor "]]>"
 };
 
-/** The page of MakePage with style and script: the content security policy lets this script run, by
-its hash, and nothing else of what it forbade. Without a script the page as it is. */
+/** Adds style and script to the page of MakePage. The content security policy then allows this
+script, by its hash, and nothing else in addition. Without a script the page is unchanged. */
 std::string AddScript(std::string page, const PageScript& added);
 
 }  // namespace graspbench

@@ -21,10 +21,10 @@ namespace graspbench {
 struct SessionModels {
   std::map<std::string, std::shared_ptr<const Hand>> hands;
   std::map<std::string, std::shared_ptr<const GraspObject>> objects;
-  RehearsedTypes types;               ///< of best grasps
-  std::vector<std::string> problems;  ///< what a reader must know of them
+  RehearsedTypes types;               ///< of "best" grasps
+  std::vector<std::string> problems;  ///< problems to report to the reader
 
-  /** The name for a person; the id when the model is missing. */
+  /** Display name; the id when the model is missing. */
   std::string NameOfHand(const std::string& id) const;
   std::string NameOfObject(const std::string& id) const;
   /** "thumb"; the digit's id when the hand is missing. */
@@ -34,28 +34,27 @@ struct SessionModels {
   std::shared_ptr<const GraspObject> FindObject(const std::string& id) const;
 };
 
-/** Loads the session's hands and objects. When they cannot be loaded or have changed since, that
-becomes a problem and no error: the results stand without them. */
+/** Loads the session's hands and objects. A model that is missing or has changed is a problem, not
+an error: the results are valid without it. */
 SessionModels LoadSessionModels(const SessionConfig& config, const std::filesystem::path& folder,
                                 const std::vector<PlannedTrial>& plan = {});
 inline SessionModels LoadSessionModels(const Session& session) {
   return LoadSessionModels(session.config, session.folder, session.plan);
 }
 
-/** "power (g3)"; the id alone when it is none of the standard grasps. */
+/** "power (g3)"; the id alone for other than standard grasps. */
 std::string NameOfGrasp(const std::string& id);
 
 /** "TUM Hand, can, power (g3)". */
 std::string NameOfCell(const CellSummary& cell, const SessionModels& models);
 
-/** How an outcome, or the seat of an object, is called in a page, and how an end is explained. The
-name in records and tables of export/, said in full where it can be misread: the other digits of a
-trial of "no contact" may well have touched. */
+/** Name of an outcome in a page: that of records and export/, completed where it can be misread. In
+a trial with "no contact", other digits may have touched. */
 inline std::string WordsOf(Outcome outcome) {
   return NameOf(outcome) + std::string(outcome == Outcome::kNoContact ? " of a digit" : "");
 }
 
-/** Why a trial ended as it did, in the words of its record; empty for a success. */
+/** Explains the end of a trial in the words of its record; empty for a success. */
 inline std::string ExplainEnd(const TrialResult& result) {
   if (!result.diagnosis) return result.reason;
   return (result.reason.empty() ? "" : result.reason + ". ") + DescribeDiagnosis(result);

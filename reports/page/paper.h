@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-What a paper takes from a page: its figures, its tables, the methods text and the references, as
-files of their own. Works on the finished page, so it is the same for every kind of result. */
+Extracts from a page the files for a paper: figures, tables, methods text and references. It works
+on the finished page, so it is the same for every kind of result. */
 
 #include <string>
 #include <vector>
@@ -14,14 +14,14 @@ struct PaperFile {
 };
 
 enum class PaperParts {
-  kShown,  ///< what the page shows unfolded, at most 20 figures and 12 tables
+  kShown,  ///< what the page shows expanded, at most 20 figures and 12 tables
   kAll,
 };
 
-/** `figures/fig-NN-WORDS.svg` in the light colours without variables, links and scripts;
-`tables/tab-NN-WORDS.csv` and .tex (booktabs); NN is the page's number. Versions and
-provenance are no table of a paper. The captions of both and the methods, in Markdown; the
-references. The same page gives the same bytes. @pre a page of MakePage. */
+/** Makes `figures/fig-NN-WORDS.svg` in light colours, without variables, links and scripts, and
+`tables/tab-NN-WORDS.csv` and .tex (booktabs), where NN is the number in the page. The tables of
+versions and provenance are left out. Also makes Markdown with all captions and the methods, and the
+references. Equal pages give equal bytes. @pre `page` comes from MakePage. */
 std::vector<PaperFile> MakePaperFiles(const std::string& page, PaperParts parts);
 
 }  // namespace graspbench

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-Plots over continuous axes: curves with bands, estimates with intervals, and strips of time. Inline
-SVG by the same rules as svg_plot.h. */
+Plots over continuous axes: curves with bands, estimates with intervals, and timelines. Inline SVG
+by the same rules as svg_plot.h. */
 
 #include <string>
 #include <utility>
@@ -16,7 +16,7 @@ namespace graspbench {
 struct LinePlot {
   struct Series {
     std::string label;
-    std::vector<double> x, y;       ///< as long as each other; a NaN interrupts the curve
+    std::vector<double> x, y;       ///< of equal length; a NaN interrupts the curve
     std::vector<double> low, high;  ///< band about y; both empty: none
   };
   struct Mark {
@@ -25,10 +25,10 @@ struct LinePlot {
   };
   PlotText text;
   std::string x_axis, y_axis;  ///< with units
-  std::vector<Series> series;  ///< at most 8: they differ in colour and in dashes
+  std::vector<Series> series;  ///< at most 8, distinguished by colour and dashes
   std::vector<Mark> marks;     ///< vertical lines
-  bool is_y_from_zero = true;  ///< the y axis holds 0
-  bool has_cursor = false;     ///< a vertical line that a script moves; else it is not seen
+  bool is_y_from_zero = true;  ///< the y axis includes 0
+  bool has_cursor = false;     ///< a vertical line moved by a script; invisible without it
 };
 Html DrawLinePlot(const LinePlot& plot);
 
@@ -36,13 +36,13 @@ Html DrawLinePlot(const LinePlot& plot);
 struct IntervalPlot {
   struct Row {
     std::string label;
-    double value = 0.0;                ///< NaN: no mark, the text alone
+    double value = 0.0;                ///< NaN: no mark, only the text
     double low = 0.0, high = 0.0;      ///< NaN: no interval
     std::string text;                  ///< beside the row
     std::string anchor = {};           ///< where the label leads; empty: nowhere
     int series = 0;                    ///< 0..7, the mark's colour
-    bool is_heading = false;           ///< a label over the rows that follow, without a value
-    std::vector<double> singles = {};  ///< what the estimate was made of: a tick each; NaN: none
+    bool is_heading = false;           ///< a label without a value, above the rows that follow
+    std::vector<double> singles = {};  ///< single values behind the estimate, as ticks; NaN: none
   };
   PlotText text;
   std::string axis;  ///< with unit
@@ -56,7 +56,7 @@ struct IntervalPlot {
 };
 Html DrawIntervalPlot(const IntervalPlot& plot);
 
-/** What happened when: rows of spans and marks over time, phases as columns behind them. */
+/** A timeline: rows of spans and marks over time, with phases as columns behind them. */
 struct StripChart {
   struct Span {
     double from = 0.0, to = 0.0;
@@ -65,7 +65,7 @@ struct StripChart {
   };
   struct Mark {
     double at = 0.0;
-    std::string symbol;  ///< a letter or two, drawn at the time, or behind the mark before it
+    std::string symbol;  ///< one or two letters at this time, or after the previous mark
     std::string hint;
   };
   struct Row {

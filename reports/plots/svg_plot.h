@@ -1,10 +1,10 @@
 #pragma once
 /** @file
-The report's plots as inline SVG: no script, no font files, the same data give the same bytes.
+The report's plots as inline SVG, without scripts and font files; equal data give equal bytes.
 
-Every plot has a `<title>` and a `<desc>` for people who cannot see it. Colours and strokes come from
-classes of assets/style.css, so plots follow light, dark and print. Colour is never the only sign:
-cells and segments carry text, marks differ in shape. */
+Every plot has a `<title>` and a `<desc>` for screen readers. Colours and strokes come from classes
+of assets/style.css, so plots adapt to light, dark and print. Colour is never the only cue: cells
+and segments carry text, and marks differ in shape. */
 
 #include <string>
 #include <vector>
@@ -18,15 +18,15 @@ namespace graspbench {
 /** Rates as a table of shaded cells. */
 struct HeatMap {
   struct Cell {
-    double rate = 0.0;     ///< 0..1 shades the cell; NaN: nothing known, hatched
+    double rate = 0.0;     ///< 0..1, the cell's shade; NaN: unknown, hatched
     std::string text;      ///< in the cell; empty: no such cell
-    std::string hint;      ///< shown when pointed at
-    std::string anchor;    ///< where the cell leads; with the page where it is another: "a.html#b"
+    std::string hint;      ///< shown on hover
+    std::string anchor;    ///< link target; on another page with its name: "a.html#b"
     bool is_gain = false;  ///< shaded in another colour
   };
   PlotText text;
   std::vector<std::string> columns;
-  /** One over each column, equal neighbours share it; empty: none. */
+  /** A heading over each column, shared by equal neighbours; empty: none. */
   std::vector<std::string> groups = {};
   std::vector<std::string> rows;
   std::vector<Cell> cells;  ///< (rows x columns), row by row
@@ -37,7 +37,7 @@ Html DrawHeatMap(const HeatMap& map);
 struct RateBars {
   struct Bar {
     std::string label;
-    double rate = 0.0;  ///< NaN: no bar, the text alone
+    double rate = 0.0;  ///< NaN: no bar, only the text
     double low = 0.0, high = 0.0;
     std::string text;       ///< below the label
     bool is_total = false;  ///< heads the bars below it
@@ -47,11 +47,11 @@ struct RateBars {
 };
 Html DrawRateBars(const RateBars& plot);
 
-/** Counts of classes as parts of one bar per row, all bars equally long. */
+/** Class counts as segments of one bar per row; all bars have equal length. */
 struct StackedBars {
   struct Class {
     std::string name;
-    std::string code;  ///< two letters, written into its parts
+    std::string code;  ///< two letters, shown in its segments
   };
   struct Row {
     std::string label;
@@ -60,22 +60,23 @@ struct StackedBars {
     bool is_total = false;    ///< heads the rows below it
   };
   PlotText text;
-  std::vector<Class> classes;  ///< at most 16: the style sheet has as many fills
+  std::vector<Class> classes;  ///< at most 16, the number of fills in the style sheet
   std::vector<Row> rows;
 };
 Html DrawStackedBars(const StackedBars& plot);
 
-/** Values as dots on a common axis that holds 0, one strip per row, the median as a tick. */
+/** Values as dots on a common axis that includes 0: one strip per row, with the median as a
+tick. */
 struct DotStrips {
   struct Dot {
-    double value = 0.0;      ///< NaN: counted at the right, not drawn
+    double value = 0.0;      ///< NaN: not drawn, counted at the right
     bool is_filled = false;  ///< disc, else a cross
     std::string hint;
   };
   struct Row {
     std::string label;
     std::vector<Dot> dots;   ///< from top to bottom of the strip
-    double median = kUnset;  ///< of those that are drawn; NaN: no tick
+    double median = kUnset;  ///< of the drawn values; NaN: no tick
   };
   PlotText text;
   std::string axis;     ///< with unit

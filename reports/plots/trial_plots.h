@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-The course of one trial as curves over time: what every digit presses with, and all joints. */
+Plots of one trial over time: the force of every digit, and all joints. */
 
 #include <string>
 #include <vector>
@@ -13,22 +13,23 @@ The course of one trial as curves over time: what every digit presses with, and 
 
 namespace graspbench {
 
-/** Forces first, then the joints of each digit, then those that are no digit's. Dashed lines: the
-phases. Times count from the start of placing.
-@param name  of the trial, for the titles. Empty for a trial that could not begin. */
+/** Draws the forces, then the joints of each digit, then joints outside the digits. Dashed lines
+mark the phases. Time is measured from the start of placing. Returns nothing for a trial that could
+not begin.
+@param name  of the trial, for the titles. */
 std::vector<Html> DrawTrialPlots(const Hand& hand, const TracedTrial& traced,
                                  const std::string& name);
 
-/** The phases side by side over the time of the trial, with the time at which a failed trial began
-to fail. Empty for a trial that could not begin. */
+/** Draws the phases over the time of the trial, with the time at which a failed trial began to
+fail. Empty for a trial that could not begin. */
 Html DrawPhaseStrip(const TracedTrial& traced, const std::string& name);
 
-/** The curves below each other as one SVG file. @throws Error(kUnsupported) where there is nothing.
-*/
+/** Makes one SVG file with all curves, one below the other. @throws Error(kUnsupported) without
+curves. */
 std::string MakeTrialSvg(const Hand& hand, const TracedTrial& traced, const std::string& name);
 
-/** When each link of the hand touched the object in one trial, as a strip chart.
-Empty when nothing touched. @param name  of what is grasped, for the title. */
+/** Draws, as a strip chart, when each link of the hand touched the object in one trial. Empty when
+nothing touched. @param name  of the grasped object, for the title. */
 Html DrawContactStrip(const TrialRecord& record, const std::string& name,
                       const SessionModels& models);
 

@@ -1,12 +1,12 @@
 #pragma once
 /** @file
-Trials as moving 3-D views in a page: pictures of all phases, table and curves for everybody; where
-scripts run, a button opens the scene with a slider over the phases, contact points, forces and
-friction cones, and a cursor in the curves that follows.
+Trials as animated 3-D views in a page. Pictures of all phases, a table and curves need no script.
+Where scripts run, a button opens the scene with a slider over the phases, contact points, forces
+and friction cones; a cursor in the curves follows the slider.
 
-three.js, its licence and the script are in a page once, every hand and object once, and once per
-trial its motion (datasets/gltf/trial_gltf.h), some 100 kB with the curves. Nothing is loaded by the
-page: it works from a file, without a network, under its content security policy. */
+A page embeds three.js with its licence and the script once, every hand and object once, and per
+trial its motion (datasets/gltf/trial_gltf.h), some 100 kB with the curves. The page loads nothing:
+it works from a file, without a network, under its content security policy. */
 
 #include <functional>
 #include <map>
@@ -33,20 +33,21 @@ struct TrialView {
 /** The views of one page. */
 class TrialViews {
  public:
-  /** Without a renderer the view has no picture; of a trial that could not begin it is one
+  /** Adds a view. Without a renderer it has no picture; for a trial that could not begin, it is one
   sentence. */
   Html Add(const TrialView& view);
 
-  /** Hands, objects and licence; to be put once behind the last view. Empty without views. */
+  /** Makes the embedded hands, objects and licence, to be placed once after the last view. Empty
+  without views. */
   Html MakeModels() const;
 
-  /** Empty without views. */
+  /** Makes the script; empty without views. */
   PageScript MakeScript() const;
 
  private:
   std::string FindOrAddModel(const std::string& hash, const char* kind,
                              const std::function<std::string()>& make_glb);
-  /** @returns nothing from where on the machine cannot draw. */
+  /** Draws, or returns nothing once the machine has failed to draw. */
   Html DrawWherePossible(const std::function<Html()>& draw);
   Html DrawPoster(const TrialView& view, const TraceInstant& shown, const Camera& camera);
 

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-A picture of a wrist camera with what was found in it. */
+Pictures of a wrist camera, with the detected object, and of tactile forces. */
 
 #include <vector>
 
@@ -10,18 +10,18 @@ A picture of a wrist camera with what was found in it. */
 
 namespace graspbench {
 
-inline constexpr double kSightWidth = 240.0;  ///< [px]; its height follows the camera's picture
+inline constexpr double kSightWidth = 240.0;  ///< [px]; the height follows from the camera image
 
-/** The camera looks from above the supposed place, as in a trial's second look. Over its picture:
-the outline that was seen, the smallest rectangle around it, O as a cross and the found direction
-of the object's length as a line. Without them when nothing was found.
+/** Draws the camera's view from above the assumed pose, as in a trial's second look. Overlays the
+detected outline, its smallest enclosing rectangle, the origin of O as a cross, and the detected
+direction of the object's length as a line. Without overlays when nothing was detected.
 @param name  of the object, for title and description. */
 Html DrawSight(WristCamera& camera, const GraspObject& object, const Pose& X_WO,
                const Eigen::VectorXd& q, const PlanarPose& supposed, const std::string& name);
 
-/** A hand seen from its palm's side, its tactile elements as discs of their area.
-Shaded by force, with the number where it is pointed at. All joints at zero, thumb and fingers as
-they then lie; a disc is narrower the more its element faces sideways.
+/** Draws a hand from the palm's side, with its tactile elements as discs of their area. Discs are
+shaded by force, with the number shown on hover. All joints are at zero. A disc is narrower the more
+its element faces sideways.
 @param force  of each element of the hand's skin [N]. */
 Html DrawHandMap(const Hand& hand, const std::vector<double>& force, const PlotText& text);
 

@@ -22,13 +22,13 @@ struct ReportData {
   const SessionSummary& summary;
   const SessionModels& models;
   const CellPictures& pictures;
-  SensitivitySummary sensitivity = {};            ///< of this session; without changes: was not run
-  std::vector<NumericsSummary> numerics = {};     ///< empty: was not checked
-  std::vector<ThresholdSummary> thresholds = {};  ///< empty: none were looked for
-  SessionViews views = {};                        ///< without body: not asked for
+  SensitivitySummary sensitivity = {};            ///< of this session; without changes: not run
+  std::vector<NumericsSummary> numerics = {};     ///< empty: not checked
+  std::vector<ThresholdSummary> thresholds = {};  ///< empty: not determined
+  SessionViews views = {};                        ///< without body: not requested
 };
 
-/** Must bear a session without a plan or without records. */
+/** A section must accept a session without a plan or without records. */
 using Section = PageSection<ReportData>;
 
 /** In the order of the page. */
@@ -38,10 +38,10 @@ std::vector<Section> ListSections();
 #include "reports/sections/section_list.inc"
 #undef GRASPBENCH_SECTION
 
-// Everything a reader must know before trusting the numbers, as sentences.
-/** Errors first: missing trials, damaged journal lines of an unfinished session, numerical
-failures, contacts before the start of closure, models and pictures that are missing. Empty for a
-flawless session. */
+// Limitations of the results, as sentences.
+/** Lists errors first: missing trials, damaged journal lines of an unfinished session, numerical
+failures, contacts before the start of closure, missing models and pictures. Empty for a flawless
+session. */
 std::vector<std::string> ListFindings(const ReportData& data);
 
 }  // namespace graspbench

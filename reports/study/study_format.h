@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-How the numbers of a study are printed: times in milliseconds, lengths in millimetres, ratios in per
-cent; heads carry the unit, cells the number alone. */
+Formatting of a study's numbers: times in milliseconds, lengths in millimetres, ratios in per cent.
+Headings state the unit; cells hold only the number. */
 
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ cent; heads carry the unit, cells the number alone. */
 
 namespace graspbench {
 
-/** What an SI value is multiplied by for people, and what then stands in the head. */
+/** Display unit of an SI value, its conversion factor and its number of decimals. */
 struct DisplayUnit {
   const char* name = "";  ///< "ms"; empty: a number without unit
   double factor = 1.0;
@@ -24,7 +24,7 @@ DisplayUnit FindDisplayUnit(const std::string& si_unit);
 
 /** "grasp forming time (GFT) [ms]". */
 std::string FormatHead(const TrialMeasure& measure);
-/** The number alone, in the measure's display unit; "n/a" when it is missing. */
+/** The number without unit, in the measure's display unit; "n/a" when it is missing. */
 std::string FormatValue(double value, const std::string& si_unit);
 /** The number with its unit: "31.2 ms". */
 std::string FormatWithUnit(double value, const std::string& si_unit);
@@ -33,7 +33,7 @@ std::string FormatWithUnit(double value, const std::string& si_unit);
 std::string FormatP(double p);
 /** "virtual_finger" = "virtual finger". */
 std::string MakeWords(std::string id);
-/** "diameter" of "diameter_m": a known unit at its end stands with the levels. */
+/** "diameter" of "diameter_m": a known unit suffix is moved to the levels. */
 std::string NameOfFactor(const std::string& factor);
 /** "diameter 30 mm, side left" of "0.03, left"; "all trials" for a study without factors. */
 std::string NameOfCell(const std::string& cell, const std::vector<Factor>& factors);
@@ -41,7 +41,7 @@ std::string NameOfCell(const std::string& cell, const std::vector<Factor>& facto
 std::string DescribeFactors(const std::vector<Factor>& factors);
 /** "s per m of diameter" of "s per diameter_m": slopes stay in SI, as in statistics.csv. */
 std::string FormatSlopeUnit(const std::string& unit);
-/** An effect of statistics.csv in words: names of factors, and of the conditions of a pair. */
+/** Display name of an effect in statistics.csv: factors, and the conditions of a pair. */
 std::string NameOfEffect(const std::string& effect, const std::vector<Factor>& factors);
 
 /* A section of the study's report. A new one is one file in sections/ that defines `StudySection

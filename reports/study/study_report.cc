@@ -45,7 +45,8 @@ std::string MakeStudyReport(const StudyResult& result, const RobotSession* robot
   PageFrame frame = {result.study.config.name, subtitle};
   frame.commands = {"graspbench study run STUDY.YAML --out DIR"};
   frame.facts = {
-      {"Recordings", std::to_string(result.trials.size()) + " trials in trials.csv of the study"},
+      {"Recordings",
+       std::to_string(result.trials.size()) + " trials, listed in the study's trials.csv"},
       {"Hash of the settings", CalcHashHex(FormatJson(ConfigToJson(result.study.config)))}};
   frame.references = {"roethling2007", "greenhouse1959", "holm1979", "efron1987"};
   return MakeSectionedPage(frame, ListSectionsOf(result), StudyPageData{result, robot});

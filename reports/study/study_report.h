@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-The report of a human study: one self-contained HTML file in the manner of session_report.h. */
+The report of a human study: one self-contained HTML file, like that of session_report.h. */
 
 #include <filesystem>
 #include <string>
@@ -10,13 +10,13 @@ The report of a human study: one self-contained HTML file in the manner of sessi
 
 namespace graspbench {
 
-/** A robot's session to stand beside the study. */
+/** A robot session to compare with the study. */
 struct RobotSession {
-  std::string name;  ///< as a person gave it
+  std::string name;  ///< as the user named it
   Session session;
 };
 
-/** Writes report/index.html below the folder and returns its path. Same result, same bytes.
+/** Writes report/index.html below the folder and returns its path. Equal results give equal bytes.
 @param robot  null: none. @throws Error(kIo) when the file cannot be written. */
 std::filesystem::path WriteStudyReport(const std::filesystem::path& folder,
                                        const StudyResult& result, const RobotSession* robot);

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-One trial of a study as figures, for the report and for the pages of a review. */
+One trial of a study as figures, for the report and for the review pages. */
 
 #include <filesystem>
 #include <string>
@@ -11,44 +11,45 @@ One trial of a study as figures, for the report and for the pages of a review. *
 
 namespace graspbench {
 
-// @pre the trial was analysed.
+// @pre for all functions: the trial was analysed.
 
-/** Speed of the wrist with the threshold of the onset, where the rule has one. */
+/** Draws the wrist speed, with the onset threshold if the rule has one. */
 Html DrawTrialSpeed(const StudyTrial& trial, const MovementOptions& options);
-/** Hand opening over time with the events that the measures rest on. */
+/** Draws the hand opening over time, with the events that the measures are computed from. */
 Html DrawTrialOpening(const StudyTrial& trial);
-/** The curve that shows why it does not count, or the opening of one that does. */
+/** Draws the curve that shows why a trial was removed, or the opening of an included trial. */
 Html DrawDecidingCurve(const StudyTrial& trial, const MovementOptions& options);
-/** One row a digit: a mark a detector, a span of the believed one's 95 %. */
+/** Draws one row per digit: a mark per detector, and the 95 % interval of the accepted contact as a
+span. */
 Html DrawTrialContacts(const StudyTrial& trial);
-/** Speed of every tip against the object, and its distance: from the surface where the shape is
-known, else from its place in the hold; with the contacts believed.
-@param reach  what the trial was analysed from. */
+/** Draws the speed of every fingertip relative to the object, and its distance, with the accepted
+contacts. The distance is to the surface if the shape is known, else to the tip's position during
+the hold. @param reach  input of the trial's analysis. */
 Html DrawTrialTips(const StudyTrial& trial, const ReachTrial& reach,
                    const AnalysisOptions& options);
-/** "P1-3, diameter 30 mm: GFT 31 ms, ..", with flags or the reason of its removal. */
+/** "P1-3, diameter 30 mm: GFT 31 ms, ..", with flags or the removal reason. */
 std::string DescribeTrial(const StudyTrial& trial, const std::vector<Factor>& factors);
 
-/* Pages for a person who looks at every contact of a study: an index, a page a trial with speeds and
-distances of the tips, marks of all detectors and uncertainties, and reviews.csv, to be filled in and
-named in study.yaml (human_study/study/design/trial_review.h). */
+/* Pages for a reviewer who checks every contact of a study: an index, and a page per trial with the
+speeds and distances of the tips, the marks of all detectors, and uncertainties. Also reviews.csv,
+to be filled in and named in study.yaml (human_study/study/design/trial_review.h). */
 class ReviewPages {
  public:
-  /** Makes the folders. @throws Error(kIo), as all below. */
+  /** Creates the folders. @throws Error(kIo), as do all functions below. */
   explicit ReviewPages(const std::filesystem::path& folder);
 
-  /** A page. @param options  what the trial was analysed by. */
+  /** Writes a trial's page. @param options  settings of the trial's analysis. */
   void WriteTrial(const StudyTrial& trial, const ReachTrial& reach,
                   const std::vector<Factor>& factors, const AnalysisOptions& options);
-  /** index.html and reviews.csv, in which a row without a verdict counts for nothing; verdicts that
-  were replayed stand there again. */
+  /** Writes index.html and reviews.csv, where rows without a verdict have no effect. Verdicts that
+  were applied are written again. */
   void Finish(const StudyResult& result) const;
 
  private:
   std::filesystem::path folder_;
 };
 
-/** The data dictionary of reviews.csv. */
+/** Makes the data dictionary of reviews.csv. */
 Json MakeReviewSchema();
 
 }  // namespace graspbench

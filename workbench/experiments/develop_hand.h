@@ -1,13 +1,13 @@
 #pragma once
 /** @file
-Develops the standard grasps of a hand (core/develop) in a folder that becomes a hand of its own:
+Develops the standard grasps of a hand (core/develop) in a folder that becomes a new hand:
 
-    hand.urdf, meshes/     as they were
-    hand.yaml              with the section `grasps` made again, when all grasps are developed
-    development/           how they came to be: a store of its own (datasets/scene/
-                           development_store.h)
+    hand.urdf, meshes/     copied
+    hand.yaml              with a new section `grasps`, once all grasps are developed
+    development/           the record of the development: a store of its own
+                           (datasets/scene/development_store.h)
 
-The same request again continues what was stopped. */
+Repeating a request continues a stopped development. */
 
 #include <atomic>
 #include <filesystem>
@@ -21,15 +21,16 @@ The same request again continues what was stopped. */
 namespace graspbench {
 
 struct DevelopHandRequest {
-  std::string hand;  ///< by id or folder
+  std::string hand;  ///< id or folder
   std::filesystem::path out;
   DevelopConfig config;
   int num_workers = 1;
   double trial_time_limit = kTrialTimeLimit;  ///< [s]
 };
 
-/** @throws Error(kUsage) when the hand has too few digits, or the folder holds another development
-or anything else, or lies in that of the hand; Error(kInterrupted); as LoadHand. */
+/** Develops the grasps. @throws Error(kUsage) when the hand has too few digits, or when the folder
+holds another development or anything else, or lies in the hand's folder; Error(kInterrupted); as
+LoadHand. */
 std::vector<DevelopedGrasp> DevelopHand(const DevelopHandRequest& request, Observer& observer);
 
 }  // namespace graspbench

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-Judges grasps that others made under profiles (datasets/judged_grasps/grasp_store.h). The same
-request again continues what was stopped, to the same bytes whatever the number of workers. */
+Judges external grasps under profiles (datasets/judged_grasps/grasp_store.h). Repeating a request
+continues a stopped one. The results do not depend on the number of workers, to the byte. */
 
 #include <atomic>
 #include <filesystem>
@@ -17,37 +17,38 @@ namespace graspbench {
 
 struct JudgeGraspsRequest {
   std::vector<FreeSpaceProfile> profiles;
-  int jitter = 0;  ///< disturbances of each grasp besides itself
-  Shard shard;     ///< of the grasps, dealt in turn
+  int jitter = 0;  ///< number of perturbed copies of each grasp
+  Shard shard;     ///< of the grasps, assigned round-robin
   std::filesystem::path out;
   int num_workers = 1;
 };
 
-/** The frozen configuration of the request: inputs and profiles in full. */
+/** Returns the frozen configuration of the request: inputs and profiles in full. */
 Json DescribeRequest(const JudgeGraspsRequest& request, const GraspInputs& inputs);
 
-/** @returns whether nothing is left; then the table is written.
+/** Judges the remaining grasps. @returns whether nothing is left; the table is then written.
 @throws Error(kUsage) when the folder holds something else or was begun with another request;
 kIo. */
 bool JudgeGrasps(const JudgeGraspsRequest& request, const GraspInputs& inputs, Observer& observer);
 
-/** One folder of all shards of a request, each in a folder of its own: journal and table are those
-of a run that was never dealt.
-@throws Error(kUsage) naming the shards that are missing, doubled or not finished, or what differs
+/** Merges the shards of a request, each in its own folder. Journal and table equal those of an
+unsharded run.
+@throws Error(kUsage) naming the shards that are missing, duplicate or unfinished, or the difference
 between two folders; as LoadJudgedGrasps. */
 void MergeJudgedGrasps(const std::vector<std::filesystem::path>& parts,
                        const std::filesystem::path& out);
 
-/** Why a grasp passes under one profile and fails under another: from the first to the second one
-value at a time, in the order of profile.yaml, each change kept. */
+/** A step in explaining why a grasp passes under one profile and fails under another. From the
+first profile to the second, values are changed one at a time, in the order of profile.yaml, and
+stay changed. */
 struct ExplainStep {
-  std::string key;         ///< of profile.yaml; empty: the first profile as it is
-  std::string from, to;    ///< its values
-  FreeSpaceResult result;  ///< with this value and all before it
-  bool turns = false;      ///< the verdict is another one than before
+  std::string key;         ///< of profile.yaml; empty: the unchanged first profile
+  std::string from, to;    ///< old and new value
+  FreeSpaceResult result;  ///< with this change and all before it
+  bool turns = false;      ///< the verdict changes at this step
 };
 
-/** The last step is the second profile. */
+/** Lists the steps; the last one is the second profile. */
 std::vector<ExplainStep> ExplainGrasp(const GraspInputs& inputs, const GraspInput& input,
                                       const FreeSpaceProfile& from, const FreeSpaceProfile& to);
 

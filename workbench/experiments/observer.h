@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-What an experiment reports while it runs, and who asks it to stop. Experiments neither print nor
-know a terminal: whoever starts one passes an observer. */
+Interface for the progress reports of an experiment and for stop requests. Experiments neither print
+nor know a terminal: the caller passes an observer. */
 
 #include <atomic>
 #include <map>
@@ -32,10 +32,10 @@ enum class StageKind {
 struct StageRow {
   StageKind value;
   const char* name;
-  const char *task, *tasks;  // one and several of what is counted
-  const char* verb;          // what is done to them
-  const char* counted;       // what its progress counts, several
-  bool tells_success;        // whether the outcomes of these say how good the result is
+  const char *task, *tasks;  // singular and plural of a task
+  const char* verb;          // what is done to a task
+  const char* counted;       // plural of what the progress counts
+  bool tells_success;        // whether their outcomes show the quality of the result
 };
 inline constexpr StageRow kStages[] = {
     {StageKind::kRun, "run", "trial", "trials", "run", "trials", true},
@@ -50,45 +50,46 @@ inline constexpr StageRow kStages[] = {
      "rehearse", "pairs", true},
     {StageKind::kExplain, "explain", "failure", "failures", "explain", "failures", false}};
 
-/** A part of an experiment with a progress of its own. */
+/** A part of an experiment with its own progress. */
 struct Stage {
   StageKind kind = StageKind::kRun;
-  int num_all = 0;                ///< tasks, as the kind's row says
-  int num_left = 0;               ///< of those; 0: finished before, nothing runs
-  int num_trials = 0;             ///< at most, with those of earlier runs
+  int num_all = 0;                ///< tasks in the sense of kStages
+  int num_left = 0;               ///< tasks left; 0: nothing runs
+  int num_trials = 0;             ///< upper bound, including earlier runs
   std::map<Outcome, int> before;  ///< of trials that earlier runs finished
 };
 
 struct BatchStatus {
-  int num_done = 0;                               ///< trials, in this run
-  std::map<Outcome, int> outcomes;                ///< of those
+  int num_done = 0;                               ///< trials finished in this run
+  std::map<Outcome, int> outcomes;                ///< of these trials
   std::vector<std::optional<PlannedTrial>> busy;  ///< each worker's current trial
   std::map<int, std::string> preparing;           ///< by worker: the object of its next trial
-  /** Of trials that cost differently, in any unit: what was computed in this run, and what is left.
-  0: all cost the same. */
+  /** For trials of different cost, in any unit: work done in this run, and work left. 0: equal
+  cost. */
   double work_done = 0.0, work_left = 0.0;
 };
 
-/** Of so many tasks that nobody has begun, each one trial. */
+/** Makes a stage of tasks of one trial each, none begun. */
 inline Stage MakeStage(StageKind kind, size_t num_tasks) {
   const int num = static_cast<int>(num_tasks);
   return {kind, num, num, num, {}};
 }
 
-/** Called in the thread that started the experiment. */
+/** Receives progress, in the thread that started the experiment. */
 class Observer {
  public:
-  /** It never asks to stop. */
+  /** Makes an observer that never requests a stop. */
   Observer() = default;
-  /** @param stop  when set, the experiment ends soon and keeps what is finished; outlives this. */
+  /** @param stop  when set, the experiment ends soon and keeps what is finished; it must outlive
+  this. */
   explicit Observer(const std::atomic<bool>& stop) : stop_(stop) {}
   virtual ~Observer() = default;
 
   const std::atomic<bool>& stop() const { return stop_; }
   virtual void BeginStage(const Stage&) {}
-  /** About ten times a second. @param num_trials  those of the stage, as far as known by now. */
+  /** Called about ten times a second. @param num_trials  trials of the stage, as far as known. */
   virtual void ShowStatus(const BatchStatus&, int num_trials) { static_cast<void>(num_trials); }
-  /** Not called for a stage in which nothing runs or that throws. */
+  /** Not called for a stage that runs nothing or throws. */
   virtual void EndStage() {}
 
  private:
@@ -96,14 +97,14 @@ class Observer {
   const std::atomic<bool>& stop_ = never_;
 };
 
-/** The status that several workers change. */
+/** A status shared by several workers; thread-safe. */
 class StatusBoard {
  public:
   explicit StatusBoard(int num_workers) { status_.busy.resize(static_cast<size_t>(num_workers)); }
 
   void SetBusy(int worker, std::optional<PlannedTrial> trial) {
     const std::lock_guard lock(mutex_);
-    // A worker that was given up keeps its place, and the one in its stead gets a new one.
+    // An abandoned worker keeps its place, and its replacement gets a new one.
     const auto place = static_cast<size_t>(worker);
     if (place >= status_.busy.size()) status_.busy.resize(place + 1);
     status_.busy[place] = std::move(trial);

@@ -1,18 +1,18 @@
 #pragma once
 /** @file
-Where results may go, so that nothing of the user's is lost.
+Checks where results may be written, so that no file of the user is lost.
 
-A folder is graspbench's when it holds a mark: the frozen configuration of what can be continued
-(session.json, campaign.json, scene.json), or a manifest.json that names the kind of a whole result
-and lists its files with their hashes (datasets/journal/manifest.h). A new result goes into a folder
-that is not there or empty; a whole result may take the place of an older one of its kind whose
-files are all listed and unchanged, but for those that its own scripts write. Everything else is
-refused and named: foreign or changed files, an existing file, an empty name, the home folder, a
-mount point, a folder that holds an input.
+A folder belongs to graspbench when it holds a mark: the frozen configuration of a result that can
+be continued (session.json, campaign.json, scene.json), or a manifest.json that names the kind of a
+whole result and lists its files with their hashes (datasets/journal/manifest.h). A new result goes
+into a missing or empty folder. A whole result may replace an older one of its kind if all files
+there are listed and unchanged, except those that its own scripts write. Everything else is refused
+by name: foreign or changed files, an existing file, an empty name, the home folder, a mount point,
+a folder that holds an input.
 
 A new folder is filled beside the target, in `.<name>.part-<random>`, and swapped in when it is
-complete, so that the target holds the old result, the new one, or nothing. What a killed program of
-this machine left there is removed by the next (file_lock.h). */
+complete, so that the target holds the old result, the new one, or nothing. Leftovers of a killed
+process on this machine are removed by the next one (file_lock.h). */
 
 #include <filesystem>
 #include <optional>
@@ -25,35 +25,38 @@ namespace graspbench {
 
 struct OutputRequest {
   std::filesystem::path folder;
-  std::string kind;      ///< of a whole result: "basin", "study"; empty: it brings its own mark
-  bool replace = false;  ///< an older result of this kind
+  std::string kind;      ///< of a whole result: "basin", "study"; empty: it has its own mark
+  bool replace = false;  ///< overwrite an older result of this kind
   std::vector<std::filesystem::path>
-      inputs;                ///< files and folders that are read; empty ones count not
-  std::string command = {};  ///< of a whole result, for its manifest; without names of places
-  /** Paths within a result that programs which come with it write there; they go with it. */
+      inputs;                ///< files and folders that are read; empty names are ignored
+  std::string command = {};  ///< of a whole result, for its manifest; without paths
+  /** Paths within a result that its own scripts write; they are replaced with it. */
   std::vector<std::string> derived = {};
 };
 
-/** @throws Error(kUsage) naming what stands in the way. */
+/** @throws Error(kUsage) naming what blocks the output. */
 void CheckOutputFolder(const OutputRequest& request);
 
-/** For what copies its input. @throws Error(kUsage) when `folder` is `input` or lies in it. */
+/** Check for commands that copy their input. @throws Error(kUsage) when `folder` is `input` or lies
+in it. */
 void CheckOutside(const std::filesystem::path& folder, const std::filesystem::path& input);
-/** Into a result's folder goes only what belongs to the result: no file or folder that a person
-names. @throws Error(kUsage) for a place inside of one. */
+/** Refuses output paths of the user inside a result's folder, which may hold only files of the
+result. @throws Error(kUsage) for a path inside one. */
 void CheckOutsideResults(const std::filesystem::path& path);
 
-/** A single file is written only where none is, outside of results. @throws Error(kUsage). */
+/** Checks that a single output file does not exist yet and lies outside of results.
+@throws Error(kUsage). */
 void CheckOutputFile(const std::filesystem::path& file);
-/** Writes it, and the folders that it needs. @throws as CheckOutputFile; Error(kIo). */
+/** Writes a file and creates its folders. @throws as CheckOutputFile; Error(kIo). */
 void WriteOutputFile(const std::filesystem::path& file, const std::string& content);
 
-/** What a store, and whoever made outputs of it, has written into its folder. */
+/** Lists the files that a store, and the writers of its outputs, have put into its folder. */
 std::vector<std::string> ListStoreFiles(const std::filesystem::path& folder);
 
 class StagedFolder {
  public:
-  /** Who writes the manifest of a result with a kind: this, or what fills the folder. */
+  /** Who writes the manifest of a result with a kind: this class, or the code that fills the
+  folder. */
   enum class Mark { kWhole, kOwn };
 
   /** Checks the request and creates the folder beside the target. @throws Error(kUsage, kIo). */
@@ -63,20 +66,20 @@ class StagedFolder {
   StagedFolder(const StagedFolder&) = delete;
   StagedFolder& operator=(const StagedFolder&) = delete;
 
-  /** Write here. */
+  /** The folder to write into. */
   const std::filesystem::path& path() const { return staged_; }
 
-  /** Marks the result and swaps it in; an older one is removed. @throws Error(kUsage) when something
-  has come into the way since; Error(kIo). */
+  /** Marks the result and swaps it in; an older one is removed. @throws Error(kUsage) when the
+  target has been blocked meanwhile; Error(kIo). */
   void Commit();
 
  private:
-  /** False where another program took the folder for abandoned before the lock was there. */
+  /** Returns false when another process removed the folder as abandoned before it was locked. */
   bool TryStage();
 
   OutputRequest request_;
   Mark mark_;
-  std::filesystem::path target_;  // without links
+  std::filesystem::path target_;  // without symbolic links
   std::filesystem::path staged_;
   int lock_file_ = -1;
   std::optional<FileLock> lock_;  // held as long as the program lives

@@ -1,7 +1,8 @@
 #pragma once
 /** @file
-run.json in a session's folder: when, where and for how long the program worked on it. Nothing else
-in the folder holds a clock or a host, so the results of two runs can be compared byte by byte. */
+run.json in a session's folder: when, where and for how long the program worked on it. No other file
+in the folder holds a time or a host name, so the results of two runs can be compared byte by
+byte. */
 
 #include <chrono>
 #include <filesystem>
@@ -33,10 +34,10 @@ struct RunRecord {
 std::string FormatUtcNow();
 
 /** Adds the run to the list in run.json, with host and build. A run.json that cannot be read is
-replaced: it says nothing about results. @throws Error(kIo). */
+replaced, since it contains no results. @throws Error(kIo). */
 void AppendRunRecord(const std::filesystem::path& folder, const RunRecord& record);
 
-/** Stands between one stage and its observer, and notes what run.json wants to know. */
+/** Forwards a stage to its observer and records the entries of run.json. */
 class RunRecorder : public Observer {
  public:
   /** @pre the observer outlives it. */
@@ -59,24 +60,25 @@ class RunRecorder : public Observer {
   RunRecord record_;
 };
 
-/** Notes in run.json which build has made the plan of a new session. @throws Error(kIo). */
+/** Records in run.json which build has planned a new session. @throws Error(kIo). */
 void RecordPlanning(const std::filesystem::path& folder);
 
-/** The builds of the program in run.json, a run each. */
+/** Lists the builds of the program in run.json, one per run. */
 std::vector<std::string> ListBuilds(const std::filesystem::path& folder);
 
-/** True when an earlier run in run.json was made by another build of the program. */
+/** Whether run.json lists a run by another build of the program. */
 bool HasRunOfAnotherBuild(const std::filesystem::path& folder);
 
 std::string FindHost();
 
-/** Two builds of one source are the same build when their bytes are. */
+/** Identifies this build by its bytes: builds of one source are the same build if their bytes are
+equal. */
 const std::string& FindBuild();
 
-/** What this process runs on and is. */
+/** Returns the machine and the build of this process. */
 Machine FindMachine();
 
-/** At least 1. */
+/** Returns at least 1. */
 int CountProcessors();
 
 }  // namespace graspbench

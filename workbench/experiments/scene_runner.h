@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-Optimises one scene in its folder: asks the journal first and the simulation for the rest. */
+Optimises one scene in its folder; trials found in the journal are not simulated again. */
 
 #include <filesystem>
 #include <functional>
@@ -11,19 +11,20 @@ Optimises one scene in its folder: asks the journal first and the simulation for
 
 namespace graspbench {
 
-/** Told of every finished learning trial, whether simulated or found in the journal. */
+/** Called for every finished learning trial, whether simulated or found in the journal. */
 using ObserveLearning =
     std::function<void(const LearningRequest& request, const LearningTrial& trial)>;
 
-/** The trials that an optimisation asks for, kept in `journal`; all references must outlive it.
-@throws Error(kUsage) from the call when the journal answers other questions than those asked: the
-hand, the object, the physics or the program has changed since. */
+/** Returns a function that runs an optimisation's trials and keeps them in `journal`; all
+references must outlive it.
+@throws Error(kUsage) (the function) when the journal does not match the requests: the hand, the
+object, the physics or the program has changed since. */
 RunLearningTrials MakeJournaledTrials(const SceneConfig& config, const SceneInputs& inputs,
                                       EvaluationJournal& journal, TrialPool& pool,
                                       const ObserveLearning& observe);
 
 /** Loads the hand, the object and the grasp; "best" is replaced by the grasp it stands for.
-@param folder  of the scene whose copies are taken (session_inputs.h); empty: the originals.
+@param folder  scene folder whose copies are used (session_inputs.h); empty: the originals.
 @throws Error(kNotFound, kFormat, kUsage). */
 SceneInputs LoadSceneInputs(SceneConfig& config, const std::filesystem::path& folder = {});
 
@@ -31,11 +32,11 @@ SceneInputs LoadSceneInputs(SceneConfig& config, const std::filesystem::path& fo
 OptimisedGrasp RunScene(const std::filesystem::path& folder, const SceneConfig& config,
                         const SceneInputs& inputs, TrialPool& pool, const ObserveLearning& observe);
 
-/** Creates the folder with copies of the user's own inputs, or finds the same scene there; nothing
-runs. */
+/** Creates the folder with copies of the user's own inputs, or finds the same scene there; runs
+nothing. */
 void PlanScene(const std::filesystem::path& folder, const SceneConfig& config);
 
-/** RunScene as a stage that an observer sees, its trials dealt to several workers.
+/** As RunScene, as a stage shown to an observer and with its trials on several workers.
 @param trial_time_limit  see TrialPool. */
 OptimisedGrasp RunSceneStage(const std::filesystem::path& folder, const SceneConfig& config,
                              const SceneInputs& inputs, int num_workers, Observer& observer,
@@ -50,19 +51,20 @@ struct ReplayedIndividual {
   Grasp grasp;  ///< id "individual-<number>"
   double stored_fitness = 0.0;
   double fitness = 0.0;
-  bool is_same = false;  ///< every number of every trial
+  bool is_same = false;  ///< every number of every trial is equal
 };
-/** @throws Error(kNotFound) for a number that the search has not; kUsage when the scene is not
-finished. */
+/** Simulates an individual again. @throws Error(kNotFound) for a number that the search does not
+have; kUsage when the scene is not finished. */
 ReplayedIndividual ReplayIndividual(const std::filesystem::path& folder, int number,
                                     TrialPool& pool);
 
-/** Writes its grasp into the optimisation's folder. @returns the file. @throws Error(kIo). */
+/** Writes the individual's grasp into the optimisation's folder. @returns the file.
+@throws Error(kIo). */
 std::filesystem::path SaveReplayed(const std::filesystem::path& folder,
                                    const ReplayedIndividual& replayed);
 
-/** Where an optimisation goes without a folder of its own: named by its configuration, so that the
-same one is continued. */
+/** Default folder of an optimisation, named by its configuration, so that an equal one is
+continued. */
 std::filesystem::path NameSceneFolder(const SceneConfig& config, const SceneInputs& inputs);
 
 }  // namespace graspbench

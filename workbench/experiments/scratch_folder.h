@@ -11,10 +11,10 @@
 
 namespace graspbench {
 
-/** A folder that the program makes, and removes when this object is destroyed. */
+/** A temporary folder, removed by the destructor. */
 class ScratchFolder {
  public:
-  /** Beside `path`; empty: where the system keeps what is temporary. */
+  /** Creates the folder beside `beside`; empty: in the system's folder for temporary files. */
   explicit ScratchFolder(const std::filesystem::path& beside) {
     const std::filesystem::path above = beside.empty() ? std::filesystem::temp_directory_path()
                                         : beside.has_parent_path() ? beside.parent_path()

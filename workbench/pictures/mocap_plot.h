@@ -1,8 +1,8 @@
 #pragma once
 /** @file
 A page that shows a recording at a glance: where points are missing or filled, and the height and
-speed of each, so that a swapped marker or a hole in the grasp is seen before anything is computed.
-*/
+speed of each point. A swapped marker or a gap during the grasp is then visible before the
+analysis. */
 
 #include <string>
 
@@ -10,10 +10,10 @@ speed of each, so that a swapped marker or a hole in the grasp is seen before an
 
 namespace graspbench {
 
-/** A self-contained HTML page. Long recordings are drawn in 600 steps: the highest speed and the
-mean height of each. Points that are no positions are left out. Speed is that of neighbouring
-samples, not filtered: noise is to be seen.
-@throws Error(kFormat) when no point is a position or the recording states no rate. */
+/** Makes a self-contained HTML page. Long recordings are drawn in 600 steps, with the maximum speed
+and the mean height of each step. Points that are not positions are left out. Speed is the
+unfiltered difference of neighbouring samples, so that noise is visible.
+@throws Error(kFormat) when no point is a position, or the recording has no sampling rate. */
 std::string MakeRecordingPage(const std::string& name, const Recording& recording);
 
 }  // namespace graspbench

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-Where a person wants to look from, in words: "front", "free AZIMUTH ELEVATION [ZOOM]". */
+Camera views in words: "front", "free AZIMUTH ELEVATION [ZOOM]". */
 
 #include <Eigen/Core>
 #include <functional>
@@ -19,40 +19,42 @@ namespace graspbench {
 
 struct MountedArm;
 
-/** Without angles: across thumb and fingers, which move with the hand. */
+/** A named view. Without angles, it looks across thumb and fingers and moves with the hand. */
 struct SceneView {
   std::string name = "grasp";
   double azimuth_deg = kUnset;    ///< of the camera about z, from x
   double elevation_deg = kUnset;  ///< above the table
-  double zoom = 1.0;              ///< 2: from half the distance
+  double zoom = 1.0;              ///< 2: half the distance
 };
 
 std::vector<std::string> ListSceneViews();
 
-/** None: the grasp's own. @param help  where more is said, for messages: "help view".
+/** Parses a view; no words: the grasp's own. @param help  where messages refer for more: "help
+view".
 @throws Error(kUsage) with suggestions, or naming the number and its range. */
 SceneView ParseSceneView(const std::vector<std::string>& words, const std::string& help);
 
-/** A camera that holds all of the scenes, seen by the view when the hand is as given. */
+/** Places a camera that shows all of the scenes, in the given view of the given hand posture. */
 Camera PlaceCamera(const SceneView& view, const std::vector<Scene>& scenes, const Hand& hand,
                    const Eigen::VectorXd& q, const Pose& X_WH, double aspect);
 
-/** A hand and an object as a moving picture, from one camera that sees all of it. */
+/** A video of a hand and an object, from one camera that shows the whole motion. */
 class SceneFilm {
  public:
   SceneFilm(std::shared_ptr<const Hand> hand, std::shared_ptr<const GraspObject> object)
       : hand_(std::move(hand)), object_(std::move(object)) {}
 
-  /** @param time  of the picture, later than those before [s].
-  @param arm  that carries the hand; null: none.   @param q_arm  its posture [rad]. */
+  /** Adds a frame. @param time  of the frame, later than those before [s].
+  @param arm  that carries the hand; null: none. @param q_arm  its posture [rad]. */
   void Add(double time, const Eigen::VectorXd& q, const Pose& X_WH, const Pose& X_WO,
            const MountedArm* arm = nullptr, const Eigen::VectorXd& q_arm = {});
-  /** On the last picture. @param length_per_force  of arrows [m/N]. */
+  /** Draws contacts in the last frame. @param length_per_force  of arrows [m/N]. */
   void Mark(const std::vector<ContactMark>& contacts, double length_per_force);
 
   size_t size() const { return frames_.size(); }
-  /** An animated WebP file in real time. `tell` hears how many pictures are drawn and gives false
-  to stop. @returns empty when stopped. @throws Error(kEnvironment) when the machine cannot draw. */
+  /** Encodes an animated WebP file in real time. `tell` is called with the number of frames drawn
+  and returns false to stop. @returns empty when stopped. @throws Error(kEnvironment) when the
+  machine cannot draw. */
   std::string Encode(const SceneView& view, int width, int height,
                      const std::function<bool(size_t num_drawn)>& tell) const;
 
@@ -64,7 +66,7 @@ class SceneFilm {
   std::shared_ptr<const Hand> hand_;
   std::shared_ptr<const GraspObject> object_;
   std::vector<Frame> frames_;
-  Eigen::VectorXd q_;  // in the first one, with an arm in the last
+  Eigen::VectorXd q_;  // in the first frame; with an arm, in the last
   Pose X_WH_ = Pose::Identity();
 };
 

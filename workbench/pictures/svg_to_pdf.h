@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-Figures as PDF by rsvg-convert (Debian: librsvg2-bin), where it is installed: nothing that
-graspbench needs draws PDF. */
+Converts figures to PDF with rsvg-convert (Debian: librsvg2-bin), if installed: none of graspbench's
+own dependencies writes PDF. */
 
 #include <filesystem>
 
@@ -10,7 +10,7 @@ namespace graspbench {
 /** True when rsvg-convert is on the search path. */
 bool HasPdfConverter();
 
-/** Writes the file beside it with the ending .pdf. @throws Error(kEnvironment). */
+/** Writes a PDF of the same name beside the SVG file. @throws Error(kEnvironment). */
 void ConvertSvgToPdf(const std::filesystem::path& svg);
 
 }  // namespace graspbench

@@ -16,13 +16,13 @@ class LineEditor {
  public:
   using Completer = std::function<std::vector<std::string>(const std::string& line)>;
 
-  /** @param prompt  asked before every line.
-  @param history_file  of earlier shells, to which each line is added; empty: none. Without it,
-  or when it cannot be written, everything else goes on. */
+  /** @param prompt  called before every line.
+  @param history_file  history of earlier shells, to which each line is appended; empty: none. If it
+  cannot be written, editing still works. */
   LineEditor(std::function<std::string()> prompt, Completer completer,
              const std::filesystem::path& history_file = {});
   ~LineEditor();
-  /** The next line without its end; empty after Ctrl-C; unset at the end of input. */
+  /** Reads the next line without its line ending; empty after Ctrl-C; unset at the end of input. */
   std::optional<std::string> Read();
 
  private:
@@ -30,10 +30,10 @@ class LineEditor {
   std::unique_ptr<Impl> impl_;
 };
 
-/** In the user's folder of states (XDG_STATE_HOME, else ~/.local/state); empty: there is none. */
+/** Path in the user's state folder (XDG_STATE_HOME, else ~/.local/state); empty: there is none. */
 std::filesystem::path FindHistoryFile();
 
-/** Gives the terminal the settings that it had before the first LineEditor. For signal handlers. */
+/** Restores the terminal settings from before the first LineEditor. Safe in signal handlers. */
 void RestoreTerminal();
 
 }  // namespace graspbench

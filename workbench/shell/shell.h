@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-The interactive shell without its terminal: a line goes in, results and messages come out on stdout
-and stderr as everywhere in the program. */
+The interactive shell without its terminal: it executes lines and prints results to stdout and
+messages to stderr, like the rest of the program. */
 
 #include <atomic>
 #include <optional>
@@ -15,63 +15,64 @@ and stderr as everywhere in the program. */
 
 namespace graspbench {
 
-/** The first draws of a choice, for the next one to be compared with. */
+/** Results of a choice's first draws, with which those of the next choice are compared. */
 struct DrawnTrials {
   SceneChoice choice;
-  std::string grasp;                 ///< id
-  std::vector<TrialResult> results;  ///< by number of the draw
+  std::string grasp;                 ///< id of the grasp
+  std::vector<TrialResult> results;  ///< indexed by draw
 };
 
 class Shell {
  public:
   enum class Reply { kDone, kRefused, kQuit };
 
-  /** Carries out one line; what is wrong with it is said, and nothing has changed then.
-  @param where  stands before the message: "line 3: ". */
+  /** Executes one line. On failure it prints a message and leaves the state unchanged.
+  @param where  prefix of the message: "line 3: ". */
   Reply Execute(const std::string& line, const std::string& where = "");
 
-  /** The first one is loaded when somebody asks for it. @throws Error when that cannot be. */
+  /** The scene, loaded on first use. @throws Error when it cannot be loaded. */
   ShellScene& scene();
   bool is_loaded() const { return scene_.is_loaded(); }
-  /** What the scene is or will be made of; loads nothing. */
+  /** The choice that the scene has or will have; loads nothing. */
   const SceneChoice& choice() const { return scene_.choice(); }
-  /** Takes another choice, which `Undo` takes back; the trial starts again. */
+  /** Makes another choice, which `Undo` can revert; the trial restarts. */
   void Change(const SceneChoice& choice);
-  /** The same, and the trial stands at the time at which it stood. */
+  /** As Change, but the trial is advanced to its present time. */
   void ChangeNow(const SceneChoice& choice);
-  /** The choice before the last change, at the time at which the trial stood now.
-  @throws Error(kUsage) when there was none. */
+  /** Reverts the last change and advances the trial to its present time. @throws Error(kUsage) when
+  there was no change. */
   void Undo();
-  /** The choice that the last `Undo` took back. @throws Error(kUsage) when there is none. */
+  /** Restores the choice that the last `Undo` reverted. @throws Error(kUsage) when there is
+  none. */
   void Redo();
   int num_changes() const { return static_cast<int>(former_.size()); }
   void Quit() { is_ended_ = true; }
-  /** Whether a script ends at its first line that is refused; a person goes on. */
+  /** Whether the shell ends at the first refused line, as in a script but not interactively. */
   bool stops_at_errors() const { return stops_at_errors_; }
   void StopAtErrors(bool stops) { stops_at_errors_ = stops; }
 
-  /** A person asked to stop what runs; asked after every step. */
+  /** Whether the user pressed Ctrl-C; checked after every step. */
   bool IsStopped() const;
-  /** To be shown with "stopped by Ctrl-C" where work was cut short. */
+  /** Whether IsStopped was true during the current line; then "stopped by Ctrl-C" is shown. */
   bool was_stopped() const { return was_stopped_; }
 
-  /** The first choice of the same hand, object and grasp, before what was changed since; unset:
-  nothing was. */
+  /** The first choice with the same hand, object and grasp, before later changes; unset: no
+  changes. */
   std::optional<SceneChoice> FindUnchanged() const;
 
-  /** What was carried out, as a script. */
+  /** The executed lines, as a script. */
   const std::vector<std::string>& script() const { return script_; }
 
   std::optional<DrawnTrials> trials;  ///< of the last `trials`
-  std::string comparison;             ///< the text of the last `trials`; empty: none of this choice
-  std::string explanation;            ///< the text of the last `why`; empty: none of this trial
+  std::string comparison;   ///< the text of the last `trials`; empty: none for this choice
+  std::string explanation;  ///< the text of the last `why`; empty: none for this trial
   ScenePainter painter;
-  StatusRegion region{stdout};  ///< what is shown while something runs
-  std::string live_card;        ///< shown while a trial goes on; empty: none
+  StatusRegion region{stdout};  ///< progress while a command runs
+  std::string live_card;        ///< card shown while a trial runs; empty: none
 
  private:
   Reply Carry(const std::string& line, const std::string& where);
-  /** Stands where the trial stood, and forgets what was said of another choice. */
+  /** Switches to `choice` at the present trial time and discards results of the former choice. */
   void TakeInstead(const SceneChoice& choice);
 
   ShellScene scene_;
@@ -84,14 +85,15 @@ class Shell {
 /** "tum golf_ball g3, closure 0.840 s, 2 changes> "; loads nothing. */
 std::string FormatPrompt(Shell& shell);
 
-/** From now on Ctrl-C stops the work of a shell; a second one before it has stopped ends the
-program. SIGTERM and SIGHUP stop it too and let the program end in order. A signal that was
-ignored stays ignored. A crash gives the terminal its settings back. */
+/** Installs the shell's signal handlers. Ctrl-C stops the running command; a second one before it
+has stopped ends the program. SIGTERM and SIGHUP also stop the command, then end the program in
+order. A signal that was ignored stays ignored. After a crash, the terminal settings are
+restored. */
 void CatchShellSignals();
 bool MustShellEnd();
-/** Forgets a Ctrl-C; true when there was one. */
+/** Clears a pending Ctrl-C; true when there was one. */
 bool TakeShellInterrupt();
-/** Set by a Ctrl-C until it is forgotten. */
+/** Set by Ctrl-C until it is cleared. */
 const std::atomic<bool>& GetShellInterrupt();
 
 }  // namespace graspbench

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-What the shell shows of a scene, as text: one card each. */
+The shell's text cards, each showing one aspect of a scene. */
 
 #include <string>
 #include <vector>
@@ -9,32 +9,33 @@ What the shell shows of a scene, as text: one card each. */
 
 namespace graspbench {
 
-/** "1.234 s  hold  grip 3.2 N  3 contacts"; with the outcome and its sentence once it is over. */
+/** "1.234 s hold grip 3.2 N 3 contacts"; with the outcome and its reason once the trial is over. */
 std::string FormatStatus(ShellScene& scene);
-/** What is chosen, and where object and joints really are. */
+/** The choice, and the actual object pose and joint positions. */
 std::string FormatScene(ShellScene& scene);
-/** Angles within their limits as bars, and what the drives are asked for. */
+/** Joint angles within their limits as bars, and the setpoints of the drives. */
 std::string FormatJoints(ShellScene& scene);
-/** Forces now, with the share of the friction cone that each contact uses. */
+/** Current contact forces, with the share of the friction cone that each contact uses. */
 std::string FormatContacts(ShellScene& scene);
-/** First touches; GCT, GFT, GOT as far as they are known. */
+/** First contacts; GCT, GFT and GOT as far as they are known. */
 std::string FormatTiming(ShellScene& scene);
-/** Sigma, epsilon and the pull that the contacts would stand along the palm's six half axes, now. */
+/** Current sigma, epsilon, and the load that the contacts resist along the six half axes of the
+palm frame. */
 std::string FormatStability(ShellScene& scene);
 
 std::vector<std::string> ListSettingKeys(const SessionConfig& config);
-/** "sim.step_s 0.002" of all settings whose names hold `part`. */
+/** Lists all settings whose names contain `part`: "sim.step_s 0.002". */
 std::string FormatSettings(const SessionConfig& config, const std::string& part);
-/** What differs from the grasp and from the session's defaults; empty: nothing. */
+/** Differences from the grasp and from the session's defaults; empty: none. */
 std::string FormatChanges(const ShellScene& scene);
 
-/** The wrench space of the contacts at this instant, in the object's frame about its centre of mass
+/** The current grasp wrench space of the contacts, in the object's frame about its centre of mass
 (core/quality/grasp_quality.h). */
 std::string FormatWrenchSpace(ShellScene& scene);
 
-/** Where the pads of all digits are in a posture, where they face, and how far they are from the
-opposing digit's: the opening. All in the hand's frame H.
-@param posture  "now", "pre" or "target", of the grasp. */
+/** Positions and normals of all digits' pads in a posture, and their distances from the opposing
+digit's pad (the opening), in the hand's frame H. @param posture  "now", or the grasp's "pre" or
+"target". */
 std::string FormatPads(ShellScene& scene, const std::string& posture);
 
 }  // namespace graspbench

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-The table of the shell's commands: help, completion and what a line means are made from it. A new
-command is a row of the table and a function. */
+The table of the shell's commands, from which help, completion and dispatch are derived. A new
+command needs a row of the table and a function. */
 
 #include <string>
 #include <vector>
@@ -20,8 +20,8 @@ struct ShellCommand {
   const char* help;       ///< one sentence, with units and ranges
   const char* example;
   int min_arguments, max_arguments;
-  int file_argument;  ///< index of the one that may be a file; -1: none
-  /** Known names of argument `index`; null: none. */
+  int file_argument;  ///< index of the argument that may be a file; -1: none
+  /** Lists known names for argument `index`; null: none. */
   std::vector<std::string> (*list_names)(Shell& shell, size_t index);
   ShellAction* run;
 };
@@ -29,24 +29,23 @@ struct ShellCommand {
 /** In the order of the overview. */
 const std::vector<ShellCommand>& ListShellCommands();
 
-/** @param words  a command, or the beginning of a single one, and its arguments.
-@throws Error(kUsage) with suggestions; Error of what it does, which then has changed nothing. */
+/** @param words  a command, or an unambiguous beginning of one, and its arguments.
+@throws Error(kUsage) with suggestions; the command's Error, after which nothing has changed. */
 void RunShellCommand(Shell& shell, const std::vector<std::string>& words);
 
-/** What a line may go on with: names and files that begin with the word it ends with, sorted. Loads
-nothing. */
+/** Completions of the line's last word: matching names and files, sorted. Loads nothing. */
 std::vector<std::string> FindCompletions(Shell& shell, const std::string& line);
 
-/** What the commands do, by file, and names that they know. */
+/** The commands' functions, by file, and lists of names they accept. */
 ///@{ scene_commands.cc
 ShellAction ChooseHand, ChooseObject, ChooseGrasp, ChooseDraw, MoveThing, TurnThing, SetJoint,
     SetDigit, DriveJoint, ChangeSetting, OpenTrial, UndoChange, RedoChange, ShowChanges, SaveGrasp;
 ///@}
 ///@{ time_commands.cc
 ShellAction StepTrial, RunTrial, GoToTime, GoBack, ResetTrial, ChooseLiveCard;
-/** What `live` takes: "off", "contacts", "joints", "timing", "stability", "view". */
+/** Arguments of `live`: "off", "contacts", "joints", "timing", "stability", "view". */
 std::vector<std::string> ListLiveCards();
-/** Phases and events that `run` knows. */
+/** Phases and events accepted by `run`. */
 std::vector<std::string> ListRunTargets();
 ///@}
 ///@{ look_commands.cc

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-The scene as a picture, in a file or in the cells of a terminal. */
+Pictures of the scene, for files or for the terminal. */
 
 #include <memory>
 #include <string>
@@ -19,9 +19,9 @@ enum class PictureForm {
   kSixel,       ///< pixels
   kKitty        ///< pixels
 };
-/** The best one: pixels where the environment names a terminal that can, blocks on any other,
-characters in a pipe, under NO_COLOR and in a dumb terminal. tmux and screen show blocks, whatever
-they run in. @param environment  "NAME=value". */
+/** Chooses the best form: pixels where the environment names a terminal that supports them, blocks
+on any other. Pipes, NO_COLOR and dumb terminals get characters. tmux and screen get blocks,
+whatever terminal they run in. @param environment  "NAME=value". */
 PictureForm ChoosePictureForm(bool is_terminal, const std::vector<std::string>& environment);
 
 /** Draws a scene repeatedly: meshes are uploaded once for each size of picture. */
@@ -31,9 +31,9 @@ class ScenePainter {
   Image Draw(ShellScene& scene, const SceneView& view, int width, int height,
              RenderQuality quality = RenderQuality::kFull);
 
-  /** In the form that the terminal on stdout shows best, over its whole width. @throws as Draw. */
+  /** Draws in the best form of the terminal on stdout, over its whole width. @throws as Draw. */
   std::string DrawForTerminal(ShellScene& scene, const SceneView& view);
-  /** Lines for a StatusRegion: the same in blocks or characters, a column and `num_lines` lines
+  /** Draws lines for a StatusRegion, in blocks or characters, one column and `num_lines` lines
   smaller than the terminal. @throws as Draw. */
   std::vector<std::string> DrawLive(ShellScene& scene, const SceneView& view, int num_lines);
 
@@ -43,12 +43,12 @@ class ScenePainter {
 
   struct Easel {
     std::unique_ptr<Renderer> renderer;
-    int width = 0, height = 0;  // of its pictures
+    int width = 0, height = 0;  // of the pictures
   };
   Easel full_, draft_;
 };
 
-/** One line of what is to be seen. */
+/** Describes the view in one line. */
 std::string DescribeView(ShellScene& scene, const SceneView& view);
 
 }  // namespace graspbench

@@ -23,37 +23,39 @@ std::string FormatSensitivityTables(const SensitivitySummary& summary);
 std::string FormatNumericsTables(const std::vector<NumericsSummary>& summaries,
                                  const std::vector<NumericsComparison>& comparisons);
 
-/** One row a hand and response, one column a measure of simultaneity. */
+/** One row per hand and response, one column per simultaneity measure. */
 std::string FormatRelations(const std::vector<SimultaneityRelation>& relations);
 
-/** One row a condition, late digit, hand and response. */
+/** One row per condition, late digit, hand and response. */
 std::string FormatDoseResponses(const std::vector<DoseResponse>& rows);
 
-/** One row per cell, and what the bisections took. */
+/** One row per condition, and the cost of the bisections. */
 std::string FormatThresholdTables(const ThresholdSummary& summary);
 
 /** One row per scale and hand; empty without any. */
 std::string FormatThresholdChanges(const std::vector<ThresholdChange>& changes);
 
-/** What a sweep found, as text for the terminal. Conditions, effects, and the interactions whose
+/** Results of a sweep as text for the terminal: conditions, effects, and the interactions whose
 interval excludes 0. */
 std::string FormatSweepTables(const SweepSummary& summary);
 
-/** A map of simultaneity for a terminal: what it finds of each hand, then its levels. Of the last
-digit; the first's and every two levels are in map.csv and the report. */
+/** Formats a simultaneity map for the terminal: the findings for each hand, then the levels. Shows
+delays of the last digit only; those of the first, and all pairs of levels, are in map.csv and the
+report. */
 std::string FormatMap(const MapResult& result);
 
-/** People beside the schedules of a robot's grasps, as text for the terminal. What PrepareSchedules
-made of a session. */
+/** The closing schedules that PrepareSchedules made for a session, and the people they are compared
+with. */
 struct SchedulePlan {
   PeopleFile people;
   const Session* session = nullptr;  ///< of the schedules
 };
-/** One row an object, hand and schedule: how many trials, or why there is no such schedule. */
+/** One row per object, hand and schedule: the number of trials, or why there is no such
+schedule. */
 std::string FormatSchedulePlan(const SchedulePlan& plan);
 Json ToJson(const SchedulePlan& plan);
 
-/** One row an object, hand and schedule, then why something is not compared. */
+/** One row per object, hand and schedule, then the reasons for omitted comparisons. */
 std::string FormatSchedules(const ScheduleComparison& comparison);
 
 }  // namespace graspbench

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-What files of grasps that others made hold, for people and as JSON. */
+Content of grasp files made by others, as text and as JSON. */
 
 #include <string>
 #include <vector>
@@ -12,22 +12,22 @@ What files of grasps that others made hold, for people and as JSON. */
 
 namespace graspbench {
 
-/** A grasp that the hand cannot take, and why. */
+/** A grasp that cannot be mapped onto the hand, and why. */
 struct UnmappedGrasp {
   std::string name;  ///< "a.npy, grasp 3"
   std::string reason;
 };
 
-/** Tries every grasp on the hand. */
+/** Returns the grasps that cannot be mapped onto the hand. */
 std::vector<UnmappedGrasp> FindUnmapped(const std::vector<ForeignGrasp>& grasps, const Hand& hand);
 
-/** Counts by format, object and stages; ranges; labels; then assumptions, and every file that could
-not be read. */
+/** Counts by format, object and stages; value ranges; labels; then assumptions, and every file that
+could not be read. */
 std::string FormatGraspCollection(const GraspCollection& collection);
-/** All grasps, with their poses and joints. */
+/** All grasps, with poses and joint positions. */
 Json MakeJson(const GraspCollection& collection);
 
-/** What judged grasps say, a line a profile, for people and as JSON. */
+/** Verdicts on judged grasps, one row per profile, as text and as JSON. */
 std::string FormatJudged(const JudgedSummary& summary);
 Json MakeJson(const JudgedSummary& summary);
 

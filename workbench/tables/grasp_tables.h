@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-Standard grasps of a hand as numbers, and what their types are called elsewhere: for a person, for a
-spreadsheet, for a program. */
+Standard grasps of a hand as numbers, and the names of their types in other taxonomies: as text, CSV
+and JSON. */
 
 #include <string>
 #include <vector>
@@ -12,7 +12,8 @@ spreadsheet, for a program. */
 
 namespace graspbench {
 
-/** Side of the block before which the placements stand [m]: a placement depends on the object. */
+/** Side of the cube for which placements are computed [m], since a placement depends on the
+object. */
 inline constexpr double kReferenceBlock = 0.05;
 
 /** One number of a grasp. */
@@ -24,21 +25,21 @@ struct GraspNumber {
   double value = 0.0;
 };
 
-/** Grasp by grasp: where the palm's frame H stands to the middle of a block of 50 mm on the table
-(position; roll, pitch, yaw as in URDF), the direction of the approach, its distance, the yaw alpha
-between object and opposition axis and the tilt; then every joint, coupled ones too, of the
-pre-grasp and of the target. */
+/** Lists for each grasp the pose of the palm's frame H relative to the centre of a 50 mm block on
+the table (position; roll, pitch, yaw as in URDF), the approach direction and distance, the yaw
+alpha between object and opposition axis, and the tilt. Then lists every joint, coupled ones
+included, of the pre-grasp and of the target. */
 std::vector<GraspNumber> ListGraspNumbers(const Hand& hand, const std::vector<Grasp>& grasps);
 
-/** A column a grasp, and of joints two: pre-grasp and target. */
+/** One column per grasp; for joints two columns: pre-grasp and target. */
 std::string FormatGraspNumbers(const std::vector<Grasp>& grasps,
                                const std::vector<GraspNumber>& numbers);
-/** A line a number. */
+/** One row per number. */
 std::string FormatGraspCsv(const std::vector<GraspNumber>& numbers);
-/** Its data dictionary. */
+/** Data dictionary of this CSV. */
 Json MakeGraspNumberSchema();
 
-/** The types t1 to t4 in seven taxonomies (core/grasp/standard_grasp.h). */
+/** Names of the types t1 to t4 in seven taxonomies (core/grasp/standard_grasp.h). */
 std::string FormatGraspTypes();
 Json MakeGraspTypesJson();
 

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-Hands for a person and for a program. */
+Hands as text and as JSON. */
 
 #include <string>
 #include <vector>
@@ -20,34 +20,36 @@ struct DescribedHands {
 /** The hands that come with the program. */
 DescribedHands DescribeHands();
 
-/** Mass, digits, grasps, coupling, and limits and drive of each joint; angles in degrees. */
+/** Mass, digits, grasps, coupling, and the limits and drive of each joint; angles in degrees. */
 Json MakeHandJson(const Hand& hand);
-/** The same as text with a table of the joints. */
+/** As MakeHandJson, as text with a table of the joints. */
 std::string FormatHand(const Hand& hand);
 
-/** How well contact covers the links (core/hand/contact_fit.h), in millimetres. */
+/** Deviation of the contact geometry from each link's surface (core/hand/contact_fit.h) [mm]. */
 std::string FormatContact(const std::vector<ContactFit>& fits);
-/** The links above 1 mm; empty: none is. @param surface  what contact is measured against. */
+/** Describes the links whose contact geometry deviates by more than 1 mm; empty: none.
+@param surface  the reference surface. */
 std::string DescribeCoarseContact(const std::vector<ContactFit>& fits, const std::string& surface);
-/** The link whose surface capsules miss most; empty: they are near half of each at least. */
+/** Describes the link whose surface the self-contact capsules cover worst; empty: at least half of
+every link is covered. */
 std::string DescribeThinSelfContact(const std::vector<ContactFit>& fits);
 
-/** Things to grasp and checked meshes for a person and for a program. */
+/** Objects and checked meshes as text and as JSON. */
 struct DescribedObjects {
   Json json;          ///< {objects: [..]}
   std::string table;  ///< one row each
 };
-/** The catalogue. */
+/** The objects of the catalogue. */
 DescribedObjects DescribeObjects();
 
 /** Sizes, mass, friction and best grasps. */
 Json MakeObjectJson(const GraspObject& object);
 std::string FormatObject(const GraspObject& object);
 
-/** The warnings, the problems, then what the mesh is and whether it can be used. */
+/** Warnings and errors, then properties of the mesh and whether it can be used. */
 std::string FormatMeshSummary(const std::string& path, const MeshReport& report);
 
-/** What a repair did, and the summary of what it has written to `path`. */
+/** The changes of a repair, and the summary of the mesh written to `path`. */
 std::string FormatRepair(const std::string& path, const MeshFileRepair& repair);
 
 }  // namespace graspbench

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-What an optimisation decided, for the terminal. */
+Results of an optimisation, as text for the terminal. */
 
 #include <filesystem>
 #include <string>
@@ -15,38 +15,37 @@ What an optimisation decided, for the terminal. */
 
 namespace graspbench {
 
-/** A line for each step, a table of the trials it was decided by, one of the opposing digit's
-angles. */
+/** A line for each step, a table of the deciding trials, and one of the opposing digit's angles. */
 std::string FormatOptimisation(const SceneInputs& inputs, const SceneConfig& config,
                                const OptimisedGrasp& result);
 
-/** The grasps that were found and the data, a line each with a line feed. */
+/** Paths of the resulting grasps and data, one per line. */
 std::string ListSceneFiles(const std::filesystem::path& folder);
 
-/** The same as JSON, with what result.json holds. */
+/** As ListSceneFiles, as JSON with the content of result.json. */
 Json MakeSceneJson(const std::filesystem::path& folder);
 
-/** Which trials failed numerically, in a sentence each; endless ones are among them. Empty: none. */
+/** One sentence per trial that failed numerically or timed out; empty: none. */
 std::string DescribeNumericalFailures(const std::vector<EvaluationRecord>& evaluations);
 
-/** Whether a search's individual gave its stored numbers again, with a line feed. */
+/** One line: whether the re-simulated individual matches its stored results. */
 std::string FormatReplay(const ReplayedIndividual& replayed);
 
-/** A campaign's results as tables for the terminal. One row for each variant of the grasps, over
-all scenes. */
+/** A campaign's results for the terminal: one row for each variant of the grasps, over all
+scenes. */
 std::string FormatVariantsTable(const Campaign& campaign);
 
 /** One row for each search method; empty when none were compared. */
 std::string FormatComparisonTable(const Campaign& campaign);
 
-/** Both tables, and where the rest is. */
+/** Both tables, and the paths of further results. */
 std::string FormatCampaign(const Campaign& campaign, const std::filesystem::path& folder,
                            const std::filesystem::path& report);
-/** The same. */
+/** As FormatCampaign, as JSON. */
 Json MakeCampaignJson(const Campaign& campaign, const std::filesystem::path& folder,
                       const std::filesystem::path& report);
 
-/** What failed numerically, by scene; empty: nothing. */
+/** Numerical failures by scene; empty: none. */
 std::string DescribeNumericalFailures(const Campaign& campaign);
 
 }  // namespace graspbench

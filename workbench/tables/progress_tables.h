@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-How far shards are, as JSON and as a table for the terminal. */
+Progress of shards, as JSON and as a table for the terminal. */
 
 #include <filesystem>
 #include <set>
@@ -16,13 +16,13 @@ namespace graspbench {
 Json MakeStatusJson(const SessionProgress& progress);
 Json MakeStatusJson(const CampaignProgress& progress);
 
-/** A row a shard; empty without shards. @param unit  what is counted: "trials", "scenes". */
+/** One row per shard; empty without shards. @param unit  what is counted: "trials", "scenes". */
 std::string FormatShards(const std::vector<ShardProgress>& shards, const char* unit);
 
 /** The machines that have worked on a session, as text and as JSON. */
 struct MachineShards {
   Machine machine;
-  std::set<std::string> shards;  ///< that were worked on there
+  std::set<std::string> shards;  ///< shards worked on there
 };
 std::vector<MachineShards> ListMachines(const std::filesystem::path& folder);
 size_t CountBuilds(const std::vector<MachineShards>& machines);

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-The end of a session in a few lines: success per hand, what the failures were, and how many grips
-did not reach what was asked. */
+Summary of a session in a few lines: success per hand, failures by outcome, and the number of grips
+that did not reach their setpoint. */
 
 #include <filesystem>
 #include <string>
@@ -18,7 +18,8 @@ std::string FormatSummaryTable(const SessionSummary& summary);
 Json MakeSummaryJson(const SessionSummary& summary, const std::filesystem::path& folder,
                      const std::filesystem::path& report);
 
-/** "3 trials are": not run, or else not judged where somebody has begun to judge; empty: none. */
+/** What remains: "3 trials are" (not run), else held grasps not judged yet if the judge was begun;
+empty: nothing. */
 std::string DescribeRest(const Session& session);
 
 }  // namespace graspbench

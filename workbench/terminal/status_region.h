@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-Lines below all that was printed, redrawn in place on a terminal that can move its cursor; anywhere
-else (pipe, file, TERM=dumb) nothing is shown and no escape byte is written. */
+Status lines below the printed output, redrawn in place on a terminal that can move its cursor.
+Anywhere else (pipe, file, TERM=dumb) nothing is shown and no escape byte is written. */
 
 #include <cstdio>
 #include <string>
@@ -9,16 +9,16 @@ else (pipe, file, TERM=dumb) nothing is shown and no escape byte is written. */
 
 namespace graspbench {
 
-/** Whether it is a terminal that can move its cursor. */
+/** Whether the stream is a terminal that can move its cursor. */
 bool CanRedraw(std::FILE* stream);
 
 struct TerminalSize {
   int columns = 80, rows = 24;
 };
-/** Those of the terminal; 80 x 24 where there is none. */
+/** Size of the terminal; 80 x 24 where there is none. */
 TerminalSize FindTerminalSize(std::FILE* stream);
 
-/** To so many bytes at most, and never within a letter. */
+/** Cuts the line to at most `width` bytes, never within a UTF-8 character. */
 void CutLine(size_t width, std::string& line);
 
 class StatusRegion {
@@ -26,12 +26,12 @@ class StatusRegion {
   explicit StatusRegion(std::FILE* stream) : stream_(stream), can_redraw_(CanRedraw(stream)) {}
   bool can_redraw() const { return can_redraw_; }
 
-  /** In the place of what it showed; lines and columns beyond the terminal's size are cut. A line
-  with colours must fit by itself. @pre foreign parts are escaped. */
+  /** Replaces the lines shown; lines and columns beyond the terminal's size are cut. A line with
+  colours is not cut and must fit. @pre text from files is escaped. */
   void Show(const std::vector<std::string>& lines);
-  /** Takes the lines away; what is printed next stands in their place. */
+  /** Erases the lines; the next output takes their place. */
   void Clear();
-  /** Leaves them as they are, above what is printed next. */
+  /** Keeps the lines on the screen; the next output follows below. */
   void Leave() { widths_.clear(); }
 
  private:

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-The one way of the program to stdout and stderr: names and cells of foreign files pass through
-EscapeForTerminal on it (core/base/text/text.h); tests/lint/check_output.cmake looks for others. */
+The program's only access to stdout and stderr. Names and cells from files of others pass through
+EscapeForTerminal (core/base/text/text.h). tests/lint/check_output.cmake rejects other output. */
 
 #include <cstdio>
 #include <string>
@@ -12,27 +12,28 @@ EscapeForTerminal on it (core/base/text/text.h); tests/lint/check_output.cmake l
 
 namespace graspbench {
 
-/** What the user asked for: to stdout, as it is but for its escapes; the caller ends the lines. */
+/** Prints a result to stdout, unchanged except for escape sequences; the caller ends the lines. */
 void PrintResult(std::string_view text);
-/** A whole JSON value and a line feed on stdout; bytes that are no UTF-8 become U+FFFD. */
+/** Prints a JSON value and a line feed to stdout; bytes that are not valid UTF-8 become U+FFFD. */
 void PrintJson(const Json& json);
-/** All other words: to stderr, with a line feed. */
+/** Prints any other text to stderr, with a line feed. */
 void PrintMessage(std::string_view text);
 
-/** @throws Error(kIo) when not all of the results reached stdout. */
+/** @throws Error(kIo) when the results could not be written to stdout completely. */
 void FlushResults();
 
-/** Text with cursor movements of our own, for a progress block. @pre foreign parts are escaped. */
+/** Prints text with our own cursor movements, for a progress block. @pre text from files is
+escaped. */
 void PrintControlled(std::FILE* stream, std::string_view text);
 
-/** Text of core/base/text/text.h for a terminal: no-break spaces become spaces. */
+/** Converts text of core/base/text/text.h for a terminal: no-break spaces become spaces. */
 std::string MakePlainText(std::string text);
 
-/** Problems of a checked file: [{severity, file, line, text}]; line is null when the file as a
-whole is meant. */
+/** Problems of a checked file: [{severity, file, line, text}]; line is null when the problem
+concerns the whole file. */
 Json MakeJson(const Diagnostics& problems);
 
-/** One line each on stdout: they are what a check is asked for. */
+/** Prints one line per problem to stdout, since the problems are the result of a check. */
 void PrintFindings(const Diagnostics& problems);
 
 /** " (2 errors, 1 warning)"; empty without findings. */

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-The program's commands and options, as the parser knows them, for shells and for man. */
+The parser's commands and options, formatted for shell completion and for man. */
 
 #include <string>
 #include <vector>
@@ -9,14 +9,15 @@ namespace graspbench {
 
 class Command;
 
-/** "bash", "zsh", "fish". */
+/** Lists the supported shells: "bash", "zsh", "fish". */
 std::vector<std::string> ListShells();
 
-/** A script that completes commands, options, their values where these are few, ids; else files.
+/** Formats a script that completes commands, options, short lists of values, and ids; otherwise
+files.
 @pre shell is one of ListShells(). */
 std::string FormatCompletion(const Command& program, const std::string& shell);
 
-/** graspbench.1, for man. */
+/** Formats the man page graspbench.1. */
 std::string FormatManPage(const Command& program);
 
 }  // namespace graspbench

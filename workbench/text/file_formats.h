@@ -1,8 +1,8 @@
 #pragma once
 /** @file
-The files of the program and what stands in them: the keys of those that people write, as their
-readers check them, and the columns of the tables that the program writes, as their writers list
-them. Help, schemas and the manual's pages of keys and columns are made from these lists. */
+The program's file formats: the keys of files that users write, as their readers check them, and the
+columns of tables that the program writes, as their writers list them. Help, schemas and the
+manual's pages of keys and columns are generated from these lists. */
 
 #include <string>
 #include <vector>
@@ -16,30 +16,31 @@ struct FileFormat {
   std::string name;  ///< "object.yaml"
   std::string about;
   FileKeys keys;
-  bool is_frozen = false;  ///< written by a store, from the options of its command
+  bool is_frozen = false;  ///< written by a store from the options of its command
 };
-/** Those that people write first, then those that a store freezes. */
+/** Formats that users write, then those that a store freezes. */
 const std::vector<FileFormat>& ListFileFormats();
 
-/** A format as a JSON Schema (draft 2020-12), for editors and validators of YAML: which keys there
-are, which are needed, which numbers are in range. The readers check more: ids, files, sums. */
+/** Returns a format as a JSON Schema (draft 2020-12), for YAML editors and validators: keys,
+required keys and ranges. The readers also check ids, files and sums. */
 Json MakeFileSchema(const FileFormat& format);
 
 struct TableColumn {
   std::string
-      name;  ///< "gct_s"; words in capitals stand for names of the data: "open_without_DIGIT"
+      name;  ///< "gct_s"; words in capitals stand for names from the data: "open_without_DIGIT"
   std::string type;  ///< "string", "integer", "number" or "boolean"
   std::string unit;  ///< empty: none
   std::string meaning;
 };
 struct TableFormat {
-  std::string name;  ///< of its file: "trials.csv"; tables of a session and of a study share some
+  std::string name;  ///< file name: "trials.csv"; some names are shared by sessions and studies
   std::string about;
   std::vector<TableColumn> columns;
 };
 const std::vector<TableFormat>& ListTableFormats();
 
-/** Whether `name` is that of the column, or fits the word in capitals behind its beginning. */
+/** Whether `name` is the column's name, or matches it with another word in place of the
+capitals. */
 bool IsNameOf(const TableColumn& column, const std::string& name);
 
 }  // namespace graspbench

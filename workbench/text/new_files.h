@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-What `graspbench new` writes: small examples that can be used as they are. */
+The files that `graspbench new` writes: small, working examples. */
 
 #include <string>
 #include <string_view>
@@ -9,20 +9,21 @@ What `graspbench new` writes: small examples that can be used as they are. */
 
 namespace graspbench {
 
-namespace assets {  // of new_hand/, new_arm/
+namespace assets {  // files of new_hand/, new_arm/
 extern const std::string_view kHandUrdf, kHandYaml, kArmYaml;
 }
 
 /** A file's name and content. */
 using NewFile = std::pair<std::string, std::string>;
 
-/** "session", "sweep", "object", "hand", "arm", "study", "trials": of real hands, for a campaign. */
+/** Lists the kinds: "session", "sweep", "object", "hand", "arm", "study", and "trials" (of real
+hands, for a campaign). */
 std::vector<std::string> ListNewKinds();
 
-/** The files of one kind, each key with what it is. @pre one of ListNewKinds(). */
+/** Returns the files of one kind, with a comment on each key. @pre one of ListNewKinds(). */
 std::vector<NewFile> MakeNewFiles(const std::string& kind);
 
-/** Reads them as the commands do. @throws Error(kFormat). */
+/** Reads the files as the commands do. @throws Error(kFormat). */
 void CheckNewFiles(const std::string& kind, const std::string& folder);
 
 }  // namespace graspbench

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-Pipelines and what they found, for people and for other programs. */
+Pipelines and their results, as text and for other programs. */
 
 #include <string>
 #include <vector>
@@ -11,18 +11,18 @@ Pipelines and what they found, for people and for other programs. */
 
 namespace graspbench {
 
-/** A line a stage: fresh or stale, and below it because of what. */
+/** One line per stage, fresh or stale, followed by the reasons. */
 std::string FormatStageStates(const std::vector<StageState>& states);
 Json MakeStatesJson(const std::vector<StageState>& states);
 
-/** A line a stage: its command line and what it waits for. */
+/** One line per stage: its command line and the stages it depends on. */
 std::string FormatGraph(const Pipeline& pipeline);
-/** For Graphviz. */
+/** The graph in the DOT language of Graphviz. */
 std::string FormatDot(const Pipeline& pipeline);
 
-/** dvc.yaml of DVC 3, and a Snakefile of Snakemake 7: the same commands, to be run in the
-pipeline's own folder, where they make a folder a stage. @throws Error(kUnsupported) for a name that
-Snakemake cannot have. */
+/** Format the stages as dvc.yaml (DVC 3) and as a Snakefile (Snakemake 7). The commands are to be
+run in the pipeline's folder and create one folder per stage there. @throws Error(kUnsupported) for
+a name that Snakemake does not allow. */
 ///@{
 std::string FormatDvc(const Pipeline& pipeline);
 std::string FormatSnakefile(const Pipeline& pipeline);

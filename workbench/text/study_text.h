@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-What a human study found, for the terminal. */
+Results of a human study, as text for the terminal. */
 
 #include <filesystem>
 #include <string>
@@ -12,26 +12,29 @@ What a human study found, for the terminal. */
 
 namespace graspbench {
 
-/** A line for each reason by which trials were removed, with the keys that would change it; first
-that none is left, if so. */
+/** One line per removal reason, with the keys that would change it. Begins with a notice if no
+trial is left. */
 std::string FormatRemoved(const StudyResult& result);
 
-/** Each setting with why, what it costs and how many trials count then; what none mends. */
+/** Each suggested setting with its reason, its cost and the number of trials then included; then
+the removals that no setting avoids. */
 std::string FormatSuggestions(const StudySuggestions& suggestions);
 
-/** A line for each warning about the study as a whole. */
+/** Warnings about the whole study, one line each; at most three of a kind. */
 std::string FormatWarnings(const StudyResult& result);
 
-/** What a run says: whether the choices are the frozen ones, what was removed, warnings, and of what
-counts the detection limit of the GFT, how reliable the opening and how simultaneous people are. */
+/** Summary of a run: whether the choices are the frozen ones, removals and warnings; for the
+included trials the detection limit of GFT, the reliability of the opening, and the simultaneity of
+contacts. */
 std::string FormatStudy(const StudyResult& result, const std::filesystem::path& folder,
                         const std::filesystem::path& report);
 
-/** How many trials count and why others do not, and where the rest is. */
+/** Numbers of included and removed trials, the removal reasons, and the paths of further
+results. */
 Json MakeStudyJson(const StudyResult& result, const std::filesystem::path& folder,
                    const std::filesystem::path& report);
 
-/** Found minus true times of a synthetic study. */
+/** Differences found - true of the event times in a synthetic study. */
 std::string FormatTruth(const TruthComparison& comparison);
 
 }  // namespace graspbench

@@ -1,7 +1,6 @@
 #pragma once
 /** @file
-Files: whole ones, those larger than what should be held of them, and where the project's own data
-lie. */
+Access to files, as a whole or in pieces, and the location of the project's data. */
 
 #include <cstdint>
 #include <filesystem>
@@ -13,70 +12,76 @@ lie. */
 
 namespace graspbench {
 
-/** Folder that holds `core/hand/models` and `objects/catalogue`: the environment variable
-GRASPBENCH_HOME, else the source folder this program was built from. */
+/** Returns the folder that contains `core/hand/models` and `objects/catalogue`. It is the
+environment variable GRASPBENCH_HOME, else share/graspbench of the installed program, else the
+source folder that this program was built from. */
 std::filesystem::path FindDataRoot();
 
-/** Folder for things that can be rebuilt at any time: $XDG_CACHE_HOME/graspbench, else
-$HOME/.cache/graspbench, else a folder of this user's own in the system's temporary folder, which is
-made; where that is somebody else's or a link, a place in which nothing can be made. */
+/** Returns the folder for files that can be rebuilt at any time: $XDG_CACHE_HOME/graspbench, else
+$HOME/.cache/graspbench, else a private folder in the system's temporary folder, which is created.
+If that folder is a link or owned by another user, the returned path is not writable. */
 std::filesystem::path FindCacheRoot();
 
-/** 16 hexadecimal digits that nobody can predict, for names of temporary files. Never in results. */
+/** Returns 16 unpredictable hexadecimal digits for the name of a temporary file. Never used in
+results. */
 std::string MakeRandomName();
 
-/** The name of a file, for one beside it: a long one ends in its hash, so that with an ending of up
-to 54 bytes it has at most 255, which is what file systems take. */
+/** Returns a file's name for building the name of a file beside it. A name above 200 bytes is cut
+and ends in its hash. With a suffix of up to 54 bytes the result has at most 255 bytes, the limit of
+file systems. */
 std::string ShortenName(const std::string& name);
 
-/** Regular files only: a device or a pipe is refused, not waited for. A read that fails in passing
-(ESTALE, EIO, EINTR, as on disks over the network) is tried four times within a second.
+/** Reads a regular file; a device or a pipe is refused without blocking. A read that fails
+transiently (ESTALE, EIO, EINTR, as on network file systems) is attempted four times within a
+second.
 @throws Error(kNotFound, kIo) naming the file and the system's reason. */
 std::string ReadFile(const std::filesystem::path& path);
 
-/** Hands a file over piece by piece until `take` gives false. Files and failures as in ReadFile.
-@param start  the first byte that is read.
-@throws Error(kNotFound, kIo) naming the file and the system's reason; what `take` throws. */
+/** Passes a file to `take` piece by piece until `take` returns false. Accepts and retries as
+ReadFile.
+@param start  offset of the first byte to read.
+@throws Error(kNotFound, kIo) naming the file and the system's reason; whatever `take` throws. */
 void ReadPieces(const std::filesystem::path& path,
                 const std::function<bool(std::string_view)>& take, uintmax_t start = 0);
 
-/** A file as a stream. Files and failures as in ReadFile, also later, by what reads the stream.
-@throws Error(kNotFound, kIo). */
+/** Opens a file as a stream. Accepts and retries as ReadFile. Reading from the stream can throw as
+well. @throws Error(kNotFound, kIo). */
 std::unique_ptr<std::istream> OpenStream(const std::filesystem::path& path);
 
-/** Creates a folder and those above it; one that is there is fine.
+/** Creates a folder and its parents; an existing folder is accepted.
 @throws Error(kIo) with the system's reason. */
 void MakeFolder(const std::filesystem::path& folder);
 
-/** Creates a folder that only its owner can enter, and those above it; one that is there is made
-so.
-@throws Error(kIo) when it belongs to somebody else, is no folder, or with the system's reason. */
+/** Creates a folder that only its owner can enter, and its parents. An existing folder is made
+private.
+@throws Error(kIo) with the system's reason, or when it is not a folder or has another owner. */
 void MakePrivateFolder(const std::filesystem::path& folder);
 
-/** A folder, not a link to one, that belongs to this user and that nobody else can write into. */
+/** Returns whether this is a folder, not a link to one, that belongs to this user and that nobody
+else can write to. */
 bool IsPrivateFolder(const std::filesystem::path& folder);
 
 /** Makes the names of new and renamed files in a folder survive a power failure.
 @throws Error(kIo) with the system's reason. */
 void SyncFolder(const std::filesystem::path& folder);
 
-/** The whole content by AtomicFile (below).
+/** Writes the whole content through AtomicFile (below).
 @throws Error(kIo) with the system's reason (disk full, read-only, ...). */
 void WriteFileAtomically(const std::filesystem::path& path, std::string_view content);
 
-/** Creates or replaces a file without waiting for the disk: for one of many, which nobody may trust
-before SyncFileSystem and a last file that says they are complete.
+/** Creates or replaces a file without waiting for the disk. Meant for one of many files that are
+valid only after SyncFileSystem and a final file that marks them as complete.
 @throws Error(kIo) with the system's reason. */
 void WriteFile(const std::filesystem::path& path, std::string_view content);
 
-/** Waits until everything written to the disk of this folder is there.
+/** Waits until everything written to this folder's file system is on the disk.
 @throws Error(kIo) with the system's reason. */
 void SyncFileSystem(const std::filesystem::path& folder);
 
-/** A file that is written piece by piece beside its target, synced and renamed by Commit: the target
-is the old or the new file, never half of one. Without Commit nothing is left. What killed processes
-of this host left beside the target is removed. Nobody can prepare a file or a link in its place: the
-name is random and must be new. */
+/** A file that is written in pieces beside its target. Commit syncs it and renames it to the
+target, so that the target is the old or the new file, never a partial one. Without Commit nothing
+is left. Leftovers of killed processes of this host are removed. The temporary name is random and
+must be new, so that nobody can plant a file or a link there. */
 class AtomicFile {
  public:
   /** @throws Error(kIo) with the system's reason (read-only, no such folder, ...). */
@@ -85,7 +90,7 @@ class AtomicFile {
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  /** Small pieces are gathered. @throws Error(kIo) with the system's reason (disk full, ...). */
+  /** Buffers small pieces. @throws Error(kIo) with the system's reason (disk full, ...). */
   void Write(std::string_view piece);
   /** @throws Error(kIo). */
   void Commit();

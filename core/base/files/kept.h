@@ -1,12 +1,12 @@
 #pragma once
 /** @file
-Results that take time to compute, kept between runs in files below FindCacheRoot(). A file carries
-its kind, the hash of all that the result was computed from (its key) and a hash of its content: a
-damaged file, or one of another kind or key, is as good as absent. The folder is made readable for
-its owner alone; one that is not private, or cannot be written, is done without. Processes that keep
-one result at a time write the same bytes.
+A cache of results that are expensive to compute, in files below FindCacheRoot(). A file contains
+its kind, a hash of everything that the result was computed from (its key) and a hash of its
+content. A file that is damaged or has another kind or key counts as missing. The folder is readable
+by its owner only; a folder that is not private or not writable is not used. Processes that write
+the same result concurrently write the same bytes.
 
-Whoever changes a rule changes the kind, or puts program_sources() (version.h) into the key. */
+A change of a rule must change the kind, unless the key includes program_sources() (version.h). */
 
 #include <cstdint>
 #include <filesystem>
@@ -18,13 +18,13 @@ namespace graspbench {
 
 inline constexpr size_t kKeptKindSize = 8;
 
-/** What Keep() wrote for this kind and key; nothing where it has to be computed.
-@param kind  of kKeptKindSize characters. */
+/** Returns what Keep() wrote for this kind and key; nullopt if the result must be computed.
+@param kind  exactly kKeptKindSize characters. */
 std::optional<std::string> ReadKept(const std::filesystem::path& path, std::string_view kind,
                                     uint64_t key);
 
-/** Makes the folder, and replaces the file. A folder that is read-only, full or somebody else's
-costs the next run the computation, and nothing else. */
+/** Creates the folder and replaces the file. If that fails (folder read-only, full, or owned by
+another user), nothing is stored, and the next run computes the result again. */
 void Keep(const std::filesystem::path& path, std::string_view kind, uint64_t key,
           std::string_view content);
 

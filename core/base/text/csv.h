@@ -1,8 +1,8 @@
 #pragma once
 /** @file
-A table is described once, by its columns: one list makes the CSV, its data dictionary, a JSON array
-and what people see in a terminal or on a page, so that these cannot drift apart. The analysis that
-makes the rows lists the columns. */
+Tables. A table is described once, by its columns. This list produces the CSV, its data dictionary,
+a JSON array and the table that people see in a terminal or on a page, so that these cannot diverge.
+The analysis that produces the rows defines the columns. */
 
 #include <algorithm>
 #include <functional>
@@ -49,8 +49,8 @@ struct CsvColumn {
         unit(std::move(its_unit)),
         meaning(std::move(about)),
         value(std::move(take)) {}
-  /** @param take  a member of Row, or a function of it: what it gives decides the type; a number
-  that is not finite is missing. */
+  /** @param take  a member of Row or a function of it; its result type sets the column's type.
+  Non-finite numbers count as missing. */
   template <class Take>
   CsvColumn(std::string its_name, std::string its_unit, std::string about, Take take)
       : CsvColumn(std::move(its_name),
@@ -59,45 +59,47 @@ struct CsvColumn {
                     return internal::MakeCsvValue(std::invoke(take, row));
                   }) {}
 
-  /** The column in tables for people, too. @param shown_as  a cell's text; else that of the file. */
+  /** Returns a copy of the column that is also part of tables for people.
+  @param shown_as  formats a cell; if empty, as in the file. */
   CsvColumn Shown(std::string its_heading, Show shown_as = {}) const {
     CsvColumn shown = *this;
     shown.heading = std::move(its_heading);
     shown.show = std::move(shown_as);
     return shown;
   }
-  /** A column for people alone, which sums up several of the file. */
+  /** Makes a column for people only, which summarises several columns of the file. */
   static CsvColumn ForPeople(std::string its_heading, std::string about, Show shown_as) {
     return CsvColumn("", "", "", std::move(about), {}).Shown(its_heading, std::move(shown_as));
   }
 
-  std::string name;                       ///< with the unit as suffix: "gct_s"; empty: in no file
+  std::string name;                       ///< with the unit as suffix: "gct_s"; empty: not in files
   std::string type;                       ///< "string", "integer", "number" or "boolean"
   std::string unit;                       ///< "s", "m", ...; empty: none
   std::string meaning;                    ///< one sentence
-  std::function<Json(const Row&)> value;  ///< null: missing; a boolean is 0 or 1
-  std::string heading;                    ///< for people; empty: in files alone
-  Show show;                              ///< empty: as FormatShownCell
+  std::function<Json(const Row&)> value;  ///< null: missing; booleans are 0 or 1
+  std::string heading;                    ///< for people; empty: in files only
+  Show show;                              ///< empty: FormatShownCell
 };
 
-/** Empty for null; numbers shortest-exact; text guarded, and quoted after RFC 4180 where it must
-be. */
+/** Formats a cell: empty for null, numbers in their shortest exact form, text guarded (GuardCell)
+and, where necessary, quoted as in RFC 4180. */
 std::string FormatCsvCell(const Json& value);
-/** The same for people: text as it is, neither quoted nor guarded. */
+/** Formats a cell for people: text is neither quoted nor guarded. */
 std::string FormatShownCell(const Json& value);
 
-/** Spreadsheets run a text that begins with = + - @, their wide forms or a control character as a
-formula. In some countries cells end at semicolons or tabs, inside of quotes of ours, too. So a
-beginning of that kind, of the text or behind a semicolon, tab or line break, gets an apostrophe in
-front, unless the whole text is a number. What has apostrophes there already gets one more, so that
-UnguardCell gives every text back. */
+/** Protects a cell against formula injection. Spreadsheets execute text that begins with = + - @,
+their full-width forms or a control character. In some locales they split cells at semicolons or
+tabs, even inside our quotes. So an apostrophe is put before such a character at the beginning of
+the text or after a semicolon, tab or line break, unless the whole text is a number. Where
+apostrophes already precede such a character, one more is added, so that UnguardCell restores every
+text. */
 std::string GuardCell(const std::string& text);
 std::string UnguardCell(const std::string& cell);
 
-/** One line of a table: the cells with commas between them, and a line feed. */
+/** Formats one line of a table: the cells, separated by commas, and a line feed. */
 std::string FormatCsvLine(const std::vector<Json>& cells);
 
-/** The parts of a table that is written piece by piece. */
+/** The parts of a table that is written incrementally. */
 template <class Row>
 std::string FormatCsvHeading(const std::vector<CsvColumn<Row>>& columns) {
   std::vector<Json> cells;
@@ -121,14 +123,15 @@ std::string FormatCsvLines(const std::vector<CsvColumn<Row>>& columns,
   for (const Row& row : rows) lines += FormatCsvLine(MakeCsvCells(columns, row));
   return lines;
 }
-/** RFC 4180 with line feeds: a heading and one line a row. The one writer of such tables. */
+/** Formats a table as RFC 4180 with line feeds: a heading and one line per row. All tables are
+written by this function or its parts above. */
 template <class Row>
 std::string FormatCsv(const std::vector<CsvColumn<Row>>& columns, const std::vector<Row>& rows) {
   return FormatCsvHeading(columns) + FormatCsvLines(columns, rows);
 }
 
-/** The data dictionary in the form of a Frictionless Table Schema, plus each column's unit.
-@param primary_key  a column, or empty. */
+/** Returns the data dictionary as a Frictionless Table Schema, plus each column's unit.
+@param primary_key  name of a column, or empty. */
 template <class Row>
 Json MakeTableSchema(const std::vector<CsvColumn<Row>>& columns, const std::string& primary_key) {
   Json fields = Json::array();
@@ -148,7 +151,7 @@ Json MakeTableSchema(const std::vector<CsvColumn<Row>>& columns, const std::stri
   return schema;
 }
 
-/** One object a row. */
+/** Returns a list with one object per row. */
 template <class Row>
 Json MakeJsonRows(const std::vector<CsvColumn<Row>>& columns, const std::vector<Row>& rows) {
   Json list = Json::array();
@@ -162,7 +165,7 @@ Json MakeJsonRows(const std::vector<CsvColumn<Row>>& columns, const std::vector<
   return list;
 }
 
-/** What people see of a table, in a terminal or on a page. */
+/** A table as it is shown in a terminal or on a page. */
 struct ShownTable {
   struct Column {
     std::string heading;
@@ -173,8 +176,8 @@ struct ShownTable {
   size_t num_rows = 0;
 };
 
-/** The columns that have a heading; one that no row fills is left out.
-@param headings  the columns to show, in the order of the list; empty: all. */
+/** Returns the columns that have a heading, except those without any non-empty cell.
+@param headings  the columns to show, in the order of `columns`; empty: all. */
 template <class Row>
 ShownTable ShowTable(const std::vector<CsvColumn<Row>>& columns, const std::vector<Row>& rows,
                      const std::vector<std::string>& headings = {}) {

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-Lines and cells of tab- or comma-separated text, with line numbers for messages; the small tables
-that a person writes. */
+Lines and cells of tab- or comma-separated text, with line numbers for messages, and small tables
+that are written by a person. */
 
 #include <istream>
 #include <optional>
@@ -16,13 +16,13 @@ namespace graspbench {
 /** Reads lines; strips a byte order mark and carriage returns. */
 class LineReader {
  public:
-  /** @param line  so many lines stand before what is read. */
+  /** @param line  number of lines before the start of the stream. */
   LineReader(std::istream& stream, std::string file, int line = 0)
       : stream_(stream), file_(std::move(file)), line_(line) {}
 
-  /** The next line, valid until the next call; false at the end. */
+  /** Reads the next line, valid until the next call; returns false at the end. */
   bool Next(std::string_view& line);
-  /** As Next, but an end of the file is an error: "ends before <what>". */
+  /** Reads the next line; an end of the file is an error: "the file ends before <what>". */
   std::string_view Require(const std::string& what);
   int line() const { return line_; }
   const std::string& file() const { return file_; }
@@ -37,33 +37,34 @@ class LineReader {
 
 using Cells = std::vector<std::string_view>;
 
-/** Splits at `delimiter` and trims blanks and enclosing double quotes; a quoted cell may hold the
-delimiter, and quotes as two (RFC 4180), which stay two here. Empty line: one empty cell. */
+/** Splits at `delimiter` and trims blanks and enclosing double quotes. A quoted cell may contain
+the delimiter, and quotes as pairs (RFC 4180), which stay pairs here. An empty line has one empty
+cell. */
 void SplitCells(std::string_view line, char delimiter, Cells& cells);
-/** NaN for an empty cell, "nan" or "n/a"; anything else that is not a number fails with line and
-column. */
+/** Returns NaN for an empty cell, "nan", "na" or "n/a"; anything else that is not a number fails
+with line and column. */
 double ParseNumber(const Cells& cells, size_t column, const LineReader& reader);
 
-/** Nothing unless the whole text is a finite number. */
+/** Returns nullopt unless the whole text is a finite number. */
 std::optional<double> ParseFiniteNumber(std::string_view text);
 
-/** A number of a header: finite and within [min, max], else fails naming `what`. */
+/** Parses a number of a header; fails, naming `what`, unless it is in [min, max]. */
 double ParseHeaderNumber(std::string_view cell, const std::string& what, double min, double max,
                          const LineReader& reader);
 
-/** Drops empty cells at the end: exporters like to write a delimiter too many. */
+/** Removes empty cells at the end, because exporters often write one delimiter too many. */
 void DropEmptyEnd(Cells& cells);
 
 bool IsBlank(const Cells& cells);
 
 bool StartsWith(std::string_view text, std::string_view start);
 
-/** A table that a person writes: separated by commas, tabs or semicolons, a heading, one
-thing a row. Every fault goes into Diagnostics with file and line. */
+/** A table written by a person: a heading and one item per row, separated by commas, tabs or
+semicolons. Every fault goes into Diagnostics with file and line. */
 class DataTable {
  public:
-  /** Rows with another number of cells than the heading, names given twice and a table without rows
-  are problems. `file` is its name in messages. */
+  /** Rows whose number of cells differs from the heading's, duplicate column names and a table
+  without rows are reported. `file` is the name in messages. */
   DataTable(const std::string& text, const std::string& file, Diagnostics& problems);
 
   size_t num_rows() const { return rows_.size(); }
@@ -72,11 +73,12 @@ class DataTable {
   const std::vector<std::string>& columns() const { return columns_; }
   bool Has(const std::string& column) const;
 
-  /** A problem at the heading when the table lacks the column. */
+  /** Reports a problem at the heading if the column is missing. */
   void Require(const std::string& column);
-  /** Empty when the table lacks the column or the cell is empty. */
+  /** Returns the cell's text; empty if the column is missing or the cell is empty. */
   const std::string& Text(size_t row, const std::string& column) const;
-  /** NaN for an empty cell; text that is no finite number is a problem. */
+  /** Returns the cell's number; NaN for an empty cell. Text that is not a finite number is
+  reported. */
   double Number(size_t row, const std::string& column);
 
  private:

@@ -1,8 +1,8 @@
 #pragma once
 /** @file
-JSON values: null, truth values, numbers, texts, lists, and objects whose keys keep their order.
-Numbers are written shortest-exact; what is missing is null, never a plausible number. The texts are
-parsed and written in json.cc, the one file that includes the JSON library. */
+JSON values: null, booleans, numbers, strings, lists, and objects whose keys keep their order.
+Numbers are written in their shortest exact form; a missing number is null, never a plausible
+number. Text is parsed and written in json.cc, the only file that includes the JSON library. */
 
 #include <array>
 #include <cmath>
@@ -26,11 +26,11 @@ namespace graspbench {
 
 class JsonItem;
 
-/** One value with all that it holds. Where an operation does not suit the value's type, and where
-an index or a key is not there, it throws Json::exception. */
+/** A JSON value and everything that it contains. Throws Json::exception if an operation does not
+suit the value's type, or if an index or a key does not exist. */
 class Json {
  public:
-  /** What is wrong with a text or with a value: "[json.exception.type_error.302] type must be
+  /** Describes the fault of a text or of a value: "[json.exception.type_error.302] type must be
   string, but is number". */
   class exception : public std::exception {
    public:
@@ -44,12 +44,12 @@ class Json {
     kNull,
     kBoolean,
     kInteger,
-    kUnsigned,  ///< as whole numbers without a sign are parsed
+    kUnsigned,  ///< type of parsed integers without a sign
     kFloat,
     kString,
     kArray,
     kObject,
-    kDiscarded  ///< of a text that is no JSON
+    kDiscarded  ///< result of parsing invalid text
   };
   using array_t = std::vector<Json>;
   using object_t = std::vector<std::pair<std::string, Json>>;  ///< each key once
@@ -75,9 +75,8 @@ class Json {
   Json(array_t items);
   Json(object_t members);
   template <class T>
-  Json(const T* pointer) = delete;  // it would be true or false
-  /** An object, where each item is a list of a text and a value: the key and its value; else a
-  list. */
+  Json(const T* pointer) = delete;  // would convert to bool
+  /** Makes an object if each item is a list of a string (key) and a value; otherwise a list. */
   Json(std::initializer_list<JsonItem> items);
   template <class T>
   Json(const std::vector<T>& items) : Json(array_t(items.begin(), items.end())) {}
@@ -94,7 +93,7 @@ class Json {
   }
   Json& operator=(const Json& other) { return *this = Json(other); }
   Json& operator=(Json&& other) noexcept {
-    Json taken(std::move(other));  // before this value goes, which may hold the other
+    Json taken(std::move(other));  // first, because this value may contain the other
     std::swap(type_, taken.type_);
     std::swap(integer_, taken.integer_);
     return *this;
@@ -106,11 +105,12 @@ class Json {
   static Json array() { return array_t(); }
   static Json array(std::initializer_list<JsonItem> items);
   static Json object() { return object_t(); }
-  /** @throws exception with line and column. */
+  /** Parses a text. @throws exception with line and column. */
   static Json parse(std::string_view text);
-  /** Discarded where the text is no JSON. */
+  /** Parses a text; returns a discarded value if it is not valid JSON. */
   static Json try_parse(std::string_view text);
-  /** On one line, or indented; bytes that are not UTF-8 (in names of files) become U+FFFD. */
+  /** Formats the value on one line or indented. Bytes that are not UTF-8 (in file names) become
+  U+FFFD. */
   std::string dump(int indent = -1) const;
 
   Type type() const { return type_; }
@@ -123,20 +123,22 @@ class Json {
   bool is_object() const { return type_ == Type::kObject; }
   bool is_discarded() const { return type_ == Type::kDiscarded; }
 
-  /** The value as a bool, a number, a text, a vector of texts or of numbers, or a map of texts. */
+  /** Returns the value as a bool, number, string, vector of strings or numbers, or map of
+  strings. */
   template <class T>
   T get() const;
   const std::string& str() const;
 
-  /** Of items or members; 0 of null, 1 of any other value. */
+  /** Returns the number of items or members; 0 for null, 1 for any other value. */
   size_t size() const;
   bool empty() const { return size() == 0; }
-  /** Items of a list, values of an object; any other value is its own item, null has none. */
+  /** Iterate over the items of a list or the values of an object. Any other value is its own single
+  item; null has none. */
   const_iterator begin() const;
   const_iterator end() const;
   iterator begin();
   iterator end();
-  /** Keys with values; none of null. */
+  /** Returns the keys with their values; none for null. */
   const object_t& items() const;
   object_t& items();
 
@@ -147,30 +149,30 @@ class Json {
   const Json& operator[](size_t index) const;
   const Json& operator[](std::string_view key) const;
   Json& operator[](size_t index) { return const_cast<Json&>(std::as_const(*this)[index]); }
-  /** Adds the key with null where it is not there; null becomes an object. */
+  /** Adds the key with the value null if it is absent; null becomes an object. */
   Json& operator[](std::string_view key);
   const Json& front() const { return at(0); }
   const Json& back() const { return at(size() - 1); }
   Json& front() { return at(0); }
   Json& back() { return at(size() - 1); }
 
-  /** The key's value; null: it is not there, or this is no object. */
+  /** Returns the key's value; nullptr if the key is absent or this is not an object. */
   const Json* find(std::string_view key) const;
   bool contains(std::string_view key) const { return find(key) != nullptr; }
-  /** The key's value, or the fallback where it is not there. */
+  /** Returns the key's value, or the fallback if the key is absent. */
   template <class T>
   T value(std::string_view key, const T& fallback) const;
   std::string value(std::string_view key, const char* fallback) const;
 
-  /** Null becomes a list. */
+  /** Appends an item; null becomes a list. */
   void push_back(Json item);
-  /** Sets the members that `other` has; null becomes an object. */
+  /** Sets all members of `other` here; null becomes an object. */
   void update(const Json& other);
-  /** Adds the key where it is not there; null becomes an object. */
+  /** Adds the key if it is absent; null becomes an object. */
   void emplace(std::string_view key, Json item);
   void erase(std::string_view key);
 
-  /** Numbers are equal by value, objects with the same keys in the same order. */
+  /** Numbers compare by value, objects by keys in the same order. */
   friend bool operator==(const Json& a, const Json& b) { return a.IsEqual(b); }
   friend bool operator!=(const Json& a, const Json& b) { return !a.IsEqual(b); }
   friend std::ostream& operator<<(std::ostream& out, const Json& json);
@@ -195,7 +197,7 @@ class Json {
   };
 };
 
-/** An item of a list in braces, to be moved from. */
+/** An item of an initialiser list, to be moved from. */
 class JsonItem {
  public:
   JsonItem() = default;
@@ -237,7 +239,7 @@ class Json::Iterator {
 
  private:
   Value* item_ = nullptr;
-  Member* member_ = nullptr;  ///< of an object, null elsewhere
+  Member* member_ = nullptr;  ///< of an object; otherwise null
 };
 
 inline Json::const_iterator Json::begin() const {
@@ -289,22 +291,22 @@ T Json::value(std::string_view key, const T& fallback) const {
   return found != nullptr ? found->get<T>() : fallback;
 }
 
-/** A number, or null when it is not finite. */
+/** Returns a number, or null if it is not finite. */
 inline Json JsonNumber(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-/** A number, or NaN for null. */
+/** Returns a number, or NaN for null. */
 double NumberFrom(const Json& json);
-/** A whole number that fits. @throws Error(kFormat). */
+/** Returns an integer. @throws Error(kFormat) if it is not one that fits. */
 int IntFrom(const Json& json);
 
-/** On one line, or indented. */
+/** Formats a value on one line or indented. */
 inline std::string FormatJson(const Json& json, int indent = -1) { return json.dump(indent); }
 
 Json JsonVector(const Eigen::Vector3d& v);
-/** Any number of numbers: joint angles, a point of a search. */
+/** Returns a list of any length: joint angles, a point of a search. */
 Json JsonAngles(const Eigen::VectorXd& q);
 Eigen::VectorXd AnglesFrom(const Json& json);
-/** {"p_m": [x, y, z], "R": three rows}. A matrix, not a quaternion, so that reading gives the very
-same pose. */
+/** Returns {"p_m": [x, y, z], "R": three rows}. The rotation is a matrix rather than a quaternion,
+so that reading returns exactly the same pose. */
 Json JsonPose(const Pose& X);
 Eigen::Vector3d VectorFrom(const Json& json);
 Pose PoseFrom(const Json& json);

@@ -1,10 +1,10 @@
 #pragma once
 /** @file
-Values as MessagePack (msgpack.org, specification of 2017), the part of it that controllers of hands
-speak: nil, truth values, numbers, texts, bytes, lists, maps; no extension types. An array of numbers
-is a map with the keys `__ndarray__` (true), `data` (raw bytes), `dtype` (numpy's, as "<f8") and
-`shape`; keys are written as bytes and read as bytes or text. Such a map is read as an array, and one
-with `__npgeneric__`, whose `data` are raw bytes or a number, as a scalar. */
+Values as MessagePack (msgpack.org, specification of 2017), restricted to what controllers of hands
+use: nil, booleans, numbers, strings, bytes, lists and maps; no extension types. An array of numbers
+is a map with the keys `__ndarray__` (true), `data` (raw bytes), `dtype` (as in numpy: "<f8") and
+`shape`. Keys are written as bytes and read as bytes or strings. Such a map is read as an array; a
+map with `__npgeneric__`, whose `data` are raw bytes or a number, is read as a scalar. */
 
 #include <cstddef>
 #include <cstdint>
@@ -16,7 +16,7 @@ with `__npgeneric__`, whose `data` are raw bytes or a number, as a scalar. */
 
 namespace graspbench {
 
-/** Numbers with a shape, the last index fastest; an empty shape is a single number. */
+/** Numbers with a shape, last index fastest; an empty shape is a single number. */
 struct PackedArray {
   std::vector<size_t> shape;
   std::vector<double> values;
@@ -24,16 +24,16 @@ struct PackedArray {
 
 struct PackedValue {
   using List = std::vector<PackedValue>;
-  using Map = std::vector<std::pair<std::string, PackedValue>>;  ///< keys of text or bytes
+  using Map = std::vector<std::pair<std::string, PackedValue>>;  ///< keys: strings or bytes
 
   std::variant<std::monostate, bool, double, std::string, List, Map, PackedArray> value;
 
-  /** That of a key of a map; null: it is none, or has no such key. */
+  /** Returns the value of a key; null if this is not a map or has no such key. */
   const PackedValue* Find(std::string_view key) const;
   const std::string* text() const { return std::get_if<std::string>(&value); }
 };
 
-/** Writes one value after the other; those of a map and of a list follow its head. */
+/** Writes values in sequence; the values of a map or list follow its head. */
 class MessagePackWriter {
  public:
   void Map(size_t num_pairs);
@@ -42,12 +42,12 @@ class MessagePackWriter {
   void Bool(bool value);
   void Integer(uint64_t value);
   void Number(double value);
-  /** @pre as many values as the shape has places. */
+  /** @pre the number of values matches the shape. */
   void Array(const double* values, const std::vector<size_t>& shape);
   void Array(const std::vector<double>& values) { Array(values.data(), {values.size()}); }
-  /** @param data  of an array of that type of numpy, little endian: "<f4", "|u1". */
+  /** @param data  little-endian content of an array of numpy's type `dtype`: "<f4", "|u1". */
   void RawArray(std::string_view data, const char* dtype, const std::vector<size_t>& shape);
-  /** What was read, with arrays of float64. */
+  /** Writes a value as it was read; arrays become float64. */
   void Value(const PackedValue& value);
   void Texts(const std::vector<std::string>& texts);
 
@@ -62,13 +62,15 @@ class MessagePackWriter {
   std::string bytes_;
 };
 
-/** One value that fills all of `bytes`. Arrays of dtype f4, f8, i1 to i8, u1 to u8 and bool, little
-endian, are read.
-@throws Error(kFormat) saying what is wrong, and at which byte. */
+/** Parses one value that fills all of `bytes`. Supported arrays are little endian with dtype f4,
+f8, i1 to i8, u1 to u8 or bool.
+@throws Error(kFormat) with the fault and its byte offset. */
 PackedValue ParseMessagePack(std::string_view bytes);
 
-/** An array, a number, or a list of numbers or of equally long such lists, as an array.
-@throws Error(kFormat) for anything else. @param name  of the value, for the message. */
+/** Converts a value to an array: an array, a number, a list of numbers, or a list of equally long
+such lists.
+@param name  name of the value for messages.
+@throws Error(kFormat) for anything else. */
 PackedArray ReadPackedArray(const PackedValue& value, const std::string& name);
 
 }  // namespace graspbench

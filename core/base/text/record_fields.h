@@ -13,13 +13,15 @@ Records as plain structs. A struct lists each of its fields once:
       }
     };
 
-and that one listing drives writing and reading JSON, and, for the fields with a FieldColumn, the
-columns of a table with their schema. A field is a double (null: not finite), int, bool, text,
-vector of angles, pose, another such struct, a vector of fields, or any type with ToJson(value) and
-ReadJson(json, value) in its namespace. A field of a member that is a struct is listed with both
-members, one that is no member with functions: Json(const Record&), void(const Json&, Record&) and,
-to be read straight from text, void(JsonCursor&, Record&). With FieldMayMiss a number that is not
-finite is left out instead of null; an optional member without a value is left out, too. */
+This listing drives writing and reading JSON. For fields with a FieldColumn it also defines the
+columns of a table and their schema.
+
+A field is a double (null: not finite), int, bool, string, vector of angles, pose, another such
+struct, a vector of fields, or any type with ToJson(value) and ReadJson(json, value) in its
+namespace. A field of a nested struct is listed with both member pointers. A field that is not a
+member is listed with functions: Json(const Record&), void(const Json&, Record&) and, for direct
+reading from text, void(JsonCursor&, Record&). With FieldMayMiss a non-finite number is omitted
+instead of written as null. An optional member without a value is omitted, too. */
 
 #include <Eigen/Core>
 #include <cmath>
@@ -35,7 +37,7 @@ finite is left out instead of null; an optional member without a value is left o
 
 namespace graspbench {
 
-/** What a table says of a field besides its name and type. */
+/** Attributes of a field's column in a table, besides its name and type. */
 struct FieldColumn {
   const char* unit;     ///< "s", "m", ...; empty: none
   const char* meaning;  ///< one sentence
@@ -45,7 +47,7 @@ struct FieldMayMiss {};
 
 template <class Record>
 Json RecordToJson(const Record& record);
-/** @throws Json::exception or Error(kFormat) when a key is missing or of another type. */
+/** @throws Json::exception or Error(kFormat) if a key is missing or a value has the wrong type. */
 template <class Record>
 void ReadRecord(const Json& json, Record& record);
 
@@ -136,12 +138,12 @@ struct FieldWriter {
   }
 };
 
-/** Where the fields of a record come from: an object's members by their keys. */
+/** Source of a record's fields: the members of a JSON object, by key. */
 class JsonFields {
  public:
   explicit JsonFields(const Json& json) : json_(json) {}
 
-  /** Whether there is such a key; the value is then read next. */
+  /** Returns whether the key exists; if so, its value is read next. */
   bool Find(const char* key) {
     next_ = json_.find(key);
     return next_ != nullptr;
@@ -196,7 +198,7 @@ struct FieldReader {
 
 }  // namespace internal
 
-/** In the order of the listing. */
+/** Writes the fields in the order of the listing. */
 template <class Record>
 Json RecordToJson(const Record& record) {
   Json json = Json::object();
@@ -210,7 +212,8 @@ void ReadRecord(const Json& json, Record& record) {
   Record::ListFields(internal::FieldReader<internal::JsonFields, Record>{fields, record});
 }
 
-/** A column of a table whose rows hold the record. @param take  const Record&(const Row&). */
+/** Makes a column of a table whose rows contain the record.
+@param take  const Record&(const Row&). */
 template <class Row, class Record, class T, class Take>
 CsvColumn<Row> MakeFieldColumn(const char* key, T Record::*member, const FieldColumn& about,
                                Take take) {
@@ -221,7 +224,8 @@ CsvColumn<Row> MakeFieldColumn(const char* key, T Record::*member, const FieldCo
           }};
 }
 
-/** Takes the fields that have a column from a listing. @param take  const Record&(const Row&). */
+/** Collects the columns of the fields that have one.
+@param take  const Record&(const Row&). */
 template <class Row, class Record, class Take>
 struct FieldColumnCollector {
   std::vector<CsvColumn<Row>>& columns;
@@ -240,17 +244,17 @@ struct FieldColumnCollector {
   void operator()(const char*, const Other&...) const {}
 };
 
-/** Adds the columns of a record's fields. @param take  as above. */
+/** Adds the columns of a record's fields.
+@param take  as above. */
 template <class Record, class Row, class Take>
 void AddFieldColumns(Take take, std::vector<CsvColumn<Row>>& columns) {
   Record::ListFields(FieldColumnCollector<Row, Record, Take>{columns, take});
 }
 
-/** Records (record_fields.h) straight from the text that RecordToJson and FormatJson made of them,
-in the listing's order. Where the text is not just so, the cursor fails, and ReadRecord of the
-parsed text has the last word, about its faults too.
-
-The members of an object, without its braces. @pre `record` is new. */
+/** Reads the members of an object, without its braces, directly from text that RecordToJson and
+FormatJson wrote, in the listing's order. At any deviation the cursor fails. The caller then parses
+the text and uses ReadRecord, which also reports faults.
+@pre `record` is default-constructed. */
 template <class Record>
 void ReadFieldsText(JsonCursor& text, Record& record, bool is_first = true);
 
@@ -261,7 +265,8 @@ void ReadRecordText(JsonCursor& text, Record& record) {
   text.Demand("}");
 }
 
-/** One record after the other until the list's end. @param read  of the next one. */
+/** Reads a list item by item.
+@param read  reads the next item. */
 template <class Read>
 void ReadListText(JsonCursor& text, Read read) {
   text.Demand("[");
@@ -295,14 +300,14 @@ inline void ReadPoseText(JsonCursor& text, Pose& pose) {
   if (!text.has_failed()) pose = MakePose(R_transposed.transpose(), p);
 }
 
-/** By way of JSON: an enumeration's name, a text with other letters than ASCII, a rare type. */
+/** Reads a value through Json: an enumeration's name, a non-ASCII string, a rare type. */
 template <class Use>
 void UseJsonText(JsonCursor& text, Use use) {
   const Json json = Json::try_parse(text.ReadValue());
   if (text.has_failed() || json.is_discarded()) return text.Fail();
   try {
     use(json);
-  } catch (const std::exception&) {  // of the JSON library, or an Error of a value
+  } catch (const std::exception&) {  // from the JSON library, or an Error from a value
     text.Fail();
   }
 }
@@ -340,7 +345,7 @@ void ReadFieldText(JsonCursor& text, T& value) {
       try {
         ReadField(Json(plain), value);
         text = ahead;
-      } catch (const std::exception&) {  // of the JSON library, or an Error of a value
+      } catch (const std::exception&) {  // from the JSON library, or an Error from a value
         text.Fail();
       }
     }

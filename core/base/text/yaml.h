@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-YAML with positions: every wrong key or value is reported with file and line, all at once.
+YAML with positions: all wrong keys and values are reported together, with file and line.
 
     Diagnostics problems;
     const YAML::Node root = LoadYaml(path, problems);
@@ -24,31 +24,32 @@ namespace graspbench {
 
 enum class Needed { kYes, kNo };
 
-/** Reads a YAML file. A syntax error goes into `problems` with its line and gives a null node. */
+/** Reads a YAML file. A syntax error is added to `problems` with its line, and a null node is
+returned. */
 YAML::Node LoadYaml(const std::filesystem::path& path, Diagnostics& problems);
-/** The same for text in memory; `file` is its name in messages. */
+/** Parses YAML text; `file` is its name in messages. */
 YAML::Node ParseYaml(const std::string& text, const std::string& file, Diagnostics& problems);
 
-/** One-based line of a node, 0 when unknown. */
+/** Returns the one-based line of a node; 0 if unknown. */
 int LineOf(const YAML::Node& node);
 
 class YamlMap {
  public:
-  /** @param where   what this map is, for messages: "grasp g2".
-  @param keys    the format's rows: numbers must lie in their ranges. Null: none.
-  @param prefix  of this map's keys there: "palm.". */
+  /** @param where   name of this map for messages: "grasp g2".
+  @param keys    rows of the format with the ranges of its numbers; null: none.
+  @param prefix  prefix of this map's keys in `keys`: "palm.". */
   YamlMap(const YAML::Node& node, std::string file, std::string where, Diagnostics& problems,
           const FileKeys* keys = nullptr, std::string prefix = "");
 
   bool Has(const std::string& key) const;
-  /** A text, number, whole number, truth value, vector of three, or list of numbers or texts. */
+  /** Reads a string, number, integer, boolean, vector of three, or list of numbers or strings. */
   template <class T>
   void Read(const std::string& key, T& value, Needed needed = Needed::kYes);
-  /** A child node of any shape; marks the key as known. Null when absent. */
+  /** Returns a child node of any type and marks the key as known; null if absent. */
   YAML::Node Child(const std::string& key, Needed needed = Needed::kYes);
-  /** Records a problem at the line of `key` (or of the map when absent). */
+  /** Reports a problem at the line of `key`, or at the line of the map if the key is absent. */
   void Fail(const std::string& key, const std::string& text);
-  /** Every key nobody asked for is an error with a suggestion, and so is a key given twice. Call
+  /** Reports every key that was never requested, with a suggestion, and every duplicate key. Call
   once, last. */
   void FinishKnownKeys();
 
@@ -65,14 +66,15 @@ class YamlMap {
   std::vector<std::string> known_;
 };
 
-/** For tests: while it lives, what maps with rows are asked for on this thread. */
+/** For tests: records, during its lifetime, the keys that this thread requests from maps with
+rows. */
 class KeyRecorder {
  public:
   KeyRecorder();
   ~KeyRecorder();
   KeyRecorder(const KeyRecorder&) = delete;
   KeyRecorder& operator=(const KeyRecorder&) = delete;
-  /** In the order of asking, each once; without meaning and range. */
+  /** Each requested key once, in the order of requests; without meaning and range. */
   const FileKeys& keys() const { return keys_; }
 
  private:
@@ -81,11 +83,13 @@ class KeyRecorder {
   KeyRecorder* outer_;
 };
 
-/** In double quotes, as YAML and JSON have them. Bytes that are no UTF-8 become U+FFFD. */
+/** Formats a string in double quotes, as in YAML and JSON. Bytes that are not UTF-8 become
+U+FFFD. */
 std::string QuoteYaml(const std::string& text);
 
-/** As it is where that can only be read as this text: letters, digits, _, - and points behind a
-letter, and no word that YAML takes for something else. Else in quotes. */
+/** Returns the text unchanged if YAML can only read it as this string, otherwise quoted. Unquoted
+text begins with a letter and has only letters, digits, _, - and points. It is no word that has
+another meaning in YAML, such as "yes". */
 std::string FormatYamlWord(const std::string& text);
 
 }  // namespace graspbench

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 constexpr int kSegments = 24;
 
-/** An outline in a plane z = const: a superellipse about (x, y). Millimetres, as on a drawing. */
+/** An outline in a plane z = const: a superellipse about (x, y), in millimetres. */
 struct Section {
   double z_mm, x_mm, y_mm, half_x_mm, half_y_mm;
 };
@@ -33,8 +33,8 @@ Ring MakeRing(const Section& s, double exponent) {
   return ring;
 }
 
-/** A smooth body through sections from small to large z, its ends rounded by `round_mm` inwards.
-`exponent` 2 gives ellipses, larger ones approach boxes. */
+/** A smooth body through sections of increasing z, with its ends rounded inwards by `round_mm`. An
+`exponent` of 2 gives ellipses; larger ones approach boxes. */
 TriMesh MakeBody(const std::vector<Section>& sections, double exponent, double round_mm) {
   constexpr int kArc = 4;
   std::vector<Ring> rings;
@@ -70,7 +70,7 @@ TriMesh Joined(const std::vector<TriMesh>& parts) {
   return whole;
 }
 
-/** A joint's barrel about x at z_mm, with a bolt on either side. */
+/** Barrel of a joint about x at z_mm, with a bolt on either side. */
 TriMesh MakeBarrel(double radius_mm, double half_length_mm, double z_mm = 0.0) {
   const double r = MFromMm(radius_mm), h = MFromMm(half_length_mm), bevel = MFromMm(1.0);
   const double bolt = 0.5 * r, out = h + MFromMm(0.6);
@@ -88,8 +88,8 @@ TriMesh MakeBarrel(double radius_mm, double half_length_mm, double z_mm = 0.0) {
   return Moved(barrel, MakePose(MakeRotationRpy(0.0, 0.5 * kPi, 0.0), {0.0, 0.0, MFromMm(z_mm)}));
 }
 
-/** The bone of a phalanx from joint to joint: slimmer in the middle, towards the back of the hand
-(+y). `r_mm` is the contact radius about the z axis. */
+/** Bone of a phalanx from joint to joint: slimmer in the middle, offset towards the back of the
+hand (+y). `r_mm` is the contact radius about the z axis. */
 TriMesh MakeBone(double r_mm, double length_mm) {
   const double first = 0.16 * length_mm, last = length_mm - 0.55 * r_mm;
   return MakeBody({{first, 0.0, 0.1 * r_mm, 0.86 * r_mm, 0.86 * r_mm},
@@ -98,7 +98,7 @@ TriMesh MakeBone(double r_mm, double length_mm) {
                   3.2, 0.2 * r_mm);
 }
 
-/** The flesh on the inside (-y) of a phalanx, reaching out to the contact radius. */
+/** Flesh on the inside (-y) of a phalanx, extending to the contact radius. */
 TriMesh MakeFlesh(double r_mm, double from_mm, double to_mm) {
   const double middle = 0.5 * (from_mm + to_mm);
   return MakeBody({{from_mm, 0.0, -0.40 * r_mm, 0.78 * r_mm, 0.48 * r_mm},
@@ -107,8 +107,8 @@ TriMesh MakeFlesh(double r_mm, double from_mm, double to_mm) {
                   2.4, 0.35 * r_mm);
 }
 
-/** A fingertip: the hull of a ball A on the z axis and a smaller one B nearer to the tip and to the
-inside (-y), as hand.urdf has them for contact. */
+/** A fingertip: the hull of a ball A on the z axis and a smaller ball B nearer to the tip and to
+the inside (-y), as the contact shapes in hand.urdf. */
 struct Fingertip {
   double r_A_mm, z_A_mm;
   double r_B_mm, y_B_mm, z_B_mm;
@@ -129,7 +129,7 @@ TriMesh MakeFingertipFlesh(const Fingertip& tip) {
                                     MFromMm(tip.r_B_mm), 32)});
 }
 
-/** A nail on the back (+y) of a fingertip, along the line that touches both balls. */
+/** A nail on the back (+y) of a fingertip, along the line that is tangent to both balls. */
 TriMesh MakeNail(const Fingertip& tip) {
   const double r = tip.r_A_mm;
   const double distance = std::hypot(tip.y_B_mm, tip.z_B_mm - tip.z_A_mm);
@@ -156,7 +156,7 @@ TriMesh MakeTipHolder(double r_mm, double tip_mm) {
                   2.4, 0.12 * r_mm);
 }
 
-/** Muscles, or hoses, side by side on a ring that narrows upwards. */
+/** Muscles or hoses, side by side on a ring that narrows upwards. */
 TriMesh MakeMuscles(int count, double ring_mm, double radius_mm, double from_mm, double to_mm) {
   std::vector<TriMesh> muscles;
   for (int i = 0; i < count; ++i) {
@@ -229,7 +229,7 @@ void AddShadowPalm(const AddMesh& add) {
 }
 
 void AddShadowForearm(const AddMesh& add) {
-  // Along z of a frame that is turned to the palm's own axes in hand.urdf.
+  // Along z of a frame that is rotated to the palm's own axes in hand.urdf.
   add("lfmetacarpal", MakeBody({{-8.0, 8.0, 1.0, 6.0, 7.0},
                                 {8.0, 2.0, 1.5, 10.5, 8.5},
                                 {36.0, 0.0, 1.5, 11.0, 8.5},
@@ -263,7 +263,7 @@ void AddShadow(std::map<std::string, TriMesh>& meshes) {
 }
 
 void AddTum(std::map<std::string, TriMesh>& meshes) {
-  // The finger is made like Shadow's, pad towards -y, and turned to the TUM Hand's +x.
+  // The finger is built like Shadow's, with its pad towards -y, and rotated to the TUM Hand's +x.
   const auto add = [&](const std::string& name, const TriMesh& mesh) {
     meshes["tum/meshes/" + name + ".obj"] =
         Moved(mesh, MakePose(MakeRotationRpy(0.0, 0.0, 0.5 * kPi), Vector3d::Zero()));

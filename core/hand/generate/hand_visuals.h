@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-The looks of the project's hands: meshes made from a few numbers, so that they can be changed and
-made again. They are seen only; what touches stands in hand.urdf as `<collision>`. */
+Visual meshes of the project's hands, generated from a few numbers so that they can be changed and
+regenerated. They do not affect contact, which uses the `<collision>` shapes of hand.urdf. */
 
 #include <map>
 #include <string>
@@ -10,8 +10,8 @@ made again. They are seen only; what touches stands in hand.urdf as `<collision>
 
 namespace graspbench {
 
-/** All meshes by their path below core/hand/models, e.g. "shadow/meshes/palm.obj"; each in the
-frame of its link [m]. */
+/** All meshes by their path below core/hand/models, e.g. "shadow/meshes/palm.obj", each in its
+link's frame [m]. */
 std::map<std::string, TriMesh> MakeHandVisuals();
 
 }  // namespace graspbench

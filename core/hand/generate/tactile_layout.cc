@@ -13,10 +13,10 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kNumRounds = 200;
-constexpr double kDensity = 7e4;  // of elements on a fingertip [1/m^2]
+constexpr double kDensity = 7e4;  // density of elements on a fingertip [1/m^2]
 constexpr int kFingertipElements = 34;
 
-/** To what a file has: 0.01 mm. */
+/** Rounds to the resolution of the file: 0.01 mm. */
 Vector3d Round(const Vector3d& p) { return (p * 1e5).array().round() / 1e5; }
 
 size_t FindNearest(const std::vector<SurfacePoint>& points, const Vector3d& p) {
@@ -27,7 +27,7 @@ size_t FindNearest(const std::vector<SurfacePoint>& points, const Vector3d& p) {
   return static_cast<size_t>(nearest - points.begin());
 }
 
-/** Each as far as can be from those before. */
+/** Chooses points, each as far as possible from those before. */
 std::vector<TactileElement> Scatter(const SensedPart& part, const std::vector<SurfacePoint>& points,
                                     int count) {
   std::vector<TactileElement> elements;
@@ -50,7 +50,7 @@ double CalcTotalArea(const std::vector<SurfacePoint>& points) {
   return area;
 }
 
-/** Backwards from the tip as far as so many elements at the known density need, to 0.1 mm. */
+/** Extends the fingertip backwards by steps of 0.1 mm until its elements have the known density. */
 SensedPart MakeFingertip(const Hand& hand, int link) {
   SensedPart part{link, -Vector3d::UnitY(), Vector3d::UnitZ(), 0.04};
   while (CalcTotalArea(SampleSurface(hand, part)) < kFingertipElements / kDensity) {

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-Where the tactile elements of the project's hands lie. Their number is known, their places are
-proposals: centres of cells of nearly equal area. */
+Layout of the tactile elements of the project's hands. Their number is published; their positions
+are proposals: centres of cells of nearly equal area. */
 
 #include <string>
 #include <vector>
@@ -11,12 +11,13 @@ proposals: centres of cells of nearly equal area. */
 
 namespace graspbench {
 
-/** Cuts a surface into `count` cells (Lloyd 1982, from the points farthest from each other) and
-puts an element into the middle of each. @pre there are as many points. */
+/** Partitions a surface into `count` cells (Lloyd 1982, starting from the points farthest apart)
+and places an element at the centre of each. @pre there are at least `count` points. */
 std::vector<TactileElement> PlaceElements(const SensedPart& part,
                                           const std::vector<SurfacePoint>& points, int count);
 
-/** tactile.yaml of a form of the Shadow Hand ("shadow..."), else of the TUM Hand, in full. */
+/** The complete tactile.yaml of a variant of the Shadow Hand ("shadow..."), otherwise of the TUM
+Hand. */
 std::string MakeTactileYaml(const Hand& hand);
 
 }  // namespace graspbench

@@ -16,10 +16,10 @@ using Eigen::VectorXd;
 
 constexpr int kCourseSamples = 33;     // of the drive's range
 constexpr double kClosure = 1e4;       // weight of a point's distance [1/m]
-constexpr double kSpring = 1.0;        // of the stiffest spring's angle [1/rad]
-constexpr double kStay = 0.01;         // of a joint without spring, from where it was [1/rad]
-constexpr double kLargestGap = 0.001;  // [m] of a loop that counts as closed
-constexpr double kStill = 0.01;        // ratio of a joint that does not move with the drive
+constexpr double kSpring = 1.0;        // weight of the stiffest spring's angle [1/rad]
+constexpr double kStay = 0.01;         // weight of the motion of a joint without spring [1/rad]
+constexpr double kLargestGap = 0.001;  // gap of a loop that counts as closed [m]
+constexpr double kStill = 0.01;        // ratio below which a joint does not move with the drive
 
 int LeaderOf(const ForeignHand& hand, int joint) {
   const auto& mimic = hand.joints[static_cast<size_t>(joint)].mimic;
@@ -29,7 +29,7 @@ int LeaderOf(const ForeignHand& hand, int joint) {
 /** Moving joints from a link up to the root. */
 std::vector<int> JointsAbove(const ForeignHand& hand, int link) {
   std::vector<int> above;
-  for (size_t j = hand.joints.size(); j-- > 0;) {  // children stand behind their parents
+  for (size_t j = hand.joints.size(); j-- > 0;) {  // children follow their parents
     if (hand.joints[j].child != link) continue;
     if (hand.joints[j].kind != ForeignJoint::Kind::kFixed) above.push_back(static_cast<int>(j));
     link = hand.joints[j].parent;
@@ -37,7 +37,7 @@ std::vector<int> JointsAbove(const ForeignHand& hand, int link) {
   return above;
 }
 
-/** Of all links in the root, for positions of joints that follow nobody. */
+/** Poses of all links in the root, for positions of joints that follow no other. */
 std::vector<Pose> CalcPoses(const ForeignHand& hand, const std::map<int, double>& q) {
   std::vector<Pose> X_RL(hand.links.size(), Pose::Identity());
   for (size_t j = 0; j < hand.joints.size(); ++j) {
@@ -71,7 +71,7 @@ class Linkage {
     }
   }
 
-  /** Positions of the passive joints, with the drive at `q_drive`, from those nearby. */
+  /** Solves for the passive joints, with the drive at `q_drive`, from a nearby solution. */
   VectorXd Solve(double q_drive, const VectorXd& start) const;
   double CalcLargestGap(double q_drive, const VectorXd& q) const {
     return CalcResiduals(q_drive, q, q).head(3 * num_points()).cwiseAbs().maxCoeff() / kClosure;
@@ -162,7 +162,7 @@ Course FollowDrive(const Linkage& linkage, const ForeignJoint& drive, Eigen::Ind
   Course course;
   course.q_drive = VectorXd::LinSpaced(kCourseSamples, drive.lower, drive.upper);
   course.q.resize(kCourseSamples, num_passive);
-  Eigen::Index nearest = 0;  // to zero, where the loops are closed
+  Eigen::Index nearest = 0;  // position nearest to zero, where the loops are closed
   course.q_drive.cwiseAbs().minCoeff(&nearest);
   for (const int direction : {1, -1}) {
     VectorXd q = VectorXd::Zero(num_passive);
@@ -175,7 +175,7 @@ Course FollowDrive(const Linkage& linkage, const ForeignJoint& drive, Eigen::Ind
   return course;
 }
 
-/** Ties the passive joints to the drive by their nearest lines. */
+/** Couples the passive joints to the drive by their best-fitting lines. */
 void Tie(const Course& course, int drive, const std::vector<int>& passive, int line,
          const std::string& file, Diagnostics& problems, ForeignHand& hand) {
   Eigen::MatrixX2d basis(kCourseSamples, 2);

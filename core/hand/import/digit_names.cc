@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** The digit that a link's or joint's name tells: "TH", "FF", ...; empty: none. */
+/** Digit that the name of a link or joint suggests: "TH", "FF", ...; empty: none. */
 std::string FindNamedDigit(const std::string& name) {
   const std::string text = ToLower(name);
   const std::vector<std::pair<const char*, const char*>> words = {
@@ -27,7 +27,7 @@ std::string FindNamedDigit(const std::string& name) {
                             std::string(word) == "ring";  // "spring", "string"
     if (!is_in_word) return id;
   }
-  // Shadow's way: rh_ffdistal, lh_THJ1.
+  // Names of the Shadow Hand: rh_ffdistal, lh_THJ1.
   for (const char* prefix : {"", "rh_", "lh_", "r_", "l_", "right_", "left_"}) {
     if (text.compare(0, std::string(prefix).size(), prefix) != 0) continue;
     const std::string rest = text.substr(std::string(prefix).size());

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-ImportHand behind the fence (core/fence/fence.h): a description from elsewhere may be damaged or
+ImportHand behind the fence (core/fence/fence.h), since a foreign description may be damaged or
 malicious. Its meshes are read by readers that graspbench-reader starts. */
 
 #include <string>
@@ -10,14 +10,14 @@ malicious. Its meshes are read by readers that graspbench-reader starts. */
 
 namespace graspbench {
 
-inline constexpr int kHandImportSeconds = 300;  // of processor time: shapes are fitted to meshes
+inline constexpr int kHandImportSeconds = 300;  // processor time: shapes are fitted to meshes
 
-/** As ImportHand, of the file `source.file`; `source.load_mesh` is not used.
+/** As ImportHand, for the file `source.file`; `source.load_mesh` is ignored.
 @throws Error(kNotFound, kIo, kFormat, kEnvironment) as Fence::Read. */
 ImportedFiles ImportHandFile(const HandSource& source, const std::string& palm,
                              Diagnostics& problems);
 
-/** Of graspbench-reader. @param load_mesh  of the description's meshes. */
+/** The reader of hands in graspbench-reader. @param load_mesh  loads the description's meshes. */
 FencedReader MakeHandReader(MeshLoader load_mesh);
 
 }  // namespace graspbench

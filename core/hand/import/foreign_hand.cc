@@ -11,7 +11,7 @@
 namespace graspbench {
 
 void FindDecoration(const std::string& file, Diagnostics& problems, ForeignHand& hand) {
-  // By link: one link of its body, that of all links of the body.
+  // By link: a representative link of its body.
   std::vector<size_t> body(hand.links.size());
   std::iota(body.begin(), body.end(), size_t{0});
   const auto find = [&](size_t link) {
@@ -85,7 +85,7 @@ void ResolveMimics(const std::vector<NamedMimic>& mimics, const std::string& wha
     if (own.count(mimic.joint) == 0) continue;
     ForeignMimic resolved;
     resolved.joint = mimic.joint;
-    size_t steps = 0;  // the other may follow a third
+    size_t steps = 0;  // the leader may follow a third joint
     while (own.count(resolved.joint) != 0 && steps++ <= own.size()) {
       const NamedMimic& next = own.at(resolved.joint);
       resolved.joint = index.at(next.follows);

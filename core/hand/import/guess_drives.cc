@@ -13,21 +13,21 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kMostEffort = 3.0;   // [N m] of a finger's drive that nobody doubts
-constexpr double kMostForce = 200.0;  // [N] of a slide's drive, the same
-/** The strongest electric grippers hold with 235 N between two tips, fingers of hands with less than
-100 N; pneumatic grippers with less than 1 kN for a kilogram of their mass. */
+constexpr double kMostEffort = 3.0;   // [N m], plausible for any finger's drive
+constexpr double kMostForce = 200.0;  // [N], likewise for a slide's drive
+/** The strongest electric grippers hold with 235 N between two tips, fingers of hands with less
+than 100 N, pneumatic grippers with less than 1 kN per kilogram of their mass. */
 constexpr double kMostTipForce = 250.0, kMostFingerForce = 100.0, kMostForceByMass = 1000.0,
                  kMostForceOfAny = 5000.0;
-/** Published stiffness up to here is a finger's; [N m/rad], [N/m]. */
+/** Largest published stiffness that is plausible for a finger; [N m/rad], [N/m]. */
 constexpr double kStiffest = 50.0, kStiffestSlide = 50000.0;
-/** A softer drive sags farther than this under the links that it moves [rad], [m]. */
+/** Largest sag of a plausible drive under the links that it moves [rad], [m]. */
 constexpr double kMostSag = 0.25, kMostSlideSag = 0.005;
-/** Damping over stiffness [s]: no less, or the finger swings; no more, or it crawls. */
+/** Limits of damping over stiffness [s]: below, the finger oscillates; above, it creeps. */
 constexpr double kDampingTime = 0.02, kMostDampingTime = 0.1;
-constexpr int kMostEqual = 3;       // drives of one round effort, or it is a placeholder
-constexpr double kBears = 0.5;      // of the weight of what a drive moves
-constexpr double kFarBeyond = 3.0;  // times what a drive gets, to be told
+constexpr int kMostEqual = 3;       // most drives with the same round effort; more: a placeholder
+constexpr double kBears = 0.5;      // of the weight that a drive moves
+constexpr double kFarBeyond = 3.0;  // times the value used, to be reported
 
 class DriveGuesser {
  public:
@@ -43,7 +43,7 @@ class DriveGuesser {
   }
 
  private:
-  /** What a joint without a published value gets: no more than the weakest of its digit has. */
+  /** Value of a joint without a published one: at most that of the weakest joint of its digit. */
   template <class IsBelieved>
   double GuessDrive(int joint, double ForeignDrive::*value, double otherwise,
                     IsBelieved&& is_believed) const {
@@ -59,7 +59,7 @@ class DriveGuesser {
     return otherwise;
   }
 
-  /** The hand still moves with it. */
+  /** Whether the hand still moves with this stiffness. */
   bool IsStiffnessBelieved(int joint) const {
     const double stiffness = imported_.drives[static_cast<size_t>(joint)].stiffness;
     const bool slides = hand_.joints[joint].is_prismatic;
@@ -67,7 +67,7 @@ class DriveGuesser {
            stiffness * (slides ? kMostSlideSag : kMostSag) >= CalcLoad(joint);
   }
 
-  /** [N m], [N] */
+  /** Largest plausible effort [N m], [N]. */
   double CalcMostEffort(int joint) const {
     if (hand_.joints[joint].is_prismatic) {
       double mass = 0.0;
@@ -78,7 +78,7 @@ class DriveGuesser {
     return std::max(kMostEffort, at_tip * CalcLongestDigit(hand_));
   }
 
-  /** Exporters write 10, 100 or 1000 where nobody knows it. */
+  /** Exporters write 10, 100 or 1000 as placeholders. */
   bool IsEffortBelieved(int joint) const {
     const double effort = imported_.drives[static_cast<size_t>(joint)].effort;
     if (effort <= (hand_.joints[joint].is_prismatic ? kMostForce : kMostEffort))
@@ -93,7 +93,7 @@ class DriveGuesser {
     return effort <= CalcMostEffort(joint) && !(is_round && num_equal > kMostEqual);
   }
 
-  /** What moves with the joint, stretched out [N m], [N]. */
+  /** Load on the joint by the weight of all that it moves, stretched out [N m], [N]. */
   double CalcLoad(int joint) const {
     constexpr double kGravity = 9.81;
     const std::vector<Pose> X_HL = CalcLinkPoses(hand_, CalcClosedPosture(hand_, {}, 0.0));
@@ -142,7 +142,7 @@ class DriveGuesser {
          ") bears less than half of the weight of the links that it moves; is it in another unit?");
   }
 
-  /** Of the drives whose published stiffness is not what they get. */
+  /** Reports the drives whose published stiffness is not used. */
   void TellGains() const {
     std::vector<std::string> told;
     for (int j = 0; j < hand_.num_joints(); ++j) {
@@ -160,7 +160,7 @@ class DriveGuesser {
             "sag by more than 0.25 rad (5 mm); guessed instead");
   }
 
-  /** Of the drives that would crawl, and so get less damping than is published. */
+  /** Reports the drives that would creep and thus get less damping than published. */
   void TellDamping() const {
     std::vector<std::string> told;
     for (int j = 0; j < hand_.num_joints(); ++j) {

@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 constexpr double kSmallestHand = 0.015, kLargestHand = 2.0;  // [m] across
 constexpr double kLongestDigit = 0.4;                        // [m]
 constexpr size_t kMostDigits = 20;
-constexpr double kPadPlace = 0.6;  // of the way from the last joint to the tip
+constexpr double kPadPlace = 0.6;  // share of the distance from the last joint to the tip
 
 class Guesser {
  public:
@@ -64,7 +64,7 @@ class Guesser {
     PlacePads();
     FindThumb();
     NameDigits(hand_);
-    PlacePads();  // in the digits' order
+    PlacePads();  // again, in the final order of digits
     GuessPalm(file_, palm_normal_, facing_, imported_, problems_);
     GuessDrives(file_, imported_, problems_);
   }
@@ -146,7 +146,7 @@ class Guesser {
     hand_.digits = std::move(kept);
   }
 
-  /** A joint outside of the digits that moves some of them, a crank, becomes the follower of the
+  /** A crank is a joint outside the digits that moves some of them. It becomes a follower of the
 digits' joint that it moves most. */
   void DriveDigits() {
     for (int j = 0; j < hand_.num_joints(); ++j) {
@@ -190,7 +190,8 @@ digits' joint that it moves most. */
     }
   }
 
-  /** The farthest point of the last link along the line from its joint through its middle. */
+  /** Places tips: the farthest point of the last link along the line from its joint to its
+  centre. */
   void PlaceTips() {
     for (Digit& digit : hand_.digits) {
       const auto shapes = ListShapesOf(imported_.shapes, digit.distal_link);
@@ -225,7 +226,7 @@ digits' joint that it moves most. */
         facing = along.norm() > 0.5 ? along.unitOrthogonal() : Vector3d(Vector3d::UnitZ());
       }
       facing.normalize();
-      // From the middle of the shapes' section at this height.
+      // From the centre of the shapes' cross-section at this height.
       const Vector3d middle = CalcBounds(shapes).center();
       const Vector3d from = middle + (kPadPlace * digit.p_LTip - middle).dot(along) * along;
       const bool is_inside = CalcLinkDistance(shapes, digit.distal_link, from) <= 0.0;
@@ -248,7 +249,7 @@ digits' joint that it moves most. */
       for (size_t d = 0; d < hand_.digits.size(); ++d) {
         double against = 0.0;
         for (const Vector3d& other : facing_) against -= facing_[d].dot(other);
-        // A digit as good as an earlier one changes nothing: rounding must not choose.
+        // Ties keep the earlier digit, so that rounding does not decide.
         if (against <= most + 0.05) continue;
         most = against;
         thumb = static_cast<int>(d);
@@ -292,7 +293,7 @@ digits' joint that it moves most. */
     return true;
   }
 
-  /** How the point of the digit's last link moves in H while all joints close at one rate. */
+  /** Velocity in H of a point of the digit's last link when all joints close at the same rate. */
   Vector3d CalcClosingMotion(const Digit& digit, const Eigen::VectorXd& q, const Vector3d& p_L) {
     const std::vector<int> closing = FindClosing(hand_);
     const auto calc_point = [&](const Eigen::VectorXd& at) -> Vector3d {
@@ -304,7 +305,7 @@ digits' joint that it moves most. */
     return (calc_point(q + step) - calc_point(q)) / kStep;
   }
 
-  /** Of its tip in H; a fixed jaw comes towards the other as that comes towards it. */
+  /** Velocity of its tip in H; a fixed jaw moves opposite to the other jaw. */
   Vector3d CalcClosing(const Digit& digit, const Eigen::VectorXd& q) {
     if (hand_.links[digit.distal_link].joint >= 0) {
       return CalcClosingMotion(digit, q, digit.p_LTip);
@@ -321,7 +322,8 @@ digits' joint that it moves most. */
   ImportedHand& imported_;
   Hand& hand_;
   Diagnostics& problems_;
-  std::vector<Vector3d> facing_;  // of the digits' pads in H, at the open hand; 0: unknown
+  std::vector<Vector3d> facing_;  // by digit: direction of its pad in H, with the hand open; 0:
+                                  // unknown
 };
 
 }  // namespace

@@ -17,10 +17,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kHalfOpen = 0.5;      // of the open distance
-constexpr double kNearEnough = 0.025;  // [m], near enough whatever the open distance
+constexpr double kHalfOpen = 0.5;      // share of the open distance
+constexpr double kNearEnough = 0.025;  // [m], sufficient whatever the open distance
 constexpr int kMeetingShares = 24, kMeetingSamples = 3000;
-constexpr double kAsNear = 0.01;  // [m] farther apart than where they are nearest
+constexpr double kAsNear = 0.01;  // [m] in excess of the least distance
 
 struct Nearest {
   double gap = std::numeric_limits<double>::infinity();
@@ -32,13 +32,13 @@ class MeetingFinder {
   explicit MeetingFinder(const Hand& hand)
       : hand_(hand), closing_(FindClosing(hand)), open_(CalcClosedPosture(hand, closing_, 0.0)) {}
 
-  /** Nothing: the two do not meet. @param is_first  where they meet first, not where they are
-  nearest. */
+  /** Returns nullopt if the two do not meet. @param is_first  where they meet first, instead of
+  where they are nearest. */
   std::optional<Nearest> Find(const Digit& a, const Digit& b, bool is_first) const {
     Nearest open;
     Try(a, b, open_, open);
     Nearest best = open;
-    std::vector<Nearest> by_closing;  // both shares together
+    std::vector<Nearest> by_closing;  // by the sum of both shares
     for (int sum = 0; sum <= 2 * kMeetingShares; ++sum) {
       Nearest& nearest = by_closing.emplace_back();
       for (int i = std::max(0, sum - kMeetingShares); i <= std::min(sum, kMeetingShares); ++i) {
@@ -126,7 +126,7 @@ std::optional<DigitMeeting> FindMeeting(const Hand& hand, const std::vector<bool
 
 namespace {
 
-constexpr double kAgreement = 0.5;                        // of the pads' directions, mean length
+constexpr double kAgreement = 0.5;                        // mean length of the pads' directions
 constexpr double kPointAway = -0.1;                       // cosine of the thumb and the others
 constexpr double kRises = 0.4, kAcross = 0.25;            // cosines
 constexpr double kSameSide = 0.5;                         // cosine
@@ -135,7 +135,7 @@ constexpr double kNearlyAxis = 0.985;                     // cosine
 constexpr double kLeastHeight = 0.01, kMostDepth = 0.02;  // [m] behind the palm's surface
 constexpr double kFarNormal = kPi / 3.0;                  // [rad] of a given normal from the guess
 
-/** The axis that is nearly met is meant. */
+/** Snaps a direction to an axis that it nearly meets. */
 Vector3d SnapToAxis(const Vector3d& direction, double least_cosine) {
   int longest = 0;
   direction.cwiseAbs().maxCoeff(&longest);
@@ -212,7 +212,7 @@ class PalmGuesser {
       all_facing += facing_[d] / CountTelling();
       (digit.is_thumb ? thumb_facing : facing) += facing_[d];
       (digit.is_thumb ? thumb_along : along) += (p_HTip - p_HBase).stableNormalized();
-      // Where it bends: a spread joint before it may lie elsewhere.
+      // Where it bends, since a spread joint before it may be elsewhere.
       const Vector3d p_HBend = rows[d].joints.empty()
                                    ? p_HBase
                                    : X_HL[hand_.joints[rows[d].joints.front()].link].translation();
@@ -224,8 +224,8 @@ class PalmGuesser {
     }
     facing.stableNormalize();
     along.stableNormalize();
-    // Digits that point away from each other when open, all around the palm, or spread out while
-    // they rise from where their bases lie, face what it faces.
+    // The palm faces with the digits in two cases: they point away from each other when open, all
+    // around the palm, or they spread out while they rise from the plane of their bases.
     const Vector3d both = (facing + thumb_facing).stableNormalized();
     const double apart = thumb_along.stableNormalized().dot(along);
     const bool do_rise = std::min(thumb_along.dot(both), along.dot(both)) > kRises;
@@ -248,7 +248,7 @@ class PalmGuesser {
     return SnapToAxis(normal, kNearlyAxis);
   }
 
-  /** Digits meet at a fixed jaw, not between the bases: what leads to it does not count. */
+  /** Digits meet at a fixed jaw, not between the bases, so its direction is removed. */
   Vector3d LeaveOutFixed(Vector3d direction) const {
     for (size_t d = 0; d < hand_.digits.size(); ++d) {
       if (hand_.links[hand_.digits[d].distal_link].joint >= 0) continue;
@@ -290,7 +290,7 @@ class PalmGuesser {
              "\", however they close";
     }
     TakeMeeting(*meeting);
-    // Digits that bend far pass each other and meet again within the palm.
+    // Digits that bend far pass each other and meet again inside the palm.
     if (height_ <= -kLeastHeight) {
       const auto first = FindMeeting(hand_, is_outward_, true);
       if (first && first->direction.norm() > 0.5) TakeMeeting(*first);
@@ -306,7 +306,7 @@ class PalmGuesser {
     height_ = hand_.palm_normal.dot(meeting.p_H - hand_.p_HCentre);
   }
 
-  /** The middle of the palm's surface. */
+  /** Places the centre of the palm's surface. */
   void PlacePalm() {
     const std::vector<Pose> X_HL = CalcLinkPoses(hand_, CalcClosedPosture(hand_, {}, 0.0));
     const auto shapes = ListShapesOf(imported_.shapes, hand_.palm_link);
@@ -321,7 +321,7 @@ class PalmGuesser {
     }
     hand_.p_HCentre =
         FindSurface(shapes, hand_.palm_link, CalcBounds(shapes).center(), hand_.palm_normal);
-    // What stands for a mesh here may stick out of it.
+    // Fitted shapes may protrude from the mesh.
     double top = -std::numeric_limits<double>::infinity();
     for (const TriMesh& mesh : imported_.solids[static_cast<size_t>(hand_.palm_link)]) {
       for (const Vector3d& p : mesh.vertices) top = std::max(top, hand_.palm_normal.dot(p));
@@ -336,7 +336,7 @@ class PalmGuesser {
   ImportedHand& imported_;
   Hand& hand_;
   const std::vector<bool> is_outward_;  // by digit
-  double height_ = 0.0;                 // of where the digits meet above the palm's surface [m]
+  double height_ = 0.0;                 // of the meeting point above the palm's surface [m]
 };
 
 }  // namespace

@@ -19,7 +19,7 @@ void Add(const Diagnostic& entry, Diagnostics& problems) {
                                      : problems.Warn(entry.file, entry.line, entry.text);
 }
 
-/** What the reader told, but for what concerns alone links and joints that are left out. */
+/** Reports the reader's problems, except those of links and joints that are left out. */
 void TellOfKept(const Diagnostics& told, const ForeignHand& whole, const ForeignHand& kept,
                 Diagnostics& problems) {
   std::set<size_t> of_whole, of_kept;
@@ -41,7 +41,7 @@ ImportedFiles ImportInOrder(const std::string& text, const HandSource& source,
   ForeignHand foreign =
       IsMjcf(text) ? ReadForeignMjcf(text, source.file, source.folder, told, source.in_degrees)
                    : ReadForeignUrdf(text, source.file, told, source.in_degrees);
-  // What a named palm leaves out need not be understood.
+  // Parts that a named palm leaves out may be invalid.
   const ForeignHand whole = foreign;
   const bool is_selected_first = !palm.empty() && !whole.links.empty();
   if (!is_selected_first) TellOfKept(told, whole, whole, problems);

@@ -1,14 +1,14 @@
 #pragma once
 /** @file
-A hand from a foreign description, in the project's own form: `hand.urdf` with balls, cylinders and
-boxes to touch with and OBJ pictures, `hand.yaml` whose guesses are marked, `README.md`, and
-`import.json` with all of it as data (write_hand.h).
+Converts a foreign description of a hand to the project's own form: `hand.urdf` with balls,
+cylinders and boxes for contact and OBJ meshes for display, `hand.yaml` with its guesses marked,
+`README.md`, and `import.json` with all of it as data (write_hand.h).
 
-What can be repaired is repaired and reported as a warning; an error is what nobody can know: what
-touches where a mesh is missing, which link is the palm of an arm, how a ring of joints moves, which
-unit a hand of 100 m is drawn in.
+Faults that can be repaired are repaired and reported as warnings. An error is what cannot be
+inferred: the contact shape of a missing mesh, which link of an arm is the palm, how a ring of
+joints moves, the unit of a hand of 100 m.
 
-Not modelled: torques of a linkage beyond its ratio, tendons, springs, joint friction, textures,
+Not modelled: torques in a linkage beyond its ratio, tendons, springs, joint friction, textures,
 colours within a mesh. */
 
 #include <map>
@@ -26,10 +26,10 @@ struct ImportedFiles {
   std::vector<ContactFit> fits;  ///< as ImportedHand::fits
 };
 
-/** @param text  of the description; `source` says where it lies and reads its meshes.
-@param palm  name of the palm's link; empty: guessed. What a named palm leaves out need neither
-exist nor be understood. @param problems  also what was repaired; with
-an error there are no files. The files load without error (core/hand/load_hand.h). */
+/** @param text  text of the description; `source` gives its location and loads its meshes.
+@param palm  name of the palm's link; empty: guessed. Parts that a named palm leaves out may be
+missing or invalid. @param problems  also receives all repairs; after an error there are no files.
+@returns files that load without error (core/hand/load_hand.h). */
 ImportedFiles ImportHand(const std::string& text, const HandSource& source, const std::string& palm,
                          Diagnostics& problems);
 

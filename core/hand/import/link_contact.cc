@@ -19,7 +19,7 @@ constexpr double kBlocks = 0.0005;          // [m]
 constexpr double kRootOfFreeDigit = 0.025;  // [m] of a joint from the digit's first one
 constexpr int kPostures = 400;
 
-/** Postures that fill the joints' ranges evenly (Kronecker sequence), the ends of each first. */
+/** Postures that fill the joints' ranges evenly (Kronecker sequence), starting with their ends. */
 std::vector<Eigen::VectorXd> ListPostures(const Hand& hand, const std::vector<int>& joints) {
   std::vector<Eigen::VectorXd> postures;
   const auto add = [&](auto&& choose) {
@@ -43,9 +43,9 @@ std::vector<Eigen::VectorXd> ListPostures(const Hand& hand, const std::vector<in
   return postures;
 }
 
-/** How deep the link's shapes get into the palm's while the joints that lead to it move [m]. */
+/** Depth of the link's shapes in the palm's while the joints that lead to it move [m]. */
 double CalcDepth(const ImportedHand& imported, int link, const std::vector<int>& joints) {
-  Hand pair = imported.hand;  // with these two links' capsules alone
+  Hand pair = imported.hand;  // with the capsules of these two links only
   pair.capsules.clear();
   pair.contact_spheres.clear();
   for (const CollisionShape& shape : imported.shapes) {
@@ -93,7 +93,7 @@ bool IsTip(const Hand& hand, int link) {
                      [&](const Digit& digit) { return digit.distal_link == link; });
 }
 
-/** Of the link, as the loader makes them of its shapes. */
+/** Balls of the link, as the loader makes them from its shapes. */
 std::vector<ContactSphere> MakeBalls(const ImportedHand& imported, int link, bool is_pad) {
   Hand alone;
   for (const CollisionShape& shape : imported.shapes) {
@@ -164,7 +164,7 @@ void MeasureLinks(const std::string& file, bool accepts_coarse, const LinkSolids
   imported.fits = MeasureContact(hand, solids);
   for (const ContactFit& fit : imported.fits) {
     const bool is_tip = IsTip(hand, hand.FindLink(fit.link));
-    const bool is_full = static_cast<size_t>(fit.num_balls) >= kMostBalls;  // and leaves holes
+    const bool is_full = static_cast<size_t>(fit.num_balls) >= kMostBalls;  // so holes remain
     const auto count_sink = [&](const ContactError& s) { return is_full ? s.most : s.at_95; };
     const double all = std::max(fit.out.most, count_sink(fit.sink));
     const double palmar = std::max(fit.palmar_out.most, count_sink(fit.palmar_sink));

@@ -11,7 +11,7 @@
 namespace graspbench {
 namespace {
 
-/** What a URDF states, repaired. */
+/** Converts a URDF, with repairs. */
 
 class ForeignUrdfReader {
  public:
@@ -106,7 +106,7 @@ class ForeignUrdfReader {
     }
   }
 
-  /** Limits of many joints beyond a turn: the file is in degrees. */
+  /** Decides from the limits beyond a full turn whether the file is in degrees. */
   void JudgeAngles() {
     if (in_degrees_) return;
     int num_beyond = 0, num_within = 0;
@@ -147,7 +147,7 @@ class ForeignUrdfReader {
 
   const Urdf& urdf_;
   std::string file_;
-  std::optional<bool> in_degrees_;  // limits of joints; nothing: each by itself
+  std::optional<bool> in_degrees_;  // unit of joint limits; nullopt: decided per joint
   Diagnostics& problems_;
   ForeignHand hand_;
   std::vector<NamedMimic> mimics_;

@@ -64,7 +64,7 @@ class HandSelector {
                "\" are taken as an arm and left out: the arm of an experiment carries the palm");
   }
 
-  /** What is above a named palm need not exist. */
+  /** Cuts at missing meshes: parts above a named palm may be missing. */
   void CutAtMissing(int palm, const std::function<bool(const ForeignLink&)>& lacks_mesh) {
     if (root_ == palm || !IsBelow(palm, root_)) return;
     int missing = -1;
@@ -79,7 +79,7 @@ class HandSelector {
                                              "and all above it is left out");
   }
 
-  /** False, with an error: no hand is as heavy as what is left. */
+  /** Returns false, with an error, if the remaining links are too heavy for a hand. */
   bool CheckMass() {
     double mass = 0.0, most = 0.0;
     int heaviest = -1;
@@ -151,7 +151,7 @@ class HandSelector {
   Diagnostics& problems_;
   const ForeignTree tree_;
   int root_ = -1;
-  std::vector<int> left_out_;  // links: with all below them
+  std::vector<int> left_out_;  // links that are left out with all below them
 };
 
 }  // namespace

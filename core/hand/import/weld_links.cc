@@ -18,24 +18,24 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kDensity = 1200.0;      // [kg/m^3]
-constexpr double kLightest = 100.0;      // [kg/m^3] of a published mass by the shapes' volume
-constexpr double kHeaviest = 20000.0;    // [kg/m^3], by its bounds
+constexpr double kLightest = 100.0;      // [kg/m^3] of a published mass, by the shapes' volume
+constexpr double kHeaviest = 20000.0;    // [kg/m^3], by the volume of its bounds
 constexpr double kFoam = 40.0;           // [kg/m^3]
 constexpr double kHeaviestFrame = 20.0;  // [kg] of a link without extent
 constexpr double kBallRadius = 0.005;    // [m] of a link between two axes
 constexpr double kBallMass = 0.004;      // [kg]
-constexpr double kFarthestFrame = 2.0;   // [m] along an axis, as hand.yaml has it
+constexpr double kFarthestFrame = 2.0;   // [m] along an axis, as in hand.yaml
 
 bool Moves(const ForeignJoint& joint) { return joint.kind != ForeignJoint::Kind::kFixed; }
 
-/** Of a ball of that mass and the greatest density: of all bodies the one whose moments have the
-smallest sum [kg m^2]. */
+/** Moment of a ball of that mass and the greatest density, the body whose moments have the smallest
+sum [kg m^2]. */
 double CalcLeastMoment(double mass) {
   const double radius = std::cbrt(0.75 * mass / (kPi * kHeaviest));
   return 0.4 * mass * radius * radius;
 }
 
-/** Adds the mass of a part: both about the common centre of mass. @param X_LM  the part's frame. */
+/** Adds the mass of a part, about the common centre of mass. @param X_LM  the part's frame. */
 void AddMass(const Pose& X_LM, const MassProperties& part, HandLink& link) {
   if (part.mass == 0.0) return;
   const Matrix3d R = X_LM.linear();
@@ -59,7 +59,7 @@ class Welder {
         body_of_(foreign.links.size(), 0),
         X_BM_(foreign.links.size(), Pose::Identity()) {}
 
-  /** False, with an error: what is left of the hand has nothing to touch with. */
+  /** Returns false, with an error, if the remaining hand has no contact shape. */
   bool CheckDigits() {
     const size_t before = CountMoving();
     std::vector<bool> touches;
@@ -82,7 +82,7 @@ class Welder {
     std::vector<Pose> X_LM(foreign_.links.size(), Pose::Identity());  // member in its welded link
     std::vector<int> joint_of(foreign_.joints.size(), -1);
     bool is_root_named = false;
-    Pose X_RootNamed = Pose::Identity();  // the frame of the part that names the root
+    Pose X_RootNamed = Pose::Identity();  // frame of the part that names the root
     for (const int member : tree_.order) {
       const int j = tree_.joint_of[member];
       if (j >= 0 && !Moves(foreign_.joints[j]) && !foreign_.joints[j].bears_jaw) {
@@ -116,7 +116,7 @@ class Welder {
       HandLink& link = hand.links[index];
       const LoadedShapes& shapes = shapes_[member];
       if (index == 0 && !is_root_named && !shapes.collisions.empty()) {
-        link.name = foreign_.links[member].name;  // not that of a mere frame, "world"
+        link.name = foreign_.links[member].name;  // not that of a mere frame such as "world"
         is_root_named = true;
         X_RootNamed = X_LM[member];
       }
@@ -267,12 +267,12 @@ class Welder {
     return "";
   }
 
-  /** Parts that are fixed to each other. A file may give the mass of all to one of them, so it is
+  /** Parts that are fixed to each other. A file may assign the mass of all to one of them, so it is
   judged by the extent of all. */
   struct Body {
     std::vector<int> members;
-    Eigen::AlignedBox3d bounds;  // in the frame of the first
-    bool is_believed = false;    // its parts' masses fit its extent; false of a single part
+    Eigen::AlignedBox3d bounds;  // in the frame of the first part
+    bool is_believed = false;    // the parts' masses fit its extent; false for a single part
   };
   const Body& BodyOf(int link) const { return bodies_[body_of_[link]]; }
 
@@ -307,7 +307,7 @@ class Welder {
     }
   }
 
-  /** Of all that is seen or touched. */
+  /** Bounds of all visuals and collision shapes. */
   Eigen::AlignedBox3d CalcOwnBounds(int link) const {
     const LoadedShapes& loaded = shapes_[static_cast<size_t>(link)];
     Eigen::AlignedBox3d bounds;
@@ -319,14 +319,14 @@ class Welder {
     return bounds;
   }
 
-  /** The published mass by the volume of the bounds; 0: there is nothing. */
+  /** Published mass over the volume of the bounds; 0 if there is none. */
   double CalcLeastDensity(int link) const {
     const Eigen::AlignedBox3d bounds = CalcOwnBounds(link);
     if (bounds.isEmpty()) return 0.0;
     return foreign_.links[link].inertia->mass / std::max(bounds.volume(), 1e-9);
   }
 
-  /** Gives the root another frame. @param X_NR  the old one in it. */
+  /** Changes the frame of the root. @param X_NR  the old frame in the new one. */
   static void MoveRootFrame(const Pose& X_NR, ImportedHand& imported) {
     HandLink& root = imported.hand.links[0];
     root.p_LLcm = X_NR * root.p_LLcm;
@@ -347,7 +347,7 @@ class Welder {
     }
   }
 
-  /** @param joint_of  of the foreign joints in the hand; -1: none. */
+  /** @param joint_of  by foreign joint: its index in the hand; -1: none. */
   void TieFollowers(const std::vector<int>& joint_of, Hand& hand) {
     for (size_t j = 0; j < foreign_.joints.size(); ++j) {
       const auto& mimic = foreign_.joints[j].mimic;
@@ -374,7 +374,7 @@ class Welder {
     }
   }
 
-  /** Limits of a joint such that those that follow it keep theirs. */
+  /** Restricts the limits of a joint so that its followers keep theirs. */
   void NarrowForFollowers(Hand& hand) {
     for (HandJoint& follower : hand.joints) {
       if (!follower.is_mimic) continue;
@@ -437,7 +437,7 @@ class Welder {
   ForeignTree tree_;
   std::vector<Body> bodies_;
   std::vector<size_t> body_of_;  // by link
-  std::vector<Pose> X_BM_;       // by link, in its body's first part
+  std::vector<Pose> X_BM_;       // by link: pose in the frame of its body's first part
   bool are_masses_published_ = true;
 };
 

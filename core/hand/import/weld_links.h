@@ -1,17 +1,17 @@
 #pragma once
 /** @file
-The moving links of a foreign hand: what hangs together by fixed joints becomes one, with the mass
-of its parts.
+Merges the links of a foreign hand that are connected by fixed joints into one moving link, with the
+mass of its parts.
 
-Masses are judged by the body that the parts make together: a file may give the mass of all of them
-to one. Where the body can have it, a part without mass weighs nothing.
+Masses are judged for the merged body, since a file may assign the mass of all parts to one of them.
+If the mass is plausible for the body, parts without mass weigh nothing.
 
-A published inertia is kept when a body of the link's size can have it: positive mass, moments that
-fulfil the triangle inequality, centre of mass within the bounds of the shapes, no larger than the
-shapes' farthest point allows, no smaller than those of a ball of that mass as dense as the densest
-metal, which no body of that mass goes below. Otherwise mass (where there is none), centre and
-inertia are those of the shapes' volume at a density of 1200 kg/m^3, between plastics and light
-metal with hollows. Weightless links between two joint axes get a small ball. */
+A published inertia is kept if a body of the link's size can have it: positive mass, moments that
+satisfy the triangle inequality, centre of mass within the bounds of the shapes. Its moments are at
+most what the shapes' farthest point allows. They are at least those of a ball of that mass made of
+the densest metal, which no body of that mass can go below. Otherwise centre and inertia, and the
+mass if there is none, are those of the shapes' volume. Its density is 1200 kg/m^3, between plastics
+and light metal with hollows. Massless links between two joint axes get a small ball. */
 
 #include <string>
 #include <vector>
@@ -24,24 +24,25 @@ metal with hollows. Weightless links between two joint axes get a small ball. */
 namespace graspbench {
 
 struct ImportedHand {
-  /** Links and joints with their masses; links[0] is the root, its pose not set. Digits, palm and
-  drives are guessed later. */
+  /** Links and joints with their masses; links[0] is the root, whose pose is not set. Digits, palm
+  and drives are guessed later. */
   Hand hand;
   std::vector<CollisionShape> shapes;
-  std::vector<std::vector<TriMesh>> solids;  ///< that the shapes stand for, by link, in its frame
+  std::vector<std::vector<TriMesh>> solids;  ///< by link, in its frame: meshes that the shapes
+                                             ///< replace
   struct Visual {
     int link = -1;
     ImportedVisual visual;
   };
   std::vector<Visual> visuals;
-  std::vector<std::string> notes;    ///< by link: where its mass and its contact come from
-  bool are_masses_published = true;  ///< of all links with shapes, and not computed from these
+  std::vector<std::string> notes;    ///< by link: origin of its mass and its contact geometry
+  bool are_masses_published = true;  ///< for all links with shapes, not computed from the shapes
   std::vector<ForeignDrive> drives;  ///< by joint, as published
-  std::vector<ContactFit> fits;      ///< by link with contact (MeasureLinks)
+  std::vector<ContactFit> fits;      ///< by link with contact geometry (MeasureLinks)
 };
 
-/** @param palm  index of the palm's link (SelectHand). @param shapes  by foreign link. Every link of
-the description whose frame is not that of a link of the hand becomes one of Hand::frames. */
+/** @param palm  index of the palm's link (SelectHand). @param shapes  by foreign link. Every link
+whose frame is not that of a link of the merged hand becomes one of Hand::frames. */
 ImportedHand WeldLinks(ForeignHand foreign, int palm, const std::vector<LoadedShapes>& shapes,
                        const std::string& file, Diagnostics& problems);
 

@@ -60,7 +60,7 @@ Json DescribeGuesses(const Hand& hand) {
           {"drives", drives}};
 }
 
-/** As one would give them in the description's folder. */
+/** Paths as relative to the description's folder. */
 Json ListPackagePath(const HandSource& source) {
   Json paths = Json::array();
   const auto make_absolute = [](const std::filesystem::path& path) {
@@ -169,10 +169,10 @@ std::string FormatImportRecord(const std::string& text, const std::set<std::file
 
 namespace {
 
-/** Nine digits, a negative zero without its sign. */
+/** Formats nine digits, without the sign of a negative zero. */
 std::string FormatNumber(double value) { return fmt::format("{:.9g}", value + 0.0); }
 
-/** Of a place or an angle: exact to 1e-12, so that a chain of them keeps a nanometre. */
+/** Formats a position or angle, exact to 1e-12, so that a chain of them is exact to a nanometre. */
 std::string FormatExactly(const Vector3d& v, const char* separator = " ") {
   return fmt::format("{:.12g}{}{:.12g}{}{:.12g}", v.x() + 0.0, separator, v.y() + 0.0, separator,
                      v.z() + 0.0);
@@ -182,7 +182,7 @@ std::string FormatVector(const Vector3d& v, const char* separator = " ") {
   return FormatNumber(v.x()) + separator + FormatNumber(v.y()) + separator + FormatNumber(v.z());
 }
 
-/** Rounded to 10 micrometres, as a guess is. */
+/** Rounds to 10 micrometres, as a guess is. */
 std::string FormatPlace(const Vector3d& p) {
   std::string text;
   for (int k = 0; k < 3; ++k) text += (k ? ", " : "") + FormatNumber(std::round(p[k] * 1e5) / 1e5);
@@ -208,7 +208,7 @@ class UrdfWriter {
  private:
   using Attributes = std::vector<std::pair<const char*, std::string>>;
 
-  /** An element with what `add_content` puts into it. */
+  /** Writes an element with the content that `add_content` adds. */
   void Add(
       const char* name, const Attributes& attributes,
       const std::function<void()>& add_content = [] {}) {
@@ -359,7 +359,7 @@ std::string FormatFollowers(const Hand& hand) {
          NameOf(hand.coupling) + "         # guess\n  joints: {" + shared + "}\n";
 }
 
-/** One entry for all joints with the same drive. */
+/** Writes one entry for all joints with the same drive. */
 std::string FormatDrives(const Hand& hand) {
   std::string text =
       "# Stiffness and damping are the description's where it has those of a position drive that "

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-An imported hand as files of the project's own form. */
+Writes an imported hand as files of the project's own form. */
 
 #include <filesystem>
 #include <map>
@@ -15,15 +15,15 @@ An imported hand as files of the project's own form. */
 
 namespace graspbench {
 
-/** Name below the hand's folder -> content: hand.urdf, hand.yaml with a comment for every guess,
-README.md with what was repaired, meshes/. @param source  name of the description, without folder.
-@param problems  of the import: the README lists them. */
+/** Returns content by name below the hand's folder: hand.urdf, hand.yaml with a comment on every
+guess, README.md with the repairs, meshes/. @param source  file name of the description.
+@param problems  those of the import, which the README lists. */
 std::map<std::string, std::string> FormatHandFiles(const ImportedHand& imported,
                                                    const std::string& source,
                                                    const Diagnostics& problems);
 
-/** `import.json`: where an imported hand comes from, as data, so that an import can be repeated and
-compared.
+/** Formats `import.json`: the origin of an imported hand as data, so that an import can be repeated
+and compared.
 
     {"format": 1, "tool": "graspbench 1.0", "source": {"file": "hand.urdf", "sha256": ".."},
      "read": {"palm.stl": "sha256..", ..},
@@ -36,24 +36,25 @@ compared.
      "guesses": {"palm": {..}, "digits": [..], ..},
      "files": {"hand.urdf": "sha256..", ..}}
 
-`contact` is how far balls stick out of a link, and a probe ball of 5 mm sinks into it, at 95 of 100
-points and at most, rounded to 10 micrometres, and which share of its surface is near a capsule
-(core/hand/contact_fit.h). `read` is what the
-description refers to, meshes and included files. `unit_m` 0: inferred. Paths are names without
-their folder; of two files of one name the second is "palm.stl (2)". Folders of `package_path` are
-relative to that of the description.
+`contact` states how far the balls stick out of a link and how far a probe ball of 5 mm sinks into
+it, at 95 of 100 points and at most, rounded to 10 micrometres. It also gives the share of the
+surface near a capsule (core/hand/contact_fit.h). `read` lists the files to which the description
+refers: meshes and included files. `unit_m` 0 means inferred. Paths are file names without folder;
+the second of two files of the same name is "palm.stl (2)". Folders of `package_path` are relative
+to that of the description.
 
-@param text  of the description. @param read  paths of what it refers to.
-@param palm  as asked for. @param files  of the hand, by name. */
+@param text  text of the description. @param read  paths to which it refers.
+@param palm  name given by the user. @param files  files of the hand, by name. */
 std::string FormatImportRecord(const std::string& text, const std::set<std::filesystem::path>& read,
                                const HandSource& source, const std::string& palm,
                                const ImportedHand& imported, const Diagnostics& problems,
                                const std::map<std::string, std::string>& files);
 
-/** The list `contact` above. */
+/** Formats the list `contact` above. */
 Json MakeContactJson(const std::vector<ContactFit>& fits);
-/** That list in the import.json of a hand's folder; empty where there is none, or hand.urdf is not
-the one that was imported. @throws Error(kFormat) for an import.json that lacks it, Error(kIo). */
+/** Reads that list from the import.json of a hand's folder. Returns an empty list if there is no
+such file, or if hand.urdf is not the imported one. @throws Error(kFormat) if the list is missing,
+Error(kIo). */
 std::vector<ContactFit> ReadContactFits(const std::filesystem::path& folder);
 
 }  // namespace graspbench

@@ -1,6 +1,6 @@
 /** @file
-Differential evolution rand/1/bin: population 20, F = 0.5, CR = 0.9. The first population is the
-start and uniform points of the box; a child takes its parent's place when it is not worse.
+Differential evolution rand/1/bin: population 20, F = 0.5, CR = 0.9. The first population consists
+of the start and uniform points of the box. A child replaces its parent if it is not worse.
 Source: Storn and Price, "Differential evolution", J. of Global Optimization 11 (1997). */
 
 #include "core/optimise/methods/search.h"
@@ -46,7 +46,7 @@ class DifferentialEvolution : public SearchMethod {
  private:
   Individual MakeChild(size_t place) {
     const Individual& parent = population_[place];
-    // Three others, all different.
+    // Three other individuals, all different.
     size_t picked[3];
     for (int k = 0; k < 3;) {
       picked[k] = static_cast<size_t>(stream_.NextIndex(static_cast<int>(kPopulation)));

@@ -8,7 +8,7 @@ says "evolutionary algorithm").
                 tau = 1 / sqrt(2 sqrt(n))  (self-adaptation)
     its genome  x_i <- x_i + s_i N_i(0, 1), mirrored at the bounds
     parents     the 5 best of the 20 children; if the best individual so far is not among them, it
-                takes the place of the fifth (elitism)
+                replaces the fifth (elitism)
 
 Source: H.-P. Schwefel, "Evolution and optimum seeking", 1995; Beyer and Schwefel, "Evolution
 strategies: a comprehensive introduction", Natural Computing 1 (2002). */
@@ -21,7 +21,8 @@ strategies: a comprehensive introduction", Natural Computing 1 (2002). */
 namespace graspbench {
 namespace {
 
-/** Steps stay within these multiples of the first one: neither stuck nor beyond the box. */
+/** Steps stay within these multiples of the first, so that they neither vanish nor leave the
+box. */
 constexpr double kSmallestStep = 0.01;
 constexpr double kLargestStep = 3.0;
 

@@ -12,12 +12,12 @@ namespace {
 
 constexpr int kNumNearest = 5;
 constexpr int kWholeGenerations = 2;
-constexpr double kSamePlace = 1e-9;  ///< of the box
+constexpr double kSamePlace = 1e-9;  ///< share of the box
 
-/** Points at a time of a method that does not learn: as many as the evolution strategy's. */
+/** Generation size of a method that does not learn: as for the evolution strategy. */
 constexpr int kPlainGeneration = 20;
 
-/** Uniform in the box: learns nothing, the yardstick. */
+/** Uniform sampling of the box, without learning: the baseline. */
 class RandomSearch : public SearchMethod {
  public:
   RandomSearch(const SearchSpace& space, RandomStream stream) : space_(space), stream_(stream) {}
@@ -39,12 +39,12 @@ int CalcPower(int base, int exponent) {
   return power;
 }
 
-/** A regular grid, for few coordinates: as many equal distances in each coordinate as `num_points`
-allow, faces included. */
+/** A regular grid, for few coordinates: as many equidistant points in each as `num_points` allow,
+including the faces. */
 class GridSearch : public SearchMethod {
  public:
-  /** @throws Error(kUnsupported) for more than three coordinates, or for fewer than two points in
-  each. */
+  /** @throws Error(kUnsupported) for more than three coordinates, or for fewer than two points per
+  coordinate. */
   GridSearch(const SearchSpace& space, int num_points) : space_(space) {
     if (space.size() > 3) {
       throw Error(ErrorKind::kUnsupported,
@@ -60,7 +60,7 @@ class GridSearch : public SearchMethod {
     }
     num_points_ = CalcPower(points_each_, space.size());
   }
-  /** Empty when the whole grid was given. */
+  /** Empty once the whole grid was returned. */
   std::vector<Individual> MakeGeneration() override {
     std::vector<Individual> generation;
     for (; next_ < num_points_ && generation.size() < kPlainGeneration; ++next_) {
@@ -162,7 +162,7 @@ SearchResult RunSearch(const std::string& name, const SearchSpace& space, int nu
 Eigen::VectorXd ReflectInto(const SearchSpace& space, Eigen::VectorXd point) {
   for (Eigen::Index i = 0; i < point.size(); ++i) {
     const double low = space.lower[i], width = space.upper[i] - low;
-    // Mirrored at both ends, a coordinate repeats itself after twice the width.
+    // Mirrored at both ends, a coordinate has a period of twice the width.
     const double over = width > 0.0 ? std::fmod(std::abs(point[i] - low), 2.0 * width) : 0.0;
     point[i] = std::clamp(low + (over <= width ? over : 2.0 * width - over), low, space.upper[i]);
   }

@@ -1,12 +1,11 @@
 #pragma once
 /** @file
-What the engine must get right, with the answer known beforehand from a closed form, a conservation
-law or Simbody: the sheet that `graspbench selftest` prints and that the tests hold.
+Physics verification: results with a known answer from a closed form, a conservation law or Simbody.
+`graspbench selftest` prints the table, and the tests check it.
 
-Every check runs the engine of the trials itself (World), on bodies and small hands
-whose answer can be worked out, and on the real hands. One more check: a function
-`std::vector<KnownAnswer> Check<Name>()` in the file of its subject, and a line in
-known_answer_list.inc. */
+Every check runs the engine of the trials itself (World), on bodies and small hands with a
+computable answer and on the real hands. To add a check, write a function `std::vector<KnownAnswer>
+Check<Name>()` in the file of its subject and a line in known_answer_list.inc. */
 
 #include <string>
 #include <vector>
@@ -15,22 +14,22 @@ namespace graspbench {
 
 struct KnownAnswer {
   std::string what;  ///< "mu 0.3, step 2 ms"
-  std::string unit;  ///< of the three numbers; "" for a ratio
+  std::string unit;  ///< of the three numbers; "": a ratio
   double expected = 0.0;
   double obtained = 0.0;
   double tolerance = 0.0;
 
-  /** |obtained - expected| <= tolerance; false when something is not a number. */
+  /** Returns whether |obtained - expected| <= tolerance; false if a number is NaN. */
   bool passes() const;
 };
 
 struct KnownAnswerCheck {
   std::string name;    ///< "free fall"
-  std::string source;  ///< where the expected values come from
+  std::string source;  ///< source of the expected values
   std::vector<KnownAnswer> (*run)();
 };
 
-/** All checks, in the order of the sheet. */
+/** Returns all checks, in the order of the table. */
 const std::vector<KnownAnswerCheck>& ListKnownAnswerChecks();
 
 #define GRASPBENCH_KNOWN_ANSWER(Name, title, source) std::vector<KnownAnswer> Check##Name();

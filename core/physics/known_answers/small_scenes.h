@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-Bodies and small hands made in code, with masses, forces and shapes known in closed form: the scenes
-of the known answers and of the tests. */
+Bodies and small hands made in code, with masses, forces and shapes in closed form: the scenes of
+the known answers and of the tests. */
 
 #include <functional>
 
@@ -11,52 +11,55 @@ of the known answers and of the tests. */
 
 namespace graspbench {
 
-/** The defaults but for the step [s]. */
+/** Returns the default configuration with another step [s]. */
 SimConfig MakeStepConfig(double step);
-inline constexpr double kAnswerSteps[] = {0.0005, 0.001, 0.002, 0.004};  ///< of most answers [s]
+inline constexpr double kAnswerSteps[] = {0.0005, 0.001, 0.002, 0.004};  ///< for most answers [s]
 std::string FormatStep(double step);                                     ///< "step 500 us"
 
-/** A solid of this mesh with its own distance field; `size` is that of its bounding box. */
+/** Makes a solid from this mesh, with its own distance field; `size` is that of its bounding
+box. */
 GraspObject MakeSolid(TriMesh mesh, double mass, double mu_s, double mu_d);
 
-/** A box of 60 x 40 x 20 mm. */
+/** Makes a box of 60 x 40 x 20 mm. */
 GraspObject MakeBlock(double mass);
 
-/** An upright prism with `num_sides` flat sides at distance `apothem` from its axis; the normal of
-the first is x. */
+/** Makes an upright prism with `num_sides` flat sides at distance `apothem` from its axis; the
+normal of the first side is x. */
 TriMesh MakePrism(int num_sides, double apothem, double height);
 
-/** A root so heavy that it stays where it is, and nothing else. */
+/** Makes a hand that is only a root, so heavy that it does not move. */
 Hand MakeBareHand();
 
-/** Appends a link along its z, turning about `axis` at X_PJ, without drive, limits or surface. */
+/** Appends a link along its z axis that turns about `axis` at X_PJ, without drive, limits or
+surface. */
 void AddRodLink(Hand& hand, int parent, const Pose& X_PJ, const Eigen::Vector3d& axis, double mass,
                 double length);
 
-/** Fingers around the vertical axis, evenly spread from x on. Each is one ball that is pressed
-inwards with `force`, its contact point at distance `radius` from the axis: it hangs straight below
-the finger's pivot, so that neither friction nor gravity has a moment about the pivot and the normal
-force is the drive's torque over the lever, exactly. H lies kSqueezeLever above the contacts. */
+/** Makes fingers around the vertical axis, evenly spaced from x on. Each is one ball that is
+pressed inwards with `force`, its contact point at distance `radius` from the axis. The contact
+point is directly below the finger's pivot. So neither friction nor gravity has a moment about the
+pivot, and the normal force is exactly the drive's torque divided by the lever. H is kSqueezeLever
+above the contacts. */
 Hand MakeSqueezeHand(int num_fingers, double radius, double force, double pad_torsion_radius);
 inline constexpr double kSqueezeLever = 0.1;  ///< [m]
 
-/** A hand, an object and a command that does not change. */
+/** A hand, an object and a constant command. */
 class SmallWorld {
  public:
-  SmallWorld(const SmallWorld&) = delete;  // the world refers to the hand beside it
+  SmallWorld(const SmallWorld&) = delete;  // the world refers to the hand stored here
   SmallWorld(Hand hand, GraspObject object, const SimConfig& config);
-  /** A body alone; the hand's root hangs 10 m above. */
+  /** A single body; the hand's root is 10 m above. */
   SmallWorld(GraspObject object, const SimConfig& config);
 
-  WorldState& start() { return start_; }  ///< at rest with all joints at zero unless changed
-  /** Begins at start(); the drives are commanded to `q`. */
+  WorldState& start() { return start_; }  ///< initially at rest with all joints at zero
+  /** Restarts at start(); the drives are commanded to `q`. */
   void Reset(const Eigen::VectorXd& q);
   void Reset() { Reset(start_.q); }
 
   StepReport Step();
-  /** Steps for `duration`; the last report. */
+  /** Steps for `duration` and returns the last report. */
   StepReport Run(double duration);
-  /** Lets gravity grow evenly from what it is to `gravity_W`. */
+  /** Changes gravity linearly from its current value to `gravity_W`. */
   void RampGravity(const Eigen::Vector3d& gravity_W, double duration);
 
   const Hand& hand() const { return hand_; }
@@ -75,8 +78,8 @@ class SmallWorld {
   int num_unconverged_ = 0;
 };
 
-/* An object squeezed by fingers of known force that its weight then pulls on: the scene of
-thresholds of friction, of torsion and of pads. */
+/* An object that is squeezed by fingers of known force and then pulled by its weight: the scene
+for thresholds of friction, of torsion and of pads. */
 
 struct Squeeze {
   int num_fingers = 2;
@@ -85,14 +88,14 @@ struct Squeeze {
   double mu = 0.5;
   double torsion_radius = 0.0;
   SoftPad pad;              ///< of the fingers
-  double off_centre = 0.0;  ///< of the fingers along y from the object's centre [m]
+  double off_centre = 0.0;  ///< offset of the fingers along y from the object's centre [m]
   double step = 0.002;
 };
 
-/** Squeezed without weight for 0.3 s, then the weight comes slowly. */
+/** Squeezes for 0.3 s without weight, then applies the weight slowly. */
 class SqueezeScene {
  public:
-  /** @param half_width  of the object between the fingers. */
+  /** @param half_width  half the object's width between the fingers [m]. */
   SqueezeScene(const Squeeze& squeeze, GraspObject object, double half_width);
 
   SmallWorld& world() { return world_; }
@@ -103,8 +106,8 @@ class SqueezeScene {
   SmallWorld world_;
 };
 
-/** The value between `low` and `high` at which `holds` changes, to one part in 500 of `high`; NaN:
-it does not. */
+/** Returns the value between `low` and `high` at which `holds` changes, to one part in 500 of
+`high`; NaN if it does not change. */
 double FindThreshold(double low, double high, const std::function<bool(double)>& holds);
 
 }  // namespace graspbench

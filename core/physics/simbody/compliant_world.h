@@ -1,22 +1,23 @@
 #pragma once
 /** @file
-A second world that shares nothing with the first one's contact and integration: Simbody's
-compliant contact, integrated by CPodes (variable order and step, implicit, error control).
+A second backend, for comparison, that shares neither the contact model nor the integrator of the
+first: Simbody's compliant contact, integrated by CPodes (variable order and step, implicit, error
+control).
 
     hand      the same spheres, on Simbody's own multibody model
     object    a ball; Hertz contact of spheres
     friction  Stribeck law with a transition speed of 0.1 mm/s: a loaded contact creeps
     coupling  distal joints are tied, or locked, by stiff springs
-    drives    follow at once: without the hysteresis, friction and yielding of imperfect_drive.h
+    drives    follow instantly: no hysteresis, friction or compliance of imperfect_drive.h
 
-Other objects would need elastic foundations on fine meshes, which take minutes a trial. Pads have
-their modulus but no depth and no torsion radius, so sigma is lower; a smooth ball rolls off more
-easily than its mesh; links do not touch each other. Gravity cannot be turned and no load be put on
-the object: both throw Error(kUnsupported). Some seconds a trial: there to be compared with.
+Other objects would need elastic foundations on fine meshes, which take minutes per trial. Pads have
+their modulus but no depth and no torsion radius, so sigma is lower. A smooth ball rolls off more
+easily than its mesh. Links do not touch each other. Turning gravity and loading the object throw
+Error(kUnsupported). A trial takes some seconds.
 
-A clone carries over time, positions, speeds, commands, locked joints and the contacts last found,
-not the integrator's history: it starts with a small step of low order, so it goes on within the
-integrator's accuracy, not to the same bytes. */
+A clone takes over time, positions, speeds, commands, locked joints and the last contacts, but not
+the integrator's history. It starts with a small step of low order, so it continues within the
+integrator's accuracy, not bit for bit. */
 
 #include <memory>
 
@@ -24,12 +25,12 @@ integrator's accuracy, not to the same bytes. */
 
 namespace graspbench {
 
-/** Whether the object is a rigid ball; seams and dimples do not count. */
+/** Returns whether the object is a rigid ball; seams and dimples do not count. */
 bool CanMoveCompliantly(const GraspObject& object);
-/** Whether the hand has no imperfect drive or coupling. */
+/** Returns whether all drives and couplings of the hand are ideal. */
 bool CanMoveCompliantly(const Hand& hand);
 
-/** Its energy residual stays unset; it throws what Simbody throws.
+/** Makes a compliant world. Its energy residual is unset. Its methods throw Simbody's exceptions.
 @pre CanMoveCompliantly of both. */
 std::unique_ptr<World> MakeCompliantWorld(const Hand& hand, const GraspObject& object,
                                           const SimConfig& config);

@@ -1,14 +1,14 @@
 #pragma once
 /** @file
-The hand alone as a tree of Simbody, with what every step asks of it: where the links are, what each
-carries, and the forces of velocity.
+The hand alone as a Simbody tree, with the queries of every step: link poses, carried masses and
+velocity-dependent forces.
 
-Positions, speeds and results go through flat arrays, and only what is asked for is calculated: the
-packaged library checks every access, and its whole mass matrix costs several times the
-contraction of composite inertias with the joints' motions (hand_dynamics.h).
+Positions, speeds and results are passed as flat arrays, and only requested quantities are computed:
+the packaged library checks every access, and its full mass matrix costs several times the
+contraction of composite inertias with joint motions (hand_dynamics.h).
 
-A copy shares the tree and gets a state of its own when it is first asked; a tree belongs to one
-thread at a time, copies may belong to others. */
+A copy shares the tree and gets its own state at its first query. A tree belongs to one thread at a
+time; copies may belong to others. */
 
 #include <Eigen/Core>
 #include <memory>
@@ -19,10 +19,10 @@ thread at a time, copies may belong to others. */
 
 namespace graspbench {
 
-/** A link and all that it carries, as one rigid body, about the link's origin, in W. */
+/** A link and everything that it carries, as one rigid body about the link's origin, in W. */
 struct CarriedMass {
   double mass = 0.0;
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< mass times place of the centre of mass
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< mass times position of the centre of mass
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
 };
 
@@ -33,13 +33,14 @@ class HandTree {
   HandTree& operator=(const HandTree& other);
   ~HandTree();
 
-  /** @param q  (num_joints) [rad], of prismatic joints [m]   @param X_WL  set, by link. */
+  /** Sets the positions.
+  @param q  (num_joints) [rad], prismatic joints [m]   @param X_WL  output, by link. */
   void SetPositions(const Pose& X_WH, const Eigen::VectorXd& q, std::vector<Pose>& X_WL);
-  /** By link. @pre SetPositions. */
+  /** Computes the carried masses by link. @pre SetPositions. */
   void CalcCarriedMasses(std::vector<CarriedMass>& carried);
-  /** Coriolis, centrifugal and gyroscopic forces (num_joints + 6), those of the base about H's
-  origin: what keeps the joints' rates and the velocity of H constant without gravity.
-  @pre SetPositions   @param rates  (num_joints + 6): of the joints, then w_WH, v_WH. */
+  /** Returns the Coriolis, centrifugal and gyroscopic forces (num_joints + 6); those of the base
+  are about H's origin. They keep the joint rates and the velocity of H constant without gravity.
+  @pre SetPositions   @param rates  (num_joints + 6): joints, then w_WH, v_WH. */
   Eigen::VectorXd CalcVelocityForces(const Eigen::VectorXd& rates);
 
  private:
@@ -48,7 +49,7 @@ class HandTree {
   Scratch& scratch();
 
   std::shared_ptr<const Tree> tree_;
-  std::unique_ptr<Scratch> scratch_;  // null: not asked yet
+  std::unique_ptr<Scratch> scratch_;  // null: no query yet
 };
 
 }  // namespace graspbench

@@ -1,14 +1,15 @@
 #pragma once
 /** @file
-Is a mesh the surface of one or more solids? Everything that simulation and mass properties rely on
-is checked, and each problem is reported: how many, where the first ones are, what to do.
+Checks whether a mesh is the surface of one or more solids. Everything that simulation and mass
+properties rely on is checked. Each problem is reported with its count, its first locations and the
+remedy.
 
-A point belongs to the solid where the surface winds around it at least once. So parts that overlap
-or touch are one body, a shell that faces inwards within one that faces outwards is a cavity, parts
-apart from the rest are told, and refused unless they are small or meant, and small folds of a
-surface through itself are tolerated: warnings, not problems.
+A point belongs to the solid if the winding number of the surface around it is at least one. So
+parts that overlap or touch are one body, and a shell that faces inwards inside one that faces
+outwards is a cavity. Separate parts are reported; they are rejected unless they are small or
+intended. Small self-intersections are tolerated: they are warnings, not problems.
 
-Positions in the messages are millimetres in the mesh's own frame. */
+Positions in the messages are in millimetres in the mesh's own frame. */
 
 #include <limits>
 #include <string>
@@ -20,73 +21,74 @@ Positions in the messages are millimetres in the mesh's own frame. */
 namespace graspbench {
 
 enum class MeshFault {
-  kEmpty,         ///< no triangle at all
+  kEmpty,         ///< no triangles
   kNotFinite,     ///< a coordinate is NaN or infinite
-  kSize,          ///< larger or smaller than anything a hand can grasp: a wrong unit
-  kDuplicate,     ///< the same triangle twice
-  kOpen,          ///< edges with a triangle on one side only
+  kSize,          ///< too large or too small to be grasped: a wrong unit
+  kDuplicate,     ///< duplicate triangles
+  kOpen,          ///< edges with a triangle on only one side
   kNotManifold,   ///< edges with more triangles in one direction than in the other
-  kInconsistent,  ///< neighbours that face opposite ways
+  kInconsistent,  ///< neighbours with opposite orientations
   kInverted,      ///< inside out, or without volume
-  kSelfCrossing,  ///< a part that cuts through itself, changing the volume by 0.1 % or more
-  kApart,         ///< parts that do not touch the rest, of 1 % of the volume or more
-  kNested,        ///< parts inside others that are no cavities, of 1 % of the volume or more
-  kTooMany,       ///< more triangles than kMaxUsableTriangles, or too many in one place
+  kSelfCrossing,  ///< a part that intersects itself and so changes the volume by 0.1 % or more
+  kApart,         ///< separate parts of 1 % of the volume or more
+  kNested,        ///< parts inside others that are not cavities, of 1 % of the volume or more
+  kTooMany,       ///< more triangles than kMaxUsableTriangles, or too many at one location
 };
 
 struct MeshProblem {
   MeshFault fault = MeshFault::kEmpty;
-  std::string text;  ///< what, where and what to do
+  std::string text;  ///< problem, location and remedy
 };
 
 struct MeshReport {
   bool is_closed = false;  ///< every edge has as many triangles in one direction as in the other
   int num_triangles = 0;
   int num_open_edges = 0;
-  /** Of the solid, overlaps counted once [m^3]; negative when inside out; NaN unless closed with
-  all neighbours facing alike. */
+  /** Volume of the solid, overlaps counted once [m^3]; negative if inside out; NaN unless the mesh
+  is closed and consistently oriented. */
   double volume = std::numeric_limits<double>::quiet_NaN();
-  /** Of the solid [m]; NaN like the volume. */
+  /** Centroid of the solid [m]; NaN if the volume is NaN. */
   Eigen::Vector3d centroid = Eigen::Vector3d::Constant(volume);
-  /** Of the bounding box [m]; NaN without finite vertices. */
+  /** Size of the bounding box [m]; NaN without finite vertices. */
   Eigen::Vector3d extent = Eigen::Vector3d::Constant(volume);
   std::vector<MeshProblem> problems;  ///< empty: fit for use
-  std::vector<std::string> warnings;  ///< what was tolerated, and why
-  Overlap overlap;                    ///< what mass properties must count once
+  std::vector<std::string> warnings;  ///< tolerated defects, with the reason
+  Overlap overlap;                    ///< overlaps that mass properties must count once
 };
 
-/** Extents of things to grasp [m]. */
+/** Limits of an object's largest extent [m]. */
 inline constexpr double kMinMeshExtent = 0.002;
 inline constexpr double kMaxMeshExtent = 1.0;
-/** What is thinner is doubted [m]. */
+/** A warning is given below this thickness [m]. */
 inline constexpr double kThinnestMesh = 5e-5;
 
-/** Of a million its check took 20 s of processor time, its distance field four minutes; the largest
-scans of things to grasp that are published (YCB) have 524,288. */
+/** Maximum number of triangles. For a million, the check took 20 s of processor time and the
+distance field four minutes. The largest published scans of objects to grasp (YCB) have 524,288
+triangles. */
 inline constexpr int kMaxUsableTriangles = 600'000;
 
-/** A part that cuts through itself is tolerated when less than this share of its volume is counted
+/** A self-intersecting part is tolerated if less than this share of its volume is counted
 wrongly. */
 inline constexpr double kMaxFoldedShare = 1e-3;
 
-/** Parts that lie apart, or inside others without being cavities, are tolerated up to this share of
+/** Separate parts, and parts inside others that are not cavities, are tolerated up to this share of
 the volume. */
 inline constexpr double kMaxStrayShare = 0.01;
-/** Parts that are nearer to each other touch: a share of the mesh's largest extent, at most so far
-[m]. */
+/** Parts closer than this share of the mesh's largest extent, but at most kMaxTouchingGap [m],
+count as touching. */
 inline constexpr double kTouchingShare = 1e-3;
 inline constexpr double kMaxTouchingGap = 5e-5;
 
 enum class PartsApart {
   kRefused,
-  kMeant  ///< somebody has said that the object is of several bodies, which move as one
+  kMeant  ///< the user stated that the object has several bodies, which move as one
 };
 
-/** @pre valid indices. Costs about 20 ms for 5,000 triangles, half a second more for each part that
-crosses others or itself. */
+/** Checks a mesh. Takes about 20 ms for 5,000 triangles, and half a second more for each part that
+intersects itself or others. @pre valid indices. */
 MeshReport CheckMesh(const TriMesh& mesh, PartsApart parts_apart = PartsApart::kRefused);
 
-/** The problems one per line; empty when there are none. */
+/** Returns the problems, one per line; empty if there are none. */
 std::string FormatProblems(const MeshReport& report);
 
 }  // namespace graspbench

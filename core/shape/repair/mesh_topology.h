@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-The connected parts of a mesh, and what lies inside what. */
+Connected parts of a mesh and their nesting. */
 
 #include <vector>
 
@@ -8,77 +8,76 @@ The connected parts of a mesh, and what lies inside what. */
 
 namespace graspbench {
 
-/** Triangles that share an edge are of one shell; at an edge of more than two, those that need each
-other: what is whole without the others there only touches them. Numbers from 0 in the order of the
-triangles. */
+/** Shells of a mesh. Triangles that share an edge belong to one shell. At an edge of more than two
+triangles, only sets that are unbalanced there are joined; a set that is balanced by itself merely
+touches the others. Shells are numbered from 0 in the order of the triangles. */
 struct Shells {
   std::vector<int> of_triangle;
   int count = 0;
 };
 Shells FindShells(const TriMesh& mesh);
 
-/** More shells are a soup of triangles, not parts, solids and cavities. */
+/** A mesh with more shells is treated as a triangle soup, not as parts, solids and cavities. */
 constexpr int kMaxShells = 1024;
 
-/** The triangles of each shell, with the vertices that they use. */
+/** Returns the triangles of each shell, with the vertices that they use. */
 std::vector<TriMesh> SplitShells(const TriMesh& mesh, const Shells& shells);
 
-/** How often the surface winds around p: 0 outside, 1 inside, -1 inside when it is inside out (Van
-Oosterom, Strackee 1983). @pre closed; p does not lie on it. */
+/** Returns the winding number of the surface around p: 0 outside, 1 inside, -1 inside a mesh that
+is inside out (Van Oosterom, Strackee 1983). @pre closed mesh; p is not on the surface. */
 int CalcWinding(const TriMesh& mesh, const Eigen::Vector3d& p);
 
-/** Some ten points all over a surface, none of them a corner: two surfaces often share those. */
+/** Returns about ten points distributed over a surface, none at a corner, because two surfaces
+often share corners. */
 std::vector<Eigen::Vector3d> SampleSurface(const TriMesh& mesh);
 
-/** Which parts of a mesh are one body: those that touch or cross each other, and a cavity with what
-surrounds it. A rigid object that is simulated must be one body; a crumb that floats beside a can
-would be lifted with it.
-
-Some bodies of a mesh. */
+/** Some bodies of a mesh. Parts that touch or intersect each other form one body, and a cavity
+belongs to the body around it. A simulated rigid object must be one body; otherwise a crumb that
+floats beside a can would be lifted with it. */
 struct BodyCount {
   int count = 0;
   double volume = 0.0;                              ///< [m^3]
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< on the first one [m]
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< a vertex of the first one [m]
 };
 struct Bodies {
-  BodyCount apart;   ///< outside of all others, but for the largest body
-  BodyCount nested;  ///< altogether inside others and facing outwards: that space counts twice
+  BodyCount apart;   ///< outside all others, without the largest body
+  BodyCount nested;  ///< entirely inside others and facing outwards: this space is counted twice
 };
 
-/** @param gap  parts that are nearer to each other touch [m]. Off by nothing where parts are closed
-and their surfaces farther apart than that. @pre every shell is closed; finite vertices. */
+/** Finds the bodies of a mesh. The result is exact if parts are closed and their surfaces are
+farther apart than `gap`.
+@param gap  parts closer than this touch [m].  @pre every shell is closed; finite vertices. */
 Bodies FindBodies(const TriMesh& mesh, const Shells& shells, double gap);
 
-/** The edges of a mesh, how many triangles run along each in either direction, and which triangles
-count as ones without area.
-
-An edge from its lower to its higher vertex. */
+/** An edge of a mesh, from its lower to its higher vertex, with the number of triangles along it in
+each direction. */
 struct MeshEdge {
   int from = -1;
   int to = -1;
-  int num_forward = 0;      ///< triangles that run along it from -> to
-  int num_backward = 0;     ///< triangles that run along it to -> from
+  int num_forward = 0;      ///< triangles that traverse it from -> to
+  int num_backward = 0;     ///< triangles that traverse it to -> from
   int first_triangle = -1;  ///< one of them
-  int last_triangle = -1;   ///< another one, when there are more
+  int last_triangle = -1;   ///< another one, if there are several
 };
 
-/** A triangle whose height against its longest edge is smaller has no area. */
+/** A triangle counts as degenerate if the ratio of its height to its longest edge is below this. */
 inline constexpr double kMinAspect = 1e-7;
 
-/** Ordered by (from, to). In a closed, consistent mesh both counts are 1 everywhere. */
+/** Lists the edges, ordered by (from, to). In a closed, consistent mesh both counts are 1
+everywhere. */
 std::vector<MeshEdge> ListEdges(const TriMesh& mesh);
 
-/** As many triangles in one direction as in the other at every edge? */
+/** Returns whether every edge has as many triangles in one direction as in the other. */
 bool IsWhole(const std::vector<MeshEdge>& edges);
 
-/** Joins coincident vertices, so that neighbouring triangles share them. Of a mesh's largest
-coordinate or extent: what two vertices of one corner are apart when a file wrote it twice. Single
-precision keeps seven digits. */
+/** Relative tolerance for merging coincident vertices, as a share of a mesh's largest coordinate or
+extent: the distance of two copies of one corner in a file. Single precision has seven digits. */
 inline constexpr double kRelativeWeldTolerance = 1e-6;
 
-/** Vertices within `tolerance` [m] of an earlier one become that one; triangles that lose a corner
-and vertices that no triangle uses are dropped. The order of what remains is kept.
-@param may_join  by vertex; those that may not stay as they are. Empty: all may.
+/** Merges each vertex into an earlier one within `tolerance` [m], so that neighbouring triangles
+share vertices. Drops triangles that lose a corner and vertices that no triangle uses. Keeps the
+order.
+@param may_join  by vertex; vertices that may not be merged stay as they are. Empty: all may be.
 @pre finite vertices, valid indices, tolerance > 0. */
 TriMesh WeldVertices(const TriMesh& mesh, double tolerance, const std::vector<bool>& may_join = {});
 

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-What a trial says of its regulated grip: what was asked, what came of it, and why a digit never had
-its force. Forces are sums of normal forces, those of the hold means over it. */
+Record of a trial's regulated grip: setpoints, measured forces, and why a digit never reached its
+setpoint. Forces are sums of normal forces; those of the hold are means over it. */
 
 #include <optional>
 #include <string>
@@ -14,16 +14,17 @@ its force. Forces are sums of normal forces, those of the hold means over it. */
 
 namespace graspbench {
 
-/** Why a digit's force differs from what was asked by more than kGripTolerance. */
+/** Why a digit's force differs from its setpoint by more than kGripTolerance. */
 enum class GripFault {
   kNone,
-  kNoTouch,   ///< it never touched
-  kNotFelt,   ///< neither elements nor drives say its force, or say it wrongly by so much
-  kPosture,   ///< it is at its target posture
-  kLimit,     ///< a drive of it is at its torque limit
-  kStop,      ///< a driven joint of it is at its stop, which bears what its drive gives
-  kCoupling,  ///< a coupled joint of it is at its stop
-  kBalance    ///< statics give the force to others, or others' to it
+  kNoTouch,   ///< the digit never touched
+  kNotFelt,   ///< elements and drives give no force, or one that is wrong by more than the
+              ///< tolerance
+  kPosture,   ///< the digit is at its target posture
+  kLimit,     ///< one of its drives is at its torque limit
+  kStop,      ///< a driven joint is at its stop, which bears the torque of its drive
+  kCoupling,  ///< a coupled joint is at its stop
+  kBalance    ///< by statics, part of the force goes to other digits, or comes from them
 };
 inline constexpr NamedValue<GripFault> kGripFaults[] = {{GripFault::kNone, ""},
                                                         {GripFault::kNoTouch, "no touch"},
@@ -40,17 +41,17 @@ inline void ReadJson(const Json& json, GripFault& fault) {
   fault = RowFromName(kGripFaults, json.get<std::string>(), "grip fault").value;
 }
 
-inline constexpr double kGripTolerance = 0.2;  ///< share of the force asked
+inline constexpr double kGripTolerance = 0.2;  ///< share of the setpoint
 
 struct DigitGripRecord {
   std::string digit;
   bool opposes = false;
-  double asked = kUnset;    ///< [N]
-  double closed = kUnset;   ///< at the start of lift-off [N]
-  double held = kUnset;     ///< mean over the hold [N]; NaN: none
+  double asked = kUnset;    ///< setpoint [N]
+  double closed = kUnset;   ///< force at the start of lift-off [N]
+  double held = kUnset;     ///< mean force over the hold [N]; NaN: no hold
   double closing = kUnset;  ///< s at the end
   GripFault fault = GripFault::kNone;
-  std::optional<std::string> joint;  ///< whose drive, stop or coupling `fault` means
+  std::optional<std::string> joint;  ///< joint whose drive, stop or coupling causes `fault`
 
   template <class V>
   static void ListFields(V&& field) {
@@ -67,19 +68,20 @@ struct DigitGripRecord {
 };
 
 struct GripRecord {
-  double told_weight = 0.0;    ///< of the object, as the hand is told [N]
-  double told_friction = 0.0;  ///< dynamic, between it and the hand, likewise; 0: it is not told
-  /** The smallest with which the contacts bear the weight, of a digit that does not oppose the
-  others; NaN: none was found, or nobody asked [N]. */
+  double told_weight = 0.0;    ///< object weight given to the controller [N]
+  double told_friction = 0.0;  ///< dynamic friction given to it, object and hand; 0: not given
+  /** Smallest force of a digit that does not oppose the others with which the contacts bear the
+  weight [N]; NaN: none was found, or it was not needed. */
   double smallest = kUnset;
-  double force = 0.0;      ///< asked of such a digit in the end [N]
-  double asked = kUnset;   ///< sum over the hand [N]
-  double closed = kUnset;  ///< at the start of lift-off [N]; NaN: not reached
-  double held = kUnset;    ///< mean over the hold [N]; NaN: none
-  /** The part of `asked` and `held` of what does not grasp but touches, as the palm; NaN: none. */
+  double force = 0.0;      ///< final setpoint of such a digit [N]
+  double asked = kUnset;   ///< setpoint, summed over the hand [N]
+  double closed = kUnset;  ///< force at the start of lift-off [N]; NaN: not reached
+  double held = kUnset;    ///< mean force over the hold [N]; NaN: no hold
+  /** Part of `asked` and `held` of links that touch but do not grasp, such as the palm; NaN:
+  none. */
   double rest_asked = kUnset, rest_held = kUnset;
-  double peak = 0.0;         ///< of the filtered sum, of the whole trial [N]
-  bool was_in_band = false;  ///< what ended stabilisation; else its longest time
+  double peak = 0.0;         ///< largest filtered total force of the trial [N]
+  bool was_in_band = false;  ///< stabilisation ended in the band; otherwise by its maximum time
   std::vector<DigitGripRecord> digits;
 
   template <class V>

@@ -10,26 +10,28 @@
 namespace graspbench {
 namespace {
 
-constexpr double kFilterTime = 0.02;      // of forces, asked and felt [s]
+constexpr double kFilterTime = 0.02;      // of forces and setpoints [s]
 constexpr double kShiftTime = 0.1;        // in which an error falls to 1/e [s]
-constexpr double kShareTime = 0.1;        // likewise, of a difference within a side [s]
+constexpr double kShareTime = 0.1;        // likewise for a difference within a side [s]
 constexpr double kDeadShare = 0.02;       // of A
 constexpr double kDeadDifference = 0.05;  // of a share
 constexpr double kBandShare = 0.1;        // of A, in which stabilisation ends
-constexpr double kLookInterval = 0.1;     // between two looks for the smallest force [s]
+constexpr double kLookInterval = 0.1;     // between two computations of the smallest force [s]
 constexpr double kAtTarget = 1e-9;        // of s
 constexpr double kAtLimit = 1.0 - 1e-6;   // of a torque limit
-/** Likewise, of a drive that is said to give all it can: what it holds creeps, and its torque with
-it. */
+/** Likewise, for a drive that is reported to be at its limit: what it holds creeps, and so does its
+torque. */
 constexpr double kNearLimit = 0.9;
 constexpr double kStopAngle = 1e-3;       // [rad]
-constexpr double kMostTorqueShare = 4.0;  // c, and its inverse the least
-/** Of a drive's torque limit: it bears its finger whatever the grip. */
+constexpr double kMostTorqueShare = 4.0;  // largest c; its inverse is the least
+/** Share of a drive's torque limit that bears its finger, whatever the grip. */
 constexpr double kLeastTorque = 0.02;
 constexpr double kMostShift = 1.0;   // rate of s over that of the closure
-constexpr double kKnownTouch = 0.2;  // of a digit that its elements do not feel, a touch [N]
-constexpr double kTrace = 1e-6;      // of a contact of which only the place is known [N]
-constexpr double kLeastRest = 5e-3;  // mean of the hold below which nothing else presses [N]
+constexpr double kKnownTouch = 0.2;  // force at which a digit touches if its elements do not feel
+                                     // [N]
+constexpr double kTrace = 1e-6;      // force of a contact of which only the position is known [N]
+constexpr double kLeastRest = 5e-3;  // mean of the hold above which the rest of the hand presses
+                                     // [N]
 
 }  // namespace
 
@@ -83,8 +85,8 @@ void GripRegulator::FollowTouches(const World& world, const std::vector<HandCont
   }
 }
 
-/** While it moved, its drive's spring was ahead of it by what damping asks for; blocked, that would
-be force. */
+/** While the digit moved, its drive's spring was ahead of it by what damping requires. When it is
+blocked, this lead would become force. */
 void GripRegulator::TakeBack(DigitGrip& digit, const World& world) const {
   const double closing = FindClosing(digit, [&](int joint) {
     return CalcDrivePosition(*setup_->hand, world.state(), joint) - setup_->grasp.q_pre[joint] -
@@ -163,7 +165,8 @@ double GripRegulator::CalcAskedForce() const {
   return std::max(strategy.grip_force, strategy.grip_margin * smallest);
 }
 
-/** What the opposing digit, and the rest where it touches, are asked for follows from balance. */
+/** Setpoints of the opposing digit, and of the rest of the hand if it touches, follow from
+balance. */
 void GripRegulator::ShareForce(const std::vector<PartLoad>& loads, double duration) {
   const double force = CalcAskedForce();
   std::vector<double> asked(loads.size(), force);
@@ -203,8 +206,8 @@ void GripRegulator::ShareForce(const std::vector<PartLoad>& loads, double durati
   sum_ += rest_force_;
 }
 
-/** The contacts as a hand by sensed touch takes them to press; a trace where it knows nothing,
-since the way they push counts. */
+/** Returns the contacts with the forces that a hand with sensed touch estimates. An unknown force
+becomes a trace, since the direction of the push counts. */
 std::vector<HandContact> GripRegulator::EstimateForces(World& world, const WorldCommand& command,
                                                        const std::vector<HandContact>& contacts,
                                                        const TouchSensors& sensors) {
@@ -244,7 +247,7 @@ void GripRegulator::Observe(Phase phase, World& world, const WorldCommand& comma
       sensors ? load(EstimateForces(world, command, contacts, *sensors)) : truth;
   std::vector<double> forces;
   for (const PartLoad& part : loads) forces.push_back(part.force);
-  // No drive holds the palm: it bears what the digits press it with.
+  // No drive holds the palm, which bears the load of the digits.
   if (sensors && forces.back() > 0.0) {
     BalanceForces(loads, {static_cast<int>(digits_.size())}, forces);
   }
@@ -315,7 +318,7 @@ void GripRegulator::NoteHold(Phase phase, double duration) {
   }
 }
 
-/** The spring of a drive that closes a digit asks for this share of its limit. */
+/** Whether the spring of a drive that closes a digit asks for this share of its limit. */
 bool GripRegulator::IsAtLimit(const DigitGrip& digit, int joint, double share) const {
   if (drive_positions_.size() == 0 || way_[joint] == 0.0) return false;
   const JointDrive& drive = setup_->hand->joints[static_cast<size_t>(joint)].drive;
@@ -333,8 +336,8 @@ bool GripRegulator::IsStopped(const DigitGrip& digit) const {
          IsAtLimit(digit);
 }
 
-/** Two digits that both oppose a third: what one gains the other gives up, so that the sum, and the
-opposing digit's share, stay. */
+/** Two digits that both oppose a third: one gains what the other gives up, so that the sum and the
+opposing digit's share are unchanged. */
 void GripRegulator::ShareWithinSide(double duration) {
   if (digits_.size() != 3) return;
   std::vector<DigitGrip*> side;
@@ -405,16 +408,16 @@ void GripRegulator::Command(WorldCommand& command) const {
   }
 }
 
-/** To which the drive of a digit that touches is limited under the saturating law. */
+/** Limit of the drive of a touching digit under the saturating law [N m]. */
 double GripRegulator::CalcSharedTorque(const DigitGrip& digit, int joint) const {
   const double limit = setup_->hand->joints[static_cast<size_t>(joint)].drive.torque_limit;
   return std::clamp(torque_share_ * digit.asked * std::abs(digit.torque[dofs_[joint]]),
                     kLeastTorque * limit, limit);
 }
 
-/** Of the joints that close a digit one whose drive gives about all it can; -1: none. What a drive
-gives to a joint at its stop presses on nothing, and one that is limited to a share of its torque
-could give more. */
+/** Returns a joint that closes the digit and whose drive is nearly at its limit; -1: none. At a
+joint stop the drive's torque does not press on the object, and a drive that is limited to a share
+of its torque could exert more. */
 int GripRegulator::FindFullDrive(const DigitGrip& digit) const {
   for (const int joint : digit.joints) {
     if (is_stopped_.empty() || is_stopped_[static_cast<size_t>(joint)]) continue;
@@ -429,7 +432,7 @@ int GripRegulator::FindFullDrive(const DigitGrip& digit) const {
 
 std::pair<GripFault, int> GripRegulator::FindFault(const DigitGrip& digit, double asked,
                                                    double reached, double pressed) const {
-  // By sensed touch: what it presses with is not what the hand takes it for.
+  // With sensed touch, the true force differs from the estimate.
   const bool misses_much = std::abs(pressed - reached) > kGripTolerance * std::max(asked, reached);
   if (!digit.is_known || misses_much) return {GripFault::kNotFelt, -1};
   if (!digit.has_touched) return {GripFault::kNoTouch, -1};
@@ -470,7 +473,8 @@ GripRecord GripRegulator::MakeRecord() const {
     of.closed = digit.closed;
     if (held_time_ > 0.0) of.held = digit.held_sum / held_time_;
     of.closing = digit.CalcClosing();
-    const bool was_lost = held_time_ == 0.0 && !std::isnan(closed_);  // then the end says nothing
+    const bool was_lost = held_time_ == 0.0 && !std::isnan(closed_);  // then the final state gives
+                                                                      // no information
     const auto [fault, joint] =
         was_lost ? digit.fault
                  : FindFault(digit, of.asked, held_time_ > 0.0 ? of.held : digit.force,

@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-/** How a point moves with a unit rate of a joint. */
+/** Velocity of a point for a unit rate of a joint. */
 Vector3d CalcMotion(const HandDynamics& dynamics, int joint, const Vector3d& p) {
   const SpatialVector& S = dynamics.motion(joint);
   return S.tail<3>() + S.head<3>().cross(p);
@@ -25,19 +25,19 @@ class ClosedHand {
     dynamics_.UpdatePositions(Pose::Identity(), grasp.q_target);
   }
 
-  /** At the pad of one digit. */
+  /** Force at the pad of one digit. */
   double CalcPadForce(const Digit& digit) const;
-  /** Of one digit, wherever on its surface. */
+  /** Bound for one digit, anywhere on its surface. */
   double CalcDigitBound(const Digit& digit) const;
 
  private:
-  /** What the drive behind a joint can give at places no nearer to it than this. */
+  /** Largest force of the drive behind a joint at points no nearer to it than `lever`. */
   double CalcForceAt(const HandJoint& joint, double lever) const {
     const HandJoint& driven =
         joint.coupled_to < 0 ? joint : hand_.joints[static_cast<size_t>(joint.coupled_to)];
     return driven.drive.torque_limit / (joint.is_prismatic ? 1.0 : lever);
   }
-  /** The joint of a digit that closes and is the last before this link; -1: none. */
+  /** The last closing joint of a digit before this link; -1: none. */
   int FindClosingJoint(int link) const {
     int closing = -1;
     for (const int joint : dynamics_.chain(link)) {
@@ -159,7 +159,7 @@ void BalanceForces(const std::vector<PartLoad>& loads, const std::vector<int>& f
       }
     }
   }
-  // One of them alone, that which leaves least.
+  // Only one of them: the one that leaves the smallest residual.
   int best = -1;
   double best_force = 0.0, least = rest_W.squaredNorm();
   for (const int part : free) {

@@ -12,20 +12,21 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr double kNearStop = 1e-3;    // [rad]
-constexpr int kNumSweeps = 100;       // of the least squares, for some three unknowns that interact
+constexpr int kNumSweeps = 100;       // of the least squares, enough for about three interacting
+                                      // unknowns
 constexpr double kRidge = 1e-6;       // [m^2]
-constexpr double kLeastLever = 2e-3;  // below which a force says nothing in torques [m]
+constexpr double kLeastLever = 2e-3;  // below it the torques do not determine a force [m]
 
 /** The contacts of one link on its elements, or those beside them. */
 struct ContactGroup {
   std::vector<size_t> contacts;
-  VectorXd torque = {};         // of a unit of force, on joints whose torque is known
+  VectorXd torque = {};         // of a unit force, on joints with known torque
   double force = 0.0;           // [N]
   double least = 0.0;           // [N]
-  bool follows_torques = true;  // else its elements say the force
+  bool follows_torques = true;  // else its elements give the force
 };
 
-/** By link; of each what is beside its elements first. */
+/** By link; for each link, contacts beside its elements come first. */
 std::map<std::pair<int, bool>, ContactGroup> GroupContacts(const std::vector<HandContact>& contacts,
                                                            const TouchSensors& sensors) {
   std::map<std::pair<int, bool>, ContactGroup> groups;
@@ -41,7 +42,7 @@ std::map<std::pair<int, bool>, ContactGroup> GroupContacts(const std::vector<Han
   return groups;
 }
 
-/** Of a unit of force, shared alike by these contacts of a link. */
+/** Torque of a unit force that is shared equally by these contacts of a link. */
 VectorXd CalcUnitTorque(const std::vector<HandContact>& contacts, const std::vector<size_t>& of,
                         const HandDynamics& dynamics) {
   std::vector<HandContact> units;

@@ -21,7 +21,7 @@ constexpr double kGrowthTime = 0.3;                ///< tau [s]
 constexpr double kMostTestLoad = 100.0;            ///< [N]
 constexpr double kBrokenDistance = 0.02;           ///< [m]
 constexpr double kBrokenAngle = RadFromDeg(30.0);  ///< [rad]
-/** Above this, cones get 4 edges instead of 8: a hull in six dimensions grows fast. */
+/** Above this, cones get 4 edges instead of 8, since a hull in six dimensions grows fast. */
 constexpr size_t kMostFineContacts = 8;
 constexpr double kWindow = 0.02;  ///< [s]
 
@@ -32,7 +32,7 @@ double CalcMomentum(const HeldObject& object, const Vector3d& direction_W, bool 
                                        (state.R_WO.transpose() * state.w_WO)));
 }
 
-/** @param enough  the pull ends unbroken when the hand has balanced so much. */
+/** @param enough  the pull ends, unbroken, when the hand has balanced this load. */
 BreakingLoad FindBreakingLoad(const HeldObject& held, const Vector3d& direction_W, bool is_moment,
                               double enough = std::numeric_limits<double>::infinity()) {
   HeldObject object = held;
@@ -98,7 +98,7 @@ std::vector<Vector3d> ListAxes(const HeldObject& held) {
   return axes;
 }
 
-/** Time until it has moved or turned by that much; `duration` if it never does. */
+/** Time until the object has moved or turned by that much; `duration` if it never does. */
 double FindFallTime(const HeldObject& held, const Vector3d& gravity_W, double distance,
                     double angle, double duration) {
   HeldObject object = held;
@@ -220,7 +220,7 @@ BreakingLoad FindBreakingForce(const HeldObject& held, const Vector3d& direction
 
 double FindWeakestForce(const HeldObject& held) {
   double weakest = std::numeric_limits<double>::infinity();
-  for (int axis = 2; axis >= 0; --axis) {  // along the approach grasps are weak
+  for (int axis = 2; axis >= 0; --axis) {  // grasps are weakest along the approach
     for (const double sign : {1.0, -1.0}) {
       const Vector3d direction_W = sign * held.R_WPalm().col(axis);
       weakest = std::min(weakest, FindBreakingLoad(held, direction_W, false, weakest).load);

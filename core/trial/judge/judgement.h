@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-What the judge (judge.h) found about a held grasp, and its form as JSON. */
+Result of the judge (judge.h) for a held grasp, and its JSON form. */
 
 #include <string>
 #include <vector>
@@ -12,12 +12,12 @@ What the judge (judge.h) found about a held grasp, and its form as JSON. */
 
 namespace graspbench {
 
-/** Counts changes of the judge that change what it finds; stored with every judgement. */
+/** Incremented when the judge changes its results; stored with every judgement. */
 inline constexpr int kJudgeVersion = 1;
 
 struct BreakingLoad {
   std::string direction;  ///< "force +x", ..., "moment -z", in the palm's frame
-  double load = kUnset;   ///< [N], of moments [N m]; the range's end if it did not break
+  double load = kUnset;   ///< [N], for moments [N m]; the end of the range if unbroken
   bool is_broken = false;
 
   bool is_force() const { return direction.substr(0, 5) == "force"; }
@@ -30,7 +30,7 @@ inline Json ToJson(const BreakingLoad& load) {
           {KeyOfLoad(load), JsonNumber(load.load)},
           {"is_broken", load.is_broken}};
 }
-/** @throws Json::exception when a key is missing or of another type. */
+/** @throws Json::exception if a key is missing or has the wrong type. */
 inline void ReadJson(const Json& json, BreakingLoad& load) {
   load.direction = json.at("direction").get<std::string>();
   load.load = NumberFrom(json.at(KeyOfLoad(load)));
@@ -50,7 +50,7 @@ struct Verdict {
   }
 };
 
-/** Epsilon of the contacts at the end of the hold, after one convention. */
+/** Epsilon of the contacts at the end of the hold, by one convention. */
 struct ConventionEpsilon {
   InternedName convention;  ///< id, see grasp_quality.h
   double epsilon = kUnset;
@@ -64,12 +64,12 @@ struct ConventionEpsilon {
 
 struct Judgement {
   std::vector<BreakingLoad> loads;  ///< six forces, six moments
-  double breaking_force = kUnset;   ///< the smallest of the forces [N]
-  double breaking_moment = kUnset;  ///< the smallest of the moments [N m]
-  /** Of all conventions; empty with fewer than 2 contacts. */
+  double breaking_force = kUnset;   ///< smallest of the forces [N]
+  double breaking_moment = kUnset;  ///< smallest of the moments [N m]
+  /** By convention; empty with fewer than 2 contacts. */
   std::vector<ConventionEpsilon> epsilons;
-  double volume = kUnset;         ///< of the hull, convention "ferrari-canny" [N^6]
-  std::vector<Verdict> verdicts;  ///< of all rules, in their order
+  double volume = kUnset;         ///< of the wrench hull, convention "ferrari-canny" [N^6]
+  std::vector<Verdict> verdicts;  ///< of all rules, in order
 
   template <class V>
   static void ListFields(V&& field) {

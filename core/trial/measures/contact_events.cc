@@ -13,14 +13,14 @@ constexpr double kSettledTime = 0.01;  // [s]
 constexpr double kSteadySlip = 0.005;  // [m/s]
 constexpr double kLongestStep = 0.01;  // [s]
 
-/** What a link does in one step. */
+/** State of a link in one step. */
 struct LinkNow {
   bool is_touching = false;
-  bool is_sliding = true;  ///< of all its contacts
+  bool is_sliding = true;  ///< all of its contacts slide
   double force = 0.0;
 };
 
-/** Starts, keeps or stops the clock of a condition; true when it has held for long enough. */
+/** Updates the clock of a condition. Returns true if it has held for long enough. */
 bool HasSettled(bool condition, double time, double& since) {
   if (!condition) {
     since = kUnset;

@@ -1,14 +1,14 @@
 #pragma once
 /** @file
-What the links of the hand did to the object, as events of a trial:
+Contacts between the links of the hand and the object, as events of a trial:
 
     touch     a link touches for the first time
-    lost      it has let go; with the normal impulse of the touch that ended
+    lost      it has let go; with the normal impulse of the contact that ended
     regained  it touches again
     slip      all of its contacts have begun to slide, faster than 1 mm/s
 
-An event counts when its state lasts for 10 ms, and is dated back to its beginning: shorter
-interruptions are the chatter of points that roll over edges. */
+An event counts if its state lasts for 10 ms, and is dated to the beginning of that state. Shorter
+interruptions are chatter of points that roll over edges. */
 
 #include <string>
 #include <vector>
@@ -42,9 +42,9 @@ inline void ReadJson(const Json& json, ContactEventKind& kind) {
 struct ContactEvent {
   double time = 0.0;  ///< [s]
   ContactEventKind kind = ContactEventKind::kTouch;
-  std::string digit;        ///< id; "palm" for links of none
+  std::string digit;        ///< id; "palm" for links of no digit
   std::string link;         ///< name
-  double impulse = kUnset;  ///< normal impulse on the object, of "lost" [N s]
+  double impulse = kUnset;  ///< normal impulse on the object, for "lost" [N s]
 
   template <class V>
   static void ListFields(V&& field) {
@@ -58,22 +58,22 @@ struct ContactEvent {
   }
 };
 
-/** Watches a trial. */
+/** Records the events of a trial. */
 class ContactEventRecorder {
  public:
   explicit ContactEventRecorder(const Hand& hand);
 
-  /** To be called after every step with the contacts of that step. @param duration  its length [s]
-  */
+  /** Call after every step with its contacts. @param duration  of the step [s]. */
   void Observe(double time, double duration, const std::vector<HandContact>& contacts);
 
-  /** In the order of their times, links in the hand's order. */
+  /** Returns the events by time; for equal times, links in the hand's order. */
   std::vector<ContactEvent> MakeEvents() const;
 
  private:
   struct LinkState {
     bool is_touching = false, is_sliding = false;  // as of the last event
-    double changed_since = kUnset;                 // the contact contradicts it; NaN: it does not
+    double changed_since = kUnset;                 // the contact differs since then; NaN: it does
+                                                   // not
     double slides_since = kUnset;
     double impulse = 0.0;  // of the current touch [N s]
     bool has_touched = false;
@@ -85,18 +85,19 @@ class ContactEventRecorder {
   std::vector<ContactEvent> events_;
 };
 
-/** Follows the hand's contacts with the object, to tell when a trial may take longer steps: while
-the object hangs in the hand and nothing happens to its contacts, one step as long as several gives
-the same motion. The same links have touched at the same number of points for 50 ms, none has slid,
-and the object has moved no faster against the hand than 5 mm/s. At the first slip, new contact or
-loss steps have the settings' length again.
+/** Monitors the hand's contacts with the object to decide when a trial may take longer steps. While
+the object hangs in the hand and its contacts do not change, one step as long as several gives the
+same motion. The condition holds if for 50 ms the same links have touched at the same number of
+points, none has slid, and the object has moved at most 5 mm/s relative to the hand. At the first
+slip, new or lost contact, steps return to the length of the settings.
 
-Limits: what happens within a long step is felt at its end, at most 10 ms late. The engine's bars of
-accuracy are those of its short steps; that verdicts are those of short steps is measured
-(workbench/manual/validation/physics.yaml). All limits are proposed by graspbench. */
+Limits: events within a long step are detected at its end, at most 10 ms late. The engine's targets
+of accuracy are those of its short steps. That the verdicts agree with those of short steps is
+measured (workbench/manual/validation/physics.yaml). All limits are proposed by graspbench. */
 class SteadyContacts {
  public:
-  /** After every step. @param duration  of that step [s]   @param slip_speed  CalcSlipSpeed. */
+  /** Call after every step. @param duration  of that step [s]   @param slip_speed  by
+  CalcSlipSpeed. */
   void Observe(const std::vector<HandContact>& contacts, double table_force, double slip_speed,
                double duration);
   bool are_steady() const { return steady_time_ >= kSteadyTime - 1e-9; }
@@ -108,7 +109,7 @@ class SteadyContacts {
   double steady_time_ = 0.0;  // [s]
 };
 
-/** How many steps of the settings' length one may take together. */
+/** Number of steps of the settings' length that a long step replaces. */
 int CalcSteadySteps(const SimConfig& config);
 
 }  // namespace graspbench

@@ -14,11 +14,12 @@ constexpr double kOpposingForce = 0.05;     // of each of two parts [N]
 constexpr double kOpposingTime = 0.02;      // [s]
 const double kOpposingCosine = std::cos(RadFromDeg(110.0));
 constexpr double kPushedAside = 0.005;  // [m]
-constexpr double kGraspedTime = 0.5;    // of opposition: the object was grasped [s]
+constexpr double kGraspedTime = 0.5;    // duration of opposition after which the object counts as
+                                        // grasped [s]
 constexpr double kLeastPush = 0.2;      // [N]
 constexpr double kLeastPushWeights = 0.5;
-constexpr double kLeastFall = 0.0002;  // whose work counts [m]
-constexpr double kGaveWay = 0.5;       // of the work of all others
+constexpr double kLeastFall = 0.0002;  // fall whose work counts [m]
+constexpr double kGaveWay = 0.5;       // share of the work of all others
 const double kSagging = RadFromDeg(15.0);
 constexpr double kTimeRounding = 1e-9;  // [s]
 
@@ -64,7 +65,7 @@ std::vector<OpposedRun> ListOpposedRuns(const std::vector<LoadSample>& samples) 
   return runs;
 }
 
-/** What is asked of the samples of one trial. */
+/** Evaluates the samples of one trial. */
 class LossFinder {
  public:
   LossFinder(const TrialResult& result, const std::vector<LoadSample>& samples,
@@ -99,8 +100,8 @@ class LossFinder {
   double closure_start_, window_;
   Diagnosis found_;
   bool is_held_ = false;        // opposed to the end, and lifted
-  size_t since_ = 0;            // sample since which its turn counts
-  size_t lost_ = 0;             // sample in which it was
+  size_t since_ = 0;            // sample from which its rotation counts
+  size_t lost_ = 0;             // sample in which it was lost
   size_t begin_ = 0, end_ = 0;  // samples of the window
 };
 
@@ -186,7 +187,7 @@ void LossFinder::AddWorks() {
   }
 }
 
-/** Of an object that was lifted only while the hand still touched it. */
+/** For an object that was lifted, considers only the time while the hand touched it. */
 bool LossFinder::IsPushedFromOutside() {
   const double least = std::max(kLeastPush, kLeastPushWeights * result_.weight);
   const double until =
@@ -202,15 +203,15 @@ bool LossFinder::IsPushedFromOutside() {
   return false;
 }
 
-/** Whether two parts opposed each other for so long, once. */
+/** Whether two parts once opposed each other for kGraspedTime. */
 bool LossFinder::IsGrasped(const std::vector<OpposedRun>& runs) const {
   return std::any_of(runs.begin(), runs.end(), [&](const OpposedRun& run) {
     return samples_[run.last].time - samples_[run.first].time >= kGraspedTime - kTimeRounding;
   });
 }
 
-/** By what pressed most until the object had moved so far, from its first touch on. An object that
-was grasped afterwards is lost otherwise. */
+/** Names the part that pressed most until the object had moved by kPushedAside, dated to its first
+touch. An object that was grasped afterwards has another mechanism. */
 bool LossFinder::IsPushed(const std::vector<OpposedRun>& runs) {
   const size_t until = runs.empty() ? samples_.size() : runs.front().first;
   std::vector<double> pressed(samples_.front().parts.size(), 0.0);
@@ -243,7 +244,7 @@ bool LossFinder::IsNotReached(const std::vector<OpposedRun>& runs) {
   return true;
 }
 
-/** Of what was squeezed out, sagged or slid. */
+/** Blames a drive for an object that was squeezed out, sagged or slid. */
 void LossFinder::BlameDrive() {
   std::vector<size_t> full;  // digits
   for (size_t digit = 0; digit < num_digits(); ++digit) {

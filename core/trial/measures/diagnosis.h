@@ -1,31 +1,32 @@
 #pragma once
 /** @file
-How a failed trial lost its object: a mechanism with its time and works, kept in the trial's record.
-The words for it are one function (diagnosis_text.h), so that every page and command says the same.
+How a failed trial lost its object: a mechanism with its time and works, stored in the trial's
+record. One function formats it as text (diagnosis_text.h), so that all pages and commands agree.
 
-Two parts of the hand, digits or the rest of it, oppose each other while their summed normal forces
-are 0.05 N or more each and more than 110 degrees apart, for 20 ms or longer; runs interrupted by
-less than 30 ms are one. The object is lost at the end of their last run. Works on the object,
-relative to the hand, are summed over the run's last 150 ms (load_recorder.h); of one that is still
-between them at the end of the trial, over all of the time since lift-off. The mechanism is the
-first of these that holds (all limits proposed by graspbench):
+Two parts of the hand, digits or the rest of it, oppose each other if their summed normal forces are
+at least 0.05 N each and more than 110 degrees apart, for 20 ms or longer. Runs interrupted by less
+than 30 ms are merged. The object is lost at the end of the last run. Works on the object, relative
+to the hand, are summed over the last 150 ms of that run (load_recorder.h). If the parts still
+oppose each other at the end of the trial, they are summed since lift-off. The mechanism is the
+first of these that applies (all limits proposed by graspbench):
 
     arm at limit    the outcome is "arm overloaded"
-    outside push    a force beyond table and hand above 0.2 N and half the weight; of an object that
-                    was lifted while the hand still touched it
+    outside push    a force beyond table and hand above 0.2 N and half the weight; for an object
+                    that was lifted, while the hand still touched it
     pushed          the object moved by more than 5 mm along the table before two parts opposed, and
-                    none did for half a second afterwards; dated by the first touch of the part that
+                    none did for half a second afterwards; dated to the first touch of the part that
                     pressed most until then
     not reached     no two parts ever opposed
-    drive at limit  some, not all, of the digits had a drive at its limit in most of the 150 ms, and
-                    the object sagged or slid as below, or one of them gave way: its normal work is
-                    negative, and at least half of what the other parts' normal forces and gravity
-                    did
-    squeezed out    the normal forces did more work than gravity and than the friction of the hand,
-                    and that of 0.2 mm of fall or more
-    sagged, slid    gravity did the more work; the object turned in the hand by more than 15 degrees
-                    since two parts first opposed (since lift-off, where they did then), or not
-    cause not identified   neither, as where friction dragged it along */
+    drive at limit  some, but not all, of the digits had a drive at its limit in most of the 150 ms,
+                    and the object sagged or slid as below, or one of these digits gave way: its
+                    normal work is negative, and at least half of the work that the other parts'
+                    normal forces and gravity did
+    squeezed out    the normal forces did more work than gravity and than the hand's friction, and
+                    at least the work of a fall by 0.2 mm
+    sagged, slid    gravity did more work than the normal forces; sagged if the object turned in the
+                    hand by more than 15 degrees since two parts first opposed (or since lift-off,
+                    if they did until then), otherwise slid
+    cause not identified   none of these, e.g. friction dragged the object along */
 
 #include <optional>
 #include <string>
@@ -69,10 +70,10 @@ inline void ReadJson(const Json& json, Mechanism& mechanism) {
   mechanism = RowFromName(kMechanisms, json.get<std::string>(), "mechanism").value;
 }
 
-/** Of a part that touched in the window of the works. */
+/** Work of a part that touched within the window. */
 struct PartWork {
-  std::string part;            ///< a digit or "palm", which is the rest of the hand
-  double force = 0.0;          ///< largest sum of normal forces [N]
+  std::string part;            ///< a digit, or "palm" for the rest of the hand
+  double force = 0.0;          ///< largest sum of its normal forces [N]
   double normal_work = 0.0;    ///< [J]
   double friction_work = 0.0;  ///< [J]
 
@@ -88,21 +89,22 @@ struct PartWork {
 
 struct Diagnosis {
   Mechanism mechanism = Mechanism::kNotIdentified;
-  /** That did not touch, pushed or gave way; of "squeezed out" with the most normal work, of
-  "sagged" and "slid" the one along which most friction was lost; empty: none. */
+  /** The part that did not touch, pushed or gave way. For "squeezed out" the one with the most
+  normal work; for "sagged" and "slid" the one along which most friction work was lost; empty:
+  none. */
   std::string part;
-  /** Of the hand or, of "arm at limit", of its robot arm, whose drive is at its limit; empty: not
-  known, or another mechanism. */
+  /** Joint whose drive is at its limit, of the hand or, for "arm at limit", of the robot arm;
+  empty: unknown, or another mechanism. */
   std::string joint;
-  std::string phase;  ///< in which the object was lost, of kPhases
-  /** At which it was, since the start of placing; of "pushed" and "outside push" when that began, of
-  "sagged" and still in the hand when it had turned so far [s]. */
+  std::string phase;  ///< phase in which the object was lost, one of kPhases
+  /** Time of the loss since the start of placing [s]. For "pushed" and "outside push" it is their
+  beginning; for "sagged" and still in the hand, when the object had turned by the limit. */
   double time = kUnset;
-  double opposed_since = kUnset;  ///< two parts first opposed, since the same start; NaN: never [s]
-  double shift = kUnset;          ///< along the table until then, without it the largest [m]
-  double turn = kUnset;           ///< in the hand, see "sagged" [rad]
-  double table_share = kUnset;    ///< of the weight, that the table bore on average in the window
-  double push = kUnset;           ///< from outside [N]
+  double opposed_since = kUnset;  ///< when two parts first opposed, likewise [s]; NaN: never
+  double shift = kUnset;          ///< largest motion along the table until then, or in all [m]
+  double turn = kUnset;           ///< rotation in the hand, see "sagged" [rad]
+  double table_share = kUnset;    ///< mean share of the weight on the table in the window
+  double push = kUnset;           ///< external force [N]
   double gravity_work = 0.0;      ///< in the window [J]
   std::vector<PartWork> parts;    ///< in the order of digits, palm last
 
@@ -127,8 +129,9 @@ struct Diagnosis {
   }
 };
 
-/** None of a success, and of a trial whose outcome says it all (unreachable, not seen, ..).
-@param result  as TableLift::End knows it, with phases, contacts, touches and weight; times since
+/** Returns nullopt for a success, and for outcomes that need no diagnosis (unreachable, not seen,
+..).
+@param result  as known to TableLift::End, with phases, contacts, touches and weight; times since
 the start of closure.   @param samples  of the whole trial.
 @param closure_start  since the start of placing [s]; NaN: not reached.
 @param window  over which works are summed [s]. */

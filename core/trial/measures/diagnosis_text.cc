@@ -23,8 +23,8 @@ std::string DescribeTime(const Diagnosis& diagnosis) {
   return fmt::format("during {} at {}", diagnosis.phase, FormatSeconds(diagnosis.time));
 }
 
-/** "All digits touched within 10 ms.", or who did not: what touches in the placing or the lift alone
-has no time. */
+/** "All digits touched within 10 ms.", or names those that did not touch. Touches during placing or
+lift only have no time. */
 std::string DescribeTouches(const TrialResult& result) {
   std::string touched, untouched;
   int num_touched = 0;

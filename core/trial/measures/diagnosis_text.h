@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-The words for a failed trial's mechanism: the same for terminal, page, report and CSV. */
+Text of a failed trial's mechanism: the same in terminal, page, report and CSV. */
 
 #include <string>
 
@@ -8,7 +8,7 @@ The words for a failed trial's mechanism: the same for terminal, page, report an
 
 namespace graspbench {
 
-/** "Squeezed out during closure at 1.850 s. ..": what happened, then forces and works. Empty
+/** Formats the event, then forces and works: "Squeezed out during closure at 1.850 s. ..". Empty
 without a diagnosis. */
 std::string DescribeDiagnosis(const TrialResult& result);
 

@@ -10,7 +10,7 @@
 namespace graspbench {
 namespace {
 
-constexpr double kLeastAsCalled = 0.5;  // of what a grasp holds, to be called by its name
+constexpr double kLeastAsCalled = 0.5;  // share of the held objects with the type's opposition
 
 }  // namespace
 

@@ -10,8 +10,8 @@ namespace graspbench {
 namespace {
 
 constexpr double kInterval = 0.01;      // of samples [s]
-constexpr double kTableFriction = 1.0;  // more than any table here has
-/** Of a torque limit: what a drive at its limit holds creeps, and its torque with it. */
+constexpr double kTableFriction = 1.0;  // upper bound for all tables here
+/** Share of a torque limit: what a drive at its limit holds creeps, and so does its torque. */
 constexpr double kShareOfLimit = 0.9;
 constexpr double kStopWidth = 1e-3;  // [rad], [m]
 
@@ -36,7 +36,7 @@ void LoadRecorder::AddWork(double duration, const World& world,
                            const std::vector<HandContact>& contacts) {
   const WorldState& state = world.state();
   const Eigen::Vector3d w_HO_W = state.w_WO - state.w_WH;
-  // Of Ocm against the point of H that is there.
+  // Velocity of Ocm relative to the point of H at its position.
   const Eigen::Vector3d v_W =
       state.v_WOcm - state.v_WH - state.w_WH.cross(state.p_WOcm - state.X_WH.translation());
   for (const HandContact& contact : contacts) {
@@ -48,8 +48,9 @@ void LoadRecorder::AddWork(double duration, const World& world,
   gravity_work_ += duration * world.mass_properties().mass * state.gravity_W.dot(v_W);
 }
 
-/** The joint of a part whose drive gives all it can; -1: none. One that is limited to a share of its
-torque could give more, and one that pushes its joint against a stop presses on nothing. */
+/** Returns the joint of a part whose drive is at its torque limit; -1: none. A drive that is
+limited to a share of its torque could exert more, and one at a joint stop does not press on the
+object. */
 int LoadRecorder::FindFullDrive(size_t part, const World& world,
                                 const WorldCommand& command) const {
   for (const int joint : joints_[part]) {

@@ -15,7 +15,7 @@ constexpr double kReseatedSlide = 0.001;  // [m]
 constexpr double kCagedForce = 1.5;       // [N]
 constexpr double kCagedWeights = 5.0;
 
-/** Null when the trial ended before it. */
+/** Returns null if the trial ended before this moment. */
 const SceneSnapshot* FindSnapshot(const TrialResult& result, Moment moment) {
   const auto found =
       std::find_if(result.snapshots.begin(), result.snapshots.end(),
@@ -63,7 +63,7 @@ const char* NameOf(Seat seat) {
 }
 
 bool IsCaged(const TrialResult& result) {
-  // Not a number where the weight or the force is none.
+  // NaN if weight or force is missing.
   return IsSuccess(result.outcome) &&
          result.stability.hold.normal_force <
              std::fmin(kCagedForce, kCagedWeights * result.weight) &&

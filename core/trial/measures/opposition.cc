@@ -11,7 +11,7 @@ constexpr double kPalmShare = 0.1;
 constexpr double kSideShare = 1.0 / 3.0;
 const double kSideCosine = std::cos(RadFromDeg(45.0));
 
-/** Unit, in W: the axis of the outermost joint of the digit that turns. */
+/** Unit axis, in W, of the digit's outermost revolute joint. */
 Eigen::Vector3d FindFlexionAxis(const Hand& hand, const Digit& digit,
                                 const std::vector<Pose>& X_WL) {
   for (size_t k = digit.links.size(); k-- > 0;) {
@@ -20,7 +20,7 @@ Eigen::Vector3d FindFlexionAxis(const Hand& hand, const Digit& digit,
     if (link.joint < 0 || hand.joints[static_cast<size_t>(link.joint)].is_prismatic) continue;
     return X_WL[index].linear() * link.axis;
   }
-  return Eigen::Vector3d::Zero();  // no side without a joint that turns
+  return Eigen::Vector3d::Zero();  // without a revolute joint there is no side
 }
 
 }  // namespace

@@ -1,17 +1,18 @@
 #pragma once
 /** @file
-Which of Iberall's (1987) three oppositions a finished grasp is, found from where the forces act:
+Which of Iberall's (1987) three oppositions a finished grasp uses, from the points of application of
+its forces:
 
     pad    palmar surfaces of the digits press against each other
-    palm   the palm bears with the digits
-    side   the side of a finger bears: thumb against it, or two fingers
+    palm   the palm bears load with the digits
+    side   the side of a finger bears load: against the thumb, or between two fingers
 
-With N the sum of the normal forces, a contact is the palm's when its link is of no digit, and one
-of a side when its normal lies within 45 degrees of the axis about which the digit's distal joint
-flexes. The palm's share of N makes it palm opposition from 10 % on; else a third on sides makes it
-side opposition (of thumb against a side, the side bears half); else it is pad opposition. Shares
-and angle are proposed by graspbench. A link that lies against the object without pressing does not
-count. */
+Let N be the sum of the normal forces. A contact belongs to the palm if its link belongs to no
+digit. It belongs to a side if its normal is within 45 degrees of the axis about which the digit's
+distal joint flexes. It is palm opposition if the palm bears at least 10 % of N, otherwise side
+opposition if sides bear at least a third, otherwise pad opposition. With the thumb against a side,
+the side bears half. Shares and angle are proposed by graspbench. A link that touches the object
+without pressing does not count. */
 
 #include <vector>
 
@@ -32,7 +33,7 @@ inline void ReadJson(const Json& json, Opposition& opposition) {
   opposition = RowFromName(kOppositions, json.get<std::string>(), "opposition").value;
 }
 
-/** @param X_WL  of all links.  @pre contacts, each with a force above 0. */
+/** @param X_WL  by link.  @pre there is a contact, and each has a force above 0. */
 Opposition FindOpposition(const Hand& hand, const std::vector<Pose>& X_WL,
                           const std::vector<HandContact>& contacts);
 

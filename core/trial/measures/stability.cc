@@ -10,11 +10,11 @@
 namespace graspbench {
 namespace {
 
-constexpr double kStabilisationWindow = 0.5;  ///< the last part of the phase that counts [s]
+constexpr double kStabilisationWindow = 0.5;  ///< last part of the phase that is used [s]
 constexpr double kStabilisationInterval = 0.025;
 constexpr double kLiftInterval = 0.1;
 constexpr double kHoldInterval = 0.2;
-constexpr double kMostLoads = 10.0;          ///< Q F / (m g) counts up to here
+constexpr double kMostLoads = 10.0;          ///< upper bound of Q F / (m g)
 constexpr double kProposedSlipSpeed = 0.01;  ///< [m/s]
 
 double CalcLeastPull(const GraspInstant& instant) {

@@ -1,27 +1,27 @@
 #pragma once
 /** @file
-Stability sigma: how firmly an object is held, larger is better; the fitness of the optimisation.
+Stability sigma: how firmly an object is held; larger is better. It is the fitness of optimisation.
 
     sigma = mean over the hold of  min over d of s(d)      [N]
 
-with d the six half axes of the palm's frame and s(d) the largest pull along d that the contacts,
-with the forces they exert at that instant, stand on top of the object's weight (holding_force.h).
-So sigma is a force: the pull that would take the object out of the hand, by its contacts' forces
-beforehand. 0 when the object is lost.
+where d are the six half axes of the palm's frame. The value s(d) is the largest pull along d, in
+addition to the object's weight, that the contacts resist with their normal forces at that instant
+(holding_force.h). Sigma is thus a force: the pull that would take the object out of the hand,
+predicted from the contact forces before the pull. It is 0 if the object is lost.
 
-The formula that was proposed first is kept beside it as `sigma_proposed`,
+The originally proposed formula is kept as `sigma_proposed`,
 
     mean of  min(10, Q F / (m g)) exp(-v / (10 mm/s)) o
 
     Q   epsilon of the contacts in the convention "ferrari-canny" (grasp_quality.h): eight
         edges, unit normal force, moments about the centre of mass divided by the object's radius;
         each cone with the friction of its contact's state, soft pads with torsion
-    F   sum of the normal forces of the hand on the object [N];  m g the object's weight [N]
-    v   speed of the object against the hand, |v_WOcm - v_WH| + radius |w_WO| [m/s]
+    F   sum of the hand's normal forces on the object [N];  m g the object's weight [N]
+    v   speed of the object relative to the hand, |v_WOcm - v_WH| + radius |w_WO| [m/s]
     o   1 if the opposing digit and another digit or the palm touch the object, else 0
 
-because it ranks grasps worse by the force that really breaks them: see the README of this folder.
-Both are proposals of graspbench (the thesis names a stability without a formula). */
+It was replaced because it predicts the measured breaking force less well: see the README of this
+folder. Both are proposals of graspbench (the thesis names a stability without a formula). */
 
 #include <vector>
 
@@ -43,14 +43,14 @@ struct GraspInstant {
   bool is_opposed = false;  ///< o
 };
 
-/** Means over the samples of a part of a trial; NaN where there are none. */
+/** Means over the samples of one phase of a trial; NaN without samples. */
 struct StabilityPart {
   double sigma = kUnset;  ///< [N]
   double sigma_proposed = kUnset;
   double quality = kUnset;       ///< Q
   double normal_force = kUnset;  ///< F [N]
   double slip_speed = kUnset;    ///< v [m/s]
-  double opposition = kUnset;    ///< o, a share
+  double opposition = kUnset;    ///< mean of o
   int num_samples = 0;
 
   template <class V>
@@ -66,10 +66,10 @@ struct StabilityPart {
 };
 
 struct Stability {
-  /** That of `hold` if the object is in the hand at the end of the trial, else 0 [N]. */
+  /** Sigma of `hold` if the object is in the hand at the end of the trial, else 0 [N]. */
   double sigma = kUnset;
   double sigma_proposed = kUnset;  ///< that of `stabilisation`, under the same condition
-  StabilityPart stabilisation;     ///< its last 0.5 s
+  StabilityPart stabilisation;     ///< last 0.5 s of the phase
   StabilityPart lift;
   StabilityPart hold;
 
@@ -83,36 +83,37 @@ struct Stability {
   }
 };
 
-/** Cost: some 0.3 ms for a sample of ten contacts. */
+/** Cost: about 0.3 ms per sample of ten contacts. */
 StabilityPart CalcStabilityPart(const std::vector<GraspInstant>& samples);
 
 /** Largest distance of the object's surface from its centre of mass [m]. */
 double CalcObjectRadius(const GraspObject& object);
 
-/** Speed of the object against the hand, |v_WOcm - v_WH| + radius |w_WO| [m/s]: no point of it is
-faster. A ball that spins on the spot moves, too. */
+/** Upper bound of the speed of the object's points relative to the hand,
+|v_WOcm - v_WH| + radius |w_WO| [m/s]. It includes spinning on the spot. */
 double CalcSlipSpeed(const WorldState& state, double object_radius);
 
-/** A contact of the physics as core/quality takes it: from the object's centre of mass, in the axes
-of O. @param mu  of its state, or the dynamic one. */
+/** Converts a contact of the physics to core/quality: position from the object's centre of mass, in
+the axes of O. @param mu  friction of its state, or the dynamic friction. */
 GraspContact MakeGraspContact(const HandContact& contact, const WorldState& state, double mu);
 
-/** Q of contacts from the centre of mass; 0 of fewer than two. @param radius  of the object [m] */
+/** Q of contacts given from the centre of mass; 0 for fewer than two. @param radius  of the object
+[m] */
 double CalcContactQuality(const std::vector<GraspContact>& contacts, double radius);
 
-/** Samples a trial's grasp: every 25 ms in stabilisation, every 0.1 s in lift-off and every 0.2 s in
-the hold, which costs a trial about a tenth of its time. */
+/** Samples a trial's grasp: every 25 ms in stabilisation, every 0.1 s in lift-off and every 0.2 s
+in the hold. This takes about a tenth of a trial's time. */
 class StabilityMeter {
  public:
   explicit StabilityMeter(const TrialSetup& setup);
 
-  /** To be called after each step. @param num_steps  of the settings' length that it took */
+  /** Call after each step. @param num_steps  length of the step in steps of the settings */
   void Observe(const World& world, Phase phase, double time_in_phase, int num_steps);
 
-  /** The grasp now. */
+  /** Samples the current grasp. */
   GraspInstant MakeInstant(const World& world) const;
 
-  /** The parts; what holds for the whole trial stays unset. */
+  /** Returns the phases; values for the whole trial stay unset. */
   Stability Calc() const;
 
  private:

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-Settings of a trial that a controller of somebody else closes the digits of, and whose hand it may
-move (protocols/policy_lift.cc). */
+Settings of a trial in which an external controller closes the digits and may move the hand
+(protocols/policy_lift.cc). */
 
 #include <string>
 
@@ -11,22 +11,22 @@ namespace graspbench {
 
 /** What a controller moves. */
 enum class PolicyMoves {
-  kDigits,         ///< placing and lift are the strategy's
-  kHandAndDigits,  ///< the hand begins at the pre-grasp position; the lift is the strategy's
-  kUntilTouch      ///< as digits, until its action "hold" gives the grip to the regulator
+  kDigits,         ///< the digits; the strategy does placing and lift
+  kHandAndDigits,  ///< also the hand, from the pre-grasp position; the strategy does the lift
+  kUntilTouch      ///< as kDigits, until its action "hold" passes the grip to the regulator
 };
 inline constexpr NamedValue<PolicyMoves> kPolicyMoves[] = {
     {PolicyMoves::kDigits, "digits"},
     {PolicyMoves::kHandAndDigits, "hand-and-digits"},
     {PolicyMoves::kUntilTouch, "digits-until-touch"}};
 
-/** Given to a controller: its object's pose. But for the true one it does not follow the object. */
+/** Object pose given to a controller. Only the true pose follows the object. */
 enum class PolicyObjectPose {
   kNone,
-  kNominal,   ///< where the object should be, at rest
-  kBelieved,  ///< where the session's positioning has it, at rest
-  kCamera,    ///< where the hand's camera finds it before the hand comes, at rest
-  kTrue       ///< where it is
+  kNominal,   ///< nominal pose, at rest
+  kBelieved,  ///< pose assumed by the session's positioning, at rest
+  kCamera,    ///< pose found by the hand's camera before the hand arrives, at rest
+  kTrue       ///< current pose
 };
 inline constexpr NamedValue<PolicyObjectPose> kPolicyObjectPoses[] = {
     {PolicyObjectPose::kNone, "none"},
@@ -36,21 +36,21 @@ inline constexpr NamedValue<PolicyObjectPose> kPolicyObjectPoses[] = {
     {PolicyObjectPose::kTrue, "true"}};
 
 struct PolicyConfig {
-  std::string command;           ///< for the shell, starts the controller; empty: there is none
-  std::string moves = "digits";  ///< of kPolicyMoves
-  double hand_speed = 0.5;       ///< largest, of the hand's commanded position [m/s]
-  double hand_turn_rate = 2.0;   ///< largest, of its commanded rotation [rad/s]
-  double period = 0.02;          ///< of control, rounded to whole steps of the physics [s]
+  std::string command;           ///< shell command that starts the controller; empty: none
+  std::string moves = "digits";  ///< one of kPolicyMoves
+  double hand_speed = 0.5;       ///< largest speed of the hand's commanded position [m/s]
+  double hand_turn_rate = 2.0;   ///< largest rate of its commanded rotation [rad/s]
+  double period = 0.02;          ///< control period, rounded to whole steps of the physics [s]
   int execute_steps = 1;         ///< rows of an action that are used before the next question
-  double time = 5.0;             ///< of control at most; then the hand lifts [s]
-  std::string object_pose = "believed";  ///< of kPolicyObjectPoses
-  int picture = 0;                       ///< side of the wrist camera's; 0: none [pixel]
+  double time = 5.0;             ///< longest time of control, after which the hand lifts [s]
+  std::string object_pose = "believed";  ///< one of kPolicyObjectPoses
+  int picture = 0;                       ///< side of the wrist camera's image; 0: none [pixel]
   double latency = 0.0;                  ///< from a question until its answer takes effect [s]
-  double latency_jitter = 0.0;           ///< at most so much more, drawn for each question [s]
+  double latency_jitter = 0.0;           ///< largest random addition, drawn per question [s]
   double dropout = 0.0;                  ///< probability that an answer is lost
-  double joint_noise = 0.0;              ///< standard deviation, of joint positions [rad], [m]
-  double force_noise = 0.0;              ///< the same of forces of digits, palm and grip [N]
-  double timeout = 10.0;                 ///< of an answer, in real time; changes no result [s]
+  double joint_noise = 0.0;              ///< standard deviation of joint positions [rad], [m]
+  double force_noise = 0.0;              ///< likewise of forces of digits, palm and grip [N]
+  double timeout = 10.0;                 ///< real time for an answer; no effect on results [s]
 
   template <class V>
   void Visit(V&& v) {

@@ -50,7 +50,7 @@ std::string Quote(const std::string& text) {
   return IsUtf8(part) ? "\"" + part + "\"" : "a text that is not UTF-8";
 }
 
-/** @throws PolicyFault for keys that no answer has, and for an error of the controller. */
+/** @throws PolicyFault for unknown keys, and for an error reported by the controller. */
 void CheckKeys(const PackedValue& answer) {
   const auto* map = std::get_if<PackedValue::Map>(&answer.value);
   if (!map) throw PolicyFault("the answer is no map");
@@ -78,7 +78,7 @@ std::string FormatShape(const std::vector<size_t>& shape) {
   return text + (shape.size() == 1 ? ",)" : ")");
 }
 
-/** A row or several. @param columns  of each. */
+/** Reads one row or several. @param columns  number of columns. */
 Eigen::MatrixXd ReadRows(const PackedValue& value, const std::string& name, size_t columns) {
   PackedArray array;
   try {
@@ -108,12 +108,13 @@ Eigen::MatrixXd ReadRows(const PackedValue& value, const std::string& name, size
                                     static_cast<Eigen::Index>(columns));
 }
 
-/** Of an answer; one row is that of all. @throws PolicyFault for other numbers of rows. */
+/** Reads the rows of an answer; one row applies to all. @throws PolicyFault for other numbers of
+rows. */
 class ActionReader {
  public:
   explicit ActionReader(const PackedValue& answer) : answer_(answer) {}
 
-  /** Without rows: there is no such key. */
+  /** Returns no rows if there is no such key. */
   Eigen::MatrixXd Read(const char* name, size_t columns) {
     const PackedValue* value = answer_.Find(name);
     if (!value) return {};
@@ -132,7 +133,7 @@ class ActionReader {
     if (rows.rows() == 1) rows = Eigen::MatrixXd(rows.replicate(num_rows_, 1));
   }
   Eigen::Index num_rows() const { return num_rows_; }
-  /** One of two keys, or neither. */
+  /** Reads one of two keys, or neither. */
   void CheckOne(const char* a, const char* b) const {
     if (answer_.Find(a) && answer_.Find(b)) {
       throw PolicyFault(fmt::format("the answer has {} and {}; give one", a, b));

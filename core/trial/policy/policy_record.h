@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-What a controller did in a trial, in the trial's record. */
+The part of a trial's record that describes its controller. */
 
 #include <Eigen/Core>
 #include <optional>
@@ -12,29 +12,29 @@ What a controller did in a trial, in the trial's record. */
 
 namespace graspbench {
 
-/** One row of an action as it was carried out, before limits cut it. */
+/** One row of an action as executed, before it was limited. */
 struct PolicyRow {
   Eigen::VectorXd targets;               ///< of the driven joints
-  bool begins = false;                   ///< it is the first of its answer
-  std::optional<Pose> hand = {};         ///< X_WH; unset: not asked for
-  Eigen::VectorXd stiffness = {};        ///< scale of the driven joints; empty: not asked for
-  std::optional<std::string> hold = {};  ///< the regulator takes over with this grip
+  bool begins = false;                   ///< first row of its answer
+  std::optional<Pose> hand = {};         ///< X_WH; unset: not commanded
+  Eigen::VectorXd stiffness = {};        ///< scales of the driven joints; empty: not commanded
+  std::optional<std::string> hold = {};  ///< grip with which the regulator takes over
 };
 struct PolicyRows : std::vector<PolicyRow> {};
-/** An object per row, without what is as in the row before. */
+/** One object per row, without values that equal those of the row before. */
 Json ToJson(const PolicyRows& rows);
 /** @throws Json::exception or Error(kFormat). */
 void ReadJson(const Json& json, PolicyRows& rows);
 
-/** What the controller did in a trial: enough to repeat the trial without it. */
+/** The controller's actions in a trial: enough to repeat the trial without it. */
 struct PolicyRecord {
-  std::string object_pose;        ///< what it was told of it, of kPolicyObjectPoses
-  std::optional<Pose> told_X_WO;  ///< unset: nothing, or the true one
+  std::string object_pose;        ///< object pose given to it, one of kPolicyObjectPoses
+  std::optional<Pose> told_X_WO;  ///< unset: none, or the true pose
   int num_questions = 0;
-  int num_cut = 0;                   ///< targets beyond a joint's limits, which were cut to them
-  std::optional<int> num_hand_cut;   ///< rows whose pose of the hand was cut; unset: it is placed
-  bool said_done = false;            ///< else its time was over, or the trial
-  std::optional<std::string> fault;  ///< what was wrong with its last answer
+  int num_cut = 0;                   ///< targets beyond a joint's limits, clamped to them
+  std::optional<int> num_hand_cut;   ///< rows whose hand pose was limited; unset: not commanded
+  bool said_done = false;            ///< else control ended by its time limit or with the trial
+  std::optional<std::string> fault;  ///< error in its last answer
   PolicyRows rows;
 
   template <class V>

@@ -39,7 +39,7 @@ Pose FindGivenPose(const PolicyView& view) {
   return is_true ? view.world.CalcObjectPose() : view.told_X_WO;
 }
 
-/** On the object, of each digit and of the rest of the hand behind them. */
+/** Forces on the object by each digit, followed by the rest of the hand. */
 Values CalcPressing(const PolicyView& view) {
   const Hand& hand = *view.setup.hand;
   Values forces(hand.digits.size() + 1, 0.0);
@@ -130,7 +130,7 @@ Json ListOfElements(const PolicyView& view, Take&& take) {
   return list;
 }
 
-/** delay and speed of each digit's closing. */
+/** Delay and speed of each digit's closing. */
 Json ListClosing(const PolicyView& view) {
   Json schedules = Json::object();
   for (const std::string& digit : view.setup.grasp.digits) {

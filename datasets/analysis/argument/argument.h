@@ -1,20 +1,20 @@
 #pragma once
 /** @file
-The argument of the thesis (Roethling, Bielefeld 2007) as five claims, and what numbers say of each.
-The numbers come from the analyses that make the tables behind them (argument_evidence.h); here they
-are judged, and nothing is computed again.
+The argument of the thesis (Roethling, Bielefeld 2007) as five claims, each judged by numbers. The
+numbers come from the analyses that make the underlying tables (argument_evidence.h); they are
+judged here, not recomputed.
 
-A number x has a null value, a direction in which the claim expects it, and a smallest effect of
-interest b. With its 95 % interval [l, h], turned so that the claim expects x above the null 0,
+A number x has a null value, a direction that the claim expects, and a smallest effect of interest
+b. With its 95 % interval [l, h], shifted and signed so that the claim expects x > 0,
 
     shown         l > 0
-    refuted       h < b: what there is, is smaller than what matters, or goes the other way
+    refuted       h < b: the effect is smaller than what matters, or has the opposite sign
     not decided   else
 
-A claim is shown when all numbers that decide it are, and refuted when one of them is: what holds
-for one of two hands does not hold for hands. A claim without a number is not run, and not decided:
-absent data never refute. Rules and smallest effects are proposed by graspbench, and were written
-before the evidence was run. */
+A claim is shown if all numbers that decide it are shown, and refuted if one of them is refuted:
+what holds for only one of two hands is not true of hands in general. A claim without a number is
+not run and not decided, for absent data never refute. Rules and smallest effects are proposed by
+graspbench and were fixed before the evidence was generated. */
 
 #include <string>
 #include <vector>
@@ -35,62 +35,63 @@ inline const char* NameOf(ArgumentVerdict verdict) {
   return RowOf(kArgumentVerdicts, verdict).name;
 }
 
-/** What a number is. */
+/** Meaning of a number and how it is judged. */
 struct ArgumentMeasure {
-  const char* text;  ///< "grasp forming time (GFT), after less before"
-  const char* unit;  ///< "ms"; empty: a factor
+  const char* text;  ///< "GFT after step 1 less GFT before"
+  const char* unit;  ///< "ms"; empty for a factor
   int decimals;
-  double null_value;  ///< says neither
+  double null_value;  ///< value without an effect
   double least;       ///< smallest effect of interest, > 0
   double sign;        ///< 1: the claim expects more than the null value, -1: less
 };
 extern const ArgumentMeasure kPeopleRatio;    ///< people's GFT over that of independent digits
-extern const ArgumentMeasure kLateSuccess;    ///< of 100 ms of delay
-extern const ArgumentMeasure kLateThreshold;  ///< of 100 ms of delay
-extern const ArgumentMeasure kFormingTime;    ///< of step 1
-extern const ArgumentMeasure kStability;      ///< of step 2
-extern const ArgumentMeasure kSuccessChange;  ///< of the optimisation
+extern const ArgumentMeasure kLateSuccess;    ///< change of success by 100 ms of delay
+extern const ArgumentMeasure kLateThreshold;  ///< change of grip threshold by 100 ms of delay
+extern const ArgumentMeasure kFormingTime;    ///< change of GFT by step 1
+extern const ArgumentMeasure kStability;      ///< factor on stability by step 2
+extern const ArgumentMeasure kSuccessChange;  ///< change of success by the optimisation
 
 struct ArgumentNumber {
   const ArgumentMeasure* measure = nullptr;
   std::string subject;                   ///< "tum", "shadow: thumb alone, by sigma"
-  bool decides = false;                  ///< the claim's verdict rests on it
+  bool decides = false;                  ///< whether it decides the claim
   double value = kUnset;                 ///< NaN: there is none
   Interval interval = {kUnset, kUnset};  ///< 95 %; NaN: none
   int n = 0;
   std::string of;        ///< what n counts: "scene"
-  std::string left_out;  ///< "2 whose start holds nothing"; empty: none
-  std::string detail;    ///< the other figures that belong to it
+  std::string left_out;  ///< number and reason: "2 whose start holds nothing"; empty: none
+  std::string detail;    ///< related figures
   std::string source;    ///< folders
-  std::string command;   ///< that made it
+  std::string command;   ///< that generated it
   ArgumentVerdict verdict = ArgumentVerdict::kNotDecided;
-  std::string would_decide;  ///< of one that is not decided
+  std::string would_decide;  ///< if it is not decided
 };
 
-/** The rule above. */
+/** Applies the rule above. */
 ArgumentVerdict JudgeNumber(const ArgumentMeasure& measure, const Interval& interval);
 
-/** So many with which the interval would be half as wide as what is to be decided, the larger of
-|x| and b - |x|, were they like these; 0: not known. As the map's (simultaneity_map.h). */
+/** Estimates the n at which the interval's half-width would equal the difference to be decided, the
+larger of |x| and b - |x|, if further data were like these. 0: unknown or not more than n. The map
+uses the same rule (simultaneity_map.h). */
 int CountToDecide(const ArgumentMeasure& measure, double value, const Interval& interval, int n);
 
-/** Sets verdict and would_decide by the rule. */
+/** Sets `verdict` and `would_decide` by the rule. */
 void Judge(ArgumentNumber& number);
 
-/** "-23 ms (-41 to -9), 21 scenes, 2 left out: .."; what is missing where there is no number. */
+/** Returns "-23 ms (-41 to -9), 21 scenes; left out: ..", with "n/a" where there is no number. */
 std::string FormatNumber(const ArgumentNumber& number);
 
-/** Something that was not run, and the command that runs it. */
+/** Something that was not run, with the command that runs it. */
 struct NotRun {
   std::string what, command;
 };
 
-/** One of the five. */
+/** One of the five claims as a question. */
 struct ArgumentQuestion {
   const char* id;        ///< "a"
   const char* title;     ///< "People"
   const char* question;  ///< in plain English
-  const char* shown;     ///< the answer, one sentence each
+  const char* shown;     ///< the answer for each verdict, one sentence
   const char* refuted;
   const char* open;
 };
@@ -99,28 +100,29 @@ extern const ArgumentQuestion kArgumentQuestions[kNumArgumentClaims];
 
 struct ArgumentClaim {
   const ArgumentQuestion* question = nullptr;
-  std::vector<ArgumentNumber> numbers;  ///< those that decide first
+  std::vector<ArgumentNumber> numbers;  ///< deciding numbers first
   std::vector<NotRun> not_run;
   ArgumentVerdict verdict = ArgumentVerdict::kNotDecided;
 
-  bool was_run() const;  ///< a number that decides is there
-  /** The one to name: of those that decide the first with the claim's verdict; null: none. */
+  bool was_run() const;  ///< whether a deciding number exists
+  /** The number to report: the first deciding one with the claim's verdict, else the first deciding
+  one; null: none. */
   const ArgumentNumber* headline() const;
-  /** The answer, and where those that decide differ what each says. */
+  /** The answer; if deciding numbers differ, also the verdict of each. */
   std::string sentence() const;
-  std::string would_decide() const;  ///< empty where it is decided
+  std::string would_decide() const;  ///< empty if it is decided
 };
 
-/** By the numbers that decide. */
+/** Judges a claim by its deciding numbers. */
 ArgumentVerdict JudgeClaim(const std::vector<ArgumentNumber>& numbers);
 
-/** A row for each number, as the page and argument.json have it. */
+/** Columns with one row per number, for the page and argument.json. */
 std::vector<CsvColumn<ArgumentNumber>> ListArgumentColumns();
 
 /** {claims: [{id, question, verdict, sentence, would_decide, number, numbers, not_run}]}. */
 Json ToJson(const std::vector<ArgumentClaim>& claims);
 
-/** A line a claim: "(a) not decided  sentence; number". */
+/** Formats one line per claim: "(a) not decided: sentence number". */
 std::string FormatArgument(const std::vector<ArgumentClaim>& claims);
 
 }  // namespace graspbench

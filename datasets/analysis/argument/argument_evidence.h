@@ -1,25 +1,25 @@
 #pragma once
 /** @file
-The numbers of the argument (argument.h), taken from folders that were run before. Each is that of
-the analysis which makes the table behind it:
+The numbers of the argument (argument.h), read from existing result folders. Each is the result of
+the analysis that makes the underlying table:
 
-    people     a study's statistics.csv: its verdict against independent digits and GFT's ratio, of
-               five persons or more; synthetic participants decide nothing
-    robots     a map's cell of all regions, last digit, success (decides) and threshold; a map that
-               is not finished is not decided
-    step 1     result.json of optimisations: the median over scenes of GFT after less before, on the
-               trials of the check; of the pre-grasp alone (decides), and of what was checked, which
-               may make digits wait. Where nothing looked better the standard pre-grasp stays: 0.
-    step 2     result.json: the median over scenes of the found target's fitness over the start's, on
-               the trials of the check; the thumb alone by sigma with 1,000 evaluations or
-               more (decides), and every other search
+    people     a study's statistics.csv: its verdict against independent digits and the ratio of
+               GFT, with at least five persons; synthetic participants decide nothing
+    robots     a map's cell over all regions, last digit: success (decides) and threshold; an
+               unfinished map is not decided
+    step 1     result.json of optimisations: median over scenes of GFT after minus before, in the
+               trials of the check; of the pre-grasp alone (decides), and of the checked candidate,
+               which may delay digits. Where no candidate was better, the change is 0.
+    step 2     result.json: median over scenes of the ratio of the found target's fitness to the
+               start's, in the trials of the check; the thumb alone by sigma with at least 1,000
+               evaluations (decides), and every other search
     success    a campaign's trials of the standard and the new target grasp on the same draws
-               (decides); two sessions of a hand and of its "-evolved" grasps on the same draws:
-               objects of the catalogue, on which these were evolved (decides), and others
+               (decides); two sessions of a hand with and without "-evolved" grasps on the same
+               draws: catalogue objects, on which these were evolved (decides), and others
 
-Candidates are judged before they are accepted, so that the rule by which a grasp is accepted does
-not flatter the number; how many were accepted stands beside it. The interval of a median is that of
-order statistics (threshold_summary.h): six scenes or more. A scene without a number is left out and
+Candidates are evaluated before acceptance, so that the acceptance rule does not bias the number;
+the number accepted is reported with it. The interval of a median is that of order statistics
+(threshold_summary.h) and needs at least six scenes. A scene without a number is left out and
 counted. */
 
 #include <filesystem>
@@ -33,21 +33,22 @@ counted. */
 
 namespace graspbench {
 
-/** What statistics.csv of a study says of GFT against independent digits. */
+/** A study's result for GFT against independent digits, from statistics.csv. */
 struct PeopleEvidence {
   std::string folder;
-  bool is_synthetic = false;  ///< of graspbench study demo: no person, so it decides nothing
-  std::string verdict;        ///< "more simultaneous", .. of statistics.csv
+  bool is_synthetic = false;  ///< from graspbench study demo: no real person, decides nothing
+  std::string verdict;        ///< as in statistics.csv: "more simultaneous", ..
   double ratio = kUnset;
   Interval interval = {kUnset, kUnset};
   double gft = kUnset;         ///< mean [s]
-  double detectable = kUnset;  ///< a share less that is found in 8 of 10 such studies
+  double detectable = kUnset;  ///< relative reduction that is detected with 80 % power
   int num_persons = 0;
   std::string note;
 };
-/** @param text  of statistics.csv. @param file  its name in messages.
-@throws Error(kFormat) for a table that cannot be read, and where it lacks the row: made by an
-earlier program. */
+/** Reads the evidence from statistics.csv. @param text  of the file. @param file  its name in
+messages.
+@throws Error(kFormat) for a table that cannot be read, or that lacks the row because an earlier
+program made it. */
 PeopleEvidence ReadPeopleEvidence(const std::string& text, const std::string& file);
 
 template <class Result>
@@ -56,25 +57,25 @@ struct FromFolder {
   Result result;
 };
 
-/** What was read. */
+/** The results that were read. */
 struct ArgumentSources {
   std::vector<PeopleEvidence> people;
   std::vector<FromFolder<MapResult>> maps;
-  std::vector<FromFolder<SceneRecord>> scenes;  ///< of optimisations and campaigns
+  std::vector<FromFolder<SceneRecord>> scenes;  ///< from optimisations and campaigns
   std::vector<FromFolder<Campaign>> campaigns;
-  std::vector<FromFolder<Session>> sessions;  ///< that are no maps
+  std::vector<FromFolder<Session>> sessions;  ///< except maps
 
-  /** "1 study, 2 maps, .." */
+  /** Returns "1 study, 2 maps, ..". */
   std::string Describe() const;
 };
-/** A folder that is no result is searched for results.
+/** Loads all results. A folder that is not a result is searched for results.
 @throws Error(kNotFound, kUsage) for a folder without any; as the loaders. */
 ArgumentSources LoadArgumentSources(const std::vector<std::filesystem::path>& folders);
 
-/** The five claims with their numbers, verdicts and what was not run. */
+/** Returns the five claims with their numbers, verdicts and what was not run. */
 std::vector<ArgumentClaim> MakeArgument(const ArgumentSources& sources);
 
-/** The numbers of each claim, judged. */
+/** List the numbers of each claim, with verdicts. */
 ///@{
 std::vector<ArgumentNumber> ListPeopleNumbers(const std::vector<PeopleEvidence>& people);
 std::vector<ArgumentNumber> ListRobotNumbers(const std::vector<FromFolder<MapResult>>& maps);

@@ -1,13 +1,12 @@
 #pragma once
 /** @file
-What a campaign's stored results say, counted once for the terminal, JSON and the report: three
-variants of every scene's grasp, tried on the same trial poses, so that trials of the same number
-are pairs.
+Summary of a campaign's stored results, computed once for the terminal, JSON and the report. Each
+scene has three variants of its grasp, simulated on the same object poses, so that trials of the
+same number are pairs.
 
-A cell's value of a measure is the mean over its trials for what every trial has (success, sigma,
-breaking force) and the median over the trials that have it for the others. GFT% and GOT% have
-medians over all trials, as in the optimisation: one in which a digit never touched counts as
-infinite. */
+A cell's value of a measure is the mean over its trials if every trial has the measure (success,
+sigma, breaking force), else the median over the trials that have it. GFT% and GOT% are medians over
+all trials, as in the optimisation: a trial in which a digit never touched counts as infinite. */
 
 #include <array>
 #include <filesystem>
@@ -25,33 +24,34 @@ infinite. */
 
 namespace graspbench {
 
-/** A number of each trial by which variants are compared. One line in ListVariantMeasures. */
+/** A quantity of a trial by which variants are compared; one line in ListVariantMeasures. */
 struct VariantMeasure {
   const char* name;     ///< with unit: "GFT% [%]"
   const char* meaning;  ///< one sentence
-  double unit;          ///< what is shown = unit * value
+  double unit;          ///< displayed number = unit * value
   int decimals;
   bool is_larger_better;
   enum CellValue { kMean, kMedianOfHaving, kMedianMissingIsInfinite } of_cell;
-  std::function<double(const TrialRecord&)> value;  ///< NaN: this trial has none
+  std::function<double(const TrialRecord&)> value;  ///< NaN: undefined in this trial
 };
 const std::vector<VariantMeasure>& ListVariantMeasures();
-/** By name up to the unit: "sigma". @pre there is one. */
+/** Finds a measure by its name without unit: "sigma". @pre it exists. */
 const VariantMeasure& FindVariantMeasure(const std::string& name);
 
 struct SceneVariants {
   const SceneRecord* scene = nullptr;
-  std::string hand, object, grasp;                       ///< ids; the grasp is the standard one
-  std::string key;                                       ///< one plain word: "tum-can"
-  std::array<const CellSummary*, kNumVariants> cells{};  ///< null: not tried
+  std::string hand, object, grasp;                       ///< ids; of the standard grasp
+  std::string key;                                       ///< id without blanks: "tum-can"
+  std::array<const CellSummary*, kNumVariants> cells{};  ///< null: not simulated
   const CellSummary& cell(Variant variant) const { return *cells[variant]; }
   bool IsComplete() const;  ///< all variants have a finished trial
 };
 
-/** NaN when no trial has it, or half of them or more count as infinite. */
+/** Returns a cell's value of a measure; NaN if no trial has it, or half of them or more are
+infinite. */
 double CalcCellValue(const VariantMeasure& measure, const CellSummary& cell);
 
-/** Differences b - a of the trials that have the measure under both variants. */
+/** Lists the differences b - a over trials that have the measure under both variants. */
 std::vector<double> ListPairedDifferences(const VariantMeasure& measure, const SceneVariants& scene,
                                           Variant a, Variant b);
 struct PairedDifference {
@@ -62,43 +62,45 @@ struct PairedDifference {
 PairedDifference CalcPairedDifference(const VariantMeasure& measure, const SceneVariants& scene,
                                       Variant a, Variant b);
 
-/** Scenes of which all variants have a finished trial. */
+/** Counts the scenes in which all variants have a finished trial. */
 int CountComplete(const std::vector<SceneVariants>& scenes);
 
-/** What a step does to the cells' values of a measure. */
+/** Effect of an optimisation step on the cells' values of a measure. */
 struct StepEffect {
   int num_scenes = 0;
   double median_before = 0.0, median_after = 0.0;
   Answer<BootstrapInterval> ratio;          ///< of the medians, after / before
-  std::vector<const SceneVariants*> worse;  ///< the cell's value is worse after than before
+  std::vector<const SceneVariants*> worse;  ///< scenes whose value is worse after the step
 
   double plain_ratio() const { return median_after / median_before; }
   double share_worse() const { return CalcShare(static_cast<int64_t>(worse.size()), num_scenes); }
 };
-/** Over the scenes in which both variants have a value; an empty hand means all hands. */
+/** Computes the effect over the scenes in which both variants have a value; an empty hand means all
+hands. */
 StepEffect CalcStepEffect(const VariantMeasure& measure, const std::vector<SceneVariants>& scenes,
                           Variant a, Variant b, const std::string& hand = {});
 
-/** Pairs are trials of the same number, those of `a` first. @pre both variants were tried. */
+/** Counts successes in pairs of trials of the same number, those of `a` first. @pre both variants
+were simulated. */
 PairedCounts CountPairedSuccesses(const SceneVariants& scene, Variant a, Variant b);
 
-/** A scene in which the same trials succeed less often. */
+/** A scene in which a variant succeeds less often on the same draws. */
 struct LowerSuccess {
   const SceneVariants* scene = nullptr;
   PairedCounts counts;
   double p_holm = kUnset;  ///< McNemar's exact test, Holm over the scenes
 };
-/** Scenes in which `b` succeeds less often than `a` with p_holm < 0.05. */
+/** Lists scenes in which `b` succeeds less often than `a` with p_holm < 0.05. */
 std::vector<LowerSuccess> ListSignificantlyLower(const std::vector<SceneVariants>& scenes,
                                                  Variant a, Variant b);
 
-/** A variant over all scenes: counts of trials, medians over the scenes' values. */
+/** Totals of a variant: trial counts, and medians over the scenes' values. */
 struct VariantTotal {
   Variant variant = kStandardGrasp;
   int num_scenes = 0;
   int trials = 0, successes = 0;
   double median_sigma = kUnset;
-  double median_gft_ratio = kUnset, median_gft_floor = kUnset;  ///< GFT%, its floor (headrooms.h)
+  double median_gft_ratio = kUnset, median_gft_floor = kUnset;  ///< of GFT%: value, floor
   double median_got_ratio = kUnset;
   double median_gft = kUnset, median_got = kUnset, median_gct = kUnset;  ///< [s]
 };
@@ -110,20 +112,20 @@ struct MethodTotal {
   int num_searches = 0;
   double median_best_fitness = kUnset;
   int num_reached_90 = 0;
-  double median_evaluations_to_90 = kUnset;  ///< of the searches that got there
+  double median_evaluations_to_90 = kUnset;  ///< of the searches that reached it
 };
-/** Empty when none were compared. */
+/** Lists the methods' totals; empty if no methods were compared. */
 std::vector<MethodTotal> ListMethodTotals(const Campaign& campaign);
 
-/** GFT% of the pre-grasp before and after step 1 where neither the object's place nor the hand
-varies, over the scenes in which all digits touch both times. */
+/** GFT% of the pre-grasp before and after step 1 in a trial without variation of object pose or
+hand, over the scenes in which all digits touch both times. */
 struct GftWithoutVariation {
   int num_scenes = 0;
   double median_before = kUnset, median_after = kUnset;
 };
 GftWithoutVariation CalcGftWithoutVariation(const std::vector<SceneVariants>& scenes);
 
-/** A variant's values of two hands on the objects that both have grasped. */
+/** A variant's values for two hands on the objects that both grasped. */
 struct HandComparison {
   int num_objects = 0;
   double median_a = kUnset, median_b = kUnset;
@@ -132,26 +134,27 @@ struct HandComparison {
 HandComparison CompareHands(const VariantMeasure& measure, const std::vector<SceneVariants>& scenes,
                             Variant variant, const std::string& hand_a, const std::string& hand_b);
 
-/** The complete scene of a hand and an object; null: none. */
+/** Returns the complete scene of a hand and an object; null if there is none. */
 const SceneVariants* FindScene(const std::vector<SceneVariants>& scenes, const std::string& hand,
                                const std::string& object);
 
-/** All scenes of the campaign in its order. The result points into its arguments. */
+/** Lists all scenes in the campaign's order. The result points into the arguments. */
 std::vector<SceneVariants> ListScenes(const Campaign& campaign, const SessionSummary& benchmark);
 
-/** One method of the comparison on one scene, over its seeds. */
+/** A search method on one scene of the comparison, over its seeds. */
 struct MethodCurve {
   std::string hand, object, method;
   int num_seeds = 0;
   std::vector<double> evaluations;        ///< 1, 2, ...
   std::vector<double> low, median, high;  ///< quartiles of the best fitness so far
   double final_median = 0.0;
-  double median_evaluations_to_90 = 0.0;  ///< NaN: most seeds never got there
+  double median_evaluations_to_90 = 0.0;  ///< NaN: most seeds never reached it
 };
-/** In the order of scenes and methods of the stored runs; those of a scene follow each other. */
+/** Lists the curves in the order of scenes and methods of the stored runs; those of a scene are
+consecutive. */
 std::vector<MethodCurve> ListMethodCurves(const Campaign& campaign);
 
-/** In how many scenes one method's median over seeds ends above another's. */
+/** Number of scenes in which one method's median over seeds ends above another's. */
 struct MethodDuel {
   int num_scenes = 0, num_won = 0;
   double share_won() const { return CalcShare(num_won, num_scenes); }
@@ -159,10 +162,10 @@ struct MethodDuel {
 MethodDuel CompareMethods(const std::vector<MethodCurve>& curves, const std::string& method,
                           const std::string& other);
 
-/* A campaign's numbers as tables in its folder: summary.csv, a line for each cell and variant of
-the benchmark, and comparison.csv, one for each search of the comparison. */
+/* A campaign's tables in its folder: summary.csv with one line per cell of the benchmark, and
+comparison.csv with one line per search of the comparison. */
 
-/** What the benchmark's trials of one scene and variant say. */
+/** Summary of the benchmark's trials of one scene and variant. */
 struct VariantSummary {
   std::string hand, object, grasp;
   Variant variant = kStandardGrasp;
@@ -177,7 +180,7 @@ struct VariantSummary {
   double median_grip = kUnset;                                           ///< [N]
   double median_sigma_ratio = kUnset;                                    ///< of the grip
   double median_breaking_ratio = kUnset;                                 ///< of the grip
-  double headroom_share = kUnset;  ///< step 2's (headrooms.h): start and what was kept
+  double headroom_share = kUnset;  ///< of step 2's start or accepted grasp (headrooms.h)
 
   template <class V>
   static void ListFields(V&& field) {
@@ -216,8 +219,8 @@ struct VariantSummary {
 };
 std::vector<VariantSummary> SummariseVariants(const Campaign& campaign);
 
-/** Writes summary.csv and, when there is one, comparison.csv, and seals them in the campaign's
-manifest.
+/** Writes summary.csv and, if methods were compared, comparison.csv, and seals them in the
+campaign's manifest.
 @throws Error(kIo). */
 void ExportCampaign(const std::filesystem::path& folder, const Campaign& campaign);
 /** The data dictionaries of summary.csv and comparison.csv. */

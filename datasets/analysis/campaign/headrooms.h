@@ -1,8 +1,8 @@
 #pragma once
 /** @file
-How much of what friction and grip allow by an object's sides step 2 started from and what it kept
-(core/optimise/learning_trial.h), as the scenes of a campaign recorded it in the trials of its
-check. */
+Share of the load mu N - m g, allowed by friction and grip at an object's sides, that the start and
+the accepted grasp of step 2 carry (core/optimise/learning_trial.h). Scenes of a campaign record it
+in the trials of step 2's check. */
 
 #include <string>
 #include <vector>
@@ -15,33 +15,32 @@ namespace graspbench {
 
 struct SceneHeadroom {
   double start_share = kUnset, start_bound = kUnset;  ///< of mu N - m g; mu N - m g [N]
-  double kept_share = kUnset, kept_bound = kUnset;    ///< those of the start where it was kept
+  double kept_share = kUnset, kept_bound = kUnset;    ///< those of the accepted grasp
 };
-/** No answer: step 2 was not run, or nothing held. */
+/** Returns the scene's shares; no answer if step 2 was not run or no grasp held. */
 Answer<SceneHeadroom> FindHeadroom(const SceneRecord& scene);
 
-/** Of one hand: medians over its scenes that have one. */
+/** Medians of a hand over its scenes that have a share. */
 struct Headrooms {
   std::string hand;
   int num_scenes = 0;
   double median_start = kUnset, median_kept = kUnset;
   int num_without = 0;
-  std::string why_without;  ///< their reasons, each once
+  std::string why_without;  ///< the reasons, each once
 };
-/** In the order of the campaign's hands. */
+/** Lists headrooms in the order of the campaign's hands. */
 std::vector<Headrooms> ListHeadrooms(const Campaign& campaign);
 
-/** "step 2 starts from grasps that bear 0.81 of what friction and grip allow by an object's sides
-and keeps grasps that bear 0.84 (medians of 21 scenes): ..." */
+/** Describes a hand's headrooms in one sentence. */
 std::string DescribeHeadrooms(const Headrooms& headrooms);
 
-/* GFT% of a variant's benchmark trials beside its floor (contact_timing.h): how much of it is
-scatter from trial to trial, which no pre-grasp can take away. */
+/* GFT% of a variant's benchmark trials and its floor (contact_timing.h): the part that is scatter
+between trials, which no pre-grasp can remove. */
 
-/** Of the same trials as a cell's GFT%: all of them. */
+/** Computes the floor of GFT% from the same trials as a cell's GFT%, namely all. */
 Answer<double> CalcGftFloorOf(const std::vector<const TrialRecord*>& records);
 
-/** One variant over complete scenes that have both. */
+/** GFT% and floor of one variant over complete scenes that have a floor. */
 struct GftFloors {
   int num_scenes = 0;
   double median_ratio = kUnset, median_floor = kUnset;  ///< of GFT% and of its floor
@@ -52,8 +51,8 @@ struct GftFloors {
 GftFloors CalcGftFloors(const std::vector<SceneVariants>& scenes, Variant variant,
                         const std::string& hand = {});
 
-/** "new pre-grasp: GFT% 9.5 %, floor 7.1 % (medians); 12 of 40 scenes reach at most 1.2 times their
-floor; 2 scenes without a floor". */
+/** Returns "new pre-grasp: GFT% 9.5 %, floor 7.1 % (medians); 12 of 40 scenes reach at most 1.2
+times their floor; 2 scenes without a floor". */
 std::string DescribeGftFloors(const GftFloors& floors, Variant variant);
 
 }  // namespace graspbench

@@ -1,19 +1,20 @@
 #pragma once
 /** @file
-What a lack of simultaneity does when nothing else differs: the same trials with one digit delayed
-(core/trial/digit_delays.h), on the same draws, the object as it was, lighter, more slippery and
-farther from where the hand expects it. Late is the digit that touched last without delay, which
-makes the contacts less simultaneous by the delay, or the one that touched first, which makes them
-more so until it is the last.
+The effect of less simultaneous contacts when nothing else differs: the same draws with one digit
+delayed (core/trial/digit_delays.h), with the object as run, lighter, more slippery, and farther off
+the expected pose. Either the digit that touched last without delay is delayed, which makes contacts
+less simultaneous, or the one that touched first, which makes them more simultaneous until it
+becomes the last.
 
-Where a grasp ends is decided by its drives: two jaws that press bring the object back to where they
-balance. So beside the push before lift-off there is the one until the last digit touches.
+The final pose of a grasp is decided by its drives: two pressing jaws move the object back to where
+they balance. So the push until the last digit touches is measured as well as the push before
+lift-off.
 
-For each response the mean over the trials that have it at every delay, and the slope of a straight
-line through each trial's values, averaged over trials, with the 95 % interval of a mean change
-(datasets/analysis/pairs.h). Of failures only success, pushes and turns are defined, so the other
-rows hold the trials that succeeded at every delay: what a delay costs in stability is seen among
-grasps that survive it. */
+For each response, the summary gives the mean over trials that have it at every delay, and the slope
+of a line through each trial's values, averaged over trials, with the 95 % interval of a mean change
+(datasets/analysis/pairs.h). In failed trials only success, pushes and turns are defined. So the
+other rows include only trials that succeeded at every delay: the loss of stability is measured on
+grasps that survive the delay. */
 
 #include <string>
 #include <vector>
@@ -27,24 +28,25 @@ grasps that survive it. */
 
 namespace graspbench {
 
-/** Effects are told for so much delay [s]. */
+/** Effects are reported per this delay [s]. */
 inline constexpr double kDelayDose = 0.1;
-/** The delays that are tried [s]; the first is none. */
+/** The simulated delays [s]; the first is 0. */
 const std::vector<double>& ListDelays();
 
 struct DelayedTrial {
-  std::string condition;  ///< "as run", "slippery"
-  std::string digit;      ///< which was late: "last", "first" to touch without delay
+  std::string condition;  ///< state of the object: "as run", "slippery"
+  std::string digit;      ///< delayed digit: "last" or "first" to touch without delay
   double delay = 0.0;     ///< [s], one of ListDelays()
-  Displacement closing;   ///< of the object until the last digit touched
-  TrialRecord record;     ///< its plan is that of the trial without delay
+  Displacement closing;   ///< of the object, until the last digit touched
+  TrialRecord record;     ///< with the plan of the trial without delay
 };
 
-/** The object's other states and, under each of them and as run, every delay of either digit. */
+/** Lists the object's other states and, for each of them and as run, every delay of either
+digit. */
 std::vector<Condition> ListDelayConditions(const SessionConfig& config);
 
-/** Of what is finished. Trials without two digits that touch have no delayed ones.
-@pre the records are whole. */
+/** Lists the finished trials. A trial in which fewer than two digits touch has no delayed trials.
+@pre the records are complete. */
 std::vector<DelayedTrial> ListDelayedTrials(const Session& experiment);
 
 /** One response of one hand under one condition. */
@@ -55,12 +57,13 @@ struct DoseResponse {
   int num_left_out = 0;  ///< trials without a value at some delay
   int num_objects = 0;
   std::vector<double> means;  ///< at each of ListDelays()
-  double change = kUnset;     ///< for kDelayDose of delay: the mean slope times that
+  double change = kUnset;     ///< mean slope times kDelayDose
   Answer<Interval> interval;  ///< of the change, 95 %
 };
 
-/** GFT, to see that the delay arrived, what closing does, then ListGraspResponses(); in the order
-in which conditions, digits and hands come. A response that no trial has is left out. */
+/** Summarises GFT, as a check of the imposed delay, push and turn during closure, then
+ListGraspResponses(), in the order of conditions, digits and hands. Responses that no trial has are
+left out. */
 std::vector<DoseResponse> SummariseDelays(const std::vector<DelayedTrial>& trials);
 
 ShownTable ShowDoses(const std::vector<DoseResponse>& rows);

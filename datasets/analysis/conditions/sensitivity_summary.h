@@ -1,12 +1,12 @@
 #pragma once
 /** @file
-How far a session's numbers depend on single settings: its trials beside the same trials under one
-changed setting, pair by pair. These are the sessions in sensitivity/, whose conditions have one
-setting each; equal duplicates are fine, unequal ones are an error.
+How far a session's results depend on single settings: its trials are compared in pairs with trials
+of the same draws under one changed setting. The latter are the sessions in sensitivity/, whose
+conditions have one setting each. Equal duplicates are accepted, unequal ones are an error.
 
 Pairs, mean changes and intervals are those of datasets/analysis/pairs.h; a measure is compared over
-the pairs in which both trials have it. With tens of settings some intervals miss 0 by chance. What
-lacks its pair is counted beside the estimate. */
+the pairs in which both trials have it. With tens of settings some intervals exclude 0 by chance.
+Trials without a partner are counted with the estimate. */
 
 #include <filesystem>
 #include <map>
@@ -20,19 +20,20 @@ lacks its pair is counted beside the estimate. */
 
 namespace graspbench {
 
-/** The conditions of graspbench sensitivity. @param settings  "sim.step_s=0.001"; empty: one or two
-other values for everything that nobody has measured or that was made up: half and twice, less for
-friction, and none at all of the variation; every other coupling rule. What is out of range or as the
-session has it is left out.
-@throws Error(kUsage, kRange) for a setting that cannot be used or is named twice. */
+/** Lists the conditions of `graspbench sensitivity`.
+@param settings  "sim.step_s=0.001"; empty: other values of all unmeasured or assumed parameters.
+These are 0.5 and 2 times the value, 0.8 and 1.25 times for friction, 0 and 2 times for the
+variation and joint errors, and every other coupling rule. Values out of range, or equal to the
+session's, are left out.
+@throws Error(kUsage, kRange) for a setting that cannot be used or is given twice. */
 std::vector<Condition> ListSensitivityConditions(const SessionConfig& config,
                                                  const std::vector<std::string>& settings = {});
 
-/** What is compared between two trials of the same draws. */
+/** Measures that are compared between two trials of the same draw. */
 struct TrialMeasures {
   std::string grasp;
   Outcome outcome = Outcome::kNotRun;
-  double gct = kUnset;        ///< [s]; times are missing where a digit touched before closure began
+  double gct = kUnset;        ///< [s]; times are NaN if a digit touched before closure began
   double gft = kUnset;        ///< [s]
   double gft_ratio = kUnset;  ///< of GCT
   double got_ratio = kUnset;
@@ -51,38 +52,38 @@ struct TrialMeasures {
 };
 TrialMeasures MakeTrialMeasures(const TrialRecord& record);
 
-/** The trials of one setting by the id of the session's trial with the same draws. One that is not
-run is planned under the setting, or would be: its pair is missing. */
+/** The trials of one setting, by the id of the session's trial with the same draw. An entry with
+the outcome kNotRun is a trial of the session whose partner is missing. */
 using VariedTrials = std::map<std::string, TrialMeasures>;
 using SensitivityData = std::map<std::string, VariedTrials>;  ///< by setting
 
-/** From the session's folder; nothing for a session that stands in no folder.
-@throws Error(kFormat) for unequal duplicates, Error(kIo). */
+/** Loads the data from the session's folder; empty for a session without a folder.
+@throws Error(kFormat) for unequal duplicates; Error(kIo). */
 SensitivityData LoadSensitivity(const Session& session);
 
-/* Success by how far an object lay from where it should, for each way of positioning the hand: the
-session's own and those that graspbench sensitivity tried on the same draws. */
+/* Success by the object's offset from its nominal position, for each positioning of the hand: the
+session's own and those that `graspbench sensitivity` ran on the same draws. */
 
-/** One hand's trials under one positioning whose object lay so far from where it should. */
+/** One hand's trials under one positioning with the object's offset in [low, high). */
 struct OffsetClass {
   std::string hand;
   std::string positioning;       ///< "camera"
-  double low = 0.0, high = 0.0;  ///< [m]; high is outside, but of the last class
+  double low = 0.0, high = 0.0;  ///< [m]; high belongs to the last class only
   Tally tally;
 };
 
-/** From 0 to the corner of the square of draws in four classes of equal width, for hands in the
-order of the records, the session's positioning first. Empty without offsets. */
+/** Lists four classes of equal width, from 0 to the corner of the square of offsets, for hands in
+the order of the records, the session's positioning first. Empty if offsets do not vary. */
 std::vector<OffsetClass> ListOffsetClasses(const Session& session, const SensitivityData& varied);
 
 /** The change of one measure. */
 struct MeasureChange {
-  std::string measure;     ///< "gft_s"
-  int num_pairs = 0;       ///< in which both trials have it
-  double before = kUnset;  ///< mean over these pairs; so is
-  double after = kUnset;
-  double low = kUnset, high = kUnset;  ///< 95 % interval of after - before; NaN: none, and
-  std::string no_interval;             ///< why
+  std::string measure;                 ///< "gft_s"
+  int num_pairs = 0;                   ///< in which both trials have the measure
+  double before = kUnset;              ///< mean over these pairs
+  double after = kUnset;               ///< mean over these pairs
+  double low = kUnset, high = kUnset;  ///< 95 % interval of after - before; NaN: none
+  std::string no_interval;             ///< why there is none
 
   double change() const { return after - before; }
 
@@ -102,15 +103,15 @@ struct MeasureChange {
 /** One setting and one hand. */
 struct SettingChange {
   std::string setting;  ///< "model.mass_scale=0.5"
-  std::string value;    ///< of the same key in the session: "1.0"
+  std::string value;    ///< of this key in the session: "1.0"
   std::string hand;
-  PairedCounts successes;    ///< first: as the session has it, second: under the setting
-  int num_left_out = 0;      ///< trials of the session that are planned under the setting, too
-  std::string why_left_out;  ///< "2 not finished, 1 without a partner"; empty: none is
-  double rate_change_low = kUnset, rate_change_high = kUnset;  ///< of the rate after - before
+  PairedCounts successes;    ///< first: in the session, second: under the setting
+  int num_left_out = 0;      ///< session trials planned under the setting but without a pair
+  std::string why_left_out;  ///< "2 not finished, 1 without a partner"; empty: none
+  double rate_change_low = kUnset, rate_change_high = kUnset;  ///< of rate after - before
   std::string no_interval;                                     ///< why there is none
   int num_objects = 0;                                         ///< of the pairs
-  int num_other_grasp = 0;              ///< pairs whose trials have other grasps
+  int num_other_grasp = 0;              ///< pairs whose trials have different grasps
   std::vector<MeasureChange> measures;  ///< gct_s, gft_s, gft_ratio, got_ratio, sigma_n
 
   double rate_change() const {
@@ -143,7 +144,7 @@ struct SettingChange {
 struct SensitivitySummary {
   int physics_version = kPhysicsVersion;
   std::vector<SettingChange> changes;  ///< by setting, then in the order of the session's hands
-  std::vector<OffsetClass> offsets;    ///< likewise on the same draws; in no file
+  std::vector<OffsetClass> offsets;    ///< on the same draws; not stored
 
   template <class V>
   static void ListFields(V&& field) {
@@ -152,28 +153,28 @@ struct SensitivitySummary {
   }
 };
 
-/** A setting or its value as tables show it, a long number with four digits:
+/** Formats a setting or its value for tables, long numbers with four digits:
 "variation.yaw_rad=0.1745". */
 std::string FormatSetting(const std::string& setting);
 
-/** "10", or "6 of 10" where pairs are left out. */
+/** Returns "10", or "6 of 10" if pairs are left out. */
 std::string CountPairs(const SettingChange& change);
 
-/** Changes as people see them, with the columns of these headings: setting (or of), was, hand,
-pairs, objects, won, lost, success [%], GCT [ms], GFT [ms], GFT% [%], GOT% [%], sigma [N], other
-grasp, left out. A cell is "-8 (-12 to
--3)", and "-8 (-12 to -3), 5 of 10 pairs" where not all pairs have the measure. */
+/** Makes the displayed table of changes with the columns of these headings: setting (or of), was,
+hand, pairs, objects, won, lost, success [%], GCT [ms], GFT [ms], GFT% [%], GOT% [%], sigma [N],
+other grasp, left out. An entry is "-8 (-12 to -3)", or "-8 (-12 to -3), 5 of 10 pairs" if not all
+pairs have the measure. */
 ShownTable ShowChanges(const std::vector<SettingChange>& changes,
                        const std::vector<std::string>& headings);
 
-/** What a table of changes says below it, with a line feed. */
+/** Returns the notes below a table of changes, ending with a line feed. */
 std::string DescribeChanges(const std::vector<SettingChange>& changes);
 
 enum class PairsTaken { kAll, kSameGrasp };
 
-/** How the session's trials compare with others of the same draws, a change for each hand.
-@param setting  its name.
-@param trials  by ids of the session's plan; kNotRun: without a pair. */
+/** Compares the session's trials with others of the same draws, one change per hand.
+@param setting  name for the change.
+@param trials  by ids of the session's plan; kNotRun: without a partner. */
 std::vector<SettingChange> ListChanges(const Session& session, const std::string& setting,
                                        const VariedTrials& trials,
                                        PairsTaken taken = PairsTaken::kAll);

@@ -1,20 +1,20 @@
 #pragma once
 /** @file
-What the factors of a sweep (datasets/plan/conditions.h) change, on the same draws.
+Effects of the factors of a sweep (datasets/plan/conditions.h), on the same draws.
 
-A draw is one hand, object and number; y(c) is a measure of its trial under the condition c. The
-effect of a level l of the factor A, of a draw: the mean of
+A draw is one hand, object and number; y(c) is a measure of its trial under condition c. The effect
+of level l of factor A on a draw is the mean of
 
     y(c') - y(c)    over all pairs of conditions that differ in A alone, l in c' and the base in c,
 
-and where a design has no such pair (Latin hypercubes) the mean over all c' with l less that over all
-c with the base's level. The interaction of two levels l and m of A and B: the mean of
+If a design has no such pair (Latin hypercubes), it is the mean over all c' with l minus that over
+all c with the base's level. The interaction of levels l and m of A and B is the mean of
 
-    y(l, m) - y(l, 0) - y(0, m) + y(0, 0)    over all such four conditions.
+    y(l, m) - y(l, 0) - y(0, m) + y(0, 0)    over all such sets of four conditions.
 
-Estimates are means over draws, of those that have every value; each says how many planned draws it
-leaves out, and why. Draws, estimates and intervals are those of datasets/analysis/pairs.h. Many
-intervals are shown: one in twenty misses 0 by chance. Of a grip threshold y is its binary
+Estimates are means over the draws that have every value; the number of planned draws left out is
+reported with the reason. Draws, estimates and intervals are those of datasets/analysis/pairs.h. Of
+the many intervals one in twenty excludes 0 by chance. For a grip threshold y is its binary
 logarithm. */
 
 #include <array>
@@ -28,39 +28,39 @@ logarithm. */
 
 namespace graspbench {
 
-/* What a sweep compares (sweep_summary.h) of its trials.
+/* Measures that a sweep compares.
 
 A grip threshold (threshold_summary.h) enters effects as its binary logarithm, because its scale has
-equal ratios: a change of 1 is twice the grip, and is shown as a ratio. A draw that no grip held
-counts as one step above the largest, one that the least held as the least, so that effects err
-towards none there. */
-/** A finished trial of a sweep and the grip thresholds of its draw under its condition. */
+equal ratios: a change of 1 is twice the grip, and is displayed as a ratio. A draw that no grip held
+counts as one step above the largest grip, one that the least grip held as the least, so that
+effects are biased towards zero there. */
+/** A finished trial of a sweep with the grip thresholds of its draw under its condition. */
 struct SweepTrial {
   const TrialRecord* record = nullptr;
-  /** On each of kThresholdScales; infinite: no grip held; NaN: it was not looked for. */
+  /** On each of kThresholdScales; infinite: no grip held; NaN: not searched. */
   std::array<double, std::size(kThresholdScales)> thresholds = {kUnset, kUnset};
 };
 
 struct SweepMeasure {
   const char* id;     ///< "success"
-  const char* label;  ///< "success [%]", which is
-  double scale;       ///< times the value, with
+  const char* label;  ///< "success [%]"
+  double scale;       ///< displayed number = scale * value
   int decimals;
-  double (*value)(const SweepTrial& trial);   ///< NaN: it has none
-  const ThresholdScale* threshold = nullptr;  ///< of grip thresholds: their scale
+  double (*value)(const SweepTrial& trial);   ///< NaN: none
+  const ThresholdScale* threshold = nullptr;  ///< scale of a grip threshold, else null
 
-  /** What effects are sums of. */
+  /** Returns the value that enters effects. */
   double CalcEffectValue(const SweepTrial& trial) const;
 };
-/** Success, GFT%, sigma, breaking force (judged trials; an empty hand's is none), grip thresholds.
-*/
+/** Success, GFT%, sigma, breaking force (judged trials; 0 N for an empty hand) and grip
+thresholds. */
 const std::vector<SweepMeasure>& ListSweepMeasures();
-/** @pre there is one with this id */
+/** @pre there is a measure with this id. */
 const SweepMeasure& FindSweepMeasure(const std::string& id);
 
-/** A value: "12.5", "n/a", "none held". */
+/** Formats a value: "12.5", "n/a", "none held". */
 std::string FormatValue(const SweepMeasure& measure, double value);
-/** What a level changes: "-0.50", of a threshold "x 1.41". */
+/** Formats a change: "-0.50", or "x 1.41" for a threshold. */
 std::string FormatChange(const SweepMeasure& measure, double change);
 std::string FormatChangeInterval(const SweepMeasure& measure, const Interval& interval);
 
@@ -70,23 +70,24 @@ struct ConditionRow {
   std::vector<std::string> levels;
   std::string hand;
   int num_planned = 0, num_finished = 0, num_successes = 0, num_numerical = 0;
-  /** Of ListSweepMeasures(); of success the rate; infinite: half of the draws never held. */
+  /** Medians of ListSweepMeasures(), the rate for success; infinite: half of the draws never
+  held. */
   std::vector<double> medians;
-  /** Why these trials cannot decide what success depends on; empty: some succeed, some fail. */
+  /** Why these trials cannot show an effect on success; empty: some succeed, some fail. */
   std::string undecided;
-  /** Objects whose grasp is not the base's: "cup g3 to g4". */
+  /** Objects whose grasp differs from the base's: "cup g3 to g4". */
   std::string other_grasps;
 };
 
-/** What one level, or two levels together, change. */
+/** The effect of one level, or the interaction of two. */
 struct SweepEffect {
   std::vector<std::string> factors, levels;  ///< one or two: an interaction
   std::string measure, hand;
   ChangeEstimate change;
-  int num_other_grasp = 0;   ///< of its draws: compared trials have other grasps
-  int num_left_out = 0;      ///< of the planned draws
-  std::string why_left_out;  ///< "2 not finished, 1 without a value"; empty: none is
-  bool is_marginal = false;  ///< no two conditions differ in the factor alone
+  int num_other_grasp = 0;   ///< draws whose compared trials have different grasps
+  int num_left_out = 0;      ///< planned draws left out
+  std::string why_left_out;  ///< "2 not finished, 1 without a value"; empty: none
+  bool is_marginal = false;  ///< true if no two conditions differ in the factor alone
 
   bool excludes_zero() const {
     return change.interval && (change.interval->low > 0.0 || change.interval->high < 0.0);
@@ -98,7 +99,7 @@ struct ConditionThresholds {
   const ThresholdScale* scale = nullptr;
   std::string name, hand;  ///< empty name: the base
   int num_draws = 0, num_below = 0, num_never = 0;
-  std::string not_monotone;  ///< draws that fail again with a larger grip: "can 3, 5; cup 0"
+  std::string not_monotone;  ///< draws that fail with a larger grip: "can 3, 5; cup 0"
 };
 
 struct SweepSummary {
@@ -110,22 +111,22 @@ struct SweepSummary {
 
   /** Interactions whose interval excludes 0. */
   std::vector<SweepEffect> FindInteractions() const;
-  /** Whether a column is worth showing: thresholds are where they were looked for. */
+  /** Whether to display a measure; thresholds only if they were searched. */
   bool Shows(size_t measure) const;
 };
 /** @param thresholds  LoadThresholds(session). */
 SweepSummary SummariseSweep(const Session& session,
                             const std::vector<ThresholdSummary>& thresholds);
 
-/** "model.mass_scale=0.5 and grasp=g2". */
+/** Returns "model.mass_scale=0.5 and grasp=g2". */
 std::string NameEffect(const SweepEffect& effect);
 
-/** As people see them. */
+/** Make the displayed tables. */
 ShownTable ShowConditions(const SweepSummary& summary);
 ShownTable ShowEffects(const std::vector<SweepEffect>& effects);
 ShownTable ShowThresholds(const SweepSummary& summary);
 
-/** conditions.csv and effects.csv with their dictionaries. */
+/** Makes conditions.csv and effects.csv with their dictionaries. */
 std::vector<ExportTable> MakeSweepTables(const SweepSummary& summary);
 
 Json ToJson(const SweepSummary& summary);

@@ -1,27 +1,27 @@
 #pragma once
 /** @file
-Grip thresholds of a session's draws: what graspbench threshold has stored below thresholds/, a
-session whose conditions are the grips of a scale, of which only those trials ran that the bisection
-of their draw asked for. Of a sweep they are the grips under its base, then under each of its
-conditions, and each has its own threshold of a draw.
+Grip thresholds of a session's draws, from the experiments of `graspbench threshold` in the folder
+thresholds/. Such an experiment is a session whose conditions are the grips of a scale; only trials
+that the bisection of their draw required have run. For a sweep the conditions are the grips under
+its base, then under each of its conditions, and a draw has a separate threshold under each.
 
-The grip threshold of a draw: the smallest grip, a margin or a force, with which its trial succeeds.
-Found by bisection of the same draw over seventeen grips, equal steps of the logarithm from the
-least to the largest of a scale:
+The grip threshold of a draw is the smallest grip, a margin or a force, with which its trial
+succeeds. It is found by bisection over seventeen grips, in equal logarithmic steps from the least
+to the largest of a scale:
 
     grip_k = least (most / least)^(k / 16),   k = 0 .. 16
 
-First the largest grip, then four halvings, then one trial that asks halfway between threshold and
-largest grip, where a draw that is not monotone may fail again, which bisection alone cannot see; or
-the least grip, where none has failed. Where the largest grip fails, as of an object that is squeezed
-out of the hand, weaker ones are asked, 8, 4, 2, then 12, until one holds: such a draw has a
-threshold and is not monotone. So a threshold costs at most kMostThresholdTrials trials, and is the
-smallest grip that was asked and held.
+The largest grip is simulated first, then four bisections follow. A last trial halfway between
+threshold and largest grip reveals draws that are not monotone and fail there, which bisection
+cannot detect; if no grip has failed, the least grip is simulated instead. If the largest grip
+fails, as when the object is squeezed out of the hand, weaker grips (k = 8, 4, 2, then 12) are
+simulated until one holds: such a draw has a threshold and is not monotone. So a threshold costs at
+most kMostThresholdTrials trials, and is the smallest simulated grip that held.
 
 A cell's threshold is the median over its draws; a draw that no grip held counts as above every
-other. Its interval is that of order statistics: of n sorted draws the k-th and the (n + 1 - k)-th
-with the largest k for which each tail of the binomial distribution with 1/2 holds at most 2.5 %;
-below 6 draws there is none (Conover 1999, Practical Nonparametric Statistics, 3.2). */
+other. Its interval is that of order statistics: the k-th and the (n + 1 - k)-th of n sorted draws,
+with the largest k for which each tail of the binomial distribution with p = 1/2 has at most 2.5 %.
+With fewer than 6 draws there is none (Conover 1999, Practical Nonparametric Statistics, 3.2). */
 
 #include <cmath>
 #include <filesystem>
@@ -38,52 +38,54 @@ below 6 draws there is none (Conover 1999, Practical Nonparametric Statistics, 3
 
 namespace graspbench {
 
-/** The grips of a scale as conditions of a session, from the least, of a sweep under its base and
-under each of its conditions. Without a least force under margins, which would hide them; a session
-that closes to its posture touches at the speed that a regulated grip has by default.
+/** Lists the grips of a scale, from the least, as conditions of a session; for a sweep, under its
+base and under each of its conditions. On the margin scale the minimum force is at most 1 mN, so
+that it does not hide the margin. A session that closes to its posture gets the touch speed that a
+regulated grip has by default.
 @throws Error(kUsage) for a sweep of the grip itself. */
 std::vector<Condition> ListThresholdGrips(const ThresholdScale& scale, const SessionConfig& config);
 
-/** Of forces that the hands' pads hardly give (datasets/plan/grip_check.h). */
+/** Lists warnings about forces that the hands' pads hardly exert (datasets/plan/grip_check.h). */
 std::vector<std::string> ListThresholdWarnings(const ThresholdScale& scale, SessionConfig config,
                                                const SessionInputs& inputs);
 
 inline constexpr int kMostThresholdTrials = 6;
 
-/** grip_k. @pre 0 <= place <= kMostGripPlace */
+/** Returns grip_k for k = `place`. @pre 0 <= place <= kMostGripPlace. */
 double CalcGripAt(const ThresholdScale& scale, int place);
 
 struct GripThreshold {
-  std::optional<int> place;     ///< none: no grip that was asked held
-  bool is_below_range = false;  ///< it succeeds with the least grip: the threshold is no larger
-  bool is_monotone = true;      ///< as far as was asked
-  std::vector<int> failed, succeeded;  ///< places, in the order of asking
-  std::optional<int> next;             ///< must be asked to go on; the threshold is not found yet
+  std::optional<int> place;            ///< k of the threshold; none: no simulated grip held
+  bool is_below_range = false;         ///< least grip holds: an upper bound
+  bool is_monotone = true;             ///< in the simulated trials
+  std::vector<int> failed, succeeded;  ///< k in the order of simulation
+  std::optional<int> next;             ///< k to simulate next; none: the search is complete
 };
 
-/** @param succeeds  a trial of the draw with the grip at this place; none: it is not known.
-@param most  the largest place to ask, at least 0: no drive gives more. */
+/** Runs the bisection as far as results are known.
+@param succeeds  whether the draw succeeds with the grip at this place; none: not simulated yet.
+@param most  largest place that the drives allow, at least 0. */
 GripThreshold FindGripThreshold(const std::function<std::optional<bool>(int place)>& succeeds,
                                 int most = kMostGripPlace);
 
 struct DrawThreshold {
-  PlannedTrial draw;                ///< the session's trial
-  int most_place = kMostGripPlace;  ///< that was planned: no drive gives more
+  PlannedTrial draw;                ///< the trial of the session
+  int most_place = kMostGripPlace;  ///< largest planned k, limited by the drives
   GripThreshold found;
-  double value = kUnset;  ///< margin, or force [N]; infinite: no grip held; NaN: it is not finished
+  double value = kUnset;  ///< margin, or force [N]; infinite: no grip held; NaN: not finished
 };
 
 struct CellThreshold {
   std::string condition;  ///< of a sweep; empty: the base
   std::string hand, object, grasp;
   int num_draws = 0;                   ///< finished
-  int num_never = 0;                   ///< no grip that was asked held
-  int num_below = 0;                   ///< held by the least
-  std::vector<int> not_monotone;       ///< numbers of trials
+  int num_never = 0;                   ///< draws that no simulated grip held
+  int num_below = 0;                   ///< draws that the least grip held
+  std::vector<int> not_monotone;       ///< trial numbers
   double median = kUnset;              ///< infinite: half of the draws or more never held
   double low = kUnset, high = kUnset;  ///< 95 % interval; NaN: too few draws
 
-  /** The median takes in a draw that the least grip held: it may be lower. */
+  /** Whether the median is an upper bound: it involves a draw that the least grip held. */
   bool is_at_most() const {
     return num_draws > 0 && 2 * num_below >= num_draws && std::isfinite(median);
   }
@@ -93,47 +95,49 @@ struct ThresholdSummary {
   const ThresholdScale* scale = nullptr;
   std::vector<DrawThreshold> draws;  ///< in the order of the plan
   std::vector<CellThreshold> cells;
-  int num_trials = 0;  ///< that were asked for
+  int num_trials = 0;  ///< trials of the bisections so far
 
   int num_not_monotone() const;
 };
 
-/** Of one experiment on the session's draws, in the order of the session's plan.
-@throws Error(kFormat) when its conditions are no grips. */
+/** Summarises one experiment on the session's draws, in the order of the session's plan.
+@throws Error(kFormat) if its conditions are not grips of a scale. */
 ThresholdSummary SummariseThresholds(const Session& experiment, const Session& session);
-/** Of the experiments in the session's folder, each scale once, with as many draws as are known.
-@throws as LoadSession. */
+/** Loads the thresholds from the session's folder: for each scale the experiment with the most
+finished draws. @throws as LoadSession. */
 std::vector<ThresholdSummary> LoadThresholds(const Session& session);
 
-/** The draws that fail again with a larger grip: "draws 3, 7", "none". */
+/** Names the draws that fail with a larger grip: "draws 3, 7", "none". */
 std::string NameNotMonotone(const CellThreshold& cell);
 
-/** "no force above 3.15 N is asked of tum g1, whose drives give no more; ..."; empty: all are. */
+/** Returns "no force above 3.15 N is asked of tum g1, the limit of its drives; ..."; empty if the
+whole scale is used. */
 std::string DescribeCeilings(const ThresholdSummary& summary);
 
-/** "at most 1.09", "none held". */
+/** Returns "at most 1.09", "none held". */
 std::string FormatMedian(const ThresholdScale& scale, const CellThreshold& cell);
 
-/** Of the session's finished trials in their order; NaN where none was looked for. */
+/** Lists the thresholds of the session's finished trials in their order; NaN if not searched. */
 std::vector<double> ListThresholdsOf(const Session& session, const ThresholdSummary& summary);
 
-/** The trials that the bisections of the draws ask for next, in the order of the plan. */
+/** Lists the trials that the bisections need next, in the order of the plan. */
 std::vector<PlannedTrial> FindThresholdTrials(const Session& experiment);
 
-/** The 95 % interval of a median as above; none of fewer than six values. Infinite values keep their
-place. @pre no NaN among them. */
+/** Returns the 95 % interval of a median as above; none for fewer than six values. Infinite values
+are sorted as such. @pre no value is NaN. */
 std::optional<Interval> CalcMedianInterval(std::vector<double> values);
 
-/** "1.19", "0.70 N", "none held"; "n/a" without a value. */
+/** Returns "1.19", "0.70 N", "none held"; "n/a" without a value. */
 std::string FormatThreshold(const ThresholdScale& scale, double value);
 
-/** export/thresholds.csv with a row for each draw; none without thresholds. */
+/** Makes export/thresholds.csv with one row per draw; empty without thresholds. */
 std::vector<ExportTable> MakeThresholdTables(const std::vector<ThresholdSummary>& thresholds);
 
-/** The cells as people see them. */
+/** Makes the displayed table of cells. */
 ShownTable ShowCells(const ThresholdSummary& summary);
 
-/** {scale, unit, cells: [..], draws, trials, not_monotone}; infinite and NaN are null. */
+/** Writes {scale, unit, cells: [..], draws, trials, not_monotone}; infinite and NaN values are
+null. */
 Json ToJson(const ThresholdSummary& summary);
 
 }  // namespace graspbench

@@ -1,25 +1,25 @@
 #pragma once
 /** @file
-What correlates with success in trials without delay, and whether that is the digits' times.
+Whether contact times correlate with success in trials without delay, and whether a common cause
+explains the correlation.
 
-Of one hand, x is success and y the rank of GFT (a digit that never touched: the last rank), each
-less what object and levels explain (least squares; a factor that scales the draws is left in, for
-it is a cause to be found); r_xy is their correlation over all trials without delay. It may come
-from a cause of both: with z the size of the draw's offset or turn, treated alike,
+For one hand, x is success and y the rank of GFT (a digit that never touched has the last rank).
+Both are residuals of a least-squares fit on object and levels, without factors that scale the
+draws, since those are possible causes. r_xy is their correlation over all trials without delay. A
+common cause may explain it: with z the residual size of the draw's offset or turn,
 
     r_z = (r_xy - r_xz r_yz) / sqrt((1 - r_xz^2) (1 - r_yz^2))
 
-95 % intervals from drawing objects. A cause is named where the interval of r excludes zero and
-r_z is less than half of r; of several the one that leaves least. That says what most of the
-relation goes back to, not that it is harmless: whether times matter is what delays decide
-(simultaneity_map.h).
+95 % intervals come from resampling objects. A cause is named if the interval of r excludes zero and
+|r_z| is less than half of |r|; of several causes, the one that leaves the smallest |r_z|. This
+explains most of the correlation but does not show that times are harmless: delays decide whether
+times matter (simultaneity_map.h).
 
-What a map finds of a hand, of success and the last digit, by the strongest design first:
+The finding of a map for a hand, for success and the last digit, strongest evidence first:
 
-    matters        by intervention: the cell of all trials, or a region, costs or gains
-    common cause   delays make no difference (none or ceiling), yet late digits correlate with
-                   failures,
-                   for a cause that is named
+    matters        by intervention: the cell over all regions, or a region, costs or gains
+    common cause   delays make no difference (none or ceiling), but late digits correlate with
+                   failures, and a cause is named
     no effect      delays make no difference
     undecided      delays do not decide */
 
@@ -40,10 +40,10 @@ struct NaturalRelation {
     Interval interval;
   };
   std::vector<Cause> causes;
-  std::string cause;  ///< name of the one that explains it; empty: none does
+  std::string cause;  ///< name of the cause that explains it; empty: none
 };
 
-/** No answer without trials, for fewer than five objects, or where nothing varies. */
+/** Computes the relation of a hand; no answer without trials or with fewer than five objects. */
 Answer<NaturalRelation> FindNaturalRelation(const MapData& data, const std::string& hand);
 
 enum class MapFinding { kMatters, kCommonCause, kNoEffect, kUndecided };
@@ -59,7 +59,7 @@ inline constexpr MapFindingRow kMapFindings[] = {{MapFinding::kMatters, "matters
 MapFinding FindWhatMatters(const SimultaneityMap& map, const Answer<NaturalRelation>& natural,
                            const std::string& hand);
 
-/** One sentence with its design: "common cause: ..". */
+/** Describes the finding in one sentence: "tum: common cause. By delays of ..". */
 std::string DescribeFinding(const SimultaneityMap& map, const Answer<NaturalRelation>& natural,
                             const std::string& hand);
 

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-Pairs of a map of simultaneity: the same hand, object, draw and region without delay and with one
-digit late. What the effect of a pair is says simultaneity_map.h. */
+Pairs of a simultaneity map: trials of the same hand, object, draw and region without delay and with
+one digit delayed. simultaneity_map.h defines the effect of a pair. */
 
 #include <string>
 #include <utility>
@@ -15,16 +15,17 @@ struct MapPair {
   std::vector<size_t> levels;  ///< of each factor
   std::string object;
   double undelayed = kUnset;                       ///< the measure's value
-  std::vector<std::pair<double, double>> delayed;  ///< delay [s] and the measure's value with it
+  std::vector<std::pair<double, double>> delayed;  ///< delay [s], the measure's value
   double effect = kUnset;
-  std::string changed;  ///< name of a late trial with another value; empty: none
+  std::string changed;  ///< name of a delayed trial with another value; empty: none
 };
 
-/** @param delayed  delays [s] and the measure's values. NaN where one has none, and without any. */
+/** Computes the effect of a pair; NaN if a value is NaN or `delayed` is empty.
+@param delayed  delays [s] and the measure's values. */
 double CalcPairEffect(MapMeasure measure, double undelayed,
                       const std::vector<std::pair<double, double>>& delayed);
 
-/** Of one hand, late digit and measure, those that have a value. */
+/** Lists the pairs of a hand, late digit and measure that have an effect. */
 std::vector<MapPair> ListMapPairs(const MapData& data, const std::string& hand, LateDigit late,
                                   MapMeasure measure);
 

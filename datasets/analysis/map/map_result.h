@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-A map of simultaneity as it is stored: the success session with the other parts in its folder
+A stored simultaneity map: the success session, with the other parts in its folder
 (datasets/plan/map_design.h). */
 
 #include <map>
@@ -19,44 +19,44 @@ namespace graspbench {
 struct MapPartResult {
   std::string id, title;
   int num_trials = 0, num_planned = 0;
-  MapMeasure measure = MapMeasure::kSuccess;  ///< what the part was run for
+  MapMeasure measure = MapMeasure::kSuccess;  ///< the part's main measure
   SimultaneityMap map;
 };
 
 struct MapResult {
-  std::vector<MapPartResult> parts;                        ///< success first; those that have begun
-  std::vector<ObjectEffect> objects;                       ///< of the first part
+  std::vector<MapPartResult> parts;                        ///< parts that have begun, success first
+  std::vector<ObjectEffect> objects;                       ///< in the first part
   std::map<std::string, Answer<NaturalRelation>> natural;  ///< by hand
 
-  /** What the map finds: of each hand over all regions, by region, by object. */
+  /** The map's findings for each hand: over all regions, by region, by object. */
   std::vector<std::string> findings() const;
 };
 
-/** @param session  the first part, IsMap. @throws as LoadSession. */
+/** Loads a map. @param session  its first part. @pre IsMap. @throws as LoadSession. */
 MapResult LoadMap(const Session& session);
 
-/** A cell of the map with the part that it is of. */
+/** A cell of the map with its part. */
 struct MapRow {
   const MapPartResult* part;
   const MapCell* cell;
 
   const MapMeasureRow& measure() const { return RowOf(kMapMeasures, cell->measure); }
 };
-/** Those that have pairs. They point into `result`. */
+/** Lists the cells that have pairs. They point into `result`. */
 std::vector<MapRow> ListMapRows(const MapResult& result);
-/** As people see them. */
+/** Makes the displayed table of the rows. */
 ShownTable ShowRegions(const std::vector<MapRow>& rows);
 
-/** map.csv: a row for each cell of every part; map_objects.csv: a row for each object. */
+/** Makes map.csv, with one row per cell of every part, and map_objects.csv, with one row per
+object. */
 std::vector<ExportTable> MakeMapTables(const MapResult& result);
 
-/** {findings: [..], parts: [{id, trials, planned, factors, cells}], objects: [..],
+/** Writes {findings: [..], parts: [{id, trials, planned, factors, cells}], objects: [..],
 precision: {HAND: ..}, natural: {HAND: ..}}. */
 Json ToJson(const MapResult& result);
 
-/** The trials of one session of a map (datasets/plan/map_design.h) as its analysis takes them.
-Trials that ended as numerical failures are left out: they say nothing of a grasp.
-@param thresholds  LoadThresholds(session). */
+/** Lists the trials of one session of a map (datasets/plan/map_design.h) for MapSimultaneity,
+without numerical failures. @param thresholds  LoadThresholds(session). */
 MapData ListMapTrials(const Session& session, const std::vector<ThresholdSummary>& thresholds);
 
 }  // namespace graspbench

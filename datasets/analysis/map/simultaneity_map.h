@@ -1,42 +1,42 @@
 #pragma once
 /** @file
-Where it matters that the digits touch at once: what a digit that is made late changes, region by
-region of how the hand grips and of what it grips.
+Where simultaneous contact matters: the effect of delaying one digit, in each region of grip and
+object properties.
 
 A pair is one hand, object, draw and region (one level of every factor), without delay and with the
-first or last digit d seconds late. Of the measure y the pair's effect is
+first or last digit delayed by d seconds. With the measure y, the pair's effect is
 
     success, threshold, breaking force    0.1 s * sum_d d (y_d - y_0) / sum_d d^2
     push                                  mean over d of the sign of (y_d - y_0)
 
-so for 100 ms, of a least squares line through the trial without delay; of the push the share of
-pairs in which the late digit pushes farther less that in which it pushes less far, because a
-digit that never touches counts as the farthest push and has no size. A grip threshold enters as
-its binary logarithm; a draw that no grip held counts as one step above the largest. An object
-that was lost breaks at 0 N.
+that is, per 100 ms, from a least-squares line through the trial without delay. For the push it is a
+sign, because a digit that never touches counts as the farthest push without a size; its mean is the
+share of pairs with a longer push minus the share with a shorter one. Grip thresholds enter as
+binary logarithms; a draw that no grip held counts as one step above the largest grip. A lost object
+has a breaking force of 0 N.
 
-A cell of the map is a hand, a late digit and one or two levels; its estimate is the mean over its
-pairs. 95 % intervals come from drawing objects with replacement (core/statistics/bootstrap.h); of
-objects whose means are all the same they say how many pairs may yet differ, by Wilson's interval of
-those that do: by one, and of success and push within what is possible (-1 to 1 of a sign). p is of
-the hypothesis that the effect of an object is as often above as below zero: the signs of all
-objects' sums are drawn (R. A. Fisher, The Design of Experiments (1935), 21),
+A cell of the map is a hand, a late digit and no, one or two levels; its estimate is the mean over
+its pairs. 95 % intervals come from resampling objects (core/statistics/bootstrap.h). If the means
+of all objects are equal, the interval allows for pairs that may yet differ: Wilson's interval of
+their share, each by one unit, and for success and push within the possible range (-1 to 1 for a
+sign). p tests the hypothesis that the effect of an object is symmetric about zero, by random signs
+of all objects' sums (R. A. Fisher, The Design of Experiments (1935), 21),
 
-    p = (1 + draws with a sum at least as large) / (1 + draws),
+    p = (1 + resamples with |sum| at least as large) / (1 + resamples),
 
-adjusted for the false discovery rate (multiple_tests.h) in two families of each measure: what
-holds everywhere, over hands and late digits, and what holds in a region, over all regions. A cell's
-verdict:
+adjusted for the false discovery rate (multiple_tests.h) in two families per measure: cells over all
+regions, and cells of single regions, both over all hands and late digits. A cell's verdict:
 
     costs, gains   the interval excludes zero and the adjusted p is at most 0.05
     none           the interval lies within the smallest effect of interest (MapMeasure::bound)
-    ceiling        none, but without delay at least 97.5 % succeed: the grip's reserve may hide it
-    floor          without delay at most 2.5 % succeed: nothing is left to lose
-    undecided      else, with the number of objects that would decide it where it is more
-                   than there are
+    ceiling        as none, but at least 97.5 % succeed without delay: the grip's reserve may hide
+                   an effect
+    floor          not costs or gains, and at most 2.5 % succeed without delay: nothing left to lose
+    undecided      otherwise, with the number of objects that would decide it, if larger than the
+                   present one
 
-A correlation among trials without delay stands beside this and decides nothing: where both times
-and success follow from a common cause, as where the object lay, it is no effect of the times
+The correlation in trials without delay is reported too but decides nothing: if a common cause, such
+as the object's pose, affects both times and success, it is not an effect of the times
 (common_cause.h). */
 
 #include <array>
@@ -50,16 +50,16 @@ and success follow from a common cause, as where the object lay, it is no effect
 
 namespace graspbench {
 
-/** What is asked of every pair. */
+/** Quantities that are compared within a pair. */
 enum class MapMeasure { kSuccess, kThreshold, kPush, kBreakingForce };
 struct MapMeasureRow {
   MapMeasure value;
   const char* name;   ///< in files
   const char* label;  ///< with the unit of the effect
-  double scale;       ///< times the effect
+  double scale;       ///< displayed number = scale * effect
   int decimals;
   double harm;   ///< sign of an effect that costs
-  double bound;  ///< the smallest effect of interest, unscaled; infinite: none is called none
+  double bound;  ///< smallest effect of interest, unscaled; infinite: never "none"
 };
 inline constexpr MapMeasureRow kMapMeasures[] = {
     {MapMeasure::kSuccess, "success", "success, points for 100 ms", 100.0, 1, -1.0, 0.02},
@@ -73,10 +73,10 @@ inline constexpr MapMeasureRow kMapMeasures[] = {
 struct MapFactor {
   std::string name;
   std::vector<std::string> levels;
-  bool scales_draws = false;  ///< its levels scale how far draws put the object off
+  bool scales_draws = false;  ///< levels scale the object's offset in the draws
 };
 
-/** One trial; NaN where a measure was not asked for. */
+/** One trial; NaN for a measure that was not taken. */
 struct MapTrial {
   std::string hand, object;
   int draw = 0;
@@ -86,7 +86,7 @@ struct MapTrial {
   std::array<double, std::size(kMapMeasures)> values;  ///< 0 or 1; log2; [m], infinite: never; [N]
   double first_to_last = kUnset;                       ///< GFT [s]; infinite: a digit never touched
   double offset = kUnset, turn = kUnset;  ///< sizes of the draw's placement error [m], [rad]
-  std::string name;                       ///< as commands take it
+  std::string name;                       ///< as commands accept it
 };
 
 struct MapData {
@@ -104,7 +104,7 @@ inline constexpr MapVerdictRow kMapVerdicts[] = {
     {MapVerdict::kNone, "none"},   {MapVerdict::kCeiling, "ceiling"},
     {MapVerdict::kFloor, "floor"}, {MapVerdict::kUndecided, "undecided"}};
 
-/** A level of a factor, by their places. */
+/** A level of a factor, by indices. */
 struct MapLevel {
   size_t factor = 0, level = 0;
 };
@@ -113,17 +113,19 @@ struct MapCell {
   std::string hand;
   LateDigit late = LateDigit::kNone;
   MapMeasure measure = MapMeasure::kSuccess;
-  std::vector<MapLevel> where;  ///< none: everywhere; one; or two
+  std::vector<MapLevel> where;  ///< none (everywhere), one or two
   int num_pairs = 0, num_objects = 0;
-  double undelayed = kUnset;  ///< mean without delay: rate of success
+  double undelayed = kUnset;  ///< mean without delay; for success its rate
   double estimate = kUnset;
   Answer<Interval> interval = NoAnswer{"no pair"};
   double p = kUnset, adjusted_p = kUnset;
   MapVerdict verdict = MapVerdict::kUndecided;
-  /** Of an undecided cell: objects with which the interval would be half as wide as what is to be
-  decided, were they like these; 0: not known. */
+  /** For an undecided cell, the number of objects at which the interval's half-width would equal
+  the difference to be decided, if further objects were like these; 0: unknown, or not more than
+  present. */
   int num_objects_to_decide = 0;
-  /** Of success: late trials that ended otherwise than without delay, the first ones. */
+  /** For success, names of the first delayed trials whose result differs from that without
+  delay. */
   std::vector<std::string> changed;
 };
 
@@ -133,60 +135,61 @@ struct SimultaneityMap {
   std::vector<MapCell> cells;  ///< by measure, hand, late digit; everywhere, levels, two levels
 };
 
-/** @pre every trial has a level of each factor. */
+/** Computes the map. @pre every trial has a level of each factor. */
 SimultaneityMap MapSimultaneity(const MapData& data);
 
-/** "last", "first". */
+/** Returns "last" or "first". */
 const char* NameLateDigit(LateDigit late);
 
-/** Null: no such cell. */
+/** Returns null if there is no such cell. */
 const MapCell* FindCell(const SimultaneityMap& map, MapMeasure measure, const std::string& hand,
                         LateDigit late, const std::vector<MapLevel>& where);
 
-/** "grip margin 1.5, friction 0.6"; "everywhere". */
+/** Returns "grip margin 1.5, friction 0.6", or "everywhere". */
 std::string NameWhere(const SimultaneityMap& map, const MapCell& cell);
 
-/** "-5.6 (-9.5 to -2.1)" in the measure's unit; why there is no interval. */
+/** Returns "-5.6 (-9.5 to -2.1)" in the measure's unit, or why there is no interval. */
 std::string FormatEffect(const MapCell& cell);
 
-/** Two sentences for a hand: where a late last digit costs of this measure, where it does not, and
-where that is not known; empty: it was not asked. */
+/** Describes for a hand in how many regions a late last digit costs or gains in this measure, makes
+no difference, or is not decided; empty if there are no such regions. */
 std::string DescribeMap(const SimultaneityMap& map, const std::string& hand, MapMeasure measure);
 
 Json ToJson(const SimultaneityMap& map);
 
-/* How finely a map of simultaneity resolves success. Of the regions (cells of one or two levels,
-first and last digit) of a hand that have at least 150 pairs of 20 objects, with [l, h] the cell's
-95 % interval for 100 ms,
+/* How finely a map resolves success. For the regions (cells of one or two levels, first and last
+digit) of a hand with at least 150 pairs of 20 objects, with [l, h] the cell's 95 % interval per 100
+ms,
 
     half-width = (h - l) / 2, narrow: at most 0.05 (5 points of success)
 
-The bar is graspbench's own: a late digit that costs 5 points for 100 ms is seen in a region, unless
-the region is wide. */
+The limit is graspbench's own: except in wide regions, the map detects a late digit that costs 5
+points per 100 ms. */
 inline constexpr int kPairsOfLargeRegion = 150, kObjectsOfLargeRegion = 20;
-inline constexpr double kNarrowHalfWidth = 0.05;  ///< of a rate, for 100 ms
+inline constexpr double kNarrowHalfWidth = 0.05;  ///< of a rate, per 100 ms
 
 struct MapPrecision {
   int num_regions = 0;               ///< with pairs
-  int num_large = 0;                 ///< of them with 150 pairs of 20 objects
-  std::vector<const MapCell*> wide;  ///< of the large ones, the widest first
+  int num_large = 0;                 ///< with at least 150 pairs of 20 objects
+  std::vector<const MapCell*> wide;  ///< large regions with wide intervals, the widest first
   int num_narrow() const { return num_large - static_cast<int>(wide.size()); }
 };
 
-/** Half of the interval's width; NaN without an interval. */
+/** Returns half of the interval's width; NaN without an interval. */
 double CalcHalfWidth(const MapCell& cell);
 
-/** The result points into `map`. A large region without an interval is wide. */
+/** Assesses the precision of a hand's regions. A large region without an interval counts as wide.
+The result points into `map`. */
 MapPrecision FindPrecision(const SimultaneityMap& map, const std::string& hand);
 
-/** "Of 158 regions with at least 150 pairs of 20 objects, 150 have a 95 % interval with a
-half-width of at most 5 points of success for 100 ms."; or that no region is so large. */
+/** Returns "Of 158 regions with at least 150 pairs of 20 objects, 150 have a 95 % interval with a
+half-width of at most 5 points of success for 100 ms.", or that no region is so large. */
 std::string DescribePrecision(const MapPrecision& precision);
 
-/* What a late digit does to each object, all regions of a map together: how often it was held
-without delay and with each, and the effect as above. The 95 % interval comes from drawing the
-object's pairs with replacement: it is of this object under the map's regions and draws, and says
-nothing of other objects. It is not adjusted: of twenty objects one excludes zero by chance. */
+/* Effect of a late digit on each object over all regions of a map: success rates without and with
+each delay, and the effect as above. The 95 % interval comes from resampling the object's pairs, so
+it is valid for this object under the map's regions and draws only. It is not adjusted: of twenty
+objects one excludes zero by chance. */
 struct RateWithDelay {
   double delay = 0.0;  ///< [s]
   double rate = kUnset;
@@ -196,18 +199,18 @@ struct ObjectEffect {
   std::string hand, object;
   LateDigit late = LateDigit::kNone;
   int num_pairs = 0;
-  std::vector<RateWithDelay> rates;  ///< of success; without delay first
-  double estimate = kUnset;          ///< of success, for 100 ms
+  std::vector<RateWithDelay> rates;  ///< success rates, without delay first
+  double estimate = kUnset;          ///< effect on success per 100 ms
   Answer<Interval> interval = NoAnswer{"no pair"};
-  /** Late trials that ended otherwise than without delay, the first ones. */
+  /** Names of the first delayed trials whose result differs from that without delay. */
   std::vector<std::string> changed;
 };
 
-/** "By object: with the last digit 0.3 s late success falls most for ..": of a hand; empty: it has
-no such pairs. */
+/** Returns "By object: with the last digit 0.3 s late success falls most for ..", for a hand;
+  empty if it has no such pairs. */
 std::string DescribeObjects(const std::vector<ObjectEffect>& effects, const std::string& hand);
 
-/** By hand and late digit, the largest loss first. */
+/** Lists effects by hand and late digit, the largest loss first. */
 std::vector<ObjectEffect> ListObjectEffects(const MapData& data);
 
 }  // namespace graspbench

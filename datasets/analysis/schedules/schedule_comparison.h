@@ -1,31 +1,31 @@
 #pragma once
 /** @file
-People and robots side by side: when digits touch under each schedule with which a
-grasp may close on the same draws of the same object, and what each schedule costs.
+Compares people and robots: when digits touch under each closing schedule of a grasp, on the same
+draws of the same object, and what each schedule costs.
 
-    natural       as the grasp closes by itself
-    simultaneous  each digit delayed so that in a trial without variation all touch together
-    people-like   each digit delayed so that there it touches when people do: the median share of
-                  people's closing time, of the closing time that the natural grasp has there
+    natural       the grasp without delays
+    simultaneous  each digit delayed so that all touch together in a trial without variation
+    people-like   each digit delayed so that in that trial it touches when people's do: at their
+                  median share of closing time, scaled to the natural grasp's closing time
 
-A schedule is a grasp of its own, "g3-people-like", in a session below `schedules/` of the one whose
-grasps they are (workbench/experiments/schedule_session.h); a grasp without such an ending is
-natural. What people did, and why a schedule is missing, stands in that session's
-inputs/grasps/people.json.
+Each schedule is a separate grasp, "g3-people-like", in a session in the folder schedules/ of the
+session with the natural grasps (workbench/experiments/schedule_session.h). A grasp without such a
+suffix is natural. That session's inputs/grasps/people.json stores people's contacts and why a
+schedule is missing.
 
-The cost in threshold is the ratio of the draw's grip threshold to that of the natural schedule, the
-median over draws with the interval of order statistics (threshold_summary.h). Where under both the
-least grip of the scale holds, or none does, it is not known: such draws are counted and left out,
-and where they are half of the draws or more there is no ratio. Where no grip held under one
-schedule the ratio is infinite, or 0.
+The cost in grip threshold is the ratio of a draw's threshold to that under the natural schedule:
+the median over draws, with the interval of order statistics (threshold_summary.h). The ratio of a
+draw is unknown if the least grip holds under both schedules, or no grip under either. Such draws
+are counted and left out; if they are half of the draws or more, there is no ratio. If no grip held
+under one of the two schedules, the ratio is infinite or 0.
 
-A schedule is compared only where it came out as its label says over the trials that are compared.
-With the digits' median shares of the closing time,
+A schedule is compared only if the compared trials realise its label. With the digits' median shares
+of the closing time,
 
     simultaneous  GFT is at most kMostLabelError of the closing time
     people-like   each digit's share is within kMostLabelError of people's
 
-A schedule that misses its label is named, with by how much, and has no ratio. */
+A schedule that misses its label is reported with its deviation and has no ratio. */
 
 #include <filesystem>
 #include <map>
@@ -41,25 +41,24 @@ A schedule that misses its label is named, with by how much, and has no ratio. *
 
 namespace graspbench {
 
-/* When each digit touches, in shares of the closing time, for people and robots alike: the one
-measure that a robot which closes at a set speed shares with a person. Of a trial with first
-contacts t_d of the digits that are compared and the start t0 of closure
-(core/grasp/contact_timing.h),
+/* When each digit touches, as a share of the closing time, for people and robots alike: the only
+timing measure that a robot closing at a set speed shares with a person. For a trial with first
+contacts t_d of the compared digits and the start t0 of closure (core/grasp/contact_timing.h),
 
     share_d = (t_d - min t) / (max t - t0),
 
-min and max over the digits that touched; a digit that never touched has an infinite share, later
-than every other. Median and quartiles are those of the trials, infinite shares in their place
-(type 7; between a finite and an infinite value: infinite).
+with min and max over the digits that touched. A digit that never touched has an infinite share.
+Median and quartiles (type 7) are over trials and include infinite shares; between a finite and an
+infinite value the quantile is infinite.
 
-A trial is left out, and counted, where a digit's contact cannot be told, t0 is not known, or a
+A trial is left out, and counted, if a digit's contact time is unresolved, t0 is unknown, or a
 contact came before t0. */
 
-/** What one trial says of its contacts. */
+/** Contacts of one trial. */
 struct TrialTouches {
   std::string object;
   double start = kUnset;               ///< of closure, on the clock of the contacts [s]
-  std::vector<DigitContact> contacts;  ///< NaN: never touched; a digit without an entry: not known
+  std::vector<DigitContact> contacts;  ///< NaN: never touched; no entry: unknown
 };
 
 struct DigitShare {
@@ -70,21 +69,21 @@ struct DigitShare {
 
 struct TouchLags {
   int num_trials = 0;              ///< that take part
-  int num_left_out = 0;            ///< as above
+  int num_left_out = 0;            ///< for the reasons above
   double closing_time = kUnset;    ///< median of max t - t0 where a digit touched [s]
-  double gft = kUnset;             ///< median; infinite: a digit never touched in half of them [s]
-  std::vector<DigitShare> shares;  ///< in the order of the digits asked for
+  double gft = kUnset;             ///< median [s]; infinite: a digit never touched in half of them
+  std::vector<DigitShare> shares;  ///< in the order of the requested digits
 
   const DigitShare& Of(const std::string& digit) const;
 };
 
-/** @param digits  that are compared.
-@returns no answer, with the reason, without a trial that takes part or a touch in them, of digits
-that no trial knows, and for closing times that cannot be seconds. */
+/** Summarises the contacts of `digits`.
+@returns no answer, with the reason, if no trial takes part or has a contact, if no trial has data
+on one of the digits, or if the closing times cannot be in seconds. */
 Answer<TouchLags> SummariseTouches(const std::vector<TrialTouches>& trials,
                                    const std::vector<std::string>& digits);
 
-/** Infinite is null. */
+/** Writes infinite values as null. */
 Json ToJson(const TouchLags& lags);
 /** @throws Json::exception. */
 TouchLags TouchLagsFromJson(const Json& json);
@@ -92,30 +91,31 @@ TouchLags TouchLagsFromJson(const Json& json);
 inline constexpr char kNatural[] = "natural";
 inline constexpr char kSimultaneous[] = "simultaneous";
 inline constexpr char kPeopleLike[] = "people-like";
-/** In the order of tables and pictures. */
+/** In the order of tables and figures. */
 inline constexpr const char* kSchedules[] = {kNatural, kSimultaneous, kPeopleLike};
 
-/** "g3" and "people-like" of "g3-people-like"; of an id without a schedule itself and "natural". */
+/** A grasp id split into grasp and schedule: "g3-people-like" gives "g3" and "people-like"; an id
+without a schedule gives itself and "natural". */
 struct ScheduledGrasp {
   std::string grasp, schedule;
 };
 ScheduledGrasp SplitSchedule(const std::string& id);
 
-/** One hand on one object with one grasp, and what people did there. */
+/** One hand on one object with one grasp, with people's contacts on that object. */
 struct PeopleOnObject {
   std::string hand, object, grasp;
-  std::vector<std::string> digits;  ///< of the grasp, with which people's are paired
-  Answer<TouchLags> people;         ///< of these digits
-  /** By schedule, why there is none: "a digit does not touch". */
+  std::vector<std::string> digits;  ///< of the grasp; people's are matched to them
+  Answer<TouchLags> people;         ///< people's contacts with these digits
+  /** Why a schedule is missing, by schedule: "a digit does not touch". */
   std::map<std::string, std::string> missing;
 };
 
-/** inputs/grasps/people.json. */
+/** Contents of inputs/grasps/people.json. */
 struct PeopleFile {
-  std::string study;  ///< as a person gave it; empty: none
+  std::string study;  ///< as given by the user; empty: none
   std::vector<PeopleOnObject> cells;
 
-  /** Null: none. */
+  /** Returns null if there is no such cell. */
   const PeopleOnObject* Find(const std::string& hand, const std::string& object,
                              const std::string& grasp) const;
 };
@@ -123,13 +123,14 @@ Json ToJson(const PeopleFile& people);
 /** @param file  its name in messages. @throws Error(kFormat). */
 PeopleFile PeopleFileFromJson(const Json& json, const std::string& file);
 
-/** People's touches of the object with the grasp's digits.
-@returns no answer, with the reason, also for an object that the study does not have. */
+/** Summarises people's contacts with the object, for the grasp's digits.
+@returns no answer, with the reason, as SummariseTouches() or for an object that is not in the
+study. */
 Answer<TouchLags> SummarisePeople(const std::vector<TrialTouches>& people,
                                   const std::string& object,
                                   const std::vector<std::string>& digits);
 
-/** Of the closing time, between what a schedule's label says and what came out. */
+/** Largest deviation from a schedule's label, as a share of the closing time. */
 inline constexpr double kMostLabelError = 0.1;
 
 struct ScheduleRow {
@@ -137,12 +138,12 @@ struct ScheduleRow {
   Answer<TouchLags> lags;
   Tally tally;
   double threshold = kUnset;              ///< median; infinite: no grip held in half of the draws
-  std::string threshold_text = {};        ///< as FormatMedian says it; empty: none was looked for
+  std::string threshold_text = {};        ///< from FormatMedian; empty: not searched
   int num_pairs = 0;                      ///< draws with a threshold here and under natural
-  int num_not_known = 0;                  ///< of these, whose ratio is not known
-  double ratio = kUnset;                  ///< to natural's
+  int num_not_known = 0;                  ///< of these, with unknown ratio
+  double ratio = kUnset;                  ///< median ratio to the natural schedule's threshold
   std::optional<Interval> interval = {};  ///< of the ratio, 95 %; none: too few draws
-  std::string missed = {};                ///< how it misses its label; empty: it does not
+  std::string missed = {};                ///< how it misses its label; empty: it meets it
 };
 
 /** The schedules of one grasp of one hand on one object. */
@@ -152,29 +153,30 @@ struct ScheduleCell {
 };
 
 struct ScheduleComparison {
-  std::string folder;  ///< of the session that they are from, in the session's folder
-  std::string study;   ///< whose people are compared; empty: none
+  std::string folder;                     ///< of the schedule session, within the session's folder
+  std::string study;                      ///< with whose participants it is compared; empty: none
   const ThresholdScale* scale = nullptr;  ///< null: no thresholds are known
   std::vector<ScheduleCell> cells;        ///< in the order of the plan
 };
 
-/** Of a session of schedules, or of any other, whose grasps are natural. Grasps that the camera
-chose take no part.
-@param thresholds  of this session; the first scale counts. */
+/** Compares the schedules of a session. In a session without schedules all grasps are natural.
+Grasps chosen by the camera are left out.
+@param thresholds  of this session; the first scale is used. */
 ScheduleComparison CompareSchedules(const Session& session, const PeopleFile& people,
                                     const std::vector<ThresholdSummary>& thresholds);
 
-/** Which schedules miss their label, and why a ratio is not known: one sentence each, that begins
-with the schedule's name. */
+/** Lists which schedules miss their label, and why a ratio is unknown. Each sentence begins with
+the schedule's name. */
 std::vector<std::string> DescribeUnknown(const ScheduleCell& cell);
 
-/** inputs/grasps/people.json of a session of schedules. @throws Error(kFormat, kIo). */
+/** Reads inputs/grasps/people.json of a schedule session. @throws Error(kFormat, kIo). */
 PeopleFile LoadPeopleFile(const std::filesystem::path& folder);
 
-/** Those below `schedules/` of the session, in the order of their names. @throws as LoadSession. */
+/** Loads the schedule sessions in schedules/ of the session's folder, by name. @throws as
+LoadSession. */
 std::vector<ScheduleComparison> LoadSchedules(const Session& session);
 
-/** {folder, study, scale, cells: [..]}; infinite and NaN are null. */
+/** Writes {folder, study, scale, cells: [..]}; infinite and NaN values are null. */
 Json ToJson(const ScheduleComparison& comparison);
 
 }  // namespace graspbench

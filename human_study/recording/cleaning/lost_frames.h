@@ -1,15 +1,16 @@
 #pragma once
 /** @file
-Frames that a recording lacks although its time stamps are even: dropped by a camera, a network or an
-export that then counted on, or spread its stamps evenly. Every instant after one is early or late.
+Finds frames that a recording lacks although its time stamps are even: dropped by a camera, a
+network or an export that continued the count or spaced its stamps evenly. All times after a loss
+are wrong.
 
-Where frames are missing all markers go on by the same number of their own steps. Between frames i-1
-and i marker m moves by (1 + n) v_m, with v_m its motion a frame, from the frames on both sides. Over
-all markers, weighted by their noise s_m,
+Where n frames are missing, all markers advance by n additional steps of their own. Between frames
+i-1 and i, marker m moves by (1 + n) v_m, where v_m is its motion per frame, from the frames on both
+sides. Over all markers, weighted by their noise s_m,
 
     n = sum(v_m . (d_m - v_m) / s_m^2) / sum(v_m^2 / s_m^2),   SE = 1 / sqrt(sum(v_m^2 / s_m^2)).
 
-Seen only while several markers move: frames lost at rest leave no trace. */
+Losses are only detected while several markers move: frames lost at rest leave no trace. */
 
 #include <vector>
 
@@ -18,12 +19,12 @@ Seen only while several markers move: frames lost at rest leave no trace. */
 namespace graspbench {
 
 struct FrameLoss {
-  size_t sample = 0;   ///< the first one after it
-  double count = 0.0;  ///< of frames; not whole
+  size_t sample = 0;   ///< first sample after the loss
+  double count = 0.0;  ///< estimated number of frames; not an integer
 };
 
-/** @param tracks  of one clock. Filled samples say nothing.
-@returns in the order of time; none for fewer than three tracks. */
+/** Finds losses. @param tracks  with one clock; filled samples are ignored.
+@returns losses in the order of time; none for fewer than three tracks. */
 std::vector<FrameLoss> FindFrameLosses(const std::vector<const Trajectory*>& tracks);
 
 }  // namespace graspbench

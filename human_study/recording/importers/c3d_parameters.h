@@ -2,8 +2,8 @@
 /** @file
 The parameter section of a C3D file: a chain of groups and named arrays.
 
-Each record holds the distance to the next one. Distances are read as unsigned, so a chain can only
-go forward and always ends. Groups may come after their parameters. */
+Each record holds the distance to the next one. Distances are read as unsigned, so a chain only goes
+forward and always ends. Groups may follow their parameters. */
 
 #include <cstdint>
 #include <cstring>
@@ -18,7 +18,7 @@ go forward and always ends. Groups may come after their parameters. */
 
 namespace graspbench {
 
-/** Numbers and fixed places of the C3D format (c3d.org, "The C3D File Format" user guide).
+/** Constants and fixed positions of the C3D format (c3d.org, "The C3D File Format" user guide).
 
 A file is a sequence of 512-byte blocks: a header, a chain of named parameters and the data. The
 processor type in the parameter section decides the byte order of everything. DEC's floats are VAX
@@ -31,7 +31,7 @@ inline constexpr int kC3dKey = 12345;      ///< header words 148 and 150: a feat
 inline constexpr int kC3dMaxHeaderEvents = 18;
 inline constexpr int kC3dMaxCount = 65535;  ///< the header's counts saturate here
 
-/** Byte offsets of header words; word n stands at byte 2 (n - 1). */
+/** Byte offsets of header words; word n is at byte 2 (n - 1). */
 namespace c3d_header {
 inline constexpr size_t kPoints = 2, kAnalogPerFrame = 4, kFirstFrame = 6, kLastFrame = 8,
                         kScale = 12, kDataStart = 16, kAnalogSamples = 18, kRate = 20,
@@ -59,7 +59,7 @@ float DecodeC3dFloat(const uint8_t* p) {
     if (exponent == 0) return 0.0f;
     if (exponent > 2) {
       bits -= 2u << 23;
-    } else {  // below IEEE's normal numbers
+    } else {  // IEEE subnormal numbers
       std::memcpy(&value, &bits, sizeof value);
       return value / 4.0f;
     }
@@ -77,14 +77,15 @@ void AppendC3dFloat(std::string& bytes, C3dProcessor processor, float value);
 
 const char* NameOf(C3dProcessor processor);
 
-/** A number of the file as a count or an index, rounded to the next whole one; none when it is not a
-number, negative or above `max`. Every foreign number becomes a size through here. */
+/** Converts a number from the file to a count or an index, rounded to the nearest integer; none
+when it is NaN, negative or above `max`. Every number from a file that becomes a size passes through
+here. */
 std::optional<size_t> FindCount(double value, double max);
 
-/** What stands before the data. */
+/** The parts of a file before the data. */
 struct C3dHead {
   std::string header;   ///< first block
-  std::string section;  ///< parameter section, as far as it can reach
+  std::string section;  ///< parameter section, up to its greatest possible extent
   size_t position = 0;  ///< byte of the section in the file
   uint64_t file_size = 0;
   C3dProcessor processor = C3dProcessor::kIntel;
@@ -96,7 +97,7 @@ struct C3dHead {
   double Float(size_t byte) const { return DecodeC3dFloat(processor, at(byte)); }
 };
 
-/** @throws Error(kFormat) with the byte when this is not a C3D file or ends too early. */
+/** @throws Error(kFormat) with the byte position when this is not a C3D file or ends too early. */
 C3dHead ReadC3dHead(std::istream& stream, const std::string& file);
 
 struct C3dParameter {
@@ -109,22 +110,22 @@ struct C3dParameter {
   C3dProcessor processor = C3dProcessor::kIntel;
 
   std::string Name() const { return group + ":" + name; }
-  /** Numbers it holds; texts count as none. */
+  /** Number of numeric entries; 0 for text. */
   size_t num_numbers() const;
-  /** Signed; NaN outside or for texts. */
+  /** Entry i as signed; NaN out of range or for text. */
   double Number(size_t i = 0) const;
   /** As Number, but words and bytes are unsigned: counts and frame numbers. */
   double Unsigned(size_t i = 0) const;
-  /** One string per entry, without trailing blanks and zeros. */
+  /** One string per entry, without trailing blanks and zero bytes. */
   std::vector<std::string> Texts() const;
 };
 
 class C3dParameters {
  public:
-  /** @param section   the parameter section from its first byte, as far as it can reach
-  @param position  its place in the file
-  A pointer to the next record that leaves the section, or that points behind the record once its
-  bytes are swapped, is taken to mean the record's own end: some MIPS files store one so.
+  /** @param section  the parameter section from its first byte, up to its greatest possible extent
+  @param position  its byte position in the file A pointer to the next record is replaced by the
+  record's own end if it leaves the section, or if it points past the record once its bytes are
+  swapped: some MIPS files store it so.
   @throws Error(kFormat) with the byte at which the chain breaks. */
   C3dParameters(std::string_view section, size_t position, C3dProcessor processor,
                 const std::string& file);
@@ -132,12 +133,12 @@ class C3dParameters {
   /** Null when absent. */
   const C3dParameter* Find(std::string_view group, std::string_view name) const;
   bool HasGroup(std::string_view group) const;
-  /** Entries of NAME, NAME2, NAME3, .. in a row: arrays of more than 255 entries are split. */
+  /** Concatenated entries of NAME, NAME2, NAME3, ..: arrays of more than 255 entries are split. */
   std::vector<std::string> Texts(std::string_view group, const std::string& name) const;
   std::vector<double> Numbers(std::string_view group, const std::string& name,
                               bool is_unsigned = false) const;
   const std::vector<C3dParameter>& all() const { return parameters_; }
-  /** What was accepted. */
+  /** Deviations that were accepted. */
   const std::vector<ImportFinding>& findings() const { return findings_; }
 
  private:
@@ -145,23 +146,23 @@ class C3dParameters {
   std::vector<ImportFinding> findings_;
 };
 
-/** Texts that name a person or a day: those of SUBJECT, SUBJECTS and PATIENT, of any parameter
-called SUBJECTS, and the dates of TRIAL. */
+/** Finds texts that may identify a person or a date: those of SUBJECT, SUBJECTS and PATIENT, of any
+parameter called SUBJECTS, and the dates of TRIAL. */
 std::vector<const C3dParameter*> FindPersonalParameters(const C3dParameters& parameters);
 
-/** Blanks those texts, and the names found there wherever they prefix a label ("Anna:LTHUMB"). */
+/** Blanks these texts, and names found in them wherever they prefix a label ("Anna:LTHUMB"). */
 std::vector<PersonalField> RedactC3d(std::string& bytes, const std::string& file);
 
-/** Where a C3D file's data lie and how many there are, from places that contradict each other.
+/** Location and size of a C3D file's data, from sources that may contradict each other.
 
-The same counts stand in the header, in the parameters and in the file's size. The rules of choice
-are in the source; each contradiction becomes a finding. */
+The header, the parameters and the file's size each determine the same counts. The source documents
+the rules of choice; each contradiction becomes a finding. */
 struct C3dLayout {
   size_t num_points = 0;
   size_t num_channels = 0;
   size_t samples_per_frame = 0;  ///< of each analog channel
   bool is_float = false;
-  double scale = 1.0;  ///< units of length per integer step; of the residual in every file
+  double scale = 1.0;  ///< length units per integer step; for the residual in every file
   uint64_t data_position = 0;
   size_t num_frames = 0;
   int first_frame = 1;
@@ -172,9 +173,9 @@ struct C3dLayout {
   size_t frame_size() const { return (4 * num_points + num_analog()) * value_size(); }
 };
 
-/** Notes go to `recording.findings`. The layout never reaches past the end of the file.
-@throws Error(kFormat) with the byte where the data should go on, when the file holds fewer frames
-than every count says and options.accept_truncated is not set. */
+/** Determines the layout, which never extends past the end of the file. Notes go to
+`recording.findings`. @throws Error(kFormat), with the byte where the data should continue, when the
+file holds fewer frames than every count states and options.accept_truncated is not set. */
 C3dLayout FindC3dLayout(const C3dHead& head, const C3dParameters& parameters,
                         const ImportOptions& options, const std::string& file,
                         Recording& recording);

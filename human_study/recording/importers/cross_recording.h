@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-A recording, and what an importer is told, on their way through the fence (core/fence/crossing.h). */
+Serialisation of recordings and importer options through the fence (core/fence/crossing.h). */
 
 #include "core/fence/crossing.h"
 #include "human_study/recording/importers/importer.h"

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-Names the columns of a plain table, in YAML:
+A YAML file that names the columns of a plain table:
 
     unit: mm
     points:
@@ -32,11 +32,12 @@ namespace graspbench {
 
 struct Hand;
 
-/** Joint angles of a data glove as fingertips, through the kinematics of a hand model (core/hand):
-the model's bones stand for the person's, so that places are as good as the two hands are alike.
+/** Converts joint angles of a data glove to fingertip positions with the kinematics of a hand model
+(core/hand). The model's bones replace the person's, so positions are only as accurate as the two
+hands are similar.
 
-A glove does not know where the hand is. A reach needs the pose of its root in the laboratory, too,
-from a tracker on the back of the hand:
+A glove does not measure the position of the hand. A reach also needs the pose of the hand's root in
+the laboratory, from a tracker on the back of the hand:
 
     glove:
       hand: shadow                     # a model's id, or a folder with hand.urdf and hand.yaml
@@ -45,39 +46,39 @@ from a tracker on the back of the hand:
       base: [x, y, z]                  # columns: the model's root in the laboratory, in `unit`
       base_quaternion: [qx, qy, qz, qw]  # columns: laboratory from root
 
-Points are `<digit>_tip`, the middle of the digit's pad, and wrist, the root. */
+The points are `<digit>_tip`, the centre of the digit's pad, and `wrist`, the root. */
 struct GloveMapping {
   std::string hand;
   bool is_in_degrees = true;
-  std::vector<std::pair<std::string, std::string>> joints;  ///< of the model, column
+  std::vector<std::pair<std::string, std::string>> joints;  ///< joint of the model, column
   std::vector<std::string> base;                            ///< columns x, y, z
   std::vector<std::string> quaternion;                      ///< columns x, y, z, w
 
   bool IsNamed() const { return !hand.empty(); }
-  /** All of them: the joints', then base, then quaternion. */
+  /** Lists all columns: the joints', then base, then quaternion. */
   std::vector<std::string> ListColumns() const;
 };
 
 class GloveModel {
  public:
-  /** @throws Error as LoadHand; Error(kFormat) for a joint that the model lacks or that another one
-  moves, with those it has. */
+  /** @throws Error as LoadHand; Error(kFormat) for a joint that the model lacks or that is coupled
+  to another, listing the valid ones. */
   explicit GloveModel(const GloveMapping& mapping);
 
   /** In the order of CalcPoints. */
   const std::vector<std::string>& labels() const { return labels_; }
-  /** "12 of 24 joints are named, the others straight or coupled" and whose bones they are. */
+  /** "12 of 24 joints are named, the others straight or coupled", and the hand model. */
   std::string Describe() const;
-  /** @param cells  numbers of GloveMapping::ListColumns().
-  @returns points in the laboratory [unit of the base]; empty when a number is missing or the
-  quaternion is none. @param metres_per_unit  of the base. */
+  /** Computes the points in the laboratory frame [unit of the base].
+  @param cells  values of GloveMapping::ListColumns(). @param metres_per_unit  of the base.
+  @returns empty when a number is missing or the quaternion is invalid. */
   std::vector<Eigen::Vector3d> CalcPoints(const std::vector<double>& cells,
                                           double metres_per_unit) const;
 
  private:
   std::shared_ptr<const Hand> hand_;
   std::vector<int> joints_;
-  double factor_ = 1.0;  // [rad] of an angle
+  double factor_ = 1.0;  // [rad] per unit of angle
   std::vector<std::string> labels_;
 };
 
@@ -97,26 +98,25 @@ struct TableMapping {
   std::string occluded;
   std::vector<std::pair<std::string, std::string>> channels;  ///< label, column
   GloveMapping glove;
-  bool has_heading = true;  ///< else columns are named by their numbers from 1
+  bool has_heading = true;  ///< else columns are named by number, from 1
 };
 
 /** @throws Error(kNotFound, kFormat) with file and line of every problem. */
 TableMapping LoadTableMapping(const std::filesystem::path& path);
 
-/** The keys of a mapping, columns.yaml, a row each. */
+/** The keys of a mapping file (columns.yaml). */
 const FileKeys& ListMappingKeys();
 
-/** Whether a first row has every column that the mapping names; never of one with a layout or
-without a heading. */
+/** Whether a first row has every column that the mapping names; false for a mapping with a layout
+or without a heading. */
 bool IsHeadingOf(const TableMapping& mapping, std::string_view heading);
 
-/** A mapping for a table from its heading and first rows: three columns that differ by x, y and z
-are a point, units are those of the names, else a guess that is marked as one.
-@throws Error(kUsage) for a file that needs none; Error(kFormat) when no point is found; as
+/** Proposes a mapping from a table's heading and first rows. Three columns that differ by x, y and
+z are a point. Units come from the names, else they are a guess that is marked as such.
+@throws Error(kUsage) for a file that needs no mapping; Error(kFormat) when no point is found; as
 LoadRecording. */
 std::string ProposeMapping(const std::filesystem::path& table);
-
-/** The same in process, of a table that is open at its start. */
+/** As ProposeMapping in process, for a stream at the start of the table. */
 std::string FormatProposedMapping(std::istream& stream, const std::string& name);
 
 struct TableTrial {
@@ -124,17 +124,17 @@ struct TableTrial {
   TableRows rows;
 };
 
-/** The trials a table holds, in the order of their first rows: whoever reads many of them finds each
-by its rows, so that the table is read twice and not once a trial. @throws as LoadRecording. */
+/** Finds the trials in a table, in the order of their first rows. A caller that reads many trials
+passes each trial's rows on, so that the table is read twice, not once per trial. @throws as
+LoadRecording. */
 std::vector<TableTrial> FindTableTrials(const std::filesystem::path& table,
                                         const TableMapping& mapping);
-
-/** The same in process, of a table that is open at its start. */
+/** As FindTableTrials in process, for a stream at the start of the table. */
 std::vector<TableTrial> ListTableTrials(std::istream& stream, const std::string& name,
                                         const TableMapping& mapping);
 
-/** Tables whose columns need no mapping one by one, because a tool always writes them alike
-(`layout`). Every point becomes three columns `<point>_x`, _y, _z.
+/** Tables whose columns need no individual mapping, because a tool always writes them in the same
+way (`layout`). Every point becomes three columns `<point>_x`, _y, _z.
 
   deeplabcut: three heading rows (scorer, bodyparts, coords), four with several individuals
     (scorer, individuals, bodyparts, coords: points are individual:bodypart); a column with the
@@ -147,18 +147,18 @@ Sources: DeepLabCut, docs/Overviewof3D.md and pose_estimation_3d; FreeMoCap's ou
 struct TableLayout {
   const char* id;
   const char* text;  ///< for messages
-  bool needs_scale;  ///< its lengths are counted in something that only the person knows
-  /** Reads the heading rows and names every column; "" for those that are no coordinate.
-  @throws Error(kFormat) at the line of what is not of this layout. */
+  bool needs_scale;  ///< its length unit is known only to the user
+  /** Reads the heading rows and names every column; "" for columns that are not coordinates.
+  @throws Error(kFormat) with the line that does not match the layout. */
   std::vector<std::string> (*read_names)(LineReader& reader, char delimiter);
 };
 
 const std::vector<TableLayout>& TableLayoutList();
-/** Null for a name that is none. */
+/** Returns null for an unknown id. */
 const TableLayout* FindTableLayout(const std::string& id);
 
-/** The points whose three columns are all there, in their order. @throws Error(kFormat) at the
-reader's line when there are none, or when one has x and y alone. */
+/** Lists the points with all three columns, in order. @throws Error(kFormat) at the reader's line
+when there is no point, or when one has only x and y. */
 std::vector<std::string> FindLayoutPoints(const std::vector<std::string>& names,
                                           const LineReader& reader);
 

@@ -1,41 +1,41 @@
 #pragma once
 /** @file
-study.yaml: what was recorded, what the markers are, and every choice of the analysis.
+study.yaml: the recordings, the roles of the markers, and all settings of the analysis.
 
     name: Five fingers on cylinders
     trials: trials.csv          # beside this file; one row per trial, see below
     objects: objects.csv        # optional
     hypotheses: hypotheses.csv  # optional
-    reviews: reviews.csv        # optional: contacts that a person looked at (trial_review.h)
+    reviews: reviews.csv        # optional: contacts reviewed by a person (trial_review.h)
     factors: [diameter_m]       # columns of trials.csv, varied within each person
-    groups: [group]             # optional: columns that say what a person is, patient or control
-    session: day                # optional: the column that says which session a trial belongs to
+    groups: [group]             # optional: columns that describe a person, as patient or control
+    session: day                # optional: the column with the session of a trial
     markers:
-      thumb: [thumb_tip, RTTI]  # the first of these labels that a recording has
+      thumb: [thumb_tip, RTTI]  # the first of these labels found in a recording
       index: [index_tip, RIFT]
-      object: [object_1, object_2, object_3]  # all of these that it has
-      companions: {thumb: thumb_middle}  # optional: second markers, to fill longer gaps along
-    robot: ../results/pilot     # optional: a session of `graspbench run` to stand beside
+      object: [object_1, object_2, object_3]  # all of these labels found
+      companions: {thumb: thumb_middle}  # optional: second markers, to fill longer gaps
+    robot: ../results/pilot     # optional: a session of `graspbench run` to compare with
 
-trials.csv needs the columns participant and file (from the folder of the recordings); trial (label;
-else counted within the person), object (of objects.csv), table_trial (of a plain table), start_s,
-end_s, remove (the reason why a person leaves the trial out), hand and one for each factor are
-optional. The text of `hand` stands for {hand} in the labels of markers ("{hand}_thumb", so that
-left and right are one study); it may be a factor, too.
+trials.csv needs the columns participant and file (relative to the folder of the recordings).
+Optional are trial (label; else numbered within the person), object (of objects.csv), table_trial
+(of a plain table), start_s, end_s, remove (the experimenter's reason to exclude the trial), hand,
+and one column per factor. The text of `hand` replaces {hand} in the labels of markers
+("{hand}_thumb"), so that both hands can be in one study; it may also be a factor.
 
-hypotheses.csv, decided before the data were seen: measure (an id of measures.csv), slope (of
-persons over a factor with numbers, tested against; else 0), equal_within (conditions that differ by
-less are as good as equal; else not tested). In the measure's SI unit.
+hypotheses.csv, written before the data were seen: measure (an id of measures.csv), slope (null
+value of the persons' slopes over a factor with numbers; else 0), equal_within (equivalence bound of
+conditions; else equivalence is not tested). Values are in the measure's SI unit.
 
 objects.csv: object, shape (sphere, cylinder, box or catalogue), length_m, width_m, height_m (a
-sphere's and a cylinder's diameter is length_m), centre_x_m .. centre_z_m: from the middle of the
+sphere's and a cylinder's diameter is length_m), centre_x_m .. centre_z_m: from the centroid of the
 object's markers at rest to the centre of the solid, along the laboratory's axes (else zero).
 
-contact.detector is "auto" unless said otherwise: "surface" when the object is recorded and every
-trial names one whose shape is known, else "breakpoint". LoadStudy settles which.
+contact.detector is "auto" by default: "surface" when the object is recorded and every trial names
+an object of known shape, else "breakpoint". LoadStudy decides which.
 
-All other settings have defaults; `Study::config` is what an analysis goes by. Lengths in metres,
-times in seconds, frequencies in hertz. */
+All other settings have defaults; an analysis uses `Study::config`. Lengths in metres, times in
+seconds, frequencies in hertz. */
 
 #include <cmath>
 #include <filesystem>
@@ -75,21 +75,21 @@ struct PerDigit {
   }
 };
 
-/** "TH", "FF", "MF", "RF", "LF", as the robot hands call them. */
+/** "TH", "FF", "MF", "RF", "LF", as for the robot hands. */
 const char* IdOfDigit(int digit);
 /** "thumb", "index" and so on. */
 const char* NameOfDigit(int digit);
-/** The name for an id; the id itself when it is none of the five. */
+/** The name for an id; the id itself for any other text. */
 std::string NameOfDigit(const std::string& id);
 
 struct MarkerConfig {
-  PerDigit<std::vector<std::string>> tips;  ///< labels tried in turn; empty: digit not recorded
-  std::vector<std::string> wrist;           ///< the same; empty: centroid of the tips
-  std::vector<std::string> object;          ///< all that the recording has; empty: not recorded
-  /** Second markers on the digits: gaps of a tip are filled along its companion. */
+  PerDigit<std::vector<std::string>> tips;  ///< labels by preference; empty: not recorded
+  std::vector<std::string> wrist;           ///< likewise; empty: centroid of the tips
+  std::vector<std::string> object;  ///< all found in the recording are used; empty: not recorded
+  /** Second markers on the digits, with whose help gaps of the tips are filled. */
   PerDigit<std::string> companions;
-  /** Landmarks of the digits' joints, from the palm to the last: no event depends on them; they say
-  how a digit lies on the object (workbench/transfer). */
+  /** Landmarks of the digits' joints, from the palm to the last. No event depends on them; they
+  describe the posture of a digit on the object (workbench/transfer). */
   PerDigit<std::vector<std::string>> joints;
 
   template <class V>
@@ -114,9 +114,9 @@ struct MarkerConfig {
 };
 
 struct RecordingConfig {
-  std::string format;   ///< importer's id; empty: found by content and name
+  std::string format;   ///< importer's id; empty: chosen by content and name
   std::string unit;     ///< for files that do not state one
-  std::string mapping;  ///< columns of plain tables, beside study.yaml
+  std::string mapping;  ///< column names of plain tables, beside study.yaml
   bool accept_truncated = false;
 
   template <class V>
@@ -128,8 +128,8 @@ struct RecordingConfig {
   }
 };
 
-/** Cuts a long recording into trials (prepare_recording.h). Distances are between the middle of the
-object's markers and the middle of the fingertips. */
+/** Cuts a long recording into trials (prepare_recording.h). Distances are between the centroids of
+the object's markers and of the fingertips. */
 struct CutConfig {
   double near = 0.0;  ///< [m]; 0: a row of trials.csv is one trial
   double far = 0.0;   ///< [m]
@@ -146,9 +146,9 @@ struct CutConfig {
 
 struct CleaningConfig {
   bool drop_frozen = true;  ///< repeated positions are invalid: the tracker held the last one
-  double max_gap = 0.1;     ///< longer gaps stay open [s]
-  double max_companion_gap = 0.3;  ///< the same of tips with a companion [s]
-  double rest_share = 0.1;         ///< of the trial, at its start, in which the object rests
+  double max_gap = 0.1;     ///< longer gaps are not filled [s]
+  double max_companion_gap = 0.3;  ///< the same for tips with a companion [s]
+  double rest_share = 0.1;         ///< initial share of the trial in which the object rests
 
   template <class V>
   void Visit(V&& v) {
@@ -160,14 +160,14 @@ struct CleaningConfig {
   }
 };
 
-/** Which trials an analysis does without. Always removed: no recording, no marker, no movement, no
-widest opening, no contact of the thumb and another digit. */
+/** Rules for removing trials. Always removed are trials without recording, marker, movement, widest
+opening, or contacts of the thumb and another digit. */
 struct RemovalConfig {
   bool missing_digit = false;     ///< a recorded digit never touched
-  bool filled_event = false;      ///< an event was decided on filled samples
+  bool filled_event = false;      ///< an event depends on filled samples
   bool gap_event = false;         ///< an event fell into a gap
-  double max_disagreement = 0.0;  ///< of the detectors, any digit [s]; 0: none
-  bool implausible = true;        ///< there is a doubt (plausibility.h)
+  double max_disagreement = 0.0;  ///< between detectors, for any digit [s]; 0: no limit
+  bool implausible = true;        ///< the trial is implausible (plausibility.h)
   bool regrasp = true;            ///< a digit touched, left and touched again
 
   template <class V>
@@ -184,14 +184,15 @@ struct RemovalConfig {
   }
 };
 
-/** The same main test under every combination of these choices and the study's own. */
+/** Settings for repeating the main test under all combinations of these choices and the study's
+own. */
 struct MultiverseConfig {
   std::string measure = "grasp_forming_ratio";
   std::vector<std::string> onset = {"threshold", "peak_fraction"};
   std::vector<double> cutoff = {10.0, 20.0};  ///< of the contact detectors [Hz]
-  std::vector<std::string> detector;          ///< empty: all there are
+  std::vector<std::string> detector;          ///< empty: all detectors
   std::vector<std::string> opening = {"aperture", "virtual_finger"};
-  bool is_left_out = false;  ///< the study's own choices alone. No setting
+  bool is_left_out = false;  ///< only the study's own choices; not a setting
 
   template <class V>
   void Visit(V&& v) {
@@ -205,9 +206,9 @@ struct MultiverseConfig {
   }
 };
 
-/** contact.detector: chosen by what is known of the objects. */
+/** contact.detector: chosen from the data on the objects. */
 inline constexpr const char* kAutomaticDetector = "auto";
-/** In labels of markers. */
+/** Placeholder in labels of markers. */
 inline constexpr const char* kHandInLabels = "{hand}";
 
 struct StudyConfig {
@@ -221,7 +222,7 @@ struct StudyConfig {
   std::vector<std::string> factors;
   std::vector<std::string> groups;    ///< columns that are the same in all trials of a person
   std::string session;                ///< column; empty: none
-  std::vector<std::string> measures;  ///< ids tested and drawn; empty: the usual ones
+  std::vector<std::string> measures;  ///< ids tested and drawn; empty: the default ones
   MarkerConfig markers;
   PerDigit<std::string> forces;                              ///< labels of analog channels
   PerDigit<double> pad_offsets = {NAN, NAN, NAN, NAN, NAN};  ///< marker to skin [m]
@@ -231,7 +232,7 @@ struct StudyConfig {
   AnalysisOptions analysis;
   RemovalConfig removal;
   MultiverseConfig multiverse;
-  int bias_trials = 40;  ///< of each row of the bias card, in twenties; 0: no bias card
+  int bias_trials = 40;  ///< per row of the bias card, a multiple of 20; 0: no bias card
 
   template <class V>
   void Visit(V&& v) {
@@ -273,16 +274,16 @@ const FileKeys& ListStudyKeys();
 
 struct StudyObject {
   std::string id;
-  std::string shape;                                 ///< of objects.csv; empty: not known
-  Eigen::Vector3d size = Eigen::Vector3d::Zero();    ///< of a shape but catalogue's [m]
+  std::string shape;                                 ///< as in objects.csv; empty: unknown
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();    ///< not for catalogue objects [m]
   SurfaceDistance distance;                          ///< in O
-  Eigen::Vector3d p_MO_L = Eigen::Vector3d::Zero();  ///< markers' middle to O at rest
+  Eigen::Vector3d p_MO_L = Eigen::Vector3d::Zero();  ///< from the markers' centroid to O at rest
 };
 
-/** What a trial is called and where it belongs. */
+/** Names of a trial and of its person, file, object and conditions. */
 struct TrialNames {
   std::string participant, trial, file;
-  std::string object;               ///< empty: none named
+  std::string object;               ///< empty: not stated
   std::vector<std::string> levels;  ///< one per factor
   std::vector<std::string> groups;  ///< one per group factor
   std::string session;              ///< empty: none named
@@ -295,19 +296,19 @@ struct PlannedReach : TrialNames {
   std::string hand;                                         ///< empty: none named
   double start = -std::numeric_limits<double>::infinity();  ///< [s], as end
   double end = std::numeric_limits<double>::infinity();
-  std::string remove;  ///< why a person left it out; empty: kept
+  std::string remove;  ///< the experimenter's reason to exclude it; empty: included
 };
 
 struct Study {
   StudyConfig config;
-  StudyConfig stated;                 ///< before LoadStudy settled the detector
-  std::optional<FreezeCheck> freeze;  ///< what was frozen against what is used
+  StudyConfig stated;                 ///< before LoadStudy chose the detector
+  std::optional<FreezeCheck> freeze;  ///< comparison of frozen and used choices
   std::string file;                   ///< study.yaml, as given
   std::filesystem::path folder;       ///< of study.yaml
-  std::filesystem::path recordings;   ///< where `file` of a trial starts
+  std::filesystem::path recordings;   ///< base folder of the trials' `file`
   std::vector<Factor> factors;
   std::vector<Factor> groups;         ///< factors between persons
-  std::vector<std::string> sessions;  ///< in the order of numbers, else of appearance
+  std::vector<std::string> sessions;  ///< in numerical order, else in order of appearance
   std::vector<StudyObject> objects;
   std::vector<Hypothesis> hypotheses;
   std::vector<ContactReview> reviews;
@@ -315,43 +316,42 @@ struct Study {
   PerDigit<int> marker_lines;  ///< lines of markers.thumb, .. in study.yaml, for messages
   Diagnostics warnings;
 
-  /** Null when there is none of that name. */
+  /** Returns null when there is no object of this id. */
   const StudyObject* FindObject(const std::string& id) const;
-  /** Defaults when none was named for that measure. */
+  /** Returns defaults when the measure has no hypothesis. */
   Hypothesis FindHypothesis(const std::string& measure) const;
 };
 
-/** Reads study.yaml and the tables beside it; the recordings are not opened.
+/** Reads study.yaml and the tables beside it, without opening the recordings.
 @param recordings  folder of the recordings; empty: that of study.yaml.
-@param settings  "contact.cutoff_hz=12" and the like, over what study.yaml says.
-@throws Error(kNotFound, kIo) for study.yaml itself; Error(kFormat) with every problem of all three
-files, each with file and line. */
+@param settings  such as "contact.cutoff_hz=12"; they override study.yaml.
+@throws Error(kNotFound, kIo) for study.yaml itself; Error(kFormat) with every problem of all files,
+each with file and line. */
 Study LoadStudy(const std::filesystem::path& path, const std::filesystem::path& recordings = {},
                 const std::vector<std::string>& settings = {});
 
-/** The markers of a hand: its name stands for every {hand} in their labels. */
+/** Returns the markers of a hand: its name replaces {hand} in all labels. */
 MarkerConfig MarkersOfHand(const MarkerConfig& markers, const std::string& hand);
 
-/** The settings alone, from text in memory; `file` is its name in messages. Problems, also of
-ranges and unknown names, go into `problems`. */
+/** Parses only the settings, from text in memory; `file` is its name in messages. Problems,
+including values out of range and unknown names, are added to `problems`. */
 StudyConfig ParseStudyConfig(const std::string& text, const std::string& file,
                              Diagnostics& problems, const std::vector<std::string>& settings = {});
 
-// Cut-offs of a study against the rates of its recordings. A filter needs its cut-off below 0.4 of
-// the rate (butterworth.h). A cut-off that is not stated is lowered for a slow recording, to
-// kMaxCutoffShare of its rate: from 58.9 samples a second on all stay at their defaults. One that
-// study.yaml or --set states is used as it is, or the recording is refused.
+// Adapts the cut-offs of a study to the sampling rates of its recordings. A filter needs a cut-off
+// below 0.4 of the rate (butterworth.h). For a slow recording, default cut-offs are lowered to
+// kMaxCutoffShare of its rate; from 58.9 Hz on, all stay at their defaults. A cut-off stated in
+// study.yaml or by --set is used unchanged, or the recording is refused.
 inline constexpr const char* kMultiverseCutoff = "multiverse.cutoff_hz";
 
-/** The settings for recordings of `rate` [Hz]; NaN: as they are. */
+/** Returns the settings for recordings with `rate` [Hz]; NaN: unchanged. */
 StudyConfig FitCutoffs(StudyConfig config, double rate);
 
-/** What is wrong with the stated cut-offs for a recording of `rate` [Hz], with every key; empty: all
-fit. */
+/** Describes the stated cut-offs that are too high for `rate` [Hz], with all keys; empty: none. */
 std::string FindCutoffFault(const StudyConfig& config, double rate);
 
-/** The stated cut-offs that do not fit that rate, lowered: "contact.cutoff_hz=10.2", as --set takes
-them. */
+/** Lists lowered values for the stated cut-offs that are too high for the rate, in the form of
+--set: "contact.cutoff_hz=10.2". */
 std::vector<std::string> LowerStatedCutoffs(const StudyConfig& config, double rate);
 
 }  // namespace graspbench

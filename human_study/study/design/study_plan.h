@@ -1,15 +1,15 @@
 #pragma once
 /** @file
-How many persons and trials a study needs to show a difference, before it is made: from stated
-variances, or from those of a pilot's results (power.h).
+Plans a study: the numbers of persons and trials needed to show a difference, from stated variances
+or from those of a pilot (power.h).
 
-Of the pilot's trials at two levels of one column the spread of trials is pooled within persons and
-conditions; persons' differences (a factor that varies within persons) or means (a group) have the
-variance that remains when their trials' share is taken off, zero where nothing does. The difference
-to be shown is never the pilot's own: a difference that a small study finds is too large on average.
+From the pilot's trials at two levels of one column, the trial variance is pooled within persons and
+conditions. The variance of the persons' differences (a factor within persons) or means (a group) is
+the observed one minus the share of the trials, at least zero. The difference to be shown is never
+that of the pilot: differences found in a small study are too large on average.
 
-A pilot knows its variances badly. The power is therefore also given over 1,000 draws of what they
-may be: each observed variance times df / chi squared. */
+A pilot's variances are imprecise. The power is therefore also given over 1,000 draws of the
+variances: each observed variance times df / chi squared. */
 
 #include <filesystem>
 #include <optional>
@@ -22,33 +22,33 @@ namespace graspbench {
 
 struct PilotQuestion {
   std::string measure = "grasp_forming_time_s";
-  std::string factor;               ///< column of the pilot's tidy.csv; empty: its first
-  std::vector<std::string> levels;  ///< two of them; empty: the first and the last
+  std::string factor;               ///< column of the pilot's tidy.csv; empty: the first factor
+  std::vector<std::string> levels;  ///< two levels; empty: the first and the last
 };
 
 struct Pilot {
   std::string factor, level_a, level_b;
   bool is_between = false;
-  int num_persons = 0;      ///< of both groups, where there are groups
+  int num_persons = 0;      ///< of both groups together, if there are groups
   int num_trials = 0;       ///< at both levels
-  double difference = 0.0;  ///< its own, b - a: not to be planned with
+  double difference = 0.0;  ///< observed b - a; not to be used for planning
   double mean = 0.0;        ///< of the persons
   double trial_variance = 0.0, trial_df = 0.0;
-  double observed_variance = 0.0, observed_df = 0.0;  ///< of differences or means as observed
-  double trial_share = 0.0;  ///< of the observed variance, in units of trial_variance
+  double observed_variance = 0.0, observed_df = 0.0;  ///< observed, of differences or means
+  double trial_share = 0.0;  ///< the trials' part of it, in units of trial_variance
 
   PowerDesign MakeDesign(double difference) const;
 };
 
-/** @param folder  of `graspbench study run`. @throws Error(kNotFound, kFormat) with what is missing
-and which names exist. */
+/** Loads a pilot. @param folder  results of `graspbench study run`.
+@throws Error(kNotFound, kFormat) naming what is missing and which names exist. */
 Pilot LoadPilot(const std::filesystem::path& folder, const PilotQuestion& question);
 
 struct PlanRow {
-  int num_trials = 0;                  ///< of a person and condition
-  Answer<int> num_persons;             ///< of each group, where there are groups
-  PowerEstimate power;                 ///< with that many
-  std::optional<Interval> over_pilot;  ///< 95 % of the draws of the pilot's variances
+  int num_trials = 0;                  ///< per person and condition
+  Answer<int> num_persons;             ///< per group, if there are groups
+  PowerEstimate power;                 ///< for these numbers
+  std::optional<Interval> over_pilot;  ///< 95 % range over draws of the pilot's variances
 };
 
 struct StudyPlan {
@@ -67,8 +67,8 @@ struct PlanRequest {
   std::optional<Pilot> pilot;
 };
 
-/** @throws Error(kUsage) for a request that makes no sense: no difference, no variance, a
-difference that is no reaching hand's. */
+/** Makes the plan. @throws Error(kUsage) for an invalid request: no difference, no variance, or a
+difference that is implausible for reaching. */
 StudyPlan MakeStudyPlan(const PlanRequest& request);
 
 }  // namespace graspbench

@@ -1,20 +1,19 @@
 #pragma once
 /** @file
-What a person said of single contacts after looking at them (`graspbench study review`): a table
-that study.yaml names under `reviews`, replayed by every run.
+A reviewer's verdicts on single contacts (`graspbench study review`): a table that study.yaml names
+under `reviews` and that every run applies.
 
     trial      id as in trials.csv: P1-3
     digit      thumb, index, middle, ring or little
     verdict    confirmed; corrected: the digit touched at contact_s; no_contact: it did not touch;
-               empty: not looked at
+               empty: not reviewed
     contact_s  on the recording's clock, for corrected; for confirmed the time that was confirmed:
-               it holds while the contact found is no more than a frame away (empty: whatever is
-               found)
-    uncertainty_s  standard, for corrected; else that of a frame
-    by         who looked; optional, as `note`
+               it is valid while the contact found is within a frame of it (empty: any contact)
+    uncertainty_s  standard uncertainty, for corrected; else that of a frame
+    by         the reviewer; optional, as is `note`
 
-A reviewed contact is the same under every choice of the multiverse, and detectors that disagree
-about it raise no doubt. Tables, events and the report name every trial it happened to. */
+A reviewed contact is the same under every choice of the multiverse, and a disagreement of detectors
+about it raises no doubt. Tables, events and the report name every reviewed trial. */
 
 #include <cmath>
 #include <string>
@@ -32,28 +31,28 @@ enum class ReviewVerdict { kConfirmed, kCorrected, kNoContact };
 const char* NameOf(ReviewVerdict verdict);
 
 struct ContactReview {
-  int line = 0;  ///< of the table
+  int line = 0;  ///< in the table
   std::string trial;
   std::string digit;  ///< id: "FF"
   ReviewVerdict verdict = ReviewVerdict::kConfirmed;
-  double contact = NAN;      ///< corrected or confirmed to be there [s]; NaN: not said
+  double contact = NAN;      ///< corrected or confirmed time [s]; NaN: not stated
   double uncertainty = NAN;  ///< [s]; NaN: a frame's
   std::string by;
 };
 
-/** Rows with a verdict. Faults go into the table's problems: an unknown digit or verdict, a
-correction without a time, a digit of a trial twice. */
+/** Reads the rows with a verdict. Faults are added to `problems`: an unknown digit or verdict, a
+correction without a time, or a duplicate digit of a trial. */
 std::vector<ContactReview> ReadReviews(DataTable& table, Diagnostics& problems);
 
-/** Takes out confirmations of a contact that is elsewhere now; a text for each, with its line.
-@param frame  length of one [s]. */
+/** Removes confirmations of contacts that are now found at another time; returns a text for each,
+with its line. @param frame  duration of a frame [s]. */
 std::vector<std::string> DropLapsed(const TrialAnalysis& analysis, double frame,
                                     std::vector<ContactReview>& reviews);
 
-/** Sets the contacts of one trial and all measures of it.
-@param frame  length of one [s].
-@throws Error(kFormat) with the line, when the digit is not recorded, a time lies outside of the
-trial, or there is nothing to confirm. */
+/** Sets the contacts of one trial and recomputes its measures. @param frame  duration of a frame
+[s].
+@throws Error(kFormat) with the line, when the digit is not recorded, a time lies outside the trial,
+or there is nothing to confirm. */
 void ApplyReviews(const std::vector<ContactReview>& reviews, const AnalysisOptions& options,
                   double begin, double end, double frame, TrialAnalysis& analysis);
 

@@ -1,14 +1,14 @@
 #pragma once
 /** @file
-How the grasp closure time depends on what ends the closure. It begins at the widest hand opening,
-t0; ends that are in use:
+Dependence of the grasp closure time on the definition of its end. Closure begins at the widest hand
+opening, t0. Definitions of the end in use:
 
     contact  the last digit's first contact: GCT (core/grasp/contact_timing.h)
     object   the object first leaves its place, in any direction
-    speed    from here on no visible fingertip is fast against the object: the begin of the hold
+    speed    from here on no visible fingertip is fast relative to the object: the start of the hold
 
-Over the included trials and have both t0 and this end, so that each row has its own n. A negative
-time, as of an object that is pushed before the widest opening, stays what it is. */
+Each row covers the included trials with both t0 and this end, so that n differs. Negative times, as
+for an object that is pushed before the widest opening, are kept. */
 
 #include <vector>
 
@@ -22,11 +22,11 @@ struct ClosureEnd {
   const char* id;    ///< "contact"
   const char* text;  ///< for tables
   int num_trials = 0;
-  double lower_quartile = kUnset, median = kUnset, upper_quartile = kUnset;  ///< end less t0 [s]
-  double median_after_contact = kUnset;  ///< of the end less the last contact [s]; 0 for contact
+  double lower_quartile = kUnset, median = kUnset, upper_quartile = kUnset;  ///< end - t0 [s]
+  double median_after_contact = kUnset;  ///< of end - last contact [s]; 0 for contact
 };
 
-/** In the order above. @param trials  those removed are left out. */
+/** Lists the ends in the order above. @param trials  removed ones are ignored. */
 std::vector<ClosureEnd> ListClosureEnds(const std::vector<StudyTrial>& trials);
 
 }  // namespace graspbench

@@ -1,34 +1,36 @@
 #pragma once
 /** @file
-Are people more simultaneous than digits that move independently would be?
+Tests whether people's contacts are more simultaneous than those of independently moving digits.
 
-A digit that moves on its own keeps its habits but knows nothing of the others in the same trial.
-Such digits are made from the study itself: the contact times of each digit are permuted among
-the trials of one person and condition, each digit on its own, and GFT and GFT% are taken again.
-Habits (the thumb first by 40 ms) stay; what digits share within a trial is lost. The p value is the
-share of 999 dealings at least as extreme, two-sided, from a stream that the study's trials name.
+An independent digit keeps its habits but is uncorrelated with the others in the same trial. Such
+digits are made from the study itself: the contact times of each digit are permuted separately among
+the trials of one person and condition, and GFT and GFT% are computed again. Habits (the thumb first
+by 40 ms) remain; variation shared by the digits within a trial is lost. The two-sided p value is
+the share of 999 permutations at least as extreme. The random stream is seeded by the study's
+trials.
 
-Times must be counted from something in the trial, and what all digits share with that clock makes
-them look simultaneous. So three clocks are asked, and the one that speaks least for a difference
-decides:
+Times must be measured from an event in the trial, and variation of this clock, shared by all
+digits, makes them look simultaneous. So three clocks are used, and the one with the least evidence
+for a difference decides:
 
     onset     seconds since the movement's onset
     widest    seconds since the widest opening, the start of closure
-    movement  the same as onset, less what the length of the movement says of that digit (a
-              straight line within each person): slow and fast movements make nobody simultaneous
+    movement  as onset, minus the prediction for the digit from the movement duration (a straight
+              line within each person), so that variation of speed does not count as simultaneity
 
-An error of the clock is shared by all digits of a trial, too, and would be taken for coordination.
-How much of the spread it is lies between nothing and what the clock's stated uncertainty (and what
-the contacts share) says. So there are two sets of independent digits: with the spread of each
-digit's times within person and condition reduced by that variance, and with all of it. More
-simultaneous is who is so against the first; less, who is so against the second; who lies between is
-told from neither.
+An error of the clock is also shared by all digits of a trial and would be mistaken for
+coordination. Its variance lies between zero and that of the clock's stated uncertainty plus the
+contacts' shared uncertainty. So there are two sets of independent digits: one whose variance of
+contact times within person and condition is reduced by this bound, and one with the full variance.
+"More simultaneous" requires a difference from the first set, "less simultaneous" one from the
+second; between the two sets there is no significant difference.
 
-Stated uncertainties do not cover how profiles differ between trials, so three agreeing clocks are
-not enough for "more simultaneous": what the digits share must also exceed a bound of the clock's
-error found from the movements themselves (CalcSharedTiming). Else the verdict is "not decided".
+Stated uncertainties do not cover differences of profiles between trials, so agreement of the three
+clocks does not suffice for "more simultaneous". The shared variation of the digits must also exceed
+a bound of the clock's error that is estimated from the movements themselves (CalcSharedTiming).
+Else the verdict is "not decided".
 
-Only trials in which all digits of the study touched take part. */
+Only trials in which all digits of the study touched are used. */
 
 #include <array>
 #include <cmath>
@@ -39,56 +41,58 @@ Only trials in which all digits of the study touched take part. */
 
 namespace graspbench {
 
-/* How much the touches of one trial's digits share beyond what the hand's transport explains, and
-whether that is more than an error of the clock could be.
+/* Variation that the contacts of one trial share beyond the part explained by the hand's transport,
+and whether it exceeds a possible error of the clock.
 
-All touches of a trial are counted from one event of the hand, so an error of that event is shared
-by all digits exactly as coordination is. Differences between digits are free of it, and of
-coordination. So the error is made small and bounded:
+All contacts of a trial are timed from one event of the hand, so an error of that event is shared by
+all digits, exactly as coordination is. Differences between digits contain neither. So the error is
+reduced and bounded:
 
-    times     t_d - r, the touch of digit d less the instant r at which the wrist rose through 10 %
-              of its peak speed
-    adjusted  for how fast the wrist rose further (10 to 30 %, 30 to 60 %) and how far it went, by
-              regression over all trials: what a profile or a distance does to r or to the touches
-              is no coordination of the digits
-    neighbours differences between successive trials of a person in a condition, less their mean,
-              so that a steady drift of all digits is none either. Times that wander step by step
-              (a random walk) leave half the squared step; but then the difference to the next trial
-              does not take back the one before, as it does by half where trials share by
-              themselves: from that product alone (`alternating_sd`) nothing is shared
-    shared    variance of the digits' mean, less what digits on their own leave in it
-    clock     the variance that r keeps: noise where it crosses, and half of what r varies about
-              the start that the profile extrapolates to (Movement::start) within person and
-              condition: the regression is trusted with half of it
+    times     t_d - r, the contact of digit d minus the instant r at which the rising wrist speed
+              crossed 10 % of its peak
+    adjusted  for the further rise times of the wrist speed (10 to 30 %, 30 to 60 %) and the
+              distance covered, by regression over all trials: effects of profile or distance on
+              r or on the contacts are not coordination of the digits
+    neighbours differences between successive trials of a person in a condition, minus their mean,
+              so that a steady drift of all digits does not count either. A random walk of the times
+              contributes half the squared step. But then successive differences are uncorrelated,
+              while independent variation of trials reverses half of each difference in the next:
+              estimated from this product (`alternating_sd`), a random walk gives nothing shared
+    shared    variance of the digits' mean, minus the contribution of independent digits
+    clock     the remaining variance of r: noise at the crossing, and half of the variance of r
+              about the extrapolated start of the profile (Movement::start) within person and
+              condition; the regression is assumed to remove the other half
 
-Assumed: the profile's first part is a power of time; coordination does not follow the profile or
-the distance (if it does it is not counted). */
+Assumptions: the initial profile is a power of time; coordination is uncorrelated with the profile
+and the distance (correlated coordination is not counted). */
 
-/** One trial as the hand and its digits tell it. */
+/** Timing data of one trial. */
 struct SharedTimingTrial {
-  std::vector<double> contacts;   ///< of each digit [s]
-  double shared_variance = 0.0;   ///< of the errors that all contacts share [s^2]
-  double clock = NAN;             ///< the wrist rose through 10 % of its peak speed [s]
-  double clock_noise = 0.0;       ///< standard uncertainty of that by noise [s]
-  double start = NAN;             ///< extrapolated [s]; NaN: not known
-  std::vector<double> transport;  ///< rise times, distance; as many in every trial, may be none
+  std::vector<double> contacts;   ///< by digit [s]
+  double shared_variance = 0.0;   ///< variance of errors common to all contacts [s^2]
+  double clock = NAN;             ///< the rising wrist speed crossed 10 % of its peak [s]
+  double clock_noise = 0.0;       ///< standard uncertainty of `clock` due to noise [s]
+  double start = NAN;             ///< extrapolated [s]; NaN: unknown
+  std::vector<double> transport;  ///< rise times, distance; same number in all trials, may be 0
 };
 /** Successive trials of one person in one condition. */
 using SharedTimingRun = std::vector<SharedTimingTrial>;
 
 struct SharedTiming {
-  double shared_sd = NAN;      ///< of what the digits share; 0 when less than nothing [s]
-  double shared_low_sd = NAN;  ///< at least this, with 95 % [s]
-  double clock_sd = NAN;       ///< bound of the clock's error [s]
-  /** The same spread from what one difference takes back of the one before; imprecise [s]. */
+  double shared_sd = NAN;      ///< SD shared by the digits; 0 for a negative variance [s]
+  double shared_low_sd = NAN;  ///< lower 95 % bound of shared_sd [s]
+  double clock_sd = NAN;       ///< bound of the clock's error, as SD [s]
+  /** shared_sd estimated from the product of successive differences; imprecise [s]. */
   double alternating_sd = NAN;
   double df = NAN;  ///< of the variance of the digits' mean
 
-  /** More is shared than the clock's error can be, and it does not wander from trial to trial. */
+  /** Whether the shared variation exceeds the clock's error and is not a drift from trial to
+  trial. */
   bool IsShown() const { return shared_low_sd > clock_sd && alternating_sd > clock_sd; }
 };
 
-/** @param runs  each of three trials or more. No answer with fewer than 5 degrees of freedom. */
+/** Computes the shared variation. No answer with fewer than 5 degrees of freedom. @param runs  of
+at least three trials each. */
 Answer<SharedTiming> CalcSharedTiming(const std::vector<SharedTimingRun>& runs);
 
 struct StudyTrial;
@@ -98,24 +102,25 @@ inline constexpr size_t kNumClocks = 3;
 /** "onset", "widest", "movement". */
 const std::array<const char*, kNumClocks>& ListClocks();
 
-/** One measure against what independent digits would show: those of less spread when people lie
-below them, else those of all their spread. */
+/** One measure compared with independent digits: with the reduced-variance set when people lie
+below it, else with the full-variance set. */
 struct IndependenceTest {
   double observed = NAN;         ///< mean over the trials, in the measure's unit, as `expected`
-  double expected = NAN;         ///< mean over trials and dealings
-  double low = NAN, high = NAN;  ///< 95 % of the dealings' means; of both sets where between them
+  double expected = NAN;         ///< mean over trials and permutations
+  double low = NAN, high = NAN;  ///< 95 % range of permutations' means; of both sets if between
   double p = NAN;                ///< two-sided; 1 between the two sets
-  /** A mean smaller by this share of `expected` is found in 8 of 10 such studies. */
+  /** Reduction of the mean, as a share of `expected`, that is detected with a power of 0.8. */
   double detectable = NAN;
-  /** Logarithm of observed / expected over persons, each person one value. None below five. */
+  /** Logarithm of observed / expected over persons, with one value per person. None below five
+  persons. */
   Answer<JackknifeInterval> over_persons = NoAnswer{"not calculated"};
 };
 
 enum class IndependenceVerdict {
   kMore,  ///< simultaneous than independent digits
   kLess,
-  kNotDecided,    ///< clocks disagree, or what digits share may be the clock's error
-  kNoDifference,  ///< by no clock
+  kNotDecided,    ///< clocks disagree, or the clock's error may explain the result
+  kNoDifference,  ///< with no clock
 };
 struct IndependenceVerdictRow {
   IndependenceVerdict value;
@@ -128,28 +133,28 @@ inline constexpr IndependenceVerdictRow kIndependenceVerdicts[] = {
     {IndependenceVerdict::kNoDifference, "no difference"}};
 
 struct IndependenceNull {
-  int num_trials = 0;                                  ///< that take part
-  int num_incomplete = 0;                              ///< kept, but a digit did not touch
-  int num_persons = 0;                                 ///< who take part
+  int num_trials = 0;      ///< used
+  int num_incomplete = 0;  ///< included in the study, but a digit did not touch
+  int num_persons = 0;     ///< with trials used
   std::array<IndependenceTest, kNumClocks> gft;        ///< [s]
   std::array<IndependenceTest, kNumClocks> gft_ratio;  ///< GFT / GCT
   Answer<SharedTiming> shared = NoAnswer{"not calculated"};
 
   IndependenceVerdict Judge(const std::array<IndependenceTest, kNumClocks>& tests) const;
 
-  /** The clock that speaks least for a difference: the largest p where all clocks agree in sign,
-  else the one that speaks most against "more simultaneous". */
+  /** Returns the clock with the least evidence for a difference: the one with the largest p when
+  all clocks agree in sign, else the one most opposed to "more simultaneous". */
   static size_t FindStrictest(const std::array<IndependenceTest, kNumClocks>& tests);
 };
 
-/** No answer with fewer than two digits, or when there are so few trials of a person in a condition
-that no permutation could exclude chance. */
+/** No answer with fewer than two digits, or when persons have too few trials per condition for any
+permutation result to be significant. */
 Answer<IndependenceNull> CalcIndependenceNull(const std::vector<StudyTrial>& trials,
                                               size_t num_digits);
 
-/** The verdict in a sentence: more simultaneous, less, or not decided. */
+/** States the verdict in a sentence: more simultaneous, less, or not decided. */
 std::string SayIndependence(const Answer<IndependenceNull>& null);
-/** With numbers of the strictest clock, and power. */
+/** Describes the result with the numbers of the strictest clock and the power. */
 std::string DescribeIndependence(const Answer<IndependenceNull>& null);
 
 }  // namespace graspbench

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-All statistics of one measure: by condition, of every factor, of pairs of conditions, and as a trend
-over factors whose levels are quantities. */
+All statistics of one measure: by condition, for every factor, for pairs of conditions, and as
+trends over factors whose levels are quantities. */
 
 #include <string>
 #include <vector>
@@ -20,24 +20,24 @@ over factors whose levels are quantities. */
 
 namespace graspbench {
 
-/** Two conditions, b - a in the persons' means. */
+/** Comparison of two conditions: b - a of the persons' means. */
 struct PairStatistics {
   PairComparison means;  ///< t test
   Answer<WilcoxonTest> ranks;
   double p_ranks_holm = NAN;            ///< over all pairs; NaN without a test
-  Answer<BootstrapInterval> bootstrap;  ///< of the mean difference, persons drawn
-  Answer<EquivalenceTest> equivalence;  ///< none without a hypothesis' bounds
+  Answer<BootstrapInterval> bootstrap;  ///< of the mean difference, resampling persons
+  Answer<EquivalenceTest> equivalence;  ///< none without bounds in the hypothesis
 };
 
-/** All trials over a factor whose levels are quantities. */
+/** Trend of all trials over a factor whose levels are quantities. */
 struct TrendStatistics {
   std::string factor;
-  PersonSlopes slopes;                  ///< tested against the hypothesis' slope
-  Answer<BootstrapInterval> bootstrap;  ///< of the mean slope, persons drawn
-  Answer<EffectsModel> model;           ///< all trials; the slope against the same
+  PersonSlopes slopes;                  ///< tested against the slope of the hypothesis
+  Answer<BootstrapInterval> bootstrap;  ///< of the mean slope, resampling persons
+  Answer<EffectsModel> model;  ///< of all trials; its slope is tested against the same value
 };
 
-/** How far the choices of the analysis move the median over all trials. */
+/** Range of the median over all trials under the choices of the analysis. */
 struct ChoiceRange {
   int num_values = 0;  ///< combinations of choices with a value
   double lowest = NAN, highest = NAN;
@@ -46,13 +46,13 @@ struct ChoiceRange {
 struct MeasureStatistics {
   TrialMeasure measure;
   Hypothesis hypothesis;
-  MeasureTable table;       ///< the kept trials
+  MeasureTable table;       ///< the included trials
   Answer<Summary> summary;  ///< over them
   ChoiceRange over_choices;
-  std::vector<Answer<Summary>> by_cell;  ///< the same within each cell, as ListCells() orders them
+  std::vector<Answer<Summary>> by_cell;  ///< within each cell, in the order of ListCells()
   Answer<CellMeans> cells;
   Answer<WithinAnova> anova;
-  Answer<EffectsModel> model;  ///< all trials, also of persons with an empty condition
+  Answer<EffectsModel> model;  ///< of all trials, including persons with an empty condition
   Answer<FriedmanTest> friedman;
   std::vector<PairStatistics> pairs;
   std::vector<GroupComparison> group_pairs;
@@ -60,37 +60,36 @@ struct MeasureStatistics {
   std::vector<TrendStatistics> trends;  ///< one for each factor with numbers
 };
 
-/** What a mean of the measure can be: 0 to 1 of shares (unit "1"), else anything. An interval
-of Student's t knows no such limits; cut at them it holds the true mean as often. */
+/** Possible range of a mean of the measure: 0 to 1 for shares (unit "1"), else unbounded. Student's
+t intervals ignore such limits; cutting at them does not change their coverage. */
 Interval FindPossible(const TrialMeasure& measure);
-/** What a difference of two such means can be: -1 to 1 of shares. */
+/** Possible range of a difference of two such means: -1 to 1 for shares. */
 Interval FindPossibleDifference(const TrialMeasure& measure);
 Interval CutAt(const Interval& possible, const Interval& interval);
 
 MeasureStatistics CalcMeasureStatistics(const TrialMeasure& measure, const MeasureTable& table,
                                         const Hypothesis& hypothesis);
 
-/** The levels of every cell, in the order of ListCells(). */
+/** Lists the levels of every cell, in the order of ListCells(). */
 std::vector<std::vector<std::string>> ListLevels(const std::vector<Factor>& factors);
-/** Over the rows with a value. */
+/** Summarises the rows with a value. */
 Answer<Summary> SummariseRows(const MeasureTable& table);
 /** No answer for a study without factors and groups. */
 Answer<WithinAnova> CalcAnova(const Answer<CellMeans>& cells);
 
-/** The mean of each condition of a measure with all kinds of error bars, as figures and tables show
-them. */
+/** Condition means of a measure with all kinds of error bars, for figures and tables. */
 struct ConditionEstimates {
-  std::vector<std::string> cells;  ///< as ListCells() orders them
-  std::vector<double> means;       ///< over people of their means, else over trials; NaN: no trial
-  std::vector<int> num_trials;     ///< with a value
+  std::vector<std::string> cells;  ///< in the order of ListCells()
+  std::vector<double> means;       ///< of the persons' means, else over trials; NaN: no trial
+  std::vector<int> num_trials;     ///< trials with a value
   std::vector<Answer<Eigen::VectorXd>> half_widths;  ///< of each of ListBarKinds()
-  /** Of the figure: Loftus and Masson's, whose lengths let conditions be compared by eye; where
-  these cannot be, the ones between persons. */
+  /** Bars of the figure: Loftus and Masson's, which allow visual comparison of conditions; where
+  these are unavailable, between-person bars. */
   Answer<Eigen::VectorXd> drawn;
-  std::string drawn_kind;                     ///< for the caption: which, or why there are none
+  std::string drawn_kind;                     ///< for the caption: the kind, or why there are none
   Interval possible = {-INFINITY, INFINITY};  ///< FindPossible
 
-  /** Mean -+ half the drawn length, as far as is possible. @pre `drawn` has a value. */
+  /** Mean -+ half the drawn length, cut at the possible range. @pre `drawn` has a value. */
   Interval drawn_interval(size_t cell) const {
     const double half = (*drawn)[static_cast<Eigen::Index>(cell)];
     return CutAt(possible, {means[cell] - half, means[cell] + half});
@@ -98,29 +97,29 @@ struct ConditionEstimates {
 };
 ConditionEstimates CalcConditionEstimates(const MeasureStatistics& statistics);
 
-/** What others have measured, to stand beside a study's own numbers: an expectation for healthy
-adults who reach for things on a table, never a criterion. */
+/** Published values for comparison with a study's own: an expectation for healthy adults who reach
+for objects on a table, never a criterion. */
 struct StudyResult;
 
 struct PublishedValue {
   const char* measure;   ///< id of TrialMeasureList()
-  bool is_slope;         ///< over a factor with numbers, not the measure itself
-  const char* unit_end;  ///< of a slope: how the factor's name ends ("_m" of a size, "_kg")
+  bool is_slope;         ///< a slope over a factor with numbers, not the measure itself
+  const char* unit_end;  ///< for a slope: suffix of the factor's name ("_m" for a size, "_kg")
   const char* text;      ///< what was found
   const char* source;
 };
 
 const std::vector<PublishedValue>& PublishedValueList();
 
-/** A study's own number for a published one. */
+/** A study's own value for a published one. */
 struct ComparedValue {
   const PublishedValue* published = nullptr;
   const TrialMeasure* measure = nullptr;
   Answer<Summary> summary;  ///< of the measure over the included trials
   std::string factor;       ///< of a slope; else empty
-  PersonSlopes slopes;      ///< over it, tested against 0
+  PersonSlopes slopes;      ///< over this factor, tested against 0
 };
-/** Those that the study can say something about, in the order of the list. */
+/** Compares the published values that the study can address, in the order of the list. */
 std::vector<ComparedValue> ComparePublished(const StudyResult& result);
 
 }  // namespace graspbench

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-What the levels of one factor do to a measure, person by person: the values of a figure and the
-difference between the first and the last level with its interval. */
+Effect of one factor's levels on a measure by person: the values of a figure, and the difference
+between the first and the last level with its interval. */
 
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@ difference between the first and the last level with its interval. */
 
 namespace graspbench {
 
-/** The last level less the first: a paired t test, or Welch's between groups of persons. */
+/** The last level minus the first: a paired t test, or Welch's between groups of persons. */
 struct ContrastTest {
   double difference = 0.0;  ///< in the measure's SI unit, as `interval`
   Interval interval;        ///< 95 %
@@ -22,15 +22,15 @@ struct ContrastTest {
 
 struct PersonContrast {
   Factor factor;
-  bool is_between = false;  ///< a person has one level
+  bool is_between = false;  ///< each person has one level
   std::vector<std::string> persons;
   std::vector<std::vector<double>> values;  ///< [level][person], SI; NaN: none
   std::vector<double> means;                ///< over the persons of each level; NaN: none
   Answer<ContrastTest> test = NoAnswer{"not calculated"};
 };
 
-/** Of the first factor, each person's mean over the levels of the others; without factors of the
-first group. No answer without either, or with one level. */
+/** Computes the contrast of the first factor, with each person's mean over the levels of the
+others; without factors, that of the first group. No answer without either, or with one level. */
 Answer<PersonContrast> CalcPersonContrast(const CellMeans& cells);
 
 }  // namespace graspbench

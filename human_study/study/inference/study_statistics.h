@@ -1,8 +1,8 @@
 #pragma once
 /** @file
-What the trials of a study say together: each measure by condition, the main test under every
-choice, the reliability of every measure of hand opening, in which order the digits touch, and what
-the study's own choices do to a known asynchrony. */
+Statistics over the trials of a study: each measure by condition, the main test under every choice,
+the reliability of every measure of hand opening, the contact order of the digits, and the bias of
+the study's own choices for a known asynchrony. */
 
 #include <cmath>
 #include <limits>
@@ -21,16 +21,16 @@ namespace graspbench {
 struct StudyTrial;
 struct StudyResult;
 
-/** What GFT a study would report if all digits had touched at once.
+/** The GFT that a study would report if all digits touched simultaneously.
 
 GFT = T_all - T_first is a range: errors of the single contacts cannot make it negative, so they
-lift a true zero. Every kept trial is drawn repeatedly with its own digits and the
-uncertainties of its own contacts (markers' places, gaps, noise, frame rate, filter, push and speed
-of that very trial stand behind them), without what all digits of a trial share. */
+bias a true zero upwards. Every included trial is resampled repeatedly with its own digits and the
+uncertainties of its contacts, which reflect marker positions, gaps, noise, frame rate, filter, push
+and speed in this trial. The uncertainty shared by all digits is left out. */
 struct ZeroGft {
-  int num_trials = 0;                                        ///< with two contacts or more
+  int num_trials = 0;                                        ///< trials with at least two contacts
   double median = std::numeric_limits<double>::quiet_NaN();  ///< over trials and draws [s]
-  /** 95 % of single trials with a true zero lie below [s]. */
+  /** 95 % quantile of single trials with a true zero [s]. */
   double limit = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -40,7 +40,7 @@ ZeroGft CalcZeroGft(const std::vector<StudyTrial>& trials);
 struct Universe {
   std::string onset, detector, opening;
   double cutoff = 0.0;      ///< of the contact detectors [Hz]
-  Answer<Summary> summary;  ///< of the main measure over the kept trials
+  Answer<Summary> summary;  ///< of the main measure over the included trials
   Answer<WithinTest> test;  ///< of the first factor
   bool is_own = false;      ///< the study's own choices
 };
@@ -67,13 +67,14 @@ struct StudyStatistics {
 /** @pre the id is one of TrialMeasureList(). */
 const TrialMeasure& FindMeasure(const std::string& id);
 
-/** The measures a study tests and draws: its own list, else the usual ones, and those that it has a
-hypothesis about. */
+/** Lists the measures that a study tests and draws: its own list, else the default ones, and those
+with a hypothesis. */
 std::vector<TrialMeasure> ListStudyMeasures(const Study& study);
 
-/** All combinations of the study's own choices and the multiverse's; its own come first. */
+/** Lists all combinations of the study's own choices and the multiverse's; the study's own comes
+first. */
 std::vector<Universe> ListUniverses(const StudyConfig& config);
-/** How far the choices move the main measure, and in how many its test says the same. */
+/** Range of the main measure over the choices, and the number of significant tests. */
 struct UniverseSummary {
   int num_values = 0;                      ///< universes with a value
   double lowest = NAN, highest = NAN;      ///< medians of the measure, in its unit
@@ -83,22 +84,22 @@ struct UniverseSummary {
 };
 UniverseSummary SummariseUniverses(const std::vector<Universe>& universes);
 
-/** The study's options under one of them, for a recording of `rate` [Hz]. */
+/** Returns the study's options under one universe, for a recording with `rate` [Hz]. */
 AnalysisOptions MakeOptions(const StudyConfig& config, const Universe& universe, double rate);
 
-/** A row a kept trial. */
+/** Makes a table with one row per included trial. */
 MeasureTable MakeMeasureTable(const StudyResult& result, const TrialMeasure& measure);
 
-/** Fills `statistics` and the results of the universes from the trials. */
+/** Computes `statistics` and the results of the universes from the trials. */
 void CalcStudyStatistics(StudyResult& result);
 
 /** Who touched first. */
 struct FirstDigits {
   std::string participant;
-  std::vector<int> counts;  ///< of each digit that touched first alone; last: tied trials
+  std::vector<int> counts;  ///< by digit, of trials in which it alone touched first; last: ties
 };
 
-/** Of the trials in which both digits touched. */
+/** Counts over the trials in which both digits touched. */
 struct Precedence {
   int num_before = 0, num_both = 0;
   double share() const { return CalcShare(num_before, num_both); }
@@ -110,16 +111,16 @@ struct OrderCount {
   double share = 0.0;
 };
 
-/** In which order the digits touched, over the included trials. Ties are what the recording cannot
-decide (core/grasp/contact_timing.h). */
+/** The contact order of the digits over the included trials. Ties are orders that the recording
+does not resolve (core/grasp/contact_timing.h). */
 struct OrderSummary {
   std::vector<FirstDigits> first;
   std::vector<std::vector<Precedence>> precedence;  ///< [a][b]: digit a before digit b
   std::vector<OrderCount> orders;                   ///< most frequent first
-  int num_ties = 0, num_neighbours = 0;             ///< pairs of digits next to each other in time
+  int num_ties = 0, num_neighbours = 0;             ///< pairs of digits with consecutive contacts
 };
 
-/** Digits are in the order of `result.digits`. */
+/** Summarises the orders, with digits in the order of `result.digits`. */
 OrderSummary SummariseOrders(const StudyResult& result);
 
 }  // namespace graspbench

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-Every test and estimate of a measure as a row of one table: statistics.csv and the report show the
-same rows. A row names its assumptions, or why it has no answer. */
+All tests and estimates as rows of one table, for both statistics.csv and the report. A row names
+its assumptions, or why it has no answer. */
 
 #include <cmath>
 #include <string>
@@ -12,7 +12,7 @@ same rows. A row names its assumptions, or why it has no answer. */
 
 namespace graspbench {
 
-/** NaN and empty text: does not apply, or has no answer. */
+/** A row of the table. NaN or empty text: not applicable, or no answer. */
 struct StatisticRow {
   std::string measure;   ///< id
   std::string analysis;  ///< "paired t test"
@@ -30,32 +30,35 @@ struct StatisticRow {
   std::string effect_size_name;  ///< "generalised eta squared", "d_z"
   double effect_size = NAN;
   int num_persons = 0;
-  std::string note;  ///< what it assumes; with it, what else belongs to the answer
+  std::string note;  ///< assumptions and further information on the answer
 };
 
-/** Analysis of variance of every effect without and with both corrections, the mixed model of all
-trials, pairs of groups, then Friedman's test. */
+/** Lists the analysis of variance of every effect without and with both corrections, the mixed
+model of all trials, pairs of groups, then Friedman's test. */
 std::vector<StatisticRow> ListConditionTests(const MeasureStatistics& statistics);
-/** For every factor with numbers: persons' slopes, then the mixed model. */
+/** Lists, for every factor with numbers, the persons' slopes and the mixed model. */
 std::vector<StatisticRow> ListTrends(const MeasureStatistics& statistics);
-/** Reliability between sessions; none for a study without them. */
+/** Lists the reliability between sessions; empty for a study without sessions. */
 std::vector<StatisticRow> ListRetest(const MeasureStatistics& statistics);
-/** For every pair of conditions: t, Wilcoxon, persons drawn, equivalence. */
+/** Lists, for every pair of conditions, t test, Wilcoxon test, bootstrap over persons, and
+equivalence test. */
 std::vector<StatisticRow> ListPairs(const MeasureStatistics& statistics);
 
-/** Every opening as a multiple of the aperture, by every criterion; p adjusted over all of them. */
+/** Lists the ratio of every opening to the aperture by every criterion; p is adjusted over all
+rows. */
 std::vector<StatisticRow> ListOpenings(const OpeningFamily& family);
 
-/** GFT and GFT% against digits that move independently, by every clock, or the reason for none. */
+/** Lists the comparisons of GFT and GFT% with independent digits, by clock, or the reason for no
+answer. */
 std::vector<StatisticRow> ListIndependence(const Answer<IndependenceNull>& null);
 
-/** What these say together, a row each for GFT and GFT%: `effect` is the verdict
-(kIndependenceVerdicts, or "not testable"), the numbers are those of the strictest clock, the
-interval is the widest of all clocks, the note counts the trials and says what would decide. */
+/** The overall verdicts, one row each for GFT and GFT%. `effect` is the verdict
+(kIndependenceVerdicts, or "not testable"). The numbers are those of the strictest clock, and the
+interval is the widest of all clocks. The note states the number of trials and what would decide. */
 inline constexpr char kIndependenceVerdictAnalysis[] = "independent digits, verdict";
 std::vector<StatisticRow> ListIndependenceVerdicts(const Answer<IndependenceNull>& null);
 
-/** All of a study. */
+/** Lists all rows of a study. */
 std::vector<StatisticRow> ListStatistics(const StudyStatistics& statistics);
 
 std::vector<CsvColumn<StatisticRow>> ListStatisticColumns();

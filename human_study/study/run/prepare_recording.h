@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-From a recording to trials: markers under the study's names, cleaned and on one even clock, then cut
-into reaches. */
+Prepares a recording for analysis: selects the study's markers, cleans and resamples them to one
+even clock, and cuts the recording into reaches. */
 
 #include <cmath>
 #include <map>
@@ -18,10 +18,10 @@ into reaches. */
 
 namespace graspbench {
 
-/** A role of the study's marker map that a recording has no marker for. */
+/** A role in the study's marker map for which a recording has no marker. */
 struct MissingMarker {
   int digit = -1;    ///< 0..4; -1: wrist or object
-  std::string text;  ///< what was looked for, and what the recording has
+  std::string text;  ///< labels expected, and labels in the recording
 };
 
 struct PreparedRecording {
@@ -32,29 +32,32 @@ struct PreparedRecording {
   double rate = 0.0;           ///< of the even clock [Hz]
   bool was_resampled = false;  ///< the recording's own clock is uneven
   size_t num_samples = 0;      ///< of all tracks
-  size_t num_frozen = 0;       ///< samples made invalid because they repeat the one before
-  size_t num_spikes = 0;       ///< .. because no marker gets there and back between two frames
-  std::vector<FrameLoss> frame_losses;  ///< that an even clock hides
+  size_t num_frozen = 0;       ///< samples made invalid because they repeat the previous one
+  size_t num_spikes = 0;       ///< samples made invalid as spikes (InvalidateSpikes)
+  std::vector<FrameLoss> frame_losses;  ///< hidden by an even clock
   double low_pass = NAN;  ///< cut-off of a filter before the export [Hz]; NaN: none seen
   std::vector<MissingMarker> missing;
 };
 
-/** Where the trials of a study's plain tables stand, found once a table. */
+/** Positions of the trials in a study's plain tables; each table is searched once. */
 class StudyTables {
  public:
-  /** Of a row of trials.csv; nothing: it names no trial of a table, or none that is there. */
+  /** Finds the rows for a row of trials.csv; nothing if it names no trial of a table, or one that
+  does not exist. */
   std::optional<TableRows> Find(const Study& study, const PlannedReach& planned);
 
  private:
   std::map<std::string, std::unordered_map<std::string, TableRows>> tables_;  // by file
 };
 
-/** The recording of a row of trials.csv, read as study.yaml says. @throws as LoadRecording. */
+/** Loads the recording of a row of trials.csv with the settings of study.yaml. @throws as
+LoadRecording. */
 Recording LoadPlanned(const Study& study, const PlannedReach& planned, StudyTables& tables);
 
-/** Renames, removes frozen samples, resamples an uneven clock at its median rate, fills short gaps.
-@throws Error(kFormat) when a marker has no length unit, the recording no clock or fewer
-than 10 samples a second, or two digits have the same places throughout. */
+/** Renames markers, removes frozen samples and spikes, resamples an uneven clock at its median
+rate, and fills short gaps.
+@throws Error(kFormat) when a marker has no length unit, the recording has no clock or a rate below
+10 Hz, or two digits have equal positions throughout. */
 PreparedRecording PrepareRecording(const Recording& recording, const StudyConfig& config);
 
 /** Part of a recording, both ends included [s]. */
@@ -63,18 +66,18 @@ struct Reach {
   double end = 0.0;
 };
 
-/** From the middle of the fingertips to the middle of the object's markers, one a sample [m]; NaN
-where either is not seen. */
+/** Computes, for each sample, the distance between the centroids of the fingertips and of the
+object's markers [m]; NaN where either is not visible. */
 std::vector<double> CalcHandDistances(const PreparedRecording& recording);
 
 /** Finds the reaches of a long recording. The hand is at the object from the sample where it is
-nearer than `near` until it is farther than `far`; a reach goes from where it was farthest before
-that to where it is farthest after it, where the next one begins. Samples without the object or any
-fingertip are passed over. */
+nearer than `near` until it is farther than `far`; a reach extends from the farthest point before
+that to the farthest point after it, where the next reach begins. Samples without the object or any
+fingertip are skipped. */
 std::vector<Reach> FindReaches(const PreparedRecording& recording, const CutConfig& cut);
 
-/** @param object  null: shape not known.
-@throws Error(kFormat, kRange) when the part cannot be analysed, for a person to read. */
+/** Makes the input of the analysis. @param object  null: shape unknown.
+@throws Error(kFormat, kRange) when the part cannot be analysed, with a message for the user. */
 ReachTrial MakeReachTrial(const PreparedRecording& recording, const Reach& part,
                           const StudyConfig& config, const StudyObject* object);
 

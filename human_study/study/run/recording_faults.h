@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-Doubts about a trial that its recording as a whole shows: frames that an even clock hides, and digits
-that were not measured. */
+Doubts about a trial that follow from its whole recording: frame losses hidden by an even clock, and
+digits that were not measured. */
 
 #include <vector>
 
@@ -11,8 +11,8 @@ that were not measured. */
 namespace graspbench {
 
 /** - frame_jump: frames are missing in two places of the trial, or 10 ms in one (lost_frames.h);
-- constant_shape: three digits or more keep all their distances within 3 mm while they travel: a hand
-  model that was placed, whose contacts mean nothing.
+- constant_shape: three digits or more keep all mutual distances within 3 mm while moving: a rigid
+  hand model, whose contacts are meaningless.
 @param trial  a part of the recording. */
 std::vector<Doubt> FindRecordingFaults(const PreparedRecording& recording, const ReachTrial& trial);
 

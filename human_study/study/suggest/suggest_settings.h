@@ -1,10 +1,10 @@
 #pragma once
 /** @file
-Settings that a study's data ask for. A study is run repeatedly, each time with one more change
-that one of its reasons for removing trials points to; a change stands when with it more trials
-count, or fewer are removed for that reason and no fewer count. First those that mend (a rule, a
-companion, an axis, a unit), then those that tolerate (limits of doubt), which cost trust and say
-so. At the end every change without which as many trials count is taken out again. */
+Suggests settings based on a study's data. The study is run repeatedly, each time with one more
+change that a removal reason suggests. A change is accepted when more trials are included, or when
+fewer are removed for this reason and no fewer are included. Corrections (a rule, a companion, an
+axis, a unit) come first. Then come tolerances (limits of doubt), which reduce reliability and say
+so. Finally, every change that is not needed for the number of included trials is dropped. */
 
 #include <optional>
 #include <string>
@@ -19,47 +19,48 @@ namespace graspbench {
 
 struct Suggestion {
   std::vector<std::string> settings;  ///< "movement.rule=regression", as --set takes them
-  std::string reason;                 ///< what in the data asks for it, with numbers
-  std::string cost;                   ///< what it costs, or what to look at first
-  int num_kept = 0;                   ///< included trials with this and those before it
+  std::string reason;                 ///< the evidence in the data, with numbers
+  std::string cost;                   ///< the drawback, or what to check first
+  int num_kept = 0;                   ///< included trials with this and all earlier suggestions
 };
 
 struct StudySuggestions {
-  int num_rows = 0, num_all_rows = 0;  ///< rows of trials.csv that were tried, and all
-  int num_trials = 0, num_kept = 0;    ///< as the study stands
+  int num_rows = 0, num_all_rows = 0;  ///< rows of trials.csv that were used, and all rows
+  int num_trials = 0, num_kept = 0;    ///< with the present settings
   std::vector<Suggestion> suggestions;
-  int num_trials_then = 0, num_kept_then = 0;  ///< with all of them
-  std::vector<RemovalGroup> others;            ///< what no setting mends
+  int num_trials_then = 0, num_kept_then = 0;  ///< with all suggestions
+  std::vector<RemovalGroup> others;            ///< removals that no setting avoids
 };
 
 /** @throws as RunStudy. */
 StudySuggestions SuggestSettings(const Study& study);
 
-// What the markers of recordings say about settings: which marker goes along with a tip, whether the
-// object yields, at which distances a long recording falls into reaches.
+// Evidence for settings from the markers: which marker moves with a tip, whether the object yields,
+// and at which distances a long recording splits into reaches.
 
-/** A marker that stays where it is on a digit, and is seen while the tip's is hidden. */
+/** A marker fixed to a digit that is visible while the tip's marker is hidden. */
 struct CompanionEvidence {
   int digit = 0;  ///< 0: thumb .. 4: little
   std::string tip, companion;
-  size_t num_hidden = 0;   ///< samples without the tip
-  size_t num_bridged = 0;  ///< .. that show the companion
-  double distance = 0.0;   ///< median, of the two [m]
-  double spread = 0.0;     ///< of the distance: half of the middle 90 % [m]
+  size_t num_hidden = 0;   ///< samples in which the tip is hidden
+  size_t num_bridged = 0;  ///< of these, samples with a visible companion
+  double distance = 0.0;   ///< median distance between the two [m]
+  double spread = 0.0;     ///< half the central 90 % range of the distance [m]
 };
-/** For every digit without a companion whose tip is hidden in some samples: of the markers that the
-study does not use as tips or object, the one with the smallest spread of its distance (below 8 mm,
-nearer than 80 mm) that is seen in at least half of those samples. */
+/** Finds companions for all digits without one whose tip is hidden in some samples. Candidates are
+markers not used as tips or object, visible in at least half of these samples, nearer than 80 mm and
+with a spread of the distance below 8 mm. The one with the smallest spread is chosen. */
 std::vector<CompanionEvidence> FindCompanions(const Recording& recording,
                                               const MarkerConfig& markers);
 
-/** How far two markers of the object change their distance: the middle 90 %, of the pair that does
-it most, without the share of white noise [m]; 0 with fewer than two. */
+/** Returns the largest variation of the distance between two object markers: the central 90 % range
+over time, maximum over pairs, without the share of white noise [m]; 0 with fewer than two
+markers. */
 double FindYield(const PreparedRecording& recording);
 
-/** Distances at which the recording falls into the most regular reaches: a quarter and a half of the
-way from where the hand usually is at the object (10 % of the samples are nearer) to where it usually
-is away (90 %). Nothing when that makes fewer than three reaches. */
+/** Returns distances for cutting the recording into reaches. They lie at a quarter and a half of
+the range from the usual distance at the object (the 10 % quantile) to the usual distance away from
+it (90 %). Nothing when this yields fewer than three reaches. */
 std::optional<CutConfig> FindCut(const PreparedRecording& recording);
 
 }  // namespace graspbench

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-What a study's own choices do to a known asynchrony: trials with that GFT are made, recorded at the
+Bias of a study's analysis for a known asynchrony: trials with this GFT are synthesised at the
 study's rate and noise, analysed with the study's options, and compared with the truth. */
 
 #include <string>
@@ -27,26 +27,26 @@ struct BiasRow {
   double true_gft = 0.0;  ///< [s]
   int num_trials = 0;
   int num_missing = 0;    ///< trials without a GFT
-  double mean_gft = 0.0;  ///< [s] over the trials with one, as all below
+  double mean_gft = 0.0;  ///< [s] over the trials with a GFT, as all below
   double sd_gft = 0.0;
   double contact_bias = 0.0;  ///< mean of found - true contact time, over all digits [s]
   double contact_sd = 0.0;    ///< SD of that [s]
-  /** Share of contacts whose error lies within their stated 95 % interval: 0.95 would be honest. */
+  /** Share of contacts whose error lies within their stated 95 % interval; ideally 0.95. */
   double coverage = 0.0;
 
   double gft_error() const { return mean_gft - true_gft; }  ///< [s]
-  /** The errors within one standard deviation over trials [s]. */
+  /** Range of the GFT error, one standard deviation over trials to either side [s]. */
   Interval gft_error_range() const { return {gft_error() - sd_gft, gft_error() + sd_gft}; }
 };
 
-/** Analyses the trials and compares with their truth. `text` stays empty.
-@param has_object  false: the analysis does not see the object. */
+/** Analyses the trials and compares the results with their truth. `text` stays empty.
+@param has_object  false: the object is hidden from the analysis. */
 BiasRow CalcBiasRow(const std::vector<SyntheticTrial>& trials, const AnalysisOptions& options,
                     bool has_object = true);
 
-/** A row for every case and asynchrony. @param num_trials  rounded up to a multiple of 20: five
-people, four sizes.
-@param seed  the same for all rows, so that they differ by the case alone. */
+/** Computes one row per case and asynchrony. @param num_trials  rounded up to a multiple of 20:
+five people, four sizes.
+@param seed  common to all rows, so that they differ only by the case. */
 std::vector<BiasRow> CalcBiasCard(const std::vector<BiasCase>& cases,
                                   const std::vector<double>& true_gfts, int num_trials,
                                   const std::string& seed);

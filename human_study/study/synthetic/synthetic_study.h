@@ -1,22 +1,22 @@
 #pragma once
 /** @file
-Studies that never took place, with exactly known events: the truth for detectors, and something to
-try the workbench on.
+Synthetic studies with exactly known events, as ground truth for detectors and as examples for the
+workbench.
 
-A digit's marker moves in the frame of the object on a polynomial of fifth degree in each
-coordinate, at rest at the onset and arriving at its place of contact with speed v_c along the
-surface normal (Smeets and Brenner 1999: perpendicular approach, the opening is a by-product of the
-digits' paths); it stops there on a rigid object, or yields by `pad_compression`. From contact on it
-moves with the object, which is lifted along a minimum-jerk path about 200 ms after the last contact
-(Johansson and Westling 1984). The wrist moves on a minimum-jerk path. What people do differently -
-speed, opening, pattern of contacts - is drawn per person and per trial.
+In the object's frame, each coordinate of a digit's marker is a fifth-degree polynomial of time. The
+marker is at rest at the onset and arrives at its contact point with speed v_c along the surface
+normal (Smeets and Brenner 1999: perpendicular approach, the opening is a by-product of the digits'
+paths). There it stops on a rigid object, or yields by `pad_compression`. After contact it moves
+with the object, which is lifted along a minimum-jerk path about 200 ms after the last contact
+(Johansson and Westling 1984). The wrist moves on a minimum-jerk path. Individual differences
+(speed, opening, pattern of contacts) are drawn per person and per trial.
 
-An object that is not lifted is held 200 ms longer; then all digits let go together and hand and
-digits go back the way they came, mirrored in time. Without a rest before it, the reach begins where
-the hand comes back from the one before: the same way, mirrored at the onset.
+An object that is not lifted is held 200 ms longer. Then all digits release together, and hand and
+digits return along the same paths, mirrored in time. Without a rest before it, the reach begins
+where the hand returns from the previous one: along the same path, mirrored at the onset.
 
 Not modelled: curved or corrected paths, tremor, slip, coloured noise, skin motion. A detector that
-is good here may be worse on people; one that is bad here is bad. */
+performs well here may perform worse on people; one that performs badly here is bad. */
 
 #include <filesystem>
 #include <limits>
@@ -37,34 +37,34 @@ struct SyntheticOptions {
   int num_digits = 5;                                          ///< 2 to 5
   double rate = 200.0;                                         ///< [Hz]
   double noise = 0.0003;             ///< SD of every coordinate of every marker [m]
-  double dropouts_per_second = 0.0;  ///< of every fingertip marker, in the mean
-  double dropout_duration = 0.05;    ///< [s], in the mean
+  double dropouts_per_second = 0.0;  ///< mean rate for every fingertip marker
+  double dropout_duration = 0.05;    ///< mean [s]
   /** True GFT of every trial [s]; NaN: drawn, about 30 ms. */
   double forming_time = std::numeric_limits<double>::quiet_NaN();
-  double min_contact_speed = 0.06;  ///< v_c is drawn evenly between these [m/s]
+  double min_contact_speed = 0.06;  ///< v_c is uniform between these [m/s]
   double max_contact_speed = 0.15;
   double pad_compression = 0.0;  ///< pad or object yields by this much after contact [m]
   double push = 0.001;           ///< the first digit pushes the object by this much [m]
-  bool lifts = true;             ///< else the object is held, let go, and the hand goes back
-  bool rests = true;             ///< before the reach; else the hand comes from the one before
-  bool has_force = false;        ///< one force channel a digit at five times the frame rate
+  bool lifts = true;             ///< else the object is held and released, and the hand returns
+  bool rests = true;             ///< before the reach; else the hand returns from the previous one
+  bool has_force = false;        ///< one force channel per digit at five times the frame rate
 };
 
-/** What happened, on the recording's clock [s]. */
+/** The true events, on the recording's clock [s]. */
 struct SyntheticTruth {
   double onset = 0.0;
   double movement_end = 0.0;   ///< the wrist stops
-  double peak_opening = 0.0;   ///< of thumb to virtual finger
+  double peak_opening = 0.0;   ///< between thumb and virtual finger
   double peak_aperture = 0.0;  ///< largest thumb-index distance of the markers [m]
   double peak_aperture_time = 0.0;
-  std::vector<double> contacts;  ///< one a digit, thumb first
+  std::vector<double> contacts;  ///< one per digit, thumb first
   double lift_off = 0.0;         ///< NaN: not lifted
-  double release = 0.0;          ///< the digits let go; NaN: lifted
+  double release = 0.0;          ///< the digits release; NaN: lifted
 };
 
 struct SyntheticTrial {
   std::string person;     ///< "01"
-  int trial = 0;          ///< 1.. within the person
+  int trial = 0;          ///< number within the person, from 1
   double diameter = 0.0;  ///< [m]
   Recording recording;
   SyntheticTruth truth;
@@ -84,15 +84,15 @@ inline constexpr const char* kSyntheticWristLabel = "wrist";
 /** Object markers are "object_1" .. "object_3", force channels "force_TH" .. */
 inline constexpr double kSyntheticObjectHeight = 0.11;  ///< [m]
 inline constexpr double kSyntheticPadOffset = 0.008;    ///< marker to surface in contact [m]
-/** Places of the object's markers in O. */
+/** Positions of the object's markers in O. */
 std::vector<Eigen::Vector3d> SyntheticMarkerPlaces(double diameter);
 
-/** Sizes in random order within a person. The same options give the same bits.
+/** Makes the trials, with sizes in random order within a person. Equal options give equal bits.
 @throws Error(kRange) naming the option. */
 std::vector<SyntheticTrial> MakeSyntheticStudy(const SyntheticOptions& options);
 
-/** The trial as the analysis takes it, with the object's shape and without pad offsets. Gaps stay
-open. */
+/** Makes the input of the analysis, with the object's shape and without pad offsets. Gaps are not
+filled. */
 ReachTrial MakeReachTrial(const SyntheticTrial& trial);
 
 enum class SyntheticFormat { kC3d, kQualisysTsv };
@@ -108,7 +108,7 @@ void SaveSyntheticStudy(const std::vector<SyntheticTrial>& trials, SyntheticForm
 
 /** The table of truth.csv: file, person, trial, diameter_m, onset_s, .. contact_TH_s, .. */
 std::string FormatTruthCsv(const std::vector<SyntheticTrial>& trials, SyntheticFormat format);
-/** Its data dictionary. */
+/** Makes the data dictionary of truth.csv. */
 Json MakeTruthSchema();
 
 }  // namespace graspbench

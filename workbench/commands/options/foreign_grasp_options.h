@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-The options by which a command names grasps that others made, and what their files do not say. */
+Command options that name external grasps and supply what their files do not state. */
 
 #include <optional>
 #include <string>
@@ -27,7 +27,7 @@ class ForeignGraspOptions {
   std::vector<std::string> open_joints_;  ///< "NAME=POSITION"
 };
 
-/** Also the hand that does them, and where their objects' meshes are. */
+/** Adds the hand that executes the grasps, and the folder of their objects' meshes. */
 class GraspInputOptions {
  public:
   void AddTo(Command& command);

@@ -1,7 +1,6 @@
 #pragma once
 /** @file
-The options by which a command names what to run: a session file or a preset, and what overrides
-it. */
+Command options that name the session to run: a session file or a preset, and overrides. */
 
 #include <string>
 #include <vector>
@@ -14,24 +13,24 @@ class Command;
 
 class SessionOptions {
  public:
-  /** @param file_text  what the file is that may be named. */
+  /** @param file_text  help text of the file argument. */
   void AddTo(Command& command, const std::string& file_text =
                                    "session file: YAML, or session.json of a session; absent: the "
                                    "benchmark");
-  /** "--benchmark": other settings than it leaves open are refused. */
+  /** "--benchmark": settings that the benchmark fixes are refused. */
   void AddBenchmarkTo(Command& command);
-  /** Whether any of them was given. */
+  /** Whether any option was given. */
   bool HasAny() const;
-  /** The benchmark's session; without one the defaults. @throws as LoadPinned. */
+  /** Returns the benchmark's session; without a benchmark, the defaults. @throws as LoadPinned. */
   SessionConfig FindBase() const;
-  /** The session file, the preset or else `config`, then --set, then the options.
-  @throws Error(kUsage) for a setting given by both, a file and a preset, or what the benchmark does
-  not leave open; as LoadSessionConfig, LoadPreset, ApplySetting. */
+  /** Applies the session file, the preset or else `config`, then --set, then the options.
+  @throws Error(kUsage) for a setting given twice, for both a file and a preset, and for a setting
+  that the benchmark fixes; as LoadSessionConfig, LoadPreset, ApplySetting. */
   SessionConfig MakeConfig(SessionConfig config = {}) const;
-  /** The same over what another kind of file says. @throws as MakeConfig. */
+  /** Applies the options over a configuration from another kind of file. @throws as MakeConfig. */
   void ApplyTo(SessionConfig& config) const;
   const std::string& file() const { return session_file_; }
-  /** That of the preset or the benchmark, or of the session file without folder and extension; else
+  /** Name of the preset, the benchmark or the session file (without folder and extension); else
   "benchmark". */
   std::string name() const;
 

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-A finished session as an entry of a benchmark. */
+Packs a finished session as a benchmark entry. */
 
 #include <filesystem>
 
@@ -11,12 +11,12 @@ namespace graspbench {
 struct EntryRequest {
   std::filesystem::path session;
   Benchmark benchmark;
-  EntryFacts facts;  ///< but the benchmark's
-  /** New file "NAME.tar", or a folder "DIR" for "DIR/DIR.tar", as a stage of a pipeline has one. */
+  EntryFacts facts;  ///< except those of the benchmark
+  /** New file "NAME.tar", or a folder "DIR" for "DIR/DIR.tar", as for a pipeline stage. */
   std::filesystem::path out;
 };
 
-/** @returns the pack that it wrote. @throws Error(kUsage) when the pack exists or the session
+/** Writes the pack. @returns its path. @throws Error(kUsage) when the pack exists or the session
 cannot be an entry, saying why; as LoadSession, CheckEntry, GatherEntry. */
 std::filesystem::path MakeEntry(const EntryRequest& request);
 

@@ -1,18 +1,18 @@
 #pragma once
 /** @file
-Entries of a benchmark checked, simulated again and ranked.
+Checks, re-simulates and ranks the entries of a benchmark.
 
-Beside the page stands a folder of work. An entry's trials are simulated again there once, in
-sessions named by the pack's SHA-256 and the program's build, which stopping and starting continues:
+A work folder lies beside the page. There, an entry's trials are re-simulated once, in sessions
+named by the pack's SHA-256 and the program's build. A stopped session is continued:
 
     WORK/<pack>-<build>/public/     on the benchmark's draws
     WORK/<pack>-<build>/seed-7/     on held-out draws
 
-What is asked for beside success, breaking loads and grip thresholds, is found in them, on the draws
-that rank.
+Breaking loads and grip thresholds, if requested, are determined in these sessions, on the draws
+used for ranking.
 
-No command of an entry is run: a controller repeats its recorded actions, so on held-out draws,
-which it has not met, it has none. */
+No command of an entry is run: controllers replay their recorded actions, so they have no actions
+for held-out draws. */
 
 #include <filesystem>
 #include <optional>
@@ -31,16 +31,16 @@ struct BoardRequest {
   std::filesystem::path work;
   std::optional<int> held_out_seed;
   std::string nonce;             ///< of the commitment
-  std::string commitment;        ///< that was published; empty: the benchmark's
-  bool with_judge = false;       ///< break what is held: some five times as long
-  bool with_thresholds = false;  ///< grip thresholds, but of recorded actions: some six times
+  std::string commitment;        ///< published commitment; empty: the benchmark's
+  bool with_judge = false;       ///< break held grasps: some five times the cost
+  bool with_thresholds = false;  ///< grip thresholds, not for recorded actions: six times the cost
   int num_workers = 1;
   double trial_time_limit = kTrialTimeLimit;  ///< [s of processor time]
 };
 
-/** @throws Error(kUsage) when seed and nonce are not what was committed to; Error(kVersion) when
-the program is not the benchmark's; Error(kInterrupted) when stopped. What is wrong with an entry is
-in Board::refused. */
+/** Problems of an entry are reported in Board::refused.
+@throws Error(kUsage) when seed and nonce do not match the commitment; Error(kVersion) when the
+benchmark needs another version of the program; Error(kInterrupted) when stopped. */
 Board RunBoard(const BoardRequest& request, Observer& observer);
 
 }  // namespace graspbench

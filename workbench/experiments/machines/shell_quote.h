@@ -1,12 +1,12 @@
 #pragma once
 /** @file
-Words of a shell script. */
+Quoting for shell scripts. */
 
 #include <string>
 
 namespace graspbench {
 
-/** A word that a shell reads as it is meant: plain when it can be, else in single quotes. */
+/** Quotes a word for the shell: unchanged if it needs no quotes, else in single quotes. */
 std::string QuoteForShell(const std::string& text);
 
 }  // namespace graspbench

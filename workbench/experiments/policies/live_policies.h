@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-Controllers that are started for trials: one of each command a worker, when the first trial asks for
+Controllers started for trials: each worker starts one per command, for the first trial that needs
 it. */
 
 #include <functional>
@@ -13,19 +13,20 @@ it. */
 
 namespace graspbench {
 
-/** The controller of a trial; null: its digits are the strategy's. */
+/** Returns the controller of a trial; null: the strategy controls the digits. */
 using FindPolicy = std::function<std::shared_ptr<HandPolicy>(const TrialSetup& setup,
                                                              const PlannedTrial& planned)>;
 
-/** For one worker; they end with it. */
+/** Makes the controllers of one worker; they end with it. */
 FindPolicy MakeLivePolicies();
 
-/** What can be said of a session's policies before its folder is made: their files and addresses.
-@throws Error with what is wrong. */
+/** Checks a session's policies, their files and addresses, before its folder is created.
+@throws Error with the problem. */
 void CheckPolicies(const SessionConfig& config, const SessionInputs& inputs,
                    const std::vector<PlannedTrial>& plan);
 
-/** What the records of a session say. @pre the session outlives it. */
+/** Makes controllers that replay the recorded actions of a session. @pre the session outlives
+it. */
 FindPolicy MakeRecordedPolicies(const Session& session);
 
 }  // namespace graspbench

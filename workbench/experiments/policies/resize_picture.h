@@ -1,8 +1,8 @@
 #pragma once
 /** @file
-Pictures of another size, as policy servers expect them: the whole picture in the middle of a black
-one. The filter is a triangle as wide as a pixel of the smaller picture, columns first, with whole
-numbers: that of PIL's BILINEAR, which openpi's clients use, to the byte. */
+Resizes images as policy servers expect them: the whole image, centred on a black one. The filter is
+a triangle as wide as a pixel of the smaller image, applied to columns first, in integer arithmetic.
+It equals PIL's BILINEAR, which openpi's clients use, to the byte. */
 
 #include <cstddef>
 #include <cstdint>

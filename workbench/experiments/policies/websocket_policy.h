@@ -1,10 +1,10 @@
 #pragma once
 /** @file
-A controller of digits behind a websocket (RFC 6455), as openpi's policy servers speak it: the server
-greets with a map of metadata; then each binary message is an observation and each answer a map with
-actions, both MessagePack. A text is the error of the server: after a question it is a wrong answer.
-That wire knows no reset: each trial opens a connection. A server that cannot be reached, closes, is
-silent for policy.timeout_s or greets otherwise is lost. */
+A digit controller behind a websocket (RFC 6455) with the protocol of openpi's policy servers. The
+server greets with a map of metadata. Then each binary message is an observation and each answer a
+map with actions, both in MessagePack. A text message reports a server error: after a question it is
+an invalid answer. The protocol has no reset, so each trial opens a connection. A server that cannot
+be reached, closes, is silent for policy.timeout_s or greets differently is lost. */
 
 #include <memory>
 
@@ -13,12 +13,12 @@ silent for policy.timeout_s or greets otherwise is lost. */
 
 namespace graspbench {
 
-/** Without it, only servers of this machine (loopback) are asked. For the whole program: it is the
-consent of who runs it, and no setting of a session. */
+/** Allows servers on other machines; without it, only loopback addresses are allowed. It applies to
+the whole program, because it is the consent of the user who runs it, not a setting of a session. */
 void AllowRemotePolicies();
 
-/** Nothing is connected before the first trial. @throws Error(kUsage) for a server on another
-machine, PolicyLost for one whose host is not known. */
+/** Makes a controller that connects at the first trial. @throws Error(kUsage) for a server on
+another machine; PolicyLost for an unknown host. */
 std::unique_ptr<HandPolicy> MakeWebsocketPolicy(PolicyServer server);
 
 }  // namespace graspbench

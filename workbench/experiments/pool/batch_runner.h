@@ -1,7 +1,6 @@
 #pragma once
 /** @file
-Runs planned trials in the pool of workers, in the plan's order, and keeps each result as soon as it
-is there. */
+Runs planned trials in the worker pool, in the plan's order, and keeps each result at once. */
 
 #include <atomic>
 #include <functional>
@@ -20,22 +19,23 @@ is there. */
 
 namespace graspbench {
 
-/** What one thread works with; used by that thread only. */
+/** Callbacks of one worker; called from its thread only. */
 struct BatchWorker {
-  /** Loads what the trial needs, outside of its time. @returns the trial itself, which from then on
-  touches only what its thread owns. */
+  /** Loads what the trial needs, outside of the trial's time limit. @returns the trial itself,
+  which then touches only data owned by its thread. */
   std::function<std::function<TrialResult()>(const PlannedTrial&)> prepare;
-  /** The record is safe when this returns. */
+  /** Stores the record; it is on the disk when this returns. */
   std::function<void(const TrialRecord&)> keep;
-  /** What to do with a trial that has not ended in time, a numerical failure; empty: keep it. */
+  /** Handles a trial that has not ended in time, recorded as a numerical failure; empty: keeps
+  it. */
   std::function<void(const TrialRecord&)> give_up = {};
 };
 
-/** What a worker does with a trial that is ready. */
+/** Carries out a prepared trial. */
 using CarryOut = std::function<TrialResult(TrialRunner& runner, const TrialSetup& setup)>;
-/** A worker for trials of a session, with a simulated world of its own.
-@param carry_out  empty: it runs them.
-@param find_policy  empty: controllers are started.
+/** Makes a worker for trials of a session, with a simulated world of its own.
+@param carry_out  empty: runs the trials.
+@param find_policy  empty: starts controllers.
 @pre config and inputs belong together and outlive the worker. */
 BatchWorker MakeTrialWorker(const SessionConfig& config, const SessionInputs& inputs,
                             std::function<void(const TrialRecord&)> keep,
@@ -45,38 +45,40 @@ BatchWorker MakeTrialWorker(const SessionConfig& config, const SessionInputs& in
 using MakeBatchWorker = std::function<BatchWorker(int worker)>;
 
 inline constexpr double kNoTimeLimit = std::numeric_limits<double>::infinity();
-/** After this long a trial counts as endless [s of processor time]. The longest that the ranges of
-a session allow takes some five minutes alone on a processor. */
+/** Time after which a trial is considered endless [s of processor time]. The longest trial that the
+ranges of a session allow takes some five minutes, alone on a processor. */
 inline constexpr double kTrialTimeLimit = 1800.0;
 
-/** Of a trial that was given up after so long: a numerical failure that says so. */
+/** Result of a trial that exceeded the limit: a numerical failure that says so. */
 TrialResult MakeEndlessResult(double time_limit);
 
-/** In a row of a worker, without one that ended: its controller will not do it. */
+/** Number of consecutive trials of a worker lost with their controllers after which the batch
+ends. */
 inline constexpr int kMostLostInARow = 3;
 
-/** Runs `trials`, a stage that the observer sees, until all are done or the observer asks to stop;
-a trial that has begun is finished and kept.
-@param time_limit  [s of processor time]: a trial that has not ended by then is kept as a numerical
-failure or given up, and the others go on. A trial whose controller was lost is left out.
-@throws Error(kEnvironment) in the end, when controllers were lost.
-@returns, @throws  as RunTasks of worker_pool.h. */
+/** Runs `trials`, a stage shown to the observer, until all are done or the observer requests a
+stop. A trial that has begun is finished and kept. A trial whose controller was lost is not
+recorded.
+@param time_limit  per trial [s of processor time]: a longer trial is kept as a numerical failure or
+given up; the others continue.
+@throws Error(kEnvironment) at the end, when controllers were lost.
+@returns, @throws as RunTasks of worker_pool.h. */
 bool RunBatch(const Stage& stage, const std::vector<PlannedTrial>& trials, int num_workers,
               const MakeBatchWorker& make_worker, Observer& observer,
               double time_limit = kNoTimeLimit);
 
-/** The simulated world of one thread that runs trials of changing hands and objects. That of the
-last hand and object is kept: a plan has all trials of a pair in a row. An object that comes without
-its distance field gets it here, and it is dropped with the world. */
+/** The simulated world of one thread that runs trials of changing hands and objects. The world of
+the last hand and object is kept, because a plan lists all trials of a pair in a row. An object
+without a distance field gets one here; it is released with the world. */
 class TrialBench {
  public:
-  /** The runner of the setup's hand and object, with all that its trial needs: it may build a
-  distance field and the world's points. Completes the setup's object. */
+  /** Returns the runner of the setup's hand and object, ready for the trial. It may build a
+  distance field and the world's contact points. Completes the setup's object. */
   TrialRunner& Prepare(TrialSetup& setup) {
     if (setup.hand != hand_ || setup.object != object_) {
       hand_ = setup.hand;
       object_ = setup.object;
-      complete_object_.reset();  // two fields at a time would be one too many
+      complete_object_.reset();  // so that only one field is in memory
       runner_.reset();
       complete_object_ = CompleteObject(object_);
       runner_ = std::make_unique<TrialRunner>(hand_, complete_object_);
@@ -88,21 +90,21 @@ class TrialBench {
 
  private:
   std::shared_ptr<const Hand> hand_;
-  std::shared_ptr<const GraspObject> object_;  ///< as it came
+  std::shared_ptr<const GraspObject> object_;  ///< as given
   std::shared_ptr<const GraspObject> complete_object_;
   std::unique_ptr<TrialRunner> runner_;
 };
 
-/** Told of each trial as it ends, one after the other, but in a worker's thread. */
+/** Called when a trial ends; calls do not overlap, but come from worker threads. */
 using ObserveResult = std::function<void(size_t setup, const TrialResult& result)>;
 
-/** Runs trials on several threads and gives their results in the order of asking. Each worker keeps
-the simulated world of the last hand and object from one call to the next. A trial that does not end
-in time is given up; its result is a numerical failure. */
+/** Runs trials on several threads and returns the results in the order of the requests. Each worker
+keeps the simulated world of the last hand and object between calls. A trial that does not end in
+time is given up; its result is a numerical failure. */
 class TrialPool {
  public:
   /** @param stop  when set, Run throws Error(kInterrupted); it must outlive the pool.
-  @param time_limit  of a trial [s of processor time]. */
+  @param time_limit  per trial [s of processor time]. */
   TrialPool(int num_workers, const std::atomic<bool>& stop, double time_limit = kTrialTimeLimit)
       : workers_(static_cast<size_t>(num_workers)), stop_(stop), time_limit_(time_limit) {}
 

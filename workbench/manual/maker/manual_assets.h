@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-Files beside this one, compiled into the maker of the manual (workbench/CMakeLists.txt). */
+Files in this folder that are compiled into the manual generator (workbench/CMakeLists.txt). */
 
 #include <string_view>
 

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-Markdown (CommonMark with tables, read by cmark-gfm) as parts of a page of reports/page. Markup in
-the text is refused: what reaches the page goes through Element() and Text(). */
+Converts Markdown (CommonMark with tables, parsed by cmark-gfm) into parts of a page of
+reports/page. HTML in the text is refused: all output goes through Element() and Text(). */
 
 #include <filesystem>
 #include <functional>
@@ -12,34 +12,35 @@ the text is refused: what reaches the page goes through Element() and Text(). */
 
 namespace graspbench {
 
-/** What stands under one heading, for the search. */
+/** The text under one heading, for the search. */
 struct ManualSection {
-  std::string anchor;  ///< of the heading; empty for what stands before the first
+  std::string anchor;  ///< of the heading; empty for text before the first heading
   std::string title;
   std::string text;  ///< plain
 };
 
 struct ManualText {
-  std::string title;     ///< the heading of first order
-  std::string subtitle;  ///< the paragraph right below it
+  std::string title;     ///< the first-level heading
+  std::string subtitle;  ///< the paragraph right below the title
   Html body;
   std::vector<ManualSection> sections;
-  /** Rows of tables that begin with one word in code, as a key or an option: each has an anchor of
-  its name, of a name that stood there before in front of it that of its section, "sweepyaml.seed";
-  they are not in the text of the sections. */
+  /** Table rows that begin with one word in code, such as a key or an option. The anchor is that
+  word; if it is taken, the section's anchor precedes it: "sweepyaml.seed". The text of the sections
+  does not contain these rows. */
   std::vector<ManualSection> rows;
 };
 
 struct MarkdownPlaces {
   std::string name;                ///< of the page, for messages
-  std::filesystem::path pictures;  ///< folder that addresses of pictures are relative to
-  /** Address of a link as the page has it. @throws Error(kFormat) when there is no such page. */
+  std::filesystem::path pictures;  ///< folder to which picture links are relative
+  /** Maps a link target to an address in the page. @throws Error(kFormat) when there is no such
+  page. */
   std::function<std::string(const std::string& target)> find_link;
 };
 
-/** Pictures (PNG, SVG) become part of the page. Headings of second and third order get anchors from
-their words. @throws Error(kFormat) naming page and line: no title, markup, a picture that is
-missing. */
+/** Converts a page. Pictures (PNG, SVG) are embedded. Second- and third-level headings get anchors
+from their words. @throws Error(kFormat) naming page and line: no title, HTML, or a missing
+picture. */
 ManualText ReadMarkdown(const std::string& markdown, const MarkdownPlaces& places);
 
 }  // namespace graspbench

@@ -104,7 +104,7 @@ std::string MakeColumnPage() {
   std::string page =
       "# Columns\n\nEvery column of every table that the program writes, as `graspbench help FILE` "
       "prints them. An empty cell is a missing value, a boolean is 0 or 1. Words in capitals are "
-      "placeholders for names of the data: DIGIT, JOINT, FACTOR, GROUP, LEVEL.\n";
+      "placeholders for names in the data: DIGIT, JOINT, FACTOR, GROUP, LEVEL.\n";
   for (const TableFormat& table : ListTableFormats()) {
     const size_t end = table.about.find(": ");  // of where the table is written
     page += "\n## " + table.name + " (" + table.about.substr(0, end) + ")\n\n";

@@ -10,7 +10,7 @@ namespace graspbench {
 namespace {
 
 constexpr double kLargestReach = 0.5;  // [m] of a digit's last joint from the palm
-constexpr double kApart = 0.2;         // [m] of two things that are not one hand
+constexpr double kApart = 0.2;         // [m] between two objects that are not one hand
 
 class HandFinder {
  public:
@@ -94,7 +94,7 @@ class HandFinder {
       FailOfSeveral("below \"" + name + "\" ", hands);
       return {};
     }
-    // Of several parts that are fixed to each other any may be named.
+    // If several parts are fixed to each other, any of them may be named.
     int own = palm;
     while (num_ends_[own] < 2 && tree_.joint_of[own] >= 0 && !Moves(own)) {
       own = foreign_.joints[tree_.joint_of[own]].parent;
@@ -159,7 +159,7 @@ class HandFinder {
     }
   }
 
-  /** The lowest link that all chains at or below this one have in common. */
+  /** Returns the lowest link that all chains at or below this one have in common. */
   int FindParting(int link) const {
     for (size_t i = 0; i < tree_.joints[link].size();) {
       const int child = foreign_.joints[tree_.joints[link][i]].child;
@@ -196,7 +196,7 @@ class HandFinder {
     return (p_RootLink_[FindParting(a)] - p_RootLink_[FindParting(b)]).norm() > kApart;
   }
 
-  /** True when the link is a place where separate things stand, not a palm. */
+  /** Whether the link carries separate objects and is not a palm. */
   bool IsScene(int link, const std::vector<int>& branches, const std::vector<int>& hands) const {
     if (link == foreign_.world) return !HasOwnBody(link) || !hands.empty();
     for (const int a : hands) {
@@ -210,7 +210,7 @@ class HandFinder {
            });
   }
 
-  /** Of the branches those that are hands and stand apart from another. */
+  /** Returns the branches that are hands and apart from another hand. */
   std::vector<int> ListHandsBelow(int link) const {
     const std::vector<int> branches = ListBranches(link);
     std::vector<int> hands;
@@ -224,7 +224,7 @@ class HandFinder {
     return hands;
   }
 
-  /** The last links of the chains at or below a link. @param left_out  but not below this one. */
+  /** Returns the last links of the chains at or below a link. @param left_out  branch to skip. */
   std::vector<int> ListDigits(int link, int left_out) const {
     std::vector<int> ends;
     std::vector<int> open = {link};
@@ -240,7 +240,7 @@ class HandFinder {
     return ends;
   }
 
-  /** Not all of the digits point the same way. */
+  /** Whether not all of the digits point in the same direction. */
   bool HasThumb(const std::vector<int>& ends) const {
     constexpr double kSameWay = 0.9;  // cosine
     std::vector<Eigen::Vector3d> along;
@@ -257,8 +257,10 @@ class HandFinder {
     });
   }
 
-  /** A second hand, fixed to one that has digits of its own: far from it, or, as a palm may be of
-several parts, with as many digits, three at least, and a thumb like it. */
+  /** Whether a branch is a second hand that is fixed to one with its own digits. It must be far
+  from
+the first. Since a palm may consist of several parts, a nearer one must have as many digits, at
+least three, and a thumb like the first. */
   bool IsHandFixedTo(int link, int branch) const {
     if (!HasOwnBody(link) || !IsHand(branch)) return false;
     const int palm = FindParting(branch);
@@ -297,7 +299,9 @@ several parts, with as many digits, three at least, and a thumb like it. */
     return text;
   }
 
-  /** Of what hangs on a mere frame beside a link: a body that outweighs it, a table; -1: none. */
+  /** Returns a body, such as a table, that hangs on a mere frame beside a link and outweighs it;
+  -1:
+none. */
   int FindHeavyNeighbour(int frame, int link) const {
     for (const int joint : tree_.joints[frame]) {
       const int beside = foreign_.joints[joint].child;
@@ -339,7 +343,7 @@ several parts, with as many digits, three at least, and a thumb like it. */
             NameOf(palm));
   }
 
-  /** Of the link and what hangs on it [kg]. */
+  /** Mass of the link and all links below it [kg]. */
   double CalcMass(int link) const {
     const auto& inertia = foreign_.links[link].inertia;
     double mass = inertia ? std::max(0.0, inertia->mass) : 0.0;
@@ -351,8 +355,8 @@ several parts, with as many digits, three at least, and a thumb like it. */
   const ForeignTree& tree_;
   const std::string& file_;
   Diagnostics& problems_;
-  std::vector<int> num_ends_;                // by link: of chains at or below it
-  std::vector<Eigen::Vector3d> p_RootLink_;  // by link, all joints at zero
+  std::vector<int> num_ends_;                // by link: number of chains at or below it
+  std::vector<Eigen::Vector3d> p_RootLink_;  // by link, with all joints at zero
 };
 
 }  // namespace

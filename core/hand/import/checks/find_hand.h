@@ -1,16 +1,17 @@
 #pragma once
 /** @file
-Where in a description the hand is: of an arm, a scene with a table and a door, or a rig of two
-hands only one part is one.
+Locates the hand in a description: in an arm, a scene with a table and a door, or a rig with two
+hands, only one part is a hand.
 
-A chain ends at a link that moves, or is a fixed jaw, has a shape and carries no further such link.
-The palm is the lowest link that all chains have in common. The world of a scene is no palm, nor is
-a link where parts meet that are hands themselves (two chains at least, all within 0.5 m) and lie
-more than 0.2 m apart. Of such parts the one hand is taken, the rest is left out and reported; none,
-or several without a palm named, is an error that lists what was found. So it is where a second hand
-is fixed to the palm of one without a link between: 0.2 m away, or with as many digits and a thumb
-like it. What a palm is fixed to is taken as a part of it; a palm that is named is cut from it, and
-without a name one that outweighs the hand is reported. */
+A chain ends at a link that moves or is a fixed jaw, has a shape, and carries no further such link.
+The palm is the lowest link that all chains have in common. The world of a scene is not a palm.
+Neither is a link that joins parts which are hands themselves (at least two chains, all within 0.5
+m) and lie more than 0.2 m apart. If exactly one of these parts is a hand, it is selected; the rest
+is left out and reported. If there is none, or several without a named palm, an error lists what was
+found. The same holds for a second hand that is fixed rigidly to the palm of the first: 0.2 m away,
+or with the same number of digits and a thumb like it. The link to which a palm is fixed is taken as
+part of the palm. For a named palm it is cut off; without a name it is reported if it outweighs the
+hand. */
 
 #include <string>
 #include <vector>
@@ -20,32 +21,34 @@ without a name one that outweighs the hand is reported. */
 
 namespace graspbench {
 
-/** A foreign hand's tree, from the root down. */
+/** Tree of a foreign hand, from the root. */
 struct ForeignTree {
-  std::vector<int> joint_of;             ///< by link; -1: the root
-  std::vector<std::vector<int>> joints;  ///< by link: those that hang on it
+  std::vector<int> joint_of;             ///< by link: joint above it; -1: the root
+  std::vector<std::vector<int>> joints;  ///< by link: joints below it
   std::vector<int> order;                ///< links, parents first
 };
 ForeignTree MakeForeignTree(const ForeignHand& foreign);
 
-/** A jaw that is fixed to the palm is a digit where only one joint moves, and where one link alone
-with a shape is fixed to the link that carries it, which has a shape, too. Its joint is marked and
-reported. @param is_asked  by link: the joint above it counts. @param has_body  as of FindHand. */
+/** Finds a fixed jaw, marks its joint and reports it. A jaw that is fixed to the palm is a digit if
+only one joint moves, and if it is the only link with a shape that is fixed to the moving jaw's
+parent. This parent must have a shape, too. @param is_asked  by link: whether the joint above it
+is considered. @param has_body  as in FindHand. */
 void MarkFixedJaw(const ForeignTree& tree, const std::vector<bool>& has_body,
                   const std::vector<bool>& is_asked, const std::string& file, Diagnostics& problems,
                   ForeignHand& foreign);
 
 struct HandCandidate {
-  int palm = -1;              ///< foreign link; -1: none, an error is reported
-  int top = -1;               ///< the highest link that belongs to it
-  std::vector<int> left_out;  ///< links below it: other hands that are fixed to a named palm
-  /** What a named palm is fixed to without being a part of it: no digit hangs there; -1: nothing. */
+  int palm = -1;              ///< index of the foreign link; -1: none, an error is reported
+  int top = -1;               ///< highest link that belongs to the hand
+  std::vector<int> left_out;  ///< links below it that start other hands, fixed to a named palm
+  /** Link to which a named palm is fixed but which is not part of it: no digit hangs there; -1:
+  none. */
   int carrier = -1;
-  int root = -1;  ///< then: the link that is fixed to the carrier
+  int root = -1;  ///< if there is a carrier: the link that is fixed to it
 };
 
-/** @param has_body  by link: it or what hangs on it has a shape. @param palm  name of the palm's
-link; empty: to be found. */
+/** @param has_body  by link: it or one of its descendants has a shape. @param palm  name of the
+palm's link; empty: to be found. */
 HandCandidate FindHand(const ForeignHand& foreign, const ForeignTree& tree,
                        const std::vector<bool>& has_body, const std::string& palm,
                        const std::string& file, Diagnostics& problems);

@@ -17,17 +17,18 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kHeaviestPalm = 50.0;  // times the digits' mass
-constexpr double kSameLine = 0.9;       // cosine
-constexpr double kLightestHand = 0.01;  // [kg] of a hand
-constexpr double kNarrowest = 0.0175;   // [rad] between a joint's limits
-constexpr double kShortest = 0.0005;    // [m] between those of a slide
-constexpr double kWidest = 3.6;         // [rad] between those of a digit's joint
-constexpr double kShortestDigit = 0.03, kLongDigit = 0.25;  // [m] of a hand's longest
-/** Of a hand: plastics with hollows to metal, by what its contact shapes fill [kg/m^3]. */
+constexpr double kHeaviestPalm = 50.0;                      // times the digits' mass
+constexpr double kSameLine = 0.9;                           // cosine
+constexpr double kLightestHand = 0.01;                      // [kg]
+constexpr double kNarrowest = 0.0175;                       // range of a joint [rad]
+constexpr double kShortest = 0.0005;                        // range of a slide [m]
+constexpr double kWidest = 3.6;                             // range of a digit's joint [rad]
+constexpr double kShortestDigit = 0.03, kLongDigit = 0.25;  // of a hand's longest digit [m]
+/** Density of a hand by the volume of its contact shapes, from plastics with hollows to metal
+[kg/m^3]. */
 constexpr double kLeastDensity = 200.0, kMostDensity = 12000.0;
 
-/** Digits none of whose joints was told. */
+/** Reports outward digits of which no joint was reported before. */
 void TellOutwardDigits(const std::string& file, const Hand& hand,
                        const std::vector<bool>& is_outward, const std::set<int>& told,
                        Diagnostics& problems) {
@@ -44,8 +45,9 @@ void TellOutwardDigits(const std::string& file, const Hand& hand,
   }
 }
 
-/** Those that close away from the others are reported as such. An outer finger of a row whose other
-half at least opposes the thumb closes to the palm: so do hands whose thumb cannot turn. */
+/** Reports digits that oppose no other, except those reported as outward. An outer finger of a row
+may close to the palm if at least half of the row opposes the thumb, as in hands whose thumb cannot
+turn. */
 void TellUnopposedDigits(const std::string& file, const ImportedHand& imported,
                          const std::vector<bool>& is_outward, Diagnostics& problems) {
   const Hand& hand = imported.hand;
@@ -72,7 +74,8 @@ void TellUnopposedDigits(const std::string& file, const ImportedHand& imported,
                     "posture; is an axis, a limit or the place of a joint wrong?");
 }
 
-/** Two jaws that slide along one line by like limits: they are open at one end, or closed. */
+/** Reports two jaws that slide along one line with similar limits, so that their gap is
+constant. */
 void FindJawsInStep(const std::string& file, const Hand& hand, Diagnostics& problems) {
   const std::vector<int> closing = FindClosing(hand);
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, CalcClosedPosture(hand, {}, 0.0));
@@ -100,7 +103,7 @@ void FindJawsInStep(const std::string& file, const Hand& hand, Diagnostics& prob
   }
 }
 
-/** What is called "continuous" has been fixed, as it has no limits. */
+/** Reports joints of digits that turn farther than a finger can. */
 void FindWideLimits(const std::string& file, const Hand& hand, Diagnostics& problems) {
   std::vector<std::string> wide;
   for (const HandJoint& joint : hand.joints) {
@@ -115,8 +118,8 @@ void FindWideLimits(const std::string& file, const Hand& hand, Diagnostics& prob
                     "another unit, or those of a servo?");
 }
 
-/** A joint that follows one of another digit, behind one of its own digit that has a drive of its
-own: linkages and spread joints are tied as a whole. */
+/** Reports a joint that follows one of another digit, behind a joint of its own digit with its own
+drive. Linkages and spread joints are coupled as a whole. */
 void FindDigitsTiedAcross(const std::string& file, const Hand& hand, Diagnostics& problems) {
   for (const Digit& digit : hand.digits) {
     std::string driven;
@@ -139,7 +142,7 @@ void FindDigitsTiedAcross(const std::string& file, const Hand& hand, Diagnostics
   }
 }
 
-/** Equal limits are fixed before. */
+/** Joints with equal limits have been fixed before. */
 void FindNarrowLimits(const std::string& file, const Hand& hand, Diagnostics& problems) {
   std::vector<const HandJoint*> narrow;
   for (const HandJoint& joint : hand.joints) {
@@ -169,7 +172,7 @@ void FindLightHand(const std::string& file, const Hand& hand, Diagnostics& probl
 }
 
 struct Fill {
-  double mass = 0.0, volume = 0.0;  // [kg], [m^3] of all that touches
+  double mass = 0.0, volume = 0.0;  // [kg], [m^3] of all contact shapes
   bool IsOdd() const { return mass <= kLeastDensity * volume || mass >= kMostDensity * volume; }
 };
 
@@ -184,8 +187,8 @@ Fill CalcFill(const ImportedHand& imported) {
   return fill;
 }
 
-/** Lengths or masses in another unit show in the density by the third power. Short digits are meant
-where masses of the description's own say so. */
+/** Lengths or masses in another unit change the density, lengths by their third power. Short digits
+are accepted if published masses agree. */
 void FindOddSize(const std::string& file, const ImportedHand& imported, Diagnostics& problems) {
   const double longest = CalcLongestDigit(imported.hand);
   const Fill fill = CalcFill(imported);

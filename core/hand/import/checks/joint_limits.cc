@@ -14,9 +14,9 @@ namespace {
 constexpr double kInch = 0.0254;  // [m]
 constexpr double kMostMetres = 0.3, kMostDecimetres = 0.8, kMostInches = 2.5,
                  kMostCentimetres = 9.0, kLeastMillimetres = 14.0, kMostMillimetres = 500.0;
-constexpr double kLeastOfSlide = kMostInches;  // no slide of a hand in metres lies so far away
+constexpr double kLeastOfSlide = kMostInches;  // no slide of a hand in metres is so far away
 
-/** The median distance of a joint from the frame it hangs on; 0: none says anything. */
+/** Median distance of a joint from its parent's frame; 0: no joint counts. */
 double CalcTypicalDistance(const ForeignHand& hand) {
   std::vector<double> distances;
   for (const ForeignJoint& joint : hand.joints) {
@@ -58,7 +58,7 @@ void Scale(double unit, ForeignHand& hand) {
 
 namespace {
 
-/** [m]; 0, with an error reported: nobody knows. */
+/** Returns the unit [m]; 0, with an error reported, if it is unknown. */
 double InferUnit(const std::string& file, Diagnostics& problems, const ForeignHand& hand) {
   const double typical = CalcTypicalDistance(hand);
   if (typical < kMostMetres) return 1.0;
@@ -126,10 +126,10 @@ std::vector<double> CalcLinkLengths(const ForeignHand& hand) {
 
 namespace {
 
-/** What a joint gets at most [rad], [m]. */
+/** Largest limit of a joint [rad], [m]. */
 constexpr double kMostTurn = 2.0 * kPi * (1.0 - 1e-6), kMostStroke = 1.0 - 1e-6;
 constexpr double kRounding = 1.0 + 1e-4;
-/** Of a joint whose stroke nobody knows [m]. */
+/** Stroke of a joint if it is unknown [m]. */
 constexpr double kGuessedStroke = 0.05;
 
 }  // namespace

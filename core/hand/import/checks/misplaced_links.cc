@@ -15,15 +15,16 @@ namespace {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-constexpr int kLinkCellsAlong = 24;     // of the points of a link, on its longest side
+constexpr int kLinkCellsAlong = 24;     // grid points of a link along its longest side
 constexpr double kFinestCell = 0.001;   // [m]
 constexpr double kRootOfDigit = 0.025;  // [m] of a joint from the digit's first one
 constexpr double kHub = 0.015;          // [m] between the axes of a knuckle
-constexpr double kDeep = 0.006;         // [m] of one link in another, to be told
+constexpr double kDeep = 0.006;         // [m] of one link in another, to be reported
 constexpr double kMostInside = 0.5;     // of a link's volume in another of its own digit
 constexpr double kFarthestGap = 0.025;  // [m] between a link and the one before it in its digit
-constexpr double kFarthestBase = 0.05;  // [m] between a digit and the palm, often a mere box
-constexpr double kOtherSize = 2.5;      // ratio of the longest sides of shapes and picture
+constexpr double kFarthestBase = 0.05;  // [m] between a digit and the palm, which is often a mere
+                                        // box
+constexpr double kOtherSize = 2.5;      // ratio of the longest sides of shapes and visuals
 
 class MisplacedFinder {
  public:
@@ -46,16 +47,16 @@ class MisplacedFinder {
 
  private:
   struct Body {
-    std::vector<CollisionShape> shapes;    // what touches
-    std::vector<Vector3d> inside;          // points of these, on a grid, in the link's frame
-    AlignedBox3d bounds_H;                 // of the shapes, in H
-    AlignedBox3d touched, seen;            // bounds of shapes and of pictures, in the link's frame
-    std::vector<CollisionShape> pictures;  // solids that are only seen
-    std::vector<Vector3d> vertices;        // of pictures by meshes
+    std::vector<CollisionShape> shapes;    // contact shapes
+    std::vector<Vector3d> inside;          // grid points inside them, in the link's frame
+    AlignedBox3d bounds_H;                 // bounds of the shapes, in H
+    AlignedBox3d touched, seen;            // bounds of shapes and of visuals, in the link's frame
+    std::vector<CollisionShape> pictures;  // solids that are visual only
+    std::vector<Vector3d> vertices;        // of visual meshes
   };
   struct Overlap {
     double depth = 0.0;  // [m]
-    double share = 0.0;  // of a's points
+    double share = 0.0;  // share of a's points
   };
 
   void AddBody(int link) {
@@ -89,7 +90,7 @@ class MisplacedFinder {
     for (const Vector3d& p : body.inside) body.bounds_H.extend(X_HL_[link] * p);
   }
 
-  /** A link of no length, between two axes that meet nearly: a knuckle, within its neighbours. */
+  /** Whether a link has almost no length between two axes: a knuckle, inside its neighbours. */
   bool IsHub(const Digit& digit, size_t i) const {
     return i + 1 < digit.links.size() &&
            hand_.links[digit.links[i + 1]].X_PJ.translation().norm() < kHub;
@@ -110,7 +111,7 @@ class MisplacedFinder {
     return overlap;
   }
 
-  /** From all that is touched or seen of b to all that is of a, where one of both is a solid. */
+  /** Gap between all shapes and visuals of a and b, where one of each pair is a solid. */
   double CalcGap(int a, int b) const {
     double gap = std::numeric_limits<double>::infinity();
     for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {

@@ -14,24 +14,24 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kPadMoves = 0.001;  // [m] of a pad, to count
-/** Of the range, the digit's own and the others': one that closes all the way passes them. */
+constexpr double kPadMoves = 0.001;  // least motion of a pad that counts [m]
+/** Shares of the ranges of the digit and of the others: fully closed digits pass each other. */
 constexpr double kOwnShare = 0.4, kOthersShare = 0.25;
 constexpr int kNumShares = 5;
-constexpr double kMostNearer = 0.2;  // of how far it recedes
+constexpr double kMostNearer = 0.2;  // share of the distance by which it recedes
 
 class OutwardFinder {
  public:
   explicit OutwardFinder(const Hand& hand)
       : hand_(hand), closing_(FindClosing(hand)), open_(CalcClosedPosture(hand, closing_, 0.0)) {}
 
-  /** It recedes from all others, open or closed a little, and comes nearer to none. */
+  /** Whether it recedes from all others, open or slightly closed, and approaches none. */
   bool IsOutward(const Digit& digit) const {
     bool recedes = false;
     for (const Digit& other : hand_.digits) {
       if (&other == &digit) continue;
       for (const double of_other : {0.0, kOthersShare}) {
-        double nearer = 0.0, farther = 0.0;  // than when it is open, at most
+        double nearer = 0.0, farther = 0.0;  // largest change relative to the open digit
         const double before = CalcGap(digit, 0.0, other, of_other);
         for (int i = 1; i <= kNumShares; ++i) {
           const double share = kOwnShare * i / kNumShares;
@@ -47,7 +47,7 @@ class OutwardFinder {
   }
 
  private:
-  /** Of the pads. */
+  /** Distance of the pads. */
   double CalcGap(const Digit& a, double of_a, const Digit& b, double of_b) const {
     Eigen::VectorXd q = open_;
     CloseDigit(hand_, closing_, b, of_b, q);
@@ -76,10 +76,10 @@ namespace {
 
 constexpr int kShares = 16, kSamples = 1500;
 constexpr double kFaces = 0.342;               // cosine of 70 degrees
-constexpr double kNear = 0.04, kNearer = 0.5;  // [m], of the open distance
+constexpr double kNear = 0.04, kNearer = 0.5;  // [m], share of the open distance
 constexpr double kTipsNear = 0.04, kMeet = 0.015, kLeastApproach = 0.002;  // [m]
 constexpr double kAlike = 0.8;                                             // cosine
-constexpr int kPointsBetween = 6;  // of the line from pad to pad
+constexpr int kPointsBetween = 6;  // on the line from pad to pad
 
 class OppositionFinder {
  public:
@@ -107,7 +107,8 @@ class OppositionFinder {
   }
 
   bool HasPad(size_t digit) const { return normals_[digit].norm() > 0.5; }
-  /** Fingers side by side that bend the same way do not, however their pads may stand. */
+  /** Whether two fingers are side by side and bend the same way: they do not oppose, whatever their
+  pads. */
   bool CloseAlike(size_t a, size_t b) const {
     return AreSideBySide(rows_[a], rows_[b]) && !rows_[a].turns.empty() &&
            !rows_[b].turns.empty() && rows_[a].turns.back().dot(rows_[b].turns.back()) > kAlike;
@@ -171,8 +172,8 @@ class OppositionFinder {
             CalcLinkPose(hand_, q, db.distal_link) * db.p_LTip)
         .norm();
   }
-  /** The last links come together in front of the palm because both close, or one drive closes them:
-  their pads may be guessed on another side. */
+  /** Whether the last links meet in front of the palm because both close, or because one drive
+  closes them. Their pads may have been guessed on another side. */
   bool DoTipsMeet(size_t a, size_t b, double of_a, double of_b) const {
     const double gap = CalcTipGap(a, b, of_a, of_b);
     if (gap > kTipsNear || gap > CalcTipGap(a, b, 0.0, 0.0) - kLeastApproach) return false;
@@ -211,8 +212,8 @@ class OppositionFinder {
   const std::vector<CollisionShape> palm_;
   const std::vector<CollisionShape>& shapes_;
   const std::vector<DigitRow> rows_;
-  std::vector<std::vector<Ball>> ends_;  // within the last links' shapes, by digit
-  std::vector<Vector3d> normals_;        // of the pads, by digit, in the distal link's frame
+  std::vector<std::vector<Ball>> ends_;  // by digit: balls within the last link's shapes
+  std::vector<Vector3d> normals_;        // by digit: pad normal in the distal link's frame
 };
 
 }  // namespace

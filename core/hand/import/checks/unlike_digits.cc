@@ -18,20 +18,20 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kOneDirection = 0.9,
-                 kOtherDirection = 0.8;  // cosines of one direction, of another
-constexpr double kLikeLimits = 0.05;     // [rad] between limits of joints of one build
-constexpr double kOffLine = 0.02, kFarOffLine = 0.03, kAnywhere = 1.0;  // [m] of a base off its row
-constexpr double kLikePlace = 0.002;    // [m] between places of joints of one build
-constexpr double kBend = 0.3;           // [rad] by which a joint is tried
-constexpr double kMoves = 0.001;        // [m] of a tip, to count
-constexpr double kLeastLength = 0.005;  // [m], to be compared
+                 kOtherDirection = 0.8;  // cosines of the same direction, of different ones
+constexpr double kLikeLimits = 0.05;     // difference of limits of similar joints [rad]
+constexpr double kOffLine = 0.02, kFarOffLine = 0.03, kAnywhere = 1.0;  // of a base off its row [m]
+constexpr double kLikePlace = 0.002;    // difference of positions of similar joints [m]
+constexpr double kBend = 0.3;           // test motion of a joint [rad]
+constexpr double kMoves = 0.001;        // least motion of a tip that counts [m]
+constexpr double kLeastLength = 0.005;  // least length to be compared [m]
 
-/** Something that like joints or links have in common. */
+/** A property that similar joints or links share. */
 struct Trait {
   std::string what;  // "joint \"a\" turns by"
   std::string noun;  // "joints"
   std::function<double(const DigitRow&)> calc;
-  double alike, unlike;  // ratios: within which the others agree, from which one is reported
+  double alike, unlike;  // ratios: up to which the others agree; from which one is reported
   std::function<std::string(double)> format;
   std::string question;
 };
@@ -66,8 +66,8 @@ class UnlikeFinder {
     return beside;
   }
 
-  /** By how much a digit's tip comes nearer to the middle of the others' when one joint closes [m].
-  */
+  /** Distance by which a digit's tip approaches the mean of the others when one joint closes
+  [m]. */
   double CalcApproach(const Digit& digit, int joint, int closing) const {
     Eigen::VectorXd q = CalcClosedPosture(hand_, {}, 0.0);
     const auto calc_distance = [&] {
@@ -88,13 +88,13 @@ class UnlikeFinder {
     return before - calc_distance();
   }
 
-  /** The longest side of what touches. */
+  /** Longest side of the contact shapes. */
   double CalcLength(int link) const {
     const auto shapes = ListShapesOf(imported_.shapes, link);
     return shapes.empty() ? 0.0 : CalcBounds(shapes).sizes().maxCoeff();
   }
 
-  /** By which the link's joint follows another; 1: it does not. */
+  /** Ratio by which the link's joint follows another; 1: it does not. */
   double CalcRatio(int link) const {
     const int j = hand_.links[link].joint;
     return j >= 0 && hand_.joints[j].is_mimic ? std::abs(hand_.joints[j].mimic_ratio) : 1.0;
@@ -123,9 +123,10 @@ class UnlikeFinder {
     }
   }
 
-  /** Copies of one digit about a hub: their joints are described alike but for the sign of an axis,
-and with it one of them closes away from the others. Digits that face each other may have opposite
-axes: there both close towards each other. */
+  /** Finds outward joints of copies of one digit about a hub. Their joints are described alike
+  except
+for the sign of an axis, which makes one of them close away from the others. Digits that face each
+other may have opposite axes, since both close towards each other. */
   void FindOutwardCopies() {
     const std::vector<int> closing = FindClosing(hand_);
     const auto is_of_one_build = [&](int a, int b) {
@@ -157,7 +158,7 @@ axes: there both close towards each other. */
     }
   }
 
-  /** Joints that follow others do not bend by themselves: the pad of a linkage stays parallel. */
+  /** Joints that follow others are ignored: the pad of a linkage stays parallel. */
   void FindBentBack() {
     for (const DigitRow& row : rows_) {
       for (size_t k = 0; k < row.turns.size(); ++k) {
@@ -174,7 +175,7 @@ axes: there both close towards each other. */
     }
   }
 
-  /** Two others of its row that are alike; nothing: there are none. */
+  /** Returns two other similar digits of its row; nullopt: there are none. */
   std::optional<std::pair<const DigitRow*, const DigitRow*>> FindTwoBeside(const DigitRow& row,
                                                                            double off_line) const {
     for (const DigitRow& a : rows_) {
@@ -186,7 +187,7 @@ axes: there both close towards each other. */
     return {};
   }
 
-  /** Of three fingers in a row one joint turns about another direction than two that agree. */
+  /** Finds, among three fingers in a row, a joint with another axis than the two that agree. */
   void FindOtherAxes() {
     for (const DigitRow& row : rows_) {
       const auto beside = FindTwoBeside(row, kOffLine);
@@ -208,8 +209,9 @@ axes: there both close towards each other. */
     }
   }
 
-  /** Of three copies of one digit, wherever they stand, one joint turns about another axis of its
-own frame. */
+  /** Finds, among three copies of one digit in any position, a joint that turns about another axis
+  of
+its own frame. */
   void FindOtherAxisOfCopy() {
     const auto is_alike = [&](int link, int other) {
       const HandLink &a = hand_.links[link], &b = hand_.links[other];
@@ -244,7 +246,7 @@ own frame. */
         });
         if (!do_agree || !is_alike(own, first)) unlike.push_back(do_agree ? k : row.axes.size());
       }
-      // All of them otherwise: frames of another convention.
+      // All axes differ: frames of another convention.
       if (unlike.size() != 1 || unlike[0] == row.axes.size()) continue;
       if (row.axes.size() < 2 && copies.size() < 3) continue;
       const int joint = hand_.links[row.digit->links[unlike[0]]].joint;
@@ -256,7 +258,7 @@ own frame. */
     }
   }
 
-  /** A finger that bends as those in a row do, but stands in front of it or behind. */
+  /** Finds a finger that bends like a row of fingers but stands in front of it or behind. */
   void FindOffLine() {
     for (const DigitRow& row : rows_) {
       if (FindTwoBeside(row, kFarOffLine)) continue;
@@ -359,7 +361,7 @@ own frame. */
   const Hand& hand_;
   Diagnostics& problems_;
   const std::vector<DigitRow> rows_;
-  std::set<int> told_;  // joints whose axes were
+  std::set<int> told_;  // joints whose axes were reported
 };
 
 }  // namespace

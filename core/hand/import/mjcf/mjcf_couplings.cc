@@ -19,10 +19,10 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-constexpr double kLeastReached = 0.5;  // of a joint's range by its servo's goals
-constexpr double kMostGoals = 3.0;     // the goals' range by the joint's
+constexpr double kLeastReached = 0.5;  // share of a joint's range that the goals of its servo cover
+constexpr double kMostGoals = 3.0;     // range of the goals over that of the joint
 
-/** The length of a fixed tendon, or of a joint: sum of coefficient times displacement. */
+/** Length of a fixed tendon, or of a joint: sum of coefficient times displacement. */
 using Terms = std::vector<std::pair<int, double>>;  // joint, coefficient
 
 std::string TextOf(const MjcfDocument& document, const MjcfNode& node, const char* attribute) {
@@ -92,11 +92,11 @@ class MjcfCouplingReader {
     }
   }
 
-  /** Limits that leave two joints little play against each other tie them: c0 q0 + c1 q1 = middle,
-where positions count from the joints' `ref` (MuJoCo, "Computation", tendons), unlike those of
+  /** Couples two joints by tendon limits that leave them little play: c0 q0 + c1 q1 = middle. Here
+positions count from the joints' `ref` (MuJoCo, "Computation", tendons), unlike those of
 equalities. */
   void TieByLimits(XMLElement& tendon, const std::string& name, const Terms& terms) {
-    constexpr double kNarrow = 0.25;  // of what either joint moves the tendon
+    constexpr double kNarrow = 0.25;  // share of the tendon motion that either joint causes
     const MjcfNode node = document_.Resolve(tendon, nullptr);
     const std::string where = "tendon \"" + name + "\"";
     const auto range = document_.FindNumbers(node, "range", 2, 2, where);
@@ -125,7 +125,7 @@ equalities. */
                                "; the play of " + format(play) + " each way is left out");
   }
 
-  /** Tendons that neither tie nor drive anything here. */
+  /** Reports tendons that neither couple nor drive anything here. */
   void TellUnusedTendons() {
     for (const auto& [name, element] : unused_tendons_) {
       std::vector<std::string> joints;
@@ -172,7 +172,7 @@ equalities. */
     }
   }
 
-  /** first = polynomial(second), as a line between two joints. */
+  /** Reads first = polynomial(second) as a line between two joints. */
   void ReadEquality(const MjcfNode& node, const Terms& first, const Terms& second,
                     const std::string& where) {
     std::vector<double> a = {0.0, 1.0, 0.0, 0.0, 0.0};
@@ -224,8 +224,9 @@ equalities. */
     }
   }
 
-  /** Goals of a servo that is limited to them, against the range of its joint. The joint is driven
-over its range in any case. @param arm  goal by position. */
+  /** Compares the goals to which a servo is limited with the range of its joint. The joint is
+  driven
+over its range in any case. @param arm  goal per position. */
   void CheckGoals(const MjcfNode& node, const std::string& where, int joint, double arm) {
     const ForeignJoint& moved = hand_.joints[joint];
     const auto goals = document_.FindNumbers(node, "ctrlrange", 2, 2, where);
@@ -296,7 +297,7 @@ over its range in any case. @param arm  goal by position. */
     if (force && drive.effort == 0.0) {
       document_.Warn(*node.xml, where + ": a force of 0 moves nothing; guessed instead");
     }
-    // Force times arm is the joint's; its position times arm the actuator's.
+    // Joint force is arm times the actuator's; actuator position is arm times the joint's.
     ForeignDrive& of_joint = hand_.joints[leaders[0].first].drive;
     const double effort = std::abs(arm) * drive.effort;
     if (effort > 0.0) {
@@ -322,11 +323,11 @@ over its range in any case. @param arm  goal by position. */
     return {};
   }
 
-  /** The length by the joints that follow nobody. */
+  /** Expresses the length by the joints that follow no other. */
   Terms ProjectOnLeaders(const Terms& terms) const {
     std::map<int, double> sums;
     for (const auto& [joint, coefficient] : terms) {
-      if (hand_.joints[joint].kind == ForeignJoint::Kind::kFixed) continue;  // by an equality
+      if (hand_.joints[joint].kind == ForeignJoint::Kind::kFixed) continue;  // fixed by an equality
       const auto& mimic = hand_.joints[joint].mimic;
       sums[mimic ? mimic->joint : joint] += coefficient * (mimic ? mimic->ratio : 1.0);
     }
@@ -337,7 +338,7 @@ over its range in any case. @param arm  goal by position. */
     return leaders;
   }
 
-  /** Makes one drive of several joints'. @returns the length by the driven joint's position. */
+  /** Merges the drives of several joints. @returns the length per position of the driven joint. */
   double ShareDrive(const XMLElement& at, const std::string& where, const Terms& leaders) {
     const auto [first, coefficient] = leaders[0];
     double sum = coefficient;

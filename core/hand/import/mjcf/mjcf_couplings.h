@@ -1,21 +1,21 @@
 #pragma once
 /** @file
-What ties and drives the joints of a MuJoCo model.
+Couplings and drives of the joints of a MuJoCo model.
 
-    equality joint    a line, q = a + b q_other; of a polynomial of higher degree the line nearest
-                      over the other's range, its error told; of one joint alone: fixed
-    equality tendon   the same, where there are two joints in all
-    limited tendon    of two joints, with limits narrower than a quarter of what either joint moves
-                      it: a tie as well, its play told
-    connect           a loop of links: cut, its passive joints tied (close_loops.h)
-    weld and others   told, not read
-    tendon, fixed     with an actuator: one drive for all of its joints. Two joints of a finger, one
-                      behind the other, with equal coefficients share it by the hand's coupling
-                      rule; others move in the ratio of their coefficients, as of equal springs
-    actuators         stiffness and damping of position and of general with an affine bias; of all
-                      kinds the largest force; a gear counts
+    equality joint    a line, q = a + b q_other; for a polynomial of higher degree the best line
+                      over the other's range, with its error reported; one joint alone: fixed
+    equality tendon   the same, if there are two joints in all
+    limited tendon    of two joints, with limits narrower than a quarter of the motion that either
+                      joint gives it: also a coupling, with its play reported
+    connect           a loop of links: cut, its passive joints coupled (close_loops.h)
+    weld and others   reported, not read
+    tendon, fixed     with an actuator: one drive for all of its joints. Two consecutive joints of a
+                      finger with equal coefficients share it by the hand's coupling rule; others
+                      move in the ratio of their coefficients, as with equal springs
+    actuators         stiffness and damping of position actuators and of general ones with affine
+                      bias; for all kinds the largest force; gears are included
 
-Positions are displacements from the file's place, as in ForeignHand. */
+Positions are displacements from the pose in the file, as in ForeignHand. */
 
 #include <map>
 #include <string>
@@ -25,14 +25,14 @@ Positions are displacements from the file's place, as in ForeignHand. */
 
 namespace graspbench {
 
-/** Where a body is: its frame in a link of the hand. */
+/** Pose of a body: its frame in a link of the hand. */
 struct MjcfBody {
   int link = 0;
   Pose X_LB = Pose::Identity();
 };
 
-/** @param bodies  by name. @param hand  links, and joints with the damping of their own; gets
-mimics and drives. */
+/** @param bodies  by name. @param hand  links, and joints with their own damping; receives mimics
+and drives. */
 void ReadMjcfCouplings(MjcfDocument& document, const std::map<std::string, MjcfBody>& bodies,
                        const std::string& file, Diagnostics& problems, ForeignHand& hand);
 

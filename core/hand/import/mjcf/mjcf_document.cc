@@ -86,7 +86,7 @@ bool IsNamed(const XMLElement& element, const char* name) {
   return std::strcmp(element.Name(), name) == 0;
 }
 
-/** Kinds under which defaults are kept: actuators share theirs. */
+/** Kind under which defaults are stored: all actuators share theirs. */
 std::string KindOf(const char* name) {
   const std::string kind = name;
   for (const char* actuator : {"general", "motor", "position", "velocity", "intvelocity", "damper",
@@ -262,7 +262,7 @@ void MjcfDocument::ReadDefaults(XMLElement& element, MjcfClass* above) {
     return;
   }
   std::unique_ptr<MjcfClass>& place = classes_[name];
-  if (!place) {  // a name that is used twice stays where it was, so there are no rings
+  if (!place) {  // a name that is used twice keeps its place, so there are no rings
     place = std::make_unique<MjcfClass>();
     place->above = above ? above : outermost_;
   }
@@ -329,7 +329,7 @@ MjcfNode MjcfDocument::Resolve(XMLElement& element, const MjcfClass* childclass)
 
 namespace {
 
-/** Of one class alone. */
+/** Looks up one class only. */
 const char* FindIn(const MjcfClass& values, const std::string& kind, const char* attribute) {
   const auto of_kind = values.values.find(kind);
   if (of_kind == values.values.end()) return nullptr;
@@ -387,7 +387,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/** By the values of one orientation attribute; nothing when they have no direction. */
+/** Rotation for the values of one orientation attribute; nullopt if they have no direction. */
 std::optional<Matrix3d> MakeRotation(const std::string& attribute, const Numbers& v,
                                      const MjcfSettings& settings) {
   const auto radians = [&](double angle) {

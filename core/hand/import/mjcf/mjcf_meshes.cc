@@ -31,7 +31,7 @@ void MjcfMeshes::Read(tinyxml2::XMLElement& element) {
     document_.Warn(element, where + ": a scale of zero; taken as 1");
     mesh.scale.setOnes();
   }
-  // A vertex v lies at scale * refquat^-1 (v - refpos).
+  // A vertex v is at scale * refquat^-1 (v - refpos).
   const Vector3d p = document_.FindVector(node, "refpos", Vector3d::Zero(), where);
   Matrix3d R = Matrix3d::Identity();
   if (const auto q = document_.FindNumbers(node, "refquat", 4, 4, where)) {
@@ -47,7 +47,7 @@ void MjcfMeshes::Read(tinyxml2::XMLElement& element) {
   meshes_.emplace(name, mesh);
 }
 
-/** Vertices that stand in the model, with faces or as the corners of their convex hull. */
+/** Reads vertices given in the model, with faces or as the corners of their convex hull. */
 std::shared_ptr<const TriMesh> MjcfMeshes::ReadInline(const MjcfNode& node,
                                                       const std::string& where) {
   const auto leave_out = [&](const std::string& why) {

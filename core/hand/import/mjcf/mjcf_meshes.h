@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-The meshes of a MuJoCo model's assets: files, or vertices that stand in the model. */
+Mesh assets of a MuJoCo model: files, or vertices given in the model. */
 
 #include <map>
 #include <memory>
@@ -13,21 +13,21 @@ namespace graspbench {
 
 class MjcfMeshes {
  public:
-  /** @param document  outlives this. */
+  /** @param document  must outlive this object. */
   explicit MjcfMeshes(MjcfDocument& document) : document_(document) {}
 
-  /** Of an asset <mesh>; what cannot be read is warned of and left out. */
+  /** Reads an asset <mesh>; one that cannot be read is reported by a warning and left out. */
   void Read(tinyxml2::XMLElement& element);
-  /** The mesh that a geom names, put into its shape. False: it names none. An unknown name is
-  warned of and becomes a mesh without a file, an error if the hand touches with it. */
+  /** Sets the mesh that a geom names in its shape. Returns false if the geom names none. An unknown
+  name gives a warning and a mesh without a file, which is an error if the hand touches with it. */
   bool Place(const MjcfNode& geom, const std::string& where, ForeignShape& shape) const;
 
  private:
   struct Mesh {
     std::string address;
-    std::shared_ptr<const TriMesh> solid;  // of a mesh without file
+    std::shared_ptr<const TriMesh> solid;  // of a mesh without a file
     Eigen::Vector3d scale = Eigen::Vector3d::Ones();
-    Pose X_GM = Pose::Identity();  // of the scaled vertices in the geom's frame
+    Pose X_GM = Pose::Identity();  // frame of the scaled vertices in the geom's frame
   };
   std::shared_ptr<const TriMesh> ReadInline(const MjcfNode& node, const std::string& where);
 

@@ -23,7 +23,7 @@ using tinyxml2::XMLElement;
 
 constexpr int kLastGroupShown = 2;
 
-/** Of a model and of a body, without consequence for a hand. */
+/** Elements of a model and of a body that do not matter for a hand. */
 const std::set<std::string>& ListSilentElements() {
   static const std::set<std::string> kinds = {
       "option",    "size",   "visual",   "statistic", "default", "custom",
@@ -66,7 +66,7 @@ class MjcfReader {
   }
 
  private:
-  /** False, with an error: a part that another file includes. */
+  /** Returns false, with an error, for a file that another one includes. */
   bool CheckIsWhole() {
     const bool has_bodies = !document_.FindSections("worldbody").empty();
     if (document_.IsFragment() || !has_bodies) {
@@ -79,7 +79,7 @@ class MjcfReader {
     return true;
   }
 
-  /** Where the frame of a body's content lies in the body's last link, and whose classes hold. */
+  /** Frame of a body's content in the body's last link, and the classes that apply. */
   struct Place {
     int link = 0;
     Pose X_LB = Pose::Identity();
@@ -120,7 +120,7 @@ class MjcfReader {
     }
   }
 
-  /** True when a hinge or slide belongs to the body or one below. */
+  /** Whether a hinge or slide belongs to the body or to one below. */
   bool Moves(XMLElement& body, const MjcfClass* childclass) {
     const MjcfClass* own = document_.FindChildClass(body, childclass);
     for (XMLElement* element : document_.ListChildren(body)) {
@@ -188,12 +188,12 @@ class MjcfReader {
     bodies_.emplace(name, MjcfBody{link, place.X_LB});
     ReadContent(element, place, false);
     ClaimEntriesFrom(first, link);
-    // Shapes that touch are seen, too, unless there is a picture.
+    // Contact shapes are also visible, unless there is a visual.
     ForeignLink& own = hand_.links[static_cast<size_t>(link)];
     if (own.inertia) own.weights.clear();
     const MjcfSettings& settings = document_.settings();
     if (!own.inertia && own.weights.empty() && settings.least_mass > 0.0) {
-      own.inertia.emplace().line = own.line;  // MuJoCo gives it the bounds (RaiseToBounds)
+      own.inertia.emplace().line = own.line;  // MuJoCo raises it to the bounds (RaiseToBounds)
       own.inertia->X_LI = place.X_LB;
     }
     if (!has_picture_[static_cast<size_t>(link)]) return;
@@ -204,7 +204,7 @@ class MjcfReader {
                       own.visuals.end());
   }
 
-  /** What was told since is of the link, but for what is of bodies on it. */
+  /** Assigns the problems reported since `first` to the link, except those of bodies on it. */
   void ClaimEntriesFrom(size_t first, int link) {
     for (size_t k = first; k < problems_.entries().size(); ++k) {
       if (claimed_.insert(k).second) hand_.links[static_cast<size_t>(link)].told.push_back(k);
@@ -219,7 +219,7 @@ class MjcfReader {
     return static_cast<int>(hand_.links.size()) - 1;
   }
 
-  /** The body's links, one by joint or one that is fixed; its content belongs to the last.
+  /** Adds the body's links, one per joint, or one that is fixed. Its content belongs to the last.
 @returns the body's frame in that link, whose own frame is that of its joint. */
   Pose AddJoints(XMLElement& element, const MjcfClass* childclass, const std::string& body,
                  const Pose& X_PB, int parent) {
@@ -255,7 +255,7 @@ class MjcfReader {
     for (size_t i = 0; i < joints.size(); ++i) {
       const std::string where = "a joint of body \"" + body + "\"";
       const char* type = document_.Find(joints[i], "type");
-      if (!type || std::string(type) == "hinge") {  // a slide has no place
+      if (!type || std::string(type) == "hinge") {  // a slide has no position
         p_BJ = document_.FindVector(joints[i], "pos", Vector3d::Zero(), where, true);
       }
       std::string name = body;
@@ -398,7 +398,7 @@ class MjcfReader {
 
   void WarnOnce(const XMLElement& at, const std::string& kind) {
     if (told_.insert(kind).second) {
-      claimed_.insert(problems_.entries().size());  // of all links
+      claimed_.insert(problems_.entries().size());  // belongs to all links
       document_.Warn(at, "<" + kind + "> is not read, here and below; left out");
     }
   }
@@ -423,9 +423,9 @@ class MjcfReader {
   std::map<std::string, XMLElement*> materials_;
   std::set<std::string> told_;
   std::set<size_t> claimed_;       // indices into the problems
-  std::vector<bool> has_picture_;  // by link: a geom that is only to be seen
+  std::vector<bool> has_picture_;  // by link: it has a geom that is visual only
   bool keeps_world_ = false;
-  const bool is_angle_told_;  // by the user
+  const bool is_angle_told_;  // given by the user
   StatedAngles angles_;
 };
 

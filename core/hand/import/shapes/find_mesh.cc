@@ -37,7 +37,7 @@ Address ParseAddress(std::string text) {
   return {"", text};
 }
 
-/** A file of the folder with this name in other letters; empty: none. */
+/** A file of the folder whose name differs only in case; empty: none. */
 fs::path FindInOtherLetters(const fs::path& path) {
   std::error_code status;
   std::vector<fs::path> found;

@@ -1,14 +1,14 @@
 #pragma once
 /** @file
-Where the mesh of a URDF lies. Addresses are those of the author's computer:
+Finds the mesh files of a URDF. Their addresses are those of the author's computer:
 
-    meshes/tip.stl                     beside the URDF, or in a folder above it
+    meshes/tip.stl                     relative to the URDF, or to a folder above it
     package://my_hand/meshes/tip.stl   in a folder my_hand above or beside it, in a folder of the
-    model://, $(find my_hand)/..       package path; else meshes/tip.stl as above
-    file:///home/me/meshes/tip.stl     there; else as above, by what follows a folder "meshes"
+    model://, $(find my_hand)/..       package path; otherwise meshes/tip.stl as above
+    file:///home/me/meshes/tip.stl     there; otherwise as above, by the part after "meshes"
 
-A name in other letters (tip.STL), or the same name in another format, is taken when there is
-nothing better. */
+A name in other case (tip.STL), or the same name in another format, is used if there is no exact
+match. */
 
 #include <filesystem>
 #include <string>
@@ -17,13 +17,13 @@ nothing better. */
 namespace graspbench {
 
 struct FoundMesh {
-  std::filesystem::path path;      ///< empty: nowhere
-  bool is_other = false;           ///< another format than asked for
-  std::vector<std::string> tried;  ///< paths without success
+  std::filesystem::path path;      ///< empty: not found
+  bool is_other = false;           ///< another format than requested
+  std::vector<std::string> tried;  ///< paths that were tried without success
 };
 
-/** @param folder  of the URDF. @param package_path  folders of packages, or packages themselves.
-@param endings  of formats that can be read instead, ".obj" and so on. */
+/** @param folder  folder of the URDF. @param package_path  folders of packages, or packages.
+@param endings  of formats that can also be read, such as ".obj". */
 FoundMesh FindMesh(const std::string& address, const std::filesystem::path& folder,
                    const std::vector<std::filesystem::path>& package_path,
                    const std::vector<std::string>& endings);

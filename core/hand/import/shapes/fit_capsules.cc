@@ -14,10 +14,10 @@ using Eigen::Vector3i;
 
 constexpr int kMostCells = 100;   // along the longest side
 constexpr int kFewestCells = 32;  // along the longest side
-constexpr int kThinCells = 8;     // wished for along the shortest side
+constexpr int kThinCells = 8;     // aimed at along the shortest side
 constexpr int kMostSamples = 3000;
 constexpr int kIterations = 15;
-constexpr double kMostBeside = 0.1;  // of the mesh's diagonal, beyond its box
+constexpr double kMostBeside = 0.1;  // share of the mesh's diagonal, beyond its box
 
 enum Cell : uint8_t { kUnknown, kSurface, kOutside };
 
@@ -58,7 +58,7 @@ class Voxels {
       const int n = std::max(1, static_cast<int>(std::ceil(longest / (0.5 * size_))));
       for (int i = 0; i < n; ++i) {
         for (int j = 0; j + i < n; ++j) {
-          // Middles of the small triangles that stand upright, so that none lies on an edge.
+          // Centres of the small triangles that are upright, so that none lies on an edge.
           const Vector3d p = a + ((i + 1.0 / 3.0) / n) * u + ((j + 1.0 / 3.0) / n) * v;
           const int cell = Find(p);
           kind_[static_cast<size_t>(cell)] = kSurface;
@@ -141,7 +141,7 @@ class Voxels {
 };
 
 struct Nearness {
-  double t = 0.0;         // where on the axis, 0 at A
+  double t = 0.0;         // position on the axis, 0 at A
   double distance = 0.0;  // from the axis
   Vector3d away = Vector3d::Zero();
 };
@@ -161,17 +161,17 @@ double CalcGap(const FittedCapsule& capsule, const Vector3d& p) {
   return CalcNearness(capsule, p).distance - capsule.radius;
 }
 
-/** A part of the solid and the capsule for it. */
+/** A part of the solid, with its capsule. */
 struct Piece {
   std::vector<int> cells, samples;
   FittedCapsule capsule;
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // columns, the longest first
   Vector3d middle = Vector3d::Zero();
-  double squares = 0.0;  // of the samples' errors
+  double squares = 0.0;  // sum of the samples' squared errors
 };
 
-/** What a sample's gap counts: the piece's own both ways, another's where the capsule sticks out
-through it. */
+/** Error of a sample: for the piece's own, the gap in both directions; for another's, only the part
+by which the capsule protrudes. */
 double CalcError(const FittedCapsule& capsule, const Vector3d& p, bool is_own) {
   const double gap = CalcGap(capsule, p);
   return is_own ? gap : std::min(gap, 0.0);
@@ -222,7 +222,7 @@ void Refine(const Solid& solid, const std::vector<bool>& is_own, double most_rad
   }
 }
 
-/** Least squares let a capsule run far through the opening of a bent piece. */
+/** By least squares alone, a capsule may extend far through the opening of a bent piece. */
 bool IsNearBox(const Solid& solid, const FittedCapsule& capsule) {
   const double beside = kMostBeside * solid.box.diagonal().norm();
   const auto reaches = [&](const Vector3d& end) {
@@ -255,7 +255,7 @@ void FitPiece(const Solid& solid, Piece& piece) {
   }
   const Vector3d half = (0.5 * (upper - lower)).cwiseMax(0.5 * solid.cell_size);
   const double radius = half[2];
-  // An end with surface on it is round; one where the solid was cut goes on to the cut.
+  // An end on the surface is round; one where the solid was cut extends to the cut.
   std::array<int, 2> num_caps = {0, 0};
   for (int s : piece.samples) {
     const Vector3d d = piece.axes.transpose() * (solid.samples[s].p - piece.middle);
@@ -275,7 +275,7 @@ void FitPiece(const Solid& solid, Piece& piece) {
   piece.squares = CalcSquares(solid, is_own, piece.capsule);
 }
 
-/** Both halves; one without cells when the piece cannot be cut. */
+/** Splits a piece; one half has no cells if the piece cannot be cut. */
 std::array<Piece, 2> Cut(const Solid& solid, const Piece& piece, int axis) {
   std::array<Piece, 2> halves;
   const Vector3d normal = piece.axes.col(axis);
@@ -340,7 +340,7 @@ CapsuleFit FitCapsules(const TriMesh& mesh, double tolerance, int most_capsules)
       best = std::move(halves);
     }
     if (best[0].cells.empty()) {
-      worst->squares = 0.0;  // no cut makes it better
+      worst->squares = 0.0;  // no cut improves it
       const bool is_any_left =
           std::any_of(pieces.begin(), pieces.end(), [](const Piece& p) { return p.squares > 0.0; });
       if (!is_any_left) break;

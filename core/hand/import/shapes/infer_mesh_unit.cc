@@ -11,16 +11,16 @@
 namespace graspbench {
 namespace {
 
-constexpr double kShortestLink = 0.01;  // [m] that tells a scale
+constexpr double kShortestLink = 0.01;  // least length that shows a scale [m]
 constexpr double kMillimetreRatio =
     300.0;  // of a mesh to its link, from which it is in millimetres
-/** Of a mesh to its link: below it, a large one is in inches. */
+/** Ratio of mesh to link below which a large mesh is in inches. */
 constexpr double kInchRatio = 70.0;
-/** Of a mesh to its link, in a hand; and from which on a unit is inferred. */
+/** Ratios of mesh to link in a hand, and the ratio from which a unit is inferred. */
 constexpr double kLeastRatio = 0.55, kTypicalRatio = 1.2, kMostRatio = 2.2, kClearRatio = 5.0;
-constexpr double kOutlier = 3.0;      // of a link's ratio to the typical one
-constexpr double kPalmOutlier = 6.0;  // where digits part: a palm may reach far beyond its joints
-/** One that is too long where its mass says it, too; and how far the two may differ. */
+constexpr double kOutlier = 3.0;      // link's ratio over the typical one
+constexpr double kPalmOutlier = 6.0;  // where digits branch: a palm may reach far beyond its joints
+/** Ratio of a link that is too long if its mass agrees, and the largest difference of the two. */
 constexpr double kOddScale = 1.5, kSameScale = 1.5;
 
 double FindMedian(std::vector<double> values) {
@@ -102,7 +102,7 @@ void ShapeLoader::InferUnitOf(const std::vector<LinkRatio>& rows, const std::str
     }
     return FindMedian(values);
   };
-  // A few parts too large are reported one by one; when all are too long it is one unit.
+  // A few parts that are too large are reported one by one; if all are too long, it is the unit.
   const bool are_all_long =
       rows.size() >= 3 && std::all_of(rows.begin(), rows.end(),
                                       [](const auto& row) { return row.ratio > kClearRatio; });
@@ -149,7 +149,7 @@ void ShapeLoader::InferUnitOf(const std::vector<LinkRatio>& rows, const std::str
   }
   const double density = calc_median([](const LinkRatio& row) { return row.density; });
   for (const LinkRatio& row : rows) {
-    // A mesh of another scale is too long for its link and too large for its mass.
+    // A mesh with another scale is too long for its link and too large for its mass.
     const double by_length = row.ratio / ratio;
     const double by_mass = row.density > 0.0 ? std::cbrt(density / row.density) : 1.0;
     const bool is_odd = by_length > row.outlier || by_length * row.outlier < 1.0 ||

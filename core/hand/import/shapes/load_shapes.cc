@@ -19,29 +19,30 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kSmallestPart = 0.0003;  // [m]; a part of a hand is larger
-constexpr double kSmallestShape = 1e-5;   // [m]; a hand of such shapes is one in another unit
+constexpr double kSmallestShape = 1e-5;   // [m]; smaller shapes mean that the hand is in another
+                                          // unit
 constexpr double kMostElongated = 25.0;   // of a shape; the loader refuses 30
 constexpr double kLeastTolerance = 0.0005, kRelativeTolerance = 0.02;
 constexpr int kMostCapsules = 16;
 
-/** Of formats in which a mesh may lie there as well. */
+/** Formats in which a mesh may also exist. */
 const std::vector<std::string> kMeshEndings = {".obj", ".stl", ".glb", ".dae", ".ply"};
 
-/** A scale beyond is no conversion of a length to metres. */
+/** A scale beyond this is not a conversion of lengths to metres. */
 constexpr double kMostScale = 10.0;
 
 double CalcLargestExtent(const TriMesh& mesh) {
   return mesh.vertices.empty() ? 0.0 : CalcBounds(mesh).sizes().maxCoeff();
 }
 
-/** Without a factor that makes the part larger than any of a hand: programs export one. */
+/** Removes a factor that makes the part larger than any of a hand, as some programs export it. */
 Vector3d FindUsefulScale(const Vector3d& scale, const TriMesh& mesh) {
   const double largest = scale.cwiseAbs().maxCoeff();
   const bool is_absurd = largest > kMostScale && largest * CalcLargestExtent(mesh) > kLargestPart;
   return is_absurd ? Vector3d(scale / largest) : scale;
 }
 
-/** "Tried: a; b; c and 9 more". */
+/** Formats "Tried: a; b; c and 9 more". */
 std::string ListTried(const FoundMesh& found) {
   constexpr size_t kMost = 3;
   std::string text = "Tried: ";
@@ -54,7 +55,7 @@ std::string ListTried(const FoundMesh& found) {
   return text;
 }
 
-/** The surface of what the description has there. */
+/** Surface of the shape in the description. */
 TriMesh MakeSolid(ForeignShape::Kind kind, const CollisionShape& solid) {
   const double r = 0.5 * solid.size.x(), h = 0.5 * solid.size.z();
   TriMesh mesh;
@@ -96,7 +97,7 @@ TriMesh ShapeLoader::ReadFile(const std::filesystem::path& path, int line, const
                  (is_finite ? "\" has no triangle" : "\" has infinite coordinates"));
     }
   } catch (const Error& error) {
-    if (error.kind() == ErrorKind::kEnvironment) throw;  // it says nothing of the mesh
+    if (error.kind() == ErrorKind::kEnvironment) throw;  // not a fault of the mesh
     Report(severity, line, where + ": " + error.what());
   }
   meshes_.emplace(path, mesh);
@@ -127,7 +128,7 @@ TriMesh ShapeLoader::LoadMesh(const ForeignShape& shape, const std::string& wher
   TriMesh mesh =
       shape.inline_mesh ? *shape.inline_mesh : ReadFile(found.path, shape.line, where, severity);
   if (mesh.triangles.empty()) {
-    if (severity == Severity::kError && was_read) {  // told of a picture, as a warning
+    if (severity == Severity::kError && was_read) {  // reported as a warning, for a visual
       Report(severity, shape.line,
              where + ": mesh \"" + shape.mesh +
                  "\" cannot be used, and nothing else of this link can be touched");
@@ -174,14 +175,14 @@ TriMesh ShapeLoader::LoadMesh(const ForeignShape& shape, const std::string& wher
                        (unit < 1.0 ? why_ : ""));
   }
   for (Vector3d& p : mesh.vertices) p = shape.X_LS * Vector3d(unit * p);
-  if (shape.scale.prod() < 0.0) {  // mirrored: a left hand from a right one
+  if (shape.scale.prod() < 0.0) {  // mirrored, as a left hand from a right one
     for (Eigen::Vector3i& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
   }
   return mesh;
 }
 
-/** The largest side of a shape's mesh as its file and scale have it; 0: it cannot be had, which is
-told when it is loaded. */
+/** Largest side of a shape's mesh, with its scale; 0 if it cannot be read, which is reported when
+it is loaded. */
 double ShapeLoader::CalcMeshExtent(const ForeignShape& shape) {
   if (shape.kind != ForeignShape::Kind::kMesh) return 0.0;
   if (shape.inline_mesh) {
@@ -208,10 +209,10 @@ bool ShapeLoader::LacksMesh(const ForeignLink& link) const {
 
 bool ShapeLoader::CheckMeshes(const ForeignHand& hand) {
   std::set<std::string> addresses;
-  bool is_needed = false;  // something would have no shape to touch with
+  bool is_needed = false;  // something would have no contact shape
   const ForeignShape* first = nullptr;
   for (const ForeignLink& link : hand.links) {
-    bool touches = link.is_decoration;  // then it need not
+    bool touches = link.is_decoration;  // then no contact is needed
     for (const auto* shapes : {&link.collisions, &link.visuals}) {
       for (const ForeignShape& shape : *shapes) {
         const bool is_mesh = shape.kind == ForeignShape::Kind::kMesh;
@@ -254,7 +255,7 @@ void ShapeLoader::AddMesh(const TriMesh& mesh, LoadedShapes& loaded) {
 
 namespace {
 
-/** As thick as the loader asks for. */
+/** Thickens a shape to what the loader requires. */
 Vector3d Thicken(const Vector3d& size, const std::string& file, int line, const std::string& where,
                  Diagnostics& problems) {
   const double longest = size.maxCoeff();
@@ -286,7 +287,7 @@ void ShapeLoader::AddSolid(const ForeignShape& shape, const std::string& where,
     return;
   }
   solid.size = Thicken(solid.size, source_.file, shape.line, where, problems_);
-  // Contact takes a disc for a box.
+  // Contact treats a disc as a box.
   solid.is_fitted =
       solid.kind == CollisionShape::Kind::kCylinder && solid.size.z() < solid.size.x();
   loaded.solids.push_back(MakeSolid(shape.kind, solid));
@@ -306,7 +307,7 @@ LoadedShapes ShapeLoader::Load(const ForeignLink& link, bool is_palm) {
   LoadedShapes loaded;
   std::vector<TriMesh> seen;  // surfaces of the visuals
   const std::string where = "link \"" + link.name + "\"";
-  // A picture may be missing unless the palm touches with it.
+  // A visual may be missing unless the palm uses it for contact.
   const bool must_be_seen = is_palm && link.collisions.empty() && !link.is_decoration;
   for (const ForeignShape& shape : link.visuals) {
     ImportedVisual visual;
@@ -331,7 +332,7 @@ LoadedShapes ShapeLoader::Load(const ForeignLink& link, bool is_palm) {
     }
     loaded.visuals.push_back(visual);
   }
-  // What cannot be seen may be missing; what touches may not, unless the pictures tell its shape.
+  // Visuals may be missing; collision shapes may not, unless visuals replace them.
   const Severity severity = loaded.visuals.empty() ? Severity::kError : Severity::kWarning;
   for (const ForeignShape& shape : link.collisions) {
     if (shape.kind == ForeignShape::Kind::kEllipsoid) {
@@ -371,7 +372,7 @@ std::set<std::filesystem::path> ShapeLoader::ListFiles() const {
 
 void ShapeLoader::Weigh(ForeignLink& link) {
   if (link.inertia || link.weights.empty()) return;
-  Diagnostics told;  // when the shapes were loaded
+  Diagnostics told;  // reported when the shapes were loaded
   ShapeLoader quiet(source_, told);
   quiet.large_unit_ = large_unit_;
   quiet.typical_units_ = typical_units_;

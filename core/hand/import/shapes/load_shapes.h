@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-The shapes of a foreign link as the project has them: balls, cylinders and boxes to touch with,
-closed or open meshes to look at. */
+Converts the shapes of a foreign link to the project's: balls, cylinders and boxes for contact,
+closed or open meshes for display. */
 
 #include <filesystem>
 #include <functional>
@@ -20,77 +20,79 @@ closed or open meshes to look at. */
 
 namespace graspbench {
 
-/** A part of a hand is smaller [m]. */
+/** Upper bound of the size of a hand's part [m]. */
 inline constexpr double kLargestPart = 2.0;
 
-/** Reads a mesh file as it stands, one unit of it a metre. @throws Error. */
+/** Reads a mesh file unscaled: one unit of the file is one metre. @throws Error. */
 using MeshLoader = std::function<TriMesh(const std::filesystem::path&)>;
 
 struct HandSource {
-  std::string file;              ///< the description, for messages
-  std::filesystem::path folder;  ///< where it lies
+  std::string file;              ///< file of the description, for messages
+  std::filesystem::path folder;  ///< folder of the description
   std::vector<std::filesystem::path> package_path;
   MeshLoader load_mesh;
-  std::optional<Eigen::Vector3d> palm_normal;  ///< in the palm's frame; nothing: guessed
+  std::optional<Eigen::Vector3d> palm_normal;  ///< in the palm's frame; nullopt: guessed
   double unit = 0.0;                           ///< of the description's lengths [m]; 0: inferred
   double mesh_unit = 0.0;                      ///< of its mesh files [m]; 0: inferred
-  bool accepts_coarse_contact = false;  ///< also where contact is 5 mm off at the palm or a tip
-  std::optional<bool> in_degrees;       ///< limits of a URDF, angles of a MuJoCo model
-  /** Points on a link that balls are to cover; fewer cover it coarser and sooner. 0: contact stays
-  as the checks have it (fit_capsules.h), unmeasured. */
+  bool accepts_coarse_contact = false;         ///< accept contact 5 mm off at the palm or a tip
+  std::optional<bool> in_degrees;              ///< limits of a URDF, angles of a MuJoCo model
+  /** Number of points of a link that balls must cover; fewer are coarser and faster. 0: keep the
+  unmeasured contact geometry of the checks (fit_capsules.h). */
   int num_cover_points = kNumCoverPoints;
 };
 
 struct ImportedVisual {
-  CollisionShape solid;  ///< of a visual without mesh
-  TriMesh mesh;          ///< in the link's frame [m]; empty: `solid`
-  std::string name;      ///< of the mesh's file, without folder and ending
+  CollisionShape solid;  ///< for a visual without a mesh
+  TriMesh mesh;          ///< in the link's frame [m]; empty: see `solid`
+  std::string name;      ///< name of the mesh file without folder and ending
   Eigen::Vector3d colour = Eigen::Vector3d::Constant(0.6);  ///< sRGB
 };
 
 struct LoadedShapes {
-  std::vector<CollisionShape> collisions;  ///< of link -1, in the foreign link's frame
-  std::vector<TriMesh> solids;             ///< that these stand for, likewise
+  std::vector<CollisionShape> collisions;  ///< with link -1, in the foreign link's frame
+  std::vector<TriMesh> solids;             ///< solids that these represent, likewise
   std::vector<ImportedVisual> visuals;
-  std::vector<std::string> notes;  ///< what was assumed
+  std::vector<std::string> notes;  ///< assumptions made
 };
 
-/** Keeps the meshes it has read. */
+/** Loads shapes and caches their meshes. */
 class ShapeLoader {
  public:
   ShapeLoader(const HandSource& source, Diagnostics& problems)
       : source_(source), problems_(problems) {}
 
-  /** The file of a mesh that the link touches with is not there. */
+  /** Whether the file of a collision mesh of the link is missing. */
   bool LacksMesh(const ForeignLink& link) const;
-  /** False, with one error, when no mesh of the description is there. */
+  /** Returns false, with one error, if no mesh of the description is found and one is needed. */
   bool CheckMeshes(const ForeignHand& hand);
-  /** Of each format apart where two differ by more than five times. Compares the meshes with the
-  distances of the joints (typical ratio: median over the links).
-  From five times too long on they are taken in the unit that fits, when one does within a factor
-  of 1.6; any other ratio outside 0.55 to 2.2 is reported with the factor that would fit, and so is
-  a link whose ratio is three times another than the typical one (a palm: six), or 1.5 times as
-  large where its mass by the mesh's size says so, too. An error where all are too long,
-  some longer than 2 m, and no unit fits. Call before Load. */
+  /** Infers the unit of the meshes by comparing their extent with the distances of the joints (the
+  typical ratio is the median over the links). Formats whose ratios differ by more than five times
+  are judged separately.
+
+  Meshes that are more than five times too long are read in the unit that fits within a factor of
+  1.6, if there is one. Any other ratio outside 0.55 to 2.2 is reported with the factor that would
+  fit. So is a link whose ratio differs from the typical one by a factor of three (six for a palm),
+  or is 1.5 times as large if its mass for the mesh's size agrees. It is an error if all are too
+  long, some longer than 2 m, and no unit fits. Call before Load. */
   void InferMeshUnit(const ForeignHand& hand);
-  /** A collision mesh gets capsules for the checks (fit_capsules.h); a link that has only pictures
-  gets them from those, unless it is decoration. @param is_palm  it must have something to touch
-  with. */
+  /** Loads the shapes of a link. Collision meshes get capsules for the checks (fit_capsules.h). A
+  link with visuals only gets its capsules from these, unless it is decoration. @param is_palm  it
+  must have a shape for contact. */
   LoadedShapes Load(const ForeignLink& link, bool is_palm = false);
-  /** The inertia of a link that has none, of its shapes that weigh. */
+  /** Computes the inertia of a link without one from those of its shapes that have mass. */
   void Weigh(ForeignLink& link);
-  /** Paths of the meshes it has read. */
+  /** Paths of the meshes that were read. */
   std::set<std::filesystem::path> ListFiles() const;
 
  private:
-  /** In the link's frame and metres, facing outwards as in its file; empty, with `error_kind`
-  reported, when it cannot be had. */
+  /** Returns a mesh in the link's frame and in metres, with the orientation of its file; empty,
+  with a problem of the given severity, if it cannot be read. */
   TriMesh LoadMesh(const ForeignShape& shape, const std::string& where, Severity severity);
-  /** Its file; the description itself where the mesh stands there. */
+  /** Finds the mesh file; it is the description itself if this contains the mesh. */
   FoundMesh Find(const ForeignShape& shape) const;
   TriMesh ReadFile(const std::filesystem::path& path, int line, const std::string& where,
                    Severity severity);
-  /** What touches or weighs faces outwards; a turned one is reported once. */
+  /** Orients outwards a mesh that touches or has mass; reports once if it was inverted. */
   TriMesh TurnOutwards(const TriMesh& mesh, const std::string& name, int line,
                        const std::string& where);
   void AddMesh(const TriMesh& mesh, LoadedShapes& loaded);
@@ -99,11 +101,11 @@ class ShapeLoader {
 
   struct LinkRatio {
     const ForeignLink* link = nullptr;
-    double extent = 0.0, ratio = 0.0;  // of its meshes [m]; to the distance of its joints
-    double density = 0.0;              // mass by the cube of the extent [kg/m^3]; 0: it has none
-    double outlier = 0.0;              // ratio to the typical one from which it is reported
+    double extent = 0.0, ratio = 0.0;  // of its meshes [m]; extent over the distance of its joints
+    double density = 0.0;              // mass over the cube of the extent [kg/m^3]; 0: no mass
+    double outlier = 0.0;              // ratio to the typical one beyond which it is reported
   };
-  /** @param format  ending of the files; empty: of all. */
+  /** @param format  ending of the files; empty: all formats. */
   void InferUnitOf(const std::vector<LinkRatio>& rows, const std::string& format);
   double FindTypicalUnit(const std::filesystem::path& path) const;
 
@@ -111,12 +113,12 @@ class ShapeLoader {
   Diagnostics& problems_;
   std::map<std::filesystem::path, TriMesh> meshes_;
   double CalcMeshExtent(const ForeignShape& shape);
-  double large_unit_ = 0.001;  // [m] of meshes that cannot be in metres
-  /** [m] by the ending of a mesh's file, empty: of all, inferred from the joints; else the metre. */
+  double large_unit_ = 0.001;  // of meshes that cannot be in metres [m]
+  /** Units inferred from the joints, by ending of the mesh file, empty: all [m]; default: metre. */
   std::map<std::string, double> typical_units_;
   bool are_all_missing_ = false;
   std::set<std::string> turned_;  // messages
-  std::string why_;               // the large unit is that
+  std::string why_;               // reason for large_unit_
 };
 
 }  // namespace graspbench

@@ -15,13 +15,13 @@ namespace {
 using Eigen::Vector3d;
 using BoundaryPoint = LinkSolid::BoundaryPoint;
 
-constexpr size_t kNumCandidates = 3500;                  // about
+constexpr size_t kNumCandidates = 3500;                  // approximately
 constexpr size_t kManyBalls = 600;                       // of a link
 constexpr double kSlack = 0.00015, kOut = 0.00035;       // [m]
-constexpr double kLargestBall = 0.03;                    // [m]
-constexpr double kThinnest = 0.0001;                     // [m], of a ball in a sheet
+constexpr double kLargestBall = 0.03;                    // radius [m]
+constexpr double kThinnest = 0.0001;                     // radius of a ball in a sheet [m]
 constexpr double kNearSink = 0.00065, kFarSink = 0.003;  // [m]
-constexpr double kLeftOver = 0.02;                       // of the points, by the near sink
+constexpr double kLeftOver = 0.02;                       // share of points beyond the near sink
 
 std::vector<Vector3d> ListPlaces(const std::vector<BoundaryPoint>& points) {
   std::vector<Vector3d> places;
@@ -34,10 +34,10 @@ class LargestBalls {
   explicit LargestBalls(const LinkSolid& solid)
       : solid_(solid), grid_(ListPlaces(solid.boundary())) {}
 
-  /** Inside the solid, at the point; without what it may stick out. */
+  /** Largest ball inside the solid at the point, without its protrusion. */
   Ball Find(const BoundaryPoint& point) const {
     double rho = kLargestBall;
-    // What is farther away than twice rho lies outside the ball.
+    // Points farther away than twice rho are outside the ball.
     for (double reach = 0.0; reach < 2.0 * rho;) {
       reach = std::min(2.0 * rho, std::max(kSearch, 2.0 * reach));
       grid_.Visit(point.p, reach, [&](size_t k) {
@@ -74,7 +74,7 @@ class GreedyCover {
     VisitNear(ball, [&](size_t k, double sink) { sinks_[k] = std::min(sinks_[k], sink); });
   }
 
-  /** Takes candidates until all but a share of the points are within `sink`. */
+  /** Adds candidates until all but a share of the points are within `sink`. */
   void Cover(double sink, double left_over, double smallest, size_t most_balls,
              std::vector<Ball>& taken) {
     const auto most_open = static_cast<size_t>(left_over * static_cast<double>(points_.size()));
@@ -115,14 +115,14 @@ class GreedyCover {
     });
     return covered;
   }
-  /** Calls with every point whose probe meets the ball before it sinks in by its radius. */
+  /** Calls `visit` with every point whose probe meets the ball before it sinks in by its radius. */
   template <class F>
   void VisitNear(const Ball& ball, F&& visit) const {
     grid_.Visit(ball.centre, ball.radius + 2.0 * kProbeRadius, [&](size_t k) {
       visit(k, CalcSink(points_[k].p, points_[k].nhat, ball.centre, ball.radius));
     });
   }
-  /** A smaller ball at the same point where it sticks out too far between boundary points. */
+  /** Shrinks a ball at the same point if it protrudes too far between boundary points. */
   bool Trim(size_t c) {
     is_trimmed_[c] = true;
     Ball& ball = candidates_[c];
@@ -180,18 +180,18 @@ std::vector<Ball> PackBalls(const LinkSolid& solid, const std::vector<ContactSph
   const std::vector<Ball> taken =
       Pack(solid, present, smallest, num_points, kNumCandidates, kManyBalls + 1);
   if (taken.size() <= kManyBalls) return taken;
-  // A large sheet: its points lie too far apart to tell where it is covered.
+  // A large sheet: its points are too far apart to show where it is covered.
   return Pack(solid, present, smallest, 3 * num_points, 3 * kNumCandidates, kMostBalls);
 }
 
 namespace {
 
 constexpr size_t kNumEnds = 30, kMostSelfCapsules = 8, kMostOfThin = 48;
-constexpr double kNearCapsule = 0.002;  // [m] of a point that it stands for
-constexpr double kThin = 1.0 / 3.0;     // of the points near a capsule (contact_fit.h)
-constexpr double kEnough = 0.9;         // of the points
-constexpr size_t kPerCapsule = 50, kPerCapsuleOfThin = 200;     // one more is near one of so many
-constexpr double kMostSlender = 40.0, kThinnestSlender = 56.0;  // length by radius; loader: 58
+constexpr double kNearCapsule = 0.002;  // [m] of a point that it covers
+constexpr double kThin = 1.0 / 3.0;     // share of points near a capsule (contact_fit.h)
+constexpr double kEnough = 0.9;         // share of points
+constexpr size_t kPerCapsule = 50, kPerCapsuleOfThin = 200;     // least gain: one of so many points
+constexpr double kMostSlender = 40.0, kThinnestSlender = 56.0;  // length over radius; loader: 58
 
 double CalcDistance(const FittedCapsule& capsule, const Vector3d& p) {
   const Vector3d axis = capsule.p_B - capsule.p_A;
@@ -200,7 +200,7 @@ double CalcDistance(const FittedCapsule& capsule, const Vector3d& p) {
   return (p - capsule.p_A - t * axis).norm();
 }
 
-/** Balls far from each other, the largest first. */
+/** Chooses balls far from each other, the largest first. */
 std::vector<Ball> ChooseEnds(std::vector<Ball> balls) {
   std::stable_sort(balls.begin(), balls.end(),
                    [](const Ball& a, const Ball& b) { return a.radius > b.radius; });
@@ -209,7 +209,7 @@ std::vector<Ball> ChooseEnds(std::vector<Ball> balls) {
   while (ends.size() < std::min(kNumEnds, balls.size())) {
     size_t best = 0;
     for (size_t k = 1; k < balls.size(); ++k) {
-      // Half as far apart counts as much as twice as thick.
+      // Half the distance counts as much as twice the radius.
       if (apart[k] * balls[k].radius > apart[best] * balls[best].radius) best = k;
     }
     if (apart[best] <= 0.0) break;
@@ -221,7 +221,7 @@ std::vector<Ball> ChooseEnds(std::vector<Ball> balls) {
   return ends;
 }
 
-/** Between the balls, as long as the solid allows. */
+/** Inscribes capsules between the balls, as far as the solid allows. */
 std::vector<FittedCapsule> InscribeBetween(const LinkSolid& solid, const std::vector<Ball>& ends) {
   // Between two boundary points it may cross a wall and the hollow behind it.
   const auto stays_inside = [&](const FittedCapsule& capsule) {
@@ -251,7 +251,7 @@ std::vector<FittedCapsule> InscribeBetween(const LinkSolid& solid, const std::ve
   return candidates;
 }
 
-/** Capsules that are near points of the boundary, those near most first. */
+/** Greedy cover of boundary points by capsules near them. */
 class CapsuleCover {
  public:
   CapsuleCover(const LinkSolid& solid, const std::vector<BoundaryPoint>& points, double near,
@@ -265,7 +265,7 @@ class CapsuleCover {
     const auto num_open = std::count(is_open_.begin(), is_open_.end(), true);
     return static_cast<double>(num_open) / static_cast<double>(std::max<size_t>(1, points_.size()));
   }
-  /** Those of the points, in their order, that no capsule is near. */
+  /** Returns those balls, in order, whose points are not near a capsule. */
   std::vector<Ball> ListOpen(const std::vector<Ball>& balls) const {
     std::vector<Ball> open;
     for (size_t k = 0; k < balls.size(); ++k) {
@@ -273,7 +273,8 @@ class CapsuleCover {
     }
     return open;
   }
-  /** @param most  in all. @param least_gain  of the points; a first one may have less. */
+  /** @param most  total number. @param least_gain  points gained; the first capsule may gain
+  less. */
   void Add(const std::vector<Ball>& ends, size_t most, size_t least_gain) {
     std::vector<FittedCapsule> candidates = InscribeBetween(solid_, ends);
     while (taken_.size() < most && CalcOpenShare() > 1.0 - kEnough) {
@@ -304,7 +305,7 @@ class CapsuleCover {
       if (IsNear(capsule, k)) is_open_[k] = false;
     }
   }
-  /** Thinner where it sticks out between boundary points, as they lie apart. */
+  /** Makes a capsule thinner if it protrudes between boundary points, which are apart. */
   void Trim(FittedCapsule& capsule) const {
     const Vector3d axis = capsule.p_B - capsule.p_A;
     const auto sticks_out = [&] {
@@ -327,7 +328,7 @@ class CapsuleCover {
 
   const LinkSolid& solid_;
   const std::vector<BoundaryPoint>& points_;
-  const double near_;  // of a point that a capsule stands for [m]
+  const double near_;  // distance of a point that a capsule covers [m]
   std::vector<bool> is_open_;
   std::vector<FittedCapsule> taken_;
 };
@@ -342,7 +343,7 @@ std::vector<FittedCapsule> InscribeCapsules(const LinkSolid& solid) {
   CapsuleCover cover(solid, points, kNearCapsule);
   cover.Add(ChooseEnds(balls), kMostSelfCapsules, points.size() / kPerCapsule);
   if (cover.taken().empty()) cover.AddLargest(balls);
-  // Thin plates and shells: shorter ones, between balls of what is left.
+  // Thin plates and shells get shorter capsules, between balls of the remaining points.
   CapsuleCover wider(solid, points, kNearSelfContact, cover.taken());
   if (wider.CalcOpenShare() <= 1.0 - kThin) return cover.taken();
   while (wider.CalcOpenShare() > 1.0 - kEnough && wider.taken().size() < kMostOfThin) {

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-Points in cells, so that those near a place are found without a look at all of them. */
+Points sorted into cells, to find those near a position without visiting all. */
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace graspbench {
 
 class PointGrid {
  public:
-  /** @param points  finite [m]. Cells have 4 mm, or a 100th of the longest side if that is more. */
+  /** @param points  finite [m]. Cells are 4 mm wide, or a 100th of the longest side if larger. */
   explicit PointGrid(const std::vector<Eigen::Vector3d>& points) {
     for (const Eigen::Vector3d& p : points) box_.extend(p);
     if (points.empty()) box_.extend(Eigen::Vector3d::Zero().eval());
@@ -26,7 +26,7 @@ class PointGrid {
     }
   }
 
-  /** Calls with the index of every point within `reach`, and of some that are farther away. */
+  /** Calls `visit` with the index of every point within `reach`, and of some farther away. */
   template <class F>
   void Visit(const Eigen::Vector3d& p, double reach, F&& visit) const {
     const Eigen::Vector3d lower = (p.array() - reach).matrix(),
@@ -56,7 +56,7 @@ class PointGrid {
   Eigen::AlignedBox3d box_;
   double size_ = 0.0;
   Eigen::Vector3i num_ = Eigen::Vector3i::Zero();
-  std::vector<int> first_;  // of each cell in order_, and one past the last
+  std::vector<int> first_;  // by cell: its start in order_; and one past the last
   std::vector<int> order_;  // indices of points, cell by cell
 };
 

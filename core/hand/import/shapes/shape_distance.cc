@@ -15,10 +15,10 @@ using GeomKind = ForeignShape::Kind;
 
 struct UnitSolid {
   double volume = 0.0;
-  Vector3d moments = Vector3d::Zero();  ///< of unit mass, about its centre
+  Vector3d moments = Vector3d::Zero();  // of unit mass, about its centre
 };
 
-/** @param half  of the extents; the radius and half length of what is round about z. */
+/** @param half  half the extents; for shapes that are round about z, radius and half length. */
 UnitSolid MakeSolid(GeomKind kind, const Vector3d& half) {
   const Vector3d squares = half.cwiseAbs2();
   // sum of squares of the two other axes, times `share`
@@ -34,7 +34,7 @@ UnitSolid MakeSolid(GeomKind kind, const Vector3d& half) {
     const double transverse = 0.25 * r2 + squares.z() / 3.0;
     return {2.0 * kPi * r2 * half.z(), {transverse, transverse, 0.5 * r2}};
   }
-  // A cylinder of half length h and a half ball at either end.
+  // A cylinder of half length h with a hemisphere at either end.
   const double radius = half.x(), h = half.z() - radius;
   const double tube = 2.0 * kPi * r2 * h, ball = 4.0 / 3.0 * kPi * r2 * radius;
   const double axial = tube * 0.5 * r2 + ball * 0.4 * r2;
@@ -89,7 +89,7 @@ double CalcDistance(const CollisionShape& shape, const Vector3d& p_L) {
   const Vector3d p = shape.X_LS.inverse() * p_L;
   const double radius = 0.5 * shape.size.x();
   if (shape.kind == CollisionShape::Kind::kSphere) return p.norm() - radius;
-  Vector3d beyond;  // of a box's faces
+  Vector3d beyond;  // beyond the faces of a box
   if (shape.kind == CollisionShape::Kind::kBox) {
     beyond = p.cwiseAbs() - 0.5 * shape.size;
   } else if (IsDisc(shape)) {
@@ -159,7 +159,7 @@ MassProperties CalcUnionMass(const std::vector<CollisionShape>& shapes, double d
         for (const CollisionShape& shape : shapes) {
           distance = std::min(distance, CalcDistance(shape, p));
         }
-        // The share of a cell that the surface cuts.
+        // Share of a cell that the surface cuts.
         const double share = std::clamp(0.5 - distance / cell.minCoeff(), 0.0, 1.0);
         const double mass = share * cell_mass;
         result.mass += mass;
