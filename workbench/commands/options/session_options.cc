@@ -103,16 +103,25 @@ bool SessionOptions::HasAny() const {
 /** What an option and --set both say would silently be that of the option. */
 void SessionOptions::RefuseTwice(const std::string& setting) const {
   const std::string key = setting.substr(0, setting.find('='));
+  const auto refuse = [&](const char* option) {
+    if (!IsGiven(option)) return;
+    throw Error(ErrorKind::kUsage,
+                "--set " + setting + " and " + option + " say the same setting; give one of them");
+  };
   for (const SettingOption& row : kOptions) {
-    if (key != row.setting || !IsGiven(row.option)) continue;
-    throw Error(ErrorKind::kUsage, "--set " + setting + " and " + row.option +
-                                       " say the same setting; give one of them");
+    if (key == row.setting) refuse(row.option);
   }
+  if (key.rfind("arm.base_", 0) == 0) refuse("--arm-base");
 }
 
 SessionConfig SessionOptions::MakeConfig(SessionConfig config) const {
   if (!session_file_.empty()) config = LoadSessionConfig(session_file_);
   ApplyTo(config);
+  if (IsGiven("--arm-base") && !HasArm(config.arm)) {
+    throw Error(ErrorKind::kUsage, "--arm-base " + arm_base_ +
+                                       ": the session has no arm; add --arm, for example --arm "
+                                       "puma560");
+  }
   return config;
 }
 
@@ -132,8 +141,8 @@ void SessionOptions::ApplyTo(SessionConfig& config) const {
   for (const SettingOption& row : kOptions) {
     if (IsGiven(row.option)) row.copy(given_, config);
   }
-  if (!benchmark_.empty()) CheckSettings(LoadBenchmark(benchmark_), config);
   if (IsGiven("--arm-base")) ReadArmBase(arm_base_, config.arm);
+  if (!benchmark_.empty()) CheckSettings(LoadBenchmark(benchmark_), config);
 }
 
 std::string SessionOptions::name() const {
