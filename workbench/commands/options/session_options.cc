@@ -103,24 +103,20 @@ bool SessionOptions::HasAny() const {
 /** What an option and --set both say would silently be that of the option. */
 void SessionOptions::RefuseTwice(const std::string& setting) const {
   const std::string key = setting.substr(0, setting.find('='));
-  const auto refuse = [&](const char* option) {
-    if (!IsGiven(option)) return;
-    throw Error(ErrorKind::kUsage,
-                "--set " + setting + " and " + option + " say the same setting; give one of them");
-  };
+  std::string option = key.rfind("arm.base_", 0) == 0 ? "--arm-base" : "";
   for (const SettingOption& row : kOptions) {
-    if (key == row.setting) refuse(row.option);
+    if (key == row.setting) option = row.option;
   }
-  if (key.rfind("arm.base_", 0) == 0) refuse("--arm-base");
+  if (option.empty() || !IsGiven(option.c_str())) return;
+  throw Error(ErrorKind::kUsage,
+              "--set " + setting + " and " + option + " say the same setting; give one of them");
 }
 
 SessionConfig SessionOptions::MakeConfig(SessionConfig config) const {
   if (!session_file_.empty()) config = LoadSessionConfig(session_file_);
   ApplyTo(config);
   if (IsGiven("--arm-base") && !HasArm(config.arm)) {
-    throw Error(ErrorKind::kUsage, "--arm-base " + arm_base_ +
-                                       ": the session has no arm; add --arm, for example --arm "
-                                       "puma560");
+    throw Error(ErrorKind::kUsage, "--arm-base: the session has no arm; add --arm ARM");
   }
   return config;
 }

@@ -79,7 +79,7 @@ TEST_F(SessionOptionsTest, WhatContradictsItselfIsRefused) {
        "--set trials=8 and --trials say the same setting; give one of them"},
       {"--arm pa10 --set arm.base_y_m=0.2 --arm-base -0.5,0,0,0",
        "--set arm.base_y_m=0.2 and --arm-base say the same setting; give one of them"},
-      {"--arm-base -0.5,0,0,0", "--arm-base -0.5,0,0,0: the session has no arm; add --arm"},
+      {"--arm-base -0.5,0,0,0", "--arm-base: the session has no arm; add --arm"},
       {"--arm none --arm-base -0.5,0,0,0", "the session has no arm"},
       {"--set strategy.grip_force_n=3 --set strategy.grip=posture",
        "strategy.grip_force_n=3 has no effect if strategy.grip is posture"}};
