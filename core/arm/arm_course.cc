@@ -32,36 +32,74 @@ std::string NameJoint(const Arm& arm, int joint) {
   return fmt::format("joint {} ({})", joint + 1, arm.joints[static_cast<size_t>(joint)].name);
 }
 
+/** In W; a ball where a is b. */
+struct PlacedCapsule {
+  Vector3d a, b;
+  double radius;
+  int link;
+};
+
+/** @param X_BL  of CalcArmPoses. */
+std::vector<PlacedCapsule> PlaceCapsules(const MountedArm& mounted, const std::vector<Pose>& X_BL) {
+  std::vector<PlacedCapsule> placed;
+  for (const ArmCapsule& capsule : mounted.arm->capsules) {
+    const Pose X_WL = mounted.X_WB * X_BL[static_cast<size_t>(capsule.link)];
+    placed.push_back({X_WL * capsule.p_LA, X_WL * capsule.p_LB, capsule.radius, capsule.link});
+  }
+  return placed;
+}
+
+bool DoMeet(const PlacedCapsule& a, const PlacedCapsule& b) {
+  const ClosestPoints nearest = FindClosestPoints(a.a, a.b, b.a, b.b);
+  return (nearest.on_a - nearest.on_b).norm() < a.radius + b.radius;
+}
+
+/** What the arm's capsules touch; empty: nothing. @param object  at X_WO; null: none. */
+std::string FindCollision(const MountedArm& mounted, const VectorXd& q, const GraspObject* object,
+                          const Pose& X_WO) {
+  const std::vector<PlacedCapsule> capsules = PlaceCapsules(mounted, CalcArmPoses(*mounted.arm, q));
+  const Pose X_OW = X_WO.inverse();
+  for (size_t i = 0; i < capsules.size(); ++i) {
+    const PlacedCapsule& capsule = capsules[i];
+    if (capsule.link > 0 && std::min(capsule.a.z(), capsule.b.z()) < capsule.radius) {
+      return NameLink(capsule.link) + " would meet the table";
+    }
+    // Balls a radius apart stand for the capsule.
+    const int num = 1 + static_cast<int>((capsule.b - capsule.a).norm() / capsule.radius);
+    for (int k = 0; object != nullptr && k <= num; ++k) {
+      const Vector3d p_W = capsule.a + static_cast<double>(k) / num * (capsule.b - capsule.a);
+      if (object->field->Query(X_OW * p_W).distance < capsule.radius) {
+        return NameLink(capsule.link) + " would meet the object";
+      }
+    }
+    for (size_t k = 0; k < i; ++k) {
+      if (std::abs(capsules[k].link - capsule.link) > 1 && DoMeet(capsule, capsules[k])) {
+        return NameLink(capsules[k].link) + " would meet " + NameLink(capsule.link);
+      }
+    }
+  }
+  return "";
+}
+
 /** What the hand's contact surface touches, the arm's last two links apart; empty: nothing.
 @param object  at X_WO; null: none. */
 std::string FindHandCollision(const MountedArm& mounted, const VectorXd& q, const Hand& hand,
                               const VectorXd& q_hand, const GraspObject* object, const Pose& X_WO) {
-  const Arm& arm = *mounted.arm;
-  const std::vector<Pose> X_BL = CalcArmPoses(arm, q);
+  const std::vector<Pose> X_BL = CalcArmPoses(*mounted.arm, q);
+  const std::vector<PlacedCapsule> capsules = PlaceCapsules(mounted, X_BL);
   const Pose X_WH = mounted.X_WB * X_BL.back() * mounted.X_FH;
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, q_hand);
   const Pose X_OW = X_WO.inverse();
-  struct Segment {
-    Vector3d a, b;
-    double radius;
-    int link;
-  };
-  std::vector<Segment> segments;  // in W
-  for (const ArmCapsule& capsule : arm.capsules) {
-    if (capsule.link > arm.num_joints() - 2) continue;
-    const Pose X_WL = mounted.X_WB * X_BL[static_cast<size_t>(capsule.link)];
-    segments.push_back({X_WL * capsule.p_LA, X_WL * capsule.p_LB, capsule.radius, capsule.link});
-  }
   for (const ContactSphere& ball : hand.contact_spheres) {
     const Vector3d p_W = X_WH * (X_HL[static_cast<size_t>(ball.link)] * ball.p_LS);
     if (p_W.z() < ball.radius) return "the hand would meet the table";
     if (object != nullptr && object->field->Query(X_OW * p_W).distance < ball.radius) {
       return "the hand would meet the object";
     }
-    for (const Segment& segment : segments) {
-      const ClosestPoints nearest = FindClosestPoints(segment.a, segment.b, p_W, p_W);
-      if ((nearest.on_a - p_W).norm() < ball.radius + segment.radius) {
-        return "the hand would meet " + NameLink(segment.link);
+    for (const PlacedCapsule& capsule : capsules) {
+      if (capsule.link <= mounted.arm->num_joints() - 2 &&
+          DoMeet(capsule, {p_W, p_W, ball.radius, ball.link})) {
+        return "the hand would meet " + NameLink(capsule.link);
       }
     }
   }
@@ -272,46 +310,6 @@ ArmCourse MakeOutOfReach(const Arm& arm, const ArmReach& reach) {
     course.reason += "; " + NameJoint(arm, fault.joint) + " cannot go farther";
   }
   return course;
-}
-
-/** @param object  at X_WO; null: none. */
-std::string FindCollision(const MountedArm& mounted, const VectorXd& q, const GraspObject* object,
-                          const Pose& X_WO) {
-  const Arm& arm = *mounted.arm;
-  const std::vector<Pose> X_BL = CalcArmPoses(arm, q);
-  struct Segment {
-    Vector3d a, b;
-  };
-  std::vector<Segment> segments;  // in W
-  for (const ArmCapsule& capsule : arm.capsules) {
-    const Pose X_WL = mounted.X_WB * X_BL[static_cast<size_t>(capsule.link)];
-    segments.push_back({X_WL * capsule.p_LA, X_WL * capsule.p_LB});
-  }
-  const Pose X_OW = X_WO.inverse();
-  for (size_t i = 0; i < segments.size(); ++i) {
-    const ArmCapsule& capsule = arm.capsules[i];
-    const Segment& segment = segments[i];
-    if (capsule.link > 0 && std::min(segment.a.z(), segment.b.z()) < capsule.radius) {
-      return NameLink(capsule.link) + " would meet the table";
-    }
-    // Balls a radius apart stand for the capsule.
-    const int num = 1 + static_cast<int>((segment.b - segment.a).norm() / capsule.radius);
-    for (int k = 0; object != nullptr && k <= num; ++k) {
-      const Vector3d p_W = segment.a + static_cast<double>(k) / num * (segment.b - segment.a);
-      if (object->field->Query(X_OW * p_W).distance < capsule.radius) {
-        return NameLink(capsule.link) + " would meet the object";
-      }
-    }
-    for (size_t k = 0; k < i; ++k) {
-      if (std::abs(arm.capsules[k].link - capsule.link) < 2) continue;
-      const ClosestPoints nearest =
-          FindClosestPoints(segment.a, segment.b, segments[k].a, segments[k].b);
-      if ((nearest.on_a - nearest.on_b).norm() < capsule.radius + arm.capsules[k].radius) {
-        return NameLink(arm.capsules[k].link) + " would meet " + NameLink(capsule.link);
-      }
-    }
-  }
-  return "";
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ see tests/bench/sim_bench.cc. */
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/grasp/placement.h"
@@ -128,6 +129,8 @@ class TableLift : public TrialCourse {
   TrialNotes notes_;
 
  private:
+  /** Names the noise of camera and sensors. */
+  std::string FormatDraw() const;
   Pose CalcStartPose() const;
   /** The posture with the draw's joint error, within the limits. */
   Eigen::VectorXd ApplyError(const Eigen::VectorXd& q) const;

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "datasets/plan/session_plan.h"
+#include "workbench/shell/shell_cards.h"
 
 namespace graspbench {
 namespace {
@@ -82,6 +83,20 @@ TEST(ShellScene, WhatCannotBeChosenLeavesTheScene) {
   EXPECT_EQ(scene.setup().object->id, "golf_ball");
   EXPECT_EQ(scene.course().world().state().q, q);
   EXPECT_TRUE(scene.Advance());
+}
+
+TEST(ShellScene, TheCardNamesTheArmAndItsBase) {
+  SceneChoice choice = MakeChoice("tum", "golf_ball", std::nullopt);
+  ShellScene scene;
+  scene.Choose(choice);
+  EXPECT_EQ(FormatScene(scene).find("arm  "), std::string::npos);
+  choice.config.arm.model = "puma560";
+  choice.config.arm.x = -0.6;
+  scene.Choose(choice);
+  EXPECT_NE(
+      FormatScene(scene).find("\narm      PUMA 560 (puma560), base at -0.600, 0.000, 0.000 m\n"),
+      std::string::npos)
+      << FormatScene(scene);
 }
 
 TEST(ShellScene, EditsReachThePostureAndThePlace) {

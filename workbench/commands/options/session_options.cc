@@ -103,16 +103,21 @@ bool SessionOptions::HasAny() const {
 /** What an option and --set both say would silently be that of the option. */
 void SessionOptions::RefuseTwice(const std::string& setting) const {
   const std::string key = setting.substr(0, setting.find('='));
+  std::string option = key.rfind("arm.base_", 0) == 0 ? "--arm-base" : "";
   for (const SettingOption& row : kOptions) {
-    if (key != row.setting || !IsGiven(row.option)) continue;
-    throw Error(ErrorKind::kUsage, "--set " + setting + " and " + row.option +
-                                       " say the same setting; give one of them");
+    if (key == row.setting) option = row.option;
   }
+  if (option.empty() || !IsGiven(option.c_str())) return;
+  throw Error(ErrorKind::kUsage,
+              "--set " + setting + " and " + option + " say the same setting; give one of them");
 }
 
 SessionConfig SessionOptions::MakeConfig(SessionConfig config) const {
   if (!session_file_.empty()) config = LoadSessionConfig(session_file_);
   ApplyTo(config);
+  if (IsGiven("--arm-base") && !HasArm(config.arm)) {
+    throw Error(ErrorKind::kUsage, "--arm-base: the session has no arm; add --arm ARM");
+  }
   return config;
 }
 
@@ -132,8 +137,8 @@ void SessionOptions::ApplyTo(SessionConfig& config) const {
   for (const SettingOption& row : kOptions) {
     if (IsGiven(row.option)) row.copy(given_, config);
   }
-  if (!benchmark_.empty()) CheckSettings(LoadBenchmark(benchmark_), config);
   if (IsGiven("--arm-base")) ReadArmBase(arm_base_, config.arm);
+  if (!benchmark_.empty()) CheckSettings(LoadBenchmark(benchmark_), config);
 }
 
 std::string SessionOptions::name() const {
