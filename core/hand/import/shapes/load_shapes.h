@@ -22,6 +22,8 @@ namespace graspbench {
 
 /** A part of a hand is smaller [m]. */
 inline constexpr double kLargestPart = 2.0;
+/** Shapes that a link touches with; the time to measure it grows with them. */
+inline constexpr size_t kMostTouchingShapes = 100;
 
 /** Reads a mesh file as it stands, one unit of it a metre. @throws Error. */
 using MeshLoader = std::function<TriMesh(const std::filesystem::path&)>;
@@ -74,8 +76,8 @@ class ShapeLoader {
   some longer than 2 m, and no unit fits. Call before Load. */
   void InferMeshUnit(const ForeignHand& hand);
   /** A collision mesh gets capsules for the checks (fit_capsules.h); a link that has only pictures
-  gets them from those, unless it is decoration. @param is_palm  it must have something to touch
-  with. */
+  gets them from those, unless it is decoration. More than kMostTouchingShapes are an error.
+  @param is_palm  it must have something to touch with. */
   LoadedShapes Load(const ForeignLink& link, bool is_palm = false);
   /** The inertia of a link that has none, of its shapes that weigh. */
   void Weigh(ForeignLink& link);
@@ -96,6 +98,8 @@ class ShapeLoader {
   void AddMesh(const TriMesh& mesh, LoadedShapes& loaded);
   void AddSolid(const ForeignShape& shape, const std::string& where, LoadedShapes& loaded);
   void Report(Severity severity, int line, const std::string& text);
+  /** @returns false, with an error: it would touch with too many. */
+  bool CheckCount(const ForeignLink& link, size_t count);
 
   struct LinkRatio {
     const ForeignLink* link = nullptr;
