@@ -68,6 +68,7 @@ TEST_F(FenceTest, HandsOverFilesOfDiskAndMemory) {
   EXPECT_THROW(FencedFile{path}, Error);
 }
 
+#ifndef GRASPBENCH_SANITIZED
 TEST_F(FenceTest, AReaderThatEndsRefusesItsFileAndNoOther) {
   const std::map<std::string, std::string> endings = {{"crash", "11, Segmentation fault"},
                                                       {"abort", "6, Aborted"},
@@ -81,7 +82,16 @@ TEST_F(FenceTest, AReaderThatEndsRefusesItsFileAndNoOther) {
                                  "another format, else leave it out"));
     EXPECT_EQ(Read("", "next"), "next");
   }
-  EXPECT_EQ(Refusal("exit").first, ErrorKind::kEnvironment);
+}
+#endif
+
+TEST_F(FenceTest, AReaderThatExitsIsAtFaultItself) {
+  const auto [kind, message] = Refusal("exit");
+  EXPECT_EQ(kind, ErrorKind::kEnvironment);
+  EXPECT_EQ(message.find("\"the file\" cannot be read (graspbench-reader ended with exit code 3)"),
+            0u)
+      << message;
+  EXPECT_EQ(Read("", "next"), "next");
 }
 
 TEST_F(FenceTest, ErrorsCrossWithTheNameOfTheFile) {
