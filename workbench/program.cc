@@ -135,6 +135,12 @@ int RunProgram(int argc, const char* const* argv) {
     return kExitEnvironment;
   } catch (const std::filesystem::filesystem_error& error) {
     const std::string path = error.path1().string();
+    if (error.code() == std::errc::too_many_symbolic_link_levels) {
+      PrintFault(
+          "\"" + path +
+          "\" leads through a symbolic link to itself; remove the link, or name another file");
+      return kExitUsage;
+    }
     PrintFault("the machine lacks a resource" +
                (path.empty() ? ", for example the current folder" : " at \"" + path + "\"") + ": " +
                error.code().message());

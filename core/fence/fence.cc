@@ -69,7 +69,13 @@ fs::path FindProgram() {
                     "): a fault of the reader, not of the file; build or install graspbench again, "
                     "and report the file if that does not help");
   }
-  const int signal = WIFEXITED(status) ? 0 : WTERMSIG(status);
+  if (WIFEXITED(status)) {
+    throw Error(ErrorKind::kFormat,
+                subject +
+                    "reading it takes more memory than 1 GB and four times its size); the file may "
+                    "be damaged, export it again from its program or cut it into smaller ones");
+  }
+  const int signal = WTERMSIG(status);
   if (signal == SIGPROF) {
     throw Error(ErrorKind::kEnvironment, subject + "reading it takes more than " +
                                              std::to_string(seconds) +
@@ -81,12 +87,12 @@ fs::path FindProgram() {
                 subject + "its reader was ended by signal " + std::to_string(signal) +
                     "); the machine may lack memory, or the disk fail: try again");
   }
+  const char* const description = ::sigdescr_np(signal);
   throw Error(ErrorKind::kFormat,
-              subject +
-                  (signal == 0 ? "reading it takes too much memory"
-                               : "reading it failed with signal " + std::to_string(signal) +
-                                     ", perhaps for lack of memory") +
-                  "); the file may be cut off or damaged, export it again from its program");
+              subject + "its reader ended by signal " + std::to_string(signal) +
+                  (description ? ", " + std::string(description) : "") +
+                  ", while reading it); the file is damaged or holds what the reader does not "
+                  "bear: export it again from its program or in another format, else leave it out");
 }
 
 }  // namespace

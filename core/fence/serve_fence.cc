@@ -5,6 +5,7 @@
 #include <linux/filter.h>
 #include <linux/seccomp.h>
 #include <malloc.h>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -19,7 +20,9 @@
 #include <csignal>
 #include <cstddef>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <new>
 #include <stdexcept>
 
@@ -108,6 +111,35 @@ void SetLimit(__rlimit_resource resource, rlim_t value) {
   ::setrlimit(resource, &limit);
 }
 
+/** An exception that nobody may catch: a lack of memory is told from a fault. */
+[[noreturn]] void Terminate() {
+  try {
+    if (std::current_exception()) throw;
+  } catch (const std::bad_alloc&) {
+    ::_exit(kFenceNoMemory);
+  } catch (...) {
+  }
+  std::abort();
+}
+
+/** The parent is gone, which a read that takes minutes would not see. */
+void EndWithoutParent(int) {
+  const int reason = errno;
+  pollfd socket = {kSocket, 0, 0};
+  if (::poll(&socket, 1, 0) > 0 && (socket.revents & POLLHUP) != 0) ::_exit(kFenceClosed);
+  errno = reason;
+}
+
+/** SIGIO comes with every message and when the socket closes. */
+void WatchSocket() {
+  struct sigaction action = {};
+  action.sa_handler = &EndWithoutParent;
+  action.sa_flags = SA_RESTART;
+  ::sigaction(SIGIO, &action, nullptr);
+  ::fcntl(kSocket, F_SETOWN, ::getpid());
+  ::fcntl(kSocket, F_SETFL, ::fcntl(kSocket, F_GETFL) | O_ASYNC);
+}
+
 /** Signals of a terminal and of a stopped job are for the parent, which closes the socket. */
 void PrepareProcess() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) ::signal(signal, SIG_IGN);
@@ -115,6 +147,8 @@ void PrepareProcess() {
   sigset_t none;
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  std::set_terminate(&Terminate);
+  WatchSocket();
   SetLimit(RLIMIT_CORE, 0);
   SetLimit(RLIMIT_FSIZE, kMaxOutput);
   RefuseWriting();

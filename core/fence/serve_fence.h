@@ -19,7 +19,8 @@ namespace graspbench {
 
 enum FenceMessage : char { kRequest = 'R', kAskBeside = 'A', kBeside = 'B', kDone = 'D' };
 enum FenceStatus : char { kIsRead = 0, kIsRefused = 1 };
-/** Exit codes: the socket was closed; a sanitizer found a lack of memory, or a fault. */
+/** Exit codes: the socket was closed; memory lacked where nothing may be thrown, or for a sanitizer;
+a sanitizer found a fault. */
 enum FenceExit : int { kFenceClosed = 0, kFenceNoMemory = 98, kFenceFault = 99 };
 inline constexpr size_t kMaxFenceMessage = 4096;
 inline constexpr size_t kMaxFenceFiles = 3;

@@ -243,6 +243,23 @@ TEST_F(Surroundings, TheLongestNamesWork) {
   }
 }
 
+TEST_F(Surroundings, ALinkToItselfIsTold) {
+  fs::create_symlink("loop", top_ / "loop");
+  const std::vector<std::vector<std::string>> lines = {{"study", "run", "loop", "--out", "out"},
+                                                       {"hand", "import", "loop", "--out", "out"},
+                                                       {"object", "check", "loop"},
+                                                       {"verify", "loop"},
+                                                       {"mocap", "info", "loop"}};
+  for (const std::vector<std::string>& line : lines) {
+    EXPECT_EQ(Run(line), 2) << line[0] << Log();
+    EXPECT_EQ(Log().find("the machine lacks"), std::string::npos) << Log();
+  }
+  EXPECT_EQ(Run(lines[0]), 2);
+  EXPECT_EQ(Log(),
+            "graspbench: \"loop\" leads through a symbolic link to itself; remove the link, or "
+            "name another file\n");
+}
+
 // As nohup starts them, and a script whose commands run in the background.
 TEST_F(Surroundings, IgnoredSignalsStopNothing) {
   const pid_t run = Begin({"run", "--hand", "tum", "--object", "golf_ball,tea_light", "--trials",

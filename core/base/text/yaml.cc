@@ -1,6 +1,7 @@
 #include "core/base/text/yaml.h"
 
 #include <fmt/core.h>
+#include <yaml-cpp/depthguard.h>
 
 #include <algorithm>
 #include <array>
@@ -21,6 +22,10 @@ YAML::Node LoadYaml(const std::filesystem::path& path, Diagnostics& problems) {
 YAML::Node ParseYaml(const std::string& text, const std::string& file, Diagnostics& problems) {
   try {
     return YAML::Load(text);
+  } catch (const YAML::DeepRecursion& e) {  // whose own words are "bad file"
+    problems.Fail(file, e.mark.line + 1,
+                  fmt::format("nested deeper than {} levels; expected fewer", e.depth()));
+    return YAML::Node();
   } catch (const YAML::Exception& e) {
     problems.Fail(file, e.mark.line + 1, "not valid YAML: " + e.msg);
     return YAML::Node();

@@ -1,13 +1,17 @@
 #include "core/fence/fence.h"
 
 #include <gtest/gtest.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <fstream>
+#include <map>
 #include <thread>
 
 #include "core/base/files/files.h"
@@ -64,15 +68,30 @@ TEST_F(FenceTest, HandsOverFilesOfDiskAndMemory) {
   EXPECT_THROW(FencedFile{path}, Error);
 }
 
+#ifndef GRASPBENCH_SANITIZED
 TEST_F(FenceTest, AReaderThatEndsRefusesItsFileAndNoOther) {
-  for (const char* task : {"crash", "abort", "recurse"}) {
-    const auto [kind, message] = Refusal(task);
-    EXPECT_EQ(kind, ErrorKind::kFormat) << message;
-    EXPECT_EQ(message.find("\"the file\" cannot be read (reading it failed with signal "), 0u)
-        << message;
+  const std::map<std::string, std::string> endings = {{"crash", "11, Segmentation fault"},
+                                                      {"abort", "6, Aborted"},
+                                                      {"recurse", "11, Segmentation fault"}};
+  for (const auto& [task, ending] : endings) {
+    EXPECT_EQ(Refusal(task),
+              std::make_pair(ErrorKind::kFormat,
+                             "\"the file\" cannot be read (its reader ended by signal " + ending +
+                                 ", while reading it); the file is damaged or holds what the "
+                                 "reader does not bear: export it again from its program or in "
+                                 "another format, else leave it out"));
     EXPECT_EQ(Read("", "next"), "next");
   }
-  EXPECT_EQ(Refusal("exit").first, ErrorKind::kEnvironment);
+}
+#endif
+
+TEST_F(FenceTest, AReaderThatExitsIsAtFaultItself) {
+  const auto [kind, message] = Refusal("exit");
+  EXPECT_EQ(kind, ErrorKind::kEnvironment);
+  EXPECT_EQ(message.find("\"the file\" cannot be read (graspbench-reader ended with exit code 3)"),
+            0u)
+      << message;
+  EXPECT_EQ(Read("", "next"), "next");
 }
 
 TEST_F(FenceTest, ErrorsCrossWithTheNameOfTheFile) {
@@ -96,6 +115,10 @@ TEST_F(FenceTest, MemoryIsLimited) {
   EXPECT_NE(message.find("it takes more than 1.00 GB of memory"), std::string::npos) << message;
   // The same reader goes on.
   EXPECT_EQ(Read("", "next"), "next");
+  const auto [ended_kind, ended] = Refusal("fill and end");
+  EXPECT_EQ(ended_kind, ErrorKind::kFormat);
+  EXPECT_EQ(ended.find("\"the file\" cannot be read (reading it takes more memory than 1 GB"), 0u)
+      << ended;
 }
 #endif
 
@@ -166,6 +189,37 @@ TEST_F(FenceTest, SignalsOfATerminalAreForTheParent) {
   ::kill(before[0], SIGKILL);
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   EXPECT_EQ(Read("", "c"), "c");
+}
+
+/** The first child of a process, once it has one. */
+int AwaitChild(int process) {
+  const std::string id = std::to_string(process);
+  for (int i = 0; i < 1000; ++i) {
+    std::ifstream file("/proc/" + id + "/task/" + id + "/children");
+    if (int child = 0; file >> child) return child;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return 0;
+}
+
+TEST_F(FenceTest, AReaderEndsWithItsParent) {
+  ASSERT_EQ(::prctl(PR_SET_CHILD_SUBREAPER, 1), 0);
+  const int parent = ::fork();
+  if (parent == 0) {
+    Read("spin", "content", 60);
+    ::_exit(0);
+  }
+  const int reader = AwaitChild(parent);
+  ASSERT_GT(reader, 0);
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));  // it spins
+  ::kill(parent, SIGKILL);
+  int status = 0;
+  ASSERT_EQ(::waitpid(parent, &status, 0), parent);
+  rusage used = {};
+  ASSERT_EQ(::wait4(reader, &status, 0, &used), reader);
+  EXPECT_TRUE(WIFEXITED(status)) << status;
+  EXPECT_LT(used.ru_utime.tv_sec, 5);
+  ::prctl(PR_SET_CHILD_SUBREAPER, 0);
 }
 
 TEST_F(FenceTest, ThreadsDoNotMeet) {

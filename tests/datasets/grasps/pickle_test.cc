@@ -23,7 +23,7 @@ TEST(Pickle, PlainValues) {
       "\x8c\x02"
       "ab\x85}\x8c\x01"
       "kK\x07se.",
-      46);
+      43);
   const Pickle pickle = ReadPickle(bytes, "p");
   const PickleValue& list = *pickle.root;
   ASSERT_EQ(list.kind, PickleValue::Kind::kList);

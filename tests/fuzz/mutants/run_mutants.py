@@ -50,7 +50,7 @@ for kind in options.kinds or mutants.KINDS:
             codes[code] += 1
             longest, largest = max(longest, (seconds, seed)), max(largest, (megabytes, seed))
             text = (Path(scratch) / 'log').read_text(errors='replace')
-            is_contained = 'failed with signal' in text
+            is_contained = 'its reader ended by signal' in text
             num_contained += is_contained
             if is_contained or code not in (0, 1, 2, 3) or seconds > 30 or megabytes > 1024 or new:
                 num_bad += not is_contained

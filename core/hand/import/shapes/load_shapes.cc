@@ -303,8 +303,19 @@ TriMesh MakeEllipsoid(const ForeignShape& shape) {
 
 }  // namespace
 
+bool ShapeLoader::CheckCount(const ForeignLink& link, size_t count) {
+  if (count <= kMostTouchingShapes) return true;
+  problems_.Fail(source_.file, link.line,
+                 "link \"" + link.name + "\" would touch with " +
+                     FormatCount(static_cast<int64_t>(count), "shape") + "; at most " +
+                     std::to_string(kMostTouchingShapes) +
+                     " can be used; join them into fewer meshes");
+  return false;
+}
+
 LoadedShapes ShapeLoader::Load(const ForeignLink& link, bool is_palm) {
   LoadedShapes loaded;
+  if (!CheckCount(link, link.collisions.size())) return loaded;
   std::vector<TriMesh> seen;  // surfaces of the visuals
   const std::string where = "link \"" + link.name + "\"";
   // A visual may be missing unless the palm uses it for contact.
@@ -349,6 +360,7 @@ LoadedShapes ShapeLoader::Load(const ForeignLink& link, bool is_palm) {
     if (!mesh.triangles.empty()) AddMesh(TurnOutwards(mesh, shape.mesh, shape.line, where), loaded);
   }
   if (!loaded.collisions.empty() || loaded.visuals.empty() || link.is_decoration) return loaded;
+  if (!CheckCount(link, loaded.visuals.size())) return loaded;
   loaded.notes.push_back("guess: it touches with its picture");
   problems_.Warn(source_.file, link.line,
                  where + " has no collision shape that can be used; it touches with its picture");

@@ -22,6 +22,8 @@ namespace graspbench {
 
 /** Upper bound of the size of a hand's part [m]. */
 inline constexpr double kLargestPart = 2.0;
+/** Shapes that a link touches with; the time to measure it grows with them. */
+inline constexpr size_t kMostTouchingShapes = 100;
 
 /** Reads a mesh file unscaled: one unit of the file is one metre. @throws Error. */
 using MeshLoader = std::function<TriMesh(const std::filesystem::path&)>;
@@ -76,8 +78,8 @@ class ShapeLoader {
   long, some longer than 2 m, and no unit fits. Call before Load. */
   void InferMeshUnit(const ForeignHand& hand);
   /** Loads the shapes of a link. Collision meshes get capsules for the checks (fit_capsules.h). A
-  link with visuals only gets its capsules from these, unless it is decoration. @param is_palm  it
-  must have a shape for contact. */
+  link with visuals only gets its capsules from these, unless it is decoration. More than
+  kMostTouchingShapes are an error. @param is_palm  it must have a shape for contact. */
   LoadedShapes Load(const ForeignLink& link, bool is_palm = false);
   /** Computes the inertia of a link without one from those of its shapes that have mass. */
   void Weigh(ForeignLink& link);
@@ -98,6 +100,8 @@ class ShapeLoader {
   void AddMesh(const TriMesh& mesh, LoadedShapes& loaded);
   void AddSolid(const ForeignShape& shape, const std::string& where, LoadedShapes& loaded);
   void Report(Severity severity, int line, const std::string& text);
+  /** @returns false, with an error: it would touch with too many. */
+  bool CheckCount(const ForeignLink& link, size_t count);
 
   struct LinkRatio {
     const ForeignLink* link = nullptr;

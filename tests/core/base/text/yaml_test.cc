@@ -75,6 +75,14 @@ TEST_F(YamlTest, AKeyGivenTwiceIsToldWithItsLine) {
   EXPECT_EQ(problems_.Format(), "o.yaml:2: error: object: \"size\" is given twice");
 }
 
+TEST_F(YamlTest, WhatIsNestedTooDeepIsToldSo) {
+  const std::string deep = "a:\n  " + std::string(10000, '[') + std::string(10000, ']');
+  EXPECT_TRUE(ParseYaml(deep, "o.yaml", problems_).IsNull());
+  const std::string text = problems_.Format();
+  EXPECT_EQ(text.find("o.yaml:2: error: nested deeper than "), 0u) << text;
+  EXPECT_NE(text.find(" levels; expected fewer"), std::string::npos) << text;
+}
+
 TEST(FormatYamlWord, LeavesWordsAlone) {
   for (const char* word : {"golf_ball", "new-target", "TH", "rh_FFJ1.2"}) {
     EXPECT_EQ(FormatYamlWord(word), word);

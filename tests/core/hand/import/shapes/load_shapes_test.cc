@@ -60,6 +60,27 @@ TEST_F(LoadShapesTest, ACollisionMeshBecomesABall) {
   EXPECT_TRUE(loaded.collisions[0].is_fitted);
 }
 
+TEST_F(LoadShapesTest, MoreThanAHundredShapesAreRefusedWithTheirCount) {
+  ForeignShape box;
+  box.kind = ForeignShape::Kind::kBox;
+  box.size.setConstant(0.01);
+  for (const bool is_seen : {false, true}) {
+    ForeignLink link;
+    link.name = "tip";
+    link.line = 3;
+    std::vector<ForeignShape>& shapes = is_seen ? link.visuals : link.collisions;
+    shapes.assign(100, box);
+    EXPECT_EQ(Load(link).solids.size(), 100u);
+    shapes.push_back(box);
+    EXPECT_TRUE(Load(link).solids.empty());
+    ASSERT_FALSE(problems_.entries().empty());
+    EXPECT_EQ(problems_.entries().back().severity, Severity::kError);
+    EXPECT_EQ(problems_.entries().back().text,
+              "link \"tip\" would touch with 101 shapes; at most 100 can be used; join them into "
+              "fewer meshes");
+  }
+}
+
 TEST_F(LoadShapesTest, MillimetresAndAScaleTooManyAreSeen) {
   ForeignLink link;
   link.name = "tip";
