@@ -160,6 +160,25 @@ TEST(InscribeCapsulesTest, NoneCrossesTheHollowOfABowl) {
   }
 }
 
+// Also where trimming leaves one near fewer points than it was taken for: thin plates.
+TEST(InscribeCapsulesTest, NoneIsThereTwice) {
+  const std::vector<std::vector<TriMesh>> links = {
+      {MakeRoundedBox({0.06, 0.09, 0.001}, 0.0)},
+      {MakeRoundedBox({0.08, 0.09, 0.0015}, 0.0)},
+      {MakeRoundedBox({0.012, 0.012, 0.002}, 0.0), MakeRoundedBox({0.002, 0.012, 0.012}, 0.0)}};
+  for (const std::vector<TriMesh>& link : links) {
+    const std::vector<FittedCapsule> capsules = InscribeCapsules(LinkSolid(link));
+    for (size_t a = 0; a < capsules.size(); ++a) {
+      for (size_t b = a + 1; b < capsules.size(); ++b) {
+        EXPECT_GT(
+            (capsules[a].p_A - capsules[b].p_A).norm() + (capsules[a].p_B - capsules[b].p_B).norm(),
+            1e-9)
+            << a << " and " << b;
+      }
+    }
+  }
+}
+
 // Eight are not enough. None sticks out of a face by more than balls may.
 TEST(InscribeCapsulesTest, APlateHasAsManyAsItNeeds) {
   for (const Vector3d& size : {Vector3d(0.08, 0.09, 0.0015), Vector3d(0.12, 0.12, 0.002)}) {
