@@ -41,7 +41,7 @@ std::string FindExample(const BoardPageData& data, size_t line, const std::strin
 std::string DescribeDraws(const Board& board) {
   return board.held_out_seed ? "held-out draws of seed " + std::to_string(*board.held_out_seed) +
                                    ", revealed after the entries were packed"
-                             : "the public draws, on which everybody may choose";
+                             : "the public draws, on which authors may have chosen their entries";
 }
 
 Html DrawRanks(const BoardPageData& data) {
@@ -53,8 +53,8 @@ Html DrawRanks(const BoardPageData& data) {
     return line.rank && first.rank && *line.rank == *first.rank;
   });
   if (tied > 1) {
-    lead += FormatCount(tied, "line shares", "lines share") +
-            " its rank: no paired difference to it is sure. ";
+    lead += FormatCount(tied - 1, "other line shares", "other lines share") +
+            " its rank, because the 95 % interval of the paired difference includes 0. ";
   }
   return MakeParagraph(lead + "Ranks are by " + DescribeDraws(board) + ".") +
          MakeTable("Ranks of " + board.benchmark.name + ": one line per entry and hand.",
@@ -119,11 +119,11 @@ Html DrawWinners(const BoardPageData& data) {
     }
   }
   return MakeParagraph(
-             "Groups are thirds of the objects by their friction and mass: the objects with the "
-             "least friction are the slippery ones. Sure: the 95 % interval of the paired "
-             "difference between best and second excludes 0. The interval over several objects "
-             "draws objects; of fewer than five it speaks for these objects alone. With many rows "
-             "some are sure by chance.") +
+             "Groups are thirds of the objects by their static friction and their mass; objects of "
+             "equal value stay together. The objects with the least friction are the slippery "
+             "ones. Sure: the 95 % interval of the paired difference between best and second "
+             "excludes 0. With five objects or more the interval resamples the objects; with fewer "
+             "it holds for these objects only. With many rows some are sure by chance.") +
          MakeTable("The best line on each group of objects and on each object.",
                    ShowTable(ListWinnerColumns(), winners));
 }
@@ -138,6 +138,7 @@ Html DrawFailures(const BoardPageData& data) {
   Table table("A failed trial of each entry on each object, of the public draws.",
               {"Entry", "Hand", "Object", "Failed trial", "Ended as", "Pack"});
   const BoardTrial* first = nullptr;
+  std::string pack;  // of the first
   for (size_t i = 0; i < board.lines.size(); ++i) {
     const BoardLine& line = board.lines[i];
     plot.rows.push_back(
@@ -150,7 +151,10 @@ Html DrawFailures(const BoardPageData& data) {
                                     : Text(name),
                     WordsOf(trial->outcome), line.entry->pack},
                    AnchorFailure(i, object));
-      if (!first) first = trial;
+      if (!first) {
+        first = trial;
+        pack = line.entry->pack;
+      }
     }
   }
   if (board.lines.empty()) return MakeParagraph("There is nothing to show.");
@@ -162,11 +166,11 @@ Html DrawFailures(const BoardPageData& data) {
   return bars +
          MakeParagraph(
              "These commands repeat a trial from its pack, compare it with the entry's record, and "
-             "make a page with the trial in 3-D. PACK and the trial's name stand in the table; "
-             "here is the trial of the first row:") +
+             "make a page with the trial in 3-D. Run them where the pack lies. The table has the "
+             "pack and the name of each trial; this is the first row:") +
          MakeScroll("Commands", Element("pre", {},
-                                        "mkdir entry && tar xf PACK -C entry\n"
-                                        "graspbench trial entry/session " +
+                                        "rm -rf entry && mkdir entry && tar xf " + pack +
+                                            " -C entry\ngraspbench trial entry/session " +
                                             NameTrial(first->plan) + " --page trial.html")) +
          table.ToHtml();
 }

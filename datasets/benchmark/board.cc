@@ -116,12 +116,14 @@ void SetRanks(const Board& board, const DrawTable& table, const std::string& han
   }
 }
 
-/** The objects of the least or largest values, a third of them. */
+/** A third of the objects, of the least or largest values, and those equal to the last of them. */
 std::vector<std::string> TakeThird(std::vector<std::pair<double, std::string>> values,
                                    bool is_largest) {
   std::sort(values.begin(), values.end());
   if (is_largest) std::reverse(values.begin(), values.end());
-  values.resize(values.size() / kGroupParts);
+  size_t count = values.size() / kGroupParts;
+  while (count < values.size() && values[count].first == values[count - 1].first) ++count;
+  values.resize(count);
   std::vector<std::string> objects;
   for (auto& value : values) objects.push_back(std::move(value.second));
   return objects;
@@ -182,6 +184,9 @@ void FindWinner(const Board& board, const DrawTable& table, const TakeLine& is_o
   if (order.empty()) return;
   group.best = &board.lines[order[0].second];
   group.tally = tallies[order[0].second];
+  group.num_tied =
+      static_cast<int>(std::count_if(order.begin() + 1, order.end(),
+                                     [&](const auto& one) { return one.first == order[0].first; }));
   if (order.size() < 2) return;
   group.second = &board.lines[order[1].second];
   group.lead = CompareLines(table, order[1].second, order[0].second,
@@ -457,10 +462,15 @@ std::vector<CsvColumn<GroupWinner>> ListWinnerColumns() {
               return static_cast<int>(row.objects.size());
             }).Shown("Objects"),
           C("num_lines", "", "how many lines are compared", &Row::num_lines).Shown("Lines"),
-          C("best", "", "entry and hand",
-            [name](const Row& row) {
-              return name(row.best);
-            }).Shown("Best"),
+          C("best", "", "entry and hand", [name](const Row& row) { return name(row.best); })
+              .Shown("Best",
+                     [name](const Row& row) {
+                       return name(row.best) +
+                              (row.num_tied > 0
+                                   ? ", tied with " + FormatCount(row.num_tied, "other")
+                                   : "");
+                     }),
+          C("num_tied", "", "other lines with the success rate of the best", &Row::num_tied),
           C("successes", "", "of the best", [](const Row& row) { return row.tally.successes(); })
               .Shown("Successes",
                      [](const Row& row) {

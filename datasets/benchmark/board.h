@@ -101,6 +101,7 @@ struct GroupWinner {
   const BoardLine* second = nullptr;  ///< null: there is only one line
   Tally tally = {};                   ///< of the best line
   ChangeEstimate lead = {};           ///< success rate of the best minus that of the second
+  int num_tied = 0;                   ///< other lines with the best's success rate
 };
 
 struct Board {

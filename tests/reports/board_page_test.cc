@@ -25,7 +25,8 @@ TEST(BoardPageTest, ItSaysWhoIsBestWhereAndWhatHasNoRank) {
   ExpectParts(TextOfId(page, "winners"),
               {"least friction: o0, o1", "first, tum", "18 of 20", "yes"});
   ExpectParts(TextOfId(page, "failures"),
-              {"tum-o0-g1:9", "slipped in lift-off", "trial entry/session tum-o0-g1:9 --page"});
+              {"tum-o0-g1:9", "slipped in lift-off", "tar xf first.tar -C entry",
+               "trial entry/session tum-o0-g1:9 --page"});
   EXPECT_TRUE(Has(page, "href=\"#failed-0-o0\""));
   ExpectParts(TextOfId(page, "refused"), {"bad.tar", "is cut off"});
   ExpectParts(TextOfId(page, "rules"), {"Not found: grasps or controllers that were chosen"});

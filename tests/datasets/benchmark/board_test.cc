@@ -97,6 +97,24 @@ TEST(BoardTest, TheBestOnSlipperyObjectsIsNamed) {
   EXPECT_EQ(winners.at("all objects")->best->entry->facts.name, "other");
 }
 
+// The fourth object has the friction of the third; both entries hold the same trials.
+TEST(BoardTest, ObjectsOfEqualFrictionStayTogetherAndEqualEntriesAreTied) {
+  SessionInputs inputs = MakeBoardInputs(9);
+  const auto equal = MakeFakeObject("o3");
+  equal->surface.friction_static = inputs.objects[2]->surface.friction_static;
+  inputs.objects[3] = equal;
+  Board board;
+  board.benchmark.name = "made/1";
+  board.entries = {MakeBoardEntry("one", std::vector<int>(9, 9), 10),
+                   MakeBoardEntry("other", {9, 9, 9, 9, 9, 9, 9, 9, 1}, 10)};
+  RankEntries(inputs, board);
+  std::map<std::string, const GroupWinner*> winners;
+  for (const GroupWinner& winner : board.winners) winners[winner.group] = &winner;
+  EXPECT_EQ(winners.at("least friction")->objects, (Names{"o0", "o1", "o2", "o3"}));
+  EXPECT_EQ(winners.at("least friction")->num_tied, 1);
+  EXPECT_EQ(winners.at("all objects")->num_tied, 0);
+}
+
 // "arm" is best of one kind of lines and "bare" of the other; all are of the same hand and sensing.
 TEST(BoardTest, TheBestOfEachControllerAndYearIsNamed) {
   BoardEntry arm = MakeBoardEntry("arm", std::vector<int>(8, 5), 10);
