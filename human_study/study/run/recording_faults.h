@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-Doubts about a trial that its recording as a whole shows: frames that an even clock hides, and digits
-that were not measured. */
+Doubts about a trial that its recording as a whole shows: labels that two markers exchange, frames that
+an even clock hides, and digits that were not measured. */
 
 #include <vector>
 
@@ -10,7 +10,8 @@ that were not measured. */
 
 namespace graspbench {
 
-/** - frame_jump: frames are missing in two places of the trial, or 10 ms in one (lost_frames.h);
+/** - label_jump: two markers exchange their labels within the trial (exchanged_labels.h);
+- frame_jump: frames are missing in two places of the trial, or 10 ms in one (lost_frames.h);
 - constant_shape: three digits or more keep all their distances within 3 mm while they travel: a hand
   model that was placed, whose contacts mean nothing.
 @param trial  a part of the recording. */
