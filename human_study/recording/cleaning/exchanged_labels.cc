@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr size_t kFramesOfCourse = 3;  // that tell how a marker moves
-constexpr double kLongestGap = 0.1;    // [s]
+constexpr double kLongestGap = 0.12;   // [s]
 constexpr double kLeastMiss = 5e-3;    // of its own course [m]
 constexpr double kUsualMisses = 4.0;   // of its median
 constexpr double kOnCourse = 0.35;     // of its own miss: it is on the other's course
