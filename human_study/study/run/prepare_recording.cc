@@ -185,6 +185,32 @@ std::vector<const Trajectory*> ListTracks(const PreparedRecording& prepared) {
   return tracks;
 }
 
+/** Of tips, their companions, wrist and object, as they were recorded. */
+std::vector<ExchangedMarkers> FindExchanges(const Recording& recording,
+                                            const MarkerConfig& markers) {
+  const std::vector<std::string> labels = ListLabels(recording);
+  std::vector<std::string> names;
+  std::vector<Trajectory> tracks;
+  const auto add = [&](const std::string& name, const std::vector<std::string>& wanted) {
+    const std::string* label = FindFirst(wanted, labels);
+    if (label == nullptr) return;
+    names.push_back(name.empty() ? "\"" + *label + "\"" : name);
+    tracks.push_back(MakeTrajectory(recording, *label));
+  };
+  for (int digit = 0; digit < PerDigit<int>::kNumDigits; ++digit) {
+    add(NameOfDigit(digit), markers.tips[digit]);
+    add("", {markers.companions[digit]});
+  }
+  add("", markers.wrist);
+  for (const std::string& label : markers.object) add("", {label});
+  std::vector<ExchangedMarkers> exchanges;
+  for (const LabelExchange& exchange : FindLabelExchanges(tracks)) {
+    exchanges.push_back({tracks.front().times[exchange.sample], names[exchange.label],
+                         names[exchange.other], exchange.distance});
+  }
+  return exchanges;
+}
+
 }  // namespace
 
 std::optional<TableRows> StudyTables::Find(const Study& study, const PlannedReach& planned) {
@@ -281,6 +307,7 @@ PreparedRecording PrepareRecording(const Recording& recording, const StudyConfig
       miss(-1, "object", config.markers.object);
     }
   }
+  prepared.exchanges = FindExchanges(recording, config.markers);
   // Resampling is a filter itself, and its clock hides no frame.
   if (!prepared.was_resampled) {
     const std::vector<const Trajectory*> tracks = ListTracks(prepared);

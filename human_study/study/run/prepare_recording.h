@@ -11,6 +11,7 @@ even clock, and cuts the recording into reaches. */
 #include <vector>
 
 #include "human_study/events/reach_trial.h"
+#include "human_study/recording/cleaning/exchanged_labels.h"
 #include "human_study/recording/cleaning/lost_frames.h"
 #include "human_study/recording/importers/importer.h"
 #include "human_study/recording/recording.h"
@@ -24,6 +25,13 @@ struct MissingMarker {
   std::string text;  ///< labels expected, and labels in the recording
 };
 
+/** From that instant on a marker goes on where another one was, which is elsewhere or hidden. */
+struct ExchangedMarkers {
+  double time = 0.0;         ///< [s]
+  std::string label, other;  ///< names of digits, else the recording's labels
+  double distance = 0.0;     ///< of the jump [m]
+};
+
 struct PreparedRecording {
   std::vector<double> times;  ///< [s], even; all tracks have these
   std::vector<DigitTrack> digits;
@@ -34,7 +42,8 @@ struct PreparedRecording {
   size_t num_samples = 0;      ///< of all tracks
   size_t num_frozen = 0;       ///< samples made invalid because they repeat the previous one
   size_t num_spikes = 0;       ///< samples made invalid as spikes (InvalidateSpikes)
-  std::vector<FrameLoss> frame_losses;  ///< hidden by an even clock
+  std::vector<FrameLoss> frame_losses;      ///< hidden by an even clock
+  std::vector<ExchangedMarkers> exchanges;  ///< in the order of time (exchanged_labels.h)
   double low_pass = NAN;  ///< cut-off of a filter before the export [Hz]; NaN: none seen
   std::vector<MissingMarker> missing;
 };

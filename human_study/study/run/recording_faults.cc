@@ -76,11 +76,32 @@ std::vector<Doubt> FindConstantShape(const ReachTrial& trial) {
                        MmFromM(largest))}};
 }
 
+std::vector<Doubt> FindExchangedMarkers(const PreparedRecording& recording,
+                                        const ReachTrial& trial) {
+  const ExchangedMarkers* first = nullptr;
+  double last = 0.0;
+  for (const ExchangedMarkers& exchange : recording.exchanges) {
+    if (exchange.time <= trial.times.front() || exchange.time > trial.times.back()) continue;
+    if (first == nullptr) first = &exchange;
+    last = exchange.time;
+  }
+  if (first == nullptr) return {};
+  const std::string again =
+      last > first->time ? fmt::format(" (the last such frame is at {:.3f} s)", last) : "";
+  return {{"label_jump",
+           fmt::format("at {:.3f} s the marker of {} goes on where that of {} was, {:.0f} mm from "
+                       "its own course, and that of {} is no longer there{}: their labels are "
+                       "exchanged. Correct the labels in the recording",
+                       first->time, first->label, first->other, MmFromM(first->distance),
+                       first->other, again)}};
+}
+
 }  // namespace
 
 std::vector<Doubt> FindRecordingFaults(const PreparedRecording& recording,
                                        const ReachTrial& trial) {
-  std::vector<Doubt> doubts = FindLostFrames(recording, trial);
+  std::vector<Doubt> doubts = FindExchangedMarkers(recording, trial);
+  for (Doubt& doubt : FindLostFrames(recording, trial)) doubts.push_back(std::move(doubt));
   for (Doubt& doubt : FindConstantShape(trial)) doubts.push_back(std::move(doubt));
   return doubts;
 }

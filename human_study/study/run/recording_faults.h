@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-Doubts about a trial that follow from its whole recording: frame losses hidden by an even clock, and
-digits that were not measured. */
+Doubts about a trial that follow from its whole recording: labels that two markers exchange, frame
+losses hidden by an even clock, and digits that were not measured. */
 
 #include <vector>
 
@@ -10,7 +10,8 @@ digits that were not measured. */
 
 namespace graspbench {
 
-/** - frame_jump: frames are missing in two places of the trial, or 10 ms in one (lost_frames.h);
+/** - label_jump: two markers exchange their labels within the trial (exchanged_labels.h);
+- frame_jump: frames are missing in two places of the trial, or 10 ms in one (lost_frames.h);
 - constant_shape: three digits or more keep all mutual distances within 3 mm while moving: a rigid
   hand model, whose contacts are meaningless.
 @param trial  a part of the recording. */

@@ -19,60 +19,13 @@
 #include "human_study/study/output/study_tables.h"
 #include "human_study/study/run/prepare_recording.h"
 #include "human_study/study/run/recording_faults.h"
+#include "human_study/study/run/trial_openings.h"
 #include "human_study/study/run/trial_removal.h"
+#include "human_study/study/run/usual_hands.h"
 
 namespace graspbench {
 
 namespace {
-
-/** Largest value between two instants; NaN without any. */
-double FindLargest(const ScalarCurve& curve, double begin, double end) {
-  double largest = std::nan("");
-  const SampleRun run = FindSamples(curve.times, begin, end);
-  for (size_t i = run.first; i < run.last; ++i) {
-    const double value = curve.At(i);
-    if (curve.IsValid(i) && !(value <= largest)) largest = value;
-  }
-  return largest;
-}
-
-std::vector<OpeningValues> CalcOpenings(FilteredTrial& trial, const TrialAnalysis& analysis,
-                                        const AnalysisOptions& options) {
-  const double last_contact = FindLastContact(analysis.contacts);
-  const double begin = analysis.movement.onset.time;
-  const auto find_open = [&](const ScalarCurve& curve) {
-    return FindLargest(curve, begin, last_contact);
-  };
-  std::vector<OpeningValues> values;
-  for (const HandOpening& opening : HandOpeningList()) {
-    const ScalarCurve curve = CalcOpeningCurve(trial, opening, options.opening.cutoff);
-    OpeningValues value;
-    value.open = find_open(curve);
-    value.closed = ValueNear(curve, last_contact);
-    const std::vector<DigitTrack>& digits = trial.trial().digits;
-    for (const DigitTrack& digit : digits) {
-      const bool can_leave_out = !digit.is_thumb && digits.size() > 2;
-      const ScalarCurve without =
-          can_leave_out ? CalcOpeningCurve(trial, opening, options.opening.cutoff, digit.digit)
-                        : ScalarCurve();
-      value.open_without.push_back(can_leave_out ? find_open(without) : std::nan(""));
-      value.closed_without.push_back(can_leave_out ? ValueNear(without, last_contact)
-                                                   : std::nan(""));
-    }
-    values.push_back(value);
-  }
-  return values;
-}
-
-std::vector<double> SampleOpening(const TrialAnalysis& analysis) {
-  const double begin = analysis.movement.onset.time, last = FindLastContact(analysis.contacts);
-  std::vector<double> course;
-  for (size_t step = 0; step < kNumOpeningSteps; ++step) {
-    const double share = static_cast<double>(step) / (kNumOpeningSteps - 1);
-    course.push_back(ValueNear(analysis.opening, begin + share * (last - begin)));
-  }
-  return course;
-}
 
 /** What the comment at the top of study.yaml says, if it names the recording or its folder: where
 it is from. */
@@ -122,9 +75,11 @@ std::vector<ContactReview> SettleReviews(std::vector<ContactReview> reviews,
 /** Goes through the rows of trials.csv and collects. */
 class Runner {
  public:
-  Runner(const StudyWatch& watch, StudyResult& result)
+  /** @param usual  where digits are in a person's other trials. */
+  Runner(const StudyWatch& watch, const UsualHands& usual, StudyResult& result)
       : study_(result.study),
         watch_(watch),
+        usual_(usual),
         result_(result),
         measures_(ListStudyMeasures(result.study)) {}
 
@@ -175,6 +130,8 @@ class Runner {
     result_.lowest_rate = *std::min_element(rates_.begin(), rates_.end());
     result_.highest_rate = *std::max_element(rates_.begin(), rates_.end());
   }
+
+  const UsualHands& hands() const { return hands_; }
 
  private:
   static void Remove(const Removal& removal, StudyTrial& trial) {
@@ -242,13 +199,16 @@ class Runner {
       const AnalysisOptions options = FitCutoffs(study_.config.analysis, prepared_.rate);
       FilteredTrial filtered(*reach);
       trial.analysis = AnalyseTrial(filtered, options);
-      for (const Doubt& doubt : FindRecordingFaults(prepared_, *reach)) {
-        trial.analysis->trial_doubts.insert(trial.analysis->trial_doubts.begin(), doubt);
-        trial.analysis->doubts.insert(trial.analysis->doubts.begin(), doubt);
+      std::vector<Doubt> faults = FindRecordingFaults(prepared_, *reach);
+      for (Doubt& doubt : usual_.FindExchange(planned, *trial.analysis, *reach))
+        faults.push_back(std::move(doubt));
+      for (std::vector<Doubt>* doubts : {&trial.analysis->trial_doubts, &trial.analysis->doubts}) {
+        doubts->insert(doubts->begin(), faults.begin(), faults.end());
       }
       Review(planned, options, trial, *trial.analysis);
       Remove(FindRemoval(*trial.analysis, study_.config.removal), trial);
       if (trial.IsKept()) RemoveCopy(*reach, trial);
+      if (trial.IsKept()) hands_.Add(planned, *trial.analysis, *reach);
       if (trial.IsKept() && !result_.universes.empty()) {
         trial.openings = CalcOpenings(filtered, *trial.analysis, options);
         trial.opening_course = SampleOpening(*trial.analysis);
@@ -399,8 +359,10 @@ class Runner {
 
   const Study& study_;
   const StudyWatch& watch_;
+  const UsualHands& usual_;
   StudyResult& result_;
   std::vector<TrialMeasure> measures_;  // that the study tests
+  UsualHands hands_;                    // of the trials that count
   PreparedRecording prepared_;
   StudyTables tables_;
   std::string loaded_;  // which recording `prepared_` is
@@ -414,18 +376,27 @@ class Runner {
   std::vector<double> rates_, noises_, cutoffs_;
 };
 
-/** Trials of every n-th row, analysed once and with every contact, however uncertain. */
-StudyResult RunSome(const Study& study) {
-  constexpr size_t kMaxRows = 120;
+/** Trials of every n-th row of each person, analysed once and with every contact, however uncertain.
+@param hands  of those that count. */
+StudyResult RunSome(const Study& study, UsualHands& hands) {
+  constexpr size_t kMaxRows = 120, kFewestOfPerson = 5;
   StudyResult result;
   result.study = study;
   result.study.config.analysis.contact.max_uncertainty = 0.0;
   result.study.reviews.clear();
   const StudyWatch nobody;
-  Runner runner(nobody, result);
-  const size_t step = (study.trials.size() + kMaxRows - 1) / kMaxRows;
-  for (size_t i = 0; i < study.trials.size(); i += step) runner.Run(study.trials[i]);
+  const UsualHands unknown;
+  Runner runner(nobody, unknown, result);
+  std::map<std::string, size_t> num_rows;  // of each person
+  for (const PlannedReach& planned : study.trials) ++num_rows[planned.participant];
+  const size_t most = std::max(kMaxRows, kFewestOfPerson * num_rows.size());
+  const size_t step = (study.trials.size() + most - 1) / most;
+  num_rows.clear();
+  for (const PlannedReach& planned : study.trials) {
+    if (num_rows[planned.participant]++ % step == 0) runner.Run(planned);
+  }
   runner.CountRates();
+  hands = runner.hands();
   return result;
 }
 
@@ -445,7 +416,8 @@ Study LeaveOutReport(Study study) {
 StudyResult RunTrials(const Study& study, const StudyWatch& watch) {
   StudyResult result;
   result.study = study;
-  const StudyResult some = RunSome(study);
+  UsualHands hands;
+  const StudyResult some = RunSome(study, hands);
   result.study.config = FitCutoffs(study.config, some.highest_rate);  // slower ones lower theirs
   LearnFrom(some.trials, result);
   for (int digit = 0; digit < PerDigit<int>::kNumDigits; ++digit) {
@@ -453,7 +425,7 @@ StudyResult RunTrials(const Study& study, const StudyWatch& watch) {
   }
   result.universes = ListUniverses(result.study.config);
   result.trials.reserve(study.trials.size());
-  Runner runner(watch, result);
+  Runner runner(watch, hands, result);
   for (size_t i = 0; i < study.trials.size(); ++i) {
     runner.Run(study.trials[i]);
     if (watch.on_row) watch.on_row(i + 1, study.trials.size());

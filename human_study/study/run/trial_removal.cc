@@ -341,6 +341,9 @@ const RemovalAdvice& FindRemovalAdvice(const std::string& code) {
        "the recording: export the digits' own markers; removal.implausible: false keeps it"},
       {"label_jump", Curve::kOpening,
        "the recording: markers exchanged their labels; removal.implausible: false keeps it"},
+      {"labels_exchanged", Curve::kNone,
+       "the recording: the labels of the digits that the reason names, or hand in trials.csv; "
+       "removal.implausible: false keeps it"},
       {"frame_jump", Curve::kSpeed,
        "the recording: export it again with all frames; start_s and end_s of trials.csv, if the "
        "jump is outside the reach; removal.implausible: false keeps it"},

@@ -91,6 +91,35 @@ TEST(Everyday, ThumbAndIndexExchangedAreReported) {
   EXPECT_GE(CountRemovals(judged.result)["thumb_not_opposed"], 17);
 }
 
+// Of each person: one trial throughout, one for 20 ms of the reach, one from before the touch on.
+TEST(Everyday, SomeExchangedLabelsCostTheirTrialsAlone) {
+  StudyPlan plan = MakeEverydayPlan("some exchanged");
+  plan.make_reach = [](const Conditions& conditions, const std::string& id, int trial) {
+    Reach reach = MakeEverydayReach(conditions, id, trial);
+    const auto exchange = [&](double begin, double end) {
+      for (size_t i = 0; i < reach.times.size(); ++i) {
+        if (reach.times[i] < begin || reach.times[i] >= end) continue;
+        std::swap(reach.digits[0][i], reach.digits[1][i]);
+      }
+    };
+    if (trial == 1) exchange(-INFINITY, INFINITY);
+    if (trial == 2) exchange(reach.widest - 0.1, reach.widest - 0.08);
+    if (trial == 4) exchange(reach.touch_times[1] - 0.03, INFINITY);
+    return reach;
+  };
+  const Judged judged = RunPlan(plan);
+  Print("some exchanged", judged);
+  std::map<std::string, int> removals = CountRemovals(judged.result);
+  EXPECT_EQ(removals["labels_exchanged"], plan.num_people);
+  EXPECT_EQ(removals["label_jump"], 2 * plan.num_people);
+  EXPECT_GE(judged.result.CountKept(), plan.num_people * (plan.trials_per_person - 3) - 1);
+  for (const StudyTrial& trial : judged.result.trials) {
+    if (trial.removed_code != "labels_exchanged" && trial.removed_code != "label_jump") continue;
+    EXPECT_NE(trial.removed.find("thumb"), std::string::npos);
+    EXPECT_NE(trial.removed.find("index"), std::string::npos);
+  }
+}
+
 TEST(Everyday, SpikesAreBridged) {
   StudyPlan plan = MakeEverydayPlan("spikes");
   plan.conditions.spike_share = 0.01;
