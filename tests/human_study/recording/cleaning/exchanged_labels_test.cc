@@ -16,7 +16,7 @@ closes. */
 std::vector<Trajectory> MakeReachingHand(double rate, double noise) {
   RandomStream random("exchanged labels", std::to_string(rate));
   std::vector<Trajectory> tracks;
-  for (const Eigen::Vector3d place :
+  for (const Eigen::Vector3d& place :
        {Eigen::Vector3d(-1, 0, 0), Eigen::Vector3d(1, 0, 0.01), Eigen::Vector3d(1, 0, -0.01),
         Eigen::Vector3d(0, -0.15, 0.05)}) {
     Trajectory track = SamplePath(MakeTimes(0.0, 2.0, rate), [&](double t) {
