@@ -26,11 +26,6 @@ Vector4d CalcMedianPlace(const std::vector<Vector4d>& places) {
   return median;
 }
 
-struct DigitPair {
-  std::string one, other;
-  Vector4d place;  ///< q
-};
-
 std::vector<DigitPair> ListPairs(const TrialAnalysis& analysis, const ReachTrial& reach) {
   const double begin = analysis.movement.onset.time, end = analysis.hold.time;
   if (!(begin < end)) return {};
@@ -80,24 +75,53 @@ void UsualHands::Add(const PlannedReach& planned, const TrialAnalysis& analysis,
   }
 }
 
+std::optional<Vector4d> UsualHands::FindUsual(const PlannedReach& planned,
+                                              const DigitPair& pair) const {
+  auto found = places_.find(MakeKey(planned, planned.object, pair));
+  if (found == places_.end() || found->second.size() < kFewestTrials) {
+    found = places_.find(MakeKey(planned, kAnyObject, pair));
+  }
+  if (found == places_.end() || found->second.size() < kFewestTrials) return std::nullopt;
+  const Vector4d usual = CalcMedianPlace(found->second);
+  const auto num_agreeing = static_cast<size_t>(
+      std::count_if(found->second.begin(), found->second.end(),
+                    [&](const Vector4d& place) { return IsOtherWayRound(-place, usual); }));
+  if (3 * num_agreeing < 2 * found->second.size()) return std::nullopt;
+  return usual;
+}
+
+bool UsualHands::FitsExchanged(const PlannedReach& planned, const std::vector<DigitPair>& pairs,
+                               const DigitPair& exchanged) const {
+  const auto relabel = [&](const std::string& digit) {
+    return digit == exchanged.one     ? exchanged.other
+           : digit == exchanged.other ? exchanged.one
+                                      : digit;
+  };
+  return std::none_of(pairs.begin(), pairs.end(), [&](const DigitPair& pair) {
+    const std::string one = relabel(pair.one), other = relabel(pair.other);
+    for (const double sign : {1.0, -1.0}) {
+      const DigitPair corrected = {sign > 0.0 ? one : other, sign > 0.0 ? other : one,
+                                   sign * pair.place};
+      const std::optional<Vector4d> usual = FindUsual(planned, corrected);
+      if (usual && (corrected.place - *usual).norm() > (corrected.place + *usual).norm()) {
+        return true;
+      }
+    }
+    return false;
+  });
+}
+
 std::vector<Doubt> UsualHands::FindExchange(const PlannedReach& planned,
                                             const TrialAnalysis& analysis,
                                             const ReachTrial& reach) const {
+  const std::vector<DigitPair> pairs = ListPairs(analysis, reach);
   double best = kOtherWayRound;
   std::vector<Doubt> doubts;
-  for (const DigitPair& pair : ListPairs(analysis, reach)) {
-    auto found = places_.find(MakeKey(planned, planned.object, pair));
-    if (found == places_.end() || found->second.size() < kFewestTrials) {
-      found = places_.find(MakeKey(planned, kAnyObject, pair));
-    }
-    if (found == places_.end() || found->second.size() < kFewestTrials) continue;
-    const Vector4d usual = CalcMedianPlace(found->second);
-    const auto num_agreeing = static_cast<size_t>(
-        std::count_if(found->second.begin(), found->second.end(),
-                      [&](const Vector4d& place) { return IsOtherWayRound(-place, usual); }));
-    if (3 * num_agreeing < 2 * found->second.size()) continue;
-    const double off = (pair.place - usual).norm(), off_exchanged = (pair.place + usual).norm();
-    if (!(off > best * off_exchanged)) continue;
+  for (const DigitPair& pair : pairs) {
+    const std::optional<Vector4d> usual = FindUsual(planned, pair);
+    if (!usual) continue;
+    const double off = (pair.place - *usual).norm(), off_exchanged = (pair.place + *usual).norm();
+    if (!(off > best * off_exchanged) || !FitsExchanged(planned, pairs, pair)) continue;
     best = off / off_exchanged;
     const std::string one = NameOfDigit(pair.one), other = NameOfDigit(pair.other);
     doubts = {

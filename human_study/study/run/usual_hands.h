@@ -8,11 +8,13 @@ For two digits a and b of a trial, q is the median over the reach of
     (p_a - p_b, |p_a - p_W| - |p_b - p_W|)   [m], in L; W the wrist's marker, without one 0.
 
 An exchange of the two labels changes the sign of q and nothing else. With m the person's median of
-q, the labels are exchanged where |q - m| > 2 |q + m|. A hand that is turned round changes the sign
-of the first three alone; its thumb stays as near to the wrist. */
+q, the labels are exchanged where |q - m| > 2 |q + m|, and where their exchange brings no other pair
+nearer to -m than to m. A hand that is turned round changes the sign of the first three of all its
+pairs; its thumb stays as near to the wrist. */
 
 #include <Eigen/Core>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,12 @@ of the first three alone; its thumb stays as near to the wrist. */
 #include "human_study/study/design/study_config.h"
 
 namespace graspbench {
+
+/** Two digits of a trial. */
+struct DigitPair {
+  std::string one, other;  ///< names
+  Eigen::Vector4d place;   ///< q
+};
 
 class UsualHands {
  public:
@@ -34,6 +42,13 @@ class UsualHands {
                                   const ReachTrial& reach) const;
 
  private:
+  /** m; nothing where it cannot be told. */
+  std::optional<Eigen::Vector4d> FindUsual(const PlannedReach& planned,
+                                           const DigitPair& pair) const;
+  /** With these two labels exchanged no pair of the hand is nearer to -m than to m. */
+  bool FitsExchanged(const PlannedReach& planned, const std::vector<DigitPair>& pairs,
+                     const DigitPair& exchanged) const;
+
   std::map<std::string, std::vector<Eigen::Vector4d>> places_;  // by person, hand, object, pair
 };
 
