@@ -11,8 +11,8 @@
 namespace graspbench {
 namespace {
 
-/** Thumb, index, middle (20 mm from the index) and wrist of a hand that goes 0.4 m in 0.8 s, opens and
-closes. */
+/** Thumb, index, middle (20 mm from the index) and wrist of a hand that goes 0.4 m in 0.8 s, opens
+and closes. */
 std::vector<Trajectory> MakeReachingHand(double rate, double noise) {
   RandomStream random("exchanged labels", std::to_string(rate));
   std::vector<Trajectory> tracks;
@@ -41,7 +41,7 @@ void Exchange(std::vector<Trajectory>& tracks, size_t a, size_t b, size_t first,
   }
 }
 
-/** Exchanged from an instant on, for some frames (0: for the rest): each edge is found, both ways. */
+/** Exchanged from an instant on, for some frames (0: the rest): each edge is found, both ways. */
 void ExpectFound(double rate, double noise, double time, size_t num_frames, size_t a, size_t b) {
   std::vector<Trajectory> tracks = MakeReachingHand(rate, noise);
   const auto first = static_cast<size_t>(std::lround(time * rate));
