@@ -16,6 +16,7 @@ constexpr double kLeastMiss = 5e-3;    // of its own course [m]
 constexpr double kUsualMisses = 4.0;   // of its median
 constexpr double kOnCourse = 0.35;     // of its own miss: it is on the other's course
 constexpr double kAlsoOff = 0.5;       // of that: the other is not on its own
+constexpr double kSameWay = 0.5;       // cosine
 
 /** One marker's course. */
 struct Course {
@@ -26,17 +27,21 @@ struct Course {
   double limit = 0.0;                ///< a miss below is none [m]
 };
 
-/** How far y in j is from where x goes from i; NaN when neither shows how it moves. */
-double CalcMiss(const Course& x, size_t i, const Course& y, size_t j) {
+/** From where x goes from i to where y is in j; NaN when neither shows how it moves. */
+Vector3d CalcOffset(const Course& x, size_t i, const Course& y, size_t j) {
   const double interval = x.track->times[j] - x.track->times[i];
   const Vector3d way = y.track->At(j) - x.track->At(i);
   const Vector3d before = x.before.col(static_cast<Eigen::Index>(i));
   const Vector3d after = y.after.col(static_cast<Eigen::Index>(j));
-  double least = std::nan("");
+  Vector3d least = Vector3d::Constant(std::nan(""));
   for (const Vector3d& velocity : {before, after, Vector3d(0.5 * (before + after))}) {
-    least = std::fmin(least, (way - interval * velocity).norm());
+    const Vector3d offset = way - interval * velocity;
+    if (std::isnan(least.x()) || offset.norm() < least.norm()) least = offset;
   }
   return least;
+}
+double CalcMiss(const Course& x, size_t i, const Course& y, size_t j) {
+  return CalcOffset(x, i, y, j).norm();
 }
 
 Course MakeCourse(const Trajectory& track) {
@@ -69,12 +74,18 @@ Course MakeCourse(const Trajectory& track) {
   return course;
 }
 
-/** Label x goes on in frame j where the marker of y was. */
+/** Label x goes on in frame j where the marker of y was. Where frames are lost it may, too, but then
+y goes the same way. */
 bool IsOnCourseOf(const Course& y, const Course& x, size_t j) {
   if (y.last[j] < 0) return false;
+  const auto last_of_y = static_cast<size_t>(y.last[j]);
   const double own = x.miss[j];
-  if (!(CalcMiss(y, static_cast<size_t>(y.last[j]), x, j) < kOnCourse * own)) return false;
-  return !y.track->IsValid(j) || y.miss[j] > kAlsoOff * own;
+  if (!(CalcMiss(y, last_of_y, x, j) < kOnCourse * own)) return false;
+  if (!y.track->IsValid(j)) return true;
+  if (!(y.miss[j] > kAlsoOff * own)) return false;
+  const Vector3d of_x = CalcOffset(x, static_cast<size_t>(x.last[j]), x, j);
+  const Vector3d of_y = CalcOffset(y, last_of_y, y, j);
+  return of_x.dot(of_y) < kSameWay * of_x.norm() * of_y.norm();
 }
 
 }  // namespace
