@@ -26,8 +26,9 @@ struct LabelExchange {
 };
 
 /** A label misses its own course by 5 mm and four times its usual miss (median), and another's by
-less than 0.35 of that; the other is hidden, or misses its own by half as much or more and not the
-same way, as it does where frames are lost. Over gaps of at most 0.12 s. Markers nearer to each other than that are not told apart.
+less than 0.35 of that. The other is hidden, or misses its own by half as much or more and not the
+same way, as it does where frames are lost. Gaps of at most 0.12 s count. Markers nearer to each
+other than that are not told apart.
 @param tracks  of one clock, before single samples are taken out.
 @returns in the order of time. */
 std::vector<LabelExchange> FindLabelExchanges(const std::vector<Trajectory>& tracks);
