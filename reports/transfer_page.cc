@@ -263,17 +263,13 @@ std::string MakeTransferPage(const Session& session) {
       MakeParagraph(
           std::string(
               "A person's contact is the point of the object's surface nearest to the digit's "
-              "marker "
-              "after the last digit touched. Pads are placed there by least squares over the "
-              "hand's "
-              "pose and joints, within limits and couplings and clear of object and table; joints "
-              "that "
-              "the pads leave open go to the hand's standard grasp. The pre-grasp has the person's "
-              "widest opening. A grasp is not transferable when no two opposing pads come within 5 "
-              "mm "
-              "or the hand would start inside something. Standard grasps are the session's "
-              "\"best\", "
-              "rehearsed ones those of imagined trials on other draws. Proposed by graspbench ") +
+              "marker after the last digit touched. Pads are placed there by least squares over "
+              "the hand's pose and joints, within limits and couplings and clear of object and "
+              "table; joints that the pads leave open go to the hand's standard grasp. The "
+              "pre-grasp has the person's widest opening. A grasp is not transferable when no two "
+              "opposing pads come within 5 mm or the hand would start inside something. Standard "
+              "grasps are the session's \"best\", rehearsed ones those of imagined trials on "
+              "other draws. Proposed by graspbench ") +
           program_version() + "."));
   PageFrame frame = {"People's grasps on robot hands",
                      file.study + ", " + FormatCount(static_cast<int>(hands.size()), "hand")};

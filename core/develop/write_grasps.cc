@@ -40,8 +40,7 @@ std::string DescribeDevelopment(const Hand& hand, const DevelopedGrasp& develope
   return fmt::format(
       "Geometry: {} {:.0f} mm apart that face each other, {:.0f} mm below the palm, the thumb "
       "going {:.0f} % of the way, a grip of {:.0f} N. Simulation: score {:.2f}, after changes "
-      "{:.2f} "
-      "(above 1: all held), pads now {} mm apart. Held {} of {} shapes not met before.",
+      "{:.2f} (above 1: all held), pads now {} mm apart. Held {} of {} shapes not met before.",
       aim.by_side ? "sides" : "pads", MmFromM(aim.opening), MmFromM(aim.reach),
       100.0 * aim.thumb_share, developed.proposed.grip, developed.proposed_score, developed.score,
       pads_apart, CountSuccesses(developed.check), developed.check.size());

@@ -69,8 +69,7 @@ const FileKeys& ListHandKeys() {
              {"pads.source", kRequired, "where the numbers are from"},
              {"camera", "",
               "on the hand or the wrist, for positioning: camera; else none. The arm holds it "
-              "above "
-              "the place, looking straight down: its mount decides what of the hand it sees"},
+              "above the place, looking straight down: its mount decides what of the hand it sees"},
              {"camera.link", kRequired, "link of hand.urdf that carries it"},
              {"camera.position_m", kRequired, "of its lens, in that link", -1, 1},
              {"camera.forward", kRequired, "direction in which it looks, in that link"},

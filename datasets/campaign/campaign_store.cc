@@ -61,7 +61,8 @@ bool AddJournal(const fs::path& here, const fs::path& there, Copies& copies) {
     throw Error(ErrorKind::kFormat, "\"" + there.string() + "\" has other answers than \"" +
                                         here.string() +
                                         "\": two machines or versions of the program have worked "
-                                        "on it; nothing was merged, leave one of them out");
+                                        "on it; nothing of the first was merged, leave it or the "
+                                        "second out");
   }
   if (other.size() <= mine.size()) return false;
   copies.files.emplace_back(there, here);
@@ -77,7 +78,7 @@ void AddScene(const fs::path& here, const fs::path& there, Copies& copies) {
   if (HasSceneResult(here)) {
     if (ReadFile(here / "result.json") == ReadFile(there / "result.json")) return;
     throw Error(ErrorKind::kFormat, "\"" + there.string() + "\" has another result than \"" +
-                                        here.string() + "\"; nothing was merged");
+                                        here.string() + "\"; nothing of the first was merged");
   }
   for (const std::string& name : ListMatches(there, kSceneStore.derived)) {
     copies.files.emplace_back(there / name, here / name);
@@ -245,8 +246,8 @@ int MergeCampaigns(const fs::path& folder, const std::vector<fs::path>& others) 
       const fs::path here = folder / scene.lexically_relative(other);
       if (!HasScene(here)) {
         throw Error(ErrorKind::kFormat, "\"" + folder.string() + "\" lacks the scene \"" +
-                                            here.filename().string() +
-                                            "\" of the same campaign; nothing was merged");
+                                            here.filename().string() + "\" of \"" + other.string() +
+                                            "\"; nothing of the latter was merged");
       }
       AddScene(here, scene, copies);
     }

@@ -236,8 +236,7 @@ std::vector<TrialColumn> ListStabilityColumns() {
        [](const TrialRecord& record) { return record.result.stability.sigma_proposed; }},
       {"epsilon", "",
        "mean quality before lift-off, convention ferrari-canny: mixed cones of 8 edges, unit "
-       "normal "
-       "force, moments about the centre of mass divided by the object's radius",
+       "normal force, moments about the centre of mass divided by the object's radius",
        TakePart(&Stability::stabilisation, &StabilityPart::quality)},
       {"epsilon_hold", "", "epsilon over the hold",
        TakePart(&Stability::hold, &StabilityPart::quality)},

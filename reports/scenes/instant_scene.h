@@ -17,9 +17,8 @@ namespace graspbench {
 
 /** Legend of figures with contacts. */
 inline constexpr char kContactLegend[] =
-    "Drawn over the bodies, also where these hide them: contact points, red arrows for the force "
-    "on "
-    "the object, friction cones, green where a contact stands still and blue where it slides.";
+    "Contacts are drawn over the bodies, also where a body hides them: points, red arrows for the "
+    "force on the object, friction cones (green: the contact sticks, blue: it slides).";
 
 /** Makes the contact points, forces and friction cones of an instant. */
 std::vector<ContactMark> MakeContactMarks(const TraceInstant& instant);

@@ -61,9 +61,8 @@ Html DrawSensitivity(const ReportData& data) {
   if (data.sensitivity.changes.empty()) return Html();
   return MakeParagraph(
              "No data sheet gives placement noise, friction, pads, drives, coupling and arm "
-             "stiffness "
-             "completely. Here one of these parameters at a time has another value, on the same "
-             "draws.") +
+             "stiffness completely. Here one of these parameters at a time has another value, on "
+             "the same draws.") +
          DrawHands(data, data.sensitivity);
 }
 

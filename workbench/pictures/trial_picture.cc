@@ -60,15 +60,14 @@ void Paste(const Image& part, int column, int row, Image& whole) {
 }  // namespace
 
 std::string DescribeHandPicture(const HandPictureParts& parts) {
-  std::string told = "left the hand as it looks";
+  std::string told = "left: the hand's surface";
   if (parts.has_shapes) {
     told +=
-        ", then with what of it touches, and that alone; balls that touch: blue of the pads, "
-        "orange "
-        "of other links; grey: capsules that keep links apart";
+        "; then the surface with the collision shapes; then the shapes alone (balls: blue on pads, "
+        "orange on other links; grey: capsules for self contact)";
   }
   if (parts.has_axes) {
-    told += "; right axes of its joints: red driven, blue coupled";
+    told += "; right: joint axes (red: driven, blue: coupled)";
   }
   return told + "\n";
 }
@@ -212,7 +211,7 @@ PictureSize ParsePictureSize(const std::string& text) {
       size.width > 0 && size.height > 0 && size.width <= kMaxSide && size.height <= kMaxSide;
   if (is_one && fits) return size;
   throw Error(ErrorKind::kUsage, "--size: \"" + text + "\"; expected WIDTHxHEIGHT of 1 to " +
-                                     std::to_string(kMaxSide) + " pixels, as 960x720");
+                                     std::to_string(kMaxSide) + " pixels, e.g. 960x720");
 }
 
 Image DrawTrial(const TrialSetup& setup, const TracedTrial& traced, const TraceInstant& instant,

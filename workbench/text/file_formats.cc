@@ -198,8 +198,7 @@ std::vector<TableSource> ListTrialTables() {
        MakeTrajectoryEventSchema()},
       {"TRIAL.elements.csv",
        "replay --trajectory csv: one row per tactile element; the force on its cell at each "
-       "instant "
-       "is column element_<number>_n of TRIAL.taxels.csv [N]",
+       "instant is column element_<number>_n of TRIAL.taxels.csv [N]",
        MakeTrajectoryTaxelSchema()},
       {"motion.csv", "export --mjcf: one row per step with the commands of the hand",
        MakeMotionSchema(hand)},

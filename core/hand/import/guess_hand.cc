@@ -285,9 +285,8 @@ digits' joint that it moves most. */
     const double size = bounds.isEmpty() ? 0.0 : bounds.sizes().maxCoeff();
     if (size < kSmallestHand || size > kLargestHand) {
       Fail("the hand is " + FormatSignificant(size, 3) +
-           " m across; a hand is 15 mm to 2 m with its forearm. Descriptions are in metres: if the "
-           "unit "
-           "is another, say it with --unit");
+           " m across; a hand is 15 mm to 2 m with its forearm. Descriptions are in metres: if "
+           "the unit is another, say it with --unit");
       return false;
     }
     return true;

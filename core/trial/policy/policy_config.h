@@ -76,9 +76,8 @@ struct PolicyConfig {
        60});
     v("object_pose", object_pose,
       "what a controller is told of the object's pose: none, nominal (where it should be), "
-      "believed "
-      "(as positioning has it), camera (as the hand's camera finds it) or true (where it is, at "
-      "every time)");
+      "believed (as positioning has it), camera (as the hand's camera finds it) or true (where it "
+      "is, at every time)");
     v("picture_px", picture,
       {"side of the wrist camera's picture that a controller gets with every question; 0: none", 0,
        1024});

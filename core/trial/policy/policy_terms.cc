@@ -267,8 +267,7 @@ const std::vector<PolicyTerm>& ListPolicyActions() {
        "share of the drives' own stiffness, 0 to 1; valid until the next value"},
       {"hand_pose", "m, -", "7 or rows x 7", "W",
        "pose of the hand's base at the end of the period: position, quaternion; with "
-       "policy.moves: "
-       "hand-and-digits"},
+       "policy.moves: hand-and-digits"},
       {"hand_twist", "m/s, rad/s", "6 or rows x 6", "W",
        "instead of hand_pose: velocity of the hand's base for a period: linear, then angular"},
       {"hold", "", "", "",

@@ -404,11 +404,10 @@ std::string FormatShared(const Answer<SharedTiming>& shared) {
 /** What follows each "not decided". */
 constexpr const char* kNotSeparable =
     " The clock \"widest\" is made by the closing digits, \"onset\" and \"movement\" by the arm "
-    "that "
-    "carries them. A delay that stretches the whole movement moves each clock with the digits, so "
-    "that this design cannot separate it from coordination. A design that can: a start signal from "
-    "outside the hand with its time recorded, or trials in which one digit alone is delayed at "
-    "random.";
+    "that carries them. A delay that stretches the whole movement moves each clock with the "
+    "digits, so that this design cannot separate it from coordination. A design that can: a start "
+    "signal from outside the hand with its time recorded, or trials in which one digit alone is "
+    "delayed at random.";
 
 std::string FormatVerdict(const IndependenceNull& null,
                           const std::array<IndependenceTest, kNumClocks>& tests) {

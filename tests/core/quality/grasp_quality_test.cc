@@ -104,8 +104,7 @@ TEST(GraspQuality, AllMeasuresOfACube) {
       "ferrari-canny: epsilon = distance of the origin from the hull, 0 without force closure; "
       "hull of the union of all cone edges (L1) and the origin, unit normal force; 8 edges; "
       "friction and torsion x 1; moments about (0, 0, 0) m, divided by 0.02 m (as given; meant: "
-      "largest "
-      "distance of the surface from the centre of mass)");
+      "largest distance of the surface from the centre of mass)");
 }
 
 TEST(GraspQuality, TellsEveryProblem) {

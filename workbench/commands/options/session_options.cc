@@ -54,12 +54,10 @@ void SessionOptions::AddTo(Command& command, const std::string& file_text) {
   AddSceneOptions(command, given_);
   AddListOption(
       command, "--grasp", given_.grasps,
-      "best, predicted, by-sight, rehearsed, all, ids or grasp files: g1,my.yaml; best: the type "
-      "by "
-      "rehearsal of the standard grasps; predicted: by geometry alone; by-sight: the type "
-      "by the outline that the hand's camera sees, right for 38 of 51 unseen things; "
-      "rehearsed:N,k: the first of at most N candidates that holds k imagined trials, "
-      "without numbers 40,4",
+      "best, predicted, by-sight, rehearsed, all, ids or grasp files (g1,my.yaml); best: type by "
+      "rehearsal of the standard grasps; predicted: type by geometry alone; by-sight: type by the "
+      "outline in the hand's camera, right for 38 of 51 unseen objects; rehearsed:N,k: the first "
+      "of at most N candidates that holds in k imagined trials (default 40,4)",
       "G,..");
   command
       .AddOption("--approach", given_.approach,
@@ -109,7 +107,7 @@ void SessionOptions::RefuseTwice(const std::string& setting) const {
   }
   if (option.empty() || !IsGiven(option.c_str())) return;
   throw Error(ErrorKind::kUsage,
-              "--set " + setting + " and " + option + " say the same setting; give one of them");
+              "--set " + setting + " and " + option + " set the same value; give one of them");
 }
 
 SessionConfig SessionOptions::MakeConfig(SessionConfig config) const {

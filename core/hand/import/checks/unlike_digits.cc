@@ -253,8 +253,7 @@ its own frame. */
       if (!told_.insert(joint).second) continue;
       Warn("joint \"" + NameOf(joint) +
            "\" turns about another axis of its frame than the like joints of the other digits of "
-           "its "
-           "build; is its axis wrong?");
+           "its build; is its axis wrong?");
     }
   }
 

@@ -76,9 +76,9 @@ TEST_F(SessionOptionsTest, WhatContradictsItselfIsRefused) {
   const std::pair<std::string, const char*> cases[] = {
       {file_.string() + " --preset benchmark", "preset: benchmark"},
       {"--set sim.step_s=0.001 --set trials=8 --trials 9",
-       "--set trials=8 and --trials say the same setting; give one of them"},
+       "--set trials=8 and --trials set the same value; give one of them"},
       {"--arm pa10 --set arm.base_y_m=0.2 --arm-base -0.5,0,0,0",
-       "--set arm.base_y_m=0.2 and --arm-base say the same setting; give one of them"},
+       "--set arm.base_y_m=0.2 and --arm-base set the same value; give one of them"},
       {"--arm-base -0.5,0,0,0", "--arm-base: the session has no arm; add --arm"},
       {"--arm none --arm-base -0.5,0,0,0", "the session has no arm"},
       {"--set strategy.grip_force_n=3 --set strategy.grip=posture",

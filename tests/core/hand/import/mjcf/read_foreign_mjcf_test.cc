@@ -33,8 +33,7 @@ TEST(ReadForeignMjcfTest, TellsWhatItRepairs) {
       "claw.xml:45: warning: joint \"MFJ3\": its zero is its place in the file, which MuJoCo calls "
       "5.0 deg\n"
       "claw.xml:82: warning: actuator \"A_FFJ0\" moves several joints: \"FFJ1\" follows \"FFJ2\" "
-      "by "
-      "the hand's coupling rule\n"
+      "by the hand's coupling rule\n"
       "claw.xml: warning: no actuator moves \"THJ1\", and no other joint; each gets a drive of its "
       "own, as no joint is loose here");
   EXPECT_EQ(hand.name, "small claw");
