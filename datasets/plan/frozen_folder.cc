@@ -42,7 +42,8 @@ Frozen LoadFrozen(const StoreKind& kind, const fs::path& folder, OnDamage on_dam
     const std::optional<Manifest> other = FindManifest(folder);
     const std::string place = MayBegin(folder) ? folder.string() : "NEW_FOLDER";
     const std::string there =
-        other ? "; it holds the result \"" + other->kind + "\")"
+        other ? "; it holds the result \"" + other->kind + "\")" +
+                    (other->kind == "study" ? "; the tables of a study are in its folder" : "")
               : "); " + std::string(kind.command) + " --out " + place + " starts one";
     throw Error(ErrorKind::kNotFound, std::string("no ") + kind.name + " in \"" + folder.string() +
                                           "\" (" + kind.file + " is not there" + there);

@@ -93,8 +93,8 @@ Eigen::Matrix3d MakeOrthonormal(const Eigen::Matrix3d& axes) {
 using Places = Eigen::Ref<const Eigen::Matrix3Xd>;
 
 /** Rigid motion that takes the places in O to where the markers were seen. */
-Pose FitPose(const Places& p_OM, const Places& p_LM) {
-  if (p_OM.cols() < 3) return MakePose((p_LM - p_OM).rowwise().mean());
+Pose FitPose(const Places& p_OM, const Places& p_LM, const Eigen::Matrix3d& R_rest) {
+  if (p_OM.cols() < 3) return MakePose(R_rest, (p_LM - R_rest * p_OM).rowwise().mean());
   const Eigen::Vector3d p_OC = p_OM.rowwise().mean(), p_LC = p_LM.rowwise().mean();
   Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
   for (Column m = 0; m < p_OM.cols(); ++m) {
@@ -222,8 +222,20 @@ void CheckTrial(const ReachTrial& trial) {
   }
 }
 
+Eigen::Matrix3d MakeUprightOrientation(const Eigen::Vector3d& up_L) {
+  const Eigen::Vector3d up = up_L.normalized();
+  const Eigen::Vector3d forward =
+      std::abs(up.x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
+  Eigen::Matrix3d R_LO;
+  R_LO.col(0) = (forward - forward.dot(up) * up).normalized();
+  R_LO.col(1) = up.cross(R_LO.col(0));
+  R_LO.col(2) = up;
+  return R_LO;
+}
+
 std::vector<Eigen::Vector3d> FindMarkerPlaces(const std::vector<Trajectory>& markers, double until,
-                                              const Eigen::Vector3d& p_MO_L) {
+                                              const Eigen::Vector3d& p_MO_L,
+                                              const Eigen::Matrix3d& R_LO) {
   std::vector<Eigen::Vector3d> places;
   Eigen::Vector3d origin = p_MO_L;
   for (size_t m = 0; m < markers.size(); ++m) {
@@ -242,12 +254,12 @@ std::vector<Eigen::Vector3d> FindMarkerPlaces(const std::vector<Trajectory>& mar
     places.push_back(sum / count);
     origin += places.back() / static_cast<double>(markers.size());
   }
-  for (Eigen::Vector3d& place : places) place -= origin;
+  for (Eigen::Vector3d& place : places) place = R_LO.transpose() * (place - origin);
   return places;
 }
 
 ObjectTrack MakeObjectTrack(const std::vector<Trajectory>& markers,
-                            const std::vector<Eigen::Vector3d>& p_OM) {
+                            const std::vector<Eigen::Vector3d>& p_OM, const Eigen::Matrix3d& R_LO) {
   GRASPBENCH_DEMAND(!markers.empty() && markers.size() == p_OM.size(),
                     std::to_string(markers.size()) + ", " + std::to_string(p_OM.size()));
   Eigen::Matrix3Xd all_places(3, static_cast<Column>(p_OM.size()));
@@ -273,7 +285,7 @@ ObjectTrack MakeObjectTrack(const std::vector<Trajectory>& markers,
       track.states.push_back(SampleState::kInvalid);
       continue;
     }
-    track.X_LO.push_back(FitPose(places.leftCols(count), seen.leftCols(count)));
+    track.X_LO.push_back(FitPose(places.leftCols(count), seen.leftCols(count), R_LO));
     track.states.push_back(state);
   }
   return track;

@@ -87,20 +87,26 @@ struct ReachTrial {
 fewer than two digits or more than one thumb, or fewer than ten samples; it names the track. */
 void CheckTrial(const ReachTrial& trial);
 
+/** Orientation of an object at rest whose height points along `up_L`: z is up, x as nearly along L's
+x as that allows. The identity where L's z is up. */
+Eigen::Matrix3d MakeUprightOrientation(const Eigen::Vector3d& up_L);
+
 /** Where an object's markers lie in O, from where they lie while it rests: the mean of each over
-the samples before `until` [s]. O is then parallel to L, its origin at the markers' centroid plus
-`p_MO_L`.
+the samples before `until` [s]. O then has the orientation `R_LO`, and its origin lies at the
+markers' centroid plus `p_MO_L`.
 @throws Error(kFormat) when a marker has no valid sample before `until`. */
-std::vector<Eigen::Vector3d> FindMarkerPlaces(const std::vector<Trajectory>& markers, double until,
-                                              const Eigen::Vector3d& p_MO_L);
+std::vector<Eigen::Vector3d> FindMarkerPlaces(
+    const std::vector<Trajectory>& markers, double until, const Eigen::Vector3d& p_MO_L,
+    const Eigen::Matrix3d& R_LO = Eigen::Matrix3d::Identity());
 
 /** Poses of the object from its markers. Three and more: least-squares rigid fit (Umeyama 1991)
-over those seen, at least three. One or two: their mean displacement, all must be seen, no turn. A
-pose is filled when a filled marker took part.
+over those seen, at least three. One or two: their mean displacement, all must be seen, the
+orientation stays `R_LO`. A pose is filled when a filled marker took part.
 @param p_OM  places of the markers in O, as many as markers.
 @throws Error(kRange) when three or more markers lie on one line. */
 ObjectTrack MakeObjectTrack(const std::vector<Trajectory>& markers,
-                            const std::vector<Eigen::Vector3d>& p_OM);
+                            const std::vector<Eigen::Vector3d>& p_OM,
+                            const Eigen::Matrix3d& R_LO = Eigen::Matrix3d::Identity());
 
 /** Path of the middle of the object's markers, which no turn moves. */
 Trajectory TakeObjectPath(const ReachTrial& trial);

@@ -390,6 +390,21 @@ void RecalcMeasures(const AnalysisOptions& options, TrialAnalysis& analysis) {
   CalcMeasures(options, analysis);
 }
 
+namespace {
+
+/** GOT with its sign. */
+double CalcOpposingLag(const TrialAnalysis& analysis) {
+  double first = std::numeric_limits<double>::quiet_NaN();
+  for (size_t d = 1; d < analysis.contacts.size(); ++d) {
+    const EventTime& contact = analysis.contacts[d].contact;
+    if (contact.IsFound()) first = std::fmin(first, contact.time);
+  }
+  const EventTime& thumb = analysis.contacts.front().contact;
+  return thumb.IsFound() ? first - thumb.time : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
 const std::vector<TrialMeasure>& TrialMeasureList() {
   using A = TrialAnalysis;
   static const std::vector<TrialMeasure> measures = {
@@ -403,6 +418,8 @@ const std::vector<TrialMeasure>& TrialMeasureList() {
        [](const A& a) { return a.timing.gft_ratio; }},
       {"grasp_opposing_ratio", "GOT / GCT (GOT%)", "1",
        [](const A& a) { return a.timing.got_ratio; }},
+      {"opposing_lag_s", "thumb's contact to the first of the fingers; negative: a finger first",
+       "s", CalcOpposingLag},
       {"grasp_forming_time_all_s", "GFT of all digits", "s",
        [](const A& a) { return a.timing_all.gft; }},
       {"grasp_forming_time_first_s", "GFT of first touches (GFT is of lasting touches)", "s",

@@ -166,7 +166,8 @@ VectorXd MakeStart(const Products& group, Index num_parameters) {
 }
 
 /** Newton's method with the curvature's magnitude, so that every step goes downhill, shortened
-until it does not climb. The criterion depends on L L^T alone, so signs of L need no bounds. */
+until the criterion falls by a share of what its slope promises (Armijo). The criterion depends on
+L L^T alone: signs of L need no bounds, and a step to -L would change nothing for ever. */
 Answer<VectorXd> FindTheta(const std::vector<Products>& groups, double df, VectorXd theta) {
   constexpr int kMaxSteps = 200;
   Profile profile(groups, df, theta);
@@ -184,11 +185,14 @@ Answer<VectorXd> FindTheta(const std::vector<Products>& groups, double df, Vecto
     if (move.norm() > longest) move *= longest / move.norm();
 
     Profile next(groups, df, theta + move);
-    while (!(next.value <= profile.value) && move.norm() > 1e-10 * longest) {
+    const auto falls = [&] {
+      return next.value <= profile.value + 1e-4 * profile.gradient.dot(move);
+    };
+    while (!falls() && move.norm() > 1e-10 * longest) {
       move *= 0.5;
       next = Profile(groups, df, theta + move);
     }
-    if (next.value <= profile.value) {
+    if (falls()) {
       theta += move;
       profile = next;
     }

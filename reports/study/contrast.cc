@@ -9,23 +9,32 @@
 namespace graspbench {
 namespace {
 
-/** The difference between the last and the first level in a sentence. */
-std::string DescribeContrast(const PersonContrast& contrast, const TrialMeasure& measure) {
+/** "size small minus size large". */
+std::string NameDifference(const PersonContrast& contrast) {
   const std::vector<Factor> factors = {contrast.factor};
-  const std::string text = std::string(measure.name) + ", " +
-                           NameOfCell(contrast.factor.levels.back(), factors) + " minus " +
-                           NameOfCell(contrast.factor.levels.front(), factors) + ": ";
+  return NameOfCell(contrast.factor.levels.back(), factors) + " minus " +
+         NameOfCell(contrast.factor.levels.front(), factors);
+}
+
+std::string FormatInterval(const ContrastTest& test, const TrialMeasure& measure) {
+  const Interval interval = CutAt(FindPossibleDifference(measure), test.interval);
+  return FormatValue(interval.low, measure.unit) + " to " +
+         FormatWithUnit(interval.high, measure.unit);
+}
+
+std::string FormatPersons(const PersonContrast& contrast, const ContrastTest& test) {
+  return (contrast.is_between ? std::to_string(test.num_first) + " and " : std::string()) +
+         FormatCount(test.num_last, "person");
+}
+
+std::string DescribeContrast(const PersonContrast& contrast, const TrialMeasure& measure) {
+  const std::string text = std::string(measure.name) + ", " + NameDifference(contrast) + ": ";
   if (!contrast.test) return text + "not tested (" + contrast.test.reason() + ").";
   const ContrastTest& test = *contrast.test;
-  const Interval interval = CutAt(FindPossibleDifference(measure), test.interval);
-  return text + FormatWithUnit(test.difference, measure.unit) + ", 95\u00A0% interval " +
-         FormatValue(interval.low, measure.unit) + " to " +
-         FormatWithUnit(interval.high, measure.unit) + ", p\u00A0" +
-         (test.p < 0.001 ? "" : "=\u00A0") + FormatP(test.p) +
-         (contrast.is_between
-              ? " (Welch), n\u00A0=\u00A0" + std::to_string(test.num_first) + " and "
-              : std::string(" (paired t test), n\u00A0=\u00A0")) +
-         FormatCount(test.num_last, "person") + ".";
+  return text + FormatWithUnit(test.difference, measure.unit) + ", 95 % interval " +
+         FormatInterval(test, measure) + ", p " + (test.p < 0.001 ? "" : "= ") + FormatP(test.p) +
+         (contrast.is_between ? " (Welch), n = " : " (paired t test), n = ") +
+         FormatPersons(contrast, test) + ".";
 }
 
 Html DrawPersons(const PersonContrast& contrast, const TrialMeasure& measure) {
@@ -65,6 +74,43 @@ Html DrawContrast(const StudyResult& result) {
                       DrawPersons(*contrast, statistics.measure));
   }
   return {};
+}
+
+Html DrawContrastTable(const StudyResult& result) {
+  std::string difference;
+  std::vector<std::vector<std::string>> rows;
+  for (const MeasureStatistics& statistics : result.statistics.measures) {
+    if (!statistics.cells) continue;
+    const Answer<PersonContrast> contrast = CalcPersonContrast(*statistics.cells);
+    if (!contrast || !contrast->test) continue;
+    const ContrastTest& test = *contrast->test;
+    difference = NameDifference(*contrast);
+    rows.push_back({statistics.measure.name,
+                    FormatWithUnit(test.difference, statistics.measure.unit),
+                    FormatInterval(test, statistics.measure), FormatP(test.p),
+                    FormatPersons(*contrast, test)});
+  }
+  if (rows.empty()) return {};
+  Table table("All measures, " + difference + ". p is not adjusted over the measures.",
+              {"Measure",
+               "Difference",
+               {"95 % interval", "of the difference, over persons"},
+               {"p", "paired t test of the persons' means; Welch's test between groups"},
+               "n"});
+  for (const std::vector<std::string>& row : rows) {
+    table.AddRow({row[0], row[1], row[2], row[3], row[4]});
+  }
+  return table.ToHtml();
+}
+
+std::vector<std::string> DescribeContrasts(const StudyResult& result) {
+  std::vector<std::string> sentences;
+  for (const MeasureStatistics& statistics : result.statistics.measures) {
+    if (!statistics.cells) continue;
+    const Answer<PersonContrast> contrast = CalcPersonContrast(*statistics.cells);
+    if (contrast) sentences.push_back(DescribeContrast(*contrast, statistics.measure));
+  }
+  return sentences;
 }
 
 }  // namespace graspbench

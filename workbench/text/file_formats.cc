@@ -206,6 +206,19 @@ std::vector<TableSource> ListTrialTables() {
        MakeGraspNumberSchema()}};
 }
 
+/** A table that the user writes beside study.yaml. */
+TableSource MakeInputTable(const char* name, const char* about,
+                           const std::vector<InputColumn>& columns) {
+  Json fields = Json::array();
+  for (const InputColumn& column : columns) {
+    fields.push_back({{"name", column.name},
+                      {"type", column.type},
+                      {"unit", column.unit},
+                      {"description", column.meaning}});
+  }
+  return {name, about, {{"fields", fields}}};
+}
+
 /** Of studies of people. */
 std::vector<TableSource> ListStudyTables() {
   const StudyResult study = MakeAnyStudy();
@@ -215,6 +228,14 @@ std::vector<TableSource> ListStudyTables() {
   measure.groups = study.study.groups;
   measure.sessions = {"SESSION"};
   std::vector<TableSource> tables = {
+      MakeInputTable("trials.csv",
+                     "input of a study, beside study.yaml: one row per trial; a column per factor, "
+                     "group and session comes beside these",
+                     ListTrialInputColumns()),
+      MakeInputTable("objects.csv", "input of a study (key objects): one row per object",
+                     ListObjectInputColumns()),
+      MakeInputTable("hypotheses.csv", "input of a study (key hypotheses): one row per measure",
+                     ListHypothesisInputColumns()),
       {"wide.csv", "study: one row per participant, one column per measure and condition",
        MakeWideSchema(study)},
       {"tidy.csv", "tidy/ of a study: one row per included trial and measure",

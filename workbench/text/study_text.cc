@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string_view>
 
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "human_study/study/run/trial_removal.h"
+#include "reports/study/contrast.h"
 #include "workbench/experiments/machines/shell_quote.h"
 
 namespace graspbench {
@@ -56,11 +58,18 @@ std::string FormatFindings(const StudyResult& result) {
   const ZeroGft& zero = result.statistics.zero_gft;
   std::string text;
   if (zero.num_trials > 0) {
-    text += "limit    detection limit of the GFT " + FormatFixed(MsFromS(zero.limit), 0) +
-            " ms; simultaneous contact would show a median of " +
+    text += "limit    the GFT of a trial below " + FormatFixed(MsFromS(zero.limit), 0) +
+            " ms cannot be told from 0; simultaneous contacts would show a median of " +
             FormatFixed(MsFromS(zero.median), 0) + " ms\n";
   }
   if (result.CountKept() == 0) return text;
+  for (std::string contrast : DescribeContrasts(result)) {
+    constexpr std::string_view kNoBreak = "\u00A0";  // of the page
+    for (size_t at = 0; (at = contrast.find(kNoBreak, at)) != contrast.npos;) {
+      contrast.replace(at, kNoBreak.size(), " ");
+    }
+    text += "effect   " + contrast + "\n";
+  }
   return text + "opening  " + DescribeOpeningArgument(result) + "\ntogether " +
          DescribeIndependence(result.statistics.independence) + "\n";
 }
@@ -105,7 +114,7 @@ std::string FormatSuggestions(const StudySuggestions& suggestions) {
   std::string text = fmt::format("now      {} of {} included", suggestions.num_kept,
                                  FormatCount(suggestions.num_trials, "trial"));
   if (suggestions.num_rows < suggestions.num_all_rows) {
-    text += fmt::format(", tried on {} of {} rows of trials.csv", suggestions.num_rows,
+    text += fmt::format(", tried on {} of {} rows of trials.csv to save time", suggestions.num_rows,
                         suggestions.num_all_rows);
   }
   text += "\n";

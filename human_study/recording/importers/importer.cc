@@ -147,7 +147,9 @@ const Importer& FindImporter(const std::string& format, std::string_view head,
                   (head.empty() ? "the file is empty"
                                 : "neither its content nor its name shows the format") +
                   "; known formats: " + known +
-                  " (--format names one; a plain table needs --mapping columns.yaml)");
+                  "; a plain table needs the meaning of its columns in a columns.yaml, which "
+                  "graspbench new mapping "
+                  "FILE proposes (recording.mapping of study.yaml, --mapping of graspbench mocap)");
 }
 
 Recording ImportRecording(const Importer& importer, const ImportSource& source,

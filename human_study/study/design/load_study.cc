@@ -102,10 +102,23 @@ void CheckDesign(const Study& study, const std::string& file, Diagnostics& probl
   }
 }
 
+bool IsOf(const std::vector<InputColumn>& columns, const std::string& name) {
+  return std::any_of(columns.begin(), columns.end(),
+                     [&](const InputColumn& column) { return column.name == name; });
+}
+
+std::string DescribeUnused(const std::string& column) {
+  return "the column \"" + column + "\" is not used";
+}
+
+void WarnOfUnused(const DataTable& table, const std::vector<InputColumn>& known,
+                  Diagnostics& problems) {
+  for (const std::string& column : table.columns()) {
+    if (!IsOf(known, column)) problems.Warn(table.file(), 1, DescribeUnused(column));
+  }
+}
+
 std::vector<PlannedReach> ReadTrials(const Study& study, DataTable& table, Diagnostics& problems) {
-  static const std::set<std::string> known = {"participant", "trial",  "file",
-                                              "table_trial", "object", "start_s",
-                                              "end_s",       "remove", "hand"};
   table.Require("participant");
   table.Require("file");
   const std::vector<std::string>& factors = study.config.factors;
@@ -115,10 +128,11 @@ std::vector<PlannedReach> ReadTrials(const Study& study, DataTable& table, Diagn
   if (!study.config.session.empty()) design.push_back(study.config.session);
   for (const std::string& column : table.columns()) {
     const bool is_factor = std::find(design.begin(), design.end(), column) != design.end();
-    if (is_factor && known.count(column) > 0 && column != "object" && column != "hand") {
+    const bool is_known = IsOf(ListTrialInputColumns(), column);
+    if (is_factor && is_known && column != "object" && column != "hand") {
       problems.Fail(table.file(), 1, "\"" + column + "\" cannot be a factor");
-    } else if (!is_factor && known.count(column) == 0) {
-      problems.Warn(table.file(), 1, "the column \"" + column + "\" is not used");
+    } else if (!is_factor && !is_known) {
+      problems.Warn(table.file(), 1, DescribeUnused(column));
     }
   }
   const bool needs_hand =
@@ -263,6 +277,7 @@ SurfaceDistance ReadShape(DataTable& table, size_t row, StudyObject& object,
 
 std::vector<StudyObject> ReadObjects(DataTable& table, bool has_markers, Diagnostics& problems) {
   table.Require("object");
+  WarnOfUnused(table, ListObjectInputColumns(), problems);
   std::vector<StudyObject> objects;
   for (size_t row = 0; row < table.num_rows(); ++row) {
     StudyObject object;
@@ -299,11 +314,7 @@ std::vector<StudyObject> ReadObjects(DataTable& table, bool has_markers, Diagnos
 
 std::vector<Hypothesis> ReadHypotheses(DataTable& table, Diagnostics& problems) {
   table.Require("measure");
-  for (const std::string& column : table.columns()) {
-    if (column != "measure" && column != "slope" && column != "equal_within") {
-      problems.Warn(table.file(), 1, "the column \"" + column + "\" is not used");
-    }
-  }
+  WarnOfUnused(table, ListHypothesisInputColumns(), problems);
   std::vector<std::string> known;
   for (const TrialMeasure& measure : TrialMeasureList()) known.emplace_back(measure.id);
   std::set<std::string> seen;
@@ -351,6 +362,52 @@ std::string ChooseDetector(const Study& study) {
 }
 
 }  // namespace
+
+const std::vector<InputColumn>& ListTrialInputColumns() {
+  static const std::vector<InputColumn> columns = {
+      {"participant", "string", "", "who reached; required"},
+      {"file", "string", "", "recording, relative to study.yaml or to --data; required"},
+      {"trial", "string", "", "name of the trial within its participant; default its number"},
+      {"object", "string", "", "the object's row of objects.csv; needed for its shape"},
+      {"table_trial", "string", "",
+       "of a plain table that holds several trials: this trial's value in its trial column"},
+      {"start_s", "number", "s", "start of the analysed part; default that of the recording"},
+      {"end_s", "number", "s", "end of the analysed part; default that of the recording"},
+      {"hand", "string", "", "text that replaces {hand} in the marker labels"},
+      {"remove", "string", "", "why the trial is left out; empty: it is analysed"},
+  };
+  return columns;
+}
+
+const std::vector<InputColumn>& ListObjectInputColumns() {
+  static const std::vector<InputColumn> columns = {
+      {"object", "string", "", "name of the object, as in trials.csv; required"},
+      {"shape", "string", "",
+       "sphere, cylinder, box, or catalogue: the object of the benchmark with this name; empty: "
+       "unknown. A shape stands upright at rest: its height points up (lift_off.up_x ..), the "
+       "length of a box along the recording's x axis"},
+      {"length_m", "number", "m", "diameter of a sphere or cylinder; length of a box"},
+      {"width_m", "number", "m", "width of a box, horizontal and across its length"},
+      {"height_m", "number", "m", "height of a cylinder or box"},
+      {"centre_x_m", "number", "m",
+       "from the middle of the object's markers to the centre of the shape, both at rest, along "
+       "the recording's x axis; empty: 0"},
+      {"centre_y_m", "number", "m", "the same along the recording's y axis"},
+      {"centre_z_m", "number", "m", "the same along the recording's z axis"},
+  };
+  return columns;
+}
+
+const std::vector<InputColumn>& ListHypothesisInputColumns() {
+  static const std::vector<InputColumn> columns = {
+      {"measure", "string", "", "id of the measure, as a column of measures.csv; required"},
+      {"slope", "number", "",
+       "slope over the factor that the persons' slopes are tested against; default 0"},
+      {"equal_within", "number", "",
+       "two conditions are equivalent if they differ by less than this, in the measure's unit"},
+  };
+  return columns;
+}
 
 const StudyObject* Study::FindObject(const std::string& id) const {
   for (const StudyObject& object : objects) {

@@ -272,6 +272,21 @@ struct StudyConfig {
 /** The keys of study.yaml. */
 const FileKeys& ListStudyKeys();
 
+/** A column of a table that the user writes beside study.yaml. */
+struct InputColumn {
+  const char* name;
+  const char* type;  ///< "string", "number"
+  const char* unit;  ///< "" without
+  const char* meaning;
+};
+
+/** Of trials.csv; a column per factor, group and session comes beside them. */
+const std::vector<InputColumn>& ListTrialInputColumns();
+/** Of objects.csv. */
+const std::vector<InputColumn>& ListObjectInputColumns();
+/** Of hypotheses.csv. */
+const std::vector<InputColumn>& ListHypothesisInputColumns();
+
 struct StudyObject {
   std::string id;
   std::string shape;                                 ///< as in objects.csv; empty: unknown

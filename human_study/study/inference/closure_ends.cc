@@ -17,7 +17,7 @@ struct EndRow {
 constexpr EndRow kEnds[] = {
     {"contact", "all digits touch",
      [](const TrialAnalysis& trial) { return trial.closure_start.time + trial.timing_all.gct; }},
-    {"object", "the object first moves",
+    {"object", "the object has moved by lift_off.displacement_m (default 2 mm)",
      [](const TrialAnalysis& trial) { return trial.object.moved.time; }},
     {"speed", "fingertips are slow against the object",
      [](const TrialAnalysis& trial) { return trial.hold.IsFound() ? trial.hold.begin : kUnset; }}};

@@ -142,7 +142,7 @@ class Dealer {
     }
   }
 
-  /** One dealing; the means over all trials. */
+  /** One permutation; the means over all trials. */
   PerSpread<Measures> Deal() {
     PerSpread<Measures> means;
     int count = 0;
@@ -164,7 +164,7 @@ class Dealer {
     return means;
   }
 
-  /** Means over the dealings so far. */
+  /** Means over the permutations so far. */
   const PerSpread<std::vector<PersonSum>>& sums() const { return sums_; }
 
  private:
@@ -183,7 +183,7 @@ class Dealer {
   }
 
   /** Which share of each digit's spread is not the clock's error. These trials have one sample of
-  the errors, of which only the expected variance is known: so each dealing draws another, with its
+  the errors, of which only the expected variance is known: so each permutation draws another, with its
   chance correlation with the digit's own spread. */
   std::vector<double> DrawKept(size_t s) {
     const size_t n = strata_[s].size();
@@ -222,7 +222,7 @@ Spread ChooseSpread(double observed, const PerSpread<std::vector<double>>& dealt
   return observed < CalcMean(dealt[kReduced]) ? kReduced : kWhole;
 }
 
-/** @param diluted  share of trials that a dealing leaves as they were. */
+/** @param diluted  share of trials that a permutation leaves as they were. */
 void SetTest(double observed, PerSpread<std::vector<double>> sets, double diluted,
              IndependenceTest& test) {
   const Spread spread = ChooseSpread(observed, sets);
@@ -356,8 +356,8 @@ std::optional<TimedTrial> MakeTimedTrial(const TrialAnalysis& analysis, size_t n
   return timed;
 }
 
-/** Natural logarithm of the number of different dealings. */
-double CountDealings(const std::vector<Stratum>& strata, size_t num_digits) {
+/** Natural logarithm of the number of different permutations. */
+double CountPermutations(const std::vector<Stratum>& strata, size_t num_digits) {
   double log_count = 0.0;
   for (const Stratum& stratum : strata) {
     log_count += static_cast<double>(num_digits - 1) *
@@ -383,9 +383,11 @@ std::string FormatTest(const char* name, const IndependenceTest& test, double fa
 }
 
 std::string FormatClocks(const std::array<IndependenceTest, kNumClocks>& tests) {
+  constexpr std::array<const char*, kNumClocks> kFrom = {
+      "movement onset", "the widest opening", "onset adjusted for the movement duration"};
   std::string text;
   for (size_t i = 0; i < kNumClocks; ++i) {
-    text += (i == 0 ? "" : ", ") + std::string(ListClocks()[i]) + ": " +
+    text += (i == 0 ? "counted from " : "; from ") + std::string(kFrom[i]) + ": " +
             (tests[i].p >= kSignificant              ? "no difference"
              : tests[i].observed < tests[i].expected ? "more simultaneous"
                                                      : "less simultaneous");
@@ -403,11 +405,11 @@ std::string FormatShared(const Answer<SharedTiming>& shared) {
 
 /** What follows each "not decided". */
 constexpr const char* kNotSeparable =
-    " The clock \"widest\" is made by the closing digits, \"onset\" and \"movement\" by the arm "
-    "that carries them. A delay that stretches the whole movement moves each clock with the "
-    "digits, so that this design cannot separate it from coordination. A design that can: a start "
-    "signal from outside the hand with its time recorded, or trials in which one digit alone is "
-    "delayed at random.";
+    " If a whole movement is slower, all its digits touch later, which looks like coordination: "
+    "the "
+    "onset and the widest opening move with the digits. This design cannot separate the two. A "
+    "design that can: a start signal from outside the hand with its time recorded, or trials in "
+    "which one digit alone is delayed at random.";
 
 std::string FormatVerdict(const IndependenceNull& null,
                           const std::array<IndependenceTest, kNumClocks>& tests) {
@@ -424,7 +426,8 @@ std::string FormatVerdict(const IndependenceNull& null,
   }
   const bool all_more = std::all_of(tests.begin(), tests.end(), IsMore);
   return std::string("not decided whether more simultaneous") + kThan + " (" +
-         (all_more ? FormatShared(null.shared) : "by clock: " + FormatClocks(tests)) + ")";
+         (all_more ? FormatShared(null.shared) : FormatClocks(tests) + "; all three must agree") +
+         ")";
 }
 
 }  // namespace
@@ -486,12 +489,12 @@ Answer<IndependenceNull> CalcIndependenceNull(const std::vector<StudyTrial>& tri
     null.num_trials += static_cast<int>(stratum.size());
     strata.push_back(std::move(stratum));
   }
-  // Below 40 even the rarest dealing has a two-sided p above 0.05.
-  if (CountDealings(strata, num_digits) < std::log(40.0)) {
+  // Below 40 even the rarest permutation has a two-sided p above 0.05.
+  if (CountPermutations(strata, num_digits) < std::log(40.0)) {
     return NoAnswer{"only " + FormatCount(null.num_trials, "trial") + " in which all " +
                     FormatCount(num_digits, "digit") + " touched and that have " +
                     std::to_string(kMinTrials - 1) +
-                    " others of the same person and condition; too few to deal out"};
+                    " others of the same person and condition; too few to permute"};
   }
   null.num_persons = static_cast<int>(persons.size());
   for (size_t clock = 0; clock < kNumClocks; ++clock) CalcClock(strata, clock, id, null);

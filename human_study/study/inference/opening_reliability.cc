@@ -389,7 +389,7 @@ std::string DescribeOpeningArgument(const StudyResult& result) {
   if (result.digits.size() < 3) {
     return claim + "not testable with " +
            FormatCount(static_cast<int>(result.digits.size()), "digit") +
-           ", of which every opening is the aperture.";
+           ": every opening is then the aperture.";
   }
   if (family.num_tests == 0) {
     const std::string persons = FormatCount(family.num_persons, "person");

@@ -427,6 +427,15 @@ std::vector<StatisticRow> ListOpenings(const OpeningFamily& family) {
   return rows;
 }
 
+namespace {
+
+/** Over persons, as the interval is; else that of the means over all trials. */
+double EstimateRatio(const IndependenceTest& test) {
+  return test.over_persons ? std::exp(test.over_persons->estimate) : test.observed / test.expected;
+}
+
+}  // namespace
+
 std::vector<StatisticRow> ListIndependence(const Answer<IndependenceNull>& null) {
   std::vector<StatisticRow> rows;
   const auto add = [&](const char* measure,
@@ -444,16 +453,16 @@ std::vector<StatisticRow> ListIndependence(const Answer<IndependenceNull>& null)
         continue;
       }
       const IndependenceTest& test = ((*null).*tests)[clock];
-      row.estimate = test.observed / test.expected;
+      row.estimate = EstimateRatio(test);
       row.p = test.p;
       row.num_persons = null->num_persons;
       row.note = "mean " + Format(test.observed) + ", independent digits " + Format(test.expected) +
-                 " (95 % of 999 dealings " + Format(test.low) + " to " + Format(test.high) +
-                 "); a share of " + Format(test.detectable) + " less is found in 8 of 10 studies";
+                 " (95 % of 999 permutations " + Format(test.low) + " to " + Format(test.high) +
+                 "); a reduction by " + Format(test.detectable) + " is found in 8 of 10 studies";
       if (test.over_persons) {
         row.low = std::exp(test.over_persons->interval.low);
         row.high = std::exp(test.over_persons->interval.high);
-        row.note += "; interval over persons";
+        row.note += "; estimate and interval over persons";
       }
       rows.push_back(row);
     }
@@ -477,7 +486,7 @@ std::vector<StatisticRow> ListIndependenceVerdicts(const Answer<IndependenceNull
       const auto& tests = (*null).*member;
       const IndependenceTest& test = tests[IndependenceNull::FindStrictest(tests)];
       row.effect = RowOf(kIndependenceVerdicts, null->Judge(tests)).name;
-      row.estimate = test.observed / test.expected;
+      row.estimate = EstimateRatio(test);
       for (const IndependenceTest& one : tests) {
         if (!one.over_persons) continue;
         row.low = std::fmin(row.low, std::exp(one.over_persons->interval.low));
@@ -486,13 +495,14 @@ std::vector<StatisticRow> ListIndependenceVerdicts(const Answer<IndependenceNull
       row.statistic = "mean";
       row.value = test.observed;
       row.p = test.p;
-      row.effect_size_name = "share less that is found in 8 of 10 studies";
+      row.effect_size_name = "reduction that is found in 8 of 10 studies";
       row.effect_size = test.detectable;
       row.num_persons = null->num_persons;
       row.note = FormatCount(null->num_trials, "trial") + ", " +
                  std::to_string(null->num_incomplete) +
-                 " left out because a digit or a clock is missing; the clock that speaks least for "
-                 "a difference, the interval over persons by all clocks. " +
+                 " left out because a digit or a clock is missing; estimate of the clock with the "
+                 "least evidence for a difference, interval from the lowest to the highest limit "
+                 "of all clocks, over persons. " +
                  row.note;
     }
     rows.push_back(row);

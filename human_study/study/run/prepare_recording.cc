@@ -381,7 +381,11 @@ ReachTrial MakeReachTrial(const PreparedRecording& recording, const Reach& part,
     const double rest_end = trial.times.front() +
                             config.cleaning.rest_share * (trial.times.back() - trial.times.front());
     const Eigen::Vector3d p_MO_L = object ? object->p_MO_L : Eigen::Vector3d::Zero();
-    trial.object = MakeObjectTrack(markers, FindMarkerPlaces(markers, rest_end, p_MO_L));
+    const LiftOffOptions& lift_off = config.analysis.lift_off;
+    const Eigen::Matrix3d R_LO =
+        MakeUprightOrientation({lift_off.up_x, lift_off.up_y, lift_off.up_z});
+    trial.object =
+        MakeObjectTrack(markers, FindMarkerPlaces(markers, rest_end, p_MO_L, R_LO), R_LO);
     if (object) trial.object.distance = object->distance;
   }
   CheckTrial(trial);

@@ -20,7 +20,7 @@ std::vector<std::string> ListFindings(const StudyResult& result) {
   }
   if (!result.findings.empty()) {
     findings.push_back(FormatCount(static_cast<int>(result.findings.size()), "assumption") +
-                       " needed to read the files; see the list of removed trials.");
+                       " needed to read the files; they are listed below the removed trials.");
   }
   const UnverifiedTouches touches = CountUnverified(result);
   if (touches.num_contacts > 0) {

@@ -30,6 +30,7 @@ std::string TextOf(const List& list, const std::string& id) {
 std::string DescribeRecording(const StudyResult& result) {
   const StudyConfig& config = result.study.config;
   std::string text = "Markers on the tips of " + ListDigitNames(result) +
+                     (config.markers.wrist.empty() ? "" : ", at the wrist") +
                      (config.markers.object.empty() ? "" : " and on the object") +
                      " were recorded at " + FormatFixed(result.rate, 1) + " Hz (median). ";
   if (config.cleaning.drop_frozen) text += "Repeated samples were discarded. ";

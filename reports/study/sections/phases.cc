@@ -59,7 +59,7 @@ std::vector<StripChart::Phase> ListPhases(const PhaseCourse& people) {
 
 std::string DescribeLag(const PhaseCourse& people, int num_trials) {
   const int num_slow = people.num_trials[kSlowApproach];
-  if (num_slow == 0) return "no trial shows where the slow approach begins.";
+  if (num_slow == 0) return "no slow approach was found in any trial.";
   return "the slow approach begins near the widest opening (Jeannerod 1984). Here " +
          FormatFixed(100.0 * std::abs(people.at[kPeakOpening] - people.at[kSlowApproach]), 0) +
          " % of the time lie between the two medians; " + std::to_string(num_slow) + " of " +

@@ -73,7 +73,7 @@ Html DrawFlags(const StudyResult& result) {
   const bool has_rows = unused.size() < CountFlags(result).size();
   Html html = has_rows ? table.ToHtml() : MakeParagraph("No included trial has a warning.");
   if (unused.empty()) return html;
-  return html + MakeDetails("Warnings without a trial (" + std::to_string(unused.size()) + ")",
+  return html + MakeDetails("Checks that found nothing (" + std::to_string(unused.size()) + ")",
                             MakeList(unused));
 }
 

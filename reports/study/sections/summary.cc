@@ -153,8 +153,8 @@ Html DrawUnverified(const StudyResult& result) {
   if (touches.num_contacts == 0) return Html();
   return Element("p", {},
                  Text("Touch not verifiable: " + FormatCount(touches.num_contacts, "contact") +
-                      " in " + FormatCount(touches.num_trials, "trial") +
-                      " of the included trials. Without the object's shape (objects.csv) or a "
+                      " in " + FormatCount(touches.num_trials, "included trial") +
+                      ". Without the object's shape (objects.csv) or a "
                       "force, a digit that stops off the surface looks like a contact."));
 }
 
@@ -220,7 +220,7 @@ Html DrawSummary(const StudyPageData& data) {
                                DescribeZeroGft(result.statistics.zero_gft))) +
          DrawStudyWarnings(result) + DrawFreeze(result.study) + DrawArgument(result) +
          DrawTwoDigits(result) + DrawReviewed(result) + DrawUnverified(result) +
-         DrawMeasureTable(result);
+         DrawContrastTable(result) + DrawMeasureTable(result);
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ TEST_F(FrozenFolderTest, SaysWhatIsMissingDamagedOrOfAnotherVersion) {
   WriteManifest(folder_.path(), study);
   EXPECT_EQ(FindFault().second, "no experiment in \"" + folder +
                                     "\" (experiment.json is not there; it holds the result "
-                                    "\"study\")");
+                                    "\"study\"); the tables of a study are in its folder");
   std::filesystem::remove(folder_.path() / "manifest.json");
   WriteFrozen(kKind, folder_.path(), {{"a", 1}});
   std::filesystem::remove(file());

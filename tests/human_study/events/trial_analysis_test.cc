@@ -56,6 +56,12 @@ TEST(AnalyseTrial, FindsWhatTheTruthSays) {
   EXPECT_EQ(analysis.num_touching, 5);
   EXPECT_GE(analysis.timing.gct, analysis.timing.gft);
   EXPECT_GE(analysis.timing.gft, analysis.timing.got);
+  const double first_finger = *std::min_element(truth.contacts.begin() + 1, truth.contacts.end());
+  for (const TrialMeasure& measure : TrialMeasureList()) {
+    if (std::string(measure.id) != "opposing_lag_s") continue;
+    EXPECT_NEAR(measure.value(analysis), first_finger - truth.contacts[0], 0.015);
+    EXPECT_NEAR(std::abs(measure.value(analysis)), analysis.timing.got, 1e-12);
+  }
   EXPECT_GT(analysis.gft_uncertainty, 0.001);
   EXPECT_LT(analysis.gft_uncertainty, 0.02);
   EXPECT_GT(analysis.closure_start_value, analysis.final_opening);

@@ -57,8 +57,9 @@ void WriteSettings(const StudyPlan& plan, const Reach& reach, bool has_shape,
     yaml += "objects: objects.csv\n";
     std::ofstream(folder / "objects.csv")
         << "object,shape,length_m,height_m,centre_x_m,centre_y_m,centre_z_m\ncylinder,cylinder,"
-        << 2.0 * reach.object_radius << ',' << reach.object_height << ",0,0,"
-        << -0.5 * reach.object_height << '\n';
+        << 2.0 * reach.object_radius << ',' << reach.object_height << ",0,"
+        << (plan.is_y_up ? "" : "0,") << -0.5 * reach.object_height
+        << (plan.is_y_up ? ",0\n" : "\n");
   }
   WriteFileAtomically(folder / "study.yaml", yaml + plan.settings);
 }

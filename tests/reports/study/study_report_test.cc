@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 #include "core/base/text/text.h"
 #include "human_study/study/synthetic/demo_study.h"
+#include "reports/study/contrast.h"
 #include "reports/study/study_format.h"
 #include "tests/reports/report_fixture.h"
 
@@ -73,7 +75,7 @@ TEST(StudyReport, ThePhasesAreMediansOverTheTrialsThatHaveThem) {
     if (trial.analysis) trial.analysis->phases.reacceleration.time = std::nan("");
   }
   ExpectParts(TextOfId(MakeStudyReport(result, nullptr), "phases"),
-              {"fast approach, 0 to 80 %", "no trial shows where the slow approach begins"});
+              {"fast approach, 0 to 80 %", "no slow approach was found in any trial"});
 }
 
 TEST(StudyReport, WithoutATrialThatCountsItSaysWhyAndDrawsNothing) {
@@ -147,11 +149,20 @@ TEST(StudyReport, BeginsWithItsContrast) {
   }();
   ExpectParts(summary,
               {"diameter 60\u00A0mm minus diameter 30\u00A0mm: " + expected.difference +
-                   ", 95\u00A0% interval " + expected.low + " to " + expected.high,
-               "(paired t test), n\u00A0=\u00A03 persons.", "Each thin line is one person's mean"});
+                   ", 95 % interval " + expected.low + " to " + expected.high,
+               "(paired t test), n = 3 persons.", "Each thin line is one person's mean"});
   EXPECT_LT(summary.find("(paired t test)"), summary.find("12 of 12 trials were analysed"));
+  ExpectParts(summary, {"p is not adjusted over the measures", "peak opening"});
+  const std::vector<std::string> sentences = DescribeContrasts(result);
+  ASSERT_EQ(sentences.size(), result.statistics.measures.size());
+  EXPECT_EQ(std::count_if(sentences.begin(), sentences.end(),
+                          [&](const std::string& sentence) {
+                            return sentence.find(expected.difference + ", 95 % interval " +
+                                                 expected.low) != std::string::npos;
+                          }),
+            1);
   EXPECT_EQ(CountOf(page, "<title>03</title>"), 1) << "a line for each person";
-  ExpectParts(TextOfId(page, "removed"), {"Warnings without a trial ("});
+  ExpectParts(TextOfId(page, "removed"), {"Checks that found nothing ("});
 }
 
 TEST(StudyReport, TheArgumentsHaveTheirNumbersAndWhatHasNoneItsReason) {

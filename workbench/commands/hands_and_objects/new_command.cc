@@ -32,8 +32,7 @@ std::vector<std::string> ListKinds() {
 
 /** How to go on with what was written. */
 std::string FindNextCommand(const NewOptions& options) {
-  const std::string &kind = options.kind, &folder = options.folder;
-  const std::string name = QuoteForShell(folder);
+  const std::string &kind = options.kind, &folder = options.folder, name = QuoteForShell(folder);
   if (kind == "session") return "run " + QuoteForShell(folder + "/session.yaml");
   if (kind == "sweep") return "sweep " + QuoteForShell(folder + "/sweep.yaml");
   if (kind == "object") return "object check " + name;
@@ -72,6 +71,7 @@ void WriteNewFiles(const NewOptions& options) {
   }
   if (options.kind != kGrasp) CheckNewFiles(options.kind, staged.path().string());
   staged.Commit();
+  if (options.kind == "study") text += "edit     markers and the rows of trials.csv\n";
   PrintResult(text + "next     graspbench " + FindNextCommand(options) + "\n");
 }
 

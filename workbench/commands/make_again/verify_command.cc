@@ -53,7 +53,8 @@ std::string FormatVerdict(const VerifyOptions& options, const StoreRepair& repai
     text += DescribeUnverified(file) + "\n";
   }
   for (const StaleResult& stale : repair.state.stale) {
-    text += stale.path + " is stale: " + stale.input + " has changed since";
+    text += (stale.path == "." ? options.folder : stale.path) + " is stale: " + stale.input +
+            " has changed since";
     if (!stale.command.empty()) text += "; to update: " + stale.command;
     text += "\n";
   }

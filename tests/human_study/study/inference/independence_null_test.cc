@@ -221,7 +221,7 @@ TEST(IndependenceNull, GivesReasons) {
   EXPECT_EQ(CalcIndependenceNull({}, 1).reason(), "1 digit; expected 2 or more");
   const std::string few =
       "only 0 trials in which all 2 digits touched and that have 2 others of the same person and "
-      "condition; too few to deal out";
+      "condition; too few to permute";
   EXPECT_EQ(CalcIndependenceNull({}, 2).reason(), few);
   TimingModel model;
   model.num_digits = 2;
@@ -261,9 +261,10 @@ TEST(IndependenceNull, TheSentenceFollowsTheClocks) {
   const std::string undecided = SayIndependence(CalcIndependenceNull(MakeTrials(model, "pace"), 5));
   ExpectHolds(undecided,
               "Simultaneity of people: not decided whether more simultaneous than digits that move "
-              "independently (by clock: onset: more simultaneous, widest: more simultaneous, "
-              "movement: no difference).");
-  ExpectHolds(undecided, "cannot separate it from coordination. A design that can: a start signal");
+              "independently (counted from movement onset: more simultaneous; from the widest "
+              "opening: more simultaneous; from onset adjusted for the movement duration: no "
+              "difference; all three must agree).");
+  ExpectHolds(undecided, "cannot separate the two. A design that can: a start signal");
 }
 
 struct SharingModel {

@@ -168,9 +168,10 @@ TEST(OpeningReliability, TheSentenceSaysWhatCouldBeTested) {
   study.study.config.analysis.opening.measure = "aperture";
   ExpectHolds(DescribeOpeningArgument(study), "the study's own opening is the aperture itself");
   study.digits = {"TH", "FF"};
-  EXPECT_EQ(DescribeOpeningArgument(study),
-            "More reliable than the aperture: not testable with 2 digits, of which every opening "
-            "is the aperture.");
+  EXPECT_EQ(
+      DescribeOpeningArgument(study),
+      "More reliable than the aperture: not testable with 2 digits: every opening is then the "
+      "aperture.");
 }
 
 TEST(OpeningReliability, GivesReasons) {
