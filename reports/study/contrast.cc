@@ -37,6 +37,12 @@ std::string DescribeContrast(const PersonContrast& contrast, const TrialMeasure&
          FormatPersons(contrast, test) + ".";
 }
 
+/** With two digits GOT is GFT. */
+bool IsRepeated(const StudyResult& result, const MeasureStatistics& statistics) {
+  return result.digits.size() == 2 &&
+         std::string(statistics.measure.id).rfind("grasp_opposing", 0) == 0;
+}
+
 Html DrawPersons(const PersonContrast& contrast, const TrialMeasure& measure) {
   PairedPlot plot;
   plot.text.title = std::string(measure.name) + " by " + NameOfFactor(contrast.factor.name);
@@ -80,7 +86,7 @@ Html DrawContrastTable(const StudyResult& result) {
   std::string difference;
   std::vector<std::vector<std::string>> rows;
   for (const MeasureStatistics& statistics : result.statistics.measures) {
-    if (!statistics.cells) continue;
+    if (!statistics.cells || IsRepeated(result, statistics)) continue;
     const Answer<PersonContrast> contrast = CalcPersonContrast(*statistics.cells);
     if (!contrast || !contrast->test) continue;
     const ContrastTest& test = *contrast->test;
@@ -106,7 +112,7 @@ Html DrawContrastTable(const StudyResult& result) {
 std::vector<std::string> DescribeContrasts(const StudyResult& result) {
   std::vector<std::string> sentences;
   for (const MeasureStatistics& statistics : result.statistics.measures) {
-    if (!statistics.cells) continue;
+    if (!statistics.cells || IsRepeated(result, statistics)) continue;
     const Answer<PersonContrast> contrast = CalcPersonContrast(*statistics.cells);
     if (contrast) sentences.push_back(DescribeContrast(*contrast, statistics.measure));
   }
