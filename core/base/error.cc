@@ -13,8 +13,8 @@
 namespace graspbench {
 namespace {
 
-/** Letters inserted, left out, replaced, or exchanged with their neighbour (optimal string
-alignment, G. Navarro, ACM Comput. Surv. 33 (2001)). */
+/** Number of letters inserted, deleted, replaced, or exchanged with their neighbour (optimal string
+alignment distance, G. Navarro, ACM Comput. Surv. 33 (2001)). */
 size_t CalcEditDistance(std::string_view a, std::string_view b) {
   std::vector<size_t> before, above, row(b.size() + 1);
   std::iota(row.begin(), row.end(), size_t{0});
@@ -56,7 +56,7 @@ ExitCode ExitCodeOf(ErrorKind kind) {
 namespace {
 
 constexpr size_t kMaxListed = 24;
-constexpr size_t kMaxBeside = 8;  // names beside a suggestion; more hide it
+constexpr size_t kMaxBeside = 8;  // a longer list would hide the suggestion
 
 }  // namespace
 
@@ -86,7 +86,7 @@ int Diagnostics::num_errors() const {
 
 namespace {
 
-/** Lines behind the first, of an error within, are indented, so that none looks like an entry. */
+/** Indents all lines after the first, so that no line of a nested error looks like an entry. */
 std::string IndentLines(const std::string& text) {
   std::string indented;
   for (size_t at = 0; at < text.size();) {
@@ -99,7 +99,7 @@ std::string IndentLines(const std::string& text) {
   return indented;
 }
 
-/** The lines behind the first, the last of many. */
+/** Counts the lines after the first and lists the first few of them. */
 std::string DescribeMore(const std::vector<int>& lines) {
   constexpr size_t kNamed = 3;
   if (lines.size() < 2) return "";
@@ -121,7 +121,7 @@ std::string Diagnostics::Format() const {
   std::string text;
   for (const Diagnostic& d : entries_) {
     std::vector<int>& equals = lines[{d.severity, d.file, d.text}];
-    if (equals.empty()) continue;  // said at the first of them
+    if (equals.empty()) continue;  // already reported with the first of them
     if (!text.empty()) text += '\n';
     text += EscapeForTerminal(d.file, LineFeeds::kEscape);
     if (d.line > 0) text += ":" + std::to_string(d.line);

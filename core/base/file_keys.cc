@@ -9,7 +9,7 @@
 namespace graspbench {
 namespace {
 
-// The longest ending first.
+// Longest suffix first.
 constexpr std::pair<const char*, const char*> kUnits[] = {{"_grey_levels", "grey levels"},
                                                           {"_kg_per_m3", "kg/m3"},
                                                           {"_m_per_s2", "m/s2"},
@@ -58,7 +58,7 @@ std::string FormatRange(const FileKey& key) {
 }
 
 std::string FindUnit(const std::string& key) {
-  // "pad_offsets_m.thumb" has the unit of its map.
+  // "pad_offsets_m.thumb" takes the unit of its map.
   for (size_t end = key.size(); end != key.npos;
        end = end == 0 ? key.npos : key.rfind('.', end - 1)) {
     for (const auto& [ending, unit] : kUnits) {

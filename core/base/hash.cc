@@ -36,7 +36,7 @@ void Sha256::Add(std::string_view bytes) {
 
 std::string Sha256::CalcDigest() const {
   const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> copy(
-      EVP_MD_CTX_new(), &EVP_MD_CTX_free);  // finishing ends a context
+      EVP_MD_CTX_new(), &EVP_MD_CTX_free);  // finalising a context makes it unusable
   std::array<unsigned char, 32> digest{};
   unsigned int length = 0;
   Check(EVP_MD_CTX_copy_ex(copy.get(), context_.get()) == 1 &&

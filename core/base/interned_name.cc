@@ -7,7 +7,7 @@ namespace graspbench {
 
 InternedName::InternedName(const std::string& text) {
   static auto& mutex = *new std::mutex;
-  static auto& texts = *new std::unordered_set<std::string>;  // whose nodes stay where they are
+  static auto& texts = *new std::unordered_set<std::string>;  // its nodes never move
   const std::lock_guard<std::mutex> lock(mutex);
   text_ = &*texts.insert(text).first;
 }

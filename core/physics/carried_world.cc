@@ -51,7 +51,7 @@ void ImplicitWorld::CalcArmMasses() {
   problem_.M.block(0, dofs, dofs, num_base_) = mixed.transpose();
   problem_.M.block(dofs, dofs, num_base_, num_base_) =
       J.transpose() * hand_mass_.bottomRightCorner<6, 6>() * J + arm_mass_;
-  // Gravity that a verdict turns is a load on the object, not on the arm.
+  // When a verdict turns gravity, it loads the object but not the arm.
   const Eigen::Vector3d gravity_W = MakeGravity(config_);
   arm_weight_ = arm_->CalcWeight(gravity_W) +
                 J.transpose() * (hand_mass_.block<6, 3>(dofs, dofs + 3) * gravity_W);
@@ -139,7 +139,7 @@ void ImplicitWorld::FinishArmForces(const VectorXd& v, const VectorXd& mean) {
   energy_.gravity +=
       h * (CalcHandPart(mean).dot(hand_mass_.middleCols<3>(dofs + 3) * state_.gravity_W) +
            mass_.mass * state_.gravity_W.dot(mean.tail<3>()));
-  // What the drives give beside their springs, less what moves the arm itself, reaches the hand.
+  // The hand receives what the drives give beyond their springs, less what moves the arm itself.
   const VectorXd change = (v - problem_.u).segment(dofs, num_base_);
   energy_.arm += (h * arm_carrying_ - arm_mass_ * change).dot(mean.segment(dofs, num_base_));
 }

@@ -15,20 +15,20 @@ using Matrix6d = Eigen::Matrix<double, 6, 6>;
 /** Keeps J J^T invertible at a singular posture. */
 constexpr double kDamping = 1e-12;
 
-/** The shortest x with J x = y, where there is one. */
+/** Returns the shortest x with J x = y, where one exists. */
 VectorXd SolveShortest(const ArmJacobian& J, const Vector6d& y) {
   const Matrix6d gram = J * J.transpose() + kDamping * Matrix6d::Identity();
   return J.transpose() * gram.ldlt().solve(y);
 }
 
-/** [linear; angular] in B to [angular; linear] in W. */
+/** Converts [linear; angular] in B to [angular; linear] in W. */
 Vector6d TurnToWorld(const Pose& X_WB, const Vector6d& linear_first) {
   Vector6d result;
   result << X_WB.linear() * linear_first.tail<3>(), X_WB.linear() * linear_first.head<3>();
   return result;
 }
 
-/** Of CalcArmPoses, the last on to H. */
+/** Poses of CalcArmPoses, but the last one is that of H. */
 std::vector<Pose> CalcHandPoses(const MountedArm& arm, const VectorXd& q) {
   std::vector<Pose> X_BL = CalcArmPoses(*arm.arm, q);
   X_BL.back() = X_BL.back() * arm.X_FH;

@@ -13,16 +13,17 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** The table feels the object from here on, so that a fall of 0.2 m, which ends at 2 m/s, does not
-pass it within a step of 4 ms [m] */
+/** The table detects the object within this gap. A fall of 0.2 m ends at 2 m/s, and the object
+cannot pass the table within a step of 4 ms [m]. */
 constexpr double kTableMargin = 0.008;
-/** Counts as the load of a point that has just touched, so that new ones share alike [N]. */
+/** Load assumed for a point that has just touched, so that new points share alike [N]. */
 constexpr double kUnknownLoad = 1e-6;
-/** By how much a field's distance changes over a way of 1, at most: each of its interpolant's three
-derivatives is at most 1. */
+/** Largest change of a field's distance over a displacement of 1. Each of the three derivatives of
+its interpolant is at most 1. */
 constexpr double kSteepestField = 1.75;
 
-/** The column of a degree of freedom among those of the contact, which ascend; a new one is zero. */
+/** Returns the column of a degree of freedom among those of the contact, which ascend. A new column
+is zero. */
 int FindColumn(int dof, ContactPoint& contact) {
   int i = 0;
   while (i < contact.num_dofs && contact.dofs[i] < dof) ++i;
@@ -58,7 +59,7 @@ Collider::Collider(const Hand& hand, const GraspObject& object, const SimConfig&
 }
 
 void Collider::Bystander::Remember(const Vector3d& p_ONow, double gap, double cell) {
-  // Where surfaces that lie inside the object come out of it, a field jumps by a cell.
+  // Where surfaces inside the object reach its outer surface, a field jumps by a cell.
   const double way = std::max(0.0, gap - kMargin - cell) / kSteepestField;
   p_OCentre = p_ONow;
   way_squared = way * way;
@@ -137,7 +138,7 @@ void Collider::CombineMaterials(const Hand& hand, const SurfaceMaterial& object,
     link_object_.push_back(CombineSurfaces(link.surface, object, config));
     link_table_.push_back(CombineSurfaces(link.surface, table, config));
   }
-  SurfaceMaterial object_underside = object;  // its friction is that against a hand
+  SurfaceMaterial object_underside = object;  // its friction is for contact with the hand
   object_underside.friction_static = object_underside.friction_dynamic = kUnset;
   object_table_ = CombineSurfaces(object_underside, table, config);
   for (SelfPair& pair : pairs_) {
@@ -287,7 +288,7 @@ void Collider::FindObjectTable(const HandDynamics& dynamics, const Pose& X_WO,
   const auto memory_of = [&](const TableSupport::Contact& support) -> ContactMemory& {
     return object_table_memory_[static_cast<size_t>(support.id)];
   };
-  // The centre of pressure of the last step, about which the face's friction is spread.
+  // Centre of pressure of the last step, about which the friction of the face is distributed.
   Vector3d p_WPressure = Vector3d::Zero();
   double pressure = 0.0;
   for (const TableSupport::Contact& support : supports) {
@@ -356,7 +357,7 @@ void Collider::AddSelfContact(const HandDynamics& dynamics, int p, int step_numb
   contact.memory = &self_memory_[p];
   SetRadius(a.radius * b.radius / radii, contact);
   PrepareContact(h_, step_number, contact);
-  // Both links hang on the base, whose motion cancels.
+  // Both links are attached to the base, whose motion cancels.
   AddJointRows(dynamics, a.link, 1.0, contact);
   AddJointRows(dynamics, b.link, -1.0, contact);
 }

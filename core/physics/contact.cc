@@ -8,10 +8,10 @@
 namespace graspbench {
 namespace {
 
-/** The patch of a contact that is about to touch is that at this compression [m]. */
+/** A contact that is about to touch has the patch of this compression [m]. */
 constexpr double kLeastCompression = 1e-6;
 
-/** Sets the stiffness along the patch and the torsion radius of a contact with a pad. */
+/** Sets the tangential stiffness and the torsion radius of a contact with a pad. */
 void ApplyPatch(ContactPoint& contact) {
   ContactMaterial& material = contact.material;
   const PadCompression state = CalcCompression(contact, contact.depth);
@@ -24,14 +24,15 @@ void ApplyPatch(ContactPoint& contact) {
       std::min(material.torsion_radius, material.pad.torsion_scale * kHertzTorsionShare * patch);
 }
 
-/** Damping of bristles as a time over their stiffness; a pad loses along as it does across [s]. */
+/** Damping of the bristles over their stiffness. A pad loses as much tangentially as normally [s].
+*/
 double CalcDampingTime(const ContactPoint& contact) {
   return contact.hertz > 0.0 ? contact.material.relaxation_time : 1e-3;
 }
-/** Static friction is back after this time without sliding [s]. */
+/** Static friction recovers after this time without sliding [s]. */
 constexpr double kRestTime = 0.02;
 
-/** Friction before it is clipped: tangents, and spin over the torsion radius [N]. */
+/** Friction before it is clipped: tangential components, and spin over the torsion radius [N]. */
 using Bristle = std::array<double, 3>;
 
 Bristle CalcBristle(const ContactPoint& contact, const ContactRates& rates, double h) {
@@ -44,7 +45,7 @@ Bristle CalcBristle(const ContactPoint& contact, const ContactRates& rates, doub
 
 double CalcNorm(const Bristle& y) { return std::sqrt(y[0] * y[0] + y[1] * y[1] + y[2] * y[2]); }
 
-/** The value of the one side that gives it, or of `both`; `neither` when none does. */
+/** Returns the value that only one side defines, or `both` of the two; `neither` when none does. */
 template <class Both>
 double Combine(double a, double b, double neither, Both&& both) {
   if (std::isnan(a)) return std::isnan(b) ? neither : b;
@@ -84,13 +85,13 @@ PadCompression CalcPadCompression(double hertz, double stiffness, double pad_dep
   if (x >= pad_depth + full / stiffness) {
     return {pad_depth, stiffness * (x - pad_depth), stiffness};
   }
-  // w^2 + (hertz / k) w^3 = x with w = sqrt(y). From above Newton only falls.
+  // w^2 + (hertz / k) w^3 = x with w = sqrt(y). From above, Newton's iterates only decrease.
   const double ratio = hertz / stiffness;
   double w = std::sqrt(x);
   for (int i = 0; i < 50; ++i) {
     const double change = (w * w * (1.0 + ratio * w) - x) / (w * (2.0 + 3.0 * ratio * w));
     w -= change;
-    if (change <= 1e-8 * w) break;  // what is left is its square
+    if (change <= 1e-8 * w) break;  // the remaining error is its square
   }
   return {w * w, hertz * w * w * w, 1.0 / (1.0 / (1.5 * hertz * w) + 1.0 / stiffness)};
 }
@@ -113,7 +114,7 @@ PadCompression CalcCompression(const ContactPoint& contact, double x) {
     return state;
   }
   // With w the root of the force: w / sqrt(c) + pad w^(4/3) + w^2 / k = x.
-  // Convex: from above Newton only falls.
+  // The function is convex: from above, Newton's iterates only decrease.
   const double across = 1.0 / std::sqrt(surface.factor);
   const double at_pad_end = pad > 0.0 ? std::pow(pad_depth / pad, 0.75) : 0.0;
   const bool is_pad_full =
@@ -137,7 +138,7 @@ void SetRadius(double radius, ContactPoint& contact) {
 
 void PrepareContact(double h, int step_number, ContactPoint& contact) {
   const Eigen::Vector3d& n = contact.nhat_BA_W;
-  // The axis least along n gives a well-conditioned first tangent, the same one every time.
+  // The axis least aligned with n gives a well-conditioned first tangent, the same every time.
   Eigen::Index least;
   n.cwiseAbs().minCoeff(&least);
   contact.tangent1_W = n.cross(Eigen::Vector3d::Unit(least)).normalized();
@@ -152,7 +153,7 @@ void PrepareContact(double h, int step_number, ContactPoint& contact) {
     memory->last_slide = last_slide;
   }
 
-  // The bristle keeps its length when the tangent plane turns.
+  // The bristle keeps its length when the tangent plane rotates.
   const Eigen::Vector3d in_plane = memory->stretch - n * n.dot(memory->stretch);
   const double length = memory->stretch.norm(), flat = in_plane.norm();
   const Eigen::Vector3d stretch =
@@ -166,7 +167,7 @@ void PrepareContact(double h, int step_number, ContactPoint& contact) {
     contact.twist = r > 0.0 ? contact.twist * scale * memory->torsion_radius / r : 0.0;
   }
   contact.is_dynamic = h * (step_number - memory->last_slide) < kRestTime;
-  // A guess: the force changes as it did. The solver corrects it where it matters.
+  // Initial guess: the force changes as in the last step. The solver corrects it where it matters.
   double fn = memory->normal_force;
   if (!std::isnan(memory->normal_force_before)) {
     fn = std::clamp(2.0 * fn - memory->normal_force_before, 0.5 * fn, 2.0 * fn);
@@ -212,7 +213,7 @@ ContactGains CalcContactGains(const ContactPoint& contact, const ContactRates& r
     return result;
   }
   if (contact.friction_limit == 0.0) return result;
-  // Clipped friction keeps its direction c: only what is across c still grows with the rates.
+  // Clipped friction keeps its direction c: only the part across c still grows with the rates.
   const Bristle y = CalcBristle(contact, rates, h);
   const double norm = CalcNorm(y), g = gain * (contact.friction_limit / norm);
   const Bristle c = {y[0] / norm, y[1] / norm, y[2] / norm};
@@ -226,7 +227,7 @@ void FinishContact(const ContactPoint& contact, const ContactRates& mean_rates,
                    const ContactForces& forces, double h, int step_number) {
   ContactMemory* memory = contact.memory;
   const double fn = forces.force[kNormalRow];
-  if (!memory || fn <= 0.0) return;  // a broken contact forgets
+  if (!memory || fn <= 0.0) return;  // a broken contact loses its memory
   const ContactMaterial& material = contact.material;
   const double kt = material.tangential_stiffness, r = material.torsion_radius;
   double s1 = contact.stretch[0] + h * mean_rates[kTangentRow1];
@@ -261,7 +262,7 @@ ContactMaterial CombineSurfaces(const SurfaceMaterial& a, const SurfaceMaterial&
                                  [](double t_a, double t_b) { return std::max(t_a, t_b); });
   if (a.pad.youngs_modulus > 0.0 || b.pad.youngs_modulus > 0.0) {
     pair.pad = CombinePads(a.pad, b.pad);
-    // A pad's patch resists spin by its size, up to what the other side allows.
+    // A pad's patch resists spin by its size, up to the limit of the other side.
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     if (std::isnan(a.torsion_radius) && std::isnan(b.torsion_radius)) {
       pair.torsion_radius = kInfinity;

@@ -53,7 +53,7 @@ void HandDynamics::UpdatePositions(const Pose& X_WH, const VectorXd& q) {
   for (size_t i = 0; i < joint_.size(); ++i) {
     const int joint = joint_[i];
     if (joint < 0) continue;
-    const Vector3d a_W = X_WL_[i].linear() * axis_[i];  // which the joint does not turn
+    const Vector3d a_W = X_WL_[i].linear() * axis_[i];  // the joint does not rotate it
     if (slides_[joint]) {
       S_[joint] << Vector3d::Zero(), a_W;
     } else {
@@ -72,7 +72,7 @@ void HandDynamics::CalcMassMatrix(Eigen::Ref<Eigen::MatrixXd> M) {
   for (size_t i = joint_.size(); i-- > 1;) {
     const int joint = joint_[i];
     if (joint < 0 || !Moves(joint)) continue;
-    // Momentum of a unit rate: about the link's origin, then about the world's.
+    // Momentum of a unit rate, first about the link's origin, then about the world's.
     const CarriedMass& carried = carried_[i];
     const Vector3d turn = S_[joint].head<3>();
     const Vector3d slide = slides_[joint] ? Vector3d(S_[joint].tail<3>()) : Vector3d::Zero();
@@ -91,7 +91,7 @@ void HandDynamics::CalcMassMatrix(Eigen::Ref<Eigen::MatrixXd> M) {
         });
       });
     }
-    F.head<3>() -= p_WH_.cross(linear);  // the base turns about H's origin
+    F.head<3>() -= p_WH_.cross(linear);  // the base rotates about H's origin
     ForEachSpeed(joint,
                  [&](int dof, double rate) { M.col(dof).segment<6>(num_dofs_) += rate * F; });
   }
@@ -99,15 +99,15 @@ void HandDynamics::CalcMassMatrix(Eigen::Ref<Eigen::MatrixXd> M) {
   M.bottomRightCorner<6, 6>() = CalcBaseMass();
 }
 
-/** Of the whole hand, about H's origin. */
+/** Mass matrix of the whole hand about H's origin. */
 Eigen::Matrix<double, 6, 6> HandDynamics::CalcBaseMass() const {
   const CarriedMass& whole = carried_[0];
-  const Vector3d r = X_WL_[0].translation() - p_WH_;  // the root's origin from H's
+  const Vector3d r = X_WL_[0].translation() - p_WH_;  // root's origin relative to H's
   const Vector3d moment = whole.moment + whole.mass * r;
   const auto cross = [](const Vector3d& a) {
     return (Matrix3d() << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0).finished();
   };
-  // Steiner's theorem, where the first point is not the centre of mass either.
+  // Steiner's theorem for a first point that is not the centre of mass either.
   const Matrix3d inertia =
       whole.inertia - cross(r) * cross(whole.moment) - cross(moment) * cross(r);
   Eigen::Matrix<double, 6, 6> result;

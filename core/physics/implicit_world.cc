@@ -15,18 +15,18 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/** Stiffness of the stops at the joint limits, and of a blocked joint [N m/rad]. */
+/** Stiffness of the stops at the joint limits and of a blocked joint [N m/rad]. */
 constexpr double kLimitStiffness = 200.0;
 constexpr double kSlideLimitStiffness = 1e5;  // [N/m] of a prismatic joint
-/** Speeds may differ by this much from those the bias was taken at [rad/s, m/s]. */
+/** Largest change of the speeds since the bias was computed [rad/s, m/s]. */
 constexpr double kBiasSpeedTolerance = 1e-5;
-/** And so may the products of speeds that it consists of: with links of 1e-4 kg m^2 1e-8 N m. */
+/** The same for the products of speeds in the bias; 1e-8 N m for links of 1e-4 kg m^2. */
 constexpr double kBiasProductTolerance = 1e-4;
-/** What moves no faster stands [rad/s, m/s]. A contact settles within its relaxation time, so 1e-5 N
+/** Slower bodies are at rest [rad/s, m/s]. A contact settles within its relaxation time, so 1e-5 N
 of its force are still missing then. */
 constexpr double kStandingSpeed = 1e-8;
-/** The hand's mass matrix is kept until a joint has moved, or the hand turned, by this much [rad],
-of slides [m]: it changes by as small a share then. */
+/** The hand's mass matrix is kept until a joint moves or the hand turns by this much [rad], [m] for
+slides. The matrix then changes by about the same share. */
 constexpr double kKeptAngle = 1e-3;
 constexpr double kMostSpeed = 1e6;  // [m/s], [rad/s]
 
@@ -36,7 +36,7 @@ Matrix3d MakeRotation(const Vector3d& rotation_vector) {
   return Eigen::AngleAxisd(angle, rotation_vector / angle).toRotationMatrix();
 }
 
-/** Takes out the rounding of many small turns. */
+/** Removes the rounding errors of many small rotations. */
 Matrix3d Orthonormalize(const Matrix3d& R) {
   return Eigen::Quaterniond(R).normalized().toRotationMatrix();
 }
@@ -106,7 +106,7 @@ void ImplicitWorld::MovePositions(double h, const VectorXd& u, WorldState& state
     }
   }
   if (arm_) {
-    state.q_arm += h * u.segment(base, num_base_);  // X_WH follows from it
+    state.q_arm += h * u.segment(base, num_base_);  // X_WH follows from the arm
   } else {
     state.X_WH.linear() = MakeRotation(h * u.segment<3>(base)) * state.X_WH.linear();
     state.X_WH.translation() += h * u.segment<3>(base + 3);
@@ -137,7 +137,7 @@ void ImplicitWorld::AddDrives(const WorldCommand& command) {
                              : drive.torque_limit;
     const double stiffness =
         command.stiffness.size() > 0 ? command.stiffness[joint] * drive.stiffness : drive.stiffness;
-    // The mean angle is that of the middle and h (v - u) / 4.
+    // The mean angle is that at the middle of the step plus h (v - u) / 4.
     const double mean_gain = 0.25 * stiffness * h;
     problem_.scalars.push_back({dof, stiffness * (followed - theta) + mean_gain * problem_.u[dof],
                                 mean_gain + drive.damping, -limit, limit});
@@ -152,11 +152,11 @@ void ImplicitWorld::AddDrives(const WorldCommand& command) {
   num_drives_ = static_cast<int>(problem_.scalars.size());
 }
 
-/** A stop on both sides; it gives no force while the joint is between them. */
+/** Adds a stop on both sides, which exerts no force while the joint is between them. */
 void ImplicitWorld::AddStops(int dof, double rate, double q, double lower, double upper,
                              double stiffness) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  // Far from its limits a joint cannot reach them within the step.
+  // A joint far from its limits cannot reach them within the step.
   constexpr double kNear = 0.1;
   const double gain = stiffness * problem_.h * rate * rate;
   if (q < lower + kNear) {
@@ -175,10 +175,11 @@ void ImplicitWorld::AddLimits() {
     double lower = stopped.lower, upper = stopped.upper;
     if (is_ruled && hand_->coupling == CouplingRule::kMiddleFirst) {
       lower = std::max(lower, 0.0);
-      upper = std::min(upper, middle_.q[stopped.coupled_to]);  // the middle is never less bent
+      // the middle joint is never bent less
+      upper = std::min(upper, middle_.q[stopped.coupled_to]);
     }
     const double rate = dynamics_.rate_of_joint(joint);
-    // Of a joint that is tied to another the limits of that one hold.
+    // A joint tied to another one obeys the limits of that one.
     const bool is_tied = stopped.coupled_to >= 0 &&
                          (stopped.is_mimic || hand_->coupling != CouplingRule::kMiddleFirst);
     if (rate != 0.0 && !is_tied) {
@@ -195,7 +196,8 @@ void ImplicitWorld::AddRollingResistance() {
   first_rolling_ = static_cast<int>(problem_.scalars.size());
   const double moment = config_.table_rolling_resistance * collider_.rolling_load();
   if (moment == 0.0) return;
-  // One moment against the turn, by its parts; what does not turn yet resists alike both ways.
+  // One moment against the rotation, by components. A body that does not rotate yet is resisted
+  // alike in both directions.
   const Eigen::Vector2d turn = state_.w_WO.head<2>();
   const double speed = turn.norm();
   for (int k = 0; k < 2; ++k) {
@@ -205,7 +207,7 @@ void ImplicitWorld::AddRollingResistance() {
   }
 }
 
-/** Fills problem_.bias for an arm that carries the hand with `acceleration_W`. */
+/** Fills problem_.bias for an arm that accelerates the hand by `acceleration_W`. */
 void ImplicitWorld::CalcBias(const VectorXd& mean_speeds, const Vector3d& acceleration_W) {
   const int base = dynamics_.num_dofs(), object = object_dof();
   VectorXd& bias = problem_.bias;
@@ -300,7 +302,8 @@ StepReport ImplicitWorld::Step(const WorldCommand& command) {
   const Vector3d acceleration_W = (command.v_WH - commanded_v_WH_) / h;
   commanded_v_WH_ = command.v_WH;
   const VectorXd last = v_;
-  if (v_before_.size() > 0) v_ += last - v_before_;  // a guess: speeds change as they did
+  // initial guess: the same change of speed as before
+  if (v_before_.size() > 0) v_ += last - v_before_;
   v_before_ = last;
   VectorXd mean_speeds = 0.5 * (problem_.u + v_);
   CalcBias(mean_speeds, acceleration_W);
@@ -339,7 +342,7 @@ StepReport ImplicitWorld::Step(const WorldCommand& command) {
   state_.w_WO = v_.segment<3>(object);
   state_.v_WOcm = v_.segment<3>(object + 3);
   ++step_number_;
-  // Faster, half a step is no number any more, and contacts are looked for after it.
+  // Above this speed, half a step would overflow, before contacts are searched again.
   report.is_finite = v_.allFinite() && v_.cwiseAbs().maxCoeff() < kMostSpeed &&
                      state_.p_WOcm.allFinite() && state_.R_WO.allFinite() && state_.q.allFinite() &&
                      state_.X_WH.matrix().allFinite();
@@ -353,7 +356,7 @@ StepReport ImplicitWorld::Step(const WorldCommand& command) {
 void ImplicitWorld::FinishForces(const VectorXd& v) {
   const double h = problem_.h;
   const VectorXd mean = 0.5 * (problem_.u + v);
-  // Momentum along W's axes of unit speeds, times gravity: the weight's generalised force.
+  // Momentum of unit speeds along W's axes times gravity is the generalised force of the weight.
   const int base = dynamics_.num_dofs(), object = object_dof();
   if (arm_) {
     FinishArmForces(v, mean);
@@ -429,7 +432,7 @@ void ImplicitWorld::UpdateBlocks(const std::vector<bool>& link_touches_object) {
   }
 }
 
-/** Of a contact that has a force: how long before the step's end its surfaces met [s]. */
+/** Time from first contact to the end of the step, of a contact that has a force [s]. */
 double ImplicitWorld::CalcTouchAge(const ContactPoint& contact) const {
   double approach = 0.0;
   for (int i = 0; i < contact.num_dofs; ++i) {

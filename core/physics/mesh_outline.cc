@@ -33,17 +33,17 @@ std::vector<VertexBlock> MakeBlocks(const std::vector<Vector3d>& vertices) {
   return blocks;
 }
 
-constexpr double kLeastTurn = RadFromDeg(0.4);  ///< of one side against the next
+constexpr double kLeastTurn = RadFromDeg(0.4);  ///< turn from one side of a ring to the next
 constexpr double kMostTurn = RadFromDeg(19.0);
 constexpr double kMostOfATurn = RadFromDeg(300.0);
-/** Sides of a ring, its turns, and its vertices' distances from its centre differ by less. */
+/** Tolerance of a ring's sides, turns, and distances of vertices from the centre. */
 constexpr double kSameShare = 0.01;
-/** Planes of three vertices each in a ring differ by less. */
+/** Tolerance between the planes through three successive vertices of a ring. */
 const double kSamePlane = std::cos(RadFromDeg(3.0));
-/** Circles about axes in these limits are about one axis. */
+/** Circles whose axes differ by less have a common axis. */
 const double kSameAxis = std::cos(RadFromDeg(1.0));
 constexpr double kSameLine = 0.02;  ///< distance of axes, as a share of the radius
-/** About a counting axis lies this share of the outside's vertices. */
+/** Only an axis with at least this share of the outermost vertices about it counts. */
 constexpr double kAxisShare = 0.1;
 
 std::vector<std::vector<size_t>> FindNeighbours(const TriMesh& mesh) {
@@ -65,7 +65,7 @@ class RingWalker {
   RingWalker(const TriMesh& mesh, const std::vector<bool>& outermost)
       : vertices_(mesh.vertices), outermost_(outermost), neighbours_(FindNeighbours(mesh)) {}
 
-  /** The ring that goes on from a to b, each vertex once; empty: there is none. */
+  /** Returns the ring that continues from a to b, each vertex once; empty when there is none. */
   std::vector<size_t> Walk(size_t a, size_t b) const {
     std::vector<size_t> ring = {a, b};
     std::optional<Corner> first;
@@ -104,7 +104,7 @@ class RingWalker {
       const double turn = std::atan2(cross.norm(), side.dot(next));
       if (turn < kLeastTurn || turn > kMostTurn) continue;
       const Vector3d normal = cross.normalized();
-      // The side lengths of fine rings are known better than their turns.
+      // The side lengths of fine rings are more accurate than their turns.
       if (first && (normal.dot(first->normal) < kSamePlane ||
                     std::abs(turn - first->turn) > 0.1 * first->turn)) {
         continue;
@@ -122,7 +122,7 @@ class RingWalker {
   std::vector<std::vector<size_t>> neighbours_;
 };
 
-/** Nothing where the ring is not a circle. */
+/** Fits a circle; returns nothing when the ring is not one. */
 std::optional<RimCircle> FitCircle(const TriMesh& mesh, const std::vector<size_t>& ring) {
   RimCircle circle{Vector3d::Zero(), Vector3d::Zero(), 0.0, ring};
   for (const size_t i : ring) {
@@ -177,7 +177,7 @@ std::vector<size_t> FindOutermostVertices(const std::vector<Vector3d>& vertices,
 std::vector<RimCircle> FindRimCircles(const TriMesh& mesh, const std::vector<bool>& outermost) {
   const RingWalker walker(mesh, outermost);
   std::vector<RimCircle> circles;
-  std::set<std::pair<size_t, size_t>> walked;  // sides of rings that are found
+  std::set<std::pair<size_t, size_t>> walked;  // sides of rings already found
   for (size_t a = 0; a < mesh.vertices.size(); ++a) {
     if (!outermost[a]) continue;
     for (const size_t b : walker.neighbours(a)) {

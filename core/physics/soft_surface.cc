@@ -13,11 +13,11 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/** A ball that does not press yet has the share of one at this depth [m]. */
+/** A ball that does not press yet has the surface share of a ball at this depth [m]. */
 constexpr double kLeastDepth = 1e-6;
-/** A ball that others hide keeps this share of its force alone, so that it is no rigid one. */
+/** A ball hidden by others keeps this share of its own force, so that it does not become rigid. */
 constexpr double kHiddenShare = 1e-4;
-/** Directions in which the part of the surface that a ball has is measured. */
+/** Number of directions in which a ball's own part of the surface is measured. */
 constexpr int kNumRays = 64;
 
 double CalcYield(const Compressibility& object, const Vector3d& nhat_O) {
@@ -36,20 +36,20 @@ const std::array<Vector2d, kNumRays>& ListRays() {
   return kRays;
 }
 
-/** Where a neighbour's sphere cuts that of a ball. A point of the ball's sphere, at the angle alpha
-from its deepest point and in direction `ray`, lies in the neighbour where
-radius (distance towards.ray sin(alpha) + below cos(alpha)) > cut. */
+/** Border where a neighbour's sphere cuts the sphere of a ball. A point of the ball's sphere at the
+angle alpha from its deepest point, in direction `ray`, is inside the neighbour where radius
+(distance towards.ray sin(alpha) + below cos(alpha)) > cut. */
 struct Border {
   Vector2d towards;       ///< unit, along the surface
-  double distance = 0.0;  ///< of the centres along the surface [m]
-  double below = 0.0;     ///< by how much the neighbour's centre is deeper [m]
+  double distance = 0.0;  ///< between the centres, along the surface [m]
+  double below = 0.0;     ///< excess depth of the neighbour's centre [m]
   double cut = 0.0;       ///< [m^2]
 
-  /** Narrows the part of a ray that is the ball's. */
+  /** Narrows the part of a ray that belongs to the ball. */
   void Cut(const Vector2d& ray, double radius, double& from, double& to) const {
     const double a = radius * distance * towards.dot(ray), b = radius * below;
     const double square = a * a + b * b, rest = square - cut * cut;
-    const bool is_hidden = b > cut;  // the deepest point is
+    const bool is_hidden = b > cut;  // whether the deepest point is hidden
     if (rest <= 0.0) {
       if (is_hidden) to = 0.0;
       return;
@@ -69,7 +69,8 @@ struct Border {
   }
 };
 
-/** Of ball i along its own tangents; false: another ball just there hides it. */
+/** Finds the borders of ball i along its own tangents; false when another ball at the same point
+hides it. */
 bool FindBorders(const std::vector<PressingBall>& balls, size_t i, std::vector<Border>& borders) {
   const PressingBall& ball = balls[i];
   Eigen::Index least;
@@ -97,7 +98,7 @@ bool FindBorders(const std::vector<PressingBall>& balls, size_t i, std::vector<B
   return true;
 }
 
-/** The volume that ball i displaces alone within its borders [m^3]. */
+/** Volume that ball i alone displaces within its borders [m^3]. */
 double CalcOwnVolume(const std::vector<PressingBall>& balls, size_t i,
                      std::vector<Border>& borders) {
   if (!FindBorders(balls, i, borders)) return 0.0;

@@ -9,10 +9,10 @@
 namespace graspbench {
 namespace {
 
-/** Columns that are finished before the rest of the matrix hears of them. */
+/** Number of columns that are finished before the rest of the matrix is updated. */
 constexpr int kBlock = 8;
 constexpr int kUnblockedBelow = 32;
-/** Columns of a block that are solved together. */
+/** Number of columns of a block that are solved together. */
 constexpr int kPanel = 4;
 
 template <int kRows>
@@ -23,8 +23,8 @@ auto MapRows(double* x) {
   return Eigen::Map<Rows<kRows>>(x);
 }
 
-/** Calls strip(rows, first row) for strips that cover [begin, end), whose number of rows is a
-constant: their sums stay in registers. */
+/** Calls strip(rows, first row) for strips that cover [begin, end). The number of rows is a
+constant, so that their sums stay in registers. */
 template <class Strip>
 void ForEachStrip(int begin, int end, Strip&& strip) {
   int i = begin;
@@ -40,7 +40,7 @@ void ForEachStrip(int begin, int end, Strip&& strip) {
   if (i < end) strip(std::integral_constant<int, 1>(), i);
 }
 
-/** By row the first column that is not zero; what is before it stays zero in the factor. */
+/** First non-zero column of each row; earlier entries stay zero in the factor. */
 using RowStarts = std::vector<int>;
 
 const RowStarts& FindRowStarts(const Eigen::MatrixXd& H) {
@@ -70,7 +70,7 @@ void SubtractProducts(Eigen::MatrixXd& H, int first, int last, int k, int begin,
   });
 }
 
-/** The factor of the block of rows and columns [begin, end). */
+/** Factors the block of rows and columns [begin, end). */
 bool FactorBlock(Eigen::MatrixXd& H, const RowStarts& starts, int begin, int end) {
   for (int k = begin; k < end; ++k) {
     double* column = H.col(k).data();
@@ -84,7 +84,7 @@ bool FactorBlock(Eigen::MatrixXd& H, const RowStarts& starts, int begin, int end
   return true;
 }
 
-/** The rows below the block whose factor is done. */
+/** Solves the rows below a factored block. */
 void SolveBelow(Eigen::MatrixXd& H, const RowStarts& starts, int begin, int end) {
   const Eigen::Index n = H.rows();
   double* data = H.data();
@@ -106,7 +106,7 @@ void SolveBelow(Eigen::MatrixXd& H, const RowStarts& starts, int begin, int end)
   }
 }
 
-/** What the finished columns [begin, end) mean for those behind them. */
+/** Updates the columns after the finished columns [begin, end). */
 void UpdateBehind(Eigen::MatrixXd& H, const RowStarts& starts, int begin, int end) {
   const int n = static_cast<int>(H.rows());
   int k = end;
@@ -137,19 +137,20 @@ bool FactorCholesky(Eigen::MatrixXd& H) {
 
 namespace {
 
-/** Shares of the normal force by which a friction limit may lag behind. */
+/** A friction limit may lag behind by this share of the normal force. */
 constexpr double kLimitShare = 1e-3;
 constexpr double kLimitForce = 1e-6;  ///< [N]
-/** Farther than this multiple of a pass's change no limit is thrown. */
+/** No limit is extrapolated farther than this multiple of a pass's change. */
 constexpr double kMostMixing = 10.0;
-/** Nor below this share of what the pass gave. */
+/** A mixed limit is at least this share of the pass's result. */
 constexpr double kLeastShare = 0.5;
-/** The factor serves on while the gains of a pad or of a surface that yields change by less. */
+/** The factor is reused while gains of a pad or a yielding surface change by less than this share.
+*/
 constexpr double kPadGainShare = 1e-3;
-/** A factor of an earlier step that leaves more of the residual is of no more use. */
+/** A factor of an earlier step is discarded when it leaves more of the residual. */
 constexpr double kStaleShare = 0.01;
 
-/** Calls `function` with the number of rows as a constant: what runs over rows is unrolled. */
+/** Calls `function` with the number of rows as a constant, which unrolls loops over rows. */
 template <class Function>
 void WithRows(int num_rows, Function&& function) {
   if (num_rows == 1) {
@@ -181,7 +182,7 @@ void SubtractImpulse(const ContactPoint& contact, const ContactRates& impulse,
   }
 }
 
-/** Adds h J^T G J to the lower triangle of H; of kRows = 1 the normal row alone. */
+/** Adds h J^T G J to the lower triangle of H; only the normal row for kRows = 1. */
 template <int kRows>
 void AddStiffness(const ContactPoint& contact, const ContactGains& gains, double h,
                   Eigen::MatrixXd& H) {
@@ -210,13 +211,13 @@ void AddStiffness(const ContactPoint& contact, const ContactGains& gains, double
       if constexpr (kRows >= 3) sum[i] += tangent1[i] * J_1 + tangent2[i] * J_2;
       if constexpr (kRows == 4) sum[i] += spin[i] * J_s;
     }
-    // Dofs of a contact ascend, so this stays in the lower triangle.
+    // The degrees of freedom of a contact ascend, so this stays in the lower triangle.
     double* column = H.col(contact.dofs[j]).data();
     for (int i = j; i < n; ++i) column[contact.dofs[i]] += sum[i];
   }
 }
 
-/** Whether gains differ by no more than this share of the largest one. */
+/** Whether gains differ by at most this share of the largest one. */
 bool AreAlike(const ContactGains& a, const ContactGains& b, double share) {
   if (share == 0.0) return a.normal == b.normal && a.friction == b.friction;
   double largest = 0.0, change = 0.0;
@@ -320,7 +321,7 @@ bool StepSolver::UpdateFactor(const StepProblem& problem, const Eigen::VectorXd&
   return has_factor_;
 }
 
-/** M + h J^T G J in the lower triangle of H_. */
+/** Writes M + h J^T G J to the lower triangle of H_. */
 void StepSolver::CalcHessian(const StepProblem& problem) {
   const double h = problem.h;
   H_ = problem.M;
@@ -339,14 +340,15 @@ void StepSolver::CalcHessian(const StepProblem& problem) {
   }
 }
 
-/** The slope along the direction rises monotonically; its zero when the full step overshoots. */
+/** The slope along the direction rises monotonically. Finds its zero when the full step overshoots.
+*/
 double StepSolver::SearchAlong(const StepProblem& problem, const Eigen::VectorXd& v,
                                double slope_at_start, double slope) const {
   double alpha = 1.0;
   double low = 0.0, high = 1.0, slope_low = slope_at_start, slope_high = slope;
   for (int k = 0; k < 20 && std::abs(slope) > 0.1 * std::abs(slope_at_start); ++k) {
     alpha = low - slope_low * (high - low) / (slope_high - slope_low);
-    // Regula falsi may stick to one end; bisect every third time.
+    // Regula falsi may stick to one end, so bisect every third time.
     if (k % 3 == 2) alpha = 0.5 * (low + high);
     slope = CalcSlope(problem, v, alpha - 1.0);
     if (slope > 0.0) {
@@ -409,7 +411,7 @@ bool StepSolver::RefreshFrictionLimits(StepProblem& problem) {
     if (!contact.memory) continue;
     const ContactForces& f = forces_[c];
     const double fn = f.force[kNormalRow];
-    // A limit taken from a smaller normal force says nothing about sliding yet.
+    // A limit from a smaller normal force does not indicate sliding yet.
     if (f.is_at_limit && contact.friction_limit >= (1.0 - kLimitShare) * contact.mu() * fn) {
       contact.is_dynamic = true;
     }
@@ -428,8 +430,8 @@ bool StepSolver::RefreshFrictionLimits(StepProblem& problem) {
   return changed;
 }
 
-/** Anderson's mixing. With the misses f of the last two passes and g = x + f:
-x = g - theta (g - g_before), where theta makes f - theta (f - f_before) smallest. */
+/** Anderson mixing. With the residuals f of the last two passes and g = x + f:
+x = g - theta (g - g_before), where theta minimises f - theta (f - f_before). */
 void StepSolver::MixLimits(StepProblem& problem) const {
   double product = 0.0, square = 0.0;
   bool is_same_law = limits_before_.size() == limits_.size();

@@ -18,34 +18,36 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** Directions in which the object's outermost vertices are looked for. */
+/** Number of directions in which the object's outermost vertices are searched. */
 constexpr int kSupportDirections = 4000;
 /** Vertices this much higher than the lowest one do not carry the object [m]. */
 constexpr double kSupportBand = 2e-4;
-/** Those lower than this may bear all of it: the outermost of them are contacts, whatever lies
-farther out and higher, or the object would sink until that bears [m]. */
+/** Vertices lower than this may carry the whole object. The outermost of them are contacts, even if
+others lie farther out and higher; otherwise the object would sink to those [m]. */
 constexpr double kBearingBand = 2e-5;
-/** Faces of a smooth part meet at less than this; 16 segments: 22.5 degrees. */
+/** Faces of a smooth part meet at a smaller angle; 16 segments: 22.5 degrees. */
 const double kSmoothCosine = std::cos(RadFromDeg(25.0));
-/** Longest edge on a ball over its radius; 16 segments: 0.39, and 0.55 across. The corners of a long
-cylinder lie on a sphere too, but not its faces. */
+/** Longest edge on a ball over its radius; 16 segments: 0.39, and 0.55 along the diagonal. The
+corners of a long cylinder also lie on a sphere, but its faces do not. */
 constexpr double kLongestEdge = 0.6;
-/** How far each point may lie off a fitted ball, over the height of the ball's cap that ends there:
-the surface must bend alike in all directions. */
+/** Largest distance of a point from a fitted ball over the height of the ball's cap that ends
+there: the surface must curve equally in all directions. */
 constexpr double kFitShare = 0.05;
-/** Triangles whose normals and planes differ by less than these are one face. */
+/** Triangles whose normals and planes differ by less are one face. */
 constexpr double kFlatCosine = 1.0 - 1e-6;
 constexpr double kFlatBand = 2e-5;  ///< [m]
-/** Smaller faces are none, as a share of the object's radius squared. */
+/** Smaller faces are ignored, as a share of the object's radius squared. */
 constexpr double kLeastFace = 0.01;
-/** An object stands on a face that is level within a degree. */
+/** An object stands on a face that is level to within a degree. */
 const double kLevelCosine = std::cos(RadFromDeg(1.0));
 /** Balls that differ by less than this share of their radius are one. */
 constexpr double kSameBall = 0.02;
 
-/** Vertices that can touch a plane: outermost ones over a Fibonacci lattice of directions. */
+/** Returns the vertices that can touch a plane: the outermost ones in a Fibonacci lattice of
+directions. */
 std::vector<size_t> FindSupportVertices(const TriMesh& mesh) {
-  constexpr size_t kStride = 89;  // a Fibonacci number: directions so far apart are neighbours
+  // a Fibonacci number: directions that far apart in the list are neighbours
+  constexpr size_t kStride = 89;
   const double golden_angle = kPi * (3.0 - std::sqrt(5.0));
   std::vector<Vector3d> directions;
   for (int k = 0; k < kSupportDirections; ++k) {
@@ -59,12 +61,11 @@ std::vector<size_t> FindSupportVertices(const TriMesh& mesh) {
   return chosen;
 }
 
-/** Finds faces by their normals among many: in a grid of normals they lie in the same cell or in
-one beside it. */
+/** Finds faces by their normals: equal normals lie in the same or a neighbouring cell of a grid. */
 class FaceFinder {
  public:
   void Add(const Vector3d& normal, int face) { faces_[CalcKey(CalcCell(normal))].push_back(face); }
-  /** The first that is_same; -1: none. */
+  /** Returns the first face for which is_same is true; -1 when there is none. */
   template <typename IsSame>
   int Find(const Vector3d& normal, const IsSame& is_same) const {
     int first = -1;
@@ -81,7 +82,7 @@ class FaceFinder {
   }
 
  private:
-  /** Wider than unit vectors of kFlatCosine are apart. */
+  /** Wider than the distance of unit vectors within kFlatCosine. */
   static constexpr double kCellWidth = 2e-3;
   static_assert(kCellWidth * kCellWidth > 2.0 * (1.0 - kFlatCosine));
 
@@ -101,8 +102,8 @@ struct FittedBall {
   double radius;
 };
 
-/** The sphere |p|^2 = 2 c.p + w through points about the first of them, by least squares; nothing
-when they do not lie on one. */
+/** Fits the sphere |p|^2 = 2 c.p + w through points relative to the first one, by least squares.
+Returns nothing when they do not lie on a sphere. */
 std::optional<FittedBall> FitBall(const std::vector<Vector3d>& points) {
   Eigen::Matrix4d A = Eigen::Matrix4d::Zero();
   Eigen::Vector4d b = Eigen::Vector4d::Zero();
@@ -116,7 +117,7 @@ std::optional<FittedBall> FitBall(const std::vector<Vector3d>& points) {
     b += row * scaled.squaredNorm();
   }
   const Eigen::LDLT<Eigen::Matrix4d> factor(A);
-  // Points in a plane lie on every sphere, or on none.
+  // Coplanar points lie on many spheres or on none.
   if (factor.info() != Eigen::Success || factor.vectorD().minCoeff() < 1e-9) return std::nullopt;
   const Eigen::Vector4d solution = factor.solve(b);
   const Vector3d centre = solution.head<3>();
@@ -134,15 +135,15 @@ std::optional<FittedBall> FitBall(const std::vector<Vector3d>& points) {
   return FittedBall{points[0] + size * centre, size * radius};
 }
 
-/** Integral of the distance from the origin over the triangle with corners 0, a, b, signed. */
+/** Signed integral of the distance from the origin over the triangle with corners 0, a, b. */
 double IntegrateDistance(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   const Eigen::Vector2d edge = b - a;
   const double length = edge.norm();
   const double twice_area = a.x() * b.y() - a.y() * b.x();
   if (length == 0.0 || twice_area == 0.0) return 0.0;
-  const double d = std::abs(twice_area) / length;  // distance of the edge
-  // With t the tangent of the angle from the perpendicular, r goes to d sec: the integral of
-  // d^3 sec^3 / 3 is d^3 (t sqrt(1 + t^2) + asinh t) / 6.
+  const double d = std::abs(twice_area) / length;  // of the edge
+  // With t the tangent of the angle from the perpendicular, r reaches d sec: the integral of d^3
+  // sec^3 / 3 is d^3 (t sqrt(1 + t^2) + asinh t) / 6.
   const auto primitive = [](double t) { return t * std::sqrt(1.0 + t * t) + std::asinh(t); };
   const double t_a = a.dot(edge) / length / d, t_b = b.dot(edge) / length / d;
   return std::copysign(d * d * d / 6.0 * (primitive(t_b) - primitive(t_a)), twice_area);
@@ -184,7 +185,7 @@ void TableSupport::FindCircles(const TriMesh& mesh, const std::vector<size_t>& v
   std::vector<int> point_of_vertex(mesh.vertices.size(), -1);
   for (size_t k = 0; k < vertices.size(); ++k) {
     point_of_vertex[vertices[k]] = static_cast<int>(k);
-    outermost[vertices[k]] = points_[k].ball < 0;  // a ball carries better
+    outermost[vertices[k]] = points_[k].ball < 0;  // a ball is the better support
   }
   for (const RimCircle& rim : FindRimCircles(mesh, outermost)) {
     for (const size_t vertex : rim.vertices) {
@@ -198,7 +199,7 @@ void TableSupport::FindCircles(const TriMesh& mesh, const std::vector<size_t>& v
 std::optional<Vector3d> TableSupport::FindLowestOf(const Circle& circle, const Vector3d& up_O) {
   const Vector3d across = up_O - up_O.dot(circle.axis_O) * circle.axis_O;
   const double share = across.norm();  // sine of its tilt
-  // A rim that lies level touches all around: its vertices carry.
+  // A level rim touches all around: its vertices carry the object.
   if (2.0 * circle.radius * share < kSupportBand) return std::nullopt;
   return Vector3d(circle.p_OCentre - circle.radius / share * across);
 }
@@ -217,7 +218,7 @@ void TableSupport::FindFaces(const TriMesh& mesh) {
              std::abs(face.offset - normal.dot(p)) < kFlatBand;
     });
     if (index < 0) {
-      // A plane that cuts the object is no face to stand on.
+      // An object cannot stand on a plane that cuts it.
       const double offset = normal.dot(p);
       const bool is_outermost = std::all_of(
           points_.begin(), points_.end(),
@@ -310,7 +311,7 @@ bool TableSupport::IsOnBall(const Point& point, const Pose& X_WO) const {
 void TableSupport::AddOutermost(const Vector3d& up_O, double most,
                                 const std::vector<Candidate>& candidates,
                                 std::vector<int>& chosen) {
-  // Fixed directions of O keep the choice steady from step to step.
+  // Fixed directions in O keep the choice stable from step to step.
   const Vector3d e1 = up_O.unitOrthogonal(), e2 = up_O.cross(e1);
   for (int k = 0; k < kNumDirections; ++k) {
     const double angle = 2.0 * kPi * k / kNumDirections;
@@ -350,7 +351,7 @@ void TableSupport::FindContacts(const Pose& X_WO, double reach, std::vector<Cont
   const double height_O = X_WO.translation().z();
   if (height_O > radius_ + reach) return;
   const Vector3d up_O = X_WO.linear().row(2).transpose();
-  thread_local std::vector<std::optional<Vector3d>> p_OLowest;  // of circles that roll
+  thread_local std::vector<std::optional<Vector3d>> p_OLowest;  // of rolling circles
   p_OLowest.clear();
   double lowest = std::numeric_limits<double>::infinity();
   for (const Circle& circle : circles_) {

@@ -102,7 +102,7 @@ void World::ChooseDistalModes(const WorldCommand& command, double& stop_work) {
     const DistalMode mode = FindDistalMode(state_.q[middle], coupled, hand_->joints[middle].upper,
                                            command.q[middle] > theta, blocked, modes_[dof]);
     if (mode == modes_[dof]) continue;
-    // What moved hits its stop: the joint starts from rest in its new direction.
+    // The moving joint reaches its stop and starts from rest in its new direction.
     const double before = CalcKineticEnergy();
     state_.u[dof] = 0.0;
     if (mode == DistalMode::kMiddleMoves && coupled < 0.0) {

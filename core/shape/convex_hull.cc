@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3i;
 
-/** Four points that span a volume; the first is -1 when there are none. */
+/** Finds four points that span a volume; the first index is -1 when there are none. */
 std::array<int, 4> FindFirstCorners(const std::vector<Vector3d>& points, double tolerance) {
   const auto find_farthest = [&](auto&& measure) {
     int farthest = -1;

@@ -14,7 +14,7 @@ LineCrossings::LineCrossings(const TriMesh& mesh, int axis) : mesh_(&mesh), axis
     lower_ = box.min();
     cell_ = (box.sizes() / num_cells_).cwiseMax(1e-12);
   }
-  // Counted first, then stored: cell by cell, in the order of the triangles.
+  // Counts first, then stores cell by cell, in the order of the triangles.
   const auto for_cells = [&](const auto& visit) {
     for (int i = 0; i < mesh.num_triangles(); ++i) {
       const Eigen::Vector3i& t = mesh.triangles[i];
@@ -46,8 +46,8 @@ Eigen::Vector2i LineCrossings::FindCell(const Eigen::Vector2d& p) const {
   return {find(p.x() - lower_.x(), cell_.x()), find(p.y() - lower_.y(), cell_.y())};
 }
 
-// Both triangles at an edge get the same answer, so that a line passes through one of them. Plain
-// numbers: it is asked millions of times, also where sanitizers watch every access.
+// Both triangles at an edge get the same answer, so that a line passes through exactly one of them.
+// Plain arrays, because this is called millions of times, also where sanitizers check every access.
 bool LineCrossings::IsLeftOf(int from, int to, double u, double v) const {
   const double* const a = mesh_->vertices[static_cast<size_t>(std::min(from, to))].data();
   const double* const b = mesh_->vertices[static_cast<size_t>(std::max(from, to))].data();
@@ -70,8 +70,9 @@ void LineCrossings::Find(double u, double v, std::vector<Crossing>& crossings) c
     const Eigen::Vector3d normal = (mesh_->vertices[t[1]] - a).cross(mesh_->vertices[t[2]] - a);
     const Eigen::Vector2d along(normal[(axis_ + 1) % 3], normal[(axis_ + 2) % 3]);
     const Eigen::Vector2d offset = p - Flatten(t[0]);
-    // Seen from above it runs counter-clockwise, so its front looks up the axis: a way out. One
-    // without area that rounding puts on the line is met at a corner.
+    // A triangle that runs counter-clockwise as seen from above has its front up the axis: the line
+    // leaves the solid. A triangle without area that contains the line only by rounding is met at a
+    // corner.
     const double rise = normal[axis_] == 0.0 ? 0.0 : along.dot(offset) / normal[axis_];
     crossings.push_back({a[axis_] - rise, is_left ? -1 : 1});
   }

@@ -8,7 +8,7 @@
 namespace graspbench {
 namespace {
 
-constexpr int64_t kNumLines = 317811, kStride = 196418;  // neighbours in Fibonacci's sequence
+constexpr int64_t kNumLines = 317811, kStride = 196418;  // neighbours in the Fibonacci sequence
 
 }  // namespace
 
@@ -19,7 +19,7 @@ Overlap CalcOverlap(const TriMesh& mesh) {
   const LineCrossings lines(mesh, 2);
   const Eigen::AlignedBox3d box = CalcBounds(mesh);
   const Eigen::Vector3d sizes = box.sizes();
-  const double area = sizes.x() * sizes.y() / kNumLines;  // of the box, that one line stands for
+  const double area = sizes.x() * sizes.y() / kNumLines;  // box area per line
   std::vector<LineCrossings::Crossing> crossings;
   for (int64_t i = 0; i < kNumLines; ++i) {
     const double x = box.min().x() + (i + 0.5) / kNumLines * sizes.x();
@@ -63,8 +63,8 @@ double CalcVolume(const TriMesh& mesh) {
 
 MassProperties CalcSolidMassProperties(const TriMesh& mesh, double mass, const Overlap& overlap) {
   if (mesh.triangles.empty()) return {};
-  // Tetrahedra against a vertex of the mesh rather than the origin: no digits are lost when the
-  // mesh lies far out.
+  // Tetrahedra to a vertex of the mesh rather than to the origin: no digits are lost when the mesh
+  // is far from the origin.
   const Eigen::Vector3d p_MR = mesh.vertices[mesh.triangles.front()[0]];
   double six_volumes = 0.0;
   Eigen::Vector3d first = Eigen::Vector3d::Zero();   // 24 times the integral of p

@@ -15,10 +15,10 @@
 namespace graspbench {
 namespace {
 
-// A polygon of a mesh file, cut into triangles.
-/** Appends triangles that turn like the polygon. A fan about its first corner where that is right
-(every convex polygon); else ears are cut off (Meisters 1975), in time quadratic in the corners. A
-polygon that crosses itself gives triangles too: they close what it closes.
+// Cutting a polygon of a mesh file into triangles.
+/** Appends triangles that turn like the polygon. A fan about the first corner is used where it is
+valid (every convex polygon); otherwise ears are cut off (Meisters 1975), in time quadratic in the
+number of corners. A polygon that crosses itself also gives triangles: they close what it closes.
 @param corners  at least three valid indices into the mesh's vertices, in order.
 @param work     corner tests still allowed, reduced by what was spent.
 @returns false, and appends nothing, when the work does not suffice. */
@@ -32,7 +32,7 @@ double CalcTurn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen:
   return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
 }
 
-// Seen along the polygon's mean normal, so that it runs counter-clockwise.
+// Projects the polygon along its mean normal, so that it runs counter-clockwise.
 Points Flatten(const std::vector<int>& corners, const TriMesh& mesh) {
   const Eigen::Vector3d origin = mesh.vertices[corners[0]];
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
@@ -51,7 +51,7 @@ Points Flatten(const std::vector<int>& corners, const TriMesh& mesh) {
   return points;
 }
 
-// Does the first corner see every edge from the left, but for the rounding of coordinates?
+// Whether the first corner sees every edge from the left, within the rounding of coordinates.
 bool IsFan(const Points& points) {
   double extent = 0.0;
   for (const Eigen::Vector2d& p : points) extent = std::max(extent, p.norm());
@@ -62,7 +62,7 @@ bool IsFan(const Points& points) {
   return true;
 }
 
-// What is left of a polygon while its ears are cut off.
+// The remaining polygon while its ears are cut off.
 class Remainder {
  public:
   explicit Remainder(const Points& points) : points_(points) {
@@ -74,8 +74,8 @@ class Remainder {
     for (int i = 0; i < count; ++i) is_ear_.push_back(IsEar(i));
   }
 
-  // (previous, ear, next) as indices into the points. An ear has no other corner inside. A polygon
-  // that crosses itself may have none: then the next corner goes.
+  // Returns (previous, ear, next) as indices into the points. An ear has no other corner inside. A
+  // polygon that crosses itself may have no ear: then the next corner is cut.
   Eigen::Vector3i CutEar() {
     const int start = here_;
     while (!is_ear_[here_] && next_[here_] != start) here_ = next_[here_];
@@ -95,7 +95,8 @@ class Remainder {
     if (CalcTurn(a, b, c) <= 0.0) return false;
     for (int k = next_[next_[i]]; k != previous_[i]; k = next_[k]) {
       const Eigen::Vector2d& p = points_[k];
-      // A corner that lies on one of the ear's own does not block it: two loops joined by a bridge.
+      // A corner that coincides with a corner of the ear does not block it: two loops joined by a
+      // bridge.
       if (p == a || p == b || p == c) continue;
       if (CalcTurn(a, b, p) >= 0.0 && CalcTurn(b, c, p) >= 0.0 && CalcTurn(c, a, p) >= 0.0) {
         return false;
@@ -153,7 +154,7 @@ bool ParseCoordinate(std::string_view word, double& value) {
   return status == std::errc() && next == end && std::isfinite(value);
 }
 
-/** "7", "7/1/2", "-1" (the last vertex so far) to an index from 0. */
+/** Parses "7", "7/1/2" or "-1" (the last vertex so far) to an index from 0. */
 bool ParseCorner(std::string_view word, int num_vertices, int& index) {
   const char* const end = word.data() + word.size();
   int number = 0;
@@ -165,7 +166,7 @@ bool ParseCorner(std::string_view word, int num_vertices, int& index) {
 
 class ObjReader {
  public:
-  /** What is wrong with the line; empty: nothing. */
+  /** Returns what is wrong with the line; empty when nothing is. */
   std::string ReadLine(std::string_view line) {
     const std::vector<std::string_view> words = SplitWords(line);
     if (words.empty()) return {};
@@ -211,7 +212,7 @@ TriMesh ParseObj(const std::string& text, const std::string& file, Diagnostics& 
   std::string_view rest = text;
   if (rest.substr(0, 3) == kByteOrderMark) rest.remove_prefix(3);
   ObjReader reader;
-  std::string joined;  // lines that end with a backslash
+  std::string joined;  // from lines that end with a backslash
   for (int number = 1; !rest.empty(); ++number) {
     const size_t end = std::min(rest.find('\n'), rest.size());
     std::string_view line = rest.substr(0, end);

@@ -29,7 +29,8 @@ double CosLatitude(double latitude) {
   return std::abs(latitude) >= kPi / 2.0 ? 0.0 : std::cos(latitude);
 }
 
-// Rings of the ball about `centre` from one latitude to another, axis z = x cross y.
+// Appends rings of the ball about `centre` from one latitude to another, about the axis z = x cross
+// y.
 void AppendBallRings(const Eigen::Vector3d& centre, double radius, const Eigen::Vector3d& x,
                      const Eigen::Vector3d& y, double from, double to, int num_segments,
                      std::vector<Ring>& rings) {
@@ -125,7 +126,7 @@ TriMesh MakeRoundedBox(const Eigen::Vector3d& size, double edge_radius, int num_
       const double cx = quarter == 0 || quarter == 3 ? core.x() : -core.x();
       const double cy = quarter < 2 ? core.y() : -core.y();
       for (int i = 0; i <= num_steps; ++i) {
-        // Quarter turns by swapping, so that opposite corners mirror each other exactly.
+        // Quarter turns swap coordinates, so that opposite corners mirror each other exactly.
         const double step = num_steps > 0 ? kPi / 2.0 * i / num_steps : 0.0;
         const double c = i == num_steps && num_steps > 0 ? 0.0 : std::cos(step);
         const double s = i == 0 ? 0.0 : std::sin(step);

@@ -13,18 +13,20 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/** What is not higher above the lowest vertex touches [m]: the resolution of single precision. */
+/** Vertices up to this height above the lowest one touch [m]: the resolution of single precision.
+*/
 constexpr double kTouching = 1e-7;
-/** A centre of mass this near to the support stands over it [m]. */
+/** A centre of mass this near to the support polygon is above it [m]. */
 constexpr double kOver = 1e-9;
-/** Turned by less, an object lies as it rests [rad]. */
+/** A smaller rotation than this counts as none [rad]. */
 constexpr double kNotTurned = 1e-5;
-/** Meshes of a million vertices roll over some hundred; a sphere of them may roll on and on. */
+/** Meshes of a million vertices need some hundred pivots; a tessellated sphere may roll on and on.
+*/
 constexpr int kMostPivots = 20000;
 
 double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/** Corners of the convex hull, counter-clockwise (Andrew's monotone chain). */
+/** Returns the corners of the convex hull, counter-clockwise (Andrew's monotone chain). */
 std::vector<Vector2d> FindHull(std::vector<Vector2d> points) {
   std::sort(points.begin(), points.end(), [](const Vector2d& a, const Vector2d& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
@@ -41,12 +43,12 @@ std::vector<Vector2d> FindHull(std::vector<Vector2d> points) {
       }
       hull.push_back(p);
     }
-    hull.pop_back();  // the next half begins with it
+    hull.pop_back();  // the other half begins with it
   }
   return hull;
 }
 
-/** The point of the hull that is nearest to `p`; `p` itself inside. */
+/** Returns the point of the hull that is nearest to `p`; `p` itself when it is inside. */
 Vector2d FindNearest(const std::vector<Vector2d>& hull, const Vector2d& p) {
   bool is_inside = hull.size() >= 3;
   Vector2d nearest = hull.front();
@@ -67,7 +69,7 @@ Vector2d FindNearest(const std::vector<Vector2d>& hull, const Vector2d& p) {
 Matrix3d FindRestingRotation(const TriMesh& mesh, const Vector3d& p_OOcm) {
   Matrix3d R_RO = Matrix3d::Identity();
   for (int pivot = 0; pivot < kMostPivots; ++pivot) {
-    // Heights and places about the centre of mass.
+    // Heights and positions are relative to the centre of mass.
     double lowest = std::numeric_limits<double>::infinity();
     const Vector3d up_O = R_RO.row(2);
     for (const Vector3d& p : mesh.vertices) lowest = std::min(lowest, up_O.dot(p - p_OOcm));
@@ -80,7 +82,8 @@ Matrix3d FindRestingRotation(const TriMesh& mesh, const Vector3d& p_OOcm) {
     const Vector2d support = FindNearest(hull, Vector2d::Zero());
     const double beside = support.norm();
     if (beside <= kOver && hull.size() >= 3) break;
-    // From the support to the centre of mass. Poised on an edge or a corner it falls to either side.
+    // From the support to the centre of mass. When balanced on an edge or a corner, it falls to
+    // either side.
     Vector2d towards = -support / beside;
     if (beside <= kOver) {
       const Vector2d along = hull.size() == 2 ? Vector2d(hull[1] - hull[0]) : Vector2d::UnitY();
@@ -94,7 +97,7 @@ Matrix3d FindRestingRotation(const TriMesh& mesh, const Vector3d& p_OOcm) {
       angle = std::min(angle, std::atan2(height, distance));
     }
     if (!std::isfinite(angle)) break;
-    // Lowers what lies in direction `towards`.
+    // Lowers the side towards `towards`.
     const Vector3d axis(-towards.y(), towards.x(), 0.0);
     R_RO = Eigen::AngleAxisd(angle, axis).toRotationMatrix() * R_RO;
   }

@@ -18,14 +18,14 @@
 namespace graspbench {
 namespace {
 
-// The part of a mesh that bounds its solid (line_crossings.h).
-/** The triangles with the solid on one side only; those inside it, where parts overlap or touch,
-are left out. A triangle that is partly inside is cut into smaller ones, which no longer share
-edges, until they are shorter than `resolution` [m]: the result is for distances, not a closed mesh.
+// Extraction of the part of a mesh that bounds its solid (line_crossings.h).
+/** Returns the triangles with the solid on one side only, without those inside it, where parts
+overlap or touch. A triangle that is partly inside is cut, until the pieces are shorter than
+`resolution` [m]. The pieces no longer share edges: the result is for distances, not a closed mesh.
 @pre every edge has as many triangles in either direction. */
 TriMesh FindExposedSurface(const TriMesh& mesh, double resolution);
 
-constexpr double kSameSurface = 1e-7;  // [m] sheets closer than this touch: nothing is between them
+constexpr double kSameSurface = 1e-7;  // [m] nothing lies between sheets that are closer than this
 
 class Exposer {
  public:
@@ -60,8 +60,8 @@ class Exposer {
   TriMesh TakeMesh() { return std::move(exposed_); }
 
  private:
-  // Is the solid on one side of this point of the surface only? Seen along the axis closest to the
-  // normal.
+  // Whether the solid is on one side only of this point of the surface, along the axis closest to
+  // the normal.
   bool IsExposed(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) {
     Eigen::Index axis = 0;
     normal.cwiseAbs().maxCoeff(&axis);
@@ -92,19 +92,19 @@ TriMesh FindExposedSurface(const TriMesh& mesh, double resolution) {
 
 namespace {
 
-// Raise when the stored layout or the rule that fills it changes.
+// Increase when the stored layout or the rule that fills it changes.
 constexpr char kCacheKind[] = "gbsdf002";
 
-// Columns are looked at this far beside the nodes, where no edge of a drawn mesh lies.
+// Columns are offset from the nodes by this, where no edge of a drawn mesh lies.
 const Eigen::Vector2d kBeside(1.0e-9, 1.6180339887e-9);  // [m]
 constexpr double kThinnest = 1e-6;                       // [m] sheets closer than this may touch
 
-// Which nodes lie in the solid, column by column along z.
+// Finds the nodes inside the solid, column by column along z.
 class InsideFinder {
  public:
   explicit InsideFinder(const TriMesh& mesh) : lines_(mesh, 2) {}
 
-  // inside[k] for the nodes at z = lower + k * cell.
+  // Sets inside[k] for the node at z = lower + k * cell.
   void FindColumn(double x, double y, double lower, double cell, std::vector<bool>& inside) {
     lines_.Find(x + kBeside.x(), y + kBeside.y(), crossings_);
     int winding = 0;
@@ -123,7 +123,7 @@ class InsideFinder {
                      (i > 0 && crossings_[i].at - crossings_[i - 1].at < kThinnest);
     }
   }
-  // Did any column pass through parts that overlap or touch?
+  // Whether any column passed through parts that overlap or touch.
   bool has_overlap() const { return has_overlap_; }
 
  private:
@@ -132,7 +132,7 @@ class InsideFinder {
   bool has_overlap_ = false;
 };
 
-// What stands before the values in a cache file.
+// Precedes the values in a cache file.
 struct CacheHeader {
   double lower[3];
   double cell;
@@ -175,7 +175,8 @@ SignedDistanceField SignedDistanceField::Build(const TriMesh& mesh) {
   return field;
 }
 
-// From outside every way to a hidden surface leads through an exposed one; from inside it does not.
+// A straight path to a hidden surface crosses an exposed one first from outside, but not from
+// inside.
 void SignedDistanceField::CalcValues(const TriMesh& mesh, const std::vector<bool>& is_inside,
                                      bool only_inside) {
   const TriangleTree tree(mesh);
@@ -256,7 +257,7 @@ double SignedDistanceField::Interpolate(const Eigen::Vector3i& node,
   const int64_t row = num_nodes_.x(), layer = row * num_nodes_.y();
   const float* v = values_.data() + node.x() + row * node.y() + layer * node.z();
   const double x = share.x(), y = share.y(), z = share.z();
-  // Along x on the four edges, along y on the two faces, along z.
+  // First along x on the four edges, then along y on the two faces, then along z.
   const double e00 = v[0] + x * (v[1] - v[0]);
   const double e10 = v[row] + x * (v[row + 1] - v[row]);
   const double e01 = v[layer] + x * (v[layer + 1] - v[layer]);
@@ -267,13 +268,13 @@ double SignedDistanceField::Interpolate(const Eigen::Vector3i& node,
 
 double SignedDistanceField::CalcDistance(const Cell& cell) const {
   const double distance = Interpolate(cell.node, cell.share);
-  // The object lies in the grid's box: beyond it the way out adds at a right angle or more.
+  // The object lies in the grid's box, so outside it the two parts meet at a right angle or more.
   return cell.beyond > 0.0 ? std::hypot(distance, cell.beyond) : distance;
 }
 
 Eigen::Vector3d SignedDistanceField::CalcGradient(const Cell& cell) const {
-  // The nodes' central differences, interpolated: the difference of the interpolant one cell on and
-  // one cell back.
+  // Interpolated central differences of the nodes: the interpolant one cell ahead less that one
+  // cell behind.
   Eigen::Vector3d gradient;
   for (int axis = 0; axis < 3; ++axis) {
     Eigen::Vector3i on = cell.node, back = cell.node;
@@ -282,7 +283,7 @@ Eigen::Vector3d SignedDistanceField::CalcGradient(const Cell& cell) const {
     gradient[axis] = (Interpolate(on, cell.share) - Interpolate(back, cell.share)) /
                      std::max(on[axis] - back[axis], 1);
   }
-  // It vanishes on the medial axis only; the default direction is as good as any there.
+  // It vanishes on the medial axis only, where the default direction is as good as any.
   const double norm = gradient.norm();
   return norm > 0.0 ? Eigen::Vector3d(gradient / norm) : Sample().gradient;
 }

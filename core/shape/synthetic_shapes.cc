@@ -24,15 +24,15 @@ constexpr const char* kFamilyNames[] = {"sphere", "box",  "cylinder", "rod",
 
 constexpr const char* kUseNames[] = {"training", "validation", "benchmark"};
 
-/** Sizes in mm; the length of a sphere, a cylinder and a ring is their width. */
+/** Sizes in mm; for a sphere, a cylinder and a ring the length equals the width. */
 struct ShapeRow {
   const char* grasp;
   Family family;
   DrawnRange length_mm, width_mm, height_mm, density;
   Approach approach = Approach::kAutomatic;
 };
-// Each grasp's rows are used in turn. Densities are those of the outline: hollow things are light
-// [kg/m^3].
+// Each grasp's rows are used in turn. Densities refer to the outer volume, so hollow objects are
+// light [kg/m^3].
 constexpr ShapeRow kShapes[] = {
     {"g1", Family::kBox, {60, 160}, {28, 52}, {18, 34}, {200, 700}},
     {"g1", Family::kCylinder, {}, {30, 48}, {35, 60}, {150, 800}},
@@ -73,14 +73,14 @@ constexpr ShapeRow kShapes[] = {
     {"g6", Family::kCylinder, {}, {50, 80}, {70, 110}, {200, 800}, Approach::kSide},
 };
 constexpr DrawnRange kFriction = {0.25, 0.5};  ///< static
-constexpr double kDynamicShare = 0.85;         ///< of the static coefficient
-constexpr double kEdge = 0.0008;               ///< radius of boxes' edges [m]
+constexpr double kDynamicShare = 0.85;         ///< of static friction
+constexpr double kEdge = 0.0008;               ///< edge radius of boxes [m]
 constexpr double kFlatSpot = 0.001;            ///< cut off a sphere's bottom [m]
-constexpr double kLikeAJudge = 0.002;          ///< in length, width and height [m]
-constexpr double kHole = 0.7;                  ///< of a ring's width
-constexpr double kNeck = 0.45;                 ///< of a bulb's width
-constexpr double kBelt = 0.2;                  ///< latitudes of a bulb's widest part [rad]
-constexpr double kArm = 0.3;                   ///< of a cross's width
+constexpr double kLikeAJudge = 0.002;  ///< objects are alike if no dimension differs more [m]
+constexpr double kHole = 0.7;          ///< of a ring's width
+constexpr double kNeck = 0.45;         ///< of a bulb's width
+constexpr double kBelt = 0.2;          ///< half the latitude range of a bulb's widest part [rad]
+constexpr double kArm = 0.3;           ///< of a cross's width
 
 TriMesh MakeFlatSphere(double diameter) {
   constexpr int kSteps = 20;
@@ -101,7 +101,7 @@ TriMesh MakeRod(double length, double width) {
   std::vector<Ring> rings(2);
   for (int end = 0; end < 2; ++end) {
     for (int k = 0; k < kSides; ++k) {
-      // A side, not an edge, on the table; of this radius the sides touch the width.
+      // A side, not an edge, lies on the table; with this radius the sides are at half the width.
       const double angle = 2.0 * kPi * (k + 0.5) / kSides;
       const double radius = 0.5 * width / std::cos(kPi / kSides);
       rings[end].emplace_back((end - 0.5) * length, radius * std::cos(angle),
@@ -111,8 +111,8 @@ TriMesh MakeRod(double length, double width) {
   return MakeLoft(rings);
 }
 
-/** Turned about x: the neck at its lower end, the ball at its upper one. It lies on a side of the
-belt about its belly. */
+/** A body of revolution about x, with the neck at the lower end and the ball at the upper one. It
+lies on a side of the belt around the ball. */
 TriMesh MakeBulb(double length, double width) {
   constexpr int kSides = 24, kSteps = 24;
   const double radius = 0.5 * width;
@@ -128,7 +128,7 @@ TriMesh MakeBulb(double length, double width) {
   }
   profile.emplace_back(0.0, 0.5 * length);
   TriMesh mesh = MakeRevolution(profile, kSides);
-  const double turn = kPi / kSides, stretch = 1.0 / std::cos(turn);  // as a rod
+  const double turn = kPi / kSides, stretch = 1.0 / std::cos(turn);  // as for a rod
   for (Vector3d& p : mesh.vertices) {
     p = Vector3d(p.z(), stretch * (p.x() * std::cos(turn) - p.y() * std::sin(turn)),
                  stretch * (p.x() * std::sin(turn) + p.y() * std::cos(turn)));
@@ -231,7 +231,7 @@ std::shared_ptr<const GraspObject> MakeShape(const ShapeRow& row, const std::str
   object->size = box.sizes();
   const double mass = density * CalcVolume(object->mesh);
   object->mass_properties = CalcSolidMassProperties(object->mesh, mass);
-  // Of a bulb as a whole the middle is not that of its weight, and it would tip.
+  // Moves the centre of mass to the middle of the ball: a solid bulb would tip.
   if (row.family == Family::kBulb) {
     object->mass_properties.p_OOcm.x() = 0.5 * (object->size.x() - object->size.y());
   }

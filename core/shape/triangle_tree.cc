@@ -7,9 +7,9 @@ namespace graspbench {
 namespace {
 
 constexpr int kLeafSize = 8;
-constexpr int kMaxDepth = 64;  // halving: deeper than any mesh that fits into memory
+constexpr int kMaxDepth = 64;  // halving reaches any mesh that fits into memory
 
-// Eigen's own squaredExteriorDistance branches on every side and takes twice as long.
+// Eigen's squaredExteriorDistance branches on every side and takes twice as long.
 double CalcSquaredDistance(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& p) {
   return (box.min() - p).cwiseMax(p - box.max()).cwiseMax(0.0).squaredNorm();
 }
@@ -66,7 +66,8 @@ void TriangleTree::Split(int node, int begin, int end,
   Split(children + 1, middle, end, centres);
 }
 
-// The seven regions of a triangle (Ericson, Real-Time Collision Detection, 2005, section 5.1.5).
+// Tests the seven regions of a triangle (Ericson, Real-Time Collision Detection, 2005, section
+// 5.1.5).
 TriangleTree::Nearest TriangleTree::FindNearestOn(const Corners& t, const Eigen::Vector3d& p) {
   const auto at = [&](const Eigen::Vector3d& point, Feature feature) {
     return Nearest{-1, feature, point, (p - point).squaredNorm()};

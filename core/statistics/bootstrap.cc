@@ -12,7 +12,7 @@ namespace graspbench {
 
 namespace {
 
-/** What the statistic is without each member in turn. No answer when one of them has no value, or
+/** Values of the statistic without each member in turn. No answer when one of them is undefined or
 when they do not vary. */
 Answer<std::vector<double>> LeaveOneOut(size_t num_members, const GroupStatistic& statistic) {
   std::vector<double> values;
@@ -32,7 +32,7 @@ Answer<std::vector<double>> LeaveOneOut(size_t num_members, const GroupStatistic
   return values;
 }
 
-/** Efron's a: skewness of the jackknife values / 6. No answer when they do not vary. */
+/** Efron's a: skewness of the jackknife values over 6. No answer when they do not vary. */
 Answer<double> CalcAcceleration(size_t num_members, const GroupStatistic& statistic) {
   const Answer<std::vector<double>> values = LeaveOneOut(num_members, statistic);
   if (!values) return values.none();

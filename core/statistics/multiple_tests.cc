@@ -6,7 +6,7 @@
 namespace graspbench {
 namespace {
 
-/** Indices of the tests made, smallest p first. */
+/** Returns the indices of the tests made, smallest p first. */
 std::vector<size_t> SortTests(const std::vector<double>& p) {
   std::vector<size_t> order;
   for (size_t i = 0; i < p.size(); ++i) {

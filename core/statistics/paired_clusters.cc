@@ -32,7 +32,7 @@ double CalcClusteredExactTwoSided(const std::vector<PairedCounts>& clusters) {
     all += std::abs(CalcGain(counts));
     observed += CalcGain(counts);
   }
-  // Probability of each sum; place `all` is 0.
+  // Probability of each sum; index `all` is the sum 0.
   std::vector<double> shares(2 * static_cast<size_t>(all) + 1, 0.0);
   shares[static_cast<size_t>(all)] = 1.0;
   for (const PairedCounts& counts : clusters) {
@@ -56,7 +56,7 @@ double CalcClusteredExactTwoSided(const std::vector<PairedCounts>& clusters) {
 std::optional<int> CalcPairsNeeded(const PairedPlan& plan, double power) {
   if (plan.num_clusters < static_cast<int>(kFewestClusters)) return std::nullopt;
   const int most = kMostPairsPlanned / plan.num_clusters;
-  int low = 0, high = 1;  // pairs of an object: too few, enough
+  int low = 0, high = 1;  // pairs per object: too few, enough
   while (CalcPower(plan, high * plan.num_clusters) < power) {
     low = high;
     high *= 2;
@@ -84,7 +84,7 @@ PairedPlan EstimatePairedPlan(const std::vector<PairedCounts>& clusters, double 
   plan.discordance = num_differing / num_pairs;
   if (plan.num_clusters < 2) return plan;
   const double mean = sum / plan.num_clusters;
-  double between = 0.0, by_chance = 0.0;  // variance of the objects' differences
+  double between = 0.0, by_chance = 0.0;  // variances of the objects' differences
   for (const PairedCounts& counts : clusters) {
     const double n = counts.num_pairs();
     if (n == 0.0) continue;

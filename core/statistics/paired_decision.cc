@@ -8,10 +8,10 @@
 namespace graspbench {
 namespace {
 
-/** C_K of a one-sided 5 %, K from 1. */
+/** Critical values C_K of a one-sided level of 5 %, for K looks from 1. */
 constexpr double kOBrienFleming[kMostLooks] = {1.645, 1.678, 1.710, 1.733, 1.751};
 
-/** Score of success at which waiting for more pairs is given up. */
+/** Non-inferiority score of success below which waiting for more pairs is futile. */
 constexpr double kHopeless = -1.0;
 
 }  // namespace

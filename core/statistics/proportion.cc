@@ -32,7 +32,7 @@ Interval CalcWilsonInterval(int num_successes, int num_trials) {
   const double centre = p + kZ * kZ / (2.0 * n);
   const double half_width = kZ * std::sqrt(p * (1.0 - p) / n + kZ * kZ / (4.0 * n * n));
   const double scale = 1.0 + kZ * kZ / n;
-  // The ends are exactly 0 and 1 there; rounding must not move them.
+  // Exactly 0 and 1 at the extremes, without rounding errors.
   return {num_successes == 0 ? 0.0 : (centre - half_width) / scale,
           num_successes == num_trials ? 1.0 : (centre + half_width) / scale};
 }
@@ -75,11 +75,11 @@ double CalcFisherExactTwoSided(int num_successes_a, int num_trials_a, int num_su
     const auto at = [&](int i) { return log_factorial[i]; };
     return at(n) - at(k) - at(n - k);
   };
-  const auto log_probability = [&](int k) {  // of k successes in a
+  const auto log_probability = [&](int k) {  // of k successes in group a
     return log_choose(num_trials_a, k) + log_choose(num_trials_b, num_successes - k) -
            log_choose(num_trials, num_successes);
   };
-  // Equally probable tables must count as equal in spite of rounding.
+  // Equally probable tables must count as equal despite rounding.
   const double limit = log_probability(num_successes_a) + 1e-7;
   double p = 0.0;
   for (int k = std::max(0, num_successes - num_trials_b);

@@ -34,7 +34,7 @@ double SumProducts(const std::vector<double>& a, const std::vector<double>& b) {
   return sum;
 }
 
-/** Only what says something. */
+/** Keeps only groups that carry information. */
 std::vector<RankedGroup> RankGroups(const std::vector<PairedGroup>& groups) {
   std::vector<RankedGroup> ranked;
   for (const PairedGroup& group : groups) {
@@ -73,7 +73,7 @@ void Shuffle(std::vector<double>& values, RandomStream& random) {
   }
 }
 
-/** The squares do not change with the order: the products alone decide. */
+/** The sums of squares do not depend on the order, so the products alone decide. */
 double CalcShuffleP(std::vector<RankedGroup> groups, const std::string& id, int num_shuffles) {
   double found = 0.0;
   for (const RankedGroup& group : groups) found += group.ab;
@@ -121,7 +121,7 @@ Answer<double> CalcSpearman(const std::vector<double>& a, const std::vector<doub
   if (a.size() < 3) return NoAnswer{std::to_string(a.size()) + " pairs; expected 3 or more"};
   if (HasNan(a) || HasNan(b)) return NoAnswer{"a value is missing"};
   const Ranks ranks_a = RankValues(a), ranks_b = RankValues(b);
-  const double mean = static_cast<double>(a.size()) + 1.0;  // of twice the ranks
+  const double mean = static_cast<double>(a.size()) + 1.0;  // of the doubled ranks
   double ab = 0.0, aa = 0.0, bb = 0.0;
   for (size_t i = 0; i < a.size(); ++i) {
     const double da = ranks_a.twice[i] - mean, db = ranks_b.twice[i] - mean;

@@ -40,12 +40,12 @@ Moments CalcMoments(const std::vector<double>& values, double scale) {
 
 double CalcMedian(std::vector<double> values) {
   if (values.empty()) return std::nan("");
-  // The two in the middle are enough; sorting all of them is what an analysis would wait for.
+  // Only the two middle values are needed; sorting all of them would dominate an analysis.
   const auto above = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), above, values.end());
   if (values.size() % 2 == 1) return *above;
   const double below = *std::max_element(values.begin(), above);
-  // Equal ones may be infinite, and inf - inf is not a number.
+  // Equal values may be infinite, and inf - inf is not a number.
   return below == *above ? below : below + 0.5 * (*above - below);
 }
 

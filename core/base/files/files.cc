@@ -41,21 +41,21 @@ int Create(const fs::path& path) {
   return ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
 }
 
-/** With the reason that errno has. */
+/** Throws an error of kind kIo with the reason in errno. */
 [[noreturn]] void Fail(const std::string& task, const fs::path& path) {
   const std::string reason = std::strerror(errno);
   throw Error(ErrorKind::kIo, "cannot " + task + " \"" + path.string() + "\": " + reason);
 }
 
-constexpr size_t kPieceSize = 1 << 18;     // of reading [bytes]
-constexpr size_t kMostReserved = 1 << 26;  // for a file that says it is larger [bytes]
-constexpr size_t kGathered = 1 << 16;      // pieces up to here are written together [bytes]
+constexpr size_t kPieceSize = 1 << 18;     // bytes per read
+constexpr size_t kMostReserved = 1 << 26;  // reserved at most, whatever size a file reports [bytes]
+constexpr size_t kGathered = 1 << 16;      // shorter pieces are written together [bytes]
 constexpr char kPartSuffix[] = ".part";
-constexpr size_t kRandomSize = 16;    // of MakeRandomName
-constexpr size_t kLongestName = 200;  // that is not shortened [bytes]
+constexpr size_t kRandomSize = 16;    // characters of MakeRandomName
+constexpr size_t kLongestName = 200;  // longer names are shortened [bytes]
 
-/** Names those processes whose ids this process can judge: those of this host and its process
-namespace. Another host that shares the disk has the same ids for other processes. */
+/** Identifies the host and process namespace whose process ids this process can check. Another host
+that shares the disk uses the same ids for other processes. */
 const std::string& FindProcessRealm() {
   static const std::string realm = [] {
     char host[256] = "";
@@ -67,16 +67,16 @@ const std::string& FindProcessRealm() {
   return realm;
 }
 
-/** Also one that has ended and that its parent has not asked about yet. */
+/** Whether the process has ended, even if its parent has not waited for it yet (a zombie). */
 bool HasEnded(pid_t process) {
   if (::kill(process, 0) != 0) return errno == ESRCH;
   std::ifstream file("/proc/" + std::to_string(process) + "/stat");
   const std::string stat((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  const size_t name_end = stat.rfind(") ");  // the name may have any characters
+  const size_t name_end = stat.rfind(") ");  // the name may contain any character
   return name_end != std::string::npos && stat.size() > name_end + 2 && stat[name_end + 2] == 'Z';
 }
 
-/** Processes that were killed while they wrote the file left their parts behind. */
+/** Removes the partial files of processes that were killed while they wrote the file. */
 void RemoveLeftParts(const fs::path& path) {
   const std::string suffix = "-" + FindProcessRealm() + "-";
   const std::string prefix = ShortenName(path.filename().string()) + kPartSuffix;
@@ -97,10 +97,10 @@ void RemoveLeftParts(const fs::path& path) {
   }
 }
 
-/** What a disk over the network says in passing. */
+/** Whether the error may be transient, as on a network disk. */
 bool IsPassing(int reason) { return reason == ESTALE || reason == EIO || reason == EINTR; }
 
-/** Calls `work` until it gives no -1, or fails for good. */
+/** Calls `work`, up to four times while it returns -1 with an error that may be transient. */
 template <class Work>
 auto TryPatiently(const Work& work) {
   using std::chrono::milliseconds;
@@ -112,7 +112,7 @@ auto TryPatiently(const Work& work) {
   return work();
 }
 
-/** A regular file that is open for reading. @throws Error(kNotFound, kIo). */
+/** A regular file, open for reading. @throws Error(kNotFound, kIo). */
 class ReadableFile {
  public:
   explicit ReadableFile(const fs::path& path) : path_(path), file_{-1} {
@@ -132,17 +132,17 @@ class ReadableFile {
     size_ = static_cast<uintmax_t>(properties.st_size);
   }
 
-  /** When it was opened [bytes]. */
+  /** Size when the file was opened [bytes]. */
   uintmax_t size() const { return size_; }
-  /** The open file, which is the caller's from now on. */
+  /** Returns the open file, which the caller must close. */
   int Release() { return std::exchange(file_.id, -1); }
 
-  /** @returns how many bytes; 0: the end. */
+  /** @returns the number of bytes read; 0 at the end of the file. */
   size_t Read(uintmax_t start, char* data, size_t size) {
     const ssize_t count = TryPatiently([&]() -> ssize_t {
       const ssize_t read = ::pread(file_.id, data, size, static_cast<off_t>(start));
       const int reason = errno;
-      if (read < 0 && reason != EINTR) Open();  // a stale handle stays stale
+      if (read < 0 && reason != EINTR) Open();  // a stale handle never recovers
       errno = reason;
       return read;
     });
@@ -153,7 +153,7 @@ class ReadableFile {
  private:
   int Open() {
     const int file =
-        ::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);  // no wait for a FIFO
+        ::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);  // do not wait on a FIFO
     if (file < 0) return -1;
     if (file_.id >= 0) ::close(file_.id);
     return file_.id = file;
@@ -197,21 +197,21 @@ class FileBuffer : public std::streambuf {
  private:
   ReadableFile file_;
   std::string piece_;
-  uintmax_t end_ = 0;  // of the piece, in the file
+  uintmax_t end_ = 0;  // end of the piece, as an offset in the file
 };
 
 class FileStream : public std::istream {
  public:
   explicit FileStream(const fs::path& path) : std::istream(nullptr), buffer_(path) {
     rdbuf(&buffer_);
-    exceptions(std::ios::badbit);  // so that a failed read is no end of the file
+    exceptions(std::ios::badbit);  // a failed read is not taken for the end of the file
   }
 
  private:
   FileBuffer buffer_;
 };
 
-/** False, and errno says why, when not all of it could be written. */
+/** Returns false and sets errno when part of the content could not be written. */
 [[nodiscard]] bool WriteAll(int file, std::string_view content) {
   for (size_t written = 0; written < content.size();) {
     const ssize_t count = ::write(file, content.data() + written, content.size() - written);
@@ -242,14 +242,15 @@ std::string ShortenName(const std::string& name) {
   if (name.size() <= kLongestName) return name;
   const std::string hash = "~" + CalcHashHex(name).substr(0, 16);
   size_t size = kLongestName - hash.size();
-  while (size > 0 && (static_cast<unsigned char>(name[size]) & 0xc0) == 0x80) --size;  // UTF-8
+  // Do not cut a UTF-8 character.
+  while (size > 0 && (static_cast<unsigned char>(name[size]) & 0xc0) == 0x80) --size;
   return name.substr(0, size) + hash;
 }
 
 fs::path FindDataRoot() {
   const char* home = std::getenv("GRASPBENCH_HOME");
   if (home && *home) return fs::path(home);
-  // As installed, wherever that was moved to; else where it was built.
+  // The installed data, even if the installation was moved; else the source tree.
   static const fs::path root = [] {
     std::error_code status;
     const fs::path program = fs::read_symlink("/proc/self/exe", status);
@@ -262,7 +263,7 @@ fs::path FindDataRoot() {
 }
 
 fs::path FindCacheRoot() {
-  // A relative one is to be ignored, by the XDG Base Directory Specification.
+  // The XDG Base Directory Specification says to ignore a relative path.
   if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache == '/') {
     return fs::path(cache) / "graspbench";
   }
@@ -273,7 +274,7 @@ fs::path FindCacheRoot() {
   try {
     MakePrivateFolder(folder);
   } catch (const Error&) {
-    return "/dev/null/graspbench";  // of somebody else, or no place at all: nothing is kept
+    return "/dev/null/graspbench";  // cannot be made or belongs to somebody else: nothing is cached
   }
   return folder;
 }
@@ -333,7 +334,7 @@ bool IsPrivateFolder(const fs::path& folder) {
 
 void SyncFolder(const fs::path& folder) {
   const OpenedFile file = OpenFolder(folder);
-  // EINVAL: a file system that has nothing to sync here.
+  // EINVAL: the file system cannot sync a folder.
   if (file.id < 0 || (::fsync(file.id) != 0 && errno != EINVAL)) Fail("sync folder", folder);
 }
 
@@ -346,7 +347,7 @@ void WriteFile(const fs::path& path, std::string_view content) {
   OpenedFile file{Create(path)};
   if (file.id < 0) Fail("create", path);
   if (!WriteAll(file.id, content)) Fail("write", path);
-  // A disk over the network may say only now that it could not write.
+  // A network disk may not report a failed write until the file is closed.
   if (::close(std::exchange(file.id, -1)) != 0) Fail("close", path);
 }
 
@@ -377,7 +378,7 @@ void AtomicFile::Write(std::string_view piece) {
 void AtomicFile::Commit() {
   Flush();
   if (::fsync(file_) != 0) Fail("sync", path_);
-  // A disk over the network may say only now that it could not write.
+  // A network disk may not report a failed write until the file is closed.
   if (::close(std::exchange(file_, -1)) != 0) Fail("close", path_);
   if (::rename(temporary_.c_str(), path_.c_str()) != 0) Fail("rename to", path_);
   is_committed_ = true;

@@ -11,10 +11,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What stands before the content.
+// Precedes the content.
 struct KeptHeader {
   char kind[kKeptKindSize];
-  uint64_t hash;  // of all that follows: the key and the content
+  uint64_t hash;  // of the key and the content, which follow
   uint64_t key;
 };
 static_assert(sizeof(KeptHeader) == 24);
@@ -41,7 +41,7 @@ std::optional<std::string> ReadKept(const fs::path& path, std::string_view kind,
     bytes.erase(0, sizeof header);
     return bytes;
   } catch (const Error&) {
-    return std::nullopt;  // unreadable: as good as absent
+    return std::nullopt;  // an unreadable file counts as absent
   }
 }
 
@@ -56,11 +56,11 @@ void Keep(const fs::path& path, std::string_view kind, uint64_t key, std::string
   std::memcpy(bytes.data(), &header, sizeof header);
   try {
     MakePrivateFolder(path.parent_path());
-    // No wait for the disk: what a power failure leaves is seen by its hash.
+    // Not synced to the disk: the hash reveals a file that a power failure damaged.
     WriteFile(path, bytes);
   } catch (const Error&) {
     std::error_code status;
-    fs::remove(path, status);  // half a file on a full disk
+    fs::remove(path, status);  // the disk may be full: remove the partial file
   }
 }
 

@@ -6,17 +6,17 @@
 namespace graspbench {
 namespace {
 
-/** Where a spreadsheet of some country begins a cell of its own, whatever is quoted: it knows quotes
-only where its own cells begin. */
+/** Characters that may start a new cell in a spreadsheet of some locale, even within quotes: it
+honours quotes only at the start of its own cells. */
 constexpr std::string_view kSeparators = ";\t\r\n";
 
-/** Whether a spreadsheet would run what stands behind the apostrophes and quotes. */
+/** Whether a spreadsheet would evaluate what follows the leading apostrophes and quotes. */
 bool IsFormula(std::string_view part) {
   part.remove_prefix(std::min(part.find_first_not_of("'\""), part.size()));
   if (part.empty()) return false;
   const auto first = static_cast<unsigned char>(part.front());
   if (part.find_first_of("=+-@") == 0 || first < 0x20 || first == 0x7f) return true;
-  for (const char* wide : {"\uff1d", "\uff0b", "\uff0d", "\uff20"}) {  // of East Asia: = + - @
+  for (const char* wide : {"\uff1d", "\uff0b", "\uff0d", "\uff20"}) {  // full-width = + - @
     if (part.rfind(wide, 0) == 0) return true;
   }
   return false;

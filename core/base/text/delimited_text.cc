@@ -20,13 +20,13 @@ std::string_view Trim(std::string_view text) {
   return text;
 }
 
-/** A cell as it may be printed in a message: short and without control characters. */
+/** Returns the cell as messages print it: short, quoted and without control characters. */
 std::string Quote(std::string_view cell) {
   std::string shown;
   for (const char c : cell.substr(0, 40)) {
     shown += static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
   }
-  shown = EscapeForTerminal(shown);  // bytes of a broken file, a character cut in two
+  shown = EscapeForTerminal(shown);  // the file may be broken, or a character cut in two
   return "\"" + shown + (cell.size() > 40 ? "...\"" : "\"");
 }
 
@@ -36,7 +36,7 @@ bool ParsePlain(std::string_view cell, double& value) {
   return fault == std::errc() && end == cell.data() + cell.size();
 }
 
-/** "-350,09": a number but for its comma. */
+/** Whether the cell would be a number but for its decimal comma: "-350,09". */
 bool HasDecimalComma(std::string_view cell) {
   std::string text(cell.substr(0, 40));
   const size_t comma = text.find(',');
@@ -51,7 +51,7 @@ struct QuotedCell {
   bool is_quoted = false;
 };
 
-/** Where the quote ends that begins at `start`: at the first one that is not two. */
+/** Position of the quote that closes the one at `start`: the first that is not doubled. */
 size_t FindClosingQuote(std::string_view line, size_t start) {
   size_t quote = line.find('"', start + 1);
   while (quote != std::string_view::npos && line.substr(quote + 1, 1) == "\"") {
@@ -60,7 +60,7 @@ size_t FindClosingQuote(std::string_view line, size_t start) {
   return quote;
 }
 
-/** Takes the first cell off the line. */
+/** Removes the first cell from the line and returns it. */
 QuotedCell TakeCell(std::string_view& line, char delimiter, bool& is_last) {
   const size_t start = line.find_first_not_of(' ');
   size_t end = std::string_view::npos;
@@ -79,7 +79,7 @@ QuotedCell TakeCell(std::string_view& line, char delimiter, bool& is_last) {
   return cell;
 }
 
-/** Spreadsheets of countries with a decimal comma separate by semicolons. */
+/** Spreadsheets use semicolons in countries with a decimal comma. */
 char FindDelimiter(std::string_view heading) {
   for (const char delimiter : {'\t', ',', ';'}) {
     if (heading.find(delimiter) != std::string_view::npos) return delimiter;
@@ -87,7 +87,7 @@ char FindDelimiter(std::string_view heading) {
   return ',';
 }
 
-/** As SplitCells, but as texts of their own: two quotes within a quoted cell are one. */
+/** Like SplitCells, but returns copies in which a doubled quote of a quoted cell is one quote. */
 std::vector<std::string> SplitTexts(std::string_view line, char delimiter) {
   std::vector<std::string> texts;
   for (bool is_last = false; !is_last;) {
@@ -179,7 +179,7 @@ DataTable::DataTable(const std::string& text, const std::string& file, Diagnosti
     return;
   }
   std::string lines = text;
-  // "CSV (Macintosh)" of spreadsheets ends lines in a carriage return alone.
+  // "CSV (Macintosh)" files of spreadsheets end lines with a carriage return alone.
   if (text.find('\n') == text.npos) std::replace(lines.begin(), lines.end(), '\r', '\n');
   std::istringstream stream(lines);
   LineReader reader(stream, file);

@@ -23,12 +23,11 @@ const char* NameOf(Json::Type type) {
   throw Json::exception("[json.exception." + code + "] " + problem);
 }
 
-/** Takes what the library's parser meets, and makes values of it. Of a key that comes twice, the
-later value counts. */
+/** Builds values from the events of the library's parser. Of repeated keys the last one counts. */
 class TreeBuilder {
  public:
   Json Finish() { return std::move(root_); }
-  /** Empty: none. */
+  /** The parser's error message; empty when there was none. */
   const std::string& fault() const { return fault_; }
 
   bool null() { return Add(nullptr); }
@@ -37,7 +36,7 @@ class TreeBuilder {
   bool number_unsigned(uint64_t value) { return Add(value); }
   bool number_float(double value, const std::string&) { return Add(value); }
   bool string(std::string& value) { return Add(std::move(value)); }
-  bool binary(Library::binary_t&) { return false; }  // not in texts
+  bool binary(Library::binary_t&) { return false; }  // does not occur in text
   bool start_object(size_t) { return Open(Json::object()); }
   bool key(std::string& key) {
     next_ = &(*open_.back())[key];
@@ -72,12 +71,12 @@ class TreeBuilder {
   }
 
   Json root_;
-  Json* next_ = &root_;      ///< takes the next value outside lists
-  std::vector<Json*> open_;  ///< lists and objects, the innermost last
+  Json* next_ = &root_;      ///< receives the next value outside lists
+  std::vector<Json*> open_;  ///< open lists and objects, the innermost last
   std::string fault_;
 };
 
-/** Texts of printable ASCII are themselves; all others are the library's. */
+/** Copies printable ASCII as it is; the library encodes all other texts. */
 void AppendString(const std::string& value, std::string& text) {
   const auto is_plain = [](char c) {
     return static_cast<unsigned char>(c) >= 0x20 && static_cast<unsigned char>(c) < 0x80 &&
@@ -110,7 +109,7 @@ void AppendFloat(double value, std::string& text) {
 /** @param indent  negative: one line. @param depth  spaces before the lines of the value. */
 void Append(const Json& json, int indent, int depth, std::string& text);
 
-/** @param append  of one item. */
+/** @param append  appends one item. */
 template <class Items, class AppendItem>
 void AppendList(const Items& items, char open, char close, int indent, int depth, std::string& text,
                 AppendItem append) {
@@ -184,7 +183,7 @@ Json::Json(std::initializer_list<JsonItem> items) {
   }
   *this = object();
   for (const JsonItem& item : items) {
-    // The first of equal keys counts.
+    // The first of several equal keys counts.
     if (!contains(item.value[0].str())) (*this)[item.value[0].str()] = std::move(item.value[1]);
   }
 }
@@ -203,7 +202,7 @@ Json::Json(const Json& other) : type_(other.type_), integer_(other.integer_) {
 }
 
 void Json::Destroy() {
-  // Values in values one after the other: a text may nest them deeper than calls can.
+  // A loop, not recursion: a text may nest values deeper than the stack allows.
   std::vector<Json> inner;
   const auto take = [&inner](Json& json) {
     for (Json& item : json) {

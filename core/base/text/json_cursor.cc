@@ -7,11 +7,11 @@
 namespace graspbench {
 namespace {
 
-constexpr int kMaxDepth = 50;  // of values in values; deeper ones are read as trees
+constexpr int kMaxDepth = 50;  // of nested values; deeper texts are read as trees
 
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
-/** A number's end after the grammar of RFC 8259, or its start when there is none. */
+/** Length of the number at the start, by the grammar of RFC 8259; 0 when there is none. */
 size_t FindNumberEnd(std::string_view text) {
   size_t at = 0;
   const auto is_at = [&](char c) { return at < text.size() && text[at] == c; };
@@ -62,7 +62,7 @@ std::string_view JsonCursor::ReadNumberLetters() {
 double JsonCursor::ReadNumber() {
   const std::string_view letters = ReadNumberLetters();
   double value = 0.0;
-  // A tree takes "-0" for a whole number, which has no sign.
+  // A tree reads "-0" as an integer, which has no sign.
   if (letters == "-0" || std::from_chars(letters.begin(), letters.end(), value).ec != std::errc()) {
     Fail();
   }

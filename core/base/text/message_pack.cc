@@ -14,7 +14,7 @@ constexpr int kMostDepth = 16;
 
 [[noreturn]] void FailPacked(const std::string& text) { throw Error(ErrorKind::kFormat, text); }
 
-/** A number of numpy's dtype: "<f8", "|u1", "|b1". */
+/** Number type of a numpy dtype: "<f8", "|u1", "|b1". */
 struct PackedType {
   char kind;
   size_t size;
@@ -64,7 +64,7 @@ std::vector<double> UnpackNumbers(const PackedType& type, const std::string& dat
   return values;
 }
 
-/** A map with the keys of numpy's arrays or scalars. */
+/** Makes an array from a map with the keys of a numpy array or scalar. */
 PackedArray MakePackedArray(const PackedValue& map, bool is_scalar) {
   const PackedValue* data = map.Find("data");
   const PackedValue* dtype = map.Find("dtype");
@@ -176,7 +176,7 @@ class PackReader {
     if (head < 0xa0) return TakeList(head & 0x0f, depth);
     if (head < 0xc0) return TakeText(head & 0x1f);
     if (head >= 0xe0) return {static_cast<double>(static_cast<int8_t>(head))};
-    const size_t size = size_t{1} << (head & 3);  // of numbers
+    const size_t size = size_t{1} << (head & 3);  // bytes of a number
     switch (head) {
       case 0xc0:
         return {};
@@ -240,7 +240,7 @@ void MessagePackWriter::BigEndian(T value) {
   bytes_.append(bytes, sizeof(T));
 }
 
-/** @param wide  code of the form with a count of 2 bytes; the next one has 4. */
+/** @param wide  code of the form with a count of 2 bytes; the next code has a count of 4 bytes. */
 void MessagePackWriter::Head(size_t count, uint8_t small, size_t most_small, uint8_t wide) {
   if (count <= most_small) {
     bytes_.push_back(static_cast<char>(small | count));

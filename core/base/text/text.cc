@@ -17,7 +17,7 @@ std::string DropSignOfZero(std::string text) {
   return is_minus_zero ? text.substr(1) : text;
 }
 
-/** First and last of each range. */
+/** First and last code point of each range of control characters that terminals obey. */
 constexpr char32_t kObeyed[][2] = {{0x00, 0x1F},     {0x7F, 0x9F},     {0x061C, 0x061C},
                                    {0x200E, 0x200F}, {0x2028, 0x202E}, {0x2066, 0x2069}};
 
@@ -101,7 +101,7 @@ std::string MakePlainKey(const std::vector<std::string>& names) {
 bool IsUtf8(std::string_view bytes) { return utf8::is_valid(bytes.begin(), bytes.end()); }
 
 CodePoint ReadCodePoint(std::string_view bytes) {
-  // Judged by itself: only what begins at the front counts, and no character has more bytes.
+  // Reads four bytes, the most of any character: only an error at the front matters.
   const std::string_view front = bytes.substr(0, 4);
   if (utf8::find_invalid(front.begin(), front.end()) == front.begin()) return {};
   auto next = front.begin();

@@ -22,7 +22,7 @@ YAML::Node LoadYaml(const std::filesystem::path& path, Diagnostics& problems) {
 YAML::Node ParseYaml(const std::string& text, const std::string& file, Diagnostics& problems) {
   try {
     return YAML::Load(text);
-  } catch (const YAML::DeepRecursion& e) {  // whose own words are "bad file"
+  } catch (const YAML::DeepRecursion& e) {  // its own message is "bad file"
     problems.Fail(file, e.mark.line + 1,
                   fmt::format("nested deeper than {} levels; expected fewer", e.depth()));
     return YAML::Node();
@@ -89,7 +89,7 @@ void YamlMap::Fail(const std::string& key, const std::string& text) {
   const YAML::Node& node = node_;
   const YAML::Node child = node[key];
   YAML::Node place = child.IsDefined() ? child : node_;
-  if (place.IsNull()) {  // no value: it would stand at whatever comes next
+  if (place.IsNull()) {  // a missing value would be located at the next token
     for (const auto& entry : node) {
       if (entry.first.IsScalar() && entry.first.Scalar() == key) place.reset(entry.first);
     }
@@ -144,7 +144,7 @@ void Convert(const YAML::Node& node, T& value) {
   value = node.as<T>();
 }
 
-/** What stands where a value of this type is read, for messages. */
+/** What is expected where a value of this type is read, for messages. */
 template <class T>
 constexpr const char* kExpected = nullptr;
 template <>

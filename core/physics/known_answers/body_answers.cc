@@ -14,22 +14,22 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** On a table without rolling resistance. */
+/** Configuration of a table without rolling resistance. */
 SimConfig MakeBodyConfig(double step) {
   SimConfig config = MakeStepConfig(step);
   config.table_rolling_resistance = 0.0;
   return config;
 }
 
-/** Speed of return over speed of approach of a mass on a spring with damping beside it that can only
-push, `damping_ratio` times critical, above 1 (Schwager and Poeschel 2007). */
+/** Coefficient of restitution of a mass on a spring and damper in parallel that can only push. The
+damping is `damping_ratio` times critical, above 1 (Schwager and Poeschel 2007). */
 double CalcRestitution(double damping_ratio) {
   const double root = std::sqrt(damping_ratio * damping_ratio - 1.0);
   return std::exp(-damping_ratio / root *
                   std::log((damping_ratio + root) / (damping_ratio - root)));
 }
 
-/** Speed of return over `speed` of a body that meets the table without weight. */
+/** Coefficient of restitution of a body that hits the table at `speed` without gravity. */
 double MeasureRestitution(const GraspObject& object, double speed, double step) {
   SmallWorld body(object, MakeBodyConfig(step));
   body.start().gravity_W.setZero();
@@ -135,7 +135,7 @@ std::vector<KnownAnswer> CheckRestitution() {
       answers.push_back(
           {"block of 0.5 kg" + how, "", 0.0, MeasureRestitution(block, speed, step), 0.05});
     }
-    // A fine step shows the law itself.
+    // A fine step reveals the law itself.
     constexpr double kFineStep = 1e-5;
     const auto expect = [](int num_points, double mass) {
       const double k = num_points * SimConfig().contact_stiffness;
@@ -176,7 +176,7 @@ std::vector<KnownAnswer> CheckSpinningDisc() {
   const GraspObject disc =
       MakeSolid(MakeRevolution({{0.0, -0.01}, {kRadius, -0.01}, {kRadius, 0.01}, {0.0, 0.01}}, 64),
                 0.2, 0.5, 0.5);
-  // Uniform pressure has the moment 2/3 mu m g a; m a^2 / 2 turns.
+  // Uniform pressure has the moment 2/3 mu m g a; the moment of inertia is m a^2 / 2.
   const double expected = 0.75 * kRadius * kSpin / (kMu * kStandardGravity);
   for (double step : kAnswerSteps) {
     SimConfig config = MakeBodyConfig(step);

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 std::string FormatShort(double value) { return FormatSignificant(value, 6); }
 
-/** Stiff bristles keep the block's elastic swaying short of the 1 % by which it shall slide. */
+/** Stiff bristles keep the block's elastic sway below the 1 % by which it must slide. */
 constexpr double kInclineStiffness = 4e4;
 
 struct Incline {
@@ -36,7 +36,7 @@ SimConfig MakeInclineConfig(const Incline& incline) {
   return config;
 }
 
-/** Lays the block on the table and tilts it slowly to `angle`. */
+/** Places the block on the table and tilts the table slowly to `angle`. */
 void TiltTable(double angle, const Incline& incline, SmallWorld& body) {
   body.start().p_WOcm = Vector3d(0.0, 0.0, 0.01);
   body.Reset();
@@ -116,16 +116,16 @@ std::vector<KnownAnswer> CheckPadTorsion() {
   std::vector<KnownAnswer> answers;
   const GraspObject bar = MakeSolid(MakeRoundedBox(Vector3d(0.02, 0.2, 0.02), 0.0), 0.1, 0.5, 0.5);
   struct Case {
-    double radius, share;  // of the tangential force in the limit
+    double radius, share;  // share of the tangential force in its limit
   };
   for (const Case& c : {Case{0.002, 0.2}, Case{0.004, 0.2}, Case{0.006, 0.2}, Case{0.004, 0.5},
                         Case{0.004, 0.8}, Case{0.004, 0.98}}) {
     Squeeze squeeze;
     squeeze.torsion_radius = c.radius;
     squeeze.mass = c.share * 2.0 * squeeze.mu * squeeze.force / kStandardGravity;
-    const double spin_share = std::sqrt(1.0 - c.share * c.share);  // the ellipsoid
+    const double spin_share = std::sqrt(1.0 - c.share * c.share);  // by the limit ellipsoid
     const double expected = c.radius * spin_share / c.share;
-    // 2 % of it, and what 0.1 % of the limit makes of it where the ellipsoid is steep.
+    // 2 % of it, plus the effect of 0.1 % of the limit where the ellipsoid is steep.
     const double tolerance = 0.02 * expected + 0.001 * c.radius * c.share / spin_share;
     const double obtained = FindThreshold(0.8 * expected, 1.2 * expected, [&](double off_centre) {
       squeeze.off_centre = off_centre;

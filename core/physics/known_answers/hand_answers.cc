@@ -30,13 +30,13 @@ VectorXd MakeRandomVector(int size, double scale, RandomStream& random) {
   return v;
 }
 
-/** Every joint with its own degree of freedom. */
+/** Gives every joint its own degree of freedom. */
 Hand MakeUncoupled(Hand hand) {
   for (HandJoint& joint : hand.joints) joint.coupled_to = -1;
   return hand;
 }
 
-/** A hand without drives, stops and contact with itself, on a base that stays where it is. */
+/** Removes drives, stops and self-contact from a hand on a fixed base. */
 Hand MakeLoose(Hand hand, double damping) {
   hand.links[0].mass = MakeBareHand().links[0].mass;
   hand.links[0].I_LLcm = MakeBareHand().links[0].I_LLcm;
@@ -49,7 +49,7 @@ Hand MakeLoose(Hand hand, double damping) {
   return hand;
 }
 
-/** Three links that swing in a plane and out of it. */
+/** Makes three links that swing in a plane and out of it. */
 Hand MakePendulum() {
   Hand hand = MakeBareHand();
   AddRodLink(hand, 0, Pose::Identity(), Vector3d::UnitX(), 0.05, 0.05);
@@ -59,12 +59,12 @@ Hand MakePendulum() {
 }
 
 struct Swing {
-  double drift = 0.0;         ///< largest distance of the energy from that at the start
-  double largest_rise = 0.0;  ///< of the energy in one step
+  double drift = 0.0;         ///< largest deviation of the energy from its initial value
+  double largest_rise = 0.0;  ///< largest rise of the energy in one step
 };
 
-/** Lets a loose hand swing for 5 s; energies over the largest kinetic energy. The object lies far
-away and weighs nothing. */
+/** Lets a loose hand swing for 5 s and returns energies over the largest kinetic energy. The object
+is far away and weighs nothing. */
 Swing LetSwing(const Hand& hand, double step) {
   SmallWorld world(hand, MakeBlock(1e-9), MakeStepConfig(step));
   world.start().X_WH = MakePose(MakeRotationRpy(kPi / 2, 0.0, 0.0), Vector3d(0.0, 0.0, 1.0));
@@ -222,7 +222,7 @@ std::vector<KnownAnswer> CheckCouplingRules() {
   answers.push_back({"rule middle-first: J2 of it", "deg", DegFromRad(hand.joints[middle].upper),
                      DegFromRad(world.state().q[middle]), 1.0});
 
-  // Opening: J1 goes back first.
+  // Opening: J1 moves back first.
   const double bent = world.state().q[middle];
   world.start() = world.state();
   world.Reset(VectorXd::Zero(hand.num_joints()));
@@ -248,7 +248,7 @@ std::vector<KnownAnswer> CheckArm() {
     const SimConfig config = MakeStepConfig(step);
     SmallWorld world(hand, MakeBlock(0.1), config);
     world.start().p_WOcm = Vector3d(5.0, 0.0, 0.01);
-    // The hand is moved by x(t) = a t^2 / 2 and stays at the end.
+    // The hand moves by x(t) = a t^2 / 2 and then stays.
     const auto move = [&](double start, double end) {
       world.start().X_WH = MakePose(Vector3d(0.0, 0.0, start));
       world.Reset();
@@ -307,7 +307,7 @@ std::vector<KnownAnswer> CheckSwingEnergy() {
   };
   for (double step : {0.0005, 0.001, 0.002}) add("pendulum of three links", MakePendulum(), step);
   add("TUM Hand", LoadHand("tum"), 0.0005);
-  // Under middle-first a joint that meets its stop loses energy.
+  // With the middle-first rule, a joint that reaches its stop loses energy.
   Hand shadow = LoadHand("shadow");
   shadow.coupling = CouplingRule::kFixed;
   add("Shadow Hand", shadow, 0.0005);

@@ -14,11 +14,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kBall = 0.008;       // of a finger of the squeeze [m]
-constexpr double kHalfWidth = 0.01;   // of the bar
-constexpr double kReduced = 4.0 / 3;  // E* of E, Poisson's ratio 1/2
+constexpr double kBall = 0.008;       // finger radius of the squeeze [m]
+constexpr double kHalfWidth = 0.01;   // of the bar [m]
+constexpr double kReduced = 4.0 / 3;  // E* over E at a Poisson's ratio of 1/2
 
-/** Written out here: the formulas of the engine are what is checked. */
+/** Repeated here, because the formulas of the engine are under test. */
 ///@{
 double CalcDepth(double modulus, double force, double stiffness) {
   const double hertz = 4.0 / 3.0 * kReduced * modulus * std::sqrt(kBall);
@@ -62,7 +62,7 @@ std::vector<KnownAnswer> CheckPadForce() {
         scene.world().Run(0.5);
         std::vector<HandContact> contacts;
         scene.world().world().FindHandContacts(contacts);
-        // The point of contact lies in the middle of the depth; mean of two contacts.
+        // The contact point lies at half the depth; the mean of two contacts is taken.
         double depth = 0.0, total = 0.0, radius = 0.0;
         for (const HandContact& contact : contacts) {
           total += contact.normal_force;
@@ -74,7 +74,7 @@ std::vector<KnownAnswer> CheckPadForce() {
         const double stiffness = SimConfig().contact_stiffness;
         const double expected = CalcDepth(modulus, 0.5 * total, stiffness);
         const double patch = CalcRadius(modulus, 0.5 * total);
-        // As it yields, a finger turns and its lever changes a little.
+        // As the drive yields, a finger rotates and its lever arm changes a little.
         answers.push_back({what + "forces", "N", 2.0 * force, total, 0.005 * force});
         answers.push_back({what + "depth", "m", expected, depth, 0.001 * expected});
         answers.push_back({what + "patch", "m", patch, radius, 0.001 * patch});
@@ -88,7 +88,7 @@ std::vector<KnownAnswer> CheckPadSag() {
   std::vector<KnownAnswer> answers;
   for (const double modulus : {0.3e6, 1.1e6}) {
     const double force = 5.0;
-    // Of two weights, so that what the fingers' yielding lifts does not count.
+    // The difference of two weights excludes the lift from yielding fingers.
     constexpr double kLight = 0.05, kHeavy = 0.1;
     double sag = 0.0;
     for (const double mass : {kLight, kHeavy}) {
@@ -123,7 +123,7 @@ std::vector<KnownAnswer> CheckPatchTorsion() {
                                                 moment * i / kRamp * Vector3d::UnitX());
           scene.world().Step();
         }
-        // The patch itself yields by some 0.3 rad before it slips.
+        // The patch itself twists by some 0.3 rad before it slips.
         double tilt = 0.0;
         for (int i = 0; i < kRamp; ++i) {
           scene.world().Step();

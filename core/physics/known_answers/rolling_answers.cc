@@ -1,4 +1,4 @@
-// What rolls and what rests: the support of an object on the table.
+// Known answers of rolling and resting: the support of an object on the table.
 
 #include <cmath>
 #include <string>
@@ -26,7 +26,7 @@ SimConfig MakeRollingConfig(double step, double resistance = 0.0) {
   return config;
 }
 
-/** Its axis is z; its vertices lie on the circle. */
+/** Makes a cylinder about z whose vertices lie on the circle. */
 GraspObject MakeCylinder(int num_segments, double height) {
   return MakeSolid(MakeRevolution({{0.0, -0.5 * height},
                                    {kRadius, -0.5 * height},
@@ -36,7 +36,7 @@ GraspObject MakeCylinder(int num_segments, double height) {
                    kDensity * kPi * kRadius * kRadius * height, 0.5, 0.5);
 }
 
-/** Lying along y, rolling along x. */
+/** Lays the body along y and lets it roll along x. */
 void LayRolling(double speed, SmallWorld& body) {
   body.start().R_WO = MakeRotationRpy(0.5 * kPi, 0.0, 0.0);
   body.start().p_WOcm = Vector3d(0.0, 0.0, kRadius);
@@ -98,7 +98,7 @@ std::vector<KnownAnswer> CheckRollingCone() {
   const double alpha = std::atan2(kRadius, kHeight), distance = 0.75 * kHeight;
   for (double step : kRollingSteps) {
     SmallWorld body(cone, MakeRollingConfig(step));
-    // The apex at the origin, the line of contact along x, the axis above it.
+    // The apex is at the origin, the contact line along x, the axis above it.
     const Eigen::Matrix3d R = MakeRotationRpy(0.0, 0.5 * kPi - alpha, 0.0);
     body.start().R_WO = R;
     body.start().p_WOcm = distance * Vector3d(std::cos(alpha), 0.0, std::sin(alpha));
@@ -124,10 +124,10 @@ std::vector<KnownAnswer> CheckRollingDisc() {
   const GraspObject disc = MakeCylinder(96, kThickness);
   const double a = kRadius, b = 0.5 * kThickness, g = kStandardGravity;
   const double I_axis = 0.5 * mass * a * a, I_across = mass * (a * a / 4.0 + b * b / 3.0);
-  for (double inclination : {90.0, 70.0}) {  // of its plane against the table [deg]
+  for (double inclination : {90.0, 70.0}) {  // of the disc's plane to the table [deg]
     const double s = std::sin(RadFromDeg(inclination)), c = std::cos(RadFromDeg(inclination));
-    // Its lower edge touches, a across and b along the axis from its middle, whose speed is V =
-    // a w - b T s with w about the axis and T about the vertical. Steady where
+    // The lower edge touches at a across and b along the axis from the middle. The middle moves at
+    // V = a w - b T s, with spin w about the axis and T about the vertical. Steady rolling requires
     // T s (I_axis w - I_across T c) = -m V T (a s + b c) - m g (a c - b s).
     const double T = inclination == 90.0 ? 0.0 : kTurning;
     const double spin = inclination == 90.0
@@ -138,11 +138,11 @@ std::vector<KnownAnswer> CheckRollingDisc() {
     const double speed = std::abs(a * spin - b * T * s);
     for (double step : kRollingSteps) {
       SmallWorld body(disc, MakeRollingConfig(step));
-      // Along x, the way up to its middle in the plane of y and z.
+      // The disc rolls along x; the direction up to its middle lies in the y-z plane.
       const Vector3d up(0.0, c, s), axis(0.0, -s, c);
       Eigen::Matrix3d R;
       R << Vector3d::UnitX(), up, Vector3d::UnitX().cross(up);
-      body.start().R_WO = R;  // its z is the axis
+      body.start().R_WO = R;  // z of O is the disc's axis
       body.start().p_WOcm = a * up + (inclination == 90.0 ? 0.0 : b) * axis;
       body.start().w_WO = T * s * up + spin * axis;
       body.start().v_WOcm = body.start().w_WO.cross(body.start().p_WOcm);
@@ -162,7 +162,7 @@ std::vector<KnownAnswer> CheckRollingDisc() {
 
 std::vector<KnownAnswer> CheckRestingDepth() {
   std::vector<KnownAnswer> answers;
-  // A can's bottom: a narrow ring bears, and the fillet around it reaches farther out.
+  // Bottom of a can: a narrow ring carries the can, and the fillet around it extends farther out.
   const TriMesh can = MakeRevolution({{0.0, -0.045},
                                       {0.026, -0.045},
                                       {0.027, -0.05},

@@ -15,23 +15,23 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kTransitionSpeed = 1e-4;  ///< of friction [m/s]
-/** c in Hunt and Crossley's 1 + 3/2 c xdot [s/m]. Simbody has no inelastic contact; this much loses
-most of the speed at 0.1 m/s. */
+constexpr double kTransitionSpeed = 1e-4;  ///< transition speed of friction [m/s]
+/** c in Hunt and Crossley's 1 + 3/2 c xdot [s/m]. Simbody has no inelastic contact; this value
+dissipates most of the speed at 0.1 m/s. */
 constexpr double kDissipation = 40.0;
-constexpr double kAccuracy = 1e-4;  ///< of the integrator; absolute for positions in m
-/** At this force a contact is as deep as in our own world [N]. */
+constexpr double kAccuracy = 1e-4;  ///< of the integrator; absolute for positions [m]
+/** At this force a contact is as deep as in our own engine [N]. */
 constexpr double kTypicalForce = 2.0;
 constexpr double kTypicalRadius = 0.008;  ///< of a fingertip [m]
-/** A mesh whose vertices are as far from O as this, relatively, is a sphere. */
+/** A mesh is a sphere if the relative spread of its vertices' distances from O is smaller. */
 constexpr double kRoundness = 0.06;
 // Springs of stops, ties and locks [N m/rad], [N m s/rad].
 constexpr double kStopStiffness = 50.0;
 constexpr double kStopDamping = 0.02;
-constexpr double kSlideLever = 0.02;  // [m] a prismatic joint's stop is as stiff as at this lever
+// a prismatic joint's stop is as stiff as at this lever arm [m]
+constexpr double kSlideLever = 0.02;
 
-/** Outer radius of the ball that the object is, seams and dimples left aside; empty for other
-shapes. */
+/** Outer radius of an object that is a ball, ignoring seams and dimples; empty for other shapes. */
 std::optional<double> FindSphereRadius(const GraspObject& object) {
   double least = std::numeric_limits<double>::infinity(), most = 0.0;
   for (const Vector3d& p : object.mesh.vertices) {
@@ -42,22 +42,22 @@ std::optional<double> FindSphereRadius(const GraspObject& object) {
   return most;
 }
 
-/** The table's coefficient that gives `wanted` against the object by Simbody's rule
-mu = 2 a b / (a + b); as close as it gets for a slippery object. */
+/** Returns the table's coefficient that gives `wanted` against the object by Simbody's rule mu = 2
+a b / (a + b), or the nearest possible one for a slippery object. */
 double CalcPartnerFriction(double wanted, double object) {
   constexpr double kRough = 100.0;
   return 2.0 * object > wanted ? std::min(kRough, wanted * object / (2.0 * object - wanted))
                                : kRough;
 }
 
-/** What the root and the drives are asked for between two moments. */
+/** Commanded motion of the root and the drives between two times. */
 struct Course {
   double start = 0.0, length = 1.0;  ///< [s]
   Vector3d p0 = Vector3d::Zero(), v0 = Vector3d::Zero();
   Vector3d p1 = Vector3d::Zero(), v1 = Vector3d::Zero();
   Eigen::VectorXd q0, q1;
 
-  /** The root on a cubic through both ends; its n-th derivative. */
+  /** Returns the given derivative of the root's position on a cubic through both ends. */
   Vector3d CalcRoot(double time, int derivative) const {
     const double h = length, x = (time - start) / h;
     const Vector3d d = p1 - p0, a = h * v0, b = h * v1;
@@ -73,7 +73,7 @@ struct Course {
 
 class RootMotion : public SimTK::Motion::Custom::Implementation {
  public:
-  /** @param R_MW  from the world to the axes of the mobilizer. */
+  /** @param R_MW  rotation from the world to the axes of the mobilizer. */
   RootMotion(const Course& course, const SimTK::Rotation& R_MW) : course_(course), R_MW_(R_MW) {}
   SimTK::Motion::Level getLevel(const SimTK::State&) const override {
     return SimTK::Motion::Position;
@@ -144,7 +144,7 @@ class JointForces : public SimTK::Force::Custom::Implementation {
         const double tie = pull(q[j] - ratio * q[middle] - offset, u[j] - ratio * u[middle]);
         torque[j] += tie;
         torque[middle] -= ratio * tie;
-        continue;  // the limits of the joint it follows hold
+        continue;  // the limits of the joint that it follows apply
       }
       if (dynamics_.rate_of_joint(j) == 0.0) {
         torque[j] += pull(q[j] - locked_at_[j], u[j]);
@@ -168,7 +168,7 @@ class JointForces : public SimTK::Force::Custom::Implementation {
   std::vector<double> locked_at_;
 };
 
-/** What the integrator moves. */
+/** The multibody system that the integrator advances. */
 struct Model {
   SimTK::MultibodySystem system;
   SimTK::SimbodyMatterSubsystem matter{system};
@@ -180,7 +180,7 @@ struct Model {
   JointForces* joint_forces = nullptr;  // the system owns it
   std::optional<SimTK::CPodesIntegrator> integrator;
 
-  /** @param X_WH  its rotation stays. */
+  /** @param X_WH  its rotation is constant. */
   Model(const Hand& hand, const GraspObject& object, const SimConfig& sim, const Pose& X_WH,
         const HandDynamics& dynamics, const Course& course);
 
@@ -198,7 +198,7 @@ struct Model {
 Model::Model(const Hand& hand, const GraspObject& grasp_object, const SimConfig& sim,
              const Pose& X_WH, const HandDynamics& dynamics, const Course& course) {
   contact.setTransitionVelocity(kTransitionSpeed);
-  // A handle: the subsystem keeps what it makes. NOLINTNEXTLINE(bugprone-unused-raii)
+  // The subsystem keeps the force of this handle. NOLINTNEXTLINE(bugprone-unused-raii)
   SimTK::Force::UniformGravity(forces, matter, SimTK::Vec3(0, 0, -sim.gravity));
   const SimTK::ContactMaterial skin = MakeMaterial(sim, grasp_object.surface.friction_static,
                                                    grasp_object.surface.friction_dynamic);
@@ -361,7 +361,7 @@ StepReport CompliantWorld::Step(const WorldCommand& command) {
 
   std::vector<double> rates;
   for (int j = 0; j < hand_->num_joints(); ++j) rates.push_back(dynamics_.rate_of_joint(j));
-  double stop_work = 0.0;  // no account of energy is kept
+  double stop_work = 0.0;  // energy is not tracked
   ChooseDistalModes(command, stop_work);
   bool has_changed = false;
   for (int j = 0; j < hand_->num_joints(); ++j) {
@@ -373,7 +373,8 @@ StepReport CompliantWorld::Step(const WorldCommand& command) {
 
   // The integrator must not look beyond what has been commanded.
   const double end = course_.start + course_.length;
-  // Where its corrector gives up, it starts again once from where it is, at its lowest order.
+  // When the corrector fails, integration restarts once from the current state, at the lowest
+  // order.
   bool has_started_again = false;
   while (model.integrator->getTime() < end - 1e-9) {
     try {

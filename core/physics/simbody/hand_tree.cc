@@ -5,7 +5,8 @@
 namespace graspbench {
 namespace {
 
-/** A rotation that takes `own` (of Simbody's joint: z of a pin, x of a slider) to `axis`. */
+/** Makes a rotation that takes `own` (the axis of Simbody's joint: z of a pin, x of a slider) to
+`axis`. */
 SimTK::Transform MakeJointFrame(const Eigen::Vector3d& axis, SimTK::CoordinateAxis own) {
   return SimTK::Transform(SimTK::Rotation(SimTK::UnitVec3(ToSimTK(axis)), own));
 }
@@ -17,14 +18,14 @@ struct HandTree::Tree {
   SimTK::SimbodyMatterSubsystem matter{system};
   std::vector<SimTK::MobilizedBody> links;
   Pose X_HR = Pose::Identity();       ///< root link in H
-  int root_q = 0, root_u = 0;         ///< Simbody's first index of the root
+  int root_q = 0, root_u = 0;         ///< Simbody's first indices of the root
   std::vector<int> q_index, u_index;  ///< by joint
   SimTK::State state;                 ///< realised to Stage::Instance
 };
 
 struct HandTree::Scratch {
   SimTK::State state;
-  Eigen::Vector3d p_HR_W = Eigen::Vector3d::Zero();  ///< the root's origin from H's
+  Eigen::Vector3d p_HR_W = Eigen::Vector3d::Zero();  ///< root's origin relative to H's
   SimTK::Array_<SimTK::SpatialInertia, SimTK::MobilizedBodyIndex> composite;
   SimTK::Vector accelerations, residual;
   SimTK::Vector no_forces;
@@ -132,7 +133,7 @@ Eigen::VectorXd HandTree::CalcVelocityForces(const Eigen::VectorXd& rates) {
   const auto num_joints = static_cast<Eigen::Index>(tree_->u_index.size());
   const Eigen::Vector3d w_WH = rates.segment<3>(num_joints);
   const Eigen::Vector3d v_WR = rates.segment<3>(num_joints + 3) + w_WH.cross(own.p_HR_W);
-  // With H at constant velocity the root's own origin goes in a circle.
+  // When H has constant velocity, the root's origin moves on a circle.
   const Eigen::Vector3d a_WR = w_WH.cross(w_WH.cross(own.p_HR_W));
   double* u = &own.state.updU()[0];
   for (Eigen::Index j = 0; j < num_joints; ++j)

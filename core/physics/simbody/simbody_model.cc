@@ -11,11 +11,11 @@ struct SimbodyModel::Impl {
   SimTK::MobilizedBody::Free object;
   std::vector<int> link_of_joint;
   Pose X_HR = Pose::Identity();                      ///< root link in H
-  Eigen::Vector3d p_HR_W = Eigen::Vector3d::Zero();  ///< its origin from H's, in W
+  Eigen::Vector3d p_HR_W = Eigen::Vector3d::Zero();  ///< root's origin relative to H's, in W
   Eigen::Vector3d w_WH = Eigen::Vector3d::Zero();
   SimTK::State state;
 
-  /** Simbody's index of each of our speeds. */
+  /** Returns Simbody's index of each of our speeds. */
   std::vector<int> FindSpeedIndices() const {
     std::vector<int> indices;
     for (int link : link_of_joint) indices.push_back(links[link].getFirstUIndex(state));
@@ -23,7 +23,7 @@ struct SimbodyModel::Impl {
     for (int i = 0; i < 6; ++i) indices.push_back(object.getFirstUIndex(state) + i);
     return indices;
   }
-  /** Simbody's speeds, in our order, of ours: its root's origin is not H's. */
+  /** Maps our speeds to Simbody's, in our order: its root's origin differs from H's. */
   Eigen::MatrixXd MakeSpeedMap() const {
     const auto num_joints = static_cast<Eigen::Index>(link_of_joint.size());
     Eigen::MatrixXd T = Eigen::MatrixXd::Identity(num_joints + 12, num_joints + 12);
@@ -33,7 +33,7 @@ struct SimbodyModel::Impl {
     }
     return T;
   }
-  /** Weight of every body. */
+  /** Returns the weight of every body. */
   SimTK::Vector_<SimTK::SpatialVec> MakeWeights(const Eigen::Vector3d& gravity_W) const {
     SimTK::Vector_<SimTK::SpatialVec> forces(matter.getNumBodies(),
                                              SimTK::SpatialVec(SimTK::Vec3(0)));
@@ -69,7 +69,8 @@ SimbodyModel::SimbodyModel(const Hand& hand, const MassProperties& object,
       SimTK::Transform());
   for (const HandJoint& joint : hand.joints) {
     if (joint.coupled_to < 0 || !coupled) continue;
-    // The joints' rates keep their ratio: rate_distal q_middle - rate_middle q_distal = constant.
+    // The ratio of the joints' rates is fixed: rate_distal q_middle - rate_middle q_distal =
+    // constant.
     const DistalRates rates =
         joint.is_mimic ? DistalRates{1.0, joint.mimic_ratio}
                        : CalcDistalRates(hand.coupling, hand.fixed_coupling_ratio, *coupled);
@@ -143,7 +144,7 @@ Eigen::VectorXd SimbodyModel::CalcBias(const Eigen::Vector3d& gravity_W) {
   const SimTK::Vector_<SimTK::SpatialVec> forces = model.MakeWeights(gravity_W);
   const SimTK::Vector no_mobility_forces(model.state.getNU(), 0.0);
   SimTK::Vector accelerations(model.state.getNU(), 0.0);
-  // With H at constant velocity the root's own origin goes in a circle.
+  // When H has constant velocity, the root's origin moves on a circle.
   const Eigen::Vector3d a_WR = model.w_WH.cross(model.w_WH.cross(model.p_HR_W));
   for (int k = 0; k < 3; ++k)
     accelerations[model.root.getFirstUIndex(model.state) + 3 + k] = a_WR[k];

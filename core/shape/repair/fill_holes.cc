@@ -12,18 +12,18 @@
 namespace graspbench {
 namespace {
 
-// The way along a hole's rim: against the direction of the triangle at the edge.
+// A step along the rim of a hole, against the direction of the triangle at the edge.
 struct RimEdge {
   int to = -1;
   int triangle = -1;
 };
 
 struct Hole {
-  std::vector<int> rim;        // vertices in the order of the triangles that close it
-  std::vector<int> triangles;  // beside it
+  std::vector<int> rim;        // vertices in the order of the closing triangles
+  std::vector<int> triangles;  // at the rim
 };
 
-// Takes rims apart into loops that touch themselves nowhere.
+// Splits rims into loops that do not touch themselves.
 class HoleFinder {
  public:
   explicit HoleFinder(const TriMesh& mesh) : mesh_(mesh) {
@@ -43,7 +43,7 @@ class HoleFinder {
   }
 
  private:
-  // Walks until the way ends; whenever it comes to where it was, that loop is a hole.
+  // Walks until no edge is left. When the path returns to a vertex, the loop between is a hole.
   void Follow(int start) {
     std::vector<int> path = {start};
     std::vector<int> triangles;
@@ -66,7 +66,7 @@ class HoleFinder {
     }
   }
 
-  // Where several holes meet, the sharpest turn stays with the smallest of them.
+  // Where several holes meet, the sharpest turn stays on the smallest of them.
   bool TakeWay(const std::vector<int>& path, RimEdge& edge) {
     const auto found = next_.find(path.back());
     if (found == next_.end() || found->second.empty()) return false;

@@ -19,16 +19,16 @@
 namespace graspbench {
 namespace {
 
-constexpr int kMaxListed = 4;              // places reported per problem
+constexpr int kMaxListed = 4;              // items listed per problem
 constexpr int64_t kMaxCrossings = 200000;  // then counting stops
-constexpr int64_t kMaxPairs = 50'000'000;  // of triangles whose boxes meet: seconds
-constexpr double kMinFlatness = 1e-9;      // volume against the cube of the extent: flat below
+constexpr int64_t kMaxPairs = 50'000'000;  // of triangles whose boxes overlap: takes seconds
+constexpr double kMinFlatness = 1e-9;      // volume over the cube of the extent; flat below
 
 std::string FormatPoint(const Eigen::Vector3d& p) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", MmFromM(p.x()), MmFromM(p.y()), MmFromM(p.z()));
 }
 
-// "a, b, c and 9 more".
+// Formats "a, b, c and 9 more".
 template <class Item, class Format>
 std::string FormatList(const std::vector<Item>& items, const Format& format, int64_t count) {
   std::string text;
@@ -43,7 +43,7 @@ std::string FormatList(const std::vector<Item>& items, const Format& format) {
   return FormatList(items, format, static_cast<int64_t>(items.size()));
 }
 
-// Twice the area against the square of the longest edge.
+// Compares twice the area with the square of the longest edge.
 bool IsDegenerate(const TriMesh& mesh, const Eigen::Vector3i& t) {
   const Eigen::Vector3d& a = mesh.vertices[t[0]];
   const Eigen::Vector3d u = mesh.vertices[t[1]] - a, v = mesh.vertices[t[2]] - a;
@@ -56,7 +56,7 @@ double CalcOrientation(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const
   return (b - a).cross(c - a).dot(p - a);
 }
 
-// Does the open segment pq pass through the triangle? Touching from one side does not count.
+// Whether the open segment pq passes through the triangle. Touching from one side does not count.
 bool IsCrossing(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& a,
                 const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   const double scale = (b - a).norm() * (c - a).norm() * std::max((p - a).norm(), (q - a).norm());
@@ -70,8 +70,8 @@ bool IsCrossing(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen:
   return (ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0);
 }
 
-// Two triangles cut each other when an edge of one passes through the other. Edges that meet the
-// other triangle in a shared corner only touch it.
+// Two triangles cross when an edge of one passes through the other. Edges that meet the other
+// triangle in a shared corner only touch it.
 bool AreCrossing(const TriMesh& mesh, const Eigen::Vector3i& s, const Eigen::Vector3i& t) {
   const auto is_corner = [](int vertex, const Eigen::Vector3i& of) {
     return (of.array() == vertex).any();
@@ -93,9 +93,9 @@ bool AreCrossing(const TriMesh& mesh, const Eigen::Vector3i& s, const Eigen::Vec
 
 struct Crossings {
   int64_t count = 0;
-  std::vector<std::pair<int, int>> first;  // some of them
-  std::vector<bool> is_folded;             // by shell: some are within it
-  int64_t num_pairs = 0;                   // looked at; above kMaxPairs nothing is settled
+  std::vector<std::pair<int, int>> first;  // the first few
+  std::vector<bool> is_folded;             // by shell: whether it crosses itself
+  int64_t num_pairs = 0;                   // tested; above kMaxPairs the result is undecided
 };
 
 Crossings FindCrossings(const TriMesh& mesh, const Shells& shells) {
@@ -129,7 +129,7 @@ Crossings FindCrossings(const TriMesh& mesh, const Shells& shells) {
   return crossings;
 }
 
-// The vertex of the most triangles, and of how many.
+// Returns the vertex with the most triangles and their number.
 std::pair<int, int> FindCrowdedVertex(const TriMesh& mesh) {
   std::vector<int> counts(mesh.vertices.size());
   for (const Eigen::Vector3i& t : mesh.triangles) {
@@ -139,7 +139,7 @@ std::pair<int, int> FindCrowdedVertex(const TriMesh& mesh) {
   return {static_cast<int>(most - counts.begin()), *most};
 }
 
-// Which of the two ways around its corners does a triangle run?
+// Which of the two cyclic orders of its corners the triangle has.
 bool IsEven(const Eigen::Vector3i& t) { return (t[0] < t[1]) + (t[1] < t[2]) + (t[2] < t[0]) == 2; }
 
 class Checker {
@@ -232,7 +232,7 @@ class Checker {
 
   void CheckFaces() {
     std::vector<int> degenerate;
-    std::map<std::array<int, 3>, std::vector<int>> piles;  // faces on the same corners
+    std::map<std::array<int, 3>, std::vector<int>> piles;  // faces with the same corners
     for (int i = 0; i < mesh_.num_triangles(); ++i) {
       const Eigen::Vector3i& t = mesh_.triangles[i];
       if (IsDegenerate(mesh_, t)) degenerate.push_back(i);
@@ -246,7 +246,7 @@ class Checker {
            " no area: " + FormatList(degenerate, format_face) + " [mm]");
     }
     std::vector<int> duplicates, shared;
-    TriMesh single = {mesh_.vertices, {}};  // without copies
+    TriMesh single = {mesh_.vertices, {}};  // one face per pile
     for (const auto& [corners, pile] : piles) {
       const bool first = IsEven(mesh_.triangles[pile[0]]);
       const bool is_alike = std::all_of(pile.begin(), pile.end(), [&](int face) {
@@ -256,7 +256,7 @@ class Checker {
       found.insert(found.end(), pile.begin() + 1, pile.end());
       single.triangles.push_back(mesh_.triangles[pile[0]]);
     }
-    if (!shared.empty() && IsWhole(ListEdges(single))) {  // nobody needs them
+    if (!shared.empty() && IsWhole(ListEdges(single))) {  // the copies are not needed
       duplicates.insert(duplicates.end(), shared.begin(), shared.end());
       shared.clear();
     }
@@ -432,14 +432,14 @@ class Checker {
     }
   }
 
-  // Does no part that cuts through itself count much of its volume wrongly?
+  // Whether in every part that crosses itself the overlap is a small share of its volume.
   bool AreFoldsSmall(const Crossings& crossings) const {
     if (!is_whole_ || shells_.count > kMaxShells) return false;
     for (size_t i = 0; i < parts_.size(); ++i) {
       if (!crossings.is_folded[i]) continue;
       TriMesh part = parts_[i];
       const double volume = CalcVolume(part);
-      if (volume < 0.0) {  // a cavity: as the body that would fill it
+      if (volume < 0.0) {  // a cavity: test the body that would fill it
         for (Eigen::Vector3i& t : part.triangles) std::swap(t[1], t[2]);
       }
       if (!(CalcOverlap(part).absolute_volume < kMaxFoldedShare * std::abs(volume))) return false;
@@ -460,7 +460,7 @@ class Checker {
   const TriMesh& mesh_;
   const PartsApart parts_apart_;
   const std::vector<MeshEdge> edges_;
-  const bool is_whole_;            // as many triangles one way as the other at every edge
+  const bool is_whole_;            // at every edge as many triangles run one way as the other
   bool are_parts_joined_ = false;  // at edges
   MeshReport report_;
   Shells shells_;

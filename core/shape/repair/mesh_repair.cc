@@ -18,7 +18,7 @@ double CalcExtent(const TriMesh& mesh) {
 
 void Flip(Eigen::Vector3i& triangle) { std::swap(triangle[1], triangle[2]); }
 
-// Walks over edges with two triangles; gives every patch one orientation, that of its majority.
+// Walks over edges with two triangles and gives each patch the orientation of its majority.
 int Orient(TriMesh& mesh) {
   std::vector<std::vector<std::pair<int, bool>>> neighbours(mesh.triangles.size());
   for (const MeshEdge& edge : ListEdges(mesh)) {
@@ -42,7 +42,7 @@ int Orient(TriMesh& mesh) {
         members.push_back(neighbour);
       }
     }
-    // The majority was right.
+    // The majority decides.
     const auto count = std::count_if(members.begin(), members.end(),
                                      [&](int member) { return is_flipped[member]; });
     const bool is_start_right = 2 * count <= static_cast<int64_t>(members.size());
@@ -55,7 +55,7 @@ int Orient(TriMesh& mesh) {
   return num_flipped;
 }
 
-// A shell that lies in no other one must face outwards; what lies in it turns with it.
+// Turns inverted shells: an outermost shell must face outwards, and the shells inside turn with it.
 int TurnShells(TriMesh& mesh) {
   const Shells shells = FindShells(mesh);
   if (shells.count > kMaxShells) return 0;
@@ -107,7 +107,7 @@ void DropUseless(MeshRepair& repair) {
        " triangles that only hang on the surface dropped", repair);
 }
 
-// Holes before seams: joining vertices across a small hole could crumple its rim.
+// Fills holes before seams: joining vertices across a small hole could crumple its rim.
 void CloseUp(double max_share, double max_seam, MeshRepair& repair) {
   int num_holes = FillHoles(max_share, repair.mesh);
   Note(SewSeams(max_seam * CalcExtent(repair.mesh), repair.mesh), "1 vertex joined along a seam",
@@ -153,7 +153,7 @@ MeshRepair RepairMesh(const TriMesh& mesh) {
   if (repair.mesh.triangles.empty()) return repair;
   Note(Orient(repair.mesh), kOneFlipped, kManyFlipped, repair);
   CloseUp(kMaxRepairedHole, kMaxRepairedSeam, repair);
-  Orient(repair.mesh);  // the fans belong to shells too
+  Orient(repair.mesh);  // the fans also belong to shells
   Note(TurnShells(repair.mesh), kOneTurned, kManyTurned, repair);
   return repair;
 }

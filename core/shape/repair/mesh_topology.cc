@@ -31,12 +31,12 @@ struct KeyHash {
   }
 };
 
-// Cells of one tolerance; whoever lies within it is in the same cell or in one of 26 neighbours.
+// Cells as wide as the tolerance: a point within it lies in the same cell or in a neighbouring one.
 class VertexGrid {
  public:
   explicit VertexGrid(double tolerance) : tolerance_(tolerance) {}
 
-  // Index of a stored point within the tolerance, the earliest one; -1: none.
+  // Returns the index of the first stored point within the tolerance; -1 when there is none.
   int FindNear(const Eigen::Vector3d& p, const std::vector<Eigen::Vector3d>& stored) const {
     const Key centre = KeyOf(p);
     int found = -1;
@@ -57,7 +57,7 @@ class VertexGrid {
 
  private:
   Key KeyOf(const Eigen::Vector3d& p) const {
-    // Far out the cells are clamped together: slower, not wrong.
+    // Far cells are clamped together, which is slower but still correct.
     const auto cell = [&](double x) {
       return static_cast<int64_t>(std::floor(std::fmin(std::fmax(x / tolerance_, -9e15), 9e15)));
     };
@@ -138,7 +138,7 @@ Triangle CornersOf(const TriMesh& mesh, int triangle) {
   return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
 }
 
-/** Of the segments pq and rs (Ericson 2005, 5.1.9). */
+/** Squared distance of the segments pq and rs (Ericson 2005, 5.1.9). */
 double CalcSquaredDistance(const Eigen::Vector3d& p, const Eigen::Vector3d& q,
                            const Eigen::Vector3d& r, const Eigen::Vector3d& s) {
   const auto clamp = [](double x) { return std::clamp(x, 0.0, 1.0); };
@@ -154,7 +154,7 @@ double CalcSquaredDistance(const Eigen::Vector3d& p, const Eigen::Vector3d& q,
   return (w + along * u - across * v).squaredNorm();
 }
 
-/** Does p lie above or below the triangle's inside, nearer than `gap`? */
+/** Whether p lies above or below the inside of the triangle, nearer than `gap`. */
 bool IsOnFace(const Eigen::Vector3d& p, const Triangle& t, double gap) {
   const Eigen::Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]);
   const double height = normal.dot(p - t[0]);
@@ -166,8 +166,8 @@ bool IsOnFace(const Eigen::Vector3d& p, const Triangle& t, double gap) {
   return true;
 }
 
-/** The nearest points of triangles that do not cross are those of two edges, or of a corner and a
-face. */
+/** Whether the triangles are within `gap`. The nearest points of triangles that do not cross lie on
+two edges, or on a corner and a face. */
 bool AreNear(const Triangle& a, const Triangle& b, double gap) {
   for (int i = 0; i < 3; ++i) {
     if (IsOnFace(a[i], b, gap) || IsOnFace(b[i], a, gap)) return true;
@@ -178,7 +178,7 @@ bool AreNear(const Triangle& a, const Triangle& b, double gap) {
   return false;
 }
 
-/** Does the segment pass through the triangle's plane within it? */
+/** Whether the segment passes through the inside of the triangle. */
 bool IsThrough(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Triangle& t) {
   const Eigen::Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]);
   const double at_p = normal.dot(p - t[0]), at_q = normal.dot(q - t[0]);
@@ -193,7 +193,7 @@ bool AreTouching(const Triangle& a, const Triangle& b, double gap) {
   return AreNear(a, b, gap);
 }
 
-/** The body of each shell, by its least shell. */
+/** Returns the body of each shell, named by its lowest shell. */
 std::vector<int> JoinTouching(const TriMesh& mesh, const Shells& shells, double gap) {
   std::vector<int> body(static_cast<size_t>(shells.count));
   std::iota(body.begin(), body.end(), 0);
@@ -219,7 +219,7 @@ std::vector<int> JoinTouching(const TriMesh& mesh, const Shells& shells, double 
 struct Body {
   TriMesh mesh;
   Eigen::AlignedBox3d box;
-  double volume = 0.0;  ///< negative: a cavity
+  double volume = 0.0;  ///< negative for a cavity
 };
 
 std::vector<Body> SplitBodies(const TriMesh& mesh, const Shells& shells, double gap) {
@@ -243,7 +243,8 @@ std::vector<Body> SplitBodies(const TriMesh& mesh, const Shells& shells, double 
   return bodies;
 }
 
-/** Around a point of the body, by all others: they do not cross it, so that any point does. */
+/** Winding number of the other bodies about a point of this one. They do not cross it: any point
+does. */
 int CalcWindingOfOthers(const std::vector<Body>& bodies, const Body& body) {
   const Triangle first = CornersOf(body.mesh, 0);
   const Eigen::Vector3d p = (first[0] + first[1] + first[2]) / 3.0;
@@ -278,7 +279,7 @@ namespace {
 
 constexpr int kNumSamples = 12;
 
-// Numbers that are joined to sets, each known by its least member.
+// Numbers joined into sets; each set is known by its least member.
 class JoinedSets {
  public:
   explicit JoinedSets(int count) : earlier_(count) {
@@ -298,7 +299,7 @@ class JoinedSets {
   std::vector<int> earlier_;
 };
 
-// The sides of triangles at one edge: the triangle, and +1 or -1 for its direction.
+// Sides of the triangles at one edge: the triangle, and +1 or -1 for its direction.
 using Sides = std::vector<std::pair<int, int>>;
 
 }  // namespace
@@ -318,7 +319,7 @@ Shells FindShells(const TriMesh& mesh) {
   }
   for (const auto& [edge, sides] : sides_at) {
     if (sides.size() <= 2) continue;
-    std::map<int, int> excess;  // by set: more one way than the other
+    std::map<int, int> excess;  // by set: sides in one direction less those in the other
     for (const auto& [triangle, direction] : sides) excess[sets.FindFirst(triangle)] += direction;
     int first = -1;
     for (const auto& [set, count] : excess) {

@@ -13,8 +13,8 @@
 namespace graspbench {
 namespace {
 
-constexpr int kMaxFins = 256;              // looked for one by one
-constexpr int64_t kMaxFinWork = 20000000;  // triangles looked at for that
+constexpr int kMaxFins = 256;              // tested one by one
+constexpr int64_t kMaxFinWork = 20000000;  // triangles visited in these tests
 
 TriMesh TakeTriangles(const TriMesh& mesh, std::vector<int> taken) {
   std::sort(taken.begin(), taken.end());
@@ -23,15 +23,15 @@ TriMesh TakeTriangles(const TriMesh& mesh, std::vector<int> taken) {
   return result;
 }
 
-// Triangles between edges of more than two triangles, and what they are like.
+// Connected triangles, bounded by edges that do not have exactly two triangles.
 struct Patch {
   double area = 0.0;
-  bool is_open = false;  // an edge of one triangle
-  bool hangs = false;    // an edge of more than two
-  bool is_wall = true;   // without it each of these is whole
+  bool is_open = false;  // has an edge of one triangle
+  bool hangs = false;    // has an edge of more than two triangles
+  bool is_wall = true;   // without it, each of these edges is balanced
 };
 
-// The number of each triangle's patch: connected over edges of exactly two triangles.
+// Returns the patch of each triangle: triangles connected over edges of exactly two triangles.
 std::vector<int> FindPatches(const TriMesh& mesh, const std::vector<MeshEdge>& edges) {
   std::vector<std::vector<int>> neighbours(mesh.triangles.size());
   for (const MeshEdge& edge : edges) {
@@ -63,7 +63,7 @@ std::vector<Patch> DescribePatches(const TriMesh& mesh, const std::vector<MeshEd
   for (int i = 0; i < mesh.num_triangles(); ++i) {
     patches[patch_of[i]].area += CalcArea(mesh, mesh.triangles[i]);
   }
-  // How many more triangles run along a crowded edge one way than the other: all, and by patch.
+  // Forward less backward triangles at each crowded edge: in all, and by patch.
   std::map<std::pair<int, int>, std::pair<int, std::map<int, int>>> crowded;
   for (const MeshEdge& edge : edges) {
     const int count = edge.num_forward + edge.num_backward;
