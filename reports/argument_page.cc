@@ -15,12 +15,12 @@ std::string NameSection(const ArgumentClaim& claim) {
   return std::string("claim-") + claim.question->id;
 }
 
-/** "(b) refuted". */
+/** The verdict as text, for example "(b) refuted, not run". */
 std::string FormatVerdict(const ArgumentClaim& claim) {
   return std::string(NameOf(claim.verdict)) + (claim.was_run() ? "" : ", not run");
 }
 
-/** The number of the headline in words. */
+/** Subject and number of the headline. */
 std::string DescribeHeadline(const ArgumentClaim& claim) {
   const ArgumentNumber* const number = claim.headline();
   if (number == nullptr) return "none";
@@ -44,7 +44,7 @@ Html DrawAnswers(const Claims& claims) {
          table.ToHtml();
 }
 
-/** Numbers of the headline's measure, less its null value, so that zero is the line to cross. */
+/** Plots the headline measure minus its null value, so that zero means no effect. */
 Html DrawNumbers(const ArgumentClaim& claim) {
   const ArgumentMeasure& measure = *claim.numbers.front().measure;
   const std::string less =

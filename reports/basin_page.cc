@@ -29,7 +29,8 @@ std::string DescribeSample(const BasinSample& sample) {
                                               : "");
 }
 
-/** A disc whose area is this share of the largest; not above 0: a cross. */
+/** Draws a disc with this share of the largest disc's area; draws a cross for a share of 0 or
+less. */
 Html DrawSample(const BasinSample& sample, double left, double share, const std::string& text) {
   const double x = left + 0.5 * kPanel * (1.0 + sample.offset_x / kBasinOffset);
   const double y = kTop + 0.5 * kPanel * (1.0 - sample.offset_y / kBasinOffset);
@@ -44,7 +45,7 @@ Html DrawSample(const BasinSample& sample, double left, double share, const std:
   return Element("circle", {{"class", "dot"}, {"cx", Px(x)}, {"cy", Px(y)}, {"r", Px(r)}}, hint);
 }
 
-/** What a map shows of each sample. */
+/** Size and text of one sample's mark in a map. */
 struct SampleMark {
   double share = 0.0;
   std::string text;
@@ -84,7 +85,7 @@ struct BasinView {
   BasinSummary summary;
 };
 
-/** Successes are discs whose area grows with sigma. */
+/** Draws successes as discs whose area grows with sigma. */
 Html DrawSigmaMap(const BasinView& view) {
   std::vector<SampleMark> marks;
   for (const BasinSample& sample : view.data.samples) {
@@ -98,7 +99,8 @@ Html DrawSigmaMap(const BasinView& view) {
        "Offsets in x and y in three slices of yaw; discs are successes, crosses are failures."});
 }
 
-/** Discs whose area falls with the threshold: what the least margin holds is the largest. */
+/** Draws discs whose area falls with the threshold; the smallest grip margin has the largest
+disc. */
 Html DrawBasinThresholdMap(const BasinView& view) {
   std::vector<SampleMark> marks;
   for (size_t i = 0; i < view.data.samples.size(); ++i) {

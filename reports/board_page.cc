@@ -27,7 +27,7 @@ std::string AnchorFailure(size_t line, const std::string& object) {
   return "failed-" + std::to_string(line) + "-" + object;
 }
 
-/** Where the line's trial on an object is shown, or what shows it; empty: nowhere. */
+/** Returns the link to this line's trial on an object or to its failure; empty if there is none. */
 std::string FindExample(const BoardPageData& data, size_t line, const std::string& object) {
   const BoardLine& of = data.board.lines[line];
   const auto example = of.examples.find(object);
@@ -138,7 +138,7 @@ Html DrawFailures(const BoardPageData& data) {
   Table table("A failed trial of each entry on each object, of the public draws.",
               {"Entry", "Hand", "Object", "Failed trial", "Ended as", "Pack"});
   const BoardTrial* first = nullptr;
-  std::string pack;  // of the first
+  std::string pack;  // pack of the first trial
   for (size_t i = 0; i < board.lines.size(); ++i) {
     const BoardLine& line = board.lines[i];
     plot.rows.push_back(
@@ -175,7 +175,7 @@ Html DrawFailures(const BoardPageData& data) {
          table.ToHtml();
 }
 
-/** A paragraph per line of the author's. */
+/** Renders each line of the author's notes as a paragraph. */
 Html DrawNotes(const std::string& notes) {
   Html paragraphs;
   for (size_t start = 0; start < notes.size();) {

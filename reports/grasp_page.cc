@@ -14,7 +14,8 @@ struct DrawnGrasp {
   Html course;
 };
 
-/** The course as a view takes it: the stages are its closure, a push its hold. */
+/** Converts a free-space run to a traced trial: its stages become the closure and a push the
+hold. */
 TracedTrial MakeTraced(const TracedFreeSpace& traced) {
   TracedTrial shown;
   shown.result.outcome = traced.result.passed         ? Outcome::kSuccess

@@ -11,7 +11,7 @@
 namespace graspbench {
 namespace {
 
-constexpr size_t kMostFailures = 1000;  // rows of a page; grasps.csv has all
+constexpr size_t kMostFailures = 1000;  // rows on the page; grasps.csv has all of them
 
 struct GraspsView {
   const Json& config;

@@ -19,7 +19,7 @@ struct MapView {
   const MapResult& result;
 };
 
-/** One plane of a map: what a part says of one measure, hand and late digit. */
+/** One plane of a map: the results of one part for one measure, hand and late digit. */
 struct Plane {
   const MapPartResult& part;
   const MapMeasureRow& measure;
@@ -35,7 +35,8 @@ std::vector<Plane> ListPlanes(const MapResult& result) {
   std::vector<Plane> planes;
   for (const MapPartResult& part : result.parts) {
     for (const MapMeasureRow& measure : kMapMeasures) {
-      // Success and push are asked of every trial; the first part has most of them.
+      // Success and push are measured in every trial, so only the first part, with the most trials,
+      // shows them.
       const bool is_general =
           measure.value == MapMeasure::kSuccess || measure.value == MapMeasure::kPush;
       if (is_general && &part != &result.parts.front()) continue;
@@ -97,7 +98,7 @@ Html DrawPlane(const Plane& plane) {
       if (!alone || alone->num_pairs == 0) continue;
       levels.push_back({factor, level});
       drawn.rows.push_back(map.factors[factor].name + " " + map.factors[factor].levels[level]);
-      if (factor == 0) continue;  // every level stands once with each of another factor
+      if (factor == 0) continue;  // every level occurs once with each level of another factor
       drawn.columns.push_back(map.factors[factor].levels[level]);
       drawn.groups.push_back(map.factors[factor].name);
     }
@@ -139,12 +140,12 @@ Html DrawPlanes(const MapView& view) {
   return content;
 }
 
-/** The first of those that changed, as commands take it. */
+/** The first changed item, as commands accept it. */
 Html NameChanged(const std::vector<std::string>& changed) {
   return changed.empty() ? Text("-") : Element("code", {}, Text(changed.front()));
 }
 
-/** Which of the large regions resolve success to 5 points, by hand. */
+/** Lists by hand which of the large regions resolve success to 5 percentage points. */
 Html DrawPrecision(const SimultaneityMap& map) {
   Html content;
   for (const std::string& hand : map.hands) {

@@ -23,7 +23,7 @@ std::string FormatTouchShare(double share) {
   return std::isinf(share) ? "never" : FormatFixed(100.0 * share, 1);
 }
 
-/** Of who touches; a quartile beyond every touch is said, not drawn. */
+/** One row for `who` touches; a quartile that is never reached appears only in the text. */
 IntervalPlot::Row MakeTouchRow(const std::string& who, int series, const Answer<TouchLags>& lags,
                                const std::string& digit) {
   IntervalPlot::Row row;

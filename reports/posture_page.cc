@@ -19,18 +19,21 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr int kWidth = 480, kHeight = 400;  // of a picture [pixels]
-constexpr double kArrow = 0.02;             // of a pad's direction [m]
+constexpr int kWidth = 480, kHeight = 400;  // size of a picture [px]
+constexpr double kArrow = 0.02;             // length of a pad's normal arrow [m]
 
-/** How the pads of a posture stand; heights are along the approach. */
+/** Geometry of the pads in a posture; heights are measured along the approach. */
 struct PadStand {
-  std::vector<PadState> pads;  // of the grasp's digits, the opposing one first
-  double opening = 0.0;        // across the approach, thumb to the middle of the fingers [m]
-  double off_facing = 0.0;     // of the worst finger from facing the thumb's pad [rad]
-  double off_level = 0.0;      // of the highest pad from the lowest [m]
-  double off_down = 0.0;       // of the worst fingertip from the approach [rad]
-  double reach = 0.0;          // of the pads beyond the middle of the palm [m]
-  double gap = 0.0;            // least distance of neighbouring fingers' pads; one finger: 0 [m]
+  std::vector<PadState> pads;  // pads of the grasp's digits, the opposing one first
+  double opening = 0.0;        // distance from the thumb to the mean of the fingers, across the
+                               // approach [m]
+  double off_facing = 0.0;     // largest angle between a finger pad's normal and the thumb pad's
+                               // facing direction [rad]
+  double off_level = 0.0;      // height difference of the highest and lowest pad [m]
+  double off_down = 0.0;       // largest angle between a fingertip and the approach [rad]
+  double reach = 0.0;          // mean height of the pads beyond the middle of the palm [m]
+  double gap = 0.0;            // least distance of pads of neighbouring fingers; 0 for one finger
+                               // [m]
 };
 
 double CalcAngle(const Vector3d& a, const Vector3d& b) {
@@ -131,14 +134,14 @@ Html DrawJoints(const Hand& hand, const DevelopedGrasp& one) {
   return MakeDetails("Joint positions", table.ToHtml());
 }
 
-/** Of its digits. */
+/** Whether any digit has visual shapes. */
 bool HasPictures(const Hand& hand) {
   return std::any_of(hand.visuals.begin(), hand.visuals.end(), [&](const LinkVisual& visual) {
     return hand.FindDigitOfLink(visual.link) >= 0;
   });
 }
 
-/** What the colours of its pictures are. */
+/** Explains the colours of the hand's pictures. */
 std::string DescribeColours(const Hand& hand) {
   return std::string("The hand approaching from above. Red arrows are the normals of the pads. ") +
          (HasPictures(hand)
@@ -148,19 +151,20 @@ std::string DescribeColours(const Hand& hand) {
                 "the pads (blue), balls of other links (orange), capsules (grey).");
 }
 
-/** The hand over the table as it comes to an object, its pads with arrows where they face. */
+/** Makes a scene of the hand approaching an object from above, with arrows for the pads'
+normals. */
 Scene MakePostureScene(const std::shared_ptr<const Hand>& hand, const Grasp& grasp,
                        const VectorXd& q, const Pose& X_WH) {
   Scene scene;
   scene.has_table = false;
   AddHand(hand, q, X_WH, &scene);
   if (!HasPictures(*hand)) AddContactShapes(*hand, q, X_WH, &scene);
-  for (size_t i = 0; i < hand->visuals.size(); ++i) {  // the palm, too
+  for (size_t i = 0; i < hand->visuals.size(); ++i) {  // the palm's shape, too
     if (hand->visuals[i].link == hand->palm_link) scene.drawables[i].must_be_seen = true;
   }
   std::vector<ContactMark> marks;
   for (const PadState& pad : CalcStand(*hand, grasp, q).pads) {
-    ContactMark mark;  // an arrow ends at its contact
+    ContactMark mark;  // an arrow ends at its contact point
     mark.nhat_W = X_WH.linear() * pad.nhat_H;
     mark.p_WC = X_WH * pad.p_HPad + kArrow * mark.nhat_W;
     mark.force_W = mark.nhat_W;

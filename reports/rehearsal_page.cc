@@ -12,16 +12,16 @@
 namespace graspbench {
 namespace {
 
-constexpr int kRehearsedWidth = 360, kRehearsedHeight = 300;  // [pixels]
-constexpr size_t kMostPictured = 4;                           // candidates of a pair
-constexpr size_t kMostPairs = 12;                             // that have all their pictures
+constexpr int kRehearsedWidth = 360, kRehearsedHeight = 300;  // [px]
+constexpr size_t kMostPictured = 4;                           // candidates per pair
+constexpr size_t kMostPairs = 12;                             // pairs that have all their pictures
 
 std::string NameOfPair(const RehearsedPair& pair) { return pair.hand + ", " + pair.object; }
 std::string IdOfPair(const RehearsedPair& pair) {
   return "pair-" + std::to_string(pair.request + 1);
 }
 
-/** The chosen one, then the longest runs of the others. */
+/** Lists the chosen candidate first, then the others by decreasing run length. */
 std::vector<size_t> ListBest(const Rehearsal& rehearsal) {
   std::vector<size_t> order;
   const auto chosen = static_cast<size_t>(rehearsal.chosen);

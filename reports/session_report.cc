@@ -60,7 +60,7 @@ struct KindPage {
   bool (*is_of)(const Session& session);
   std::string (*make)(const Session& session);
 };
-/** The first that fits. */
+/** The first matching entry is used. */
 constexpr KindPage kKindPages[] = {
     {[](const Session& session) { return IsMap(session.config); },
      [](const Session& session) { return MakeMapPage(session, LoadMap(session)); }},
@@ -71,7 +71,7 @@ constexpr KindPage kKindPages[] = {
     {IsBasin, MakeBasinPage},
     {IsTransfer, MakeTransferPage}};
 
-/** The page of a session that is more than its trials; empty: it is not. */
+/** Returns the page of a session of a special kind; empty for any other session. */
 std::string MakeKindPage(const Session& session) {
   for (const KindPage& kind : kKindPages) {
     if (kind.is_of(session)) return kind.make(session);
@@ -94,7 +94,7 @@ std::filesystem::path WriteSessionReport(const std::filesystem::path& folder, Se
   if (!page.empty()) return WriteReportPage(folder, page);
   const SessionSummary summary = SummariseSession(session);
   const SessionModels models = LoadSessionModels(session);
-  std::vector<PlannedTrial>().swap(session.plan);  // nobody asks for it any more
+  std::vector<PlannedTrial>().swap(session.plan);  // the plan is no longer needed
   return WriteReport(folder, session, summary, models, trace);
 }
 

@@ -13,7 +13,7 @@
 namespace graspbench {
 namespace {
 
-constexpr size_t kMaxBytes = 20'000'000;  // of the views; the whole page may have 25 MB
+constexpr size_t kMaxBytes = 20'000'000;  // of the views; the limit of the whole page is 25 MB
 
 struct ChosenTrial {
   const TrialRecord* record = nullptr;
@@ -22,8 +22,8 @@ struct ChosenTrial {
   std::string name;
 };
 
-/** Every failure, and a success of each condition; failures first, because there is room for so many
-only. */
+/** Lists every failure and one success of each condition. Failures come first, because the space is
+limited. */
 std::vector<ChosenTrial> ChooseViewedTrials(const Session& session, const SessionSummary& summary,
                                             const SessionModels& models) {
   std::vector<ChosenTrial> chosen;

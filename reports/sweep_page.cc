@@ -20,7 +20,7 @@ struct SweepView {
 
 std::string NameCondition(const std::string& name) { return name.empty() ? "base" : name; }
 
-/** "tum: base 75 %, lowest 25 % (..); success changes with ..": what came out for a hand. */
+/** Summarises a hand: "tum: base 75 %, lowest 25 % (..); success changes with ..". */
 std::string DescribeHand(const SweepSummary& summary, const std::string& hand) {
   const ConditionRow* base = nullptr;
   const ConditionRow* lowest = nullptr;
@@ -63,7 +63,7 @@ std::string CountDraws(const SweepEffect& effect) {
          (effect.num_left_out == 0 ? "" : "; left out " + effect.why_left_out);
 }
 
-/** Of one measure and hand, a row for each level; empty: no effect has a value. */
+/** Plots the effects on one measure and hand, one row per level; empty if no effect has a value. */
 Html DrawEffectPlot(const SweepSummary& summary, const std::string& hand,
                     const SweepMeasure& measure) {
   IntervalPlot plot;
@@ -96,7 +96,8 @@ Html DrawEffectPlot(const SweepSummary& summary, const std::string& hand,
                     MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
 }
 
-/** The condition with these levels of the first factors and the base's of all others; null: none. */
+/** Returns the condition with these levels of the first factors and base levels of the others, or
+null. */
 const ConditionRow* FindRowAt(const SweepSummary& summary, const std::string& hand,
                               std::vector<std::string> levels) {
   for (size_t i = levels.size(); i < summary.factors.size(); ++i) {
@@ -108,8 +109,8 @@ const ConditionRow* FindRowAt(const SweepSummary& summary, const std::string& ha
   return found == summary.rows.end() ? nullptr : &*found;
 }
 
-/** Shades run from the least to the largest value of the measure in all maps of a hand; those of
-success from none to all. */
+/** Range of the shades. It covers the measure's values in all maps of a hand; for success it is 0
+to 1. */
 struct ShadeRange {
   double low = 0.0, high = 1.0;
   double CalcShade(double value) const { return high > low ? (value - low) / (high - low) : 0.5; }

@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kTransferWidth = 320, kTransferHeight = 280;  // [pixels]
 
-/** A rod between two points. */
+/** Makes a rod between two points. */
 Drawable MakeBone(const Eigen::Vector3d& p_WA, const Eigen::Vector3d& p_WB) {
   constexpr double kRadius = 0.004;  // [m]
   constexpr int kSegments = 12;
@@ -40,8 +40,9 @@ Drawable MakeBone(const Eigen::Vector3d& p_WA, const Eigen::Vector3d& p_WB) {
   return bone;
 }
 
-/** A person's digits as bones from joint to joint, knuckles joined; of one marker a digit its place.
-@param places  open or at contact. */
+/** Draws a person's digits as bones between joints, with the knuckles connected. A digit with one
+marker is drawn as a point.
+@param places joints in the open hand or at contact */
 Scene DrawPerson(const TransferRow& row, Eigen::VectorXd TransferPerson::*places,
                  const std::shared_ptr<const GraspObject>& object, const Pose& X_WO) {
   Scene scene;
@@ -64,7 +65,7 @@ Scene DrawPerson(const TransferRow& row, Eigen::VectorXd TransferPerson::*places
   return scene;
 }
 
-/** Pictures of one person on one object and of the hands that took the grasp over. */
+/** Pictures of one person on one object and of the hands that take over the grasp. */
 class TransferFilm {
  public:
   TransferFilm(const Session& session, const TransferFile& file)
@@ -72,11 +73,11 @@ class TransferFilm {
         inputs_(LoadSessionInputs(session.config, FieldUse::kLater, session.folder)),
         renderer_(kTransferWidth, kTransferHeight) {}
 
-  /** Of each object the first person whose grasp every hand takes over, or most of them. */
+  /** Draws for each object the first person whose grasp the most hands can take over. */
   Html Draw() {
     Html html;
     for (const auto& object : inputs_.objects) {
-      std::map<std::string, std::vector<const TransferRow*>> rows;  // by grasp
+      std::map<std::string, std::vector<const TransferRow*>> rows;  // rows of each grasp
       for (const TransferRow& row : file_.rows) {
         if (row.object == object->id && row.not_transferable.empty()) {
           rows[row.grasp].push_back(&row);
@@ -117,7 +118,7 @@ class TransferFilm {
     return {};
   }
 
-  /** At the widest opening and at contact, seen from the side that the person came from. */
+  /** Draws the widest opening and the contact, seen from the side that the person came from. */
   template <class MakeScene>
   Html DrawFrames(const std::string& who, const MakeScene& make_scene) {
     const Eigen::Vector3d to_eye(0.5, -1.0, 0.7);
@@ -143,7 +144,7 @@ class TransferFilm {
   Renderer renderer_;
 };
 
-/** Medians with ranges. */
+/** Plots medians with ranges. */
 Html DrawLags(const std::vector<TransferLags>& lags) {
   IntervalPlot plot;
   plot.text.title = "Contact times after the first contact";
@@ -177,7 +178,7 @@ Html DrawLags(const std::vector<TransferLags>& lags) {
       MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
 }
 
-/** Or how to have them. */
+/** Tabulates the loads, or states how to obtain them. */
 Html DrawLoads(const std::vector<TransferSummary>& hands) {
   const bool has_any = std::any_of(hands.begin(), hands.end(), [](const TransferSummary& summary) {
     return !std::isnan(summary.loads.threshold) || !std::isnan(summary.loads.breaking_force);

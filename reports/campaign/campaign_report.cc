@@ -19,7 +19,7 @@ std::vector<CampaignSection> ListCampaignSections() {
 
 namespace {
 
-/** Every setting that is not the default, in the order of the configuration. */
+/** Appends every setting that differs from its default, in the order of the configuration. */
 void AddSettings(const Json& config, const Json& defaults, const std::string& above,
                  std::string& line) {
   for (const auto& [key, value] : config.items()) {

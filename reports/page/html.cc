@@ -66,7 +66,7 @@ Html Element(const char* tag, const Attributes& attributes, const Html& content)
   for (const Attribute& attribute : attributes) {
     size += std::strlen(attribute.name) + 4 + attribute.value.size();
   }
-  markup.reserve(size);  // a section of a page may be 10 MB, and twice that as it grew
+  markup.reserve(size);  // a section may take 10 MB, and twice that while it grows
   markup += '<';
   markup += tag;
   for (const Attribute& attribute : attributes) {

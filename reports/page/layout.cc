@@ -52,7 +52,7 @@ std::string AddScript(std::string page, const PageScript& added) {
   GRASPBENCH_DEMAND(added.script.find("</script") == std::string::npos &&
                         added.script.find("]]>") == std::string::npos,
                     "the script of the page");
-  // The comments make it text for XML parsers, too.
+  // The comments let XML parsers read the script as text, too.
   const std::string script = "//<![CDATA[\n" + added.script + "\n//]]>\n";
   InsertAt(page, page.rfind(kBodyEnd), kBodyEnd, "<script>" + script + "</script>\n");
   const size_t head_end = page.find(kHeadEnd);
@@ -68,8 +68,8 @@ std::string AddScript(std::string page, const PageScript& added) {
 
 namespace {
 
-/** What the page shows. Of the experiments on a session's draws it is the sensitivity, a run that
-comes later among it; empty: the whole store. */
+/** Lists the files that the page shows; empty means the whole store. Of the experiments on a
+session's draws the page shows only the sensitivity, which may run later. */
 std::vector<std::string> ListShown(const std::filesystem::path& folder) {
   if (FindStoreKind(folder) != &kSessionStore) return {};
   std::vector<std::string> shown = kSessionStore.files;
@@ -101,7 +101,7 @@ std::vector<std::pair<std::string, std::string>> ListFacts(const PageFrame& fram
   return facts;
 }
 
-/** The entry with this key, up to its closing brace. */
+/** Returns the BibTeX entry with this key, including its closing brace. */
 std::string FindReference(const std::string& key) {
   const std::string_view all = assets::kReferences;
   const size_t name = all.find("{" + key + ",");
@@ -184,13 +184,14 @@ Html MakeMethodsText(const std::vector<std::string>& paragraphs) {
 
 namespace {
 
-// NumberParts finds what has these and no other elements.
+// AppendNumbered recognises figures and tables by these openings, which no other elements have.
 constexpr char kFigureOpening[] = "<figure id=\"", kTableOpening[] = "<div id=\"table-";
 constexpr char kFigureLabel[] = "<b class=\"nr\">Figure", kTableLabel[] = "<b class=\"nr\">Table";
 
 Html MakeNumberLabel(const char* word) { return Element("b", {{"class", "nr"}}, word); }
 
-/** "All cells, 95 % interval" = "all-cells-95-interval"; whole words of at most some 60 letters. */
+/** Makes a slug: "All cells, 95 % interval" becomes "all-cells-95-interval". It keeps whole words
+up to some 60 letters. */
 std::string MakeSlug(std::string_view text) {
   constexpr size_t kLongest = 60;
   std::string slug;
@@ -207,8 +208,9 @@ std::string MakeSlug(std::string_view text) {
   return slug.substr(0, 2 * kLongest);
 }
 
-/** "12.5", "6 of 10", "-0.4 (-1.2 to 0.3)", "x 1.41", "F = 1.91", "3 ms"; what stands for no number
-is one, too. "1 lost while closing" is none: it has words longer than units. */
+/** Recognises numbers such as "12.5", "6 of 10", "-0.4 (-1.2 to 0.3)", "x 1.41", "F = 1.91" and "3
+ms", and placeholders for missing numbers. "1 lost while closing" is not a number because its words
+are longer than units. */
 bool IsNumber(const std::string& text) {
   constexpr size_t kLongest = 40, kLongestUnit = 3;
   if (text.empty() || text == "-" || text == "n/a" || text == "none held") return true;
@@ -224,7 +226,7 @@ bool IsNumber(const std::string& text) {
          value[start] >= '0' && value[start] <= '9';
 }
 
-/** Whoever uses the keyboard must be able to reach what scrolls. */
+/** Wraps content in a scrollable group that can be reached with the keyboard. */
 Html DrawScroll(Attributes attributes, std::string_view label, const Html& content) {
   attributes.insert(attributes.end(), {{"class", "scroll"},
                                        {"role", "group"},
@@ -353,11 +355,10 @@ Html MakeDetails(std::string_view summary, const Html& content) {
 
 namespace {
 
-// What came from a file cannot be taken for it: its "<" is escaped.
+// Text from a file cannot be mistaken for this mark, because its "<" is escaped.
 constexpr char kBodyMark[] = "<!--body-->";
 
-/** Appends the body, whose figures and tables get their numbers; an id that stands there already
-gets one, too. */
+/** Appends the body and numbers its figures, tables and repeated ids. */
 void AppendNumbered(const std::string& body, std::string& numbered) {
   const std::pair<std::string_view, bool> marks[] = {
       {kFigureOpening, true}, {kTableOpening, true}, {kFigureLabel, false}, {kTableLabel, false}};
@@ -377,9 +378,9 @@ void AppendNumbered(const std::string& body, std::string& numbered) {
   numbered.append(body, done, std::string::npos);
 }
 
-/** @param provenance  for machines; empty: none */
+/** @param provenance machine-readable; empty if there is none */
 std::string RenderPage(const PlainPage& plain, const std::string& provenance) {
-  // The comments make the script a part of XML, too.
+  // The comments make the script valid in XML, too.
   const std::string script = "//<![CDATA[\n" + std::string(assets::kScript) + "//]]>";
   kainjow::mustache::mustache page{std::string(assets::kPage)};
   kainjow::mustache::data data;
@@ -390,7 +391,7 @@ std::string RenderPage(const PlainPage& plain, const std::string& provenance) {
   data.set("script_source", FormatScriptSource(script));
   if (!provenance.empty()) data.set("provenance", provenance);
   data.set("contents", plain.navigation.markup());
-  // A body of 10 MB would be copied many times: it takes its place in what is rendered without it.
+  // Rendering would copy a body of 10 MB many times, so it replaces a mark afterwards.
   data.set("body", std::string(kBodyMark));
   std::string html = page.render(data);
   GRASPBENCH_DEMAND(page.is_valid(), page.error_message());

@@ -17,7 +17,7 @@ std::shared_ptr<const T> FindIn(const std::map<std::string, std::shared_ptr<cons
   return found == models.end() ? nullptr : found->second;
 }
 
-/** Stored types, where the camera chooses and the session has none of its own. */
+/** Adds the shipped grasp types when the camera chooses and the session has none of its own. */
 void AddShippedTypes(const SessionConfig& config, const SessionInputs& inputs,
                      RehearsedTypes& types) {
   if (!HasGraspBySight(config)) return;

@@ -26,7 +26,7 @@ std::string AttributeOf(const XMLElement& element, const char* name) {
   return value ? value : "";
 }
 
-/** Calls `take` for the element and all below it, in the page's order. */
+/** Calls `take` for the element and all its descendants in document order. */
 void ForEachElement(const XMLElement& root, const std::function<void(const XMLElement&)>& take) {
   take(root);
   for (const auto* child = root.FirstChildElement(); child; child = child->NextSiblingElement()) {
@@ -45,7 +45,7 @@ const XMLElement* FindBelow(const XMLElement& root, const char* tag, const char*
   return found;
 }
 
-/** Without what a caption advises to look for. */
+/** Returns the text without the part of a caption that says what to look for. */
 std::string TextBelow(const tinyxml2::XMLNode& node) {
   if (const auto* text = node.ToText()) return text->Value();
   if (node.ToElement() && AttributeOf(*node.ToElement(), "class") == "look") return {};
@@ -56,7 +56,7 @@ std::string TextBelow(const tinyxml2::XMLNode& node) {
   return all;
 }
 
-/** The value that style.css gives a variable by day, which stands there first. */
+/** Value of a style.css variable in the light theme, which comes first in the file. */
 std::string FindColour(const std::string& variable) {
   const std::string_view style = assets::kStyle;
   const std::string start = "  " + variable + ": ";
@@ -66,7 +66,7 @@ std::string FindColour(const std::string& variable) {
   return std::string(style.substr(begin, style.find(';', begin) - begin));
 }
 
-/** The rules of plot.css with values in place of variables: few programs know those in SVG. */
+/** The rules of plot.css with variables replaced by values, which few SVG programs support. */
 std::string MakePlotStyle() {
   const std::string_view rules = assets::kPlotStyle;
   std::string style = ".plot { font-family: sans-serif; }\n";
@@ -81,12 +81,13 @@ std::string MakePlotStyle() {
     done = end + 1;
   }
   style += rules.substr(done);
-  const size_t centred = style.find(kCentred);  // each text has the shift itself, see FormatPlot
+  const size_t centred = style.find(kCentred);  // each text carries the shift itself, see
+                                                // FormatPlot
   if (centred != std::string::npos) style.erase(centred, kCentred.size());
   return style;
 }
 
-/** Texts are centred about y by a shift that every program knows, links become groups. */
+/** Centres texts about y by a shift that every program supports, and turns links into groups. */
 void MakeSelfContained(XMLElement& element) {
   if (HasTag(element, "text")) element.SetAttribute("dy", "0.35em");
   if (HasTag(element, "a")) {
@@ -150,7 +151,7 @@ std::string EscapeLatex(const std::string& text) {
   return escaped;
 }
 
-/** A tabular of booktabs; numbers are right-aligned as on the page. */
+/** Formats a booktabs tabular; numbers are right-aligned as on the page. */
 std::string FormatLatex(const XMLElement& table) {
   std::string columns, head, rows;
   ForEachElement(table, [&](const XMLElement& row) {
@@ -168,7 +169,8 @@ std::string FormatLatex(const XMLElement& table) {
          "\\bottomrule\n\\end{tabular}\n";
 }
 
-/** "figure-success-rate-by-hand-and-by-grasp", 3: "03-success-rate-by-hand". */
+/** Shortens an id: "figure-success-rate-by-hand-and-by-grasp" with number 3 becomes
+"03-success-rate-by-hand". */
 std::string MakeShortName(const std::string& id, int number) {
   constexpr int kNumWords = 4;
   std::string name = fmt::format("{:02}", number);
@@ -189,12 +191,13 @@ std::string FormatMethods(const XMLElement& methods) {
   return text;
 }
 
-/** What a page gives, in its order. */
+/** Collects the files that a page provides, in the order of the page. */
 class PaperMaker {
  public:
   explicit PaperMaker(PaperParts parts) : parts_(parts), style_(MakePlotStyle()) {}
 
-  /** The element and all below it. @param is_folded  it stands in something to open. */
+  /** Takes the element and all its descendants.
+  @param is_folded whether the element is inside a collapsed section */
   void Take(const XMLElement& element, bool is_folded) {
     if (AttributeOf(element, "id") == "provenance") has_tables_ = false;
     TakeOne(element, is_folded);
@@ -258,9 +261,9 @@ class PaperMaker {
   PaperParts parts_;
   std::string style_, captions_ = "# Figures and tables\n";
   std::vector<PaperFile> files_;
-  bool has_tables_ = true;                    // until versions and citation, the last section
-  int num_figures_ = 0, num_tables_ = 0;      // of the page
-  int figures_taken_ = 0, tables_taken_ = 0;  // unfolded ones
+  bool has_tables_ = true;                    // false from versions and citation, the last section
+  int num_figures_ = 0, num_tables_ = 0;      // on the page
+  int figures_taken_ = 0, tables_taken_ = 0;  // those not folded
 };
 
 }  // namespace

@@ -31,7 +31,7 @@ std::string SeriesClass(const char* part, size_t series) {
   return std::string(part) + " series" + std::to_string(series);
 }
 
-/** "M x y L x y ..." with a new start after each point that is missing. */
+/** Formats "M x y L x y ..", starting a new subpath after each missing point. */
 template <class PlaceX, class PlaceY>
 std::string MakePath(const std::vector<double>& x, const std::vector<double>& y,
                      const PlaceX& place_x, const PlaceY& place_y) {
@@ -63,7 +63,7 @@ Html DrawHorizontalAxis(const Axis& axis, double left, double width, double top,
 
 using Place = std::function<double(double)>;
 
-/** Between `low` and `high` of a series, where both are finite. */
+/** Draws the band between `low` and `high` of a series where both are finite. */
 Html DrawBand(const LinePlot::Series& series, size_t number, const Place& place_x,
               const Place& place_y) {
   std::vector<double> x, edge;
@@ -99,10 +99,10 @@ Html DrawMarks(const std::vector<StripChart::Mark>& unsorted, double y, double l
   return content;
 }
 
-/** The row above the plot, 0 is the lowest, in which each mark's label meets none before it. */
+/** Row of each mark's label above the plot, 0 being the lowest, such that no labels overlap. */
 std::vector<int> PlaceMarkLabels(const std::vector<LinePlot::Mark>& marks, const Place& place_x) {
-  constexpr double kShare = 11.0 / 13.0;  // of the large letters that CalcLabelWidth counts
-  std::vector<double> free_from;          // of each row [px]
+  constexpr double kShare = 11.0 / 13.0;  // of the capital letters that CalcLabelWidth assumes
+  std::vector<double> free_from;          // left end of the free part of each row [px]
   std::vector<int> rows;
   for (const LinePlot::Mark& mark : marks) {
     const double half = 0.5 * kShare * CalcLabelWidth({mark.label});
@@ -120,7 +120,7 @@ std::vector<int> PlaceMarkLabels(const std::vector<LinePlot::Mark>& marks, const
 Html DrawLinePlot(const LinePlot& plot) {
   GRASPBENCH_DEMAND(plot.series.size() <= kMaxSeries, plot.text.title);
   constexpr double kWidth = 460.0, kHeight = 240.0, kAxis = 38.0, kLegendRow = 18.0, kKey = 26.0;
-  constexpr double kAxisName = 24.0;  // above the highest tick, whose text must not touch it
+  constexpr double kAxisName = 24.0;  // above the highest tick, whose label it must not touch
   Range range_x, range_y;
   for (const LinePlot::Series& series : plot.series) {
     GRASPBENCH_DEMAND(series.x.size() == series.y.size(), series.label);
@@ -187,7 +187,7 @@ Html DrawLinePlot(const LinePlot& plot) {
 
 namespace {
 
-/** Ticks below the middle of a row, in one path: there may be thousands. */
+/** Draws ticks below the middle of a row as one path, because there may be thousands. */
 template <class PlaceX>
 Html DrawSingles(const std::vector<double>& singles, double y, const PlaceX& place_x) {
   constexpr double kBelow = 4.0, kTick = 5.0;
@@ -293,7 +293,7 @@ Html DrawStripChart(const StripChart& chart) {
   for (const StripChart::Phase& phase : chart.phases) {
     const double from = place_x(phase.from), to = place_x(phase.to);
     content += Line("mark", from, legend, from, bottom);
-    // A short phase has no room for its name; it is said when pointed at.
+    // A short phase has no room for its name, which is shown on hover.
     if (to - from >= kSmall * (CalcLabelWidth({phase.label}) - kPlotGap)) {
       content += Label("middle small", (from + to) / 2.0, legend + kHead / 2.0, phase.label);
     } else {

@@ -9,7 +9,7 @@
 namespace graspbench {
 namespace {
 
-// Letters of the 13 px labels are about this wide.
+// Approximate width of a letter in the 13 px labels.
 constexpr double kLetterWidth = 7.4;
 constexpr double kMaxLabelWidth = 320.0;
 

@@ -12,14 +12,14 @@
 namespace graspbench {
 namespace {
 
-constexpr double kBold = 1.15;  // heads are so much wider
+constexpr double kBold = 1.15;  // width of bold headings relative to labels
 
-/** Of a head, which is bold. */
+/** Width of a bold heading. */
 double CalcHeadWidth(const std::string& text) {
   return kBold * (CalcLabelWidth({text}) - kPlotGap);
 }
 
-/** Whole words, in lines of at most this width unless a word is wider. */
+/** Breaks a heading into lines of whole words, at most this wide unless one word is wider. */
 std::vector<std::string> WrapHead(const std::string& text, double width) {
   std::vector<std::string> lines;
   std::istringstream words(text);
@@ -30,7 +30,8 @@ std::vector<std::string> WrapHead(const std::string& text, double width) {
   return lines;
 }
 
-/** As narrow as the cells' texts and the words of the heads: a map of two hands fits a phone. */
+/** Returns the least width that fits the cells' texts and the words of the headings, so that a map
+of two hands fits on a phone. */
 double CalcColumnWidth(const HeatMap& map) {
   std::vector<std::string> texts = {"10 / 10"};
   for (const HeatMap::Cell& cell : map.cells) texts.push_back(cell.text);
@@ -40,7 +41,8 @@ double CalcColumnWidth(const HeatMap& map) {
       width = std::max(width, CalcHeadWidth(word));
     }
   }
-  for (size_t c = 0, end = 0; c < map.groups.size(); c = end) {  // a name of few columns
+  for (size_t c = 0, end = 0; c < map.groups.size(); c = end) {  // a group's name may span few
+                                                                 // columns
     while (end < map.groups.size() && map.groups[end] == map.groups[c]) ++end;
     const double room = CalcLabelWidth({map.groups[c]}) + kPlotGap;
     width = std::max(width, room / static_cast<double>(end - c));
@@ -48,7 +50,7 @@ double CalcColumnWidth(const HeatMap& map) {
   return width;
 }
 
-/** Slanted lines over a box. */
+/** Draws slanted lines over a box. */
 Html Hatch(double x, double y, double width, double height) {
   constexpr double kStep = 9.0;
   Html lines;
@@ -128,7 +130,7 @@ Html DrawRateBars(const RateBars& plot) {
     labels.push_back(bar.label);
     texts.push_back(bar.text);
   }
-  // The numbers stand below the labels, where a phone shows them, too.
+  // The numbers stand below the labels, where they are also visible on a phone.
   const double left = std::max(kBold * CalcLabelWidth(labels), CalcLabelWidth(texts)) + kPlotGap;
   const double bottom = kRow * static_cast<double>(plot.bars.size());
   Html content;

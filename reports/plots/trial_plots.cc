@@ -55,8 +55,8 @@ Html DrawContactStrip(const TrialRecord& record, const std::string& name,
 
 namespace {
 
-constexpr double kPlotInterval = 0.03;  // finer would not be seen [s]
-constexpr size_t kMaxDrawnCurves = 8;   // of a plot
+constexpr double kPlotInterval = 0.03;  // a finer resolution would not be visible [s]
+constexpr size_t kMaxDrawnCurves = 8;   // in one plot
 constexpr const char* kTimeAxis = "time since the start [s]";
 
 std::vector<const TraceInstant*> ChooseShownInstants(const std::vector<TraceInstant>& trace) {
@@ -99,7 +99,7 @@ class TrialPlotter {
     return DrawLinePlot(plot);
   }
 
-  /** At most kMaxDrawnCurves joints of one unit. */
+  /** Draws at most kMaxDrawnCurves joints of one unit. */
   Html DrawJoints(const std::string& of, const std::vector<int>& joints) const {
     const std::string unit = DisplayUnitOf(JointAt(joints[0]));
     LinePlot plot = StartPlot("Joints of the " + of, of + ": position [" + unit + "]");

@@ -16,7 +16,7 @@ namespace graspbench {
 
 namespace {
 
-/** A trial that failed may end long before the hold. */
+/** Names the moment; a failed trial may end long before the hold, so its last picture is "End". */
 std::string NameMoment(Moment moment, const TrialResult& result) {
   const bool is_end = moment == Moment::kLifted && !IsSuccess(result.outcome);
   return is_end ? "End" : Capitalise(NameOf(moment));
@@ -71,8 +71,9 @@ Html DrawLastThumbnail(const CellPictures& pictures, const std::string& cell) {
 namespace {
 
 constexpr size_t kMaxCells = 250;
-constexpr size_t kMaxTrials = 3000;      // of the page
-constexpr size_t kMinTrialsOfCell = 10;  // also where the page gets larger by it
+constexpr size_t kMaxTrials = 3000;      // on the page
+constexpr size_t kMinTrialsOfCell = 10;  // in each condition, even if the page grows beyond its
+                                         // limit
 
 }  // namespace
 
@@ -105,21 +106,22 @@ std::string DescribeShownTrials(size_t num_shown, const CellSummary& cell) {
 
 namespace {
 
-// An object that rolled away must not shrink the hand to a dot; what is nearer than this to the
-// hand's base stays in the picture [m].
+// Anything within this distance of the hand's base stays in the picture [m]. An object that rolled
+// away must not shrink the hand to a dot.
 constexpr double kReach = 0.35;
 
 constexpr size_t kMaxThreads = 4;
-constexpr size_t kStripsPerThread = 16;  // for fewer another renderer costs more than it saves
-constexpr size_t kMaxOtherStrips = 60;   // of a page, beside each cell's first: some 1.5 MB
+constexpr size_t kStripsPerThread = 16;  // with fewer strips, another renderer costs more than it
+                                         // saves
+constexpr size_t kMaxOtherStrips = 60;   // on a page beyond the first of each cell: some 1.5 MB
 
 bool IsDrawable(const SceneSnapshot& snapshot, const Hand& hand) {
   return snapshot.q.size() == hand.num_joints() && snapshot.q.allFinite() &&
          snapshot.X_WH.matrix().allFinite() && snapshot.X_WO.matrix().allFinite();
 }
 
-/** How far hand and object have risen together since the first snapshot [m]: the camera rises with
-them, so that it can stand nearer. Where the object stays on the table the camera stays, too. */
+/** How far hand and object have risen together since the first snapshot [m]. The camera rises with
+them and can therefore be closer. It stays where it is while the object stays on the table. */
 Eigen::Vector3d FindRise(const SceneSnapshot& snapshot, const SceneSnapshot& first) {
   const double hand = snapshot.X_WH.translation().z() - first.X_WH.translation().z();
   const double object = snapshot.X_WO.translation().z() - first.X_WO.translation().z();
@@ -137,7 +139,7 @@ Camera Raise(Camera camera, const Eigen::Vector3d& rise) {
   return camera;
 }
 
-/** For the first snapshot; see FindRise for the others. */
+/** Places the camera for the first snapshot; FindRise gives its motion for the others. */
 Camera PlaceCamera(const std::vector<SceneSnapshot>& snapshots,
                    const std::shared_ptr<const Hand>& hand,
                    const std::shared_ptr<const GraspObject>& object, double aspect) {
@@ -154,7 +156,7 @@ Camera PlaceCamera(const std::vector<SceneSnapshot>& snapshots,
   return FrameScenes(framed, to_eye_W, aspect);
 }
 
-/** Means over squares of `factor` pixels. @pre it divides both sides. */
+/** Averages squares of `factor` pixels. @pre factor divides both sides */
 Image Shrink(const Image& image, int factor) {
   Image small;
   small.width = image.width / factor;
@@ -251,7 +253,7 @@ struct StripJob {
   std::string problem;  ///< why there are none
 };
 
-/** The strips that the page shows, not yet drawn, cell by cell. */
+/** Lists the strips that the page shows, cell by cell, before they are drawn. */
 std::vector<StripJob> ListStrips(const Session& session, const SessionSummary& summary,
                                  const SessionModels& models, CellPictures* pictures) {
   std::vector<StripJob> jobs;
@@ -275,7 +277,7 @@ std::vector<StripJob> ListStrips(const Session& session, const SessionSummary& s
   return jobs;
 }
 
-/** Draws the jobs that nobody has taken yet; the first one that fails ends it. */
+/** Draws jobs that no other thread has taken; the first failure ends the work of all threads. */
 void DrawStrips(const Session& session, const SessionModels& models, std::vector<StripJob>& jobs,
                 std::atomic<size_t>& next) {
   std::unique_ptr<Renderer> renderer;
@@ -299,7 +301,7 @@ CellPictures RenderCellPictures(const Session& session, const SessionSummary& su
                                 const SessionModels& models) {
   CellPictures pictures;
   std::vector<StripJob> jobs = ListStrips(session, summary, models, &pictures);
-  // Each thread has a renderer of its own; which one draws a strip does not change it.
+  // Each thread has its own renderer; the result does not depend on which one draws a strip.
   std::atomic<size_t> next = 0;
   const auto draw = [&] { DrawStrips(session, models, jobs, next); };
   const size_t num_threads = std::min<size_t>(
@@ -313,7 +315,7 @@ CellPictures RenderCellPictures(const Session& session, const SessionSummary& su
       pictures.problems.push_back(job.problem);
       return pictures;
     }
-    if (job.pictures.empty()) continue;  // somebody else failed before
+    if (job.pictures.empty()) continue;  // another job had failed before this one was drawn
     pictures.by_cell[job.cell->key].push_back({job.record, std::move(job.pictures)});
   }
   return pictures;

@@ -23,7 +23,7 @@ constexpr double kOnPlane = 1e-7;        // [N]
 const Eigen::Vector3f kSpaceColour(0.30f, 0.42f, 0.58f);
 const Eigen::Vector3f kZeroColour(0.05f, 0.05f, 0.05f);
 
-/** The corners on a facet's plane, counter-clockwise seen from outside. */
+/** Lists the corners on a facet's plane, counter-clockwise as seen from outside. */
 std::vector<int> ListCorners(const Eigen::Matrix3Xd& points, const Vector3d& normal,
                              double offset) {
   std::vector<int> corners;
@@ -45,7 +45,8 @@ std::vector<int> ListCorners(const Eigen::Matrix3Xd& points, const Vector3d& nor
   return corners;
 }
 
-/** A flat side may come as several facets; its first one has all its corners. */
+/** Whether an earlier facet lies in the same plane. A flat side may consist of several facets; the
+first one lists all its corners. */
 bool IsKnownPlane(const WrenchHull& hull, Eigen::Index facet) {
   for (Eigen::Index other = 0; other < facet; ++other) {
     const double turn = (hull.normals.col(other) - hull.normals.col(facet)).norm();

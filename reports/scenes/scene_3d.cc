@@ -23,10 +23,13 @@ namespace graspbench {
 namespace {
 
 constexpr int kPosterWidth = 640, kPosterHeight = 480;
-constexpr int kFilmWidth = 360, kFilmHeight = 270;  // many: they are most of a page's time
-constexpr double kInPicture = 0.35;  // of the hand's base; an object beyond is left out [m]
+constexpr int kFilmWidth = 360, kFilmHeight = 270;  // drawing these many pictures takes most of a
+                                                    // page's time
+constexpr double kInPicture = 0.35;  // largest distance from the hand's base; an object beyond it
+                                     // is left out [m]
 
-/** Where it began to fail; of a success closed and before lift-off, of a shorter one its end. */
+/** Returns the instant to show. It is the start of the failure, the end of stabilisation before
+lift-off for a success, or else the last instant. */
 const TraceInstant& FindShownInstant(const TracedTrial& traced,
                                      const std::vector<const TraceInstant*>& ends) {
   const std::optional<Diagnosis>& diagnosis = traced.result.diagnosis;
@@ -43,7 +46,7 @@ const TraceInstant& FindShownInstant(const TracedTrial& traced,
   return *ends.back();
 }
 
-/** Of the part that the mechanism names, if it touches then. */
+/** Lists the touching links of the part that the failure mechanism names. */
 std::vector<int> FindFailedLinks(const TrialView& view, const TraceInstant& shown) {
   const std::optional<Diagnosis>& diagnosis = view.traced.result.diagnosis;
   if (!diagnosis) return {};
@@ -82,7 +85,7 @@ std::string FormatCamera(const Camera& camera) {
   return text + FormatFixed(camera.field_of_view, 4);
 }
 
-/** What the scene shows in numbers, at the end of each phase. */
+/** Tabulates the numbers behind the scene at the end of each phase. */
 Html DrawPhaseTable(const TrialView& view, const std::vector<const TraceInstant*>& ends) {
   std::vector<Column> columns = {
       "End of", "Time [s]", "Contacts", {"Grip [N]", "sum of the hand's normal forces"}};
@@ -107,7 +110,7 @@ Html DrawPhaseTable(const TrialView& view, const std::vector<const TraceInstant*
   return table.ToHtml();
 }
 
-/** Data that no browser runs. */
+/** Makes a data block, which no browser executes. */
 Html MakeDataBlock(const std::string& anchor, const std::string& bytes) {
   return Element("script", {{"type", "model/gltf-binary;base64"}, {"id", anchor}},
                  EncodeBase64(bytes));
@@ -139,7 +142,7 @@ Html TrialViews::DrawWherePossible(const std::function<Html()>& draw) {
     return draw();
   } catch (const Error& fault) {
     if (fault.kind() != ErrorKind::kEnvironment) throw;
-    can_draw_ = false;  // the page's pictures say why
+    can_draw_ = false;  // the page's pictures give the reason
     return {};
   }
 }
@@ -164,7 +167,8 @@ Html TrialViews::DrawPoster(const TrialView& view, const TraceInstant& shown,
        {"alt", view.name + " at " + FormatFixed(shown.time, 3) + " s, " + NameOf(shown.phase)}});
 }
 
-/** The first instant, the end of each phase, and the forces that the shown one could bear. */
+/** Draws the first instant, the end of each phase, and the forces that the contacts of the shown
+instant can resist. */
 Html TrialViews::DrawFilm(const TrialView& view, const std::vector<const TraceInstant*>& ends,
                           const TraceInstant& shown, const Camera& camera) {
   if (!film_renderer_) film_renderer_ = std::make_unique<Renderer>(kFilmWidth, kFilmHeight);

@@ -14,7 +14,8 @@ namespace graspbench {
 namespace {
 
 constexpr double kPixelsPerMetre = 2600.0;
-constexpr double kNarrowest = 0.3;  // of a disc that faces sideways, share of its width
+constexpr double kNarrowest = 0.3;  // least drawn width of a disc seen from the side, as a share of
+                                    // its full width
 
 struct MapDisc {
   double x = 0.0, y = 0.0, radius = 0.0;  // [px]
@@ -80,7 +81,7 @@ using Eigen::Vector3d;
 
 constexpr double kCross = 5.0;  // [px]
 
-/** From the level plane through O into the drawing. */
+/** Projects points of the horizontal plane through O into the drawing. */
 class SightPlane {
  public:
   SightPlane(const Lens& lens, const Pose& X_WK, double middle)

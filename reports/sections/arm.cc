@@ -10,12 +10,13 @@
 namespace graspbench {
 namespace {
 
-/** What an arm did in the trials of one condition. */
+/** Arm results of the trials of one condition. */
 struct ArmCounts {
   int num_trials = 0, num_success = 0;
   std::map<Outcome, int> faults;
-  std::map<std::string, int> joints;                      ///< nearest their limit, or that bind
-  std::vector<double> times;                              ///< of the gross motion [s]
+  std::map<std::string, int> joints;                      ///< counts of the joint nearest its
+                                                          ///< limit, or of the limiting joint
+  std::vector<double> times;                              ///< duration of the gross motion [s]
   double least_margin = kUnset;                           ///< [rad]
   double deflection = kUnset, deflection_angle = kUnset;  ///< largest of the hand [m], [rad]
   double torque_share = kUnset;                           ///< largest of a joint

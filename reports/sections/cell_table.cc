@@ -36,7 +36,7 @@ std::string FormatMedian(const Spread& spread, double unit, int decimals) {
   return FormatFixed(unit * spread.median, decimals) + few;
 }
 
-/** Of each seat that occurs. */
+/** Formats the median for each seat class that occurs. */
 Html FormatMedians(const CellSummary& cell, Spread ContactTimes::*measure, double unit,
                    int decimals, const std::string& mark) {
   const Spread &kept = cell.times.*measure, &reseated = cell.reseated_times.*measure;
@@ -47,7 +47,7 @@ Html FormatMedians(const CellSummary& cell, Spread ContactTimes::*measure, doubl
   return Text(text + mark);
 }
 
-/** "g1 all finger precision, .." for what stands in the table. */
+/** Explains the grasp codes in the table: "g1 all finger precision, ..". */
 std::string ExplainCodes() {
   std::string text = "Grasps:";
   for (const GraspTaxon& taxon : ListGraspTaxa()) text += " " + taxon.id + " " + taxon.name + ",";

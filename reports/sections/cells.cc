@@ -40,7 +40,7 @@ Html DrawTrialStrip(const Filmstrip& strip, const CellSummary& cell, const Repor
          Element("p", {{"class", "small"}}, trial);
 }
 
-/** One trial of each outcome. */
+/** Draws one trial of each outcome. */
 Html DrawFilmstrips(const CellSummary& cell, const ReportData& data) {
   const auto found = data.pictures.by_cell.find(cell.key);
   if (found == data.pictures.by_cell.end()) {
@@ -58,7 +58,8 @@ Html DrawFilmstrips(const CellSummary& cell, const ReportData& data) {
   return others.empty() ? first : first + Element("div", {{"class", "screen"}}, others);
 }
 
-/** Ids of the digits of any trial, the opposing one first, then in the order of the records. */
+/** Lists the ids of the digits that occur in any trial, the opposing digit first, the others in the
+order of the records. */
 std::vector<std::string> ListDigits(const CellSummary& cell) {
   std::vector<std::string> digits;
   for (bool is_opposing : {true, false}) {
@@ -82,7 +83,7 @@ double FindContactTime(const TrialResult& result, const std::string& digit) {
 
 Html MakeSmall(const std::string& text) { return Element("p", {{"class", "small"}}, text); }
 
-/** What is left out of a cell that is too large for the page. */
+/** States how many trials of a cell are shown when it is too large for the page. */
 Html DrawShare(const std::vector<const TrialRecord*>& shown, const CellSummary& cell) {
   const std::string share = DescribeShownTrials(shown.size(), cell);
   return share.empty() ? Html() : MakeSmall(share);
@@ -237,7 +238,7 @@ Html DrawTrials(const CellSummary& cell, const std::vector<std::string>& digits,
                      DrawShare(shown, cell) + table.ToHtml());
 }
 
-/** The first success, else the first trial. @pre the cell has a record */
+/** Returns the first success or, without one, the first trial. @pre the cell has a record */
 const TrialRecord& FindShownTrial(const CellSummary& cell) {
   const auto success = std::find_if(
       cell.records.begin(), cell.records.end(),
@@ -245,7 +246,8 @@ const TrialRecord& FindShownTrial(const CellSummary& cell) {
   return success == cell.records.end() ? *cell.records.front() : **success;
 }
 
-/** " 2 dropped while holding, 1 no contact of a digit"; nothing where all succeeded. */
+/** Lists the failures: " 2 dropped while holding, 1 no contact of a digit"; empty if all
+succeeded. */
 Html DescribeOthers(const Tally& tally) {
   std::string text;
   for (const Outcome outcome : ListOutcomes()) {
@@ -258,7 +260,7 @@ Html DescribeOthers(const Tally& tally) {
 
 Html DrawCell(const CellSummary& cell, const ReportData& data) {
   const Tally& tally = cell.tally;
-  // Folded: a session has dozens of conditions, and what went wrong stands further up.
+  // Folded: a session has dozens of conditions, and the failures are listed further up.
   const Html summary = Element(
       "summary", {},
       Element("h4", {},

@@ -8,7 +8,7 @@
 namespace graspbench {
 namespace {
 
-/** What controllers did in the trials of one hand. */
+/** Counts of controller actions in the trials of one hand. */
 struct ControllerCounts {
   int num_trials = 0, num_done = 0, num_wrong = 0, num_questions = 0, num_cut = 0;
   std::map<std::string, int> faults;

@@ -13,7 +13,8 @@ namespace {
 
 constexpr size_t kMaxRows = 300;
 
-/** Those that have a row among the values of their cell, in the plan's order. */
+/** Lists the failures that have a row in the value table of their cell, in the order of the
+plan. */
 std::vector<const TrialRecord*> ListFailures(const SessionSummary& summary) {
   std::vector<const TrialRecord*> failures;
   for (const CellSummary& cell : summary.cells) {
@@ -25,7 +26,7 @@ std::vector<const TrialRecord*> ListFailures(const SessionSummary& summary) {
   return failures;
 }
 
-/** To its scene, or, of a page without, to what makes one. */
+/** Links to the trial's scene or, on a page without it, to the instructions for making one. */
 Html LinkToView(const ReportData& data, const PlannedTrial& planned) {
   const std::string anchor = MakeViewAnchor(planned);
   const bool has_view = data.views.body.markup().find("id=\"" + anchor + "\"") != std::string::npos;
@@ -35,7 +36,7 @@ Html LinkToView(const ReportData& data, const PlannedTrial& planned) {
                 has_view ? "show" : "how");
 }
 
-/** How many of the failures are explained, and how to explain more. */
+/** States how many failures are explained and how to explain more. */
 Html DescribeExplained(const Explanations& known, const std::vector<const TrialRecord*>& failures) {
   const auto num_explained =
       std::count_if(failures.begin(), failures.end(),
@@ -52,14 +53,15 @@ Html DescribeExplained(const Explanations& known, const std::vector<const TrialR
                FormatCount(static_cast<int64_t>(failures.size()), "failure") + " are explained."));
 }
 
-/** "3 of 10": fresh draws that hold as the trial is; empty: not explained. */
+/** Formats how many new draws held with the trial's own settings: "3 of 10"; empty if
+unexplained. */
 std::string FormatHeld(const Explanation* explanation) {
   if (!explanation) return "";
   return std::to_string(explanation->num_held()) + " of " +
          std::to_string(explanation->num_draws());
 }
 
-/** Of a trial that ended before a mechanism could be found, why. */
+/** Names the failure mechanism, or the reason when the trial ended before one could be found. */
 std::string NameMechanism(const TrialResult& result) {
   return result.diagnosis ? NameOf(result.diagnosis->mechanism) : result.reason;
 }

@@ -36,9 +36,9 @@ Html DrawRehearsedTypes(const ReportData& data) {
   return table.ToHtml();
 }
 
-/** What a hand's camera chose where a rehearsed type is known. */
+/** Camera's choices for a hand and the objects with a known rehearsed type. */
 struct SightAgreement {
-  int num_chosen = 0, num_same = 0;  ///< trials; of these with the rehearsed type
+  int num_chosen = 0, num_same = 0;  ///< trials, and those among them with the rehearsed type
   std::set<std::string> others;      ///< "matchbox: g1, rehearsed g2"
 };
 
@@ -60,7 +60,7 @@ std::map<std::string, SightAgreement> ListSightAgreements(const ReportData& data
   return hands;
 }
 
-/** Empty: the camera chose no grasp. */
+/** Returns an empty element if the camera chose no grasp. */
 Html DrawSightAgreements(const ReportData& data) {
   const std::map<std::string, SightAgreement> hands = ListSightAgreements(data);
   if (hands.empty()) return Html();

@@ -33,7 +33,7 @@ Html DrawGrip(const ReportData& data) {
                 "deviation above 20 %, with the reason and the number of trials"}});
   int num_held = 0;
   int num_within = 0;
-  std::string off;  // conditions whose grips are mostly not what was asked for
+  std::string off;  // conditions in which most grips missed the setpoint
   for (const GripSummary& grip : grips) {
     num_held += grip.held.n;
     num_within += grip.num_within;

@@ -46,7 +46,7 @@ Html DrawFailures(const ReportData& data) {
   return table.ToHtml();
 }
 
-/** What the step and its like make of the session's numbers. */
+/** Shows how the time step and other numerical settings change the session's results. */
 Html DrawNumerics(const std::vector<NumericsSummary>& numerics) {
   if (numerics.empty()) return Html();
   return MakeTable("Trials repeated with other numerical settings.", ShowVariants(numerics)) +

@@ -11,7 +11,8 @@ StackedBars::Row MakeRow(const std::string& label, const std::string& anchor, co
   return {label, anchor, {tally.outcomes.begin(), tally.outcomes.end()}, false};
 }
 
-/** The hand as a whole, then its conditions with a failure; returns how many are left out. */
+/** Adds a row for the hand, then one for each of its conditions with a failure. @returns the number
+of conditions left out */
 int AddHand(const std::string& hand, const ReportData& data, StackedBars& plot) {
   plot.rows.push_back(MakeRow(data.models.NameOfHand(hand), {}, data.summary.TallyOf(hand)));
   plot.rows.back().is_total = true;

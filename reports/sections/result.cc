@@ -30,7 +30,7 @@ Html DescribeFailures(const ReportData& data) {
   const int others = total.finished - total.successes();
   if (others == 0) return Text("Every finished trial was a success.");
   const Outcome worst = total.most_frequent_failure();
-  std::string most;  // of equally many all are named
+  std::string most;  // names all outcomes that are equally frequent
   for (const Outcome outcome : ListOutcomes()) {
     if (IsSuccess(outcome) || total.CountOf(outcome) != total.CountOf(worst)) continue;
     most += (most.empty() ? "" : " and as ") + WordsOf(outcome);
@@ -120,7 +120,7 @@ Html DrawWarnings(const ReportData& data) {
   return notes;
 }
 
-/** The closed hand of the first success: what the experiment looks like. */
+/** Shows the closed hand of the first success as an example of the experiment. */
 Html DrawExample(const ReportData& data) {
   for (const CellSummary& cell : data.summary.cells) {
     const auto strips = data.pictures.by_cell.find(cell.key);
@@ -141,7 +141,7 @@ Html DrawExample(const ReportData& data) {
   return {};
 }
 
-/** The cells with the fewest successes, with a failure of each; none when nothing failed. */
+/** Shows the cells with the fewest successes with one failure of each; empty if nothing failed. */
 Html DrawWorstCells(const ReportData& data) {
   constexpr size_t kMaxShown = 6;
   std::vector<const CellSummary*> worst;

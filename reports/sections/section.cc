@@ -15,8 +15,9 @@ void AddMissingTrials(const ReportData& data, std::vector<std::string>& findings
   }
 }
 
-/** A skipped line whose trial was run again has cost nothing: the report of a finished session must
-not depend on how often it was interrupted. The commands report such lines on the terminal. */
+/** Adds findings about skipped lines, but only for an unfinished session. A skipped line whose
+trial was rerun has no effect, and the report of a finished session must not depend on how often it
+was interrupted. The commands report such lines on the terminal. */
 void AddJournalFindings(const ReportData& data, std::vector<std::string>& findings) {
   if (data.summary.total.finished == data.summary.total.planned) return;
   for (const Diagnostic& entry : data.session.findings.entries()) {

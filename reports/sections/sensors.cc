@@ -14,9 +14,11 @@
 namespace graspbench {
 namespace {
 
-constexpr size_t kMostSensedTrials = 5000;  // reading more would keep the page waiting
-constexpr double kSurelyLong = 1.15;        // length over width: below it a direction says little
-constexpr size_t kFewElements = 12;         // a table rather than a map
+constexpr size_t kMostSensedTrials = 5000;  // reading more would delay the page
+constexpr double kSurelyLong = 1.15;        // length over width; below it an orientation is
+                                            // uncertain
+constexpr size_t kFewElements = 12;         // at most this many are shown as a table instead of a
+                                            // map
 
 std::string FormatMm(double length) { return FormatFixed(MmFromM(length), 2); }
 
@@ -43,7 +45,7 @@ Html DrawPlaces(const SensorSummary& summary, const SessionModels& models) {
   return MakeDetails("Errors of every object", table.ToHtml());
 }
 
-/** A row a hand and class, a column a positioning. */
+/** Tabulates success with one row per hand and offset class and one column per positioning. */
 Html DrawOffsets(const std::vector<OffsetClass>& offsets, const SessionModels& models) {
   std::vector<std::string> positionings;
   std::vector<Column> columns = {"Hand", "Offset [mm]"};
@@ -69,7 +71,7 @@ Html DrawOffsets(const std::vector<OffsetClass>& offsets, const SessionModels& m
   return table.ToHtml();
 }
 
-/** Of each object the first trial, looked at from above the place where it was found. */
+/** Draws the first trial of each object, seen from above its estimated position. */
 Html DrawSights(const ReportData& data) {
   Html pictures;
   std::set<std::string> shown;

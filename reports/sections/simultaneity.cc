@@ -13,7 +13,7 @@ namespace {
 using Relations = std::vector<SimultaneityRelation>;
 
 constexpr double kFamilyLevel = 0.05;
-/** Reading and shuffling more takes longer than the rest of the page. */
+/** Reading and permuting more trials would take longer than the rest of the page. */
 constexpr size_t kMostTrials = 5000;
 
 Relations TakeHand(const Relations& relations, const std::string& hand) {

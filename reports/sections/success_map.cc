@@ -14,7 +14,7 @@ struct MapColumn {
   std::string grasp;  ///< empty: the hand has one grasp per object
 };
 
-/** One column per hand; one per hand and grasp when some object is grasped in several ways. */
+/** Lists one column per hand, or per hand and grasp if some object is grasped in several ways. */
 std::vector<MapColumn> ListColumns(const SessionSummary& summary) {
   std::vector<MapColumn> columns;
   for (const std::string& hand : summary.hands) {

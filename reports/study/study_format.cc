@@ -69,7 +69,7 @@ std::string NameOfLevel(const std::string& level, const Factor& factor) {
   return NameOfFactor(factor.name) + " " + text;
 }
 
-/** Everywhere in the text. */
+/** Replaces every occurrence in the text. */
 std::string Replace(std::string text, const std::string& from, const std::string& to) {
   for (size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
     text.replace(at, from.size(), to);
@@ -94,7 +94,7 @@ std::string NameOfCell(const std::string& cell, const std::vector<Factor>& facto
   size_t begin = 0;
   for (const Factor& factor : factors) {
     const size_t end = std::min(cell.find(", ", begin), cell.size());
-    if (begin > cell.size()) return cell;  // a level with a comma of its own
+    if (begin > cell.size()) return cell;  // a level contains a comma
     text += (text.empty() ? "" : ", ") + NameOfLevel(cell.substr(begin, end - begin), factor);
     begin = end + 2;
   }

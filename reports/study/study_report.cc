@@ -19,7 +19,7 @@ std::vector<StudySection> ListStudySections() {
   };
 }
 
-/** Without an included trial there is nothing to draw but why. */
+/** Lists the sections; without an included trial, only those that say why. */
 static std::vector<StudySection> ListSectionsOf(const StudyResult& result) {
   std::vector<StudySection> sections = ListStudySections();
   if (result.CountKept() > 0) return sections;

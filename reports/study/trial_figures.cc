@@ -26,7 +26,8 @@ std::string FormatEvent(const EventTime& event) {
          (event.is_filled ? ", filled" : "");
 }
 
-/** One row per digit: what is believed, how well it is known, what every detector says. */
+/** Tabulates one row per digit with the accepted contact time, its uncertainty and the result of
+every detector. */
 Html DrawDigits(const StudyTrial& trial) {
   std::vector<Column> columns = {"Digit", "Believed", "\u00B1 95 % [ms]", "Reviewed"};
   for (const ContactDetector& detector : ContactDetectorList()) columns.push_back(detector.id);
@@ -48,7 +49,7 @@ Html DrawDigits(const StudyTrial& trial) {
 struct ReviewRow {
   const StudyTrial* trial;
   const DigitContactEvents* digit;
-  const ContactReview* review;  // null: not looked at
+  const ContactReview* review;  // null if not reviewed
 };
 
 std::vector<CsvColumn<ReviewRow>> ListReviewColumns() {
@@ -121,9 +122,9 @@ void ReviewPages::Finish(const StudyResult& result) const {
 
 namespace {
 
-constexpr size_t kMaxTipPoints = 400;  // of a tip, which a person looks at closely
+constexpr size_t kMaxTipPoints = 400;  // points per fingertip, dense enough for close inspection
 
-/** Distance from the place in the hold [m]: what there is to see when no shape is known. */
+/** Distance from the position during the hold [m], shown when no shape is known. */
 ScalarCurve CalcFromHold(const TipAgainstObject& tip, const Hold& hold) {
   ScalarCurve curve = tip.speed;
   const int at = FindHoldSample(tip.speed, hold);
@@ -150,7 +151,7 @@ void AddMark(const EventTime& event, const std::string& label, LinePlot& plot) {
   if (event.IsFound()) plot.marks.push_back({event.time, label});
 }
 
-/** A curve of the whole hand over the trial. */
+/** Plots a curve of the whole hand over the trial. */
 LinePlot MakeCurvePlot(const std::string& title, const char* axis, const char* label,
                        const ScalarCurve& curve, const StudyTrial& trial) {
   LinePlot plot;
@@ -162,7 +163,7 @@ LinePlot MakeCurvePlot(const std::string& title, const char* axis, const char* l
   return plot;
 }
 
-/** Speed at which the rule of the onset decides [m/s]; NaN: it has none. */
+/** Speed threshold of the onset rule [m/s]; NaN for rules without one. */
 double FindThresholdOf(const Movement& movement, const MovementOptions& options) {
   if (options.rule == "threshold" || options.rule == "longest_run") return options.speed_threshold;
   if (options.rule == "peak_fraction") return options.peak_fraction * movement.peak_speed;
@@ -181,7 +182,7 @@ LinePlot MakeTipPlot(const StudyTrial& trial, const char* title, const char* axi
   return plot;
 }
 
-/** A sign for the detector of that place in the list. */
+/** Symbol of the detector at this index of the list. */
 const char* SignOfDetector(size_t place) {
   constexpr const char* kSigns[] = {"\u25CB", "\u25B3", "\u25C7", "\u25A1", "\u00D7", "+"};
   return kSigns[place % std::size(kSigns)];

@@ -21,7 +21,7 @@ std::string NameEvidence(const ClaimEvidence& evidence, const SessionModels& mod
          evidence.what;
 }
 
-/** Each number less what would say neither, so that zero is the line to cross in all of them. */
+/** Plots each number minus its null value, so that zero means no effect in every row. */
 Html DrawEvidence(const std::vector<ThesisClaim>& claims, const SessionModels& models) {
   IntervalPlot plot;
   plot.text.title = "Evidence for the verdicts";

@@ -63,7 +63,7 @@ std::string DescribeLower(const CampaignData& data, const Step& step) {
   return text + ".";
 }
 
-/** GFT% where the object stands as expected, of the pre-grasp before and after step 1. */
+/** Describes GFT% before and after step 1 with the object exactly at its expected pose. */
 Html DescribeWithoutVariation(const CampaignData& data) {
   const GftWithoutVariation gft = CalcGftWithoutVariation(data.scenes);
   if (gft.num_scenes == 0) return {};
@@ -77,7 +77,7 @@ Html DescribeWithoutVariation(const CampaignData& data) {
 
 constexpr Variant kFloorVariants[] = {kStandardGrasp, kNewPreGrasp};
 
-/** GFT% and floor of the two variants of step 1, scene by scene. */
+/** Tabulates GFT% and its lower bound for the two variants of step 1, one row per scene. */
 Html DrawFloorTable(const CampaignData& data) {
   std::vector<Column> columns = {"Scene"};
   for (const Variant variant : kFloorVariants) {
@@ -103,8 +103,8 @@ Html DrawFloorTable(const CampaignData& data) {
   return MakeDetails("GFT% and its floor, scene by scene", table.ToHtml());
 }
 
-/** In ms on the fresh trials of step 1's check: the pre-grasp alone, and what was checked, which may
-make digits wait. */
+/** Tabulates changes of GFT in ms in the fresh check trials of step 1, for the pre-grasp alone and
+for the checked result, which may delay digits. */
 Html DrawPreGraspTimes(const CampaignData& data) {
   std::vector<FromFolder<SceneRecord>> scenes;
   for (const SceneRecord& scene : data.campaign.scenes) {
@@ -138,7 +138,7 @@ Html DrawFloors(const CampaignData& data) {
          MakeList(lines) + DrawFloorTable(data) + DrawPreGraspTimes(data);
 }
 
-/** What step 2 started from and what it kept, scene by scene. */
+/** Tabulates the start and the accepted result of step 2, one row per scene. */
 Html DrawHeadroomTable(const CampaignData& data) {
   Table table("Share of the load that friction and grip allow at the object's sides, by scene.",
               {"Scene",

@@ -7,7 +7,7 @@
 namespace graspbench {
 namespace {
 
-/** In how many trials each digit came first, as text: "thumb 6, index 4". */
+/** Formats how often each digit touched first: "thumb 6, index 4". */
 std::string FormatFirstTouches(const CellSummary& cell, const SessionModels& models) {
   std::string text;
   for (const auto& [digit, count] : CountFirstTouches(cell)) {
@@ -67,7 +67,7 @@ Html DrawPropeller(const SceneVariants& scene, const Hand& hand, const GraspObje
   return table.ToHtml();
 }
 
-/** What became of each step, and the way to the pictures. */
+/** States the decision of each step and links to the pictures. */
 Html ExplainSteps(const SceneVariants& scene) {
   std::string decisions;
   for (const auto& [step, name] :
@@ -80,7 +80,7 @@ Html ExplainSteps(const SceneVariants& scene) {
       "p", {}, Text(decisions) + LinkTo(scene.key, "Pictures and contacts of the three variants"));
 }
 
-/** Where this hand's own postures do not have the fault from which a course of the thesis starts. */
+/** Explains why this hand's own postures lack the flaw from which a thesis scenario starts. */
 Html ExplainStart(const std::string& hand, const std::string& object) {
   if (hand != "tum") return {};
   if (object == "adhesive_tape") {
@@ -95,7 +95,7 @@ Html ExplainStart(const std::string& hand, const std::string& object) {
       "so only after step 2.");
 }
 
-/** The courses of events that the thesis tells. */
+/** Draws the sequences of events that the thesis describes. */
 Html DrawCourses(const CampaignData& data) {
   Html courses;
   for (const char* hand_id : {"tum", "tum-courses"}) {

@@ -45,7 +45,8 @@ Html DrawThumb(const Json& step, const SceneVariants& scene, const CampaignData&
   return table.ToHtml();
 }
 
-/** Of another search space than the thumb: each coordinate in degrees or millimetres. */
+/** Tabulates the coordinates of a search space other than the thumb's, in degrees or
+millimetres. */
 Html DrawCoordinates(const Json& step, const SceneVariants& scene, const CampaignData& data) {
   Table table("What step 2 searched (" + step.at("search").get<std::string>() + "), " +
                   data.NameOfScene(scene) + ".",
@@ -64,7 +65,7 @@ Html DrawCoordinates(const Json& step, const SceneVariants& scene, const Campaig
   return table.ToHtml();
 }
 
-/** The contacts of the trials in the pictures. */
+/** Draws the contact strips of the pictured trials. */
 Html DrawStrips(const SceneVariants& scene, const CampaignData& data) {
   const auto hand = data.models.FindHand(scene.hand);
   Html strips;

@@ -48,7 +48,7 @@ std::string DescribeClaim(const Claim& claim, const StepEffect& effect) {
   return text + ". ";
 }
 
-/** Changes of medians in per cent, so that all measures have one axis. */
+/** Plots changes of medians in per cent, so that all measures share one axis. */
 Html DrawChanges(const CampaignData& data) {
   struct Step {
     const char* name;

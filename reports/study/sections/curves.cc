@@ -7,7 +7,7 @@
 namespace graspbench {
 namespace {
 
-constexpr size_t kMaxCurves = 8;  // what a line plot tells apart
+constexpr size_t kMaxCurves = 8;  // number of curves that a line plot can distinguish
 
 Html DrawCurves(const StudyPageData& data) {
   const std::vector<OpeningCurve>& curves = data.result.statistics.curves;
@@ -56,7 +56,7 @@ Html DrawCurves(const StudyPageData& data) {
                     MakeScroll("Hand opening over the reach", DrawLinePlot(plot)));
 }
 
-/** What the events are, on one trial that counts. */
+/** Shows the events on one included trial. */
 Html DrawGoodTrial(const StudyResult& result) {
   const StudyTrial* trial = FindGoodTrial(result);
   if (trial == nullptr) return {};

@@ -9,7 +9,7 @@
 namespace graspbench {
 namespace {
 
-/** The values of the trials of one cell. */
+/** Lists the values of a cell's trials. */
 std::vector<double> ListSingles(const MeasureTable& table, const std::vector<std::string>& levels,
                                 double factor) {
   std::vector<double> values;
@@ -50,12 +50,12 @@ Html DrawCells(const MeasureStatistics& statistics, const ConditionEstimates& es
       "", MakeScroll(statistics.measure.name, DrawIntervalPlot(plot)));
 }
 
-/** All four kinds of bars, so that nobody has to trust the choice of one. */
+/** Tabulates all four kinds of error bars, so that the reader need not rely on one choice. */
 Html DrawBarTable(const MeasureStatistics& statistics, const ConditionEstimates& estimates) {
   const std::vector<Answer<Eigen::VectorXd>>& widths = estimates.half_widths;
   const bool has_bars = std::any_of(widths.begin(), widths.end(),
                                     [](const auto& answer) { return answer.has_value(); });
-  if (!has_bars) return {};  // the figure says why
+  if (!has_bars) return {};  // the figure gives the reason
   std::vector<Column> columns = {"Condition", "Mean"};
   std::vector<std::string> without;
   for (size_t i = 0; i < widths.size(); ++i) {
@@ -85,7 +85,8 @@ Html DrawBarTable(const MeasureStatistics& statistics, const ConditionEstimates&
 Html DrawMeasures(const StudyPageData& data) {
   Html html;
   size_t series = 0;
-  std::string bars;  // of the first one: said once for all that have the same
+  std::string bars;  // kind of the first measure's bars; stated once for all measures with the same
+                     // kind
   for (const MeasureStatistics& statistics : data.result.statistics.measures) {
     const ConditionEstimates estimates = CalcConditionEstimates(statistics);
     if (series == 0) {

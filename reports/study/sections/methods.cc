@@ -18,7 +18,7 @@ std::string ListDigitNames(const StudyResult& result) {
   return text;
 }
 
-/** The text of an entry of one of the lists of rules. */
+/** Returns the text of an entry in one of the lists of rules. */
 template <class List>
 std::string TextOf(const List& list, const std::string& id) {
   for (const auto& entry : list) {
@@ -58,7 +58,8 @@ std::string DescribeThreshold(const MovementOptions& options) {
          ")";
 }
 
-/** What the detectors that fit took from all contacts. */
+/** Describes the marker motion after contact that the fitted detectors learned from all
+contacts. */
 std::string DescribeDepth(const StudyResult& result) {
   if (result.num_learned == 0) return "";
   const double depth = CalcMeanDepth(result.study.config.analysis.contact.depths);
@@ -105,7 +106,7 @@ std::string DescribeEvents(const StudyResult& result) {
          "shares of GCT. ";
 }
 
-/** What was done beyond the comparison of conditions. */
+/** Describes the analyses beyond the comparison of conditions. */
 std::string DescribeTrends(const Study& study) {
   std::string quantities, bounds;
   for (const Factor& factor : study.factors) {
@@ -162,7 +163,7 @@ std::string DescribeStatistics(const StudyResult& result) {
          DescribeTrends(result.study);
 }
 
-/** How the two arguments of the study's first page are made. */
+/** Describes how the two arguments on the study's first page are derived. */
 std::string DescribeArguments(const StudyResult& result) {
   std::string text;
   if (result.statistics.openings.num_tests > 0) {

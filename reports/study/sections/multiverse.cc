@@ -42,7 +42,7 @@ HeatMap::Cell MakeCell(const Universe& universe, const char* unit) {
   return cell;
 }
 
-/** How far the choices move the measure, and in how many the test says the same. */
+/** States how far the choices move the measure and how often the test agrees. */
 std::string DescribeVerdicts(const std::vector<Universe>& universes, const char* unit) {
   const UniverseSummary summary = SummariseUniverses(universes);
   std::string text;
@@ -57,7 +57,7 @@ std::string DescribeVerdicts(const std::vector<Universe>& universes, const char*
   return text;
 }
 
-/** Detectors that found a value under some choice, and the others with the reason. */
+/** Detectors that found a value under some choice, and the others with their reasons. */
 struct Detectors {
   std::vector<std::string> with_value;
   std::vector<std::string> without;
@@ -82,7 +82,7 @@ Detectors ListDetectors(const StudyResult& result) {
   return detectors;
 }
 
-/** The universes of one onset rule: opening and cut-off down, detectors across. */
+/** Maps the universes of one onset rule: opening and cut-off in rows, detectors in columns. */
 HeatMap MakeMap(const StudyResult& result, const std::string& onset,
                 const std::vector<std::string>& detectors) {
   const TrialMeasure& measure = FindMeasure(result.study.config.multiverse.measure);
@@ -107,7 +107,7 @@ bool HaveSameNumbers(const HeatMap& a, const HeatMap& b) {
                     [](const auto& x, const auto& y) { return x.hint == y.hint; });
 }
 
-/** A map for each onset rule; those that would show the numbers of the first are only named. */
+/** Draws a map for each onset rule; rules whose map equals the first one are only named. */
 Html DrawMaps(const StudyResult& result, const std::vector<std::string>& detectors) {
   std::vector<std::string> onsets;
   for (const Universe& universe : result.universes) FindPlace(onsets, universe.onset);

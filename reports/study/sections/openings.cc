@@ -18,7 +18,7 @@ std::string FormatNeeded(const OpeningReliability& row) {
 }
 
 Html DrawReliability(const OpeningFamily& family) {
-  // One person has no ICC: a sentence says so, not a column of n/a.
+  // With one participant there is no ICC; a sentence says so instead of a column of n/a.
   const bool has_icc = family.num_persons > 1;
   std::vector<Column> columns = {
       "Opening",
@@ -60,7 +60,7 @@ std::string FormatRatio(const OpeningComparison& comparison) {
   return FormatWithRange(comparison.ratio, comparison.low, comparison.high, 2) + p;
 }
 
-/** Why single comparisons have no answer, each reason once. */
+/** Lists why single comparisons have no answer, each reason once. */
 Html DrawUntested(const OpeningFamily& family) {
   std::vector<std::string> reasons;
   for (size_t i = 1; i < family.rows.size(); ++i) {

@@ -25,7 +25,7 @@ Html DrawFirstDigits(const OrderSummary& summary, const std::vector<std::string>
       MakeScroll("First digit to touch", DrawStackedBars(plot)));
 }
 
-/** How often one digit touched before another, for every two. */
+/** Maps how often each digit touched before each other digit. */
 Html DrawPrecedence(const OrderSummary& summary, const std::vector<std::string>& digits) {
   HeatMap map;
   map.text.title = "Pairwise order of contact";

@@ -12,7 +12,8 @@
 namespace graspbench {
 namespace {
 
-/** The strategy's phases follow each other: the hand stands still while the digits close. */
+/** Returns the robot's phases, which do not overlap: the hand stands still while the digits
+close. */
 PhaseCourse FindCourseOfRobot(const Session& session) {
   std::vector<PhaseTimes> trials;
   for (const TrialRecord& record : session.records) {
@@ -30,7 +31,8 @@ PhaseCourse FindCourseOfRobot(const Session& session) {
 }
 
 void AddCourse(const std::string& who, const PhaseCourse& course, StripChart& chart) {
-  constexpr double kLiftShown = 10.0;  // of the lift-off, which has no end here [%]
+  constexpr double kLiftShown = 10.0;  // drawn length of the lift-off, whose end is outside the
+                                       // chart [%]
   const auto add = [&](StripChart::Row& row, PhaseInstant from, PhaseInstant to, int kind) {
     const double begin = 100.0 * course.at[from], end = 100.0 * course.at[to];
     if (!std::isfinite(begin) || !std::isfinite(end)) return;
@@ -50,7 +52,7 @@ void AddCourse(const std::string& who, const PhaseCourse& course, StripChart& ch
   chart.rows.push_back(std::move(grasp));
 }
 
-/** Dashed lines at people's instants. */
+/** Returns phases bounded by dashed lines at the participants' instants. */
 std::vector<StripChart::Phase> ListPhases(const PhaseCourse& people) {
   const double peak = 100.0 * people.at[kPeakOpening], touched = 100.0 * people.at[kLastContact];
   if (!std::isfinite(peak) || !std::isfinite(touched)) return {};

@@ -4,7 +4,7 @@
 namespace graspbench {
 namespace {
 
-/** The study's own number, or why it has none. */
+/** Describes the study's own value, or why it has none. */
 std::string DescribeOwn(const ComparedValue& value) {
   if (!value.published->is_slope) {
     if (!value.summary) return "no value (" + value.summary.reason() + ")";

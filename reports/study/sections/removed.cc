@@ -20,7 +20,7 @@ std::string ListNames(const std::vector<std::string>& names) {
   return text;
 }
 
-/** The first trial of each reason that a curve shows. */
+/** Draws the first trial of each reason for removal that a curve can show. */
 Html DrawReasons(const StudyResult& result, const std::vector<RemovalGroup>& groups) {
   constexpr size_t kMaxCurves = 6;
   Html html;

@@ -12,7 +12,7 @@
 namespace graspbench {
 namespace {
 
-/** One group of trials; humans and robots alike. */
+/** A group of trials of humans or of robots. */
 struct Group {
   std::string name;
   TimingRatios ratios;
@@ -105,7 +105,7 @@ std::vector<TrialTouches> ListTouches(const StudyResult& result) {
   return touches;
 }
 
-/** This study's people beside the robot's natural schedule. */
+/** Pairs this study's participants with the cells of the robot's schedules. */
 PeopleFile MakePeople(const StudyPageData& data, const ScheduleComparison& robot) {
   PeopleFile people;
   people.study = data.result.study.config.name;
@@ -118,7 +118,7 @@ PeopleFile MakePeople(const StudyPageData& data, const ScheduleComparison& robot
   return people;
 }
 
-/** Tables round to the last digit what this page has in full. */
+/** Compares with a tolerance, because tables round the last digits that this page has in full. */
 bool IsSame(const Answer<TouchLags>& a, const Answer<TouchLags>& b) {
   constexpr double kRounding = 1e-6;
   if (!a || !b) return !a && !b;
@@ -130,7 +130,7 @@ bool IsSame(const Answer<TouchLags>& a, const Answer<TouchLags>& b) {
   return true;
 }
 
-/** Schedules that follow other people are no schedules of this study's. */
+/** Schedules derived from other participants do not belong to this study. */
 bool IsOfStudy(const ScheduleComparison& comparison, const PeopleFile& people) {
   for (const ScheduleCell& cell : comparison.cells) {
     const PeopleOnObject* own = people.Find(cell.of.hand, cell.of.object, cell.of.grasp);

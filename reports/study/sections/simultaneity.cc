@@ -55,7 +55,7 @@ Html DrawTests(const IndependenceNull& null) {
   return table.ToHtml();
 }
 
-/** How the closure time depends on what ends the closure. */
+/** Shows how the closure time depends on the event that ends the closure. */
 Html DrawClosureEnds(const StudyPageData& data) {
   Table table("Closure time from the widest opening, by definition of its end.",
               {"End of closure",

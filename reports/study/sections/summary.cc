@@ -16,7 +16,7 @@ std::string DescribeRange(const StudyResult& result, const char* unit) {
          " over " + std::to_string(summary.num_values) + " choices of the analysis)";
 }
 
-/** The same of the test's p and effect. */
+/** Smallest and largest p and effect of the test over all choices. */
 std::string DescribeTestRange(const std::vector<Universe>& universes) {
   const UniverseSummary summary = SummariseUniverses(universes);
   if (summary.num_tests < 2) return "";
@@ -35,7 +35,7 @@ std::string FormatF(double f, double df_effect, double df_error) {
   return "F(" + format(df_effect) + ", " + format(df_error) + ")\u00A0=\u00A0" + FormatFixed(f, 2);
 }
 
-/** Who is missing in that test, and what the mixed model says with them. */
+/** Describes who is missing from the main test and what the mixed model finds with them. */
 std::string DescribeLeftOut(const StudyResult& result) {
   const std::string& main = result.study.config.multiverse.measure;
   for (const MeasureStatistics& measure : result.statistics.measures) {
@@ -54,7 +54,7 @@ std::string DescribeLeftOut(const StudyResult& result) {
   return "";
 }
 
-/** The study's main test in a sentence, or why there is none. */
+/** Describes the result of the study's main test in a sentence, or why there is none. */
 std::string DescribeMainTest(const StudyResult& result) {
   if (result.universes.empty()) return "";
   const Universe& own = result.universes.front();
@@ -83,7 +83,7 @@ std::string DescribeMainTest(const StudyResult& result) {
          "." + DescribeLeftOut(result);
 }
 
-/** What this recording cannot separate from touching at once. */
+/** Describes the recording's detection limit for near-simultaneous contact. */
 std::string DescribeZeroGft(const ZeroGft& zero) {
   if (zero.num_trials == 0) return "";
   return " The detection limit of the GFT is " + FormatWithUnit(zero.limit, "s") +
@@ -91,7 +91,7 @@ std::string DescribeZeroGft(const ZeroGft& zero) {
          ".";
 }
 
-/** What to know of the study before its numbers. */
+/** Lists the warnings that a reader should know before the numbers. */
 Html DrawStudyWarnings(const StudyResult& result) {
   Html warnings;
   for (const StudyWarning& warning : result.warnings) {
@@ -109,7 +109,7 @@ Html DrawFreeze(const Study& study) {
   return Element("p", {}, text);
 }
 
-/** The study's argument about the hand opening, and about digits that touch together. */
+/** States the study's argument about the hand opening and about simultaneous contact. */
 Html DrawArgument(const StudyResult& result) {
   if (result.CountKept() == 0) return {};
   return Element("p", {},
@@ -120,7 +120,7 @@ Html DrawArgument(const StudyResult& result) {
                      LinkTo("simultaneity", "GFT, clocks and power"));
 }
 
-/** What a person confirmed or corrected, trial by trial. */
+/** Lists what a reviewer confirmed or corrected, trial by trial. */
 Html DrawReviewed(const StudyResult& result) {
   int num_contacts = 0, num_changed = 0;
   std::vector<std::string> lines;
@@ -140,14 +140,14 @@ Html DrawReviewed(const StudyResult& result) {
          MakeDetails("Reviewed trials", MakeList(lines));
 }
 
-/** What cannot be told with a thumb and one finger. */
+/** States the limits of a recording with a thumb and one finger. */
 Html DrawTwoDigits(const StudyResult& result) {
   if (result.digits.size() != 2) return {};
   return MakeParagraph(
       "Two digits were recorded, so GFT equals GOT and does not describe the other digits.");
 }
 
-/** Contacts that only the digit's own stop shows. */
+/** Counts the contacts that only the stop of the digit itself indicates. */
 Html DrawUnverified(const StudyResult& result) {
   const UnverifiedTouches touches = CountUnverified(result);
   if (touches.num_contacts == 0) return Html();
@@ -158,7 +158,7 @@ Html DrawUnverified(const StudyResult& result) {
                       "force, a digit that stops off the surface looks like a contact."));
 }
 
-/** How far the choices of the analysis move the median. */
+/** Formats the range of the median over all choices of the analysis. */
 std::string FormatChoices(const MeasureStatistics& measure) {
   const ChoiceRange& range = measure.over_choices;
   if (range.num_values < 2) return "";

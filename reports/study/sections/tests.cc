@@ -10,14 +10,14 @@
 namespace graspbench {
 namespace {
 
-/** A slope has no unit that people read it in: SI, as in statistics.csv. */
+/** Slopes have no customary display unit and are shown in SI units, as in statistics.csv. */
 bool IsSlope(const StatisticRow& row) { return row.unit.find(" per ") != std::string::npos; }
 
 std::string FormatEstimate(double value, const StatisticRow& row) {
   return IsSlope(row) ? FormatSignificant(value, 3) : FormatValue(value, row.unit);
 }
 
-/** What does not apply stays empty. */
+/** Returns an empty text for values that do not apply. */
 std::string OrNothing(double value, const std::string& text) {
   return std::isnan(value) ? std::string() : text;
 }
@@ -34,7 +34,7 @@ std::string FormatDf(const StatisticRow& row) {
          (std::isnan(row.df_2) ? "" : ", " + FormatSignificant(row.df_2, 3));
 }
 
-/** What each analysis assumes, once; with the effects when it is not the same for all of them. */
+/** Lists the assumptions of each analysis once, with the effects unless they hold for all. */
 std::vector<std::string> ListNotes(const std::vector<StatisticRow>& rows,
                                    const std::vector<Factor>& factors) {
   struct Note {
@@ -74,7 +74,7 @@ bool HasAnswer(const std::vector<StatisticRow>& rows) {
   });
 }
 
-/** Notes that stand on the page already: they hold for every table that follows. */
+/** Notes already printed on the page; they hold for every following table. */
 using Said = std::set<std::string>;
 
 Html DrawNotes(const std::vector<StatisticRow>& rows, const std::vector<Factor>& factors,
@@ -86,7 +86,7 @@ Html DrawNotes(const std::vector<StatisticRow>& rows, const std::vector<Factor>&
   return notes.empty() ? Html() : MakeList(notes);
 }
 
-/** Estimates with what they rest on, or tests; a column that no row fills is left out. */
+/** Tabulates estimates with their basis, or tests; columns without values are left out. */
 Html DrawRows(const std::string& caption, const std::vector<StatisticRow>& rows,
               const std::vector<Factor>& factors, Said& said) {
   using Row = StatisticRow;
@@ -182,8 +182,9 @@ Html DrawLines(const TrendStatistics& trend, const std::string& unit) {
   return MakeDetails("Each person's line over " + NameOfFactor(trend.factor), table.ToHtml());
 }
 
-/** A study in which nothing can be tested, such as that of one person: every reason once, and what
-each person's trials still say. Empty when something can. */
+/** Describes a study in which nothing can be tested, such as one with a single participant. Each
+reason is given once, with what the trials of each participant still show. Empty if something can be
+tested. */
 Html DrawUntestable(const std::vector<MeasureStatistics>& measures) {
   std::vector<std::string> reasons;
   Html lines;

@@ -9,10 +9,10 @@
 namespace graspbench {
 namespace {
 
-/** Each costs the page about 10 kB. */
+/** Each trial adds about 10 kB to the page. */
 constexpr size_t kMaxDrawn = 100;
 
-/** Trials that a person should look at come first; within that, the order of the plan. */
+/** Puts the trials that need review first and otherwise keeps the order of the plan. */
 std::vector<const StudyTrial*> ChooseTrials(const StudyResult& result) {
   std::vector<const StudyTrial*> trials;
   for (const StudyTrial& trial : result.trials) {
