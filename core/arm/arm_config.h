@@ -20,8 +20,8 @@ struct ArmConfig {
   template <class V>
   void Visit(V&& v) {
     v("model", model, "arm that carries the hand, by id or folder; none: no arm");
-    v("base_x_m", x, {"place of the arm's base in x; the object stands at 0", -5, 5});
-    v("base_y_m", y, {"place of the arm's base in y; the object stands at 0", -5, 5});
+    v("base_x_m", x, {"x position of the arm's base; the object is at x = 0", -5, 5});
+    v("base_y_m", y, {"y position of the arm's base; the object is at y = 0", -5, 5});
     v("base_z_m", z, {"height of the arm's base above the table", -5, 5});
     v("base_yaw_rad", yaw, {"rotation of the arm's base about the vertical", -6.2832, 6.2832});
     v("mount", mount, "axis of the hand's frame that lies along the flange's axis: x, -x, .. -z");

@@ -109,7 +109,7 @@ std::string DescribeMore(const std::vector<int>& lines) {
   }
   if (!text.empty() && lines.size() > kNamed + 1) text += " ..";
   const size_t num_more = lines.size() - 1;
-  return " (and " + std::to_string(num_more) + (num_more == 1 ? " line more" : " lines more") +
+  return " (and " + std::to_string(num_more) + (num_more == 1 ? " more line" : " more lines") +
          text + ")";
 }
 

@@ -40,7 +40,7 @@ bool IsCut(const SeenRegion& region, const Lens& lens) {
 /** Why the regions are not one whole object; empty: they are. */
 std::string FindFault(const std::vector<SeenRegion>& regions, const Lens& lens) {
   if (regions.empty() || regions[0].area < kSmallestArea) {
-    return "nothing is seen that differs from the empty table";
+    return "no difference from the empty table is visible";
   }
   const double second = regions.size() > 1 ? regions[1].area : 0.0;
   if (second >= std::max(kSmallestArea, kSmallShare * regions[0].area)) {

@@ -74,11 +74,11 @@ struct ContactOptions {
     v("max_pad_offset_m", max_pad_offset,
       {"a marker held farther from the surface does not touch", kAboveZero});
     v("max_pad_difference_m", max_pad_difference,
-      {"nor one so much farther than the other digits'", kAboveZero});
+      {"a marker farther from the surface than the other digits' by more than this does not touch", kAboveZero});
     v("max_looseness", max_looseness,
-      {"nor one held so many times looser than the others", kAboveZero});
+      {"reject contacts whose marker moves more than this many times as much as the others in the hold", kAboveZero});
     v("max_uncertainty_s", max_uncertainty,
-      {"a contact known less well is not usable; 0: all are", 0});
+      {"contacts with a larger uncertainty are not used; 0: no limit", 0});
     v("force_noise_factor", force_noise_factor,
       {"detector force: above so many standard deviations", kAboveZero});
   }

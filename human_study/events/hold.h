@@ -43,7 +43,7 @@ struct HoldOptions {
 
   template <class V>
   void Visit(V&& v) {
-    v("rule", rule, "how the hold is found of what is not lifted");
+    v("rule", rule, "how the hold is found for objects that are not lifted");
     v("cutoff_hz", cutoff,
       {"cut-off of the zero-phase filter on the tips; unless stated, at most 0.34 of the "
        "recording's rate",
@@ -112,8 +112,8 @@ struct LiftOffOptions {
       {"rule traced_back, and where rule fitted looks: slower than this", kAboveZero});
     v("displacement_m", displacement, {"an object this far from its place has moved", kAboveZero});
     v("up_x", up_x, "direction of the lift in the laboratory, x");
-    v("up_y", up_y, "the same, y");
-    v("up_z", up_z, "the same, z");
+    v("up_y", up_y, "direction of the lift in the laboratory, y");
+    v("up_z", up_z, "direction of the lift in the laboratory, z");
   }
 };
 

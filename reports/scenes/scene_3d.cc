@@ -197,7 +197,7 @@ Html TrialViews::DrawFilm(const TrialView& view, const std::vector<const TraceIn
     const Camera same_side = FrameScenes({room}, camera.p_WEye - camera.p_WTarget,
                                          static_cast<double>(kFilmWidth) / kFilmHeight);
     add(EncodeWebp(film_renderer_->Render(*space, same_side)),
-        "Forces of the contacts at " + FormatFixed(shown.time, 3) + " s can bear");
+        "Forces of the contacts at " + FormatFixed(shown.time, 3) + " s can resist");
   }
   return MakeFigure(
       "The phases of " + view.name + ". " + kContactLegend +

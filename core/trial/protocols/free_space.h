@@ -39,11 +39,11 @@ struct FreeSpaceResult {
   double start_penetration = 0.0;  ///< of hand and object at the first stage [m]
   double self_penetration = 0.0;   ///< of the hand in itself at the second stage [m]
   std::string touching;            ///< digits on the object after the last stage: "TH FF palm"
-  double grip_force = 0.0;         ///< sum of normal forces then [N]
+  double grip_force = 0.0;         ///< sum of normal forces after the last stage [N]
   /** Ferrari and Canny's, of these contacts (core/quality: convention ferrari-canny, moments by the
   largest distance of the surface from the centre of mass); 0: no force closure. */
   double epsilon = 0.0;
-  double closing_shift = 0.0;  ///< of the object until then [m]
+  double closing_shift = 0.0;  ///< object shift by the end of the last stage [m]
   double closing_turn_deg = 0.0;
   /** Largest push that the grasp stands along all six axes, to 5 % below, and the one along which
   more breaks it [N]; empty: none within 16 times the profile's. 0: not sought, or none stood. */
@@ -71,10 +71,10 @@ struct FreeSpaceResult {
     field("self_penetration_m", &R::self_penetration,
           FieldColumn{"m", "of the hand in itself at the second stage"});
     field("touching", &R::touching, FieldColumn{"", "digits on the object after the last stage"});
-    field("grip_force_n", &R::grip_force, FieldColumn{"N", "sum of normal forces then"});
+    field("grip_force_n", &R::grip_force, FieldColumn{"N", "sum of normal forces after the last stage"});
     field("epsilon", &R::epsilon,
           FieldColumn{"", "of these contacts, ferrari-canny; 0: no force closure"});
-    field("closing_shift_m", &R::closing_shift, FieldColumn{"m", "of the object until then"});
+    field("closing_shift_m", &R::closing_shift, FieldColumn{"m", "object shift by the end of the last stage"});
     field("closing_turn_deg", &R::closing_turn_deg);
     field(
         "breaking_load_n", &R::breaking_load,
@@ -83,7 +83,7 @@ struct FreeSpaceResult {
           FieldColumn{"",
                       "the push along which more breaks it; empty with a load: 16 times the "
                       "profile's did not"});
-    field("num_stood", &R::num_stood, FieldColumn{"", "pushes or lifts that it stood"});
+    field("num_stood", &R::num_stood, FieldColumn{"", "pushes or lifts resisted"});
     field("worst_shift_m", &R::worst_shift, FieldColumn{"m", "of the object, in all looks"});
     field("worst_turn_deg", &R::worst_turn_deg,
           FieldColumn{"deg", "turn of the object, in all looks"});

@@ -124,7 +124,7 @@ Candidates UseSpeedDetector(const Question& question) {
                   "that digits go on after they touched and never stop at once",
                   MmFromM(question.evidence.yield)),
       "on made-up objects that yield by 5 mm the fall of speed is 35 ms late, every other "
-      "detector 60 to 95 ms: compare conditions, do not believe single instants"};
+      "detector 60 to 95 ms: compare conditions; single contact times are not reliable"};
   // A limit that nothing keeps on such an object hides what the detector does for it.
   Candidate without_limits = speed;
   without_limits.settings.insert(

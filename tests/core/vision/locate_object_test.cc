@@ -87,7 +87,7 @@ TEST(LocateObjectTest, NothingIsGuessed) {
     std::vector<Drawable> things;
     std::string reason;  // a part of it
   } cases[] = {
-      {{}, "nothing is seen that differs from the empty table"},
+      {{}, "no difference from the empty table is visible"},
       {{MakeThing(Box(), {0.2, 0.0, 0.0}, kWhite)}, "what is seen reaches over the picture's edge"},
       {{MakeThing(Box(), {0.05, 0.05, 0.0}, kWhite),
         MakeThing(MakeSphere(0.015), {-0.05, -0.05, 0.0}, kWhite)},

@@ -66,10 +66,10 @@ TEST(Diagnostics, EqualTextsAreOneLineWithTheirNumber) {
   problems.Warn("a.csv", 0, "whole");
   problems.Warn("a.csv", 0, "whole");
   EXPECT_EQ(problems.Format(),
-            "a.csv:2: warning: empty (and 299 lines more: 3, 4, 5 ..)\n"
+            "a.csv:2: warning: empty (and 299 more lines: 3, 4, 5 ..)\n"
             "a.csv:7: warning: other\n"
-            "a.csv:8: error: empty (and 1 line more: 9)\n"
-            "a.csv: warning: whole (and 1 line more)");
+            "a.csv:8: error: empty (and 1 more line: 9)\n"
+            "a.csv: warning: whole (and 1 more line)");
   EXPECT_EQ(problems.num_errors(), 2);
 }
 
