@@ -74,9 +74,12 @@ struct ContactOptions {
     v("max_pad_offset_m", max_pad_offset,
       {"a marker held farther from the surface does not touch", kAboveZero});
     v("max_pad_difference_m", max_pad_difference,
-      {"a marker farther from the surface than the other digits' by more than this does not touch", kAboveZero});
+      {"a marker farther from the surface than the other digits' by more than this does not touch",
+       kAboveZero});
     v("max_looseness", max_looseness,
-      {"reject contacts whose marker moves more than this many times as much as the others in the hold", kAboveZero});
+      {"reject contacts whose marker moves more than this many times as much as the others in the "
+       "hold",
+       kAboveZero});
     v("max_uncertainty_s", max_uncertainty,
       {"contacts with a larger uncertainty are not used; 0: no limit", 0});
     v("force_noise_factor", force_noise_factor,

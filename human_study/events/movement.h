@@ -27,8 +27,10 @@ struct MovementOptions {
       {"cut-off of the zero-phase filter on the wrist; unless stated, at most 0.34 of the "
        "recording's rate",
        kAboveZero});
-    v("speed_threshold_m_per_s", speed_threshold, {"speed threshold of the rules that use one", kAboveZero});
-    v("peak_fraction", peak_fraction, {"share of the peak speed, for the rules that use it", kAboveZero});
+    v("speed_threshold_m_per_s", speed_threshold,
+      {"speed threshold of the rules that use one", kAboveZero});
+    v("peak_fraction", peak_fraction,
+      {"share of the peak speed, for the rules that use it", kAboveZero});
   }
 };
 

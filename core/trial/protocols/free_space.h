@@ -71,10 +71,12 @@ struct FreeSpaceResult {
     field("self_penetration_m", &R::self_penetration,
           FieldColumn{"m", "of the hand in itself at the second stage"});
     field("touching", &R::touching, FieldColumn{"", "digits on the object after the last stage"});
-    field("grip_force_n", &R::grip_force, FieldColumn{"N", "sum of normal forces after the last stage"});
+    field("grip_force_n", &R::grip_force,
+          FieldColumn{"N", "sum of normal forces after the last stage"});
     field("epsilon", &R::epsilon,
           FieldColumn{"", "of these contacts, ferrari-canny; 0: no force closure"});
-    field("closing_shift_m", &R::closing_shift, FieldColumn{"m", "object shift by the end of the last stage"});
+    field("closing_shift_m", &R::closing_shift,
+          FieldColumn{"m", "object shift by the end of the last stage"});
     field("closing_turn_deg", &R::closing_turn_deg);
     field(
         "breaking_load_n", &R::breaking_load,
