@@ -147,10 +147,9 @@ TEST(StudyReport, BeginsWithItsContrast) {
     }
     return FormattedContrast{};
   }();
-  ExpectParts(summary,
-              {"diameter 60\u00A0mm minus diameter 30\u00A0mm: " + expected.difference +
-                   ", 95 % interval " + expected.low + " to " + expected.high,
-               "(paired t test), n = 3 persons.", "Each thin line is one person's mean"});
+  ExpectParts(summary, {"diameter 60\u00A0mm minus diameter 30\u00A0mm: " + expected.difference +
+                            ", 95 % interval " + expected.low + " to " + expected.high,
+                        "(paired t test), n = 3 persons.", "Each thin line is one person's mean"});
   EXPECT_LT(summary.find("(paired t test)"), summary.find("12 of 12 trials were analysed"));
   ExpectParts(summary, {"p is not adjusted over the measures", "peak opening"});
   const std::vector<std::string> sentences = DescribeContrasts(result);
