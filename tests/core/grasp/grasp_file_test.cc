@@ -64,6 +64,7 @@ TEST(GraspFile, GivesBackWhatWasWritten) {
 
 Grasp MakePlayedGrasp(const Hand& hand) {
   Grasp grasp = MakeOptimisedGrasp(hand);
+  grasp.seeks_palm = false;
   grasp.course.period = 0.02;
   grasp.course.closure_start = 0.0125;
   grasp.course.p_HAway = {{0.001, -0.002, -0.03}, {0.0, 0.0, -0.01}, {0.0, 0.0, 0.0}};

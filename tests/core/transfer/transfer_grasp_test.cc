@@ -261,8 +261,8 @@ TEST(TransferGrasp, TheOpeningIsFreeOfTheHandsWay) {
   }
 }
 
-/** The planted person comes from above along -z at 0.5 m/s, opens and closes evenly: 0.2 s from the
-widest opening to contact. */
+/** The planted person comes from above along -z, 10.5 mm in each period, opens and closes evenly:
+0.2 s from the widest opening to contact. */
 PersonGrasp PlantReach(const Planted& planted) {
   PersonGrasp person = planted.person;
   person.reach.period = 0.02;
@@ -271,7 +271,7 @@ PersonGrasp PlantReach(const Planted& planted) {
     const double opened = 1.0 - std::abs(k - 10) / 10.0;
     std::vector<Vector3d> tips;
     for (const PersonDigit& digit : person.digits) {
-      tips.push_back(digit.p_O + opened * digit.opening_O + Vector3d(0.0, 0.0, 0.01 * k));
+      tips.push_back(digit.p_O + opened * digit.opening_O + Vector3d(0.0, 0.0, 0.0105 * k));
     }
     person.reach.p_OTips.push_back(tips);
   }
@@ -287,14 +287,14 @@ TEST(PlayReach, HandAndDigitsFollowThePerson) {
   const PlayedReach played = PlayReach(hand, found, person, planted.box);
   ASSERT_EQ(played.not_played, "");
   const GraspCourse& course = played.course;
-  ASSERT_EQ(course.p_HAway.size(), 11u);  // 10 cm before contact, 1 cm in each period
+  ASSERT_EQ(course.p_HAway.size(), 11u);  // the first is more than 10 cm before contact
   EXPECT_NEAR(course.closure_start, 0.0, 1e-12);
   const Eigen::Matrix3d& R_WH = found.grasp.placement->X_WH.linear();
   const double met = found.grasp.placement->closing_at_contact;
   ASSERT_EQ(course.closing.size(), 3u);
   for (int k = 0; k <= 10; ++k) {
     const Vector3d away = R_WH * course.p_HAway[k];
-    EXPECT_LT((away - Vector3d(0.0, 0.0, 0.1 - 0.01 * k)).norm(), 1e-9) << k;
+    EXPECT_LT((away - Vector3d(0.0, 0.0, 0.0105 * (10 - k))).norm(), 1e-9) << k;
     for (const auto& [digit, closing] : course.closing) {
       EXPECT_NEAR(closing[k], met * k / 10.0, 0.02) << digit << " " << k;
     }

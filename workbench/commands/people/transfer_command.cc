@@ -1,6 +1,7 @@
 #include <memory>
 #include <string>
 
+#include "core/base/text/text.h"
 #include "workbench/command.h"
 #include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/experiments/run_session.h"

@@ -153,7 +153,7 @@ TEST_P(TableLiftTest, FollowsTheCourseOfAReach) {
               trial.time() < course.closure_start ? Phase::kPlacing : Phase::kClosure);
   }
   EXPECT_NEAR(trial.closure_start(), course.closure_start, 2.0 * setup.sim.step);
-  ExpectEqualFromEveryInstant(setup, 167);
+  ExpectEqualFromEveryInstant(setup, 67);
 }
 
 INSTANTIATE_TEST_SUITE_P(Hands, TableLiftTest, testing::Values("tum", "shadow"),
