@@ -267,6 +267,11 @@ PersonGrasp PlantReach(const Planted& planted) {
   PersonGrasp person = planted.person;
   person.reach.period = 0.02;
   person.reach.from_widest = 0.2;
+  const Vector3d fingers = 0.5 * (person.digits[1].p_O + person.digits[2].p_O);
+  const Vector3d axis = (fingers - person.digits[0].p_O).normalized();
+  for (PersonDigit& digit : person.digits) {  // the axis and its midpoint stay
+    digit.opening_O = (digit.digit == "TH" ? -0.012 : 0.012) * axis;
+  }
   for (int k = 0; k <= 20; ++k) {
     const double opened = 1.0 - std::abs(k - 10) / 10.0;
     std::vector<Vector3d> tips;
@@ -296,7 +301,7 @@ TEST(PlayReach, HandAndDigitsFollowThePerson) {
     const Vector3d away = R_WH * course.p_HAway[k];
     EXPECT_LT((away - Vector3d(0.0, 0.0, 0.0105 * (10 - k))).norm(), 1e-9) << k;
     for (const auto& [digit, closing] : course.closing) {
-      EXPECT_NEAR(closing[k], met * k / 10.0, 0.02) << digit << " " << k;
+      EXPECT_NEAR(closing[k], met * k / 10.0, 1e-9) << digit << " " << k;
     }
   }
 }
