@@ -149,7 +149,7 @@ Html DrawLags(const std::vector<TransferLags>& lags) {
   IntervalPlot plot;
   plot.text.title = "Contact times after the first contact";
   plot.text.description =
-      "Of each digit of each hand: people, transferred and standard grasps, medians with "
+      "Of each digit of each hand: people, transferred, played and standard grasps, medians with "
       "quartiles.";
   plot.axis = "time after the first contact [ms]";
   std::string hand;
@@ -159,6 +159,7 @@ Html DrawLags(const std::vector<TransferLags>& lags) {
     const std::pair<const char*, const std::vector<double>*> sides[] = {
         {"people", &digit.person},
         {"transferred", &digit.transferred},
+        {"played", &digit.played},
         {"standard", &digit.standard}};
     int series = 0;
     for (const auto& [name, values] : sides) {
@@ -173,7 +174,7 @@ Html DrawLags(const std::vector<TransferLags>& lags) {
     }
   }
   return MakeFigure(
-      plot.text.title + ": people, transferred and standard grasps, medians with ranges.",
+      plot.text.title + ": people, transferred, played and standard grasps, medians with ranges.",
       "digits that touch much later than the person's.",
       MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
 }
@@ -188,7 +189,7 @@ Html DrawLoads(const std::vector<TransferSummary>& hands) {
         "None in this session: graspbench threshold DIR finds the smallest grip with which each "
         "draw succeeds, graspbench judge DIR the load at which a held grasp breaks.");
   }
-  return MakeTable("Medians over the trials of transferred, rehearsed and standard grasps.",
+  return MakeTable("Medians over the trials of transferred, played, rehearsed and standard grasps.",
                    ShowTable(ListTransferLoadColumns(), hands));
 }
 
@@ -202,6 +203,33 @@ Html DrawReasons(const TransferFile& file, const std::vector<std::string>& hands
     }
   }
   return table.ToHtml();
+}
+
+/** Grasps along the person's course; or how to have them. */
+Html DrawPlayed(const TransferFile& file, const std::vector<TransferSummary>& hands) {
+  Table reasons(
+      "Grasps whose course the hand cannot follow, with the reason; numbers are those of "
+      "the first.",
+      {"Hand", "Reason", "Grasps"});
+  bool has_played = false, has_reason = false;
+  for (const TransferSummary& summary : hands) {
+    has_played = has_played || summary.played.finished > 0;
+    for (const auto& [reason, count] :
+         CountTransferReasons(file, summary.hand, &TransferRow::not_played)) {
+      reasons.AddRow({summary.hand, reason, count});
+      has_reason = true;
+    }
+  }
+  if (!has_played && !has_reason) {
+    return MakeParagraph("None in this session: graspbench transfer --play adds them.");
+  }
+  return MakeParagraph(
+             "The same grasps with the person's reach: the hand follows the midpoint of thumb and "
+             "fingers, each digit its own opening, in the person's time until the last contact. "
+             "The hand does not turn.") +
+         MakeTable("Success with 95 % interval, and its change by playing on the same draws.",
+                   ShowTable(ListPlayedColumns(), hands)) +
+         (has_reason ? reasons.ToHtml() : Html());
 }
 
 }  // namespace
@@ -243,6 +271,7 @@ std::string MakeTransferPage(const Session& session) {
                             "towards.",
                             ShowTable(ListTransferColumns(), by_type)));
   body += section("loads", "Grip thresholds and breaking loads", DrawLoads(all));
+  body += section("played", "Played reaches", DrawPlayed(file, all));
   body += section("times", "Contact times", DrawLags(ListTransferLags(file, session)));
   body += section("digits", "Digits",
                   MakeTable("Pads of transferred grasps beside the contacts of the digits that "
@@ -282,6 +311,7 @@ std::string MakeTransferPage(const Session& session) {
                    {"objects", "Objects"},
                    {"types", "Grasp types"},
                    {"loads", "Loads"},
+                   {"played", "Played reaches"},
                    {"times", "Contact times"},
                    {"digits", "Digits"},
                    {"reasons", "Not transferable"},

@@ -253,8 +253,11 @@ std::string DescribeMethod(const TrialSetup& setup, const TrialRecord& record) {
          " degrees about the vertical; every drive had a random error within its joint accuracy. "
          "The trial ran the strategy pre-grasp, placing, closure, stabilisation and lift-off, "
          "closing from the pre-grasp to the target posture in " +
-         FormatFixed(setup.strategy.closure_time, 2) + " s, and then a hold of " +
-         FormatFixed(setup.strategy.hold_time, 2) + " s, in steps of " +
+         FormatFixed(setup.strategy.closure_time, 2) + " s" +
+         (setup.grasp.course.is_set() ? " after a recorded course of hand and digits of " +
+                                            FormatFixed(setup.grasp.course.duration(), 2) + " s"
+                                      : "") +
+         ", and then a hold of " + FormatFixed(setup.strategy.hold_time, 2) + " s, in steps of " +
          FormatFixed(MsFromS(setup.sim.step), 2) + " ms (graspbench " +
          std::string(program_version()) +
          "). A trial succeeds if the object leaves the table with the hand and stays in it until "

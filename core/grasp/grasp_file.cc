@@ -66,6 +66,63 @@ Placement ReadPlacement(const YAML::Node& node, const std::string& file, Diagnos
   return placement;
 }
 
+/** The digits' closings, each as long as the course. */
+void ReadCourseClosing(const YAML::Node& node, const std::string& file,
+                       const std::vector<std::string>& digits, Diagnostics& problems,
+                       GraspCourse& course) {
+  YamlMap map(node, file, "course.closing", problems);
+  for (const std::string& digit : digits) {
+    std::vector<double>& closing = course.closing[digit];
+    map.Read(digit, closing);
+    if (!map.Has(digit)) continue;
+    if (closing.size() != course.p_HAway.size()) {
+      map.Fail(digit, "expected " + std::to_string(course.p_HAway.size()) +
+                          " values, one for each of x_m, found " + std::to_string(closing.size()));
+    }
+    for (const double s : closing) {
+      if (s >= 0.0 && s <= 1.0) continue;
+      map.Fail(digit, "expected values from 0 to 1, found " + FormatFixed(s, 3));
+      break;
+    }
+  }
+  map.FinishKnownKeys();
+}
+
+GraspCourse ReadCourse(const YAML::Node& node, const std::string& file, const Grasp& grasp,
+                       Diagnostics& problems) {
+  constexpr double kAtGrasp = 1e-6;  ///< of the last position [m]
+  YamlMap map(node, file, "course", problems, &ListGraspFileKeys(), "course.");
+  GraspCourse course;
+  std::vector<double> x, y, z;
+  map.Read("period_s", course.period);
+  map.Read("closure_start_s", course.closure_start);
+  map.Read("x_m", x);
+  map.Read("y_m", y);
+  map.Read("z_m", z);
+  const YAML::Node closing = map.Child("closing");
+  map.FinishKnownKeys();
+  if (x.size() < 2 || y.size() != x.size() || z.size() != x.size()) {
+    map.Fail("x_m", "expected x_m, y_m and z_m with as many values, two or more; found " +
+                        std::to_string(x.size()) + ", " + std::to_string(y.size()) + " and " +
+                        std::to_string(z.size()));
+    return {};
+  }
+  for (size_t k = 0; k < x.size(); ++k) course.p_HAway.emplace_back(x[k], y[k], z[k]);
+  if (course.p_HAway.back().norm() > kAtGrasp) {
+    map.Fail("x_m", "the hand ends " + FormatFixed(MmFromM(course.p_HAway.back().norm()), 3) +
+                        " mm from its grasp position; expected zero at the end");
+  }
+  if (course.closure_start > course.duration()) {
+    map.Fail("closure_start_s",
+             "is after the end of the course at " + FormatFixed(course.duration(), 3) + " s");
+  }
+  if (grasp.seeks_palm) {
+    map.Fail("x_m", "a hand that seeks the palm goes its own way; remove course or seeks_palm");
+  }
+  if (!closing.IsNull()) ReadCourseClosing(closing, file, grasp.digits, problems, course);
+  return course;
+}
+
 /** Returns the standard grasp that gives type, d and alpha. If it does not exist, reports a problem
 and returns the first one. */
 const GraspTaxon& ReadTaxon(YamlMap& map) {
@@ -141,10 +198,31 @@ GraspFile ParseGraspFile(const std::string& text, const std::string& file,
   }
   const YAML::Node placement = map.Child("placement", Needed::kNo);
   if (!placement.IsNull()) grasp.placement = ReadPlacement(placement, file, problems);
+  const YAML::Node course = map.Child("course", Needed::kNo);
+  if (!course.IsNull()) grasp.course = ReadCourse(course, file, grasp, problems);
   map.FinishKnownKeys();
   problems.ThrowIfErrors(ErrorKind::kFormat, "the grasp cannot be used");
   return result;
 }
+
+namespace {
+
+std::string FormatCourse(const GraspCourse& course) {
+  std::string away, closing;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    std::vector<double> values;
+    for (const Vector3d& p : course.p_HAway) values.push_back(p[axis]);
+    away += std::string("\n  ") + "xyz"[axis] + "_m: " + FormatList(values);
+  }
+  for (const auto& [digit, values] : course.closing) {
+    closing += "    " + FormatYamlWord(digit) + ": " + FormatList(values) + "\n";
+  }
+  return "course:\n  period_s: " + FormatFixed(course.period, 9) +
+         "\n  closure_start_s: " + FormatFixed(course.closure_start, 9) + away + "\n  closing:\n" +
+         closing;
+}
+
+}  // namespace
 
 std::string FormatGraspFile(const Hand& hand, const Grasp& grasp, const std::string& made_from) {
   std::string digits;
@@ -175,6 +253,7 @@ std::string FormatGraspFile(const Hand& hand, const Grasp& grasp, const std::str
             "\n  approach: " + FormatList({a.x(), a.y(), a.z()}) +
             "\n  closing_at_contact: " + FormatFixed(grasp.placement->closing_at_contact, 9) + "\n";
   }
+  if (grasp.course.is_set()) text += FormatCourse(grasp.course);
   return text;
 }
 

@@ -18,11 +18,18 @@ File of a single grasp, written by the optimisation and read by `graspbench run 
       orientation_wxyz: [0, 1, 0, 0]
       approach: [0, 0, -1]               # unit, in W
       closing_at_contact: 0.4
+    course:                    # if given, placing and closing follow it (grasp_course.h)
+      period_s: 0.02
+      closure_start_s: 0.02
+      x_m: [0, 0, 0]           # displacement of H from its grasp position in its axes, last zero
+      y_m: [0.001, 0, 0]
+      z_m: [-0.02, -0.01, 0]
+      closing: {FF: [0, 0, 0.4], MF: [0, 0.1, 0.4], TH: [0, 0.2, 0.4]}
 
 The same grasp can be exported as isaac_grasp 1.0 (https://nvidia-isaac-ros.github.io/concepts/
 manipulation/isaac_grasp.html). It states the pose of the hand's root link in the object's frame O
 (centre of the bounding box, x along length, z up), in metres and radians, with the joint names of
-hand.urdf. That format has no digits, approach or closing law, so it cannot be read back. */
+hand.urdf. That format has no digits, approach, course or closing law, so it cannot be read back. */
 
 #include <Eigen/Core>
 #include <string>

@@ -99,6 +99,16 @@ const FileKeys& ListGraspFileKeys() {
         {"placement.approach", kRequired, "the way to the object, a unit vector"},
         {"placement.closing_at_contact", kRequired, "share of the closure at the first contact", 0,
          1},
+        {"course", "", "a recorded reach that placing and closing follow; else the strategy's own"},
+        {"course.period_s", kRequired, "between its instants", 0.001, 1},
+        {"course.closure_start_s", kRequired, "start of closure after its first instant", 0, 60},
+        {"course.x_m", kRequired,
+         "displacement of the hand from its grasp position at each instant, in its own axes", -2,
+         2},
+        {"course.y_m", kRequired, "as x_m", -2, 2},
+        {"course.z_m", kRequired, "as x_m", -2, 2},
+        {"course.closing", kRequired,
+         "by digit: share of the way from pre-grasp to target posture at each instant"},
     };
     rows.insert(rows.end(), rest.begin(), rest.end());
     return rows;

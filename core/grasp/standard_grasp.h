@@ -15,6 +15,7 @@ grasp and are the same for every hand; the rest belongs to the hand and is read 
 
 #include "core/base/pose.h"
 #include "core/grasp/closing_law.h"
+#include "core/grasp/grasp_course.h"
 #include "core/hand/hand.h"
 #include "core/shape/grasp_object.h"
 
@@ -70,6 +71,7 @@ struct Grasp {
   Approach approach = Approach::kAutomatic;
   std::string object;                  ///< id of the object it was made for; empty: any
   std::optional<Placement> placement;  ///< absent: computed from postures and sizes
+  GraspCourse course;                  ///< recorded reach that placing and closing follow, if set
 };
 
 /** Index into hand.digits of the digit that opposes the others: the thumb, or the first grasping

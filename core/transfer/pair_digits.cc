@@ -20,11 +20,17 @@ constexpr double kWorseOpposition = 0.5;  ///< of the thumb relative to another 
 constexpr double kShortestPhalanx = 0.01, kLongestPhalanx = 0.05;  ///< human last phalanx [m]
 constexpr double kFlat = 0.1;  ///< least volume that distinguishes left and right, share of a cube
 
-/** Mean position of all digits but the first. */
-Vector3d CalcFingersMiddle(const std::vector<PersonDigit>& digits) {
+std::vector<Vector3d> ListPlaces(const std::vector<PersonDigit>& digits) {
+  std::vector<Vector3d> places;
+  for (const PersonDigit& digit : digits) places.push_back(digit.p_O);
+  return places;
+}
+
+/** Mean of all positions but the first. */
+Vector3d CalcFingersMiddle(const std::vector<Vector3d>& places) {
   Vector3d middle = Vector3d::Zero();
-  for (size_t d = 1; d < digits.size(); ++d) {
-    middle += digits[d].p_O / static_cast<double>(digits.size() - 1);
+  for (size_t d = 1; d < places.size(); ++d) {
+    middle += places[d] / static_cast<double>(places.size() - 1);
   }
   return middle;
 }
@@ -84,19 +90,24 @@ PadGoal MakeGoal(int digit, const std::vector<PersonDigit>& people, const GraspO
 
 }  // namespace
 
-void SetOpening(const std::vector<Vector3d>& p_OOpen, PersonGrasp& person) {
-  std::vector<PersonDigit>& digits = person.digits;
-  GRASPBENCH_DEMAND(digits.size() >= 2 && p_OOpen.size() == digits.size(),
-                    std::to_string(p_OOpen.size()));
-  std::vector<PersonDigit> open = digits;
-  for (size_t d = 0; d < open.size(); ++d) open[d].p_O = p_OOpen[d];
-  const Vector3d met = CalcFingersMiddle(digits), was = CalcFingersMiddle(open);
+std::vector<Vector3d> CalcOpening(const std::vector<Vector3d>& p_OTips,
+                                  const std::vector<Vector3d>& p_OContact) {
+  GRASPBENCH_DEMAND(p_OContact.size() >= 2 && p_OTips.size() == p_OContact.size(),
+                    std::to_string(p_OTips.size()));
+  const Vector3d met = CalcFingersMiddle(p_OContact), was = CalcFingersMiddle(p_OTips);
   const Eigen::Quaterniond turn =
-      Eigen::Quaterniond::FromTwoVectors(was - open[0].p_O, met - digits[0].p_O);
-  const Vector3d middle = 0.5 * (was + open[0].p_O), to = 0.5 * (met + digits[0].p_O);
-  for (size_t d = 0; d < digits.size(); ++d) {
-    digits[d].opening_O = to + turn * (open[d].p_O - middle) - digits[d].p_O;
+      Eigen::Quaterniond::FromTwoVectors(was - p_OTips[0], met - p_OContact[0]);
+  const Vector3d middle = 0.5 * (was + p_OTips[0]), to = 0.5 * (met + p_OContact[0]);
+  std::vector<Vector3d> openings;
+  for (size_t d = 0; d < p_OTips.size(); ++d) {
+    openings.emplace_back(to + turn * (p_OTips[d] - middle) - p_OContact[d]);
   }
+  return openings;
+}
+
+void SetOpening(const std::vector<Vector3d>& p_OOpen, PersonGrasp& person) {
+  const std::vector<Vector3d> openings = CalcOpening(p_OOpen, ListPlaces(person.digits));
+  for (size_t d = 0; d < openings.size(); ++d) person.digits[d].opening_O = openings[d];
 }
 
 PersonGrasp UseLandmarks(const PersonGrasp& person, const GraspObject& object) {

@@ -134,6 +134,12 @@ class Transfer {
   }
 
  private:
+  /** Line of closing for all joints, with the s at which it should meet the contact. */
+  struct ClosingLine {
+    VectorXd q_pre, q_target;
+    double s = 1.0;
+  };
+
   bool Fail(const std::string& reason) {
     result_.not_transferable = reason;
     return false;
@@ -220,15 +226,32 @@ class Transfer {
     const double grip =
         std::max(kLeastGrip, kGripMargin * weight / (2.0 * object_.surface.friction_static));
     grasp.q_target = CalcSqueeze(hand_, grasp.digits, CloseOn(), approach_H, grip);
-    // Two alternatives: shifted as a whole onto the contact, or straight on from the opening.
+    // Alternatives: shifted as a whole onto the contact; straight on from the opening; straight on
+    // from the opening of the standard grasp.
     const double s = FindClosingAtContact(hand_, goals_, grasp, met_.X_OH);
     const VectorXd beside = CalcClosingPosture(hand_, grasp, s) - met_.q;
-    const double way = (met_.q - grasp.q_pre).norm();
-    const double further = (grasp.q_target - met_.q).norm() / std::max(way, 1e-6);
+    const double beyond = (grasp.q_target - met_.q).norm();
     lines_ = {{grasp.q_pre - beside, grasp.q_target - beside, s},
-              {grasp.q_pre, met_.q + further * (met_.q - grasp.q_pre), 1.0 / (1.0 + further)}};
+              MakeLineFrom(grasp.q_pre, beyond),
+              MakeLineFrom(OpenAsStandard(), beyond)};
     result_.undetermined = placer_.FindUndetermined(goals_, met_);
     return true;
+  }
+
+  /** Straight through the contact and on by `beyond`. */
+  ClosingLine MakeLineFrom(const VectorXd& q_pre, double beyond) const {
+    const double further = beyond / std::max((met_.q - q_pre).norm(), 1e-6);
+    return {q_pre, met_.q + further * (met_.q - q_pre), 1.0 / (1.0 + further)};
+  }
+
+  /** Grasping digits as the standard grasp opens them. */
+  VectorXd OpenAsStandard() const {
+    VectorXd q = result_.grasp.q_pre;
+    for (const int joint : FindGraspJoints(hand_, result_.grasp.digits)) {
+      q[joint] = standard_->q_pre[joint];
+    }
+    ApplyCoupling(hand_, q);
+    return q;
   }
 
   /** Sets both ends of the closing, adjusted to the limits so that it meets the contact at s. */
@@ -362,11 +385,6 @@ class Transfer {
   std::vector<PadGoal> goals_;
   std::vector<Vector3d> inwards_;  // at the goals, unit
   PlacedPosture met_;
-  /** Line of closing for all joints, with the s at which it should meet the contact. */
-  struct ClosingLine {
-    VectorXd q_pre, q_target;
-    double s = 1.0;
-  };
   std::vector<ClosingLine> lines_;  // tested one after the other
   TransferredGrasp result_;
 };

@@ -19,7 +19,8 @@ posture and a pose of any hand.
               behind the surface; then the squeeze by statics (CalcSqueeze,
               core/develop/propose_grasps.h). Opening and target are then shifted, within limits, so
               that the closing hand passes through the contact. If that opening collides, the target
-              instead continues straight from the original opening by the same amount
+              instead continues straight from the original opening by the same amount, and if that
+              collides, too, from the opening of the standard grasp
 
 The person's hand is scaled by the object: contacts stay at their positions on it. A pad farther
 than kReachedMiss from its goal is unreachable, and its digit leaves the grasp. Without two digits,
@@ -63,18 +64,32 @@ struct PersonDigit {
   std::vector<Eigen::Vector3d> p_OJoints = {};
 };
 
+/** The reach before a grasp. */
+struct PersonReach {
+  double period = 0.02;      ///< between instants [s]
+  double from_widest = 0.0;  ///< time from the widest opening to contact [s]
+  /** Positions of the digits' markers at contact, then every period before, in O [m]: by instant,
+  in the order of the digits. Fewer than two instants: not recorded. */
+  std::vector<std::vector<Eigen::Vector3d>> p_OTips;
+};
+
 struct PersonGrasp {
   std::vector<PersonDigit> digits;  ///< those that touched, thumb first, then radial to ulnar
   /** Palm at contact: the mean of wrist and knuckles, otherwise a wrist marker [m]. */
   std::optional<Eigen::Vector3d> p_OPalm;
   /** Unit direction of the hand's motion towards the object; zero: unknown. */
   Eigen::Vector3d approach_O = Eigen::Vector3d::Zero();
+  PersonReach reach = {};
 };
 
-/** Sets opening_O from the positions at the widest opening. They are moved as a rigid hand: the
-opening axis (thumb to the mean of the fingers) is rotated by the smallest rotation to that at
-contact, and its midpoint shifted to that at contact. The remaining displacement of each digit is
-its opening_O. @pre as many positions as digits, the thumb first. */
+/** Displacements of the digits from their positions at contact, in the hand's own frame. Positions
+are moved as a rigid hand: the opening axis (thumb to the mean of the fingers) is rotated by the
+smallest rotation to that at contact, and its midpoint shifted to that at contact.
+@pre as many positions as at contact, two or more, the thumb first. */
+std::vector<Eigen::Vector3d> CalcOpening(const std::vector<Eigen::Vector3d>& p_OTips,
+                                         const std::vector<Eigen::Vector3d>& p_OContact);
+
+/** Sets opening_O by CalcOpening from the positions at the widest opening. */
 void SetOpening(const std::vector<Eigen::Vector3d>& p_OOpen, PersonGrasp& person);
 
 /** Derives pads from the landmarks of the joints. The pad is kPadShare of the last phalanx before

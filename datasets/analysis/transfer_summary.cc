@@ -20,9 +20,17 @@ namespace {
 constexpr double kNearPad = 0.002;  // [m]
 constexpr const char* kRehearsedId = "rehearsed";
 
-enum class TransferSide { kTransferred, kRehearsed, kStandard };
+enum class TransferSide { kTransferred, kPlayed, kRehearsed, kStandard };
 
-/** Which of the three a planned grasp is. */
+/** The grasp without its course; empty: it is not a played one. */
+std::string FindStill(const std::string& grasp) {
+  const std::string suffix = kPlayedSuffix;
+  if (grasp.size() <= suffix.size()) return "";
+  const size_t end = grasp.size() - suffix.size();
+  return grasp.compare(end, suffix.size(), suffix) == 0 ? grasp.substr(0, end) : "";
+}
+
+/** Which of them a planned grasp is. */
 class TransferSides {
  public:
   explicit TransferSides(const TransferFile& file) {
@@ -30,6 +38,7 @@ class TransferSides {
   }
   TransferSide Find(const PlannedTrial& planned) const {
     if (ids_.count(planned.grasp) > 0) return TransferSide::kTransferred;
+    if (ids_.count(FindStill(planned.grasp)) > 0) return TransferSide::kPlayed;
     return planned.grasp.rfind(kRehearsedId, 0) == 0 ? TransferSide::kRehearsed
                                                      : TransferSide::kStandard;
   }
@@ -62,6 +71,32 @@ ChangeEstimate EstimateTransfer(const std::vector<const TrialRecord*>& records,
   for (const auto& [key, draw] : draws) {
     if (draw.num_own == 0 || draw.num_others == 0) continue;
     changes[std::get<0>(key)].push_back(draw.own / draw.num_own - draw.others / draw.num_others);
+  }
+  return EstimateSuccessChange(changes, std::nullopt, ExplainUndecided(CountOutcomes(compared)));
+}
+
+/** Successes of played grasps less those of the same grasps without the course, by draw. */
+ChangeEstimate EstimatePlaying(const std::vector<const TrialRecord*>& records,
+                               const TransferSides& sides) {
+  std::map<std::tuple<std::string, std::string, int>, double> still;
+  std::set<const TrialRecord*> compared;
+  const auto success = [](const TrialRecord& record) {
+    return IsSuccess(record.result.outcome) ? 1.0 : 0.0;
+  };
+  for (const TrialRecord* record : records) {
+    const PlannedTrial& plan = record->plan;
+    if (sides.Find(plan) != TransferSide::kTransferred) continue;
+    still[{plan.object, plan.grasp, plan.trial}] = success(*record);
+    compared.insert(record);
+  }
+  ObjectChanges changes;
+  for (const TrialRecord* record : records) {
+    const PlannedTrial& plan = record->plan;
+    if (sides.Find(plan) != TransferSide::kPlayed) continue;
+    const auto same = still.find({plan.object, FindStill(plan.grasp), plan.trial});
+    if (same == still.end()) continue;
+    changes[plan.object].push_back(success(*record) - same->second);
+    compared.insert(record);
   }
   return EstimateSuccessChange(changes, std::nullopt, ExplainUndecided(CountOutcomes(compared)));
 }
@@ -108,8 +143,10 @@ TransferSummary SummariseOne(const std::string& hand, const std::string& object,
     const TrialRecord& record = session.records[i];
     if (record.plan.hand != hand || (!object.empty() && record.plan.object != object)) continue;
     const TransferSide side = sides.Find(record.plan);
-    const bool is_own = own.count({record.plan.object, record.plan.grasp}) > 0;
-    if (side == TransferSide::kTransferred && !is_own) continue;
+    const bool is_played = side == TransferSide::kPlayed;
+    const std::string grasp = is_played ? FindStill(record.plan.grasp) : record.plan.grasp;
+    const bool is_own = own.count({record.plan.object, grasp}) > 0;
+    if ((is_played || side == TransferSide::kTransferred) && !is_own) continue;
     records.push_back(&record);
     if (!thresholds.empty() && !std::isnan(thresholds[i])) {
       loads[side].thresholds.push_back(thresholds[i]);
@@ -118,14 +155,17 @@ TransferSummary SummariseOne(const std::string& hand, const std::string& object,
       loads[side].forces.push_back(record.judgement->breaking_force);
     }
     (side == TransferSide::kTransferred ? summary.transferred
+     : is_played                        ? summary.played
      : side == TransferSide::kRehearsed ? summary.rehearsed
                                         : summary.standard)
         .Count(record.result.outcome);
   }
   summary.loads = loads[TransferSide::kTransferred].Take();
+  summary.loads_played = loads[TransferSide::kPlayed].Take();
   summary.loads_rehearsed = loads[TransferSide::kRehearsed].Take();
   summary.loads_standard = loads[TransferSide::kStandard].Take();
   summary.over_rehearsed = EstimateTransfer(records, sides, TransferSide::kRehearsed);
+  summary.of_playing = EstimatePlaying(records, sides);
   summary.over_standard = EstimateTransfer(records, sides, TransferSide::kStandard);
   return summary;
 }
@@ -250,6 +290,7 @@ std::vector<CsvColumn<TransferSummary>> ListTransferLoadColumns() {
   std::vector<C> columns = {C("hand", "", "", &Row::hand).Shown("hand")};
   const std::pair<const char*, TransferLoads Row::*> sides[] = {
       {"transferred", &Row::loads},
+      {"played", &Row::loads_played},
       {"rehearsed", &Row::loads_rehearsed},
       {"standard", &Row::loads_standard}};
   for (const auto& [name, side] : sides) {
@@ -269,6 +310,27 @@ std::vector<CsvColumn<TransferSummary>> ListTransferLoadColumns() {
   return columns;
 }
 
+std::vector<CsvColumn<TransferSummary>> ListPlayedColumns() {
+  using Row = TransferSummary;
+  using C = CsvColumn<Row>;
+  return {
+      C("hand", "", "", &Row::hand).Shown("hand"),
+      C("trials_played", "", "of grasps along the person's course",
+        [](const Row& row) {
+          return row.played.finished;
+        }).Shown("trials played"),
+      C("success_played", "", "success rate of these trials",
+        [](const Row& row) {
+          return row.played.rate();
+        }).Shown("success played [%]", [](const Row& row) { return FormatSuccess(row.played); }),
+      C("of_playing", "", "their success less that of the same grasps without the course",
+        [](const Row& row) {
+          return row.of_playing.estimate;
+        }).Shown("change by playing [points]", [](const Row& row) {
+        return FormatPoints(row.of_playing);
+      })};
+}
+
 std::vector<TransferLags> ListTransferLags(const TransferFile& file, const Session& session) {
   std::vector<TransferLags> lags;
   const auto find = [&](const std::string& hand, const std::string& digit) -> TransferLags& {
@@ -276,7 +338,7 @@ std::vector<TransferLags> ListTransferLags(const TransferFile& file, const Sessi
       return one.hand == hand && one.digit == digit;
     });
     if (same != lags.end()) return *same;
-    lags.push_back({hand, digit, {}, {}, {}});
+    lags.push_back({hand, digit, {}, {}, {}, {}});
     return lags.back();
   };
   for (const TransferRow& row : file.rows) {
@@ -304,7 +366,9 @@ std::vector<TransferLags> ListTransferLags(const TransferFile& file, const Sessi
     for (const DigitContact& contact : record.result.contacts) {
       if (!std::isfinite(contact.time)) continue;
       TransferLags& own = find(record.plan.hand, contact.digit);
-      (side == TransferSide::kStandard ? own.standard : own.transferred)
+      (side == TransferSide::kStandard ? own.standard
+       : side == TransferSide::kPlayed ? own.played
+                                       : own.transferred)
           .push_back(contact.time - first);
     }
   }
@@ -312,16 +376,17 @@ std::vector<TransferLags> ListTransferLags(const TransferFile& file, const Sessi
 }
 
 std::vector<std::pair<std::string, int>> CountTransferReasons(const TransferFile& file,
-                                                              const std::string& hand) {
+                                                              const std::string& hand,
+                                                              std::string TransferRow::*reason_of) {
   std::map<std::string, std::pair<std::string, int>> counts;  // by reason without its numbers
   for (const TransferRow& row : file.rows) {
-    if (row.hand != hand || row.not_transferable.empty()) continue;
-    std::string reason = row.not_transferable;
+    if (row.hand != hand || (row.*reason_of).empty()) continue;
+    std::string reason = row.*reason_of;
     for (char& c : reason) {
       if (std::isdigit(static_cast<unsigned char>(c))) c = '#';
     }
     for (size_t at; (at = reason.find("##")) != std::string::npos;) reason.erase(at, 1);
-    const auto [found, is_new] = counts.try_emplace(reason, row.not_transferable, 0);
+    const auto [found, is_new] = counts.try_emplace(reason, row.*reason_of, 0);
     ++found->second.second;
   }
   std::vector<std::pair<std::string, int>> sorted;

@@ -4,7 +4,9 @@ Human grasps on robot hands (core/transfer): how closely each was reproduced, an
 trials compared with the standard and the rehearsed grasp on the same draws.
 
 A session of transferred grasps has "best", "rehearsed" and every transferred grasp of each hand on
-each object. Its inputs/grasps/transfer.json lists all attempted transfers, successful or not. */
+each object. It may have these grasps a second time, as played: with the course of the person's
+reach, under the same name with kPlayedSuffix. Its inputs/grasps/transfer.json lists all attempted
+transfers, successful or not. */
 
 #include <Eigen/Core>
 #include <string>
@@ -59,6 +61,7 @@ struct TransferRow {
   std::string hand, object, participant;
   std::string grasp;             ///< id of the grasp in the session, one per source
   std::string not_transferable;  ///< reason; empty: the grasp is in the session
+  std::string not_played;        ///< reason; empty: played, or not asked for
   std::string type;              ///< of the standard grasp that it resembles: "power"; empty: none
   std::vector<TransferPad> pads;
   std::vector<std::string> undetermined;  ///< joints
@@ -72,6 +75,7 @@ struct TransferRow {
     field("participant", &R::participant);
     field("grasp", &R::grasp);
     field("not_transferable", &R::not_transferable);
+    field("not_played", &R::not_played);
     field("type", &R::type);
     field("pads", &R::pads);
     field("undetermined", &R::undetermined);
@@ -92,6 +96,8 @@ struct TransferFile {
   }
 };
 
+inline constexpr const char* kPlayedSuffix = "-played";  ///< of the id of a played grasp
+
 inline constexpr const char* kTransferPath = "inputs/grasps/transfer.json";
 /** Reads the transfers of a session's folder. @throws Error(kFormat, kIo). */
 TransferFile LoadTransferFile(const std::filesystem::path& folder);
@@ -111,10 +117,13 @@ struct TransferSummary {
   /** Over the pads of transferred grasps; NaN without a pad. */
   double median_distance = kUnset, median_angle = kUnset;  ///< [m], [rad]
   double near_share = kUnset;                              ///< of pads within 2 mm
-  Tally transferred, rehearsed, standard;
-  TransferLoads loads, loads_rehearsed, loads_standard;
+  Tally transferred, played, rehearsed, standard;
+  TransferLoads loads, loads_played, loads_rehearsed, loads_standard;
   /** Success rate of the transferred grasps minus that of the others on the same draws. */
   ChangeEstimate over_rehearsed, over_standard;
+  /** Success rate of played grasps minus that of the same grasps without the course, on the same
+  draws. */
+  ChangeEstimate of_playing;
 
   double transferable_share() const { return CalcShare(num_transferred, num_grasps); }
 };
@@ -123,11 +132,14 @@ struct TransferSummary {
 std::vector<TransferSummary> SummariseTransfers(const TransferFile& file, const Session& session);
 std::vector<CsvColumn<TransferSummary>> ListTransferColumns();
 std::vector<CsvColumn<TransferSummary>> ListTransferLoadColumns();
+std::vector<CsvColumn<TransferSummary>> ListPlayedColumns();
 
-/** Counts the reasons why grasps were not transferable to a hand, most frequent first. Reasons that
-differ only in numbers are merged under the first. */
-std::vector<std::pair<std::string, int>> CountTransferReasons(const TransferFile& file,
-                                                              const std::string& hand);
+/** Counts the reasons why grasps were not transferable to a hand, or not played, most frequent
+first. Reasons that differ only in numbers are merged under the first.
+@param reason  TransferRow::not_transferable or TransferRow::not_played. */
+std::vector<std::pair<std::string, int>> CountTransferReasons(
+    const TransferFile& file, const std::string& hand,
+    std::string TransferRow::*reason = &TransferRow::not_transferable);
 
 /** Pads of one digit of a hand in transferred grasps. */
 struct TransferDigit {
@@ -143,7 +155,7 @@ std::vector<CsvColumn<TransferDigit>> ListTransferDigitColumns();
 that it represents [s]. */
 struct TransferLags {
   std::string hand, digit;
-  std::vector<double> person, transferred, standard;
+  std::vector<double> person, transferred, played, standard;
 };
 std::vector<TransferLags> ListTransferLags(const TransferFile& file, const Session& session);
 

@@ -38,6 +38,21 @@ void CheckNamesFit(const std::string& what, const std::vector<std::string>& name
   }
 }
 
+/** A recorded course moves the hand and closes the digits itself. */
+void CheckCourses(const SessionConfig& config, const SessionInputs& inputs) {
+  for (const SessionHand& hand : inputs.hands) {
+    if (!hand.arm && config.policy.command.empty()) continue;
+    for (const Grasp& grasp : hand.grasps) {
+      if (!grasp.course.is_set()) continue;
+      throw Error(ErrorKind::kUsage,
+                  "the grasp \"" + grasp.id + "\" follows a recorded course, which " +
+                      (hand.arm ? "no robot arm can follow" : "a controller does not") +
+                      "; remove \"course\" from its file, or leave out the " +
+                      (hand.arm ? "arm" : "controller"));
+    }
+  }
+}
+
 void CheckGraspsExist(const SessionConfig& config, const SessionInputs& inputs) {
   std::vector<std::string> known;
   for (const SessionHand& hand : inputs.hands) {
@@ -273,6 +288,12 @@ Json ToJson(const Grasp& grasp) {
   for (const auto& [digit, schedule] : grasp.closing) {
     json["closing"][digit] = {schedule.delay, schedule.speed};
   }
+  if (grasp.course.is_set()) {
+    Json& course = json["course"] = {{"period_s", grasp.course.period},
+                                     {"closure_start_s", grasp.course.closure_start}};
+    for (const Eigen::Vector3d& p : grasp.course.p_HAway) course["away_m"].push_back(JsonVector(p));
+    course["closing"] = grasp.course.closing;
+  }
   if (grasp.placement) {
     json["X_WH"] = JsonPose(grasp.placement->X_WH);
     json["approach_W"] = JsonVector(grasp.placement->approach_W);
@@ -289,6 +310,7 @@ std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInp
   const std::vector<ConditionBlock> blocks = ListBlocks(config, inputs);
   for (const ConditionBlock& block : blocks) CheckInputs(*block.config, *block.inputs);
   for (const ConditionBlock& block : blocks) CheckGraspsExist(*block.config, *block.inputs);
+  for (const ConditionBlock& block : blocks) CheckCourses(*block.config, *block.inputs);
   const bool is_threshold = FindThresholdScale(config) != nullptr;
   for (const ConditionBlock& block : blocks) {
     CheckGripMargins(*block.config, *block.inputs);

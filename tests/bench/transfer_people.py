@@ -3,6 +3,7 @@
 
   transfer_people.py people FOLDER [--persons 4] [--same HAND]   writes a study of 21 landmarks a hand
   transfer_people.py judge FOLDER SESSION [HAND=FOLDER ..]       compares graspbench transfer with it
+  transfer_people.py wrong FOLDER OUT                            writes the first person's cylinder in 14 wrong ways
 
 Nothing here is shared with core/transfer: hands are read from hand.urdf and hand.yaml, and postures come
 from a damped Gauss-Newton search from many random starts. --same: the person's hand is the robot's own,
@@ -511,8 +512,62 @@ def judge(folder, session, models):
             print("  not: " + text)
 
 
+def write_wrong(folder, out):
+    """One study for each: the same recording mirrored, in another unit, with the object's pose missing or of another
+    trial, with digits exchanged, as another object, as the other hand."""
+    folder, out = pathlib.Path(folder), pathlib.Path(out)
+
+    def read(file):
+        lines = (folder / file).read_text().split("\n")[:-1]
+        return lines[0].split(","), np.array([[float(v) for v in line.split(",")] for line in lines[1:]])
+
+    heads, right = read("recordings/p01_cylinder_60mm.csv")
+    other = read("recordings/p01_box_50mm.csv")[1]
+    of_object = np.array([head.startswith("object") for head in heads])
+    is_place = np.array([head != "time_s" for head in heads])
+    is_x = np.array([head.endswith("_x_m") for head in heads])
+
+    def scale(columns, factor):
+        return np.where(columns, factor * right, right)
+
+    def exchange(pairs):
+        table = right.copy()
+        for a, b in pairs:
+            for axis in "xyz":
+                i, j = (heads.index("%s_%s_m" % (name, axis)) for name in (a, b))
+                table[:, [i, j]] = table[:, [j, i]]
+        return table
+
+    def swap(a, b):
+        return exchange([(a + "_" + joint, b + "_" + joint) for joint in [*OTHER_JOINTS, "tip"]])
+
+    thumb = [("thumb_tip", "index_tip"), ("thumb_ip", "index_dip"), ("thumb_mcp", "index_pip"), ("thumb_cmc", "index_mcp")]
+    cases = {
+        "mirrored": (scale(is_x, -1), "right", ""), "mirrored_unstated": (scale(is_x, -1), "", ""), "left": (scale(is_x, -1), "left", ""),
+        "times_1000": (scale(is_place, 1000), "right", ""), "times_10": (scale(is_place, 10), "right", ""),
+        "tenth": (scale(is_place, 0.1), "right", ""), "hand_times_1000": (scale(is_place & ~of_object, 1000), "right", ""),
+        "no_object": (right, "right", "no_object"), "other_pose": (np.where(of_object, other, right), "right", ""),
+        "shifted_pose": (right + 0.02 * (of_object & is_x), "right", ""), "index_little": (swap("index", "little"), "right", ""),
+        "index_middle": (swap("index", "middle"), "right", ""), "thumb_index": (exchange(thumb), "right", ""),
+        "other_object": (right, "right", "cylinder_75mm")}
+    for name, (table, hand, what) in cases.items():
+        own = out / name
+        own.mkdir(parents=True)
+        for file in ("objects.csv", "columns.yaml", "study.yaml"):
+            (own / file).write_text((folder / file).read_text())
+        if what == "no_object":
+            text = (own / "study.yaml").read_text()
+            (own / "study.yaml").write_text(text.replace("  object: [object_1, object_2, object_3]\n", ""))
+        (own / "reach.csv").write_text("\n".join([",".join(heads), *(",".join("%.6f" % v for v in row) for row in table)]) + "\n")
+        known = what if what.startswith("cylinder") else "cylinder_60mm"
+        (own / "trials.csv").write_text("participant,trial,file,object%s\np01,1,reach.csv,%s%s\n"
+                                        % (",hand" if hand else "", known, "," + hand if hand else ""))
+
+
 if __name__ == "__main__":
-    if sys.argv[1] == "people":
+    if sys.argv[1] == "wrong":
+        write_wrong(sys.argv[2], sys.argv[3])
+    elif sys.argv[1] == "people":
         arguments = dict(zip(sys.argv[3::2], sys.argv[4::2]))
         write_study(sys.argv[2], int(arguments.get("--persons", 4)), arguments.get("--same"))
     else:

@@ -165,7 +165,8 @@ std::string FormatJointErrors(const TrialSetup& setup) {
 }
 
 /** Times are those of the shell: since the start of placing. */
-std::string FormatPhases(const TracedTrial& traced, const StrategyConfig& strategy) {
+std::string FormatPhases(const TracedTrial& traced, const TrialSetup& setup) {
+  const StrategyConfig& strategy = setup.strategy;
   const Phase first = traced.trace.empty() ? Phase::kPlacing : traced.trace.front().phase;
   std::string text = std::string(NameOf(first)) + " from 0.000 s";
   for (const PhaseStart& phase : traced.result.phases) {
@@ -173,6 +174,10 @@ std::string FormatPhases(const TracedTrial& traced, const StrategyConfig& strate
     text += ", " + phase.name + " from " + FormatFixed(phase.time + traced.closure_start, 3) + " s";
   }
   text += ", end at " + FormatFixed(traced.result.simulated_time, 3) + " s";
+  if (const GraspCourse& course = setup.grasp.course; course.is_set()) {
+    return text + "; placing and closure follow a recorded course of " +
+           FormatFixed(course.duration(), 3) + " s";
+  }
   if (strategy.closure_lead == 0.0) return text;
   return text + "; closure starts before arrival by " + FormatFixed(strategy.closure_lead, 3) +
          " s (strategy.closure_lead_s)";
@@ -409,7 +414,7 @@ std::string FormatTrial(const ExaminedTrial& trial, const std::string& folder) {
       FormatSoftness(*trial.setup.object) + FormatSight(result) + FormatController(result) +
       FormatArm(result) + FormatOutcome(result) + "draw     " + FormatObjectDraw(trial.setup.draw) +
       FormatJointErrors(trial.setup) + "\n" + "phases   " +
-      FormatPhases(trial.traced, trial.setup.strategy) + "\n";
+      FormatPhases(trial.traced, trial.setup) + "\n";
   if (!result.contacts.empty()) text += FormatDigits(trial);
   text += FormatSeat(result) + FormatGrip(result);
   if (result.diagnosis) text += "why      " + DescribeDiagnosis(result) + "\n";

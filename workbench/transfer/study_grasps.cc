@@ -251,6 +251,21 @@ std::optional<Eigen::Vector3d> FindPalm(const HandPlaces& places) {
   return Eigen::Vector3d(0.5 * (*places.p_OWrist + knuckles / count));
 }
 
+/** Of digits that were followed unequally far, as far as all were. */
+PersonReach MakeReach(const HandPlaces& places) {
+  PersonReach reach;
+  reach.period = kCoursePeriod;
+  reach.from_widest = places.from_widest;
+  for (size_t k = 0;; ++k) {
+    std::vector<Eigen::Vector3d> tips;
+    for (const DigitPlaces& digit : places.digits) {
+      if (k < digit.p_OCourse.size()) tips.push_back(digit.p_OCourse[k]);
+    }
+    if (tips.empty() || tips.size() < places.digits.size()) return reach;
+    reach.p_OTips.push_back(tips);
+  }
+}
+
 }  // namespace
 
 PersonGrasp MakePersonGrasp(const HandPlaces& places) {
@@ -265,6 +280,7 @@ PersonGrasp MakePersonGrasp(const HandPlaces& places) {
     open.push_back(digit.p_OOpen);
   }
   if (open.size() >= 2) SetOpening(open, person);
+  person.reach = MakeReach(places);
   person.p_OPalm = FindPalm(places);
   person.approach_O = places.approach_O;
   return person;

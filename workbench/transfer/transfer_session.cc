@@ -7,6 +7,7 @@
 #include "core/base/files/files.h"
 #include "core/grasp/grasp_file.h"
 #include "core/hand/load_hand.h"
+#include "core/transfer/play_person.h"
 #include "datasets/plan/rehearsed_grasps.h"
 #include "workbench/command.h"
 #include "workbench/experiments/output_folder.h"
@@ -84,12 +85,21 @@ MadeTransfers MakeTransfers(const TransferRequest& request, const fs::path& fold
       } else {
         found.not_transferable = grasp.places.reason();
       }
-      const TransferRow row = DescribeTransfer(hand, grasp, found);
+      TransferRow row = DescribeTransfer(hand, grasp, found);
+      const auto add = [&](const std::string& id) {
+        found.grasp.id = id;
+        made.grasps.emplace_back(hand.id + "-" + grasp.object + "-" + id + ".yaml",
+                                 FormatGraspFile(hand, found.grasp, found.standard));
+      };
+      if (found.not_transferable.empty()) add(row.grasp);
+      if (found.not_transferable.empty() && request.plays) {
+        const PlayedReach played =
+            PlayReach(hand, found, MakePersonGrasp(*grasp.places), *objects[grasp.object]);
+        row.not_played = played.not_played;
+        found.grasp.course = played.course;
+        if (played.not_played.empty()) add(row.grasp + kPlayedSuffix);
+      }
       made.file.rows.push_back(row);
-      if (!found.not_transferable.empty()) continue;
-      found.grasp.id = row.grasp;
-      made.grasps.emplace_back(hand.id + "-" + grasp.object + "-" + row.grasp + ".yaml",
-                               FormatGraspFile(hand, found.grasp, found.standard));
     }
   }
   return made;

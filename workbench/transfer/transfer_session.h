@@ -1,9 +1,10 @@
 #pragma once
 /** @file
 A session of human grasps on robot hands. Every included trial, or the median of each person on each
-object, is transferred to every hand (core/transfer). The session runs these grasps on its draws,
-along with the hand's best standard grasp and the rehearsed one. Its folder is a session like any
-other, so it is stopped, continued, judged, verified and reported like one.
+object, is transferred to every hand (core/transfer). On request it is there a second time, with the
+course of the person's reach (core/transfer/play_person.h). The session runs these grasps on its
+draws, along with the hand's best standard grasp and the rehearsed one. Its folder is a session like
+any other, so it is stopped, continued, judged, verified and reported like one.
 inputs/grasps/transfer.json states what each transfer preserved
 (datasets/analysis/transfer_summary.h). */
 
@@ -20,6 +21,7 @@ struct TransferRequest {
   std::string study, data;  ///< study.yaml; folder of the recordings, empty: that of study.yaml
   SessionConfig config;     ///< hands, trials, seed
   bool takes_every_trial = false;  ///< else the medians by person and object
+  bool plays = false;              ///< each grasp along the person's course, too
   std::filesystem::path out;
   int num_workers = 1;
 };

@@ -33,6 +33,11 @@ constexpr double kTrace = 1e-6;      // force of a contact of which only the pos
 constexpr double kLeastRest = 5e-3;  // mean of the hold above which the rest of the hand presses
                                      // [N]
 
+std::vector<double> FindCourse(const Grasp& grasp, const std::string& digit) {
+  const auto own = grasp.course.closing.find(digit);
+  return own == grasp.course.closing.end() ? std::vector<double>() : own->second;
+}
+
 }  // namespace
 
 GripRegulator::GripRegulator(const TrialSetup& setup, const std::vector<int>& digits)
@@ -56,8 +61,9 @@ GripRegulator::GripRegulator(const TrialSetup& setup, const std::vector<int>& di
     }
     const double late = setup.lateness.empty() ? 0.0 : setup.lateness[static_cast<size_t>(index)];
     schedule.delay += late;
-    digits_.push_back({index, index == opposing, late > 0.0, FindDrivenJoints(hand, digit),
-                       ClosingLaw(schedule)});
+    digits_.push_back(
+        {index, index == opposing, late > 0.0, FindDrivenJoints(hand, digit),
+         ClosingLaw(schedule, FindCourse(setup.grasp, digit.id), setup.grasp.course.period)});
   }
 }
 
@@ -66,7 +72,8 @@ double GripRegulator::CalcClosureTime() const {
   for (const auto& [digit, schedule] : setup_->grasp.closing) {
     slowest = std::max(slowest, CalcClosingTime(schedule, setup_->strategy.closure_time));
   }
-  return slowest;
+  const GraspCourse& course = setup_->grasp.course;
+  return course.is_set() ? course.duration() - course.closure_start + slowest : slowest;
 }
 
 void GripRegulator::FollowTouches(const World& world, const std::vector<HandContact>& contacts,
@@ -358,6 +365,7 @@ void GripRegulator::ShareWithinSide(double duration) {
 
 void GripRegulator::Advance(Phase phase, double duration) {
   const StrategyConfig& strategy = setup_->strategy;
+  course_time_ += duration;
   is_closing_ = false;
   if (regulates_) {
     if (!is_saturating_) ShareWithinSide(duration);
@@ -377,7 +385,7 @@ void GripRegulator::Advance(Phase phase, double duration) {
     }
     return;
   }
-  if (phase < Phase::kClosure) return;
+  if (phase < Phase::kClosure && !setup_->grasp.course.is_set()) return;
   for (DigitGrip& digit : digits_) {
     if (phase > Phase::kStabilisation && !digit.is_late) continue;
     const bool has_force = digit.has_touched && digit.force >= digit.asked;

@@ -65,8 +65,8 @@ class GripRegulator {
   void Observe(Phase phase, World& world, const WorldCommand& command,
                const std::vector<HandContact>& contacts, const TouchSensors* sensors,
                double duration);
-  /** Computes the next command. @param phase  in which the step begins.  @param duration  of it
-  [s]. */
+  /** Computes the next command. Digits follow the grasp's course, if it is set, from the start of
+  placing. @param phase  in which the step begins.  @param duration  of it [s]. */
   void Advance(Phase phase, double duration);
   /** Writes the digits' setpoints into a command. */
   void Command(WorldCommand& command) const;
@@ -76,6 +76,8 @@ class GripRegulator {
     return std::all_of(digits_.begin(), digits_.end(), [](const auto& d) { return d.has_touched; });
   }
   double closing(size_t digit) const { return digits_[digit].CalcClosing(); }
+  /** Time since the start of placing with the grasp's course [s]. */
+  double course_time() const { return course_time_; }
   bool is_regulated() const { return mode_ != GripMode::kPosture; }
   bool is_in_band() const { return in_band_since_ <= time_ - kBandTime; }
   /** Whether a digit was still closing towards its share in the last step. */
@@ -149,6 +151,7 @@ class GripRegulator {
   double told_weight_, told_friction_;
   std::optional<double> smallest_;
   bool regulates_ = false, is_closing_ = false;
+  double course_time_ = 0.0;
   double torque_share_ = 1.0;  // c
   double time_ = 0.0, in_band_since_ = kUnset, next_look_ = 0.0;
   double asked_ = 0.0, sum_ = 0.0;  // A, S

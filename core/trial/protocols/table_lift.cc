@@ -18,6 +18,17 @@ constexpr double kSettlingShare = 0.5;
 /** Steps between two looks at the gap of a digit that has not touched. */
 constexpr int kGapInterval = 5;
 
+/** The times of the grasp's course replace those of placing. */
+StrategyConfig FindStrategy(const TrialSetup& setup) {
+  StrategyConfig strategy = setup.strategy;
+  const GraspCourse& course = setup.grasp.course;
+  if (course.is_set()) {
+    strategy.placing_time = course.duration();
+    strategy.closure_lead = course.duration() - course.closure_start;
+  }
+  return strategy;
+}
+
 /** @throws Error(kUnsupported) for sensed touch of a hand that feels nothing. */
 GripRegulator MakeRegulator(const TrialSetup& setup, const std::vector<int>& digits) {
   if (setup.touch == TouchSense::kSensed && !setup.hand->skin) {
@@ -34,7 +45,7 @@ TableLift::TableLift(std::unique_ptr<World> world, const TrialSetup& setup, Wris
       setup_(setup),
       placement_(CalcPlacement(*setup.hand, setup.grasp, *setup.object)),
       digits_(ListGraspingDigits(*setup.hand, setup.grasp)),
-      notes_{GraspStrategy(setup.strategy, setup.grasp.approach_distance),
+      notes_{GraspStrategy(FindStrategy(setup), setup.grasp.approach_distance),
              StabilityMeter(setup),
              ContactEventRecorder(*setup.hand),
              LoadRecorder(setup_, digits_),
@@ -72,6 +83,11 @@ WorldCommand TableLift::MakeCommand(const StrategyCommand& command) const {
   result.X_WH.pretranslate(command.distance * away_W +
                            notes_.palm.offset() * placement_.approach_W);
   result.v_WH = command.speed * away_W + notes_.palm.speed() * placement_.approach_W;
+  if (setup_.grasp.course.is_set() && notes_.strategy.phase() < Phase::kStabilisation) {
+    const double time = notes_.grip.course_time();
+    result.X_WH = placement_.X_WH * MakePose(CalcHandAway(setup_.grasp.course, time));
+    result.v_WH = placement_.X_WH.linear() * CalcHandSpeed(setup_.grasp.course, time);
+  }
   return result;
 }
 

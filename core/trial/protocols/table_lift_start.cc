@@ -133,8 +133,19 @@ void TableLift::Begin() {
   notes_.rest_height = X_WO.translation().z();
   notes_.rest_position = state.p_WOcm;
 
-  const double before_arrival = FindPlacingStart(X_WO, state.q);
-  state.X_WH = CalcPlacingPose(before_arrival);
+  double before_arrival = 0.0;
+  if (const GraspCourse& course = setup_.grasp.course; course.is_set()) {
+    WorldCommand first;
+    first.q = setup_.grasp.q_pre + setup_.draw.joint_error;
+    notes_.grip.Command(first);
+    state.q = ApplyError(first.q - setup_.draw.joint_error);
+    before_arrival = course.duration();
+    state.X_WH = placement_.X_WH * MakePose(CalcHandAway(course, 0.0));
+    state.v_WH = placement_.X_WH.linear() * CalcHandSpeed(course, 0.0);
+  } else {
+    before_arrival = FindPlacingStart(X_WO, state.q);
+    state.X_WH = CalcPlacingPose(before_arrival);
+  }
   world_->Reset(state);
   notes_.start_gap = CalcGap(nullptr);
   notes_.rest_extent = CalcExtent();

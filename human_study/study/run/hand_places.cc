@@ -60,6 +60,23 @@ std::vector<Vector3d> FindJoints(const ReachTrial& reach, const DigitTrack& digi
   return places;
 }
 
+/** Adds to each digit where it was before contact, as long as all have a place. */
+void FollowBack(const std::vector<const Trajectory*>& paths, double contact, double onset,
+                double half, HandPlaces& places) {
+  for (DigitPlaces& digit : places.digits) digit.p_OCourse = {digit.p_OContact};
+  for (int k = 1;; ++k) {
+    const double time = contact - k * kCoursePeriod;
+    if (time < onset) return;
+    std::vector<Vector3d> found;
+    for (const Trajectory* path : paths) {
+      const std::optional<Vector3d> place = FindPlace(*path, time - half, time + half);
+      if (!place) return;
+      found.push_back(*place);
+    }
+    for (size_t d = 0; d < found.size(); ++d) places.digits[d].p_OCourse.push_back(found[d]);
+  }
+}
+
 /** Of the places that trials have, where half of the trials or more have one. */
 template <class ListPlace>
 std::optional<Vector3d> CalcMedianOf(const std::vector<HandPlaces>& trials,
@@ -90,6 +107,7 @@ Answer<HandPlaces> FindHandPlaces(const TrialAnalysis& analysis, const ReachTria
       filtered.FilterTipsAgainstObject(options.contact.cutoff, options.contact.object_cutoff);
   const double open = analysis.closure_start.time, half = 0.5 / CalcRate(reach);
   HandPlaces places;
+  std::vector<const Trajectory*> paths;
   Vector3d way = Vector3d::Zero();
   for (size_t d = 0; d < tips.size(); ++d) {
     const EventTime& contact = analysis.contacts[d].contact;
@@ -101,10 +119,14 @@ Answer<HandPlaces> FindHandPlaces(const TrialAnalysis& analysis, const ReachTria
       return NoAnswer{reach.digits[d].digit + " is hidden at " +
                       (met ? "the widest opening" : "contact")};
     }
-    places.digits.push_back({reach.digits[d].digit, *met, *widest,
+    places.digits.push_back({reach.digits[d].digit,
+                             *met,
+                             *widest,
                              FindJoints(reach, reach.digits[d], last),
                              FindJoints(reach, reach.digits[d], open - half),
-                             contact.IsFound() ? contact.time : kUnset});
+                             contact.IsFound() ? contact.time : kUnset,
+                             {}});
+    paths.push_back(&path);
     way += *met - *widest;
   }
   way /= std::max<double>(1.0, static_cast<double>(places.digits.size()));
@@ -112,6 +134,11 @@ Answer<HandPlaces> FindHandPlaces(const TrialAnalysis& analysis, const ReachTria
   double first = last;
   for (const DigitPlaces& digit : places.digits) first = std::min(first, digit.lag);
   for (DigitPlaces& digit : places.digits) digit.lag -= first;
+  const EventTime& onset = analysis.movement.onset;
+  const double met = last + 0.5 * kContactSpan;
+  FollowBack(paths, met, onset.IsFound() ? onset.time : reach.times.front(),
+             std::max(half, 0.5 * kCoursePeriod), places);
+  places.from_widest = met - open;
   places.p_OWrist = FindLandmark(reach, reach.wrist, last);
   return places;
 }
@@ -148,8 +175,12 @@ HandPlaces CalcMedianPlaces(const std::vector<HandPlaces>& trials) {
     };
     median.digits.push_back({name, calc_place(&DigitPlaces::p_OContact),
                              calc_place(&DigitPlaces::p_OOpen), calc_chain(&DigitPlaces::p_OJoints),
-                             calc_chain(&DigitPlaces::p_OOpenJoints), CalcMedian(lags)});
+                             calc_chain(&DigitPlaces::p_OOpenJoints), CalcMedian(lags),
+                             calc_chain(&DigitPlaces::p_OCourse)});
   }
+  std::vector<double> from_widest;
+  for (const HandPlaces& trial : trials) from_widest.push_back(trial.from_widest);
+  median.from_widest = CalcMedian(from_widest);
   median.p_OWrist = CalcMedianOf(trials, [](const HandPlaces& trial) { return trial.p_OWrist; });
   const Vector3d approach = *CalcMedianOf(
       trials, [](const HandPlaces& trial) { return std::optional<Vector3d>(trial.approach_O); });

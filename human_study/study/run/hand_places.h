@@ -1,7 +1,8 @@
 #pragma once
 /** @file
 Positions of a person's digits relative to the object at two instants of a trial: at the widest hand
-opening (the study's start of closure), and after the last digit's contact. */
+opening (the study's start of closure), and after the last digit's contact; also on their way
+there. */
 
 #include <Eigen/Core>
 #include <optional>
@@ -22,7 +23,12 @@ struct DigitPlaces {
   std::vector<Eigen::Vector3d> p_OJoints = {};
   std::vector<Eigen::Vector3d> p_OOpenJoints = {};  ///< at the widest opening
   double lag = 0.0;  ///< contact time after the first contact [s]; NaN: unresolved
+  /** At contact, then every kCoursePeriod before, back to the onset of movement as far as all
+  digits are visible. */
+  std::vector<Eigen::Vector3d> p_OCourse = {};
 };
+
+inline constexpr double kCoursePeriod = 0.02;  ///< [s]
 
 struct HandPlaces {
   std::vector<DigitPlaces> digits;          ///< those that touched, in the trial's order
@@ -30,6 +36,7 @@ struct HandPlaces {
   /** Unit vector from the fingertips' centroid at the widest opening to that at contact; zero for a
   distance below 10 mm. */
   Eigen::Vector3d approach_O = Eigen::Vector3d::Zero();
+  double from_widest = 0.0;  ///< time from the widest opening to the instant of contact [s]
 };
 
 /** Computes the positions from data filtered as for contacts, except for wrist and joints, which

@@ -62,6 +62,59 @@ TEST(GraspFile, GivesBackWhatWasWritten) {
   }
 }
 
+Grasp MakePlayedGrasp(const Hand& hand) {
+  Grasp grasp = MakeOptimisedGrasp(hand);
+  grasp.seeks_palm = false;
+  grasp.course.period = 0.02;
+  grasp.course.closure_start = 0.0125;
+  grasp.course.p_HAway = {{0.001, -0.002, -0.03}, {0.0, 0.0, -0.01}, {0.0, 0.0, 0.0}};
+  for (const std::string& digit : grasp.digits) grasp.course.closing[digit] = {0.0, 0.125, 0.375};
+  return grasp;
+}
+
+TEST(GraspFile, GivesBackTheCourse) {
+  const Hand& hand = TumHand();
+  const Grasp grasp = MakePlayedGrasp(hand);
+  const std::string text = FormatGraspFile(hand, grasp, "g3");
+  const GraspCourse course = ParseGraspFile(text, "x.yaml", {&hand}).grasp.course;
+  EXPECT_EQ(course.period, grasp.course.period);
+  EXPECT_EQ(course.closure_start, grasp.course.closure_start);
+  EXPECT_EQ(course.p_HAway, grasp.course.p_HAway);
+  EXPECT_EQ(course.closing, grasp.course.closing);
+}
+
+TEST(GraspFile, RefusesACourseThatNoHandFollows) {
+  const Hand& hand = TumHand();
+  const auto find = [&](const auto& change) -> std::string {
+    Grasp grasp = MakePlayedGrasp(hand);
+    change(grasp);
+    try {
+      ParseGraspFile(FormatGraspFile(hand, grasp, "g3"), "x.yaml", {&hand});
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const auto expect = [&](const char* part, const auto& change) {
+    const std::string text = find(change);
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  };
+  EXPECT_EQ(find([](Grasp&) {}), "");
+  expect("ends 10.000 mm from its grasp position",
+         [](Grasp& g) { g.course.p_HAway.back().z() = 0.01; });
+  expect("two or more; found 1, 1 and 1", [](Grasp& g) { g.course.p_HAway.resize(1); });
+  expect("expected 3 values, one for each of x_m, found 2",
+         [](Grasp& g) { g.course.closing.begin()->second.pop_back(); });
+  expect("expected values from 0 to 1, found 1.500",
+         [](Grasp& g) { g.course.closing.begin()->second[1] = 1.5; });
+  expect("after the end of the course at 0.040 s", [](Grasp& g) { g.course.closure_start = 0.05; });
+  expect("course.closing", [](Grasp& g) { g.course.closing.erase(g.digits.front()); });
+  expect("remove course or seeks_palm", [](Grasp& g) {
+    g.palm_may_touch = true;
+    g.seeks_palm = true;
+  });
+}
+
 TEST(GraspFile, NamesOfPeopleAreReadAsTheyAre) {
   Hand hand = TumHand();
   hand.id = "=my: hand #2";

@@ -8,6 +8,7 @@
 #include "core/base/units.h"
 #include "core/grasp/predict_grasp.h"
 #include "core/hand/load_hand.h"
+#include "core/transfer/play_person.h"
 #include "tests/core/rehearse/made_objects.h"
 
 namespace graspbench {
@@ -258,6 +259,74 @@ TEST(TransferGrasp, TheOpeningIsFreeOfTheHandsWay) {
     const Vector3d expected(d == 0 ? 0.02 : -0.02, 0.0, 0.0);
     EXPECT_LT((person.digits[d].opening_O - expected).norm(), 1e-12) << d;
   }
+}
+
+/** The planted person comes from above along -z, 10.5 mm in each period, opens and closes evenly:
+0.2 s from the widest opening to contact. */
+PersonGrasp PlantReach(const Planted& planted) {
+  PersonGrasp person = planted.person;
+  person.reach.period = 0.02;
+  person.reach.from_widest = 0.2;
+  const Vector3d fingers = 0.5 * (person.digits[1].p_O + person.digits[2].p_O);
+  const Vector3d axis = (fingers - person.digits[0].p_O).normalized();
+  for (PersonDigit& digit : person.digits) {  // the axis and its midpoint stay
+    digit.opening_O = (digit.digit == "TH" ? -0.012 : 0.012) * axis;
+  }
+  for (int k = 0; k <= 20; ++k) {
+    const double opened = 1.0 - std::abs(k - 10) / 10.0;
+    std::vector<Vector3d> tips;
+    for (const PersonDigit& digit : person.digits) {
+      tips.push_back(digit.p_O + opened * digit.opening_O + Vector3d(0.0, 0.0, 0.0105 * k));
+    }
+    person.reach.p_OTips.push_back(tips);
+  }
+  return person;
+}
+
+TEST(PlayReach, HandAndDigitsFollowThePerson) {
+  const Hand hand = LoadHand("tum");
+  const Planted planted = PlantGrasp(0.0);
+  const PersonGrasp person = PlantReach(planted);
+  const TransferredGrasp found = TransferGrasp(hand, LoadStandardGrasps(hand), person, planted.box);
+  ASSERT_EQ(found.not_transferable, "");
+  const PlayedReach played = PlayReach(hand, found, person, planted.box);
+  ASSERT_EQ(played.not_played, "");
+  const GraspCourse& course = played.course;
+  ASSERT_EQ(course.p_HAway.size(), 11u);  // the first is more than 10 cm before contact
+  EXPECT_NEAR(course.closure_start, 0.0, 1e-12);
+  const Eigen::Matrix3d& R_WH = found.grasp.placement->X_WH.linear();
+  const double met = found.grasp.placement->closing_at_contact;
+  ASSERT_EQ(course.closing.size(), 3u);
+  for (int k = 0; k <= 10; ++k) {
+    const Vector3d away = R_WH * course.p_HAway[k];
+    EXPECT_LT((away - Vector3d(0.0, 0.0, 0.0105 * (10 - k))).norm(), 1e-9) << k;
+    for (const auto& [digit, closing] : course.closing) {
+      EXPECT_NEAR(closing[k], met * k / 10.0, 1e-9) << digit << " " << k;
+    }
+  }
+}
+
+TEST(PlayReach, SaysWhyAHandCannotFollow) {
+  const Hand hand = LoadHand("tum");
+  const Planted planted = PlantGrasp(0.0);
+  PersonGrasp person = planted.person;
+  const TransferredGrasp found = TransferGrasp(hand, LoadStandardGrasps(hand), person, planted.box);
+  ASSERT_EQ(found.not_transferable, "");
+  EXPECT_NE(PlayReach(hand, found, person, planted.box).not_played.find("not recorded"),
+            std::string::npos);
+  person = PlantReach(planted);
+  for (size_t k = 1; k < person.reach.p_OTips.size(); ++k) {  // through the box, from the side
+    for (Vector3d& tip : person.reach.p_OTips[k]) {
+      tip += Vector3d(0.01 * k, 0.0, -0.01 * k);
+    }
+  }
+  const PlayedReach through = PlayReach(hand, found, person, planted.box);
+  EXPECT_NE(through.not_played.find("on the person's way"), std::string::npos);
+  EXPECT_FALSE(through.course.is_set());
+  person = PlantReach(planted);
+  for (PersonDigit& digit : person.digits) digit.opening_O *= 0.1;
+  EXPECT_NE(PlayReach(hand, found, person, planted.box).not_played.find("1.2 mm only"),
+            std::string::npos);
 }
 
 TEST(TransferGrasp, WrongRecordingsAreNamed) {

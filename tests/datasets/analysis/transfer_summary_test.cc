@@ -69,6 +69,28 @@ TEST(TransferSummary, CountsWhatWasTransferredAndWhatTrialsSay) {
   EXPECT_NEAR(digits[1].largest_distance, 0.002, 1e-12);
 }
 
+// A played grasp is compared with the same grasp without its course, on the same draws.
+TEST(TransferSummary, ComparesPlayedGraspsWithTheSameGrasps) {
+  const TransferFile file = {
+      "pilot", {}, {MakeRow("can", "person-01", "", 0.001), MakeRow("can", "person-02", "", 0.02)}};
+  Session session = MakeTried();  // person-01 fails in the second of two draws
+  const Session played = MakeSession({"tum"}, {"can"}, "person-01-played", 2);
+  session.plan.insert(session.plan.end(), played.plan.begin(), played.plan.end());
+  session.records.insert(session.records.end(), played.records.begin(), played.records.end());
+  const TransferSummary all = SummariseTransfers(file, session).front();
+  EXPECT_EQ(all.transferred.finished, 2);
+  EXPECT_EQ(all.played.finished, 2);
+  EXPECT_EQ(all.played.successes(), 2);
+  EXPECT_EQ(all.of_playing.num_draws, 2);
+  EXPECT_DOUBLE_EQ(all.of_playing.estimate, 0.5);
+  EXPECT_DOUBLE_EQ(all.over_standard.estimate, 0.5);  // as without it
+  TransferFile refused = file;
+  refused.rows[0].not_played = "0.24 s before contact FF is 3.1 mm inside the table";
+  const auto reasons = CountTransferReasons(refused, "tum", &TransferRow::not_played);
+  ASSERT_EQ(reasons.size(), 1u);
+  EXPECT_EQ(reasons[0].second, 1);
+}
+
 TEST(TransferSummary, TheFileReadsBack) {
   const TransferFile file = {"pilot", {"sizes differ"}, {MakeRow("can", "person-01", "no", 0.001)}};
   TransferFile read;

@@ -6,6 +6,7 @@
 #include <functional>
 #include <set>
 
+#include "core/arm/mounted_arm.h"
 #include "core/base/error.h"
 #include "core/grasp/placement.h"
 #include "core/grasp/predict_grasp.h"
@@ -334,6 +335,25 @@ TEST(SessionPlan, TellsWhatCannotBePlanned) {
   inputs.hands = {MakeFakeHand("fist", 1, 0.0, {})};
   EXPECT_EQ(FindPlanError(SessionConfig(), inputs).second,
             "none of the session's hands has a grasp; graspbench hand develop finds grasps");
+}
+
+// A course is part of the trial; neither a controller nor an arm follows it.
+TEST(SessionPlan, AGraspWithACourseIsAnotherTrialWithoutControllerAndArm) {
+  const SessionInputs fake = MakeFakeInputs();
+  SessionInputs inputs = fake;
+  for (SessionHand& hand : inputs.hands) {
+    for (Grasp& grasp : hand.grasps) grasp.course.p_HAway = {{0.0, 0.0, -0.01}, {0.0, 0.0, 0.0}};
+  }
+  const std::set<std::string> still = ListIds(MakePlan(SessionConfig(), fake));
+  for (const std::string& id : ListIds(MakePlan(SessionConfig(), inputs))) {
+    EXPECT_EQ(still.count(id), 0u);
+  }
+  SessionConfig controlled;
+  controlled.policy.command = "x";
+  const std::string text = FindPlanError(controlled, inputs).second;
+  EXPECT_TRUE(Has(text, "follows a recorded course, which a controller does not")) << text;
+  inputs.hands.front().arm = std::make_shared<MountedArm>();
+  EXPECT_TRUE(Has(FindPlanError(SessionConfig(), inputs).second, "which no robot arm can follow"));
 }
 
 // As a level of a sweep, too: the base knows its contacts, the condition is to feel them.

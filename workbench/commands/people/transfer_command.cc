@@ -1,6 +1,7 @@
 #include <memory>
 #include <string>
 
+#include "core/base/text/text.h"
 #include "workbench/command.h"
 #include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/experiments/run_session.h"
@@ -36,6 +37,11 @@ std::string FormatTransferReasons(const TransferFile& file,
       text += "not transferable to " + hand.hand + ", " + FormatCount(count, "grasp") + ": " +
               reason + (count > 1 ? " (the first)\n" : "\n");
     }
+    for (const auto& [reason, count] :
+         CountTransferReasons(file, hand.hand, &TransferRow::not_played)) {
+      text += "not played by " + hand.hand + ", " + FormatCount(count, "grasp") + ": " + reason +
+              (count > 1 ? " (the first)\n" : "\n");
+    }
   }
   return text;
 }
@@ -52,11 +58,14 @@ ExitCode RunTransfer(TransferOptions options) {
   const std::vector<TransferSummary> summaries = SummariseTransfers(file, session);
   if (options.json) {
     PrintJson({{"transfers", MakeJsonRows(ListTransferColumns(), summaries)},
+               {"played", MakeJsonRows(ListPlayedColumns(), summaries)},
                {"digits", MakeJsonRows(ListTransferDigitColumns(), ListTransferDigits(file))},
                {"report", page.string()}});
   } else {
     const std::vector<TransferSummary> hands = TakeHands(summaries);
-    PrintResult(FormatTable(ShowTable(ListTransferColumns(), hands)) +
+    const std::string played =
+        options.request.plays ? FormatTable(ShowTable(ListPlayedColumns(), hands)) : std::string();
+    PrintResult(FormatTable(ShowTable(ListTransferColumns(), hands)) + played +
                 FormatTransferReasons(file, hands) + FormatPlaces(page) + "next     xdg-open " +
                 QuoteForShell(page.string()) + "\n");
   }
@@ -79,6 +88,8 @@ void AddTransferCommand(Command& program) {
   AddListOption(command, "--hand", request.config.hands, "hands by id or folder", "HAND,..");
   command.AddFlag("--every-trial", request.takes_every_trial,
                   "transfer every kept trial, not the median of each person on each object");
+  command.AddFlag("--play", request.plays,
+                  "try each grasp along the person's course of hand and digits, too");
   AddTrialsOption(command, request.config.trials, "4", "trials of each hand, object, grasp");
   AddSeedOption(command, request.config.seed, "other sampled poses");
   command.AddRequired("--out", options->out,

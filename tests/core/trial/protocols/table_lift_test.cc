@@ -111,6 +111,51 @@ TEST_P(TableLiftTest, LongStepsWhereNothingHappensGiveTheSameTrial) {
   EXPECT_LT(std::abs(with.energy_residual), 1e-4);
 }
 
+/** The hand comes along two axes, and closes on its way. */
+TrialSetup PlayCourse(TrialSetup setup) {
+  GraspCourse& course = setup.grasp.course;
+  course.period = 0.02;
+  course.closure_start = 0.2;
+  for (int k = 0; k <= 25; ++k) {
+    const double left = 0.02 * (25 - k);
+    course.p_HAway.emplace_back(0.05 * left * left, 0.0, -0.3 * left * left);
+    for (const std::string& digit : setup.grasp.digits) {
+      course.closing[digit].push_back(0.2 * std::max(0.0, 0.02 * k - 0.2));
+    }
+  }
+  return setup;
+}
+
+// The reach is the strategy's: hand and digits are asked for what the course has at that time.
+TEST_P(TableLiftTest, FollowsTheCourseOfAReach) {
+  const TrialSetup setup = PlayCourse(MakeHeld());
+  const GraspCourse& course = setup.grasp.course;
+  const Pose X_WH = CalcPlacement(*setup.hand, setup.grasp, *setup.object).X_WH;
+  TableLift trial = MakeCourse(setup);
+  trial.Begin();
+  EXPECT_LT((trial.world().state().X_WH.translation() - X_WH * course.p_HAway.front()).norm(),
+            1e-12);
+  const std::string& digit = setup.grasp.digits.front();
+  const int joint =
+      FindDrivenJoints(*setup.hand, setup.hand->digits[static_cast<size_t>(
+                                        ListGraspingDigits(*setup.hand, setup.grasp).front())])
+          .front();
+  const double way = setup.grasp.q_target[joint] - setup.grasp.q_pre[joint];
+  while (trial.time() < course.duration() - setup.sim.step && trial.Advance()) {
+    const WorldCommand& command = trial.last_command();
+    const Eigen::Vector3d away = X_WH * CalcHandAway(course, trial.time());
+    EXPECT_LT((command.X_WH.translation() - away).norm(), 1e-9) << trial.time();
+    const double s = CalcCourseClosing(course.closing.at(digit), course.period, trial.time());
+    EXPECT_NEAR(command.q[joint] - setup.draw.joint_error[joint],
+                setup.grasp.q_pre[joint] + s * way, 1e-9);
+    if (std::abs(trial.time() - course.closure_start) < 2.0 * setup.sim.step) continue;
+    EXPECT_EQ(trial.phase(),
+              trial.time() < course.closure_start ? Phase::kPlacing : Phase::kClosure);
+  }
+  EXPECT_NEAR(trial.closure_start(), course.closure_start, 2.0 * setup.sim.step);
+  ExpectEqualFromEveryInstant(setup, 67);
+}
+
 INSTANTIATE_TEST_SUITE_P(Hands, TableLiftTest, testing::Values("tum", "shadow"),
                          [](const auto& instance) { return std::string(instance.param); });
 

@@ -39,12 +39,21 @@ TEST(HandPlaces, AreWhereTheGeneratorPutTheMarkers) {
     }
     EXPECT_GT(sum / 5, 0.003);  // the hand was wider
     EXPECT_GT(places->approach_O.y(), 0.9);
+    for (const DigitPlaces& digit : places->digits) {
+      ASSERT_GT(digit.p_OCourse.size(), 10u);
+      EXPECT_EQ(digit.p_OCourse.front(), digit.p_OContact);
+      const auto widest = static_cast<size_t>(std::lround(places->from_widest / kCoursePeriod));
+      EXPECT_LT((digit.p_OCourse.at(widest) - digit.p_OOpen).norm(), 0.012);  // within 10 ms
+      EXPECT_LT(digit.p_OCourse.back().y(), digit.p_OOpen.y());               // it came along +y
+    }
     ASSERT_TRUE(places->p_OWrist);
     EXPECT_LT(places->p_OWrist->y(), -0.1);
     all.push_back(*places);
   }
   const HandPlaces median = CalcMedianPlaces({all[0], all[0], all[1]});
   EXPECT_EQ(median.digits[3].p_OContact, all[0].digits[3].p_OContact);
+  EXPECT_EQ(median.digits[3].p_OCourse[7], all[0].digits[3].p_OCourse[7]);
+  EXPECT_EQ(median.from_widest, all[0].from_widest);
 }
 
 // Joints that keep their places beside the tip in the object's frame until it is lifted.
