@@ -273,9 +273,10 @@ void LossFinder::BlameDrive() {
 
 void LossFinder::CompareWorks() {
   const double normal = found_.CalcNormalWork(), gravity = found_.gravity_work;
-  if (std::max(normal, gravity) < kLeastFall * result_.weight) return;  // not identified
+  const double most = std::max(normal, gravity);
+  if (most < kLeastFall * result_.weight) return;  // not identified
+  if (found_.CalcFrictionWork() > most) return;    // it was dragged
   if (normal > gravity) {
-    if (found_.CalcFrictionWork() > normal) return;  // it was dragged
     found_.mechanism = Mechanism::kSqueezedOut;
     found_.part = FindPart([](const PartWork& part) { return part.normal_work; });
     return;

@@ -23,9 +23,9 @@ first of these that applies (all limits proposed by graspbench):
                     normal forces and gravity did
     squeezed out    the normal forces did more work than gravity and than the hand's friction, and
                     at least the work of a fall by 0.2 mm
-    sagged, slid    gravity did more work than the normal forces; sagged if the object turned in the
-                    hand by more than 15 degrees since two parts first opposed (or since lift-off,
-                    if they did until then), otherwise slid
+    sagged, slid    gravity did more work than the normal forces and than the hand's friction;
+                    sagged if the object turned in the hand by more than 15 degrees since two parts
+                    first opposed (or since lift-off, if they did until then), otherwise slid
     cause not identified   none of these, e.g. friction dragged the object along */
 
 #include <optional>

@@ -14,6 +14,7 @@ namespace graspbench {
 namespace {
 
 constexpr int kNumCauseResamples = 1999;
+constexpr double kRounding = 1e-9;  // share of a variable, or of a variance, that is rounding
 
 struct CauseRow {
   const char* name;
@@ -100,8 +101,12 @@ std::vector<ObjectProducts> SumProducts(const MapData& data,
   const Eigen::MatrixXd indicators = MakeIndicators(data, trials, objects);
   const Eigen::MatrixXd variables = MakeVariables(trials);
   // Levels that never occur leave columns of zeros, so the rank may be short.
-  const Eigen::MatrixXd rest =
+  Eigen::MatrixXd rest =
       variables - indicators * indicators.completeOrthogonalDecomposition().solve(variables);
+  for (Eigen::Index k = 0; k < rest.cols(); ++k) {  // rounding would correlate with itself
+    const double least = kRounding * variables.col(k).cwiseAbs().maxCoeff();
+    for (double& value : rest.col(k)) value = std::abs(value) > least ? value : 0.0;
+  }
   std::vector<ObjectProducts> sums(objects.size());
   for (size_t i = 0; i < trials.size(); ++i) {
     const auto object = std::find(objects.begin(), objects.end(), trials[i]->object);
@@ -128,7 +133,8 @@ double CalcPartial(const std::vector<ObjectProducts>& objects, const std::vector
   const double with_success = CalcCorrelation(sums, 0, held);
   const double with_times = CalcCorrelation(sums, 1, held);
   const double rest = (1.0 - with_success * with_success) * (1.0 - with_times * with_times);
-  return rest > 0.0 ? (r - with_success * with_times) / std::sqrt(rest) : 0.0;
+  if (rest < kRounding) return 0.0;
+  return std::clamp((r - with_success * with_times) / std::sqrt(rest), -1.0, 1.0);
 }
 
 bool ExcludesZero(const Interval& interval) { return interval.low > 0.0 || interval.high < 0.0; }

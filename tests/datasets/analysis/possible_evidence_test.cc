@@ -1,5 +1,5 @@
-// Intervals of judged sessions, thresholds, relations and campaigns lie within what their numbers
-// can be, whatever comes in: all, none, one cell, ties, one that differs.
+// Intervals of judged sessions, thresholds, relations, best grasps and campaigns lie within what
+// their numbers can be, whatever comes in: all, none, one cell, ties, one that differs.
 
 #include <gtest/gtest.h>
 
@@ -7,13 +7,16 @@
 #include <functional>
 
 #include "core/trial/judge/judge.h"
+#include "datasets/analysis/best_grasps.h"
 #include "datasets/analysis/campaign/campaign_summary.h"
 #include "datasets/analysis/campaign/thesis_claims.h"
 #include "datasets/analysis/conditions/threshold_summary.h"
 #include "datasets/analysis/judge_evidence.h"
+#include "datasets/analysis/map/common_cause.h"
 #include "datasets/analysis/simultaneity_summary.h"
 #include "datasets/plan/conditions.h"
 #include "tests/datasets/analysis/made_results.h"
+#include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {
 namespace {
@@ -105,6 +108,59 @@ TEST_P(PossibleEvidence, OfRelations) {
       if (row.relation && row.relation->interval) {
         ExpectInside(*row.relation->interval, -1.0, 1.0);
       }
+    }
+  });
+}
+
+// Where all trials or times are alike, nothing correlates, whatever rounding leaves of them.
+TEST_P(PossibleEvidence, OfCommonCauses) {
+  ForEachPair([](const ExtremeValue& success, const ExtremeValue& cause) {
+    MapData data;
+    data.factors = {{"grip", {"weak", "firm"}, false}};
+    bool is_varied = false;
+    for (int object = 0; object < GetParam().first; ++object) {
+      const bool first_holds = success.value(object, 0) > 0.0;
+      for (int draw = 0; draw < GetParam().second; ++draw) {
+        const bool holds = success.value(object, draw) > 0.0;
+        is_varied |= holds != first_holds;
+        MapTrial trial;
+        trial.hand = "tum";
+        trial.object = "object" + std::to_string(object);
+        trial.draw = draw;
+        trial.levels = {static_cast<size_t>((object + draw) % 2)};
+        trial.values = {holds ? 1.0 : 0.0, kUnset, kUnset, kUnset};
+        trial.first_to_last = 0.1 * cause.value(object, draw);
+        trial.offset = trial.turn = 0.001 * cause.value(object, draw);
+        data.trials.push_back(trial);
+      }
+    }
+    const Answer<NaturalRelation> relation = FindNaturalRelation(data, "tum");
+    if (!relation) return;
+    EXPECT_TRUE(is_varied) << relation->correlation;
+    ExpectInside(relation->interval, -1.0, 1.0);
+    for (const NaturalRelation::Cause& one : relation->causes) {
+      ExpectInside({one.partial, one.partial}, -1.0, 1.0);
+      ExpectInside(one.interval, -1.0, 1.0);
+    }
+  });
+}
+
+TEST_P(PossibleEvidence, OfBestGrasps) {
+  ForEachPair([](const ExtremeValue& usual, const ExtremeValue& other) {
+    Session session;
+    session.config.grasps = {"all"};
+    session.config.trials = GetParam().second;
+    const SessionInputs inputs = MakeFakeInputs();
+    session.plan = MakePlan(session.config, inputs);
+    for (const PlannedTrial& planned : session.plan) {
+      TrialRecord& record = session.records.emplace_back(MakeFakeRecord(planned));
+      const bool is_g1 = planned.grasp == "g1";
+      const double value = (is_g1 ? other : usual).value(is_g1, planned.trial);
+      record.result.outcome = value > 0.0 ? Outcome::kSuccess : Outcome::kPushedAway;
+    }
+    const SessionSummary summary = SummariseSession(session);
+    for (const BestGrasp& row : FindBestGrasps(session, summary, inputs)) {
+      ExpectInside(row.gain, -1.0, 1.0);
     }
   });
 }

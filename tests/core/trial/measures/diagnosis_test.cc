@@ -191,6 +191,21 @@ TEST(Diagnosis, WhatFrictionDragsMoreThanNormalForcesPushIsNotSqueezedOut) {
   story.Expect(Mechanism::kNotIdentified);
 }
 
+// Gravity does 1 mJ a sample, the friction of FF 1 % less or more.
+TEST(Diagnosis, WhatFrictionDragsMoreThanGravityDidNotSlide) {
+  Story story(2.2);
+  const auto drag = [&](float friction_work) {
+    story.ForEach([friction_work](auto& s) {
+      s.gravity_work = 1e-3;
+      s.parts[1].friction_work = friction_work;
+    });
+  };
+  drag(0.99e-3f);
+  EXPECT_EQ(story.Find().mechanism, Mechanism::kSlid);
+  drag(1.01e-3f);
+  story.Expect(Mechanism::kNotIdentified);
+}
+
 // What others do between them without it decides; the words name it.
 TEST(Diagnosis, ADigitThatNeverTouchedIsNamedAndWasNotReachedWhereNoneOppose) {
   Story story(2.2, 0.0);
