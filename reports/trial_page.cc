@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/arm/mounted_arm.h"
 #include "core/base/error.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
@@ -33,7 +34,9 @@ std::string NameOfDone(const TrialRecord& record) {
 }
 
 std::string NameOfScene(const TrialPageData& data) {
-  return data.setup.hand->name + ", " + data.setup.object->name + ", " + NameOfDone(data.record);
+  const std::string carrier = data.setup.arm ? " on the " + data.setup.arm->arm->name : "";
+  return data.setup.hand->name + carrier + ", " + data.setup.object->name + ", " +
+         NameOfDone(data.record);
 }
 
 Html DrawController(const DrawnTrial& data) {
@@ -163,38 +166,45 @@ Html DrawContacts(const DrawnTrial& data) {
          DrawTaxels(data);
 }
 
-/** All of a robot arm before the lift, from the side; nothing without. */
+/** Arm, hand and object whole, from the side: at the start and before the lift; nothing without. */
 Html DrawWholeArm(const DrawnTrial& data) {
-  if (!data.traced || !data.traced->arm) return Html();
+  if (!data.traced || !data.traced->arm || data.traced->trace.empty()) return Html();
   const MountedArm& arm = *data.traced->arm;
   const std::vector<const TraceInstant*> ends = ListPhaseEnds(data.traced->trace);
   const auto closed = std::find_if(ends.begin(), ends.end(), [](const TraceInstant* end) {
     return end->phase == Phase::kStabilisation;
   });
-  if (ends.empty() || ends.back()->q_arm.size() == 0) return Html();
-  const TraceInstant& shown = closed == ends.end() ? *ends.back() : **closed;
-  Scene scene = MakeGraspScene(data.setup.hand, shown.q, shown.X_WH, data.setup.object, shown.X_WO);
-  AddArm(&arm, shown.q_arm, &scene);
-  for (Drawable& drawable : scene.drawables) drawable.must_be_seen = true;
-  const Eigen::Vector3d ahead_W = shown.X_WH.translation() - arm.X_WB.translation();
-  const Eigen::Vector3d to_eye_W(0.4 * ahead_W.x() + ahead_W.y(), 0.4 * ahead_W.y() - ahead_W.x(),
-                                 0.3 * ahead_W.head<2>().norm());
-  const std::string caption = "The arm at " + FormatFixed(shown.time, 3) + " s";
+  const TraceInstant* shown[] = {&data.traced->trace.front(),
+                                 closed == ends.end() ? ends.back() : *closed};
+  std::vector<Scene> scenes;
+  for (const TraceInstant* instant : shown) {
+    scenes.push_back(MakeGraspScene(data.setup.hand, instant->q, instant->X_WH, data.setup.object,
+                                    instant->X_WO));
+    AddArm(&arm, instant->q_arm, true, &scenes.back());
+  }
+  Html pictures;
   try {
     Renderer renderer(kPictureWidth, kPictureHeight);
-    const Camera camera =
-        FrameScenes({scene}, to_eye_W, static_cast<double>(kPictureWidth) / kPictureHeight);
-    return MakeFigure(
-        caption + ".", "links that stand clear of table and object.",
-        Element("img",
-                {{"src", MakeDataUri("image/webp", EncodeWebp(renderer.Render(scene, camera)))},
-                 {"width", std::to_string(kPictureWidth)},
-                 {"height", std::to_string(kPictureHeight)},
-                 {"alt", NameOfScene(data) + ": " + caption}}));
+    const Camera camera = FrameScenes(scenes, FindArmView(arm, shown[1]->X_WH),
+                                      static_cast<double>(kPictureWidth) / kPictureHeight);
+    for (size_t i = 0; i < scenes.size(); ++i) {
+      const std::string caption =
+          Capitalise(NameOf(shown[i]->phase)) + ", " + FormatFixed(shown[i]->time, 3) + " s";
+      const std::string webp = EncodeWebp(renderer.Render(scenes[i], camera));
+      pictures += Element("figure", {},
+                          Element("img", {{"src", MakeDataUri("image/webp", webp)},
+                                          {"width", std::to_string(kPictureWidth)},
+                                          {"height", std::to_string(kPictureHeight)},
+                                          {"alt", NameOfScene(data) + ": arm, " + caption}}) +
+                              Element("figcaption", {}, caption));
+    }
   } catch (const Error& fault) {
     if (fault.kind() != ErrorKind::kEnvironment) throw;
     return Html();  // the page's other pictures say why
   }
+  return MakeFigure(
+      "The arm " + DescribeArmPlace(arm) + ", when the trial starts and before the lift.",
+      "links that stand clear of table and object.", Element("div", {{"class", "film"}}, pictures));
 }
 
 Html DrawCourse(const DrawnTrial& data) {
@@ -259,8 +269,12 @@ std::string DescribeMethod(const TrialSetup& setup, const TrialRecord& record) {
                                       : "") +
          ", and then a hold of " + FormatFixed(setup.strategy.hold_time, 2) + " s, in steps of " +
          FormatFixed(MsFromS(setup.sim.step), 2) + " ms (graspbench " +
-         std::string(program_version()) +
-         "). A trial succeeds if the object leaves the table with the hand and stays in it until "
+         std::string(program_version()) + ")." +
+         (setup.arm ? " The arm " + DescribeArmPlace(*setup.arm) +
+                          " carried the hand; it started in its ready posture, and the hand "
+                          "yielded as the arm's joints do."
+                    : "") +
+         " A trial succeeds if the object leaves the table with the hand and stays in it until "
          "the end of the hold.";
 }
 

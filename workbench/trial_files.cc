@@ -7,7 +7,6 @@
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "datasets/gltf/trial_gltf.h"
-#include "datasets/records/trace_table.h"
 #include "datasets/session/find_trial.h"
 #include "datasets/trajectory/trajectory_form.h"
 #include "reports/plots/trial_plots.h"
@@ -124,7 +123,7 @@ SceneView ParseView(const TrialFileOptions& options) {
 }
 
 std::string MakeTraceTable(const TrialFileOptions&, const ExaminedTrial& trial) {
-  return FormatCsv(ListTraceColumns(*trial.setup.hand), trial.traced.trace);
+  return FormatCsv(ListInstantColumns(*trial.setup.hand, trial.traced), trial.traced.trace);
 }
 
 std::string MakeTraceDrawing(const TrialFileOptions&, const ExaminedTrial& trial) {

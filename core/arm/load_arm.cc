@@ -37,6 +37,9 @@ fs::path FindArmFolder(const std::string& id_or_folder) {
 /** A joint that needs as many seconds for a turn was given in rad/s [deg/s]. */
 constexpr double kRadiansOfSpeed = 2.0 * kPi;
 
+/** Of a joint at its largest torque [rad]; a joint that yields more was given in other units. */
+constexpr double kLargestDeflection = 1.0;
+
 void ReadAngle(const std::string& key, Needed needed, YamlMap& map, double& angle) {
   double angle_deg = DegFromRad(angle);
   map.Read(key, angle_deg, needed);
@@ -69,8 +72,14 @@ ArmJoint ReadArmJoint(YamlMap& map) {
   map.Read("mass_kg", joint.mass);
   map.Read("com_m", joint.p_com);
   map.Read("inertia_kg_m2", joint.inertia);
+  const std::string who = "joint \"" + joint.name + "\": ";
+  const double softest = joint.torque / kLargestDeflection;
+  if (joint.stiffness > 0.0 && joint.stiffness < softest) {
+    map.Fail("stiffness_nm_per_rad",
+             who + "turns by more than 1 rad at its torque; expected at least " +
+                 FormatFixed(softest, 0) + " N m/rad, this may be N m per mrad");
+  }
   if (map.Has("lower_deg") && map.Has("upper_deg")) {
-    const std::string who = "joint \"" + joint.name + "\": ";
     const double range_deg = DegFromRad(joint.upper - joint.lower);
     if (range_deg <= 0.0) {
       map.Fail("upper_deg", who + "expected more than its lower_deg");
@@ -111,7 +120,8 @@ void ReadReady(YamlMap& root, Arm& arm) {
     const ArmJoint& joint = arm.joints[i];
     const double angle = RadFromDeg(ready_deg[i]);
     arm.ready[static_cast<Eigen::Index>(i)] = angle;
-    if (angle < joint.lower || angle > joint.upper) {
+    const bool has_range = joint.lower < joint.upper;  // else that is the error
+    if (has_range && (angle < joint.lower || angle > joint.upper)) {
       root.Fail("ready_deg", "joint \"" + joint.name + "\" would be outside its limits");
     }
   }

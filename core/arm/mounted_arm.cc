@@ -1,9 +1,12 @@
 #include "core/arm/mounted_arm.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/text/text.h"
+#include "core/base/units.h"
 #include "core/shape/primitives.h"
 
 namespace graspbench {
@@ -42,6 +45,11 @@ double FindHindmost(const Hand& hand, const Eigen::Vector3d& axis_H) {
 
 }  // namespace
 
+Pose CalcArmBase(const ArmConfig& config) {
+  return MakePose(MakeRotationRpy(0.0, 0.0, config.yaw),
+                  Eigen::Vector3d(config.x, config.y, config.z));
+}
+
 std::vector<std::string> ListMounts() {
   std::vector<std::string> names;
   for (const MountRow& row : ListMountRows()) names.push_back(row.name);
@@ -54,8 +62,7 @@ MountedArm MountArm(const ArmConfig& config, std::shared_ptr<const Arm> arm, con
   GRASPBENCH_DEMAND(row != ListMountRows().end(), config.mount);
   MountedArm mounted;
   mounted.arm = std::move(arm);
-  mounted.X_WB = MakePose(MakeRotationRpy(0.0, 0.0, config.yaw),
-                          Eigen::Vector3d(config.x, config.y, config.z));
+  mounted.X_WB = CalcArmBase(config);
   const Eigen::Matrix3d R_FH =
       Eigen::Quaterniond::FromTwoVectors(row->axis_H, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   mounted.X_FH = MakePose(R_FH, Eigen::Vector3d(0.0, 0.0, -FindHindmost(hand, row->axis_H)));
@@ -64,6 +71,17 @@ MountedArm MountArm(const ArmConfig& config, std::shared_ptr<const Arm> arm, con
 
 TriMesh MakeCapsuleMesh(const ArmCapsule& capsule) {
   return MakeTaperedCapsule(capsule.p_LA, capsule.radius, capsule.p_LB, capsule.radius);
+}
+
+std::string DescribeArmBase(const Pose& X_WB) {
+  const Eigen::Vector3d& p = X_WB.translation();
+  const double yaw = std::atan2(X_WB.linear()(1, 0), X_WB.linear()(0, 0));
+  return "base at " + FormatFixed(p.x(), 3) + ", " + FormatFixed(p.y(), 3) + ", " +
+         FormatFixed(p.z(), 3) + " m, turned by " + FormatFixed(DegFromRad(yaw), 1) + " deg";
+}
+
+std::string DescribeArmPlace(const MountedArm& arm) {
+  return arm.arm->name + " (" + arm.arm->id + "), " + DescribeArmBase(arm.X_WB);
 }
 
 Json DescribeArm(const MountedArm& arm) {

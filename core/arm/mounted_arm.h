@@ -19,6 +19,9 @@ struct MountedArm {
   Pose X_FH = Pose::Identity();  ///< hand in the flange
 };
 
+/** The base in the world. */
+Pose CalcArmBase(const ArmConfig& config);
+
 /** Names of ArmConfig::mount: x, -x, .. -z. */
 std::vector<std::string> ListMounts();
 
@@ -32,6 +35,11 @@ MountedArm MountArm(const ArmConfig& config, std::shared_ptr<const Arm> arm, con
 TriMesh MakeCapsuleMesh(const ArmCapsule& capsule);
 /** Of every arm in pictures and scenes, linear RGB. */
 inline const Eigen::Vector3f kArmColour(0.55f, 0.56f, 0.58f);
+
+/** "base at -0.500, 0.000, 0.000 m, turned by 0.0 deg". */
+std::string DescribeArmBase(const Pose& X_WB);
+/** "PUMA 560 (puma560), base at .." */
+std::string DescribeArmPlace(const MountedArm& arm);
 
 /** All that decides what the arm does, for ids: its hash, both poses, where a trial starts. */
 Json DescribeArm(const MountedArm& arm);

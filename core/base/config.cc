@@ -107,7 +107,7 @@ YAML::Node ParseSetting(const std::string& assignment, const std::vector<std::st
   }
   const std::string key = Trim(assignment.substr(0, equals));
   if (std::find(known.begin(), known.end(), key) == known.end()) {
-    const std::string group = key.substr(0, key.find('.') + 1);  // "policy."
+    const std::string group = key.substr(0, key.find('.')) + ".";  // of "policy.x" and of "policy"
     std::vector<std::string> beside;
     std::copy_if(known.begin(), known.end(), std::back_inserter(beside),
                  [&](const std::string& other) { return other.rfind(group, 0) == 0; });

@@ -39,7 +39,7 @@ void AddObject(const std::shared_ptr<const GraspObject>& object, const Pose& X_W
   scene->drawables.push_back(std::move(drawable));
 }
 
-void AddArm(const MountedArm* arm, const Eigen::VectorXd& q, Scene* scene) {
+void AddArm(const MountedArm* arm, const Eigen::VectorXd& q, bool is_whole, Scene* scene) {
   if (!arm || q.size() == 0) return;
   const std::vector<Pose> X_BL = CalcArmPoses(*arm->arm, q);
   for (const ArmCapsule& capsule : arm->arm->capsules) {
@@ -50,6 +50,8 @@ void AddArm(const MountedArm* arm, const Eigen::VectorXd& q, Scene* scene) {
     drawable.must_be_seen = false;
     scene->drawables.push_back(std::move(drawable));
   }
+  if (!is_whole) return;
+  for (Drawable& drawable : scene->drawables) drawable.must_be_seen = true;
 }
 
 Scene MakeGraspScene(const std::shared_ptr<const Hand>& hand, const Eigen::VectorXd& q,
@@ -88,6 +90,14 @@ Vector3d FindGraspView(const Hand& hand, const Eigen::VectorXd& q, const Pose& X
   if (across.dot(p_WRoot - 0.5 * (thumb + finger)) > 0.0) across = -across;
   const Vector3d level = std::cos(kTowardsThumb) * across + std::sin(kTowardsThumb) * to_thumb;
   return std::cos(kElevation) * level + std::sin(kElevation) * Vector3d::UnitZ();
+}
+
+Vector3d FindArmView(const MountedArm& arm, const Pose& X_WH) {
+  Vector3d ahead_W = X_WH.translation() - arm.X_WB.translation();
+  ahead_W.z() = 0.0;
+  ahead_W = ahead_W.norm() > 1e-3 ? ahead_W.normalized() : Vector3d::UnitX();
+  return Vector3d(0.4 * ahead_W.x() + ahead_W.y(), 0.4 * ahead_W.y() - ahead_W.x(), 0.3)
+      .normalized();
 }
 
 Camera FrameScenes(const std::vector<Scene>& scenes, const Vector3d& to_eye_W, double aspect) {

@@ -21,9 +21,9 @@ picture and fade there. @pre q has num_joints angles [rad]. */
 void AddHand(const std::shared_ptr<const Hand>& hand, const Eigen::VectorXd& q, const Pose& X_WH,
              Scene* scene);
 void AddObject(const std::shared_ptr<const GraspObject>& object, const Pose& X_WO, Scene* scene);
-/** Adds the capsules of a robot arm, which may fade like the forearm. @param q  empty: adds
-nothing. */
-void AddArm(const MountedArm* arm, const Eigen::VectorXd& q, Scene* scene);
+/** Adds the capsules of a robot arm. @param q  empty: adds nothing.
+@param is_whole  a framing camera must show arm and hand whole; else both may fade at the edge. */
+void AddArm(const MountedArm* arm, const Eigen::VectorXd& q, bool is_whole, Scene* scene);
 /** Makes a scene of a hand and an object on the table. */
 Scene MakeGraspScene(const std::shared_ptr<const Hand>& hand, const Eigen::VectorXd& q,
                      const Pose& X_WH, const std::shared_ptr<const GraspObject>& object,
@@ -33,6 +33,9 @@ Scene MakeGraspScene(const std::shared_ptr<const Hand>& hand, const Eigen::Vecto
 by side. It looks across the line between their ends, from slightly above, with the root of the hand
 behind them. */
 Eigen::Vector3d FindGraspView(const Hand& hand, const Eigen::VectorXd& q, const Pose& X_WH);
+
+/** Returns the direction in W towards a camera that sees the whole arm from the side. */
+Eigen::Vector3d FindArmView(const MountedArm& arm, const Pose& X_WH);
 
 /** Returns the nearest camera in direction `to_eye_W` whose picture of `aspect` (width / height)
 contains all required parts of all scenes, with a small margin: one camera for all pictures of a

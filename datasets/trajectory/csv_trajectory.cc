@@ -1,4 +1,3 @@
-#include "datasets/records/trace_table.h"
 #include "datasets/trajectory/trajectory_form.h"
 
 namespace graspbench {
@@ -57,7 +56,8 @@ std::vector<TrajectoryFile> MakeCsvFiles(const TrialTrajectory& trajectory) {
     for (const HandContact& contact : instant.contacts) contacts.push_back({&instant, &contact});
   }
   std::vector<TrajectoryFile> files = {
-      {".csv", FormatCsv(ListTraceColumns(*trajectory.hand), trajectory.traced.trace)},
+      {".csv",
+       FormatCsv(ListInstantColumns(*trajectory.hand, trajectory.traced), trajectory.traced.trace)},
       {".contacts.csv", FormatCsv(ListTrajectoryContactColumns(*trajectory.hand), contacts)},
       {".events.csv", FormatCsv(ListTrajectoryEventColumns(), ListTrajectoryEvents(trajectory))}};
   if (!trajectory.hand->skin) return files;

@@ -78,6 +78,13 @@ class FrameTree {
           link.parent < 0 ? "hand" : "hand/" + hand_.links[static_cast<size_t>(link.parent)].name;
       frames_.push_back({parent, "hand/" + link.name});
     }
+    if (const Arm* arm = FindTracedArm(trajectory.traced)) {
+      arm_ = trajectory.traced.arm.get();
+      frames_.push_back({"world", "arm"});
+      for (const ArmJoint& joint : arm->joints) {
+        frames_.push_back({frames_.back().second, "arm/" + joint.name});
+      }
+    }
     const std::vector<Pose> first = FindPoses(trajectory.traced.trace.front());
     moves_.resize(frames_.size(), false);
     for (const TraceInstant& instant : trajectory.traced.trace) {
@@ -104,7 +111,7 @@ class FrameTree {
   }
 
  private:
-  /** X_W hand and object, X_P of the links in their parents. */
+  /** X_W hand and object, X_P of the links in their parents; of the arm alike. */
   std::vector<Pose> FindPoses(const TraceInstant& instant) const {
     const std::vector<Pose> X_HL = CalcLinkPoses(hand_, instant.q);
     std::vector<Pose> poses = {instant.X_WH, instant.X_WO};
@@ -115,15 +122,21 @@ class FrameTree {
                       : parent < 0 ? X_HL[i]
                                    : X_HL[static_cast<size_t>(parent)].inverse() * X_HL[i]);
     }
+    if (!arm_) return poses;
+    const std::vector<Pose> X_BL = CalcArmPoses(*arm_->arm, instant.q_arm);
+    poses.push_back(arm_->X_WB);
+    for (size_t i = 1; i < X_BL.size(); ++i) poses.push_back(X_BL[i - 1].inverse() * X_BL[i]);
     return poses;
   }
 
   const Hand& hand_;
+  const MountedArm* arm_ = nullptr;
   std::vector<std::pair<std::string, std::string>> frames_;  // parent, child
   std::vector<bool> moves_;
 };
 
-messages::JointSample MakeJoints(const Hand& hand, const TraceInstant& instant) {
+messages::JointSample MakeJoints(const TrialTrajectory& trajectory, const TraceInstant& instant) {
+  const Hand& hand = *trajectory.hand;
   messages::JointSample message;
   SetTime(instant.time, *message.mutable_timestamp());
   for (int j = 0; j < hand.num_joints(); ++j) {
@@ -132,6 +145,12 @@ messages::JointSample MakeJoints(const Hand& hand, const TraceInstant& instant) 
     joint.set_position(RoundOff(instant.q[j]));
     const bool has_drive = hand.joints[static_cast<size_t>(j)].coupled_to < 0;
     if (has_drive && instant.q_asked.size() > 0) joint.set_asked(RoundOff(instant.q_asked[j]));
+  }
+  const Arm* arm = FindTracedArm(trajectory.traced);
+  for (int j = 0; arm && j < arm->num_joints(); ++j) {
+    messages::JointSample::Joint& joint = *message.add_joints();
+    joint.set_name("arm/" + arm->joints[static_cast<size_t>(j)].name);
+    joint.set_position(RoundOff(instant.q_arm[j]));
   }
   return message;
 }
@@ -263,7 +282,7 @@ std::vector<TrajectoryFile> MakeMcapFiles(const TrialTrajectory& trajectory) {
     const uint64_t time = ToNanoseconds(instant.time);
     const bool is_first = &instant == &trajectory.traced.trace.front();
     file.AddMessage(frames, time, tree.Make(instant, is_first).SerializeAsString());
-    file.AddMessage(joints, time, MakeJoints(*trajectory.hand, instant).SerializeAsString());
+    file.AddMessage(joints, time, MakeJoints(trajectory, instant).SerializeAsString());
     file.AddMessage(contacts, time, MakeContacts(*trajectory.hand, instant).SerializeAsString());
     if (has_skin && is_first) {
       file.AddMessage(layout, time,

@@ -30,6 +30,10 @@ TrajectoryArray MakeStates(const TrialTrajectory& trajectory) {
   for (const HandJoint& joint : trajectory.hand->joints) {
     table.columns.push_back(NameJoint(joint));
   }
+  const Arm* arm = FindTracedArm(trajectory.traced);
+  for (int i = 0; arm && i < arm->num_joints(); ++i) {
+    table.columns.push_back("arm/" + arm->joints[static_cast<size_t>(i)].name + "_rad");
+  }
   for (const TraceInstant& instant : trajectory.traced.trace) {
     for (double v : {instant.time, instant.grip_force, instant.table_force}) {
       table.values.push_back(v);
@@ -37,6 +41,9 @@ TrajectoryArray MakeStates(const TrialTrajectory& trajectory) {
     AddPose(instant.X_WH, table.values);
     AddPose(instant.X_WO, table.values);
     table.values.insert(table.values.end(), instant.q.begin(), instant.q.end());
+    if (arm) {
+      table.values.insert(table.values.end(), instant.q_arm.begin(), instant.q_arm.end());
+    }
   }
   return table;
 }

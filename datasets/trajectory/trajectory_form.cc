@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/trial/taxel_forces.h"
+#include "datasets/records/trace_table.h"
 #include "datasets/records/trial_record.h"
 
 namespace graspbench {
@@ -24,6 +25,23 @@ void AddVectorColumns(const std::string& name, const std::string& unit, const st
 }
 
 }  // namespace
+
+const Arm* FindTracedArm(const TracedTrial& traced) {
+  const bool has_joints = !traced.trace.empty() && traced.trace.front().q_arm.size() > 0;
+  return traced.arm && has_joints ? traced.arm->arm.get() : nullptr;
+}
+
+std::vector<CsvColumn<TraceInstant>> ListInstantColumns(const Hand& hand,
+                                                        const TracedTrial& traced) {
+  std::vector<CsvColumn<TraceInstant>> columns = ListTraceColumns(hand);
+  const Arm* arm = FindTracedArm(traced);
+  for (int i = 0; arm && i < arm->num_joints(); ++i) {
+    const std::string& name = arm->joints[static_cast<size_t>(i)].name;
+    columns.push_back({"arm/" + name + "_rad", "rad", "position of joint " + name + " of the arm",
+                       [i](const TraceInstant& instant) { return instant.q_arm[i]; }});
+  }
+  return columns;
+}
 
 std::string CalcRecordSha256(const PlannedTrial& planned, const TrialResult& result) {
   return CalcSha256(FormatJson(ToJson(TrialRecord{planned, result})));

@@ -7,6 +7,7 @@ trajectory_form_list.inc. Equal trajectories give equal bytes. */
 #include <string>
 #include <vector>
 
+#include "core/arm/mounted_arm.h"
 #include "core/base/text/csv.h"
 #include "core/hand/hand.h"
 #include "core/hand/tactile.h"
@@ -40,6 +41,12 @@ simulation; nothing is interpolated.
 @throws Error(kUnsupported) for a trial that could not begin. */
 TrialTrajectory MakeTrajectory(const PlannedTrial& planned, const TrialSetup& setup,
                                const TracedTrial& traced, double rate);
+
+/** The arm whose joints the trace holds; null: none. */
+const Arm* FindTracedArm(const TracedTrial& traced);
+/** Columns of an instant: ListTraceColumns(), and the joints of the arm ("arm/elbow_rad"). */
+std::vector<CsvColumn<TraceInstant>> ListInstantColumns(const Hand& hand,
+                                                        const TracedTrial& traced);
 
 /** An event: the start of a phase, or a contact event of the record. */
 struct TrajectoryEvent {

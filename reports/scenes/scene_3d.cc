@@ -151,7 +151,7 @@ Html TrialViews::DrawPoster(const TrialView& view, const TraceInstant& shown,
                             const Camera& camera) {
   if (!renderer_) renderer_ = std::make_unique<Renderer>(kPosterWidth, kPosterHeight);
   Scene scene = MakeGraspScene(view.hand, shown.q, shown.X_WH, view.object, shown.X_WO);
-  AddArm(view.traced.arm.get(), shown.q_arm, &scene);
+  AddArm(view.traced.arm.get(), shown.q_arm, false, &scene);
   const std::vector<int> failed = FindFailedLinks(view, shown);
   std::vector<ContactMark> marks = MakeContactMarks(shown);
   for (size_t i = 0; i < marks.size(); ++i) {
@@ -167,12 +167,14 @@ Html TrialViews::DrawPoster(const TrialView& view, const TraceInstant& shown,
        {"alt", view.name + " at " + FormatFixed(shown.time, 3) + " s, " + NameOf(shown.phase)}});
 }
 
-/** Draws the first instant, the end of each phase, and the forces that the contacts of the shown
-instant can resist. */
+/** Draws the first instant (not with an arm), the end of each phase, and the forces that the contacts
+of the shown instant can resist. */
 Html TrialViews::DrawFilm(const TrialView& view, const std::vector<const TraceInstant*>& ends,
                           const TraceInstant& shown, const Camera& camera) {
   if (!film_renderer_) film_renderer_ = std::make_unique<Renderer>(kFilmWidth, kFilmHeight);
-  std::vector<const TraceInstant*> instants = {&view.traced.trace.front()};
+  std::vector<const TraceInstant*> instants;
+  // With an arm the trial starts far from the object.
+  if (!view.traced.arm) instants.push_back(&view.traced.trace.front());
   instants.insert(instants.end(), ends.begin(), ends.end());
   const std::vector<std::string> pictures = RenderInstants(instants, FindArrowScale(view.traced),
                                                            view.hand, view.object, *film_renderer_);
@@ -186,8 +188,9 @@ Html TrialViews::DrawFilm(const TrialView& view, const std::vector<const TraceIn
                           Element("figcaption", {}, caption));
   };
   for (size_t i = 0; i < pictures.size(); ++i) {
-    const std::string phase = i == 0 ? Capitalise(NameOf(Phase::kPreGrasp))
-                                     : std::string("End of ") + NameOf(instants[i]->phase);
+    const std::string phase = i == 0 && !view.traced.arm
+                                  ? Capitalise(NameOf(Phase::kPreGrasp))
+                                  : std::string("End of ") + NameOf(instants[i]->phase);
     add(pictures[i], phase + ", " + FormatFixed(instants[i]->time, 3) + " s");
   }
   if (const std::optional<Scene> space = MakeForceSpaceScene(shown.contacts)) {

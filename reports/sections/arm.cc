@@ -2,6 +2,7 @@
 #include <map>
 #include <vector>
 
+#include "core/arm/mounted_arm.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "reports/page/layout.h"
@@ -95,10 +96,9 @@ Html DrawArm(const ReportData& data) {
                   FormatFixed(DegFromRad(counts.deflection_angle), 2),
                   FormatFixed(100.0 * counts.torque_share, 0), counts.torque_joint});
   }
-  return MakeParagraph("Arm: " + arm.model + ", base at " + FormatFixed(arm.x, 3) + ", " +
-                       FormatFixed(arm.y, 3) + ", " + FormatFixed(arm.z, 3) + " m, turned by " +
-                       FormatFixed(DegFromRad(arm.yaw), 1) + " deg. It has a path in " +
-                       std::to_string(num_courses) + " of " + FormatCount(num_trials, "trial") +
+  return MakeParagraph("Arm: " + arm.model + ", " + DescribeArmBase(CalcArmBase(arm)) +
+                       ". It has a path in " + std::to_string(num_courses) + " of " +
+                       FormatCount(num_trials, "trial") +
                        ". The hand yields as the arm's joints do.") +
          table.ToHtml();
 }

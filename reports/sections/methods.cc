@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/arm/mounted_arm.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/base/version.h"
@@ -22,14 +23,21 @@ std::string DescribeChoice(const SessionConfig& config) {
   return is_predicted ? " The type of each predicted grasp was chosen from geometry." : "";
 }
 
+/** Nothing without an arm. */
+std::string DescribeCarrier(const ArmConfig& arm) {
+  if (!HasArm(arm)) return "";
+  return " An arm carried the hand: " + arm.model + ", " + DescribeArmBase(CalcArmBase(arm)) +
+         ". It started in its ready posture, and the hand yielded as the arm's joints do.";
+}
+
 std::string DescribeMethod(const ReportData& data) {
   const SessionConfig& config = data.session.config;
   const int num_hands = static_cast<int>(data.summary.hands.size());
   const int num_objects = static_cast<int>(data.summary.objects.size());
   return FormatCount(num_hands, "robot hand") + " grasped " + FormatCount(num_objects, "object") +
          " in a physical simulation, with " + FormatCount(config.trials, "trial") +
-         " for every hand, object and grasp." + DescribeChoice(config) +
-         " Before each trial the object was moved by up to " +
+         " for every hand, object and grasp." + DescribeCarrier(config.arm) +
+         DescribeChoice(config) + " Before each trial the object was moved by up to " +
          FormatFixed(MmFromM(config.variation.offset), 1) +
          " mm along each horizontal axis and turned by up to " +
          FormatFixed(DegFromRad(config.variation.yaw), 1) +

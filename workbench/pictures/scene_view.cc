@@ -22,12 +22,15 @@ void SceneFilm::Add(double time, const Eigen::VectorXd& q, const Pose& X_WH, con
   if (frames_.empty() || arm) {
     q_ = q;
     X_WH_ = X_WH;
+    arm_ = arm;
   }
   Scene scene = MakeGraspScene(hand_, q, X_WH, object_, X_WO);
-  Drawable& object = scene.drawables.back();
+  const size_t object = scene.drawables.size() - 1;
+  AddArm(arm, q_arm, true, &scene);
   const Pose& X_WRoot = scene.drawables.front().X_WM;
-  object.must_be_seen = (X_WO.translation() - X_WRoot.translation()).norm() < kReach;
-  AddArm(arm, q_arm, &scene);
+  const double reach = kReach + (arm ? CalcArmReach(*arm->arm) : 0.0);
+  scene.drawables[object].must_be_seen =
+      (X_WO.translation() - X_WRoot.translation()).norm() < reach;
   frames_.push_back({std::move(scene), time});
 }
 
@@ -40,7 +43,7 @@ std::string SceneFilm::Encode(const SceneView& view, int width, int height,
   std::vector<Scene> scenes;
   for (const Frame& frame : frames_) scenes.push_back(frame.scene);
   const Camera camera =
-      PlaceCamera(view, scenes, *hand_, q_, X_WH_, static_cast<double>(width) / height);
+      PlaceCamera(view, scenes, *hand_, q_, X_WH_, arm_, static_cast<double>(width) / height);
   Renderer renderer(width, height);
   AnimatedWebp film(width, height);
   for (size_t i = 0; i < frames_.size(); ++i) {
@@ -72,8 +75,10 @@ SceneView FindNamedView(const std::string& name) {
 }
 
 Eigen::Vector3d FindDirection(const SceneView& view, const Hand& hand, const Eigen::VectorXd& q,
-                              const Pose& X_WH) {
-  if (std::isnan(view.azimuth_deg)) return FindGraspView(hand, q, X_WH);
+                              const Pose& X_WH, const MountedArm* arm) {
+  if (std::isnan(view.azimuth_deg)) {
+    return arm ? FindArmView(*arm, X_WH) : FindGraspView(hand, q, X_WH);
+  }
   const double azimuth = RadFromDeg(view.azimuth_deg), elevation = RadFromDeg(view.elevation_deg);
   return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
           std::sin(elevation)};
@@ -109,8 +114,9 @@ SceneView ParseSceneView(const std::vector<std::string>& words, const std::strin
 }
 
 Camera PlaceCamera(const SceneView& view, const std::vector<Scene>& scenes, const Hand& hand,
-                   const Eigen::VectorXd& q, const Pose& X_WH, double aspect) {
-  Camera camera = FrameScenes(scenes, FindDirection(view, hand, q, X_WH), aspect);
+                   const Eigen::VectorXd& q, const Pose& X_WH, const MountedArm* arm,
+                   double aspect) {
+  Camera camera = FrameScenes(scenes, FindDirection(view, hand, q, X_WH, arm), aspect);
   camera.p_WEye = camera.p_WTarget + (camera.p_WEye - camera.p_WTarget) / view.zoom;
   return camera;
 }

@@ -34,9 +34,11 @@ view".
 @throws Error(kUsage) with suggestions, or naming the number and its range. */
 SceneView ParseSceneView(const std::vector<std::string>& words, const std::string& help);
 
-/** Places a camera that shows all of the scenes, in the given view of the given hand posture. */
+/** Places a camera that shows all of the scenes, in the given view of the given hand posture.
+@param arm  which the view without angles sees from the side; null: that view is of the grasp. */
 Camera PlaceCamera(const SceneView& view, const std::vector<Scene>& scenes, const Hand& hand,
-                   const Eigen::VectorXd& q, const Pose& X_WH, double aspect);
+                   const Eigen::VectorXd& q, const Pose& X_WH, const MountedArm* arm,
+                   double aspect);
 
 /** A video of a hand and an object, from one camera that shows the whole motion. */
 class SceneFilm {
@@ -45,7 +47,8 @@ class SceneFilm {
       : hand_(std::move(hand)), object_(std::move(object)) {}
 
   /** Adds a frame. @param time  of the frame, later than those before [s].
-  @param arm  that carries the hand; null: none. @param q_arm  its posture [rad]. */
+  @param arm  that carries the hand and is shown whole; null: none.
+  @param q_arm  its posture [rad]. */
   void Add(double time, const Eigen::VectorXd& q, const Pose& X_WH, const Pose& X_WO,
            const MountedArm* arm = nullptr, const Eigen::VectorXd& q_arm = {});
   /** Draws contacts in the last frame. @param length_per_force  of arrows [m/N]. */
@@ -68,6 +71,7 @@ class SceneFilm {
   std::vector<Frame> frames_;
   Eigen::VectorXd q_;  // in the first frame; with an arm, in the last
   Pose X_WH_ = Pose::Identity();
+  const MountedArm* arm_ = nullptr;
 };
 
 }  // namespace graspbench

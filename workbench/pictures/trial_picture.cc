@@ -216,10 +216,13 @@ PictureSize ParsePictureSize(const std::string& text) {
 
 Image DrawTrial(const TrialSetup& setup, const TracedTrial& traced, const TraceInstant& instant,
                 const SceneView& view, const PictureSize& size) {
+  const bool is_far = instant.phase == Phase::kPreGrasp;  // of the object, in the gross motion
+  const MountedArm* arm = traced.arm.get();
   Scene scene = MakeGraspScene(setup.hand, instant.q, instant.X_WH, setup.object, instant.X_WO);
-  const Camera camera = PlaceCamera(view, {scene}, *setup.hand, instant.q, instant.X_WH,
-                                    static_cast<double>(size.width) / size.height);
-  AddArm(traced.arm.get(), instant.q_arm, &scene);
+  AddArm(arm, instant.q_arm, is_far, &scene);
+  const Camera camera =
+      PlaceCamera(view, {scene}, *setup.hand, instant.q, instant.X_WH, is_far ? arm : nullptr,
+                  static_cast<double>(size.width) / size.height);
   AddContactMarks(MakeContactMarks(instant), FindArrowScale(traced), &scene);
   CompileShadersQuickly();
   return Renderer(size.width, size.height).Render(scene, camera);

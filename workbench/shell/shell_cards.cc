@@ -130,12 +130,7 @@ std::string FormatScene(ShellScene& scene) {
   const SceneChoice& choice = scene.choice();
   const std::string draw = choice.draw ? std::to_string(*choice.draw) : "none";
   std::string text = "hand     " + setup.hand->name + " (" + setup.hand->id + ")\n";
-  if (setup.arm) {
-    const Eigen::Vector3d base = setup.arm->X_WB.translation();
-    text += fmt::format("arm      {} ({}), base at {}, {}, {} m\n", setup.arm->arm->name,
-                        setup.arm->arm->id, FormatFixed(base.x(), 3), FormatFixed(base.y(), 3),
-                        FormatFixed(base.z(), 3));
-  }
+  if (setup.arm) text += "arm      " + DescribeArmPlace(*setup.arm) + "\n";
   text += "object   " + setup.object->name + " (" + setup.object->id + "), " +
           FormatFixed(GFromKg(setup.object->mass_properties.mass), 0) + " g\n";
   text += "grasp    " + setup.grasp.id;

@@ -16,12 +16,15 @@
 namespace graspbench {
 namespace {
 
+/** In the gross motion of an arm. */
+bool IsFar(ShellScene& scene) { return scene.notes().phase == Phase::kPreGrasp; }
+
 Scene MakeSceneNow(ShellScene& scene) {
   const TrialSetup& setup = scene.setup();
   World& world = scene.course().world();
   Scene drawn = MakeGraspScene(setup.hand, world.state().q, world.state().X_WH, setup.object,
                                world.CalcObjectPose());
-  AddArm(world.state().arm, world.state().q_arm, &drawn);
+  AddArm(world.state().arm, world.state().q_arm, IsFar(scene), &drawn);
   return drawn;
 }
 
@@ -99,8 +102,9 @@ Image ScenePainter::Draw(ShellScene& scene, const SceneView& view, int width, in
                          RenderQuality quality) {
   const WorldState& state = scene.course().world().state();
   const Scene drawn = MakeSceneNow(scene);
-  const Camera camera = PlaceCamera(view, {drawn}, *scene.setup().hand, state.q, state.X_WH,
-                                    static_cast<double>(width) / height);
+  const Camera camera =
+      PlaceCamera(view, {drawn}, *scene.setup().hand, state.q, state.X_WH,
+                  IsFar(scene) ? state.arm : nullptr, static_cast<double>(width) / height);
   Easel& easel = quality == RenderQuality::kDraft ? draft_ : full_;
   if (!easel.renderer || width != easel.width || height != easel.height) {
     easel = {std::make_unique<Renderer>(width, height, quality), width, height};

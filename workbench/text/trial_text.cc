@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/arm/mounted_arm.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/grasp/standard_grasp.h"
@@ -130,11 +131,12 @@ std::string FormatController(const TrialResult& result) {
 }
 
 /** Nothing without an arm. */
-std::string FormatArm(const TrialResult& result) {
-  if (!result.arm) return "";
+std::string FormatArm(const TrialSetup& setup, const TrialResult& result) {
+  if (!setup.arm || !result.arm) return "";
+  const std::string place = "arm      " + DescribeArmPlace(*setup.arm);
   const ArmRecord& arm = *result.arm;
   if (arm.q.size() == 0) {
-    return "arm      no course" + (arm.joint.empty() ? "" : "; joint " + arm.joint) + "\n";
+    return place + ": no course" + (arm.joint.empty() ? "" : "; joint " + arm.joint) + "\n";
   }
   const std::string yields =
       arm.torque_joint.empty()
@@ -143,12 +145,14 @@ std::string FormatArm(const TrialResult& result) {
                         FormatFixed(MmFromM(arm.deflection), 2),
                         FormatFixed(DegFromRad(arm.deflection_angle), 2), arm.torque_joint,
                         FormatPercent(arm.torque_share));
-  return fmt::format(
-      "arm      to the pre-grasp pose {} s, {} mm; placing and lift {} s, {} mm; joint {} {} deg "
-      "from its limit; fastest joint at {} of its speed\n{}",
-      FormatFixed(arm.reach_time, 2), FormatFixed(MmFromM(arm.reach_path), 0),
-      FormatFixed(arm.straight_time, 2), FormatFixed(MmFromM(arm.straight_path), 0), arm.joint,
-      FormatFixed(DegFromRad(arm.margin), 1), FormatPercent(arm.speed_share), yields);
+  return place +
+         fmt::format(
+             "\narm      to the pre-grasp pose {} s, {} mm; placing and lift {} s, {} mm; joint {} "
+             "{} deg from its limit; fastest joint at {} of its speed\n{}",
+             FormatFixed(arm.reach_time, 2), FormatFixed(MmFromM(arm.reach_path), 0),
+             FormatFixed(arm.straight_time, 2), FormatFixed(MmFromM(arm.straight_path), 0),
+             arm.joint, FormatFixed(DegFromRad(arm.margin), 1), FormatPercent(arm.speed_share),
+             yields);
 }
 
 std::string FormatJointErrors(const TrialSetup& setup) {
@@ -412,11 +416,13 @@ std::string FormatTrial(const ExaminedTrial& trial, const std::string& folder) {
       fmt::format("trial    {} ({}): {}, {}, {}\n", trial.planned.id, NameTrial(trial.planned),
                   trial.setup.hand->name, trial.setup.object->name, trial.planned.grasp) +
       FormatSoftness(*trial.setup.object) + FormatSight(result) + FormatController(result) +
-      FormatArm(result) + FormatOutcome(result) + "draw     " + FormatObjectDraw(trial.setup.draw) +
-      FormatJointErrors(trial.setup) + "\n" + "phases   " +
+      FormatArm(trial.setup, result) + FormatOutcome(result) + "draw     " +
+      FormatObjectDraw(trial.setup.draw) + FormatJointErrors(trial.setup) + "\n" + "phases   " +
       FormatPhases(trial.traced, trial.setup) + "\n";
-  if (!result.contacts.empty()) text += FormatDigits(trial);
-  text += FormatSeat(result) + FormatGrip(result);
+  if (result.num_steps > 0) {  // else it ended before it began, for instance out of an arm's reach
+    if (!result.contacts.empty()) text += FormatDigits(trial);
+    text += FormatSeat(result) + FormatGrip(result);
+  }
   if (result.diagnosis) text += "why      " + DescribeDiagnosis(result) + "\n";
   if (trial.explanation) text += "remedies " + DescribeExplanation(*trial.explanation) + "\n";
   if (trial.nearest && !IsSuccess(result.outcome)) {

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/arm/arm_inverse.h"
 #include "core/base/minimum_jerk.h"
 #include "core/base/text/text.h"
+#include "core/base/units.h"
 #include "core/physics/carrying_arm.h"
 #include "core/trial/protocols/table_lift.h"
 
@@ -70,8 +72,13 @@ void TableLift::ObserveArm() {
   }
   if (report.is_followed) return;
   notes_.arm_fault = ArmFault::kNoStraightPath;
-  notes_.arm_reason =
-      "the arm cannot follow the hand " + FormatFixed(notes_.time, 2) + " s into the trial";
+  const LimitMargin nearest = FindLimitMargin(*setup_.arm->arm, world_->state().q_arm);
+  arm.joint = setup_.arm->arm->joints[static_cast<size_t>(nearest.joint)].name;
+  arm.margin = nearest.margin;
+  notes_.arm_reason = "the arm cannot follow the hand " + FormatFixed(notes_.time, 2) +
+                      " s into the trial; joint " + std::to_string(nearest.joint + 1) + " (" +
+                      arm.joint + ") is " + FormatFixed(DegFromRad(nearest.margin), 1) +
+                      " deg from its limit";
 }
 
 /** Of what carries the hand, along a direction at its present pose [N/m]. */

@@ -55,6 +55,8 @@ TEST(LoadArm, WrongFilesAreRefusedByName) {
       {Replace(text, "a_m: 0.5, ", ""), "a_m"},
       {Replace(text, "stiffness_nm_per_rad: 2000", "stiffness_nm_per_rad: 0"),
        "stiffness_nm_per_rad"},
+      {Replace(text, "stiffness_nm_per_rad: 2000", "stiffness_nm_per_rad: 2"),
+       "joint \"j1\": turns by more than 1 rad at its torque; expected at least"},
       {Replace(text, "armature_kg_m2: 0.1,", ""), "armature_kg_m2"},
       {Replace(text, "ready_deg: [0,", "ready_deg: [0, 1,"), "expected one angle for each of"},
       {Replace(text, "ready_deg: [0", "ready_deg: [91"), "outside its limits"},
@@ -84,6 +86,9 @@ TEST(LoadArm, WrongFilesAreRefusedByName) {
     EXPECT_GE(problems.num_errors(), 1);
     EXPECT_NE(problems.Format().find(one.expected), std::string::npos) << problems.Format();
   }
+  Diagnostics without_limits;
+  ParseArm(Replace(text, "lower_deg: -90, upper_deg: 90,", ""), "arms/one", without_limits);
+  EXPECT_EQ(without_limits.num_errors(), 2) << without_limits.Format();  // and no more
   Diagnostics none;
   EXPECT_EQ(ParseArm(MakeText(6), "arms/one", none).id, "one");
   EXPECT_EQ(none.num_errors(), 0) << none.Format();

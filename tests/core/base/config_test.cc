@@ -89,6 +89,8 @@ TEST(Config, SettingsReachInnerValues) {
   EXPECT_EQ(FindSettingProblem("inner.sise_m=1"),
             "--set \"inner.sise_m=1\": no setting \"inner.sise_m\"; did you mean "
             "\"inner.size_m\"? Known: inner.size_m, inner.is_round");
+  EXPECT_EQ(FindSettingProblem("inner=1"),
+            "--set \"inner=1\": no setting \"inner\". Known: inner.size_m, inner.is_round");
 }
 
 TEST(Config, DifferencesNameTheKeyAndBothValues) {

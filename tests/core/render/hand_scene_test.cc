@@ -124,6 +124,46 @@ TEST(FrameScenesTest, HoldsWhatMustBeSeenAndTouchesTheMargin) {
   }
 }
 
+// Two links of 0.4 m along x of the base, in line.
+MountedArm MakeReach(const Pose& X_WB) {
+  Arm arm;
+  arm.joints.resize(2);
+  for (ArmJoint& joint : arm.joints) joint.a = 0.4;
+  for (int link = 0; link < 3; ++link) {
+    arm.capsules.push_back({link, Vector3d(link > 0 ? -0.4 : 0.0, 0.0, 0.0), {0, 0, 0}, 0.05});
+  }
+  MountedArm mounted;
+  mounted.arm = std::make_shared<const Arm>(arm);
+  mounted.X_WB = X_WB;
+  return mounted;
+}
+
+TEST(AddArmTest, AWholeArmIsInThePictureWithItsHandAndIsSeenFromTheSide) {
+  const auto hand = MakePincer();
+  for (const double yaw : {0.0, 0.8, 2.5}) {
+    const Pose X_WB = MakePose(MakeRotationRpy(0.0, 0.0, yaw), Vector3d(-0.3, 0.2, 0.5));
+    const MountedArm arm = MakeReach(X_WB);
+    const Vector3d ahead_W = X_WB.linear() * Vector3d::UnitX();
+    Pose X_WH = MakeDownwards(yaw);
+    X_WH.translation() = X_WB * Vector3d(0.8, 0.0, 0.0);
+    Scene scene = MakeGraspScene(hand, VectorXd::Zero(3), X_WH, MakeBlock(), Pose::Identity());
+    AddArm(&arm, VectorXd::Zero(2), true, &scene);
+    const Vector3d to_eye_W = FindArmView(arm, X_WH);
+    EXPECT_NEAR(to_eye_W.norm(), 1.0, 1e-12);
+    EXPECT_LT(std::abs(to_eye_W.dot(ahead_W)), 0.4);
+    const Camera camera = FrameScenes({scene}, to_eye_W, 4.0 / 3.0);
+    for (const Drawable& drawable : scene.drawables) {
+      for (const Vector3d& p_M : drawable.mesh->vertices) {
+        const Vector2d p = FindInPicture(camera, 4.0 / 3.0, drawable.X_WM * p_M);
+        ASSERT_LT(p.cwiseAbs().maxCoeff(), 0.95) << yaw;
+      }
+    }
+  }
+  // A hand straight above the base has no side.
+  const MountedArm upright = MakeReach(Pose::Identity());
+  EXPECT_NEAR(FindArmView(upright, MakePose(Vector3d(0.0, 0.0, 0.8))).norm(), 1.0, 1e-12);
+}
+
 TEST(FindGraspViewTest, LooksAcrossTheGripFromAboveAndTurnsWithTheHand) {
   const auto hand = MakePincer();
   const VectorXd q = VectorXd::Zero(3);

@@ -228,12 +228,39 @@ def compare(record, joints, closure, read, form):
     assert all(abs(a - b) < TOLERANCE for a, b in zip(wanted, found)), (form, wanted, found)
 
 
+def check_arm(folder):
+    """Every form has the arm's joints. The chain of its frames ends at the flange, which the hand follows at one pose."""
+    session = folder / "arm"
+    graspbench("run", "--hand", "tum", "--object", "golf_ball", "--trials", 1, "--arm", "puma560", "--out", session)
+    for form in ("csv", "mcap", "h5", "npz"):
+        graspbench("replay", session, "--all", "--trajectory", form, "--out", folder / ("arm_" + form))
+    name, = (path.stem for path in (folder / "arm_mcap").glob("*.mcap"))
+    mcap = Mcap(folder / "arm_mcap" / (name + ".mcap"))
+    table = pandas.read_csv(folder / "arm_csv" / (name + ".csv"))
+    arrays = read_npz(folder / "arm_npz" / (name + ".npz"))
+    demo = read_h5(h5py.File(folder / "arm_h5" / "trajectories.h5", "r")["data/demo_0"])
+    joints = ["arm/" + joint for joint in ("waist", "shoulder", "elbow", "wrist roll", "wrist bend", "flange")]
+    places = []
+    for time, row in table.iloc[::20].set_index("time_s").iterrows():
+        for joint in joints:
+            for read in (mcap, arrays, demo):
+                assert abs(read.joint(joint, time) - row[joint + "_rad"]) < TOLERANCE, (joint, time)
+        p, R = np.zeros(3), np.eye(3)
+        for frame in ["arm"] + joints:
+            step, turn = mcap.pose(frame, time)
+            p, R = p + R @ step, R @ rotation(*turn)
+        places.append(R.T @ (mcap.pose("hand", time)[0] - p))
+    assert np.ptp(table[joints[1] + "_rad"]) > 0.1
+    assert np.ptp(places, axis=0).max() < TOLERANCE, places
+
+
 def main():
     with tempfile.TemporaryDirectory() as place:
         folder = pathlib.Path(place)
         session = folder / "s"
         graspbench("run", "--hand", "tum,shadow", "--object", "golf_ball", "--trials", 2, "--out",
                    session)
+        check_arm(folder)
         graspbench("export", session, "--records")
         records = [json.loads(line)
                    for line in (session / "export" / "records.jsonl").read_text().splitlines()]

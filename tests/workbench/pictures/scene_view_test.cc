@@ -49,7 +49,8 @@ TEST(SceneView, TheCameraStandsWhereTheAnglesSay) {
   ball.X_WM = MakePose(Eigen::Vector3d(0.1, 0.2, 0.3));
   scene.drawables = {ball};
   const auto place = [&](const std::vector<std::string>& words) {
-    return PlaceCamera(ParseSceneView(words, ""), {scene}, Hand(), {}, Pose::Identity(), 1.0);
+    return PlaceCamera(ParseSceneView(words, ""), {scene}, Hand(), {}, Pose::Identity(), nullptr,
+                       1.0);
   };
   const auto find_direction = [](const Camera& camera) {
     return Eigen::Vector3d((camera.p_WEye - camera.p_WTarget).normalized());

@@ -93,9 +93,10 @@ TEST(ShellScene, TheCardNamesTheArmAndItsBase) {
   choice.config.arm.model = "puma560";
   choice.config.arm.x = -0.6;
   scene.Choose(choice);
-  EXPECT_NE(
-      FormatScene(scene).find("\narm      PUMA 560 (puma560), base at -0.600, 0.000, 0.000 m\n"),
-      std::string::npos)
+  EXPECT_NE(FormatScene(scene).find(
+                "\narm      PUMA 560 (puma560), base at -0.600, 0.000, 0.000 m, turned by 0.0 "
+                "deg\n"),
+            std::string::npos)
       << FormatScene(scene);
 }
 

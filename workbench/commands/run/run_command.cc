@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "core/arm/mounted_arm.h"
 #include "core/base/text/text.h"
 #include "datasets/analysis/export_result.h"
 #include "datasets/analysis/session_summary.h"
@@ -54,6 +55,8 @@ void PrintStart(const PreparedSession& work, int num_unfinished, int num_workers
             std::to_string(num_unfinished) + " to run on " + FormatCount(num_workers, "worker");
   }
   if (!work.inputs.types.empty()) text += "; best grasps: type by rehearsal";
+  const ArmConfig& arm = work.session.config.arm;
+  if (HasArm(arm)) text += "; arm " + arm.model + ", " + DescribeArmBase(CalcArmBase(arm));
   PrintMessage(text);
 }
 

@@ -3,10 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
 
+#include "core/arm/load_arm.h"
+#include "core/arm/mounted_arm.h"
+#include "core/base/text/text.h"
+#include "core/base/units.h"
 #include "core/render/scene.h"
 #include "core/trial/policy/hand_policy.h"
 #include "core/trial/protocols/protocol.h"
@@ -247,6 +252,34 @@ TEST_P(PolicyLiftTest, AFarPoseIsNearedAtTheLargestSpeed) {
   });
   EXPECT_NEAR(moved.CalcShift().z(), 0.2 * 0.5, kArmLag);
   EXPECT_EQ(*moved.result.policy->num_hand_cut, 11);
+}
+
+TEST(PolicyLiftArm, AHandThatIsTakenOutOfReachEndsTheTrialWithTheJointNearestItsLimit) {
+  const auto controller = std::make_shared<FixedAnswer>();
+  controller->answer = [](const PolicyView&) {
+    PolicyAction action;
+    action.twists.resize(1, 6);
+    action.twists << 0.4, 0.0, 0.0, 0.0, 0.0, 0.0;  // away from the arm, for 2.4 m
+    return action;
+  };
+  TrialSetup setup = MakePolicySetup("tum", controller);
+  setup.policy.moves = "hand-and-digits";
+  setup.policy.time = 6.0;
+  const auto arm = std::make_shared<const Arm>(LoadArm("puma560"));
+  setup.arm = std::make_shared<const MountedArm>(MountArm(ArmConfig(), arm, *setup.hand));
+  const TrialResult result = RunSetup(setup);
+  EXPECT_EQ(result.outcome, Outcome::kNoStraightPath);
+  EXPECT_EQ(result.reason.find("the arm cannot follow the hand "), 0u) << result.reason;
+  ASSERT_TRUE(result.arm);
+  const auto joint = std::find_if(arm->joints.begin(), arm->joints.end(),
+                                  [&](const ArmJoint& j) { return j.name == result.arm->joint; });
+  ASSERT_NE(joint, arm->joints.end());
+  const std::string named = "; joint " + std::to_string(joint - arm->joints.begin() + 1) + " (" +
+                            joint->name + ") is " + FormatFixed(DegFromRad(result.arm->margin), 1) +
+                            " deg from its limit";
+  EXPECT_NE(result.reason.find(named), std::string::npos) << result.reason;
+  EXPECT_GT(result.arm->margin, 0.0);
+  ExpectSurvivesItsRecord(result);
 }
 
 TEST_P(PolicyLiftTest, TheHandIsKeptAboveTheTable) {
