@@ -83,7 +83,7 @@ struct Explanation {
   }
 };
 
-/** Name of a remedy in reports, such as "the hand 8 mm lower", with the option or setting to use. */
+/** Name of a remedy in reports, such as "twice the grip". */
 std::string NameRemedy(const std::string& id);
 bool IsAnotherGrasp(const RemedyResult& remedy);
 
