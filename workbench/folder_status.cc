@@ -7,6 +7,7 @@
 #include <set>
 #include <thread>
 
+#include "core/base/error.h"
 #include "core/base/text/text.h"
 #include "datasets/campaign/campaign_store.h"
 #include "datasets/campaign/check_records.h"
@@ -167,6 +168,17 @@ void AddSearch(const fs::path& folder, const SearchProgress& progress, const std
 }  // namespace
 
 FolderStatus ReadFolderStatus(const fs::path& folder, double stale_after, StatusLook look) {
+  if (FindStoreKind(folder) == nullptr && fs::exists(folder / "hand.yaml")) {
+    const fs::path development = folder / "development";
+    if (FindStoreKind(development) == &kDevelopmentStore) {
+      return ReadFolderStatus(development, stale_after, look);
+    }
+    throw Error(ErrorKind::kNotFound,
+                "\"" + folder.string() +
+                    "\" is a hand (hand.yaml) without a development; expected the folder of a "
+                    "session, campaign, optimisation or development. graspbench hand check " +
+                    QuoteForShell(folder.string()) + " checks the hand");
+  }
   FolderStatus status;
   status.is_checked = look == StatusLook::kVerified ||
                       (look == StatusLook::kQuick && CalcSize(folder) <= kMostChecked);

@@ -69,13 +69,22 @@ double EstimateExplainTime(const PreparedSession& finished) {
 }  // namespace
 
 void ExplainUnasked(const fs::path& folder, int num_workers, OnDamage on_damage) {
-  if (!HasFailuresToExplain(LoadSession(folder, on_damage, RecordParts::kBrief))) return;
+  int64_t num_failures = 0;
+  {  // two large sessions in memory would not fit
+    const Session session = LoadSession(folder, on_damage, RecordParts::kBrief);
+    if (!HasFailuresToExplain(session)) return;
+    num_failures =
+        std::count_if(session.records.begin(), session.records.end(),
+                      [](const TrialRecord& record) { return !IsSuccess(record.result.outcome); });
+  }
   try {
     const PreparedSession finished = LoadFinished(folder, on_damage);
     const double time = EstimateExplainTime(finished);
     TerminalObserver observer([&](const Stage& stage) {
-      return folder.string() + ": " + DescribeTasks(stage) + " for the report, about " +
-             FormatFixed(time, 0) + " s of one processor; kept for the next report";
+      return folder.string() + ": explaining " + FormatCountOf(stage.num_left, num_failures) +
+             (num_failures == 1 ? " failure" : " failures") +
+             " for the report (one per condition), about " + FormatFixed(time, 0) +
+             " s of one processor; stored";
     });
     const RunRecord record = RunRound(kExplainShortlyRound, finished, num_workers, observer);
     if (record.ending != RunEnding::kFinished) {

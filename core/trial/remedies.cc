@@ -35,12 +35,14 @@ struct RemedyRow {
   enum { kOften, kUsable, kExplains } use;  ///< often helpful, usable, or diagnostic
 };
 constexpr RemedyRow kRemedies[] = {
-    {"grip-x2", "twice the grip", RemedyRow::kUsable},
-    {"grip-x4", "four times the grip", RemedyRow::kOften},
+    {"grip-x2", "twice the grip (strategy.grip_margin and grip_force_n times 2)",
+     RemedyRow::kUsable},
+    {"grip-x4", "four times the grip (strategy.grip_margin and grip_force_n times 4)",
+     RemedyRow::kOften},
     {"firm", "a firm grip (--preset firm)", RemedyRow::kOften},
     {"regulated", "a regulated grip (--preset people)", RemedyRow::kOften},
     {"together", "digits that touch together", RemedyRow::kUsable},
-    {"slower", "closing at half the speed", RemedyRow::kUsable},
+    {"slower", "closing at half the speed (strategy.closure_time_s times 2)", RemedyRow::kUsable},
     {"higher", "the hand 8 mm higher", RemedyRow::kUsable},
     {"lower", "the hand 8 mm lower", RemedyRow::kOften},
     {"no-offset", "no offset of the object", RemedyRow::kExplains},

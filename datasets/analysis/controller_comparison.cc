@@ -187,12 +187,12 @@ std::vector<CsvColumn<ObjectComparison>> ListObjectComparisonColumns() {
         }).Shown("pairs"),
       C("failed_first", "", "failures of the first session", failed_first).Shown("first fails"),
       C("failed_second", "", "failures of the second session", failed_second).Shown("second fails"),
-      C("failed_both", "", "draws that fail in both sessions (floor of failure)",
+      C("failed_both", "", "draws that fail in both sessions",
         [](const Row& row) {
           return row.successes.neither;
         }).Shown("both fail"),
       CsvColumn<Row>::ForPeople(
-          "floor [%]", "share that fails in both, with its 95 % interval", [](const Row& row) {
+          "both fail [%]", "share that fails in both, with its 95 % interval", [](const Row& row) {
             return FormatShareOf(row.successes.neither, row.successes.num_pairs());
           })};
 }

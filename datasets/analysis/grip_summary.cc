@@ -9,6 +9,7 @@
 #include "core/base/text/csv.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
+#include "datasets/session/find_trial.h"
 
 namespace graspbench {
 
@@ -172,6 +173,7 @@ GripShortfall FindShortfall(const SessionSummary& summary) {
         pressed.push_back(force);
       }
       if (sum >= (1.0 - kGripTolerance) * grip.asked) continue;
+      if (asked.empty()) shortfall.example = NameTrial(record->plan);
       asked.push_back(grip.asked);
       reached.push_back(sum);
       for (const DigitGripRecord& digit : grip.digits) {
@@ -205,10 +207,12 @@ std::string DescribeExcess(const GripShortfall& shortfall) {
 std::string DescribeShortfall(const GripShortfall& shortfall) {
   if (shortfall.num == 0) return "";
   return fmt::format(
-      "grip     {} of {} missed the setpoint: total setpoint {} N, reached {} N (medians){}",
+      "grip     in {} of {} the total grip stayed below its setpoint: {} N instead of {} N "
+      "(medians), first in {}{}",
       shortfall.num, FormatCount(shortfall.num_closed, "trial"),
-      FormatFixed(shortfall.asked.median, 2), FormatFixed(shortfall.reached.median, 2),
-      shortfall.reason.empty() ? "" : "; mostly: " + shortfall.reason);
+      FormatFixed(shortfall.reached.median, 2), FormatFixed(shortfall.asked.median, 2),
+      shortfall.example,
+      shortfall.reason.empty() ? "" : "; most frequent reason: " + shortfall.reason);
 }
 
 }  // namespace graspbench

@@ -41,6 +41,7 @@ struct GripShortfall {
   int num = 0, num_closed = 0;      ///< of the trials whose grip had closed
   Spread asked, reached;            ///< setpoint and force of these trials [N]
   std::string reason;               ///< most frequent reason of their digits; empty: unknown
+  std::string example;              ///< name of the first of these trials
   Spread asked_of_excess, pressed;  ///< under sensed touch, above 1.5 times the setpoint [N]
 };
 GripShortfall FindShortfall(const SessionSummary& summary);

@@ -15,8 +15,14 @@ constexpr int kNumChangeResamples = 1999;
 /** Hand and object. */
 using DrawnScene = std::pair<std::string, std::string>;
 
+/** A compared side by its place. */
+struct PlacedSide {
+  size_t place;
+  std::optional<std::string> hand;
+};
+
 /** The compared sides of each session by their conditions. */
-using SidesOf = std::map<std::optional<std::string>, std::vector<size_t>>;
+using SidesOf = std::map<std::optional<std::string>, std::vector<PlacedSide>>;
 
 std::vector<std::pair<const Session*, SidesOf>> GroupBySession(
     const std::vector<ComparedSide>& sides) {
@@ -27,7 +33,7 @@ std::vector<std::pair<const Session*, SidesOf>> GroupBySession(
     if (found == sessions.end()) {
       found = sessions.insert(sessions.end(), {sides[k].session, {}});
     }
-    found->second[sides[k].condition].push_back(k);
+    found->second[sides[k].condition].push_back({k, sides[k].hand});
   }
   return sessions;
 }
@@ -36,9 +42,12 @@ std::vector<std::pair<const Session*, SidesOf>> GroupBySession(
 template <class List, class FindPlan, class Visit>
 void VisitSides(const SidesOf& sides, const List& list, FindPlan find_plan, Visit visit) {
   for (const auto& one : list) {
-    const auto found = sides.find(find_plan(one).condition);
+    const PlannedTrial& planned = find_plan(one);
+    const auto found = sides.find(planned.condition);
     if (found == sides.end()) continue;
-    for (const size_t side : found->second) visit(side, one);
+    for (const PlacedSide& side : found->second) {
+      if (side.hand.value_or(planned.hand) == planned.hand) visit(side.place, one);
+    }
   }
 }
 
@@ -131,10 +140,10 @@ std::string ExplainUndecided(const OutcomeCounts& compared, const OutcomeCounts&
     return "success not testable: all " + FormatCount(num, "trial") +
            (succeed ? " succeed" : " fail");
   }
-  return "cannot decide success: " + std::to_string(num_others) + " of " +
-         FormatCount(left_out.num_finished, "trial") + " left out " +
-         (num_others == 1 ? (succeed ? "fails" : "succeeds") : (succeed ? "fail" : "succeed")) +
-         ", none of the " + std::to_string(num) + " compared";
+  return "success not testable: all " + FormatCount(num, "trial") + " compared " +
+         (succeed ? "succeed, " : "fail, ") + std::to_string(num_others) + " of " +
+         std::to_string(left_out.num_finished) + " left out " +
+         (num_others == 1 ? (succeed ? "fails" : "succeeds") : (succeed ? "fail" : "succeed"));
 }
 
 ChangeEstimate EstimateChange(const ObjectChanges& changes) {

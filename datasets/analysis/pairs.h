@@ -30,6 +30,7 @@ namespace graspbench {
 struct ComparedSide {
   const Session* session = nullptr;
   std::optional<std::string> condition = {};
+  std::optional<std::string> hand = {};  ///< only of this hand
 };
 
 /** Returns the planned grasp, or the one that the camera chose (TrialResult::sight_grasp). */
@@ -59,7 +60,7 @@ struct OutcomeCounts {
 };
 OutcomeCounts CountOutcomes(const std::set<const TrialRecord*>& records);
 
-/** Returns "cannot decide success: all 12 trials succeed"; empty if the compared trials have both
+/** Returns "success not testable: all 12 trials succeed"; empty if the compared trials have both
 outcomes. @param left_out  finished trials of the same conditions that are not compared. */
 std::string ExplainUndecided(const OutcomeCounts& compared, const OutcomeCounts& left_out = {});
 

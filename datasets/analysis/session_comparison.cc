@@ -53,10 +53,16 @@ int SessionComparison::num_other_grasp() const {
 }
 
 SessionComparison CompareSessions(const Session& before, const Session& after) {
-  const bool is_any_hand = ListHands(before).size() == 1 && ListHands(after).size() == 1;
+  const std::set<std::string> hands = ListHands(before), other_hands = ListHands(after);
+  const bool is_any_hand = hands.size() == 1 && other_hands.size() == 1;
   std::set<std::optional<std::string>> conditions;
   for (const PlannedTrial& planned : before.plan) conditions.insert(planned.condition);
   SessionComparison comparison;
+  const bool has_two_hands = is_any_hand && hands != other_hands;
+  if (has_two_hands) {
+    comparison.hand = *hands.begin();
+    comparison.other_hand = *other_hands.begin();
+  }
   VariedTrials trials;
   for (const std::optional<std::string>& condition : conditions) {
     const ComparedSide sides[] = {{&before, condition}, {&after, condition}};
@@ -78,6 +84,10 @@ SessionComparison CompareSessions(const Session& before, const Session& after) {
   comparison.num_only_after = static_cast<int>(after.records.size()) - num_pairs;
   for (SettingChange& change : ListChanges(before, "all pairs", trials)) {
     comparison.changes.push_back(std::move(change));
+    if (has_two_hands) {
+      comparison.changes.back().num_other_grasp = 0;
+      continue;
+    }
     const int num_other = comparison.changes.back().num_other_grasp;
     if (num_other == 0 || num_other == comparison.changes.back().successes.num_pairs()) continue;
     const std::string hand = comparison.changes.back().hand;

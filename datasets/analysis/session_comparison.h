@@ -23,7 +23,10 @@ struct TrialPair {
   const TrialRecord* before = nullptr;
   const TrialRecord* after = nullptr;
 
-  bool changes_grasp() const { return FindUsedGrasp(*before) != FindUsedGrasp(*after); }
+  /** Grasps of different hands are not compared, although they have the same names. */
+  bool changes_grasp() const {
+    return before->plan.hand == after->plan.hand && FindUsedGrasp(*before) != FindUsedGrasp(*after);
+  }
   bool is_won() const { return !IsSuccess(before->result.outcome) && is_success_after(); }
   bool is_lost() const { return IsSuccess(before->result.outcome) && !is_success_after(); }
 
@@ -33,17 +36,20 @@ struct TrialPair {
 
 struct SessionComparison {
   std::vector<TrialPair> pairs;  ///< in the order of the first session's plan
-  int num_only_before = 0;       ///< finished trials that are in no pair
+  /** The two hands, where each session has one and they differ; else empty. */
+  std::string hand, other_hand;
+  int num_only_before = 0;  ///< finished trials that are in no pair
   int num_only_after = 0;
-  /** By hand: "all pairs", then, where some pairs change their grasp, "same grasp". `hand` is that
-  of the first session. */
+  /** By hand: "all pairs", then, where some pairs of one hand change their grasp, "same grasp".
+  `hand` is that of the first session. */
   std::vector<SettingChange> changes;
 
   int num_other_grasp() const;
   std::vector<std::string> settings;  ///< "sim.step_s: 0.002 and 0.001"
 };
 
-/** Compares two sessions, whose records must outlive the result.
+/** Compares two sessions, whose records must outlive the result. Changes are the second session
+minus the first.
 @throws Error(kUsage) when there is no pair, saying why. */
 SessionComparison CompareSessions(const Session& before, const Session& after);
 

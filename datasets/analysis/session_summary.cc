@@ -237,6 +237,7 @@ SessionSummary SummariseSession(const Session& session) {
     FinishCell(cell);
     AddTally(cell.tally, summary.total);
   }
+  summary.differences = CompareHands(session, summary.hands);
   return summary;
 }
 

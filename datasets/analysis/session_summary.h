@@ -19,6 +19,7 @@ other figure. */
 #include "core/grasp/contact_timing.h"
 #include "core/statistics/proportion.h"
 #include "core/statistics/summary.h"
+#include "datasets/analysis/hand_differences.h"
 #include "datasets/session/session_store.h"
 
 namespace graspbench {
@@ -82,10 +83,11 @@ struct CellSummary {
 };
 
 struct SessionSummary {
-  std::vector<CellSummary> cells;    ///< in the plan's order
-  std::vector<std::string> hands;    ///< ids in the plan's order
-  std::vector<std::string> objects;  ///< ids in the plan's order
-  std::vector<std::string> grasps;   ///< ids, sorted
+  std::vector<CellSummary> cells;           ///< in the plan's order
+  std::vector<std::string> hands;           ///< ids in the plan's order
+  std::vector<std::string> objects;         ///< ids in the plan's order
+  std::vector<std::string> grasps;          ///< ids, sorted
+  std::vector<HandDifference> differences;  ///< of every two hands
   Tally total;
   /** Indices of cells by hand, object and grasp, for FindCell. */
   std::map<std::tuple<std::string, std::string, std::string>, size_t> places;

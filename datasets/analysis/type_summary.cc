@@ -89,7 +89,7 @@ std::vector<CsvColumn<TypeSummary>> ListTypeColumns() {
       C("hand", "", "", &Row::hand).Shown("hand"),
       C("grasp", "", "", &Row::grasp).Shown("grasp"),
       C("finished", "", "finished trials", &Row::num_finished).Shown("n"),
-      C("asked", "", "opposition intended by the grasp", &Row::asked).Shown("asked"),
+      C("asked", "", "opposition intended by the grasp", &Row::asked).Shown("intended"),
       C("held", "", "trials that end with the object in the hand", &Row::num_held).Shown("held"),
       C("pad", "", "held by pad opposition", count(Opposition::kPad)).Shown("pad"),
       C("palm", "", "held by palm opposition: the palm bears 10 % of the normal force",
@@ -97,7 +97,7 @@ std::vector<CsvColumn<TypeSummary>> ListTypeColumns() {
           .Shown("palm"),
       C("side", "", "held by side opposition", count(Opposition::kSide)).Shown("side"),
       C("as_called_share", "", "held trials with the intended opposition", &Row::share)
-          .Shown("as called [%]",
+          .Shown("as intended [%]",
                  [](const Row& row) { return FormatFixed(100.0 * row.share(), 0); }),
       C("parts", "", "mean share of the normal force in the hold, by part", &Row::parts)
           .Shown("parts that bear")};

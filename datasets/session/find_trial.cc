@@ -124,6 +124,27 @@ std::string NameTrial(const PlannedTrial& planned) {
          (planned.condition ? "@" + *planned.condition : "");
 }
 
+namespace {
+
+/** "; did you mean tum-can-g2:0 or tum-can-g3:0?": trials of conditions whose name begins so. */
+std::string SuggestTrials(const Session& session, const std::string& name) {
+  constexpr size_t kMostNamed = 4;
+  std::vector<std::string> trials;
+  for (const PlannedTrial& planned : session.plan) {
+    const std::string trial = planned.hand + "-" + planned.object + "-" + planned.grasp + ":0";
+    if (planned.condition || ToLower(trial).rfind(name, 0) != 0) continue;
+    if (std::find(trials.begin(), trials.end(), trial) == trials.end()) trials.push_back(trial);
+  }
+  if (name.empty() || trials.empty()) return "";
+  std::string text;
+  for (size_t i = 0; i < std::min(trials.size(), kMostNamed); ++i) {
+    text += (i == 0 ? "; did you mean " : " or ") + trials[i];
+  }
+  return text + (trials.size() > kMostNamed ? " ..?" : "?");
+}
+
+}  // namespace
+
 const PlannedTrial& FindPlannedTrial(const Session& session, const std::string& given) {
   const std::string name = ToLower(given);
   if (name.find(':') != name.npos) return FindByNumber(session, given);
@@ -139,7 +160,8 @@ const PlannedTrial& FindPlannedTrial(const Session& session, const std::string& 
     found = &planned;
   }
   if (found) return *found;
-  throw Error(ErrorKind::kNotFound, "the session has no trial \"" + given + "\"" + HowToName());
+  throw Error(ErrorKind::kNotFound, "the session has no trial \"" + given + "\"" +
+                                        SuggestTrials(session, name) + HowToName());
 }
 
 const TrialRecord* FindRecord(const Session& session, const PlannedTrial& planned) {

@@ -358,21 +358,49 @@ namespace {
 // Text from a file cannot be mistaken for this mark, because its "<" is escaped.
 constexpr char kBodyMark[] = "<!--body-->";
 
+/** The last number of figures or tables. What is folded has a second number: "5.1". */
+struct LastNumber {
+  int shown = 0, folded = 0;
+
+  std::string Next(bool is_folded) {
+    if (is_folded) return std::to_string(shown) + "." + std::to_string(++folded);
+    folded = 0;
+    return std::to_string(++shown);
+  }
+};
+
+/** Keeps the list of the open <details> around a place, true: folded. */
+void FollowDetails(const std::string& body, size_t at, std::vector<bool>& details) {
+  constexpr std::string_view kOpening = "<details", kClosing = "</details>";
+  if (body.compare(at, kOpening.size(), kOpening) == 0) {
+    details.push_back(body.substr(at, body.find('>', at) - at).find(" open") == std::string::npos);
+  } else if (!details.empty() && body.compare(at, kClosing.size(), kClosing) == 0) {
+    details.pop_back();
+  }
+}
+
 /** Appends the body and numbers its figures, tables and repeated ids. */
 void AppendNumbered(const std::string& body, std::string& numbered) {
   const std::pair<std::string_view, bool> marks[] = {
       {kFigureOpening, true}, {kTableOpening, true}, {kFigureLabel, false}, {kTableLabel, false}};
-  std::map<std::string, int> counts;
+  std::map<std::string, int> ids;
+  std::map<std::string_view, LastNumber> labels;
+  std::vector<bool> details;
   size_t done = 0;
   for (size_t at = body.find('<'); at != std::string::npos; at = body.find('<', at + 1)) {
+    FollowDetails(body, at, details);
     for (const auto& [mark, is_id] : marks) {
       if (body.compare(at, mark.size(), mark) != 0) continue;
       const size_t end = is_id ? body.find('"', at + mark.size()) : at + mark.size();
       numbered.append(body, done, end - done);
       done = end;
-      const int count = ++counts[body.substr(at, end - at)];
-      if (!is_id) numbered += "\u00A0" + std::to_string(count) + ".";
-      if (is_id && count > 1) numbered += "-" + std::to_string(count);
+      if (is_id) {
+        const int count = ++ids[body.substr(at, end - at)];
+        if (count > 1) numbered += "-" + std::to_string(count);
+      } else {
+        const bool is_folded = std::count(details.begin(), details.end(), true) > 0;
+        numbered += "\u00A0" + labels[mark].Next(is_folded) + ".";
+      }
     }
   }
   numbered.append(body, done, std::string::npos);

@@ -53,10 +53,9 @@ Html DescribeExplained(const Explanations& known, const std::vector<const TrialR
                FormatCount(static_cast<int64_t>(failures.size()), "failure") + " are explained."));
 }
 
-/** Formats how many new draws held with the trial's own settings: "3 of 10"; empty if
-unexplained. */
+/** Formats how many fresh draws held with the trial's own settings: "3 of 10". */
 std::string FormatHeld(const Explanation* explanation) {
-  if (!explanation) return "";
+  if (!explanation) return "not explained";
   return std::to_string(explanation->num_held()) + " of " +
          std::to_string(explanation->num_draws());
 }
@@ -78,8 +77,8 @@ Html DrawFailedTrials(const ReportData& data) {
                "Outcome",
                {"Mechanism", "how the object was lost"},
                {"Time [s]", "time of the loss since the start of placing"},
-               {"Success unchanged", "fresh draws of the condition without a remedy"},
-               {"Holds more", "remedies with the largest net gain on the same fresh draws"}});
+               {"Fresh draws that succeed", "new draws of the condition, without a remedy"},
+               {"With a remedy", "remedies with the largest net gain on the same fresh draws"}});
   for (size_t i = 0; i < num_rows; ++i) {
     const PlannedTrial& planned = failures[i]->plan;
     const TrialResult& result = failures[i]->result;
@@ -88,7 +87,8 @@ Html DrawFailedTrials(const ReportData& data) {
     table.AddRow({LinkTo(MakeTrialAnchor(planned), NameTrial(planned)), LinkToView(data, planned),
                   WordsOf(result.outcome), NameMechanism(result),
                   result.diagnosis ? FormatFixed(result.diagnosis->time, 3) : "-",
-                  FormatHeld(explanation), explanation ? SummariseExplanation(*explanation) : ""});
+                  FormatHeld(explanation),
+                  explanation ? SummariseExplanation(*explanation) : "not explained"});
   }
   Html html = Element("p", {},
                       Text("The name of a trial links to its values and a description of forces "

@@ -49,8 +49,10 @@ Html DrawGrip(const ReportData& data) {
              "A regulated hand closes until each digit reaches its setpoint, then controls the "
              "total force. Reasons for a deviation: \"posture ends\", the digit is fully closed; "
              "\"limit\", a drive is at its limit; \"joint stop\" or \"coupling\", a driven or "
-             "coupled joint is at its stop; \"balance\", equilibrium shifts the force to other "
-             "digits; \"no touch\", the digit never touched; \"not felt\", neither tactile "
+             "coupled joint is at its stop; \"balance\", the setpoints of the digits cannot "
+             "balance "
+             "each other at these contact points; \"no touch\", the digit never touched; \"not "
+             "felt\", neither tactile "
              "elements nor drive torques measure its force." +
              std::string(is_felt ? " Forces in this section are the hand's estimates from tactile "
                                    "elements and drive torques; other sections give true forces."

@@ -18,9 +18,8 @@ std::string DescribeRates(const ReportData& data) {
   const std::vector<std::string>& hands = data.summary.hands;
   for (size_t i = 0; i < hands.size(); ++i) {
     const Tally tally = data.summary.TallyOf(hands[i]);
-    sentence += i == 0 ? "The " : i + 1 == hands.size() ? " and the " : ", the ";
-    sentence += data.models.NameOfHand(hands[i]) + " succeeded in ";
-    sentence += FormatRate(tally);
+    sentence +=
+        (i == 0 ? "Success: " : "; ") + data.models.NameOfHand(hands[i]) + ", " + FormatRate(tally);
   }
   return sentence + ". ";
 }
@@ -90,11 +89,27 @@ Html DrawRates(const ReportData& data) {
   for (const RateBars::Bar& bar : plot.bars) {
     plot.text.description += bar.label + ": " + bar.text + ". ";
   }
-  return MakeFigure("Success rate by hand and by standard grasp, with 95 % Wilson intervals.",
-                    "intervals that do not overlap. Grasps are used on different objects, so a low "
-                    "rate may come from the objects. Trials on one object are correlated, so the "
-                    "true uncertainty of a pooled rate exceeds its interval.",
-                    MakeScroll(plot.text.title, DrawRateBars(plot)));
+  return MakeFigure(
+      "Success rate by hand and by standard grasp, with 95 % Wilson intervals.",
+      "long intervals, which come from few trials. Grasps are used on different objects, so a low "
+      "rate may come from the objects. Trials on one object are correlated, so the "
+      "true uncertainty of a pooled rate exceeds its interval.",
+      MakeScroll(plot.text.title, DrawRateBars(plot)));
+}
+
+/** Of every two hands, on the draws that both have. */
+Html DrawHandDifferences(const ReportData& data) {
+  std::vector<std::string> lines;
+  for (const HandDifference& difference : data.summary.differences) {
+    lines.push_back(DescribeHandDifference(difference, data.models.NameOfHand(difference.hand),
+                                           data.models.NameOfHand(difference.other)));
+  }
+  if (lines.empty()) return {};
+  return MakeParagraph(
+             "Difference in success of two hands on the same draws (same object, same pose), with "
+             "its 95 % interval. p: exact test clustered by object, after Holm for several pairs "
+             "of hands.") +
+         MakeList(lines);
 }
 
 Html DrawWarnings(const ReportData& data) {
@@ -115,7 +130,7 @@ Html DrawWarnings(const ReportData& data) {
   if (num_findings > 0) {
     notes += Element("p", {},
                      LinkTo("findings", FormatCount(static_cast<int>(num_findings), "finding")) +
-                         Text(" to know before trusting the numbers."));
+                         Text(" on the data behind these numbers."));
   }
   return notes;
 }
@@ -177,7 +192,7 @@ Html DrawResult(const ReportData& data) {
       Element("p", {{"class", "verdict"}}, Text(DescribeRates(data)) + DescribeFailures(data));
   html += Element("div", {{"class", "first"}},
                   Element("div", {}, verdict + DrawWorstCells(data)) + DrawExample(data));
-  return html + DrawRates(data);
+  return html + DrawRates(data) + DrawHandDifferences(data);
 }
 
 }  // namespace

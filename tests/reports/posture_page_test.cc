@@ -75,6 +75,8 @@ TEST(PosturePage, NamesGraspsThatAreNotToBeReliedOn) {
   ExpectSoundPage(page);
   ExpectParts(page, {"g3: it held 0 of 24 shapes", "g3: 6 of 345 trials (1.7 %)"});
   EXPECT_EQ(page.find("g2: it held"), std::string::npos);
+  data.developed[0].check.assign(24, {Outcome::kNoContact, 0.2});
+  ExpectParts(MakePosturePage(data), {"g2, g3: it held 0 of 24 shapes", "g3: 6 of 345 trials"});
 }
 
 // A hand from elsewhere may have shapes to touch with and no pictures.

@@ -22,7 +22,7 @@ TEST(SessionReport, EveryNumberStandsInThePageWithoutScript) {
   const std::string text = TextOf(page);
   ExpectParts(
       text,
-      {"The tum succeeded in 2 of 3 trials (66.7\u00A0%, 95\u00A0% interval 20.8 to 93.9\u00A0%)",
+      {"Success: tum, 2 of 3 trials (66.7\u00A0%, 95\u00A0% interval 20.8 to 93.9\u00A0%)",
        "slipped in lift-off (1 of 1)",
        "1 slipped in lift-off",
        "0.610",
@@ -105,7 +105,7 @@ TEST(SessionReport, AnIncompleteSessionSaysSoAtTheTopAndPerCell) {
   const std::string page = MakePageOf(session);
   ExpectSoundPage(page);
   const std::string result = TextOfId(page, "result");
-  EXPECT_LT(result.find("This session is not complete."), result.find("succeeded in"));
+  EXPECT_LT(result.find("This session is not complete."), result.find("Success: "));
   ExpectParts(result, {"3 of 4 planned trials are finished"});
   ExpectParts(TextOfId(page, "findings"), {"tum, cup, power (g3): 1 of 2 planned trials missing"});
   ExpectParts(TextOfId(page, "tum-cup-g3"), {"1 of 2 planned trials missing"});

@@ -6,6 +6,8 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "core/base/files/files.h"
+#include "datasets/scene/development_store.h"
 #include "datasets/session/judgement_store.h"
 #include "datasets/session/session_store.h"
 #include "tests/datasets/session/fake_session.h"
@@ -105,6 +107,28 @@ TEST(FolderStatus, SaysWhatJudgesOnWhenNobodyDoes) {
 TEST(FolderStatus, AnotherFolderIsRefused) {
   const TemporaryFolder folder;
   EXPECT_THROW(ReadFolderStatus(folder.path(), 600.0), Error);
+}
+
+TEST(FolderStatus, OfAHandIsThatOfItsDevelopment) {
+  const TemporaryFolder folder;
+  const std::filesystem::path hand = folder.path() / "mine";
+  std::filesystem::create_directories(hand / "development");
+  WriteFileAtomically(hand / "hand.yaml", "format: 1\n");
+  try {
+    ReadFolderStatus(hand, 600.0);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.what(), "\"" + hand.string() +
+                                "\" is a hand (hand.yaml) without a development; expected the "
+                                "folder of a session, campaign, optimisation or development. "
+                                "graspbench hand check " +
+                                hand.string() + " checks the hand");
+  }
+  CreateDevelopment(hand / "development", {});
+  EXPECT_EQ(
+      ReadFolderStatus(hand, 600.0)
+          .text.rfind((hand / "development").string() + ": not finished, 0 evaluations kept", 0),
+      0u);
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ inline constexpr StageRow kStages[] = {
     {StageKind::kReplay, "replay", "trial", "trials", "replay", "trials", true},
     {StageKind::kGrasps, "grasps", "verdict", "verdicts", "find", "verdicts", false},
     {StageKind::kRehearsal, "rehearsal", "pair of hand and object", "pairs of hand and object",
-     "rehearse", "pairs", true},
+     "rehearse", "pairs", false},
     {StageKind::kExplain, "explain", "failure", "failures", "explain", "failures", false}};
 
 /** A part of an experiment with its own progress. */

@@ -11,7 +11,6 @@ in the file of their command. */
 #include "datasets/analysis/conditions/sweep_summary.h"
 #include "datasets/analysis/map/map_result.h"
 #include "datasets/analysis/schedules/schedule_comparison.h"
-#include "datasets/analysis/session_comparison.h"
 #include "datasets/analysis/simultaneity_summary.h"
 
 namespace graspbench {
@@ -31,9 +30,6 @@ std::string FormatDoseResponses(const std::vector<DoseResponse>& rows);
 
 /** One row per condition, and the cost of the bisections. */
 std::string FormatThresholdTables(const ThresholdSummary& summary);
-
-/** One row per scale and hand; empty without any. */
-std::string FormatThresholdChanges(const std::vector<ThresholdChange>& changes);
 
 /** Results of a sweep as text for the terminal: conditions, effects, and the interactions whose
 interval excludes 0. */

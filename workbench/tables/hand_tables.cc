@@ -260,10 +260,11 @@ std::string FormatContact(const std::vector<ContactFit>& fits) {
                   format(fit.sink), format(fit.palmar_sink), std::to_string(fit.num_capsules),
                   FormatFixed(100.0 * fit.self_contact, 0)});
   }
-  return "\ncontact fit of each link, 95th percentile / maximum: out, how far contact balls stick "
-         "out of the\nsurface; sink, how far a ball of 5 mm sinks in; all around and on the palmar "
-         "side. Capsules serve\ncontact with the hand itself; near, the share of the surface "
-         "within 5 mm of them\n" +
+  return "\ncontact fit of each link (below 1 mm is good), 95th percentile / maximum: out, how far "
+         "contact balls\nstick out of the surface; sink, how far a ball of 5 mm sinks in; all "
+         "around "
+         "and on the palmar side.\nCapsules serve contact with the hand itself; near, the share of "
+         "the surface within 5 mm of them\n" +
          table.Format();
 }
 

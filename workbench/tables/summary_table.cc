@@ -57,12 +57,17 @@ std::string FormatSummaryTable(const SessionSummary& summary) {
                   tally.finished > 0 ? MakePlainText(FormatPercent(tally.rate())) : "n/a",
                   MakePlainText(FormatRateInterval(tally.successes(), tally.finished))});
   }
+  std::string differences;
+  for (const HandDifference& difference : summary.differences) {
+    differences += (differences.empty() ? "\n" : "") +
+                   DescribeHandDifference(difference, difference.hand, difference.other) + "\n";
+  }
   const GripShortfall shortfall = FindShortfall(summary);
   std::string grip;
   for (const std::string& line : {DescribeShortfall(shortfall), DescribeExcess(shortfall)}) {
     if (!line.empty()) grip += (grip.empty() ? "\n" : "") + line + "\n";
   }
-  return table.Format() + FormatFailures(summary) + FormatSeats(summary) + grip;
+  return table.Format() + differences + FormatFailures(summary) + FormatSeats(summary) + grip;
 }
 
 Json MakeSummaryJson(const SessionSummary& summary, const std::filesystem::path& folder,
@@ -80,6 +85,7 @@ Json MakeSummaryJson(const SessionSummary& summary, const std::filesystem::path&
   return {{"session", folder.string()},
           {"report", report.string()},
           {"hands", hands},
+          {"differences", ToJson(summary.differences)},
           {"seats", ToJson(ListSeats(summary))}};
 }
 

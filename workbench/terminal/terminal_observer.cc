@@ -62,10 +62,13 @@ constexpr double kWindow = 30.0;             // [s] over which the rate is taken
 constexpr double kTerminalInterval = 0.099;  // [s] a little less than the batch's tick
 constexpr double kPlainInterval = 10.0;      // [s]
 constexpr size_t kMaxWorkersShown = 8;
+/** Share of the work before which its time is not estimated: the first trials are no sample. */
+constexpr double kFewWork = 0.1;
 
 std::string FormatRemaining(const ProgressState& state) {
   const int num_left = state.num_planned - state.num_done;
   if (num_left == 0) return "done";
+  if (std::isinf(state.remaining)) return "";
   if (std::isfinite(state.remaining)) return FormatDuration(state.remaining) + " left";
   if (!(state.rate > 0.0)) return "";
   return FormatDuration(num_left / state.rate) + " left";
@@ -200,7 +203,12 @@ ProgressState TerminalObserver::MakeState() const {
     if (place < state.workers.size()) state.workers[place] = "prepares the mesh of " + name;
   }
   state.rate = pace_.rate();
-  if (status_.work_done > 0.0) state.remaining = time_ * status_.work_left / status_.work_done;
+  const double work = status_.work_done + status_.work_left;
+  if (work > 0.0) {
+    state.remaining = status_.work_done < kFewWork * work
+                          ? std::numeric_limits<double>::infinity()
+                          : time_ * status_.work_left / status_.work_done;
+  }
   return state;
 }
 

@@ -49,7 +49,7 @@ struct ProgressState {
   std::vector<std::string> workers;  ///< current task of each; empty: idle
   std::set<std::string> preparing;   ///< objects whose meshes workers are preparing for contact
   double rate = 0.0;                 ///< [1/s]; NaN: not known yet
-  /** Remaining time of the whole session [s]; NaN: computed from `rate`. */
+  /** Remaining time of the whole session [s]; NaN: computed from `rate`; infinite: unknown. */
   double remaining = std::numeric_limits<double>::quiet_NaN();
 };
 

@@ -7,6 +7,7 @@
 
 #include "core/base/config.h"
 #include "core/base/text/text.h"
+#include "core/grasp/standard_grasp.h"
 #include "datasets/plan/session_config.h"
 #include "human_study/study/run/trial_removal.h"
 
@@ -160,6 +161,13 @@ std::string ExplainWord(const std::string& word) {
                        {{"unit", column.unit},
                         {"type", column.type},
                         {"in", fmt::format("{}", fmt::join(files, ", "))}});
+  }
+  for (const GraspTaxon& taxon : ListGraspTaxa()) {
+    if (taxon.id == word) {
+      text +=
+          FormatWord(word, "standard grasp: " + taxon.name,
+                     {{"more", "graspbench help grasp-types; graspbench hand show HAND --grasps"}});
+    }
   }
   for (const Preset& preset : ListPresets()) {
     if (preset.name == word) {

@@ -440,7 +440,7 @@ std::string DescribeChanges(const std::vector<SettingChange>& changes) {
              "mean changes over pairs of the same draw, with 95 % intervals from resampling "
              "objects (success with fewer than 5 objects: these objects only)\n") +
          (std::any_of(changes.begin(), changes.end(), lacks_values)
-              ? "n of N pairs: the others lack a value\n"
+              ? "n of N pairs: in the other pairs one of the trials does not have this measure\n"
               : "");
 }
 

@@ -54,7 +54,8 @@ TEST(Remedies, OfTooLittleGripTheOneThatCoulombAsksForHolds) {
   EXPECT_EQ(Find(few, "grip-x4").num_mended, kNumFirstDraws);
   for (const RemedyResult& remedy : few.remedies) EXPECT_EQ(remedy.num_draws, kNumFirstDraws);
   ASSERT_TRUE(few.FindBest(false));
-  EXPECT_EQ(SummariseExplanation(few), "four times the grip: 4 of 4");
+  EXPECT_EQ(SummariseExplanation(few),
+            "four times the grip (strategy.grip_margin and grip_force_n times 4): 4 of 4");
 }
 
 TEST(Remedies, OnlyOnesOfAllDrawsWithEnoughGainAreNamed) {

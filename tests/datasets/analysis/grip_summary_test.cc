@@ -54,8 +54,8 @@ TEST(GripSummary, CountsTrialsThatDidNotReachWhatWasAsked) {
   EXPECT_DOUBLE_EQ(shortfall.asked.median, 20.0);
   EXPECT_DOUBLE_EQ(shortfall.reached.median, 5.0);
   EXPECT_EQ(DescribeShortfall(shortfall),
-            "grip     3 of 4 trials missed the setpoint: total setpoint 20.00 N, reached 5.00 N "
-            "(medians); mostly: limit");
+            "grip     in 3 of 4 trials the total grip stayed below its setpoint: 5.00 N instead of "
+            "20.00 N (medians), first in tum-can-g3:1; most frequent reason: limit");
   EXPECT_EQ(
       DescribeShortfall(FindShortfall(SummariseSession(MakeSession({"tum"}, {"can"}, "g3", 1)))),
       "");

@@ -218,7 +218,7 @@ TEST(ExplainUndecided, SaysWhatTheComparedTrialsHaveInCommon) {
   EXPECT_EQ(ExplainUndecided({12, 12}), "success not testable: all 12 trials succeed");
   EXPECT_EQ(ExplainUndecided({12, 0}), "success not testable: all 12 trials fail");
   EXPECT_EQ(ExplainUndecided({12, 12}, {8, 3}),
-            "cannot decide success: 5 of 8 trials left out fail, none of the 12 compared");
+            "success not testable: all 12 trials compared succeed, 5 of 8 left out fail");
   EXPECT_EQ(ExplainUndecided({12, 11}, {8, 3}), "");
 }
 

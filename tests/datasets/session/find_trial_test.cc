@@ -44,6 +44,13 @@ TEST(FindTrial, EveryTrialHasThreeNames) {
   EXPECT_EQ(NameTrial(session.plan[3]), "tum-mug-g2:3");
 }
 
+TEST(FindTrial, ANameWithoutANumberGetsItsTrials) {
+  const Session session = MakeSession(2);
+  EXPECT_TRUE(Has(FindMessage(session, "tum-mug-g2"), "; did you mean tum-mug-g2:0?; name a"));
+  EXPECT_TRUE(Has(FindMessage(session, "TUM-mug"), "; did you mean tum-mug-g2:0"));
+  EXPECT_FALSE(Has(FindMessage(session, "nobody"), "did you mean"));
+}
+
 TEST(FindTrial, UnderAConditionTheNameHasIt) {
   Session session = MakeSession(2);
   for (PlannedTrial planned : std::vector<PlannedTrial>(session.plan)) {

@@ -30,6 +30,23 @@ TEST(MakePage, NumbersFiguresAndTablesInTheirOrderAndKeepsIdsApart) {
   EXPECT_NE(TextOfId(page, "table-rates-all-cells-2").find("Table\u00A02."), std::string::npos);
 }
 
+// A reader who opens nothing sees 1, 2, 3.
+TEST(MakePage, WhatIsFoldedHasASecondNumber) {
+  const auto make = [](const char* caption) { return Table(caption, {"Cell"}).ToHtml(); };
+  const Html open = Element("details", {{"open", ""}}, make("Shown"));
+  const std::string page =
+      MakePage({"title"}, {},
+               make("First") + MakeDetails("More", make("Folded") + make("Folded too")) + open +
+                   MakeDetails("More", MakeDetails("Still more", make("Deep"))) + make("Last"));
+  const std::pair<const char*, const char*> numbers[] = {{"first", "1."},        {"folded", "1.1."},
+                                                         {"folded-too", "1.2."}, {"shown", "2."},
+                                                         {"deep", "2.1."},       {"last", "3."}};
+  for (const auto& [id, number] : numbers) {
+    const std::string text = TextOfId(page, std::string("table-") + id);
+    EXPECT_NE(text.find("Table\u00A0" + std::string(number) + " "), std::string::npos) << text;
+  }
+}
+
 TEST(MakePage, WhatLooksLikeANumberedPartInATextIsNone) {
   const std::string hostile = "<figure id=\"figure-x\"><b class=\"nr\">Figure</b>";
   const std::string page = MakePage({hostile}, {}, Text(hostile) + MakeParts());

@@ -56,6 +56,8 @@ TEST(FormatBlock, WhatIsLeftFollowsFromTheWorkWhereThatIsKnown) {
   ProgressState state = MakeState();
   state.remaining = 601.0;
   EXPECT_EQ(FormatBlock(state, 200)[1], "  pace     3.2 trials/s, 10 min 1 s left");
+  state.remaining = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(FormatBlock(state, 200)[1], "  pace     3.2 trials/s");
   state.num_done = state.num_planned;
   EXPECT_EQ(FormatBlock(state, 200)[1], "  pace     3.2 trials/s, done");
 }

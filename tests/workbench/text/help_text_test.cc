@@ -47,6 +47,8 @@ TEST(HelpText, OutcomesMechanismsReasonsPresetsAndWarningsAreExplained) {
     EXPECT_NE(ExplainWord(flag.name).find(flag.text), std::string::npos) << flag.name;
   }
   EXPECT_NE(ExplainWord("gap_event").find("keys     markers.companions"), std::string::npos);
+  EXPECT_EQ(ExplainWord("g3").find("g3\n  standard grasp: power\n"), 0u) << ExplainWord("g3");
+  EXPECT_NE(ExplainWord("limited by").find("the reason why a digit"), std::string::npos);
   EXPECT_NE(ExplainWord("firm").find("set by   graspbench run --preset firm"), std::string::npos);
 }
 

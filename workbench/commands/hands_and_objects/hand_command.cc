@@ -24,6 +24,9 @@ ExitCode CheckHandCommand(const std::string& path, bool json) {
     try {
       for (const Grasp& grasp : LoadStandardGrasps(hand)) {
         for (const std::string& fault : ListTypeFaults(hand, grasp)) problems.Warn(path, 0, fault);
+        if (grasp.held_share == 0.0) {
+          problems.Warn(path, 0, grasp.id + ": held none of the unseen shapes of its development");
+        }
       }
     } catch (const Error& error) {
       problems.Fail(path, 0, error.what());

@@ -17,6 +17,7 @@ namespace graspbench {
 namespace {
 
 constexpr double kMuchMore = 1.2;  // trials than the budget
+constexpr int kFewTrials = 3000;   // for the grasps of a hand with five digits
 
 std::string FormatDeveloped(const std::vector<DevelopedGrasp>& developed) {
   TextTable table({"grasp", "digits", "trials", "failed numerically", "score by geometry",
@@ -46,9 +47,15 @@ std::filesystem::path WritePage(const DevelopHandRequest& request,
 
 /** A development has a smallest size, whatever the budget. */
 std::string DescribeFewest(const DevelopHandRequest& request, const Stage& stage) {
-  if (stage.num_trials <= kMuchMore * request.config.budget) return "";
-  return "\nthat is more than the budget of " + FormatCount(request.config.budget, "trial") +
-         ": fewer cannot select a grasp; about 3,000 find usable grasps";
+  const int budget = request.config.budget;
+  if (stage.num_trials > kMuchMore * budget) {
+    return "\nthat is more than the budget of " + FormatCount(budget, "trial") +
+           ": fewer cannot select a grasp; about 3,000 find usable grasps";
+  }
+  return budget < kFewTrials
+             ? "\na budget below about 3,000 trials often leaves grasps that hold no "
+               "unseen shape"
+             : "";
 }
 
 void Develop(const DevelopHandRequest& request) {

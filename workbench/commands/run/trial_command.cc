@@ -5,7 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "datasets/session/explanation_store.h"
+#include "datasets/session/find_trial.h"
 #include "workbench/command.h"
+#include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/pictures/trial_picture.h"
 #include "workbench/text/trial_text.h"
@@ -49,11 +52,23 @@ std::map<std::string, const TrialFile*> FindTrialFiles(const TrialOptions& optio
   return forms;
 }
 
+/** Says what takes long: remedies of a failure are tested, unless `explain` has tested them. */
+void AnnounceRemedies(const Session& session, const PlannedTrial& planned) {
+  const TrialRecord* record = FindRecord(session, planned);
+  if (!record || !record->result.diagnosis || record->result.policy) return;
+  const Explanations known = LoadExplanations(session.folder);
+  const auto stored = known.find(planned.id);
+  if (stored != known.end() && !stored->second.is_short()) return;
+  PrintMessage("testing remedies of this failure: some 150 trials; graspbench explain " +
+               QuoteForShell(session.folder.string()) + " --all stores them");
+}
+
 ExitCode ShowTrial(TrialOptions options) {
   options.how.folder = NameFolder(options.folder);
   const auto forms = FindTrialFiles(options);
   const Session session = LoadSession(options.folder, options.on_damage, RecordParts::kBrief);
   const PlannedTrial& planned = FindPlannedTrial(session, options.name);
+  AnnounceRemedies(session, planned);
   const bool needs_all = std::any_of(
       forms.begin(), forms.end(), [](const auto& form) { return form.second->needs_every_step; });
   const ExaminedTrial trial = ExamineTrial(session, planned, needs_all ? 0.0 : kCoarse);

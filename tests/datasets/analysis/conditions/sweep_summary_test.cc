@@ -167,7 +167,7 @@ TEST_F(PlantedSweep, SaysWhichDrawsItLeavesOutAndDecidesNothingOfThem) {
   EXPECT_EQ(a.why_left_out, "6 without a trial in each condition");
   ASSERT_FALSE(a.change.interval);
   EXPECT_EQ(a.change.interval.reason(),
-            "cannot decide success: 12 of 12 trials left out fail, none of the 72 compared");
+            "success not testable: all 72 trials compared succeed, 12 of 12 left out fail");
 }
 
 TEST_F(PlantedSweep, SaysWhatIsNotFinishedAndWhatHasNoValue) {
@@ -186,7 +186,7 @@ TEST_F(PlantedSweep, SaysWhatIsNotFinishedAndWhatHasNoValue) {
   session_.records.front().result.outcome = Outcome::kSuccess;  // of the unfinished draw
   EXPECT_EQ(Find(SummariseSweep(session_, {}).effects, "model.mass_scale=2.0", "success")
                 .change.interval.reason(),
-            "cannot decide success: 1 of 6 trials left out succeeds, none of the 64 compared");
+            "success not testable: all 64 trials compared fail, 1 of 6 left out succeeds");
 }
 
 TEST_F(PlantedSweep, HasTablesWithTheirDictionaries) {
