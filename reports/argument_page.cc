@@ -15,120 +15,142 @@ std::string NameSection(const ArgumentClaim& claim) {
   return std::string("claim-") + claim.question->id;
 }
 
-/** The verdict as text, for example "(b) refuted, not run". */
-std::string FormatVerdict(const ArgumentClaim& claim) {
-  return std::string(NameOf(claim.verdict)) + (claim.was_run() ? "" : ", not run");
+Html MakeStrong(const std::string& text) { return Element("strong", {}, text); }
+
+Html MakeItems(const std::vector<Html>& items) {
+  Html list;
+  for (const Html& item : items) list += Element("li", {}, item);
+  return Element("ul", {}, list);
 }
 
-/** Subject and number of the headline. */
-std::string DescribeHeadline(const ArgumentClaim& claim) {
-  const ArgumentNumber* const number = claim.headline();
-  if (number == nullptr) return "none";
-  return number->subject + ": " + FormatNumber(*number);
+/** The number of the headline in words. */
+std::string DescribeHeadline(const ArgumentNumber& number) {
+  return number.subject + ": " + FormatNumber(number);
 }
 
 Html DrawAnswers(const Claims& claims) {
-  Table table("The five questions and their answers.",
-              {"", "Question", "Verdict", "Answer", {"Number", "value, 95 % interval, n"}});
+  std::vector<Html> answers;
   for (const ArgumentClaim& claim : claims) {
-    table.AddRow({LinkTo(NameSection(claim), std::string("(") + claim.question->id + ")"),
-                  claim.question->question, FormatVerdict(claim), claim.sentence(),
-                  DescribeHeadline(claim)});
+    const ArgumentNumber* const number = claim.headline();
+    answers.push_back(
+        LinkTo(NameSection(claim),
+               std::string("(") + claim.question->id + ") " + claim.question->question) +
+        Text(" ") + MakeStrong(Capitalise(FormatVerdict(claim)) + ".") +
+        Text(" " + claim.sentence() +
+             (number == nullptr ? "" : " " + Capitalise(DescribeHeadline(*number)) + ".")));
   }
   return MakeParagraph(
              "The thesis argues that people strive for simultaneous contact of all digits and that "
              "simultaneous contact also helps robot hands. Its first optimisation step makes the "
              "contacts of a grasp simultaneous. Its second step finds the most stable thumb "
              "posture. Each answer below is the evidence of simulated trials or of recordings for "
-             "one part of this argument. \"Not decided\" means that there are too few trials.") +
-         table.ToHtml();
+             "one part of this argument.") +
+         MakeItems(answers) +
+         MakeParagraph(
+             "\"Not run\": no result decides the claim. \"Not decided\": an interval is too wide "
+             "for "
+             "a verdict, or a further condition of the rule is not met. The reason stands in "
+             "brackets behind the hand.") +
+         MakeParagraph("Terms used below:") +
+         MakeList({"GFT: time from the first to the last contact of the digits.",
+                   "GOT: time between the first contacts of the thumb and of a finger.",
+                   "GCT: time from the start of closure to the last contact.",
+                   "Floor of GFT: the GFT that remains when the times of each digit are shifted by "
+                   "their own median. No pre-grasp can remove it.",
+                   "Sigma: the smallest pull along the six half axes of the palm that the measured "
+                   "contact forces resist.",
+                   "Scene: one hand on one object.",
+                   "Evolved grasps (hands named -evolved): grasps optimised on the objects of the "
+                   "catalogue, which are therefore their training set (seen objects)."});
 }
 
-/** Plots the headline measure minus its null value, so that zero means no effect. */
+/** Numbers of the headline's measure with their rule. */
 Html DrawNumbers(const ArgumentClaim& claim) {
   const ArgumentMeasure& measure = *claim.numbers.front().measure;
-  const std::string less =
-      measure.null_value == 0.0 ? "" : ", less " + FormatFixed(measure.null_value, 0);
+  const std::string unit = *measure.unit ? std::string(" ") + measure.unit : "";
+  const double line = measure.null_value + measure.sign * measure.least;
   IntervalPlot plot;
   plot.text = {claim.question->question,
                "One row per number with its 95 % interval, deciding numbers first."};
-  plot.axis = measure.text + less + (*measure.unit ? std::string(" [") + measure.unit + "]" : "");
+  plot.axis = measure.text + (*measure.unit ? std::string(" [") + measure.unit + "]" : "");
+  plot.holds_zero = false;
+  plot.labels_above = true;
+  plot.marks = {{measure.null_value, "no effect"},
+                {line, FormatFixed(line, measure.least < 1.0 ? 2 : 0) + unit}};
   for (const bool decides : {true, false}) {
     bool is_first = true;
     for (const ArgumentNumber& number : claim.numbers) {
       if (number.measure != &measure || number.decides != decides) continue;
-      if (is_first) plot.AddHeading(decides ? "decides" : "beside it");
+      if (is_first) plot.AddHeading(decides ? "decide the claim" : "do not decide the claim");
       is_first = false;
-      plot.rows.push_back({number.subject, number.value - measure.null_value,
-                           number.interval.low - measure.null_value,
-                           number.interval.high - measure.null_value,
+      plot.rows.push_back({number.subject, number.value, number.interval.low, number.interval.high,
                            std::string(NameOf(number.verdict)) + ", n " + std::to_string(number.n),
                            "", decides ? 0 : 1});
     }
   }
-  const std::string side = measure.sign > 0.0 ? "right" : "left";
-  return MakeFigure(
-      Capitalise(measure.text) + ", with 95 % intervals.",
-      "an interval all to the " + side + " of zero shows the claim; one that ends before " +
-          FormatFixed(measure.sign * measure.least, measure.least < 1.0 ? 2 : 0) +
-          (*measure.unit ? std::string(" ") + measure.unit : "") + " on that side refutes it.",
-      MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
+  return MakeFigure(Capitalise(measure.text) + ", with 95 % intervals.", DescribeRule(measure),
+                    MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
+}
+
+/** What each number rests on: related figures, folders, command. */
+Html DrawOrigins(const ArgumentClaim& claim) {
+  std::vector<Html> items;
+  for (const ArgumentNumber& number : claim.numbers) {
+    items.push_back(
+        MakeStrong(number.subject) +
+        Text(": " + number.detail + ". From the folder " + number.source + ", made by ") +
+        Element("code", {}, number.command) + Text("."));
+  }
+  return MakeParagraph("What the numbers rest on:") + MakeItems(items);
 }
 
 template <size_t kClaim>
 Html DrawClaim(const Claims& claims) {
   const ArgumentClaim& claim = claims.at(kClaim);
-  Html content = Element(
-      "p", {{"id", NameSection(claim)}},
-      Element("strong", {}, Capitalise(FormatVerdict(claim)) + ".") + Text(" " + claim.sentence()));
+  Html content =
+      Element("p", {{"id", NameSection(claim)}},
+              MakeStrong(Capitalise(FormatVerdict(claim)) + ".") + Text(" " + claim.sentence()));
   if (const ArgumentNumber* const number = claim.headline()) {
-    content += MakeParagraph(Capitalise(number->measure->text) + ", " + DescribeHeadline(claim) +
-                             (number->detail.empty() ? "" : "; " + number->detail) + ".");
-    content += Element("p", {},
-                       Text("Made by ") + Element("code", {}, number->command) +
-                           Text(" (" + number->source + ")."));
+    content +=
+        MakeParagraph(Capitalise(number->measure->text) + ", " + DescribeHeadline(*number) + ".");
     if (claim.verdict == ArgumentVerdict::kNotDecided) {
       content += MakeParagraph("Would decide: " + claim.would_decide() + ".");
     }
+  } else if (!claim.numbers.empty()) {
+    content += MakeParagraph("None of the numbers below decides the claim.");
   }
   if (!claim.numbers.empty()) {
     content += DrawNumbers(claim);
     content += MakeTable(std::string("All numbers of claim ") + claim.question->id + ".",
                          ShowTable(ListArgumentColumns(), claim.numbers));
+    content += DrawOrigins(claim);
   }
+  std::vector<Html> missing;
   for (const NotRun& one : claim.not_run) {
-    content +=
-        Element("p", {}, Text("Not run: " + one.what + ". ") + Element("code", {}, one.command));
+    missing.push_back(Text(one.what + ": ") + Element("code", {}, one.command));
   }
+  if (!missing.empty()) content += MakeParagraph("Not run:") + MakeItems(missing);
   return content;
 }
 
 Html DrawRules(const Claims&) {
-  Table table("Measured quantities and smallest effects of interest.",
-              {"Number", "Claim expects", {"Smallest effect of interest", "proposed"}});
+  std::vector<Html> rules;
   for (const ArgumentMeasure* measure : {&kPeopleRatio, &kLateSuccess, &kLateThreshold,
                                          &kFormingTime, &kStability, &kSuccessChange}) {
-    const std::string unit = *measure->unit ? std::string(" ") + measure->unit : "";
-    table.AddRow({Capitalise(measure->text),
-                  (measure->sign > 0.0 ? "more than " : "less than ") +
-                      FormatFixed(measure->null_value, 0) + unit,
-                  FormatFixed(measure->least, measure->least < 1.0 ? 2 : 0) + unit});
+    rules.push_back(MakeStrong(Capitalise(measure->text)) + Text(". " + DescribeRule(*measure)));
   }
   return MakeParagraph(
-             "A number shows its claim if its 95 % interval lies on the claimed side of the null "
-             "value. A number refutes its claim if the interval ends before the smallest effect of "
-             "interest. Otherwise the number is inconclusive. A claim is shown if all deciding "
-             "numbers show it, and refuted if one of them refutes it. Experiments that were not "
-             "run decide nothing.") +
-         table.ToHtml() +
+             "Each number is judged by its 95 % interval and its smallest effect of interest "
+             "(proposed):") +
+         MakeItems(rules) +
          MakeParagraph(
-             "GFT is the time from the first to the last contact of the digits, GOT that between "
-             "the thumb and the first finger, GCT that from the start of closure to the last "
-             "contact. The floor of GFT is the GFT that remains when the times of each digit are "
-             "shifted by their own median; no pre-grasp can remove it. Candidates of steps 1 and 2 "
-             "are measured on fresh initial poses before they are accepted or rejected. Hands "
-             "ending in -evolved have grasps that were optimised on the catalogue objects "
-             "(training set).");
+             "A ceiling refutes nothing. If less than the smallest effect can be gained, because "
+             "nearly all trials before succeed, only a change in the opposite direction refutes; "
+             "else the number is not decided.") +
+         MakeParagraph(
+             "A claim is shown if all deciding numbers show it, and refuted if one of them refutes "
+             "it. Experiments that were not run decide nothing. Candidates of steps 1 and 2 are "
+             "measured on fresh initial poses before they are accepted or rejected.");
 }
 
 }  // namespace

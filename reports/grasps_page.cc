@@ -36,8 +36,9 @@ Html DrawSuccess(const GraspsView& view) {
        "Share",
        {"95 % interval [%]", "Wilson"},
        {"Gave up", "numerical failures, counted as failures"},
-       {"Disturbed",
-        "for passing grasps: share of perturbed repetitions (1 mm, 1 degree) that also pass"}});
+       {"Passes when moved",
+        "for passing grasps: share of repetitions, with the root moved by 1 mm and turned by 1 "
+        "degree, that also pass"}});
   for (const ProfileSummary& profile : view.summary.profiles) {
     table.AddRow({profile.profile, profile.num_judged, profile.num_passed,
                   FormatPercent(CalcShare(profile.num_passed, profile.num_judged)),
@@ -80,18 +81,19 @@ Html DrawTransitions(const GraspsView& view) {
 }
 
 Html DrawGraspTable(const std::string& caption, const std::vector<const JudgedGrasp*>& grasps) {
-  Table table(caption, {{"Grasp", "file and index in it"},
-                        "Profile",
-                        "Verdict",
-                        "Failed at",
-                        {"Moved [mm]", "maximum over all checks"},
-                        "Turned [deg]",
-                        "Initial penetration [mm]",
-                        {"Grip [N]", "after the last stage"},
-                        {"Breaking load [N]",
-                         "largest push stood along all six axes; -: not sought, or none"},
-                        "Touching",
-                        "Why"});
+  Table table(caption,
+              {{"Grasp", "file and index in it"},
+               "Profile",
+               "Verdict",
+               "Failed at",
+               {"Moved [mm]", "maximum over all checks"},
+               "Turned [deg]",
+               "Initial penetration [mm]",
+               {"Grip [N]", "after the last stage"},
+               {"Breaking load [N]",
+                "largest push resisted along all six axes; -: not sought, or no push was resisted"},
+               "Touching",
+               "Why"});
   for (const JudgedGrasp* judged : grasps) {
     const FreeSpaceResult& result = judged->result;
     table.AddRow(
@@ -180,7 +182,7 @@ std::string MakeGraspsPage(const Json& config, const std::vector<JudgedGrasp>& j
                          FormatCount(static_cast<int>(summary.profiles.size()), "profile");
   const size_t num_unread = config.value("unread", Json::array()).size();
   if (num_unread > 0) subtitle += ", " + std::to_string(num_unread) + " not judged";
-  PageFrame frame = {"Grasps of others", subtitle};
+  PageFrame frame = {"External grasps", subtitle};
   frame.commands = {"graspbench grasps judge FILES --objects DIR --out ANOTHER"};
   frame.facts = {{"Hand", config.value("hand", "")},
                  {"Hash of the configuration", CalcHashHex(FormatJson(config))}};

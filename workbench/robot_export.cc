@@ -45,6 +45,20 @@ void PrintFiles(const RobotExport& options, const std::string& what,
   PrintResult(fmt::format("{}\n", fmt::join(files, "\n")));
 }
 
+/** Which folder is which trial, and how the files belong together. */
+std::string FormatMjcfReadme(const std::vector<PlannedTrial>& trials) {
+  std::string text =
+      "Trials as scenes for MuJoCo 3: scene.xml and its commanded motion, motion.csv. Columns of "
+      "motion.csv belong to actuators by name, not by position; the manual's page \"Results\" has "
+      "a program that plays a scene.\n\n| folder | hand | object | grasp | condition | trial |\n| "
+      "--- | --- | --- | --- | --- | --- |\n";
+  for (const PlannedTrial& trial : trials) {
+    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", trial.id, trial.hand, trial.object,
+                        trial.grasp, trial.condition.value_or("base"), trial.trial);
+  }
+  return text;
+}
+
 }  // namespace
 
 void ExportMjcf(const RobotExport& options, const std::vector<std::string>& names,
@@ -61,6 +75,7 @@ void ExportMjcf(const RobotExport& options, const std::vector<std::string>& name
                     staged.path() / planned.id);
     scenes.push_back((request.folder / planned.id / "scene.xml").string());
   }
+  WriteFile(staged.path() / "README.md", FormatMjcfReadme(trials));
   staged.Commit();
   PrintFiles(options, "scenes", scenes);
 }

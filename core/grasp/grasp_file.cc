@@ -140,13 +140,18 @@ const GraspTaxon& ReadTaxon(YamlMap& map) {
   return ListGraspTaxa().front();
 }
 
-void ReadHeader(YamlMap& map) {
+void ReadHeader(YamlMap& map, const std::string& file) {
   std::string format;
   int version = kFormatVersion;
   map.Read("format", format);
   map.Read("format_version", version);
   if (!format.empty() && format != kFormat) {
-    map.Fail("format", "expected \"" + std::string(kFormat) + "\", found \"" + format + "\"");
+    // The keys of another format would all be unknown here.
+    throw Error(ErrorKind::kFormat, file + ": expected the format \"" + kFormat + "\", found \"" +
+                                        format +
+                                        "\"; grasps of other tools are judged by: graspbench "
+                                        "grasps judge " +
+                                        file + " --objects DIR --out DIR");
   }
   if (version != kFormatVersion) {
     map.Fail("format_version", "this program reads version " + std::to_string(kFormatVersion) +
@@ -182,7 +187,7 @@ GraspFile ParseGraspFile(const std::string& text, const std::string& file,
   problems.ThrowIfErrors(ErrorKind::kFormat, "the grasp cannot be read");
 
   YamlMap map(root, file, "grasp", problems, &ListGraspFileKeys());
-  ReadHeader(map);
+  ReadHeader(map, file);
   const GraspTaxon& taxon = ReadTaxon(map);
   const Hand* hand = ReadHand(map, hands);
   GraspFile result;

@@ -27,17 +27,22 @@ std::string ReadFrame(YamlMap& map, const std::string& key) {
 
 void DemandFrames(const std::string& file, const std::string& hand_frame,
                   const std::string& object_frame, const GraspReadOptions& options) {
+  std::string missing;
   const auto demand = [&](const std::string& given, const char* option, const std::string& found) {
     if (!given.empty()) return;
-    throw Error(ErrorKind::kUsage,
-                file +
-                    ": a file of isaac_grasp does not say reliably which frames its poses are "
-                    "of; give " +
-                    option + (found.empty() ? "" : " (the file names \"" + found + "\")"));
+    missing += (missing.empty() ? "" : ", and ") + std::string(option) +
+               (found.empty() ? "" : " (the file names \"" + found + "\")");
   };
   demand(options.hand_frame, "--hand-frame LINK of the hand", hand_frame);
   demand(options.object_frame, "--object-frame mesh where poses are given in the frame of the mesh",
          object_frame);
+  if (!missing.empty()) {
+    throw Error(ErrorKind::kUsage,
+                file +
+                    ": a file of isaac_grasp does not say reliably which frames its poses are "
+                    "of; give " +
+                    missing);
+  }
   if (options.object_frame == kMeshFrame) return;
   throw Error(ErrorKind::kUsage, "--object-frame \"" + options.object_frame +
                                      "\": expected mesh, for poses in the frame of the object's "

@@ -1,6 +1,6 @@
 #include "datasets/grasps/write_grasps.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -106,14 +106,28 @@ void AppendRow(const ForeignGrasp& grasp, const GraspStage& stage, std::vector<d
   }
 }
 
+/** Names all that the format needs and the grasp lacks. */
+void DemandDexgraspbenchGrasp(const ForeignGrasp& grasp) {
+  const std::vector<std::string>& joints = ListDexgraspbenchJoints();
+  std::vector<std::string> found;
+  if (grasp.root_link != "wrist") found.push_back("the root \"" + grasp.root_link + "\"");
+  if (grasp.joint_names.size() != joints.size()) {
+    found.push_back(fmt::format("{} joints", grasp.joint_names.size()));
+  }
+  for (const char* stage : {"pregrasp", "grasp", "squeeze"}) {
+    if (!FindStage(grasp, stage)) found.push_back(fmt::format("no stage {}", stage));
+  }
+  if (found.empty()) return;
+  FailUnsupported(grasp, fmt::format("has {}; DexGraspBench needs the root \"wrist\" and the {} "
+                                     "joints of the Shadow Hand, and the stages pregrasp, grasp "
+                                     "and squeeze",
+                                     fmt::join(found, ", "), joints.size()));
+}
+
 WrittenGrasps WriteDexgraspbench(const std::vector<ForeignGrasp>& grasps) {
   const ForeignGrasp& first = grasps.front();
   const size_t num_joints = ListDexgraspbenchJoints().size();
-  if (first.root_link != "wrist" || first.joint_names.size() != num_joints) {
-    FailUnsupported(first, fmt::format("has {} joints and the root \"{}\"; DexGraspBench has the "
-                                       "{} of the Shadow Hand and its wrist",
-                                       first.joint_names.size(), first.root_link, num_joints));
-  }
+  DemandDexgraspbenchGrasp(first);
   const bool is_one = grasps.size() == 1;
   const uint64_t row_size = 7 + num_joints;
   std::string dict = "}(" + PickleText("obj_path") + PickleText(first.object) +

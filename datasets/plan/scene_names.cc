@@ -105,6 +105,16 @@ void ReplaceNames(SessionConfig& config) {
   std::transform(config.grasps.begin(), config.grasps.end(), config.grasps.begin(), &FindGraspId);
 }
 
+std::string FormatListOption(const std::vector<std::string>& values,
+                             const std::string& placeholder) {
+  std::string text;
+  for (const std::string& value : values) {
+    if (value.find('/') != std::string::npos) return placeholder;
+    text += (text.empty() ? "" : ",") + value;
+  }
+  return text;
+}
+
 std::string DescribeObjectNames(const std::vector<std::string>& names) {
   const std::vector<std::string> catalogue = ListObjects();
   int num_all = 0;

@@ -29,6 +29,11 @@ std::vector<std::string> ExpandObjects(const std::vector<std::string>& names);
 /** Replaces the names in all lists of the configuration by ids and expands the objects. */
 void ReplaceNames(SessionConfig& config);
 
+/** Formats the values of a list option of a command, "tum,shadow"; `placeholder` if one is a path,
+because results hold no paths. */
+std::string FormatListOption(const std::vector<std::string>& values,
+                             const std::string& placeholder);
+
 /** Returns "29 objects: 21 of the catalogue, 8 of the folder scans", counted by the folder that
 holds the object folders. */
 std::string DescribeObjectNames(const std::vector<std::string>& names);

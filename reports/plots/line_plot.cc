@@ -203,13 +203,19 @@ Html DrawSingles(const std::vector<double>& singles, double y, const PlaceX& pla
 }  // namespace
 
 Html DrawIntervalPlot(const IntervalPlot& plot) {
-  constexpr double kRow = 24.0, kAxis = 38.0, kPlot = 340.0, kDot = 4.0, kCap = 4.0;
+  constexpr double kRow = 24.0, kLabelRow = 16.0, kAxis = 38.0, kDot = 4.0, kCap = 4.0;
+  constexpr double kNarrow = 332.0, kMargin = 28.0;  // a screen of 380 px, half a mark's label
+  constexpr double kSmall = 11.0 / 13.0;             // of the large letters of CalcLabelWidth
+  const bool is_above = plot.labels_above;
   Range range;
   std::vector<std::string> labels, texts;
+  double above_width = kNarrow;
   bool has_links = false;
   for (const IntervalPlot::Row& row : plot.rows) {
     labels.push_back(row.label);
     texts.push_back(row.text);
+    above_width =
+        std::max(above_width, CalcLabelWidth({row.label}) + kSmall * CalcLabelWidth({row.text}));
     has_links = has_links || !row.anchor.empty();
     if (row.is_heading) continue;
     GRASPBENCH_DEMAND(row.series >= 0 && row.series < static_cast<int>(kMaxSeries), row.label);
@@ -218,19 +224,33 @@ Html DrawIntervalPlot(const IntervalPlot& plot) {
     range.Add(row.high);
     for (const double value : row.singles) range.Add(value);
   }
+  for (const LinePlot::Mark& mark : plot.marks) range.Add(mark.x);
   if (plot.holds_zero) range.Add(0.0);
   const Axis axis(range.low, range.high, 5);
-  const double left = CalcLabelWidth(labels) + kPlotGap;
-  const double bottom = kRow * static_cast<double>(plot.rows.size());
-  const auto place_x = [&](double value) { return left + kPlot * axis.CalcShare(value); };
+  const double left = is_above ? kMargin : CalcLabelWidth(labels) + kPlotGap;
+  const double extent = is_above ? kNarrow - 2.0 * kMargin : 340.0;
+  const double width =
+      is_above ? above_width : left + extent + 2.0 * kPlotGap + CalcLabelWidth(texts);
+  const auto place_x = [&](double value) { return left + extent * axis.CalcShare(value); };
 
-  Html content = DrawHorizontalAxis(axis, left, kPlot, 0.0, bottom, plot.axis);
-  for (size_t i = 0; i < plot.rows.size(); ++i) {
-    const IntervalPlot::Row& row = plot.rows[i];
-    const double y = kRow * (static_cast<double>(i) + 0.5);
-    content += MaybeLink(row.anchor,
-                         Label(row.is_heading ? "end head" : "end", left - kPlotGap, y, row.label));
-    content += Label("start small", left + kPlot + 2.0 * kPlotGap, y, row.text);
+  const std::vector<int> mark_rows = PlaceMarkLabels(plot.marks, place_x);
+  const double top = plot.marks.empty()
+                         ? 0.0
+                         : kLabelRow * (1 + *std::max_element(mark_rows.begin(), mark_rows.end()));
+  Html content;
+  double bottom = top;
+  for (const IntervalPlot::Row& row : plot.rows) {
+    const char* const style = row.is_heading ? (is_above ? "start head" : "end head")
+                              : is_above     ? "start"
+                                             : "end";
+    const bool has_own_line = is_above && !row.is_heading;
+    const double y = bottom + 0.5 * kRow + (has_own_line ? kLabelRow : 0.0);
+    const double label_y = bottom + 0.5 * kRow;
+    content +=
+        MaybeLink(row.anchor, Label(style, is_above ? 0.0 : left - kPlotGap, label_y, row.label));
+    content += Label(is_above ? "end small" : "start small",
+                     is_above ? width : left + extent + 2.0 * kPlotGap, label_y, row.text);
+    bottom = y + 0.5 * kRow;
     if (row.is_heading) continue;
     content += DrawSingles(row.singles, y, place_x);
     if (std::isfinite(row.low) && std::isfinite(row.high)) {
@@ -247,8 +267,13 @@ Html DrawIntervalPlot(const IntervalPlot& plot) {
                              {"r", Px(kDot)}});
     }
   }
-  const double width = left + kPlot + 2.0 * kPlotGap + CalcLabelWidth(texts);
-  return Svg(has_links ? "group" : "img", width, bottom + kAxis, plot.text, content);
+  Html frame = DrawHorizontalAxis(axis, left, extent, top, bottom, plot.axis);
+  for (size_t m = 0; m < plot.marks.size(); ++m) {
+    const double x = place_x(plot.marks[m].x), mark_top = top - kLabelRow * mark_rows[m];
+    frame += Line("mark", x, mark_top, x, bottom);
+    frame += Label("middle small", x, mark_top - 0.5 * kLabelRow, plot.marks[m].label);
+  }
+  return Svg(has_links ? "group" : "img", width, bottom + kAxis, plot.text, frame + content);
 }
 
 Html DrawStripChart(const StripChart& chart) {

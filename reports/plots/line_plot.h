@@ -47,6 +47,8 @@ struct IntervalPlot {
   PlotText text;
   std::string axis;  ///< with unit
   bool holds_zero = true;
+  bool labels_above = false;          ///< labels above their intervals: fits a narrow screen
+  std::vector<LinePlot::Mark> marks;  ///< vertical lines
   std::vector<Row> rows;
 
   void AddHeading(const std::string& label) {

@@ -48,8 +48,57 @@ TEST(JudgeNumber, WithoutAnIntervalNothingIsDecided) {
 TEST(CountToDecide, IsTheSquareOfTheHalfWidthOverWhatIsToBeDecided) {
   EXPECT_EQ(CountToDecide(kFormingTime, -5.0, {-25.0, 15.0}, 10), 160);
   EXPECT_EQ(CountToDecide(kFormingTime, -40.0, {-80.0, 0.0}, 10), 0);  // it is wide enough apart
-  EXPECT_EQ(MakeNumber(kFormingTime, -5.0, -25.0, 15.0).would_decide,
-            "about 336 scenes instead of 21");
+  EXPECT_EQ(
+      MakeNumber(kFormingTime, -5.0, -25.0, 15.0).would_decide,
+      "about 336 scenes instead of 21, if the others vary alike; the catalogue has 21 objects");
+  EXPECT_EQ(FormatWanted(8, 2, "object"), "about 8 objects instead of 2");
+}
+
+// 98.1 % before leave 1.9 points: no interval can say that 2 are not gained.
+TEST(Judge, ACeilingRefutesNothingUnlessTheEffectIsOpposite) {
+  const auto judge = [](double room, double low, double high) {
+    ArgumentNumber number = MakeNumber(kSuccessChange, 0.5 * (low + high), low, high);
+    number.room = room;
+    number.would_decide.clear();
+    Judge(number);
+    return number;
+  };
+  const ArgumentNumber at_ceiling = judge(1.9, -15.2, 1.0);
+  EXPECT_EQ(FormatVerdict(at_ceiling),
+            "not decided (ceiling: at most 1.9 points are possible, fewer than the smallest effect "
+            "of 2 points)");
+  EXPECT_EQ(at_ceiling.would_decide, "harder objects or draws, on which more can be gained");
+  EXPECT_EQ(judge(2.0, -15.2, 1.0).verdict, ArgumentVerdict::kRefuted);
+  EXPECT_EQ(judge(1.9, -15.2, -0.1).verdict, ArgumentVerdict::kRefuted);  // it loses
+  EXPECT_EQ(judge(1.9, 0.1, 1.8).verdict, ArgumentVerdict::kShown);
+  EXPECT_EQ(judge(1.9, -15.2, 2.5).why, "");  // too wide an interval is the nearer reason
+  ArgumentClaim claim;
+  claim.question = &kArgumentQuestions[4];
+  claim.numbers = {at_ceiling};
+  claim.verdict = JudgeClaim(claim.numbers);
+  EXPECT_NE(claim.sentence().find("Not decided: tum (ceiling: at most 1.9 points are possible"),
+            std::string::npos)
+      << claim.sentence();
+}
+
+TEST(DescribeRule, NamesBothLinesAndWhichWins) {
+  EXPECT_EQ(DescribeRule(kFormingTime),
+            "Shown: the whole interval lies left of 0. Refuted: the whole interval lies right of "
+            "-10 ms (dashed line), so that an effect of 10 ms is excluded. An interval that meets "
+            "both is shown.");
+  EXPECT_EQ(
+      DescribeRule(kStability),
+      "Shown: the whole interval lies right of 1. Refuted: the whole interval lies left of "
+      "1.05 (dashed line), so that an effect of 0.05 is excluded. An interval that meets both "
+      "is shown.");
+}
+
+// 1.005 lies beyond 1, and the reader must see it.
+TEST(FormatNumber, NoEndIsRoundedOntoTheNullValue) {
+  EXPECT_EQ(FormatNumber(MakeNumber(kPeopleRatio, 0.9646, 0.3654, 1.0048)),
+            "0.965 (0.365 to 1.005), 21 scenes");
+  EXPECT_EQ(FormatNumber(MakeNumber(kFormingTime, -20.0, -40.0, 0.0)),
+            "-20 ms (-40 to 0), 21 scenes");
 }
 
 TEST(JudgeClaim, OneOfTwoHandsRefutes) {
@@ -76,8 +125,8 @@ TEST(Argument, WithoutAnyResultEveryClaimIsNotRunAndNamesItsCommand) {
     EXPECT_EQ(claim.not_run.front().command.rfind("graspbench ", 0), 0u);
   }
   const std::string text = FormatArgument(claims);
-  EXPECT_NE(text.find("(a) not decided: It is not decided whether people's digits touch more "
-                      "simultaneously than independent digits would. Not run. Command: graspbench "
+  EXPECT_NE(text.find("(a) not run: It is not decided whether people's digits touch more "
+                      "simultaneously than independent digits would. Command: graspbench "
                       "study run STUDY.yaml --out DIR\n"),
             std::string::npos)
       << text;
@@ -135,8 +184,8 @@ TEST(Argument, Step1IsTheMedianOverScenesOfWhatResultJsonSays) {
   EXPECT_EQ(numbers[0].verdict, ArgumentVerdict::kRefuted);
   EXPECT_NE(
       numbers[0].detail.find("GFT 100 to 98 ms, GOT 40 to 40 ms, GCT 500 to 500 ms; floor of "
-                             "GFT 50 ms, reached within 1.2 times in 0 of 8 scenes; a new one "
-                             "was tried in 7"),
+                             "GFT 50 ms, GFT at most 1.2 times its floor in 0 of 8 scenes; a new "
+                             "pre-grasp tested in 7 scenes, no change in the others"),
       std::string::npos)
       << numbers[0].detail;
   EXPECT_EQ(numbers[1].subject, "tum: pre-grasp and closing delays");
@@ -161,6 +210,54 @@ TEST(Argument, AStudyOfAnEarlierProgramIsNamed) {
               "STUDY.yaml --out DIR");
   }
   EXPECT_STREQ(kIndependenceVerdictAnalysis, "independent digits, verdict");
+}
+
+TEST(ArgumentWorlds, ACeilingIsNotDecidedAndALossAtItIsRefuted) {
+  WorldSize none = SizeOf(Truth::kFalse), loss = none;
+  none.is_at_ceiling = loss.is_at_ceiling = true;
+  loss.success = -0.1;
+  for (uint64_t seed = 1; seed <= 3; ++seed) {
+    const ArgumentClaim claim = MakeArgument(MakeArgumentWorld(4, Truth::kFalse, none, seed)).at(4);
+    EXPECT_EQ(claim.verdict, ArgumentVerdict::kNotDecided) << seed;
+    EXPECT_NE(claim.sentence().find("ceiling"), std::string::npos) << claim.sentence();
+    EXPECT_EQ(NameWorld(4, Truth::kFalse, loss, seed), ArgumentVerdict::kRefuted) << seed;
+  }
+}
+
+// The map's rule asks for more than the interval; the reader is told which condition is not met.
+TEST(Argument, AMapsIntervalLeftOfZeroWithoutItsTestNamesTheTest) {
+  MapCell cell;
+  cell.hand = "tum";
+  cell.late = LateDigit::kLast;
+  cell.num_pairs = 588;
+  cell.num_objects = 21;
+  cell.undelayed = 0.78;
+  cell.estimate = -0.02;
+  cell.interval = Interval{-0.054, -0.003};
+  cell.adjusted_p = 0.067;
+  MapPartResult part;
+  part.map.hands = {"tum"};
+  part.map.cells = {cell};
+  MapResult map;
+  map.command = "graspbench map simultaneity";
+  map.parts = {part};
+  const ArgumentNumber open = ListRobotNumbers({{"late", map}}).at(0);
+  EXPECT_EQ(FormatVerdict(open), "not decided (adjusted p 0.067, above 0.05)");
+  EXPECT_EQ(open.command, "graspbench map simultaneity");
+  map.parts[0].map.cells[0].interval = Interval{-0.054, 0.003};
+  EXPECT_EQ(FormatVerdict(ListRobotNumbers({{"late", map}}).at(0)), "not decided");
+  map.parts[0].map.cells[0].verdict = MapVerdict::kCosts;
+  EXPECT_EQ(FormatVerdict(ListRobotNumbers({{"late", map}}).at(0)), "shown");
+  map.parts[0].map.cells[0].verdict = MapVerdict::kCeiling;
+  EXPECT_EQ(FormatVerdict(ListRobotNumbers({{"late", map}}).at(0)),
+            "not decided (ceiling: 78.0\u00a0% succeed without delay)");
+}
+
+TEST(ArgumentSources, SyntheticParticipantsAreNoStudy) {
+  ArgumentSources sources;
+  sources.people.resize(2);
+  sources.people[0].is_synthetic = true;
+  EXPECT_EQ(sources.Describe(), "1 study, 1 study of synthetic participants");
 }
 
 TEST(ArgumentPage, SaysWhatTheTerminalSays) {

@@ -159,7 +159,7 @@ TrialRecord MakeOutcome(const PlannedTrial& plan, bool holds) {
 draw is shared. */
 void MakeSessions(Truth truth, const WorldSize& size, RandomStream& random,
                   ArgumentSources& sources) {
-  constexpr double kFlip = 0.02;
+  const double flip = size.is_at_ceiling ? 0.002 : 0.02;
   for (const std::string& hand : kHands) {
     Session before, after;
     before.config.objects = after.config.objects = {"all"};
@@ -167,12 +167,13 @@ void MakeSessions(Truth truth, const WorldSize& size, RandomStream& random,
     after.config.hands = {hand + "-evolved"};
     if (truth == Truth::kAbsent) after.config.seed = before.config.seed + 1;  // other draws
     for (int object = 0; object < size.num_scenes; ++object) {
-      const double rate = std::clamp(0.75 + 0.12 * random.NextNormal(), 0.3, 0.85);
-      const double change = size.success > 0.0 ? size.success + 0.03 * random.NextNormal() : 0.0;
+      const double rate =
+          size.is_at_ceiling ? 0.994 : std::clamp(0.75 + 0.12 * random.NextNormal(), 0.3, 0.85);
+      const double change = size.success != 0.0 ? size.success + 0.03 * random.NextNormal() : 0.0;
       for (int trial = 0; trial < size.num_trials; ++trial) {
         const double luck = random.NextUniform(0.0, 1.0);
         const auto holds = [&](double probability) {
-          return (luck < probability) != (random.NextUniform(0.0, 1.0) < kFlip);
+          return (luck < probability) != (random.NextUniform(0.0, 1.0) < flip);
         };
         const auto add = [&](Session& session, const std::string& own, bool is_held) {
           session.plan.push_back({own + std::to_string(session.plan.size()), own,

@@ -15,12 +15,13 @@ enum class Truth { kTrue, kFalse, kAbsent };
 
 /** What is planted in a world: effects in the units of the claim. */
 struct WorldSize {
-  double shared_sd = 0.0;   ///< what people's digits share in a trial [s]; alone they have 30 ms
-  double taken_away = 0.0;  ///< share of the digits' constant lateness that step 1 takes away
-  double gain = 1.0;        ///< of stability by step 2
-  double success = 0.0;     ///< change of the success probability
-  int num_scenes = 21;      ///< of each hand
-  int num_trials = 40;      ///< of success, of each hand and object
+  double shared_sd = 0.0;      ///< what people's digits share in a trial [s]; alone they have 30 ms
+  double taken_away = 0.0;     ///< share of the digits' constant lateness that step 1 takes away
+  double gain = 1.0;           ///< of stability by step 2
+  double success = 0.0;        ///< change of the success probability
+  bool is_at_ceiling = false;  ///< 99 of 100 grasps succeed before
+  int num_scenes = 21;         ///< of each hand
+  int num_trials = 40;         ///< of success, of each hand and object
 };
 /** Of true and false worlds as the tests have them. */
 WorldSize SizeOf(Truth truth);

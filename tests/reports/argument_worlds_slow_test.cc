@@ -75,5 +75,19 @@ TEST_P(ArgumentWorlds, SmallEffectsAreDecidedFromTheirFloorOn) {
   }
 }
 
+// What cannot be gained is not missing: nearly all succeed before, and a claim of more success is
+// refuted only where the optimised grasps lose.
+TEST(CeilingWorlds, AHundredWithoutEffectAreNotDecidedAndAHundredThatLoseAreRefuted) {
+  WorldSize none = SizeOf(Truth::kFalse), loss = none;
+  none.is_at_ceiling = loss.is_at_ceiling = true;
+  loss.success = -0.1;
+  const Named at_ceiling = CountNames(4, Truth::kFalse, none);
+  const Named lost = CountNames(4, Truth::kFalse, loss);
+  std::printf("(e) ceiling: shown %d, refuted %d, not decided %d; lost: refuted %d\n",
+              at_ceiling.shown, at_ceiling.refuted, at_ceiling.open, lost.refuted);
+  EXPECT_GE(at_ceiling.open, 95);
+  EXPECT_GE(lost.refuted, 95);
+}
+
 }  // namespace
 }  // namespace graspbench

@@ -83,8 +83,10 @@ RunLearningTrials MakeJournaledTrials(const SceneConfig& config, const SceneInpu
 SceneInputs LoadSceneInputs(SceneConfig& config, const std::filesystem::path& folder) {
   if (IsGraspFile(config.grasp)) {
     throw Error(ErrorKind::kUsage, "\"" + config.grasp +
-                                       "\" is a grasp file; optimisation needs the id of a "
-                                       "standard grasp of the hand, or best");
+                                       "\" is a grasp file; optimisation starts from a standard "
+                                       "grasp of the hand: give its id, or best. To compare the "
+                                       "result with this file: graspbench run --grasp " +
+                                       config.grasp + ",DIR/new-target.yaml");
   }
   if (config.grasp == kBySight) {
     throw Error(ErrorKind::kUsage,

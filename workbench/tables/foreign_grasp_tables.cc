@@ -39,7 +39,12 @@ std::vector<CsvColumn<ProfileSummary>> ListProfileColumns() {
                        const double kappa = CalcKappa(row.labels);
                        return std::isfinite(kappa) ? "kappa " + FormatFixed(kappa, 2) : "-";
                      }),
-          {"jitter_share", "", "", &Row::jitter_share},
+          C("jitter_share", "", "", &Row::jitter_share)
+              .Shown("still passes when moved by 1 mm, 1 deg",
+                     [](const Row& row) {
+                       return std::isfinite(row.jitter_share) ? FormatPercent(row.jitter_share)
+                                                              : "";
+                     }),
           C::ForPeople("most failed at", "", [](const Row& row) {
             return row.stages.empty() ? "-" : row.stages.front().first;
           })};

@@ -201,7 +201,17 @@ std::string SuggestWords(const std::string& misspelt, std::vector<std::string> n
       names.push_back(row.key);
     }
   }
-  return SuggestNames(misspelt, names);
+  constexpr size_t kShortest = 4, kMostNamed = 3;
+  const std::string near = SuggestNames(misspelt, names);
+  if (misspelt.size() < kShortest || near.find("did you mean") != std::string::npos) return near;
+  std::vector<std::string> longer;
+  for (const std::string& name : names) {
+    const bool is_known = std::find(longer.begin(), longer.end(), name) != longer.end();
+    if (name.find(misspelt) != std::string::npos && !is_known) longer.push_back(name);
+  }
+  if (longer.empty()) return near;
+  longer.resize(std::min(longer.size(), kMostNamed));
+  return fmt::format("; did you mean {}?", fmt::join(longer, ", "));
 }
 
 std::string FormatTableColumns(const TableFormat& table) {

@@ -386,7 +386,11 @@ class FreeSpaceRun {
     const std::string touched =
         (is_missed ? "nothing" : result_.touching) + " touched it after the " + last;
     Fail(was_before || is_missed ? last : stage,
-         (was_before  ? "closing the hand moved the object away: it has "
+         (was_before  ? fmt::format("closing the hand moved the object by {:.1f} mm and turned it "
+                                     "by {:.1f} degrees (limits {:g} mm and {:g}); {:.1f} s into "
+                                     "the {} it has ",
+                                    MmFromM(result_.closing_shift), result_.closing_turn_deg,
+                                    MmFromM(profile_.max_shift), profile_.max_turn_deg, time, stage)
           : is_missed ? "the hand does not reach the object, which in the " + stage + " has "
                       : fmt::format("{:.1f} s into the {} the object has ", time, stage)) +
              how + "; " + touched);

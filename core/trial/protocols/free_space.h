@@ -76,16 +76,17 @@ struct FreeSpaceResult {
     field("epsilon", &R::epsilon,
           FieldColumn{"", "of these contacts, ferrari-canny; 0: no force closure"});
     field("closing_shift_m", &R::closing_shift,
-          FieldColumn{"m", "object shift by the end of the last stage"});
+          FieldColumn{"m", "of the object by closing, before the test"});
     field("closing_turn_deg", &R::closing_turn_deg);
-    field(
-        "breaking_load_n", &R::breaking_load,
-        FieldColumn{"N", "largest push stood along all six axes, to 5 %; 0: not sought, or none"});
+    field("breaking_load_n", &R::breaking_load,
+          FieldColumn{"N",
+                      "largest push resisted along all six axes, to 5 %; 0: not sought, or no push "
+                      "was resisted"});
     field("breaks_along", &R::breaks_along,
           FieldColumn{"",
                       "the push along which more breaks it; empty with a load: 16 times the "
                       "profile's did not"});
-    field("num_stood", &R::num_stood, FieldColumn{"", "pushes or lifts resisted"});
+    field("num_stood", &R::num_stood, FieldColumn{"", "pushes or lifts that the grasp resisted"});
     field("worst_shift_m", &R::worst_shift, FieldColumn{"m", "of the object, in all looks"});
     field("worst_turn_deg", &R::worst_turn_deg,
           FieldColumn{"deg", "turn of the object, in all looks"});

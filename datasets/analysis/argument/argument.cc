@@ -4,15 +4,42 @@
 #include <cmath>
 
 #include "core/base/text/text.h"
+#include "objects/catalogue.h"
 
 namespace graspbench {
 
 const ArgumentMeasure kPeopleRatio = {
-    "people's GFT over that of digits that move independently", "", 2, 1.0, 0.1, -1.0};
+    "people's GFT over that of digits that move independently",
+    "",
+    2,
+    1.0,
+    0.1,
+    -1.0,
+    "Shown: the study's own verdict is \"more simultaneous\". All its clocks must agree on it, and "
+    "the digits must share more variation than an error of the clock explains. Refuted: the whole "
+    "interval lies right of 0.90 (dashed line) and is not all left of 1. The value is that of the "
+    "clock with the smallest difference. The interval covers the intervals of all clocks."};
 const ArgumentMeasure kLateSuccess = {
-    "change of success by 100 ms of delay of the last digit", "points", 1, 0.0, 2.0, -1.0};
+    "change of success by 100 ms of delay of the last digit",
+    "points",
+    1,
+    0.0,
+    2.0,
+    -1.0,
+    "Shown: the interval lies left of 0 and the test by random signs of the objects gives p of at "
+    "most 0.05. This p is adjusted for all hands and both late digits of the map. Refuted: the "
+    "whole interval lies within 2 points of 0 (dashed line), or it lies right of 0 with such a p. "
+    "An interval that meets both is shown. Where 97.5 % or more succeed without delay, an interval "
+    "within 2 points is a ceiling and decides nothing."};
 const ArgumentMeasure kLateThreshold = {
-    "change of the smallest grip that holds, by 100 ms of delay", "doublings", 3, 0.0, 0.07, 1.0};
+    "change of the smallest grip that holds, by 100 ms of delay",
+    "doublings",
+    3,
+    0.0,
+    0.07,
+    1.0,
+    "Shown: the interval lies right of 0, with p as for success. Refuted: the whole interval lies "
+    "within 0.07 of 0, or it lies left of 0 with such a p."};
 const ArgumentMeasure kFormingTime = {"GFT after step 1 less GFT before", "ms", 0, 0.0, 10.0, -1.0};
 const ArgumentMeasure kStability = {
     "stability with the new target posture over that before", "", 2, 1.0, 0.05, 1.0};
@@ -27,20 +54,49 @@ const ArgumentQuestion kArgumentQuestions[kNumArgumentClaims] = {
      "would."},
     {"b", "Robots", "Does it help a robot hand when its digits touch at the same time?",
      "A late last digit lowers the success rate, so simultaneous contact helps.",
-     "A delay of the last digit by 100 ms does not lower the success rate by 2 points.",
+     "A delay of the last digit by 100 ms does not lower the success rate by as much as 2 points.",
      "It is not decided whether a late last digit lowers the success rate."},
     {"c", "Step 1", "Does the learned pre-grasp make the contacts simultaneous?",
      "The learned pre-grasp brings the digits to the object closer together in time.",
-     "The learned pre-grasp does not bring the digits 10 ms closer together in time.",
+     "The learned pre-grasp does not bring the digits closer together in time by as much as 10 ms.",
      "It is not decided whether the learned pre-grasp brings the digits closer together in time."},
     {"d", "Step 2", "Does the thumb's target posture make a grasp more stable?",
      "An evolved target posture of the thumb makes grasps more stable.",
-     "An evolved target posture of the thumb does not make grasps 5 % more stable.",
+     "An evolved target posture of the thumb does not make grasps more stable by as much as 5 %.",
      "It is not decided whether an evolved target posture of the thumb makes grasps more stable."},
     {"e", "Success", "Do both hands succeed more often after the optimisation?",
      "Optimised grasps succeed more often than the grasps before.",
-     "Optimised grasps do not succeed 2 points more often than the grasps before.",
+     "The optimisation does not raise success by as much as 2 points.",
      "It is not decided whether optimised grasps succeed more often than the grasps before."}};
+
+namespace {
+
+/** " points"; empty for a factor. */
+std::string FormatUnit(const ArgumentMeasure& measure) {
+  return *measure.unit ? std::string(" ") + measure.unit : "";
+}
+
+/** A smallest effect, or the line that it draws. */
+std::string FormatLeast(const ArgumentMeasure& measure, double value) {
+  return FormatFixed(value, measure.least < 1.0 ? 2 : 0) + FormatUnit(measure);
+}
+
+/** So many that no end of the interval is rounded onto the null value. */
+int CountDecimals(const ArgumentNumber& number) {
+  const double null_value = number.measure->null_value;
+  int decimals = number.measure->decimals;
+  const auto is_hidden = [&](double end) {
+    return std::abs(end - null_value) > 1e-9 &&
+           FormatFixed(end, decimals) == FormatFixed(null_value, decimals);
+  };
+  const int most = decimals + 3;
+  while (decimals < most && (is_hidden(number.interval.low) || is_hidden(number.interval.high))) {
+    ++decimals;
+  }
+  return decimals;
+}
+
+}  // namespace
 
 ArgumentVerdict JudgeNumber(const ArgumentMeasure& measure, const Interval& interval) {
   const double one = measure.sign * (interval.low - measure.null_value);
@@ -64,22 +120,55 @@ void Judge(ArgumentNumber& number) {
   if (std::isfinite(number.interval.low) && std::isfinite(number.interval.high)) {
     number.verdict = JudgeNumber(*number.measure, number.interval);
   }
+  const ArgumentMeasure& measure = *number.measure;
+  const double best = measure.sign > 0.0 ? number.interval.high : -number.interval.low;
+  const bool is_opposite = best < measure.sign * measure.null_value;
+  if (number.verdict == ArgumentVerdict::kRefuted && number.room < measure.least && !is_opposite) {
+    number.verdict = ArgumentVerdict::kNotDecided;
+    number.why = "ceiling: at most " + FormatFixed(number.room, measure.decimals) +
+                 FormatUnit(measure) + " are possible, fewer than the smallest effect of " +
+                 FormatLeast(measure, measure.least);
+    number.would_decide = "harder objects or draws, on which more can be gained";
+  }
   if (number.verdict != ArgumentVerdict::kNotDecided || !number.would_decide.empty()) return;
   const int wanted = CountToDecide(*number.measure, number.value, number.interval, number.n);
-  number.would_decide = wanted > 0 ? "about " + FormatCount(wanted, number.of) + " instead of " +
-                                         std::to_string(number.n)
-                                   : "more of the kind: " + number.of + "s";
+  number.would_decide =
+      wanted > 0 ? FormatWanted(wanted, number.n, number.of) : "more " + number.of + "s";
+}
+
+std::string DescribeRule(const ArgumentMeasure& measure) {
+  if (*measure.rule) return measure.rule;
+  const bool is_more = measure.sign > 0.0;
+  const char* const claimed = is_more ? "right" : "left";
+  const char* const other = is_more ? "left" : "right";
+  const double line = measure.null_value + measure.sign * measure.least;
+  return std::string("Shown: the whole interval lies ") + claimed + " of " +
+         FormatFixed(measure.null_value, 0) + ". Refuted: the whole interval lies " + other +
+         " of " + FormatLeast(measure, line) + " (dashed line), so that an effect of " +
+         FormatLeast(measure, measure.least) +
+         " is excluded. An interval that meets both is shown.";
+}
+
+std::string FormatWanted(int wanted, int n, const std::string& of) {
+  std::string text = "about " + FormatCount(wanted, of) + " instead of " + std::to_string(n);
+  const int num_known = static_cast<int>(ListObjects().size());
+  if ((of == "object" || of == "scene") && wanted > num_known) {
+    text += ", if the others vary alike; the catalogue has " + FormatCount(num_known, "object");
+  }
+  return text;
+}
+
+std::string FormatVerdict(const ArgumentNumber& number) {
+  return NameOf(number.verdict) + (number.why.empty() ? "" : " (" + number.why + ")");
 }
 
 std::string FormatNumber(const ArgumentNumber& number) {
-  const ArgumentMeasure& measure = *number.measure;
-  const std::string unit = *measure.unit ? std::string(" ") + measure.unit : "";
+  const int decimals = CountDecimals(number);
   std::string text = std::isfinite(number.value)
-                         ? FormatFixed(number.value, measure.decimals) + unit
+                         ? FormatFixed(number.value, decimals) + FormatUnit(*number.measure)
                          : std::string("n/a");
   if (std::isfinite(number.interval.low)) {
-    text += " (" + FormatFixed(number.interval.low, measure.decimals) + " to " +
-            FormatFixed(number.interval.high, measure.decimals) + ")";
+    text += " (" + FormatRange(number.interval.low, number.interval.high, decimals) + ")";
   } else {
     text += " (no interval)";
   }
@@ -89,16 +178,11 @@ std::string FormatNumber(const ArgumentNumber& number) {
 
 namespace {
 
-std::string FormatUnit(const ArgumentNumber& number) {
-  return *number.measure->unit ? number.measure->unit : "factor";
-}
-
 std::string FormatClaimLine(const ArgumentClaim& claim) {
   const ArgumentNumber* const number = claim.headline();
-  std::string line = std::string("(") + claim.question->id + ") " + NameOf(claim.verdict) + ": " +
-                     claim.sentence();
+  std::string line =
+      std::string("(") + claim.question->id + ") " + FormatVerdict(claim) + ": " + claim.sentence();
   if (number == nullptr) {
-    line += " Not run.";
     if (!claim.not_run.empty()) line += " Command: " + claim.not_run.front().command;
     return line + "\n";
   }
@@ -111,6 +195,10 @@ std::string FormatClaimLine(const ArgumentClaim& claim) {
 }
 
 }  // namespace
+
+std::string FormatVerdict(const ArgumentClaim& claim) {
+  return claim.was_run() ? NameOf(claim.verdict) : "not run";
+}
 
 bool ArgumentClaim::was_run() const { return headline() != nullptr; }
 
@@ -128,15 +216,16 @@ std::string ArgumentClaim::sentence() const {
   std::string text = verdict == ArgumentVerdict::kShown     ? question->shown
                      : verdict == ArgumentVerdict::kRefuted ? question->refuted
                                                             : question->open;
-  const bool differ = std::any_of(numbers.begin(), numbers.end(), [&](const ArgumentNumber& one) {
-    return one.decides && one.verdict != verdict;
+  const bool is_more = std::any_of(numbers.begin(), numbers.end(), [&](const ArgumentNumber& one) {
+    return one.decides && (one.verdict != verdict || !one.why.empty());
   });
-  if (!differ) return text;
+  if (!is_more) return text;
   for (const auto& row : kArgumentVerdicts) {
     std::string subjects;
     for (const ArgumentNumber& number : numbers) {
       if (!number.decides || number.verdict != row.value) continue;
-      subjects += (subjects.empty() ? "" : ", ") + number.subject;
+      subjects += (subjects.empty() ? "" : ", ") + number.subject +
+                  (number.why.empty() ? "" : " (" + number.why + ")");
     }
     if (!subjects.empty()) text += " " + Capitalise(row.name) + ": " + subjects + ".";
   }
@@ -167,10 +256,11 @@ std::vector<CsvColumn<ArgumentNumber>> ListArgumentColumns() {
   return {
       C("subject", "", "hand or study, and the experiment", &Row::subject).Shown("of"),
       C("measure", "", "what the number is",
+        [](const Row& row) { return std::string(row.measure->text); }),
+      C("unit", "", "of the number",
         [](const Row& row) {
-          return std::string(row.measure->text);
-        }).Shown("number"),
-      C("unit", "", "of the number", FormatUnit),
+          return std::string(*row.measure->unit ? row.measure->unit : "factor");
+        }),
       C("value", "", "estimate", &Row::value),
       C("low", "", "lower end of the 95 % interval",
         [](const Row& row) { return row.interval.low; }),
@@ -181,16 +271,17 @@ std::vector<CsvColumn<ArgumentNumber>> ListArgumentColumns() {
       C("left_out", "", "number left out and reason", &Row::left_out),
       C::ForPeople("value, 95 % interval, n", "n is followed by the number left out", FormatNumber),
       C("decides", "", "1 if it decides the claim", &Row::decides)
-          .Shown("decides", [](const Row& row) { return row.decides ? "yes" : ""; }),
+          .Shown("decides", [](const Row& row) { return row.decides ? "yes" : "no"; }),
       C("verdict", "", "verdict by the rule of this number",
         [](const Row& row) {
           return std::string(NameOf(row.verdict));
-        }).Shown("verdict"),
+        }).Shown("verdict", [](const Row& row) { return FormatVerdict(row); }),
+      C("why", "", "why it is not decided although the interval would", &Row::why),
       C("would_decide", "", "what would decide an undecided number", &Row::would_decide)
           .Shown("would decide"),
-      C("detail", "", "related figures", &Row::detail).Shown("also"),
-      C("source", "", "folders", &Row::source).Shown("from"),
-      C("command", "", "that made it", &Row::command).Shown("command")};
+      C("detail", "", "related figures", &Row::detail),
+      C("source", "", "folders", &Row::source),
+      C("command", "", "that made it", &Row::command)};
 }
 
 Json ToJson(const std::vector<ArgumentClaim>& claims) {

@@ -8,14 +8,16 @@ A number x has a null value, a direction that the claim expects, and a smallest 
 b. With its 95 % interval [l, h], shifted and signed so that the claim expects x > 0,
 
     shown         l > 0
-    refuted       h < b: the effect is smaller than what matters, or has the opposite sign
-    not decided   else
+    refuted       else, if h < b: the effect is smaller than what matters, or has the opposite sign
+    not decided   else; also ("ceiling") if h < b <= x_max is impossible, because the largest
+                  possible change x_max is smaller than b, unless h < 0: the effect is opposite
 
 A claim is shown if all numbers that decide it are shown, and refuted if one of them is refuted:
 what holds for only one of two hands is not true of hands in general. A claim without a number is
 not run and not decided, for absent data never refute. Rules and smallest effects are proposed by
 graspbench and were fixed before the evidence was generated. */
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -40,9 +42,10 @@ struct ArgumentMeasure {
   const char* text;  ///< "GFT after step 1 less GFT before"
   const char* unit;  ///< "ms"; empty for a factor
   int decimals;
-  double null_value;  ///< value without an effect
-  double least;       ///< smallest effect of interest, > 0
-  double sign;        ///< 1: the claim expects more than the null value, -1: less
+  double null_value;      ///< value without an effect
+  double least;           ///< smallest effect of interest, > 0
+  double sign;            ///< 1: the claim expects more than the null value, -1: less
+  const char* rule = "";  ///< in place of the rule above, where another analysis decides
 };
 extern const ArgumentMeasure kPeopleRatio;    ///< people's GFT over that of independent digits
 extern const ArgumentMeasure kLateSuccess;    ///< change of success by 100 ms of delay
@@ -58,12 +61,15 @@ struct ArgumentNumber {
   double value = kUnset;                 ///< NaN: there is none
   Interval interval = {kUnset, kUnset};  ///< 95 %; NaN: none
   int n = 0;
-  std::string of;        ///< what n counts: "scene"
+  std::string of;  ///< what n counts: "scene"
+  /** Largest change in the claimed direction that is possible, >= 0: 1.9 points after 98.1 %. */
+  double room = std::numeric_limits<double>::infinity();
   std::string left_out;  ///< number and reason: "2 whose start holds nothing"; empty: none
   std::string detail;    ///< related figures
   std::string source;    ///< folders
   std::string command;   ///< that generated it
   ArgumentVerdict verdict = ArgumentVerdict::kNotDecided;
+  std::string why;           ///< why it is not decided although the interval would: "ceiling: .."
   std::string would_decide;  ///< if it is not decided
 };
 
@@ -75,8 +81,17 @@ larger of |x| and b - |x|, if further data were like these. 0: unknown or not mo
 uses the same rule (simultaneity_map.h). */
 int CountToDecide(const ArgumentMeasure& measure, double value, const Interval& interval, int n);
 
-/** Sets `verdict` and `would_decide` by the rule. */
+/** Sets `verdict`, `why` and `would_decide` by the rule. */
 void Judge(ArgumentNumber& number);
+
+/** States when a number is shown and when it is refuted, in sentences with their units. */
+std::string DescribeRule(const ArgumentMeasure& measure);
+
+/** Returns "about 32 objects instead of 21", and how many the catalogue has if it has fewer. */
+std::string FormatWanted(int wanted, int n, const std::string& of);
+
+/** Returns "not decided (ceiling: ..)". */
+std::string FormatVerdict(const ArgumentNumber& number);
 
 /** Returns "-23 ms (-41 to -9), 21 scenes; left out: ..", with "n/a" where there is no number. */
 std::string FormatNumber(const ArgumentNumber& number);
@@ -108,7 +123,7 @@ struct ArgumentClaim {
   /** The number to report: the first deciding one with the claim's verdict, else the first deciding
   one; null: none. */
   const ArgumentNumber* headline() const;
-  /** The answer; if deciding numbers differ, also the verdict of each. */
+  /** The answer; if deciding numbers differ or one states why, also the verdict of each. */
   std::string sentence() const;
   std::string would_decide() const;  ///< empty if it is decided
 };
@@ -122,7 +137,10 @@ std::vector<CsvColumn<ArgumentNumber>> ListArgumentColumns();
 /** {claims: [{id, question, verdict, sentence, would_decide, number, numbers, not_run}]}. */
 Json ToJson(const std::vector<ArgumentClaim>& claims);
 
-/** Formats one line per claim: "(a) not decided: sentence number". */
+/** "not run", or the verdict's name. */
+std::string FormatVerdict(const ArgumentClaim& claim);
+
+/** Formats one line per claim: "(b) not decided: sentence number". */
 std::string FormatArgument(const std::vector<ArgumentClaim>& claims);
 
 }  // namespace graspbench

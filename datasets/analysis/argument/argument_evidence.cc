@@ -61,7 +61,10 @@ std::string ArgumentSources::Describe() const {
     text += (text.empty() ? "" : ", ") +
             (count == 1 ? std::string("1 ") + what : std::to_string(count) + " " + plural);
   };
-  add(people.size(), "study", "studies");
+  const auto num_synthetic = static_cast<size_t>(std::count_if(
+      people.begin(), people.end(), [](const auto& one) { return one.is_synthetic; }));
+  add(people.size() - num_synthetic, "study", "studies");
+  add(num_synthetic, "study of synthetic participants", "studies of synthetic participants");
   add(maps.size(), "map", "maps");
   add(campaigns.size(), "campaign", "campaigns");
   add(scenes.size(), "optimised scene", "optimised scenes");
@@ -167,6 +170,7 @@ std::vector<ArgumentNumber> ListPeopleNumbers(const std::vector<PeopleEvidence>&
       if (std::isfinite(number.interval.low)) number.verdict = ArgumentVerdict::kShown;
     } else if (number.verdict == ArgumentVerdict::kShown) {
       number.verdict = ArgumentVerdict::kNotDecided;
+      number.why = "the study's own verdict is \"" + study.verdict + "\"";
       number.would_decide =
           "an external start signal with recorded time, or trials in which one digit alone is "
           "delayed at random";
@@ -179,6 +183,32 @@ std::vector<ArgumentNumber> ListPeopleNumbers(const std::vector<PeopleEvidence>&
 
 namespace {
 
+/** "1 of 93 single regions show a cost". */
+std::string DescribeRegions(const SimultaneityMap& map, const std::string& hand) {
+  int num_regions = 0, num_costs = 0;
+  for (const MapCell& region : map.cells) {
+    if (region.hand != hand || region.measure != MapMeasure::kSuccess ||
+        region.late != LateDigit::kLast || region.where.empty() || region.num_pairs == 0) {
+      continue;
+    }
+    ++num_regions;
+    num_costs += region.verdict == MapVerdict::kCosts;
+  }
+  return "of " + FormatCount(num_regions, "region") +
+         " of the map, each with a part of the pairs, " + std::to_string(num_costs) +
+         " show a cost on their own";
+}
+
+/** Why the interval alone would be enough, but its cell is not decided. */
+std::string DescribeUndecided(const MapCell& cell) {
+  if (cell.verdict == MapVerdict::kCeiling || cell.verdict == MapVerdict::kFloor) {
+    return std::string(RowOf(kMapVerdicts, cell.verdict).name) + ": " +
+           FormatPercent(cell.undelayed) + " succeed without delay";
+  }
+  if (!cell.interval || (cell.interval->low <= 0.0 && cell.interval->high >= 0.0)) return "";
+  return "adjusted p " + FormatFixed(cell.adjusted_p, 3) + ", above 0.05";
+}
+
 /** That of all regions of a part; none where it was not asked. */
 void AddMapNumber(const FromFolder<MapResult>& map, const MapPartResult& part, MapMeasure asked,
                   const std::string& hand, std::vector<ArgumentNumber>& numbers) {
@@ -188,7 +218,7 @@ void AddMapNumber(const FromFolder<MapResult>& map, const MapPartResult& part, M
   const double scale = RowOf(kMapMeasures, asked).scale;
   ArgumentNumber number;
   number.measure = is_success ? &kLateSuccess : &kLateThreshold;
-  number.subject = hand;
+  number.subject = hand + (is_success ? "" : ": grip threshold");
   number.decides = is_success;
   number.value = scale * cell->estimate;
   if (cell->interval) number.interval = {scale * cell->interval->low, scale * cell->interval->high};
@@ -196,26 +226,15 @@ void AddMapNumber(const FromFolder<MapResult>& map, const MapPartResult& part, M
   number.of = "pair";
   number.detail = FormatCount(cell->num_objects, "object");
   if (is_success) {
-    number.detail += ", " + FormatPercent(cell->undelayed) +
-                     " succeed without delay; regions in "
-                     "which a late digit costs: ";
-    int num_regions = 0, num_costs = 0;
-    for (const MapCell& region : part.map.cells) {
-      if (region.hand != hand || region.measure != asked || region.late != LateDigit::kLast ||
-          region.where.empty() || region.num_pairs == 0) {
-        continue;
-      }
-      ++num_regions;
-      num_costs += region.verdict == MapVerdict::kCosts;
-    }
-    number.detail += std::to_string(num_costs) + " of " + std::to_string(num_regions);
+    number.detail += ", " + FormatPercent(cell->undelayed) + " succeed without delay; adjusted p " +
+                     FormatFixed(cell->adjusted_p, 3) + "; " + DescribeRegions(part.map, hand);
   }
   if (part.num_trials < part.num_planned) {
     number.left_out = FormatCount(part.num_planned - part.num_trials, "planned trial") +
                       " of the map, not finished";
   }
   number.source = map.folder;
-  number.command = "graspbench map simultaneity --hand " + hand + " --out DIR";
+  number.command = map.result.command;
   if (part.num_trials < part.num_planned) {
     number.would_decide = "the rest of the map; repeat the command to continue";
   } else if (cell->verdict == MapVerdict::kCosts) {
@@ -223,14 +242,16 @@ void AddMapNumber(const FromFolder<MapResult>& map, const MapPartResult& part, M
   } else if (cell->verdict == MapVerdict::kGains || cell->verdict == MapVerdict::kNone) {
     number.verdict = ArgumentVerdict::kRefuted;
   } else if (cell->num_objects_to_decide > 0) {
-    number.would_decide = "about " + FormatCount(cell->num_objects_to_decide, "object") +
-                          " instead of " + std::to_string(cell->num_objects);
+    number.would_decide = FormatWanted(cell->num_objects_to_decide, cell->num_objects, "object");
   } else if (cell->verdict == MapVerdict::kCeiling) {
     number.would_decide = "harder regions: nearly all trials without delay succeed";
   } else if (cell->verdict == MapVerdict::kFloor) {
     number.would_decide = "easier regions: nearly no trial without delay succeeds";
   } else {
     number.would_decide = "more objects";
+  }
+  if (number.verdict == ArgumentVerdict::kNotDecided && part.num_trials >= part.num_planned) {
+    number.why = DescribeUndecided(*cell);
   }
   numbers.push_back(number);
 }
@@ -275,25 +296,22 @@ constexpr ClaimRun kRobotRuns[] = {
     {"the same with grasps evolved on the catalogue",
      "graspbench map simultaneity --quick --hand tum-evolved,shadow-evolved --out DIR"}};
 constexpr ClaimRun kPreGraspRuns[] = {
-    {"step 1",
-     "graspbench campaign --out DIR, or of one object: graspbench optimise --hand HAND "
-     "--object OBJECT --step 1 --out DIR"}};
+    {"step 1 on all objects", "graspbench campaign --out DIR"},
+    {"step 1 on one object", "graspbench optimise --hand HAND --object OBJECT --step 1 --out DIR"}};
 constexpr ClaimRun kTargetRuns[] = {
-    {"thumb alone, by sigma",
-     "graspbench campaign --out DIR, or of one object: graspbench optimise "
-     "--hand HAND --object OBJECT --step 2 --out DIR"},
+    {"thumb alone, by sigma, on all objects", "graspbench campaign --out DIR"},
+    {"thumb alone, by sigma, on one object",
+     "graspbench optimise --hand HAND --object OBJECT --step 2 --out DIR"},
     {"thumb alone, by strength",
      "graspbench optimise --hand HAND --object OBJECT --step 2 --fitness strength --out DIR"},
     {"all digits, by strength",
      "graspbench optimise --hand HAND --object OBJECT --step 2 --fitness strength --search "
      "all-digits --race --out DIR"}};
 constexpr ClaimRun kSuccessRuns[] = {
-    {"grasps before and after on the objects of the optimisation",
-     "graspbench campaign --out DIR, or graspbench run --hand HAND --out DIR and graspbench run "
-     "--hand HAND-evolved --out DIR"},
+    {"grasps before and after on the objects of the optimisation", "graspbench campaign --out DIR"},
+    {"the same with shipped evolved grasps", "graspbench run --hand HAND,HAND-evolved --out DIR"},
     {"the same on unseen objects",
-     "graspbench run --hand HAND --object FOLDER --out DIR and graspbench run --hand HAND-evolved "
-     "--object FOLDER --out DIR"}};
+     "graspbench run --hand HAND,HAND-evolved --object FOLDER --out DIR"}};
 
 template <size_t N, class IsThere>
 std::vector<NotRun> ListNotRun(const ClaimRun (&runs)[N], const IsThere& is_there) {
@@ -334,10 +352,10 @@ std::vector<ArgumentClaim> MakeArgument(const ArgumentSources& sources) {
   });
   claims[2].not_run = ListNotRun(kPreGraspRuns, [&](size_t) { return claims[2].was_run(); });
   claims[3].not_run = ListNotRun(kTargetRuns, [&](size_t run) {
-    return run == 0 ? claims[3].was_run() : HasSubject(claims[3].numbers, kTargetRuns[run].what);
+    return run < 2 ? claims[3].was_run() : HasSubject(claims[3].numbers, kTargetRuns[run].what);
   });
   claims[4].not_run = ListNotRun(kSuccessRuns, [&](size_t run) {
-    return run == 0 ? claims[4].was_run() : HasSubject(claims[4].numbers, "unseen");
+    return run < 2 ? claims[4].was_run() : HasSubject(claims[4].numbers, "unseen");
   });
   return claims;
 }

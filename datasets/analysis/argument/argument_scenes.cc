@@ -70,8 +70,8 @@ class SceneMedian {
     }
     constexpr int kLeastScenes = 6;
     if (number.n < kLeastScenes) {
-      number.would_decide =
-          FormatCount(kLeastScenes, "scene") + " or more; there are " + std::to_string(number.n);
+      number.would_decide = FormatCount(kLeastScenes, "scene") + " of a hand or more; there are " +
+                            std::to_string(number.n);
     }
     Judge(number);
   }
@@ -144,16 +144,19 @@ void AddPreGraspNumber(const Scenes& scenes, const std::string& hand, bool alone
   number.decides = alone;
   number.command = "graspbench optimise --hand " + hand + " --object OBJECT --step 1 --out DIR";
   if (!before.empty()) {
-    number.detail = "medians over scenes: GFT " +
-                    FormatMedian(before["median_gft_s"], after["median_gft_s"]) + ", GOT " +
-                    FormatMedian(before["median_got_s"], after["median_got_s"]) + ", GCT " +
-                    FormatMedian(before["median_gct_s"], after["median_gct_s"]) + "; ";
+    number.detail =
+        "the value is the median of the scenes' changes; medians before and after, "
+        "on this row's own fresh draws: GFT " +
+        FormatMedian(before["median_gft_s"], after["median_gft_s"]) + ", GOT " +
+        FormatMedian(before["median_got_s"], after["median_got_s"]) + ", GCT " +
+        FormatMedian(before["median_gct_s"], after["median_gct_s"]) + "; ";
     if (!floors.empty()) {
       number.detail += "floor of GFT " + FormatFixed(MsFromS(CalcMedian(floors)), 0) +
-                       " ms, reached within 1.2 times in " + std::to_string(num_near) + " of " +
-                       FormatCount(static_cast<int>(floors.size()), "scene") + "; ";
+                       " ms, GFT at most 1.2 times its floor in " + std::to_string(num_near) +
+                       " of " + FormatCount(static_cast<int>(floors.size()), "scene") + "; ";
     }
-    number.detail += "a new one was tried in " + std::to_string(num_new);
+    number.detail += std::string(alone ? "a new pre-grasp" : "a new pre-grasp or new delays") +
+                     " tested in " + FormatCount(num_new, "scene") + ", no change in the others";
   }
   change.Finish(number);
   numbers.push_back(number);

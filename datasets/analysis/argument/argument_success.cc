@@ -6,6 +6,7 @@
 #include "datasets/analysis/campaign/campaign_summary.h"
 #include "datasets/analysis/campaign/thesis_claims.h"
 #include "datasets/analysis/session_comparison.h"
+#include "datasets/plan/scene_names.h"
 
 namespace graspbench {
 namespace {
@@ -32,6 +33,7 @@ ArgumentNumber MakeSuccessNumber(const std::string& subject, const PairedCounts&
   number.of = "pair";
   if (number.n > 0) {
     number.value = 100.0 * (counts.second_only - counts.first_only) / number.n;
+    number.room = 100.0 - 100.0 * (counts.both + counts.first_only) / number.n;
     number.detail = FormatSuccess(counts);
   }
   number.interval = {100.0 * interval.low, 100.0 * interval.high};
@@ -85,6 +87,14 @@ Session TakePart(const Session& session, const std::string& hand, bool is_seen) 
   return part;
 }
 
+/** Tries both sets of grasps on the draws of this session. */
+std::string MakePairCommand(const SessionConfig& config, const std::string& hand, bool is_seen) {
+  return "graspbench run --hand " + hand + "," + hand + kEvolved + " --object " +
+         (is_seen ? FormatListOption(config.objects, "OBJECT") : "FOLDER") + " --grasp " +
+         FormatListOption(config.grasps, "FILE") + " --trials " + std::to_string(config.trials) +
+         " --out DIR";
+}
+
 /** A hand's grasps against its evolved ones, where the two were tried on the same draws. */
 void AddSessions(const FromFolder<Session>& first, const std::string& hand,
                  const FromFolder<Session>& second, bool is_seen,
@@ -113,13 +123,11 @@ void AddSessions(const FromFolder<Session>& first, const std::string& hand,
   if (!change.no_interval.empty()) {
     number.would_decide = "other objects: " + change.no_interval;
   } else if (num_objects > 0) {
-    number.would_decide = "about " + FormatCount(num_objects, "object") + " instead of " +
-                          std::to_string(change.num_objects);
+    number.would_decide = FormatWanted(num_objects, change.num_objects, "object");
   }
   number.source =
       first.folder == second.folder ? first.folder : first.folder + ", " + second.folder;
-  number.command = "graspbench run --hand " + hand + " and graspbench run --hand " + hand +
-                   kEvolved + (is_seen ? "" : " --object FOLDER");
+  number.command = MakePairCommand(first.result.config, hand, is_seen);
   Judge(number);
   if (number.verdict != ArgumentVerdict::kNotDecided) number.would_decide.clear();
   numbers.push_back(number);

@@ -9,6 +9,7 @@
 #include "datasets/analysis/map/simultaneity_map.h"
 #include "datasets/plan/conditions.h"
 #include "datasets/plan/map_design.h"
+#include "datasets/plan/scene_names.h"
 #include "datasets/session/find_trial.h"
 
 namespace graspbench {
@@ -208,8 +209,30 @@ std::vector<std::string> MapResult::findings() const {
   return sentences;
 }
 
+namespace {
+
+std::string MakeMapCommand(const SessionConfig& config) {
+  const SessionConfig plain;
+  std::string command = "graspbench map simultaneity";
+  // Only the whole map has a delay of 0.1 s.
+  const bool is_whole =
+      std::any_of(config.conditions.begin(), config.conditions.end(),
+                  [](const Condition& condition) { return condition.name == "delay.last=0.1"; });
+  if (!is_whole) command += " --quick";
+  command += " --hand " + FormatListOption(config.hands, "FILE");
+  if (config.objects != plain.objects) {
+    command += " --object " + FormatListOption(config.objects, "OBJECT");
+  }
+  command += " --grasp " + FormatListOption(config.grasps, "FILE");
+  if (config.seed != plain.seed) command += " --seed " + std::to_string(config.seed);
+  return command + " --out DIR";
+}
+
+}  // namespace
+
 MapResult LoadMap(const Session& session) {
   MapResult result;
+  result.command = MakeMapCommand(session.config);
   for (const MapPart& part : ListMapParts(false)) {
     if (result.parts.empty()) {
       const MapData data = ListMapTrials(session, {});

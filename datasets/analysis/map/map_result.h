@@ -24,6 +24,7 @@ struct MapPartResult {
 };
 
 struct MapResult {
+  std::string command;                                     ///< that makes it
   std::vector<MapPartResult> parts;                        ///< parts that have begun, success first
   std::vector<ObjectEffect> objects;                       ///< in the first part
   std::map<std::string, Answer<NaturalRelation>> natural;  ///< by hand

@@ -88,6 +88,26 @@ TEST(DrawIntervalPlot, EstimatesStandInTheMiddleOfTheirIntervals) {
   EXPECT_TRUE(drawing.Find("circle", "point series1").empty());
 }
 
+TEST(DrawIntervalPlot, LabelsAboveFitANarrowScreenAndMarksAreToScale) {
+  IntervalPlot plot;
+  plot.text = {"Change", "Two hands"};
+  plot.holds_zero = false;
+  plot.labels_above = true;
+  plot.marks = {{0.0, "no effect"}, {2.0, "2 points"}};
+  plot.rows = {{"tum: seen objects", 1.0, 0.0, 2.0, "not decided, n 105", "", 0, false}};
+  const Drawing drawing(DrawIntervalPlot(plot));
+  const auto marks = drawing.Find("line", "mark");
+  const auto intervals = drawing.Find("line", "interval");
+  ASSERT_EQ(marks.size(), 2U);
+  ASSERT_EQ(intervals.size(), 3U);
+  EXPECT_NEAR(marks[0]->DoubleAttribute("x1"), intervals[0]->DoubleAttribute("x1"), 0.11);
+  EXPECT_NEAR(marks[1]->DoubleAttribute("x1"), intervals[0]->DoubleAttribute("x2"), 0.11);
+  const auto labels = drawing.Find("text", "start");
+  ASSERT_EQ(labels.size(), 1U);
+  EXPECT_LT(labels[0]->DoubleAttribute("y"), intervals[0]->DoubleAttribute("y1") - 8.0);
+  EXPECT_LE(std::stod(drawing.Find("svg", "plot").at(0)->Attribute("width")), 348.0);
+}
+
 TEST(DrawIntervalPlot, EveryTrialIsATickToScale) {
   IntervalPlot plot;
   plot.text = {"GFT", "Means and trials"};

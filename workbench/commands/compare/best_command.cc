@@ -51,7 +51,7 @@ std::string DescribeRow(const BestGrasp& row) {
 }
 
 std::string FormatChoices(const std::vector<BestGrasp>& rows) {
-  TextTable table({"hand", "object", "tried", "best", "held", "95 % [%]", "as good", "usual",
+  TextTable table({"hand", "object", "tried", "best", "held", "95 % [%]", "same rate", "usual",
                    "held", "95 % [%]", ""});
   for (const BestGrasp& row : rows) {
     std::vector<std::string> cells = {row.hand, row.object, std::to_string(row.num_tried)};
@@ -70,11 +70,17 @@ std::string FormatChoices(const std::vector<BestGrasp>& rows) {
   const auto count = [&](auto is_counted) {
     return std::to_string(std::count_if(rows.begin(), rows.end(), is_counted));
   };
-  return table.Format() + "the default grasp is not outperformed for " +
-         count([](const BestGrasp& row) { return row.is_usual_as_good(); }) + " of " +
-         std::to_string(rows.size()) + ", significantly worse on the same draws for " +
-         count([](const BestGrasp& row) { return row.is_usual_worse(); }) +
-         "; no grasp succeeds for " + count([](const BestGrasp& row) { return !row.best; }) + "\n";
+  const bool has_ties =
+      std::any_of(rows.begin(), rows.end(), [](const BestGrasp& row) { return !row.tied.empty(); });
+  return table.Format() + FormatCount(static_cast<int>(rows.size()), "object") +
+         ": the default grasp has the best rate for " +
+         count([](const BestGrasp& row) { return row.is_usual_as_good(); }) +
+         ", is significantly worse on the same draws for " +
+         count([](const BestGrasp& row) { return row.is_usual_worse(); }) + ", was not tried for " +
+         count([](const BestGrasp& row) { return !row.usual; }) + "; no grasp succeeds for " +
+         count([](const BestGrasp& row) { return !row.best; }) + "\n" +
+         (has_ties ? "grasps with the same rate may differ in strength: graspbench judge DIR\n"
+                   : "");
 }
 
 void FindBest(const BestOptions& options) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <set>
@@ -24,7 +25,29 @@ struct JudgeOptions {
   bool json = false;
 };
 
-void PrintEvidence(const JudgeEvidence& evidence) {
+/** One line per hand, object and grasp. */
+std::string FormatLoads(const SessionSummary& summary) {
+  TextTable table({"hand", "object", "grasp", "judged", "breaking force [N]", "lowest",
+                   "breaking moment [N m]", "lowest"});
+  for (const CellLoads& loads : ListCellLoads(summary)) {
+    const CellSummary& cell = *loads.cell;
+    table.AddRow({cell.hand, cell.object, cell.grasp, std::to_string(loads.num_judged),
+                  FormatFixed(loads.force.median, 2), FormatFixed(loads.force.lowest, 2),
+                  FormatFixed(loads.moment.median, 3), FormatFixed(loads.moment.lowest, 3)});
+  }
+  return table.Format();
+}
+
+void PrintEvidence(const JudgeEvidence& evidence, const Session& session) {
+  const auto has_value = [](const RankEvidence& rank) { return bool(rank.correlation); };
+  if (std::none_of(evidence.ranks.begin(), evidence.ranks.end(), has_value)) {
+    PrintResult(FormatCount(evidence.num_judged, "held grasp") + " judged; medians\n\n" +
+                FormatLoads(SummariseSession(session)) +
+                (evidence.ranks.empty() ? ""
+                                        : "no rank correlation with other measures: " +
+                                              evidence.ranks.front().correlation.reason() + "\n"));
+    return;
+  }
   TextTable table({"Measure", "Rank correlation with breaking force", "95 % interval"});
   for (const RankEvidence& rank : evidence.ranks) {
     table.AddRow(
@@ -75,7 +98,7 @@ ExitCode Judge(const JudgeOptions& options) {
   if (options.json) {
     PrintJson(ToJson(evidence));
   } else {
-    PrintEvidence(evidence);
+    PrintEvidence(evidence, session);
     PrintResult(FormatPlaces(report, folder / "export" / "trials.csv"));
   }
   return TellUnjudged(session, round.asked, options);

@@ -37,6 +37,16 @@ ExitCode Finish(const fs::path& folder, const SceneInputs& inputs, const Optimis
   return failures.empty() ? kExitOk : kExitNumericalFailures;
 }
 
+/** "100 trials of the search and up to 548 to choose and check: at most 648 trials". */
+std::string DescribeTrials(OptimiseConfig config, int most) {
+  config.evaluations = 0;
+  const int rest = CountLearningTrials(config);
+  return (most == rest ? ""
+                       : FormatCount(most - rest, "trial") + " of the search and up to " +
+                             std::to_string(rest) + " to choose and check: ") +
+         "at most " + FormatCount(most, "trial");
+}
+
 ExitCode Optimise(OptimiseOptions options) {
   SceneConfig& config = options.config;
   if (options.resume) config = LoadScene(options.out).config;
@@ -58,7 +68,7 @@ ExitCode Optimise(OptimiseOptions options) {
   }
   TerminalObserver observer([&](const Stage& stage) {
     return folder.string() + ": " + inputs.hand->id + ", " + inputs.object->id + ", " +
-           config.grasp + "; at most " + FormatCount(stage.num_trials, "trial") + " on " +
+           config.grasp + "; " + DescribeTrials(config.optimise, stage.num_trials) + " on " +
            FormatCount(options.num_workers, "worker");
   });
   try {
