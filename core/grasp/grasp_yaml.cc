@@ -62,7 +62,7 @@ const FileKeys& ListHandGraspKeys() {
        0, 1},
       {"grasps.ID.as_called_share", "",
        "of those that it held, the share with the opposition of its name", 0, 1},
-      {"grasps.ID.approach", "automatic", "from where the hand comes: automatic, above or side"},
+      {"grasps.ID.approach", "automatic", "approach direction: automatic, above or side"},
       {"grasps.ID.changed", "", "where the postures come from, for people"},
       {"grasps.ID.closing", "",
        "when and how fast digits close, by digit; those left out as all do"},

@@ -195,7 +195,8 @@ class ObjReader {
     if (!is_valid) return "expected three or more numbers of vertices above after f";
     if (!AppendPolygon(corners_, mesh_, polygon_work_)) {
       return "the face has " + std::to_string(corners_.size()) +
-             " corners and is not convex; cut such faces into triangles in the mesh's program";
+             " corners and is not convex; cut such faces into triangles in the program that made "
+             "the mesh";
     }
     return {};
   }

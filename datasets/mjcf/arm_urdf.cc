@@ -33,7 +33,8 @@ XMLElement* AddNamed(const char* kind, const std::string& name, XMLElement* robo
        other = other->NextSiblingElement(kind)) {
     if (!other->Attribute("name", name.c_str())) continue;
     throw Error(ErrorKind::kUnsupported, std::string("the hand has a <") + kind + "> named \"" +
-                                             name + "\", as the arm has; rename that of the hand");
+                                             name +
+                                             "\", and so has the arm; rename it in the hand");
   }
   XMLElement* element = robot->InsertNewChildElement(kind);
   element->SetAttribute("name", name.c_str());

@@ -30,7 +30,7 @@ std::vector<CsvColumn<CandidateRow>> ListCandidateColumns() {
        [](const Row& r) { return static_cast<int>(r.number); }},
       {"grasp", "", "id of the standard grasp",
        [](const Row& r) { return r.tried().candidate.standard; }},
-      {"approach", "", "from where the hand comes; automatic: by the rule",
+      {"approach", "", "approach direction; automatic: chosen by the rule",
        [](const Row& r) -> std::string {
          return RowOf(kApproaches, r.tried().candidate.approach).name;
        }},

@@ -12,7 +12,7 @@ std::vector<TrajectoryFile> MakeGlbFiles(const TrialTrajectory& trajectory) {
 }  // namespace
 
 TrajectoryForm MakeGlbTrajectoryForm() {
-  return {"glb", "an animated 3-D model for viewers of glTF 2.0", &MakeGlbFiles, nullptr};
+  return {"glb", "an animated 3-D model for glTF 2.0 viewers", &MakeGlbFiles, nullptr};
 }
 
 }  // namespace graspbench

@@ -254,7 +254,7 @@ TEST(LoadMeshTest, APolygonOfManyCornersIsNoTrap) {
                            ? "no error"
                            : "the mesh cannot be read\ndisc.obj:100001: error: the face has "
                              "100000 corners and is not convex; cut such faces into triangles "
-                             "in the mesh's program");
+                             "in the program that made the mesh");
   }
 }
 
