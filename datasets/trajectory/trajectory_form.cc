@@ -58,6 +58,7 @@ TrialTrajectory MakeTrajectory(const PlannedTrial& planned, const TrialSetup& se
       planned, CalcRecordSha256(planned, traced.result), setup.hand, setup.object, rate, {}};
   trajectory.traced.result = traced.result;
   trajectory.traced.closure_start = traced.closure_start;
+  trajectory.traced.arm = traced.arm;
   trajectory.sensors = setup.sensors;
   std::vector<TraceInstant>& kept = trajectory.traced.trace;
   int num_regular = 0;
