@@ -122,7 +122,7 @@ void Judge(ArgumentNumber& number) {
   }
   const ArgumentMeasure& measure = *number.measure;
   const double best = measure.sign > 0.0 ? number.interval.high : -number.interval.low;
-  const bool is_opposite = best < measure.sign * measure.null_value;
+  const bool is_opposite = best < measure.sign * measure.null_value - measure.least;
   if (number.verdict == ArgumentVerdict::kRefuted && number.room < measure.least && !is_opposite) {
     number.verdict = ArgumentVerdict::kNotDecided;
     number.why = "ceiling: at most " + FormatFixed(number.room, measure.decimals) +
@@ -275,10 +275,9 @@ std::vector<CsvColumn<ArgumentNumber>> ListArgumentColumns() {
       C("verdict", "", "verdict by the rule of this number",
         [](const Row& row) {
           return std::string(NameOf(row.verdict));
-        }).Shown("verdict", [](const Row& row) { return FormatVerdict(row); }),
+        }).Shown("verdict"),
       C("why", "", "why it is not decided although the interval would", &Row::why),
-      C("would_decide", "", "what would decide an undecided number", &Row::would_decide)
-          .Shown("would decide"),
+      C("would_decide", "", "what would decide an undecided number", &Row::would_decide),
       C("detail", "", "related figures", &Row::detail),
       C("source", "", "folders", &Row::source),
       C("command", "", "that made it", &Row::command)};
