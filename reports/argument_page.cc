@@ -97,8 +97,13 @@ Html DrawNumbers(const ArgumentClaim& claim) {
                            NameOf(number.verdict), "", decides ? 0 : 1});
     }
   }
-  return MakeFigure(Capitalise(measure.text) + ", with 95 % intervals.", DescribeRule(measure),
-                    MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
+  const bool has_ceiling =
+      std::any_of(claim.numbers.begin(), claim.numbers.end(),
+                  [](const ArgumentNumber& number) { return number.why.rfind("ceiling", 0) == 0; });
+  return MakeFigure(
+      Capitalise(measure.text) + ", with 95 % intervals.",
+      DescribeRule(measure) + (has_ceiling ? " At a ceiling nothing is refuted (see below)." : ""),
+      MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
 }
 
 /** What each number rests on and what would decide it: related figures, folders, command. */

@@ -86,13 +86,12 @@ TEST(Judge, ACeilingRefutesNothingUnlessTheEffectIsOpposite) {
 TEST(DescribeRule, NamesBothLinesAndWhichWins) {
   EXPECT_EQ(DescribeRule(kFormingTime),
             "Shown: the whole interval lies left of 0. Refuted: the whole interval lies right of "
-            "-10 ms (dashed line), so that an effect of 10 ms is excluded. An interval that meets "
+            "-10 ms (marked), so that an effect of 10 ms is excluded. An interval that meets "
             "both is shown.");
-  EXPECT_EQ(
-      DescribeRule(kStability),
-      "Shown: the whole interval lies right of 1. Refuted: the whole interval lies left of "
-      "1.05 (dashed line), so that an effect of 0.05 is excluded. An interval that meets both "
-      "is shown.");
+  EXPECT_EQ(DescribeRule(kStability),
+            "Shown: the whole interval lies right of 1. Refuted: the whole interval lies left of "
+            "1.05 (marked), so that an effect of 0.05 is excluded. An interval that meets both "
+            "is shown.");
 }
 
 // 1.005 lies beyond 1, and the reader must see it.
