@@ -19,8 +19,14 @@ Html MakeStrong(const std::string& text) { return Element("strong", {}, text); }
 
 Html MakeItems(const std::vector<Html>& items) {
   Html list;
-  for (const Html& item : items) list += Element("li", {}, item);
+  for (const Html& item : items) list += Element("li", {}, Element("p", {}, item));
   return Element("ul", {}, list);
+}
+
+Html MakeTexts(const std::vector<std::string>& texts) {
+  std::vector<Html> items;
+  for (const std::string& text : texts) items.push_back(Text(text));
+  return MakeItems(items);
 }
 
 /** The number of the headline in words. */
@@ -37,7 +43,7 @@ Html DrawAnswers(const Claims& claims) {
                std::string("(") + claim.question->id + ") " + claim.question->question) +
         Text(" ") + MakeStrong(Capitalise(FormatVerdict(claim)) + ".") +
         Text(" " + claim.sentence() +
-             (number == nullptr ? "" : " " + Capitalise(DescribeHeadline(*number)) + ".")));
+             (number == nullptr ? "" : " Number: " + DescribeHeadline(*number) + ".")));
   }
   return MakeParagraph(
              "The thesis argues that people strive for simultaneous contact of all digits and that "
@@ -52,16 +58,20 @@ Html DrawAnswers(const Claims& claims) {
              "a verdict, or a further condition of the rule is not met. The reason stands in "
              "brackets behind the hand.") +
          MakeParagraph("Terms used below:") +
-         MakeList({"GFT: time from the first to the last contact of the digits.",
-                   "GOT: time between the first contacts of the thumb and of a finger.",
-                   "GCT: time from the start of closure to the last contact.",
-                   "Floor of GFT: the GFT that remains when the times of each digit are shifted by "
-                   "their own median. No pre-grasp can remove it.",
-                   "Sigma: the smallest pull along the six half axes of the palm that the measured "
-                   "contact forces resist.",
-                   "Scene: one hand on one object.",
-                   "Evolved grasps (hands named -evolved): grasps optimised on the objects of the "
-                   "catalogue, which are therefore their training set (seen objects)."});
+         MakeTexts(
+             {"GFT: time from the first to the last contact of the digits.",
+              "GOT: time between the first contacts of the thumb and of a finger.",
+              "GCT: time from the start of closure to the last contact.",
+              "Floor of GFT: the GFT that remains when the times of each digit are shifted by "
+              "their own median. No pre-grasp can remove it.",
+              "Sigma: the smallest pull along the six half axes of the palm that the measured "
+              "contact forces resist.",
+              "Scene: one hand on one object. The values of (c) and (d) are medians of the "
+              "scenes' changes; a median change need not equal the change of the medians. "
+              "Each number has its own fresh draws, so that two numbers may begin at other "
+              "times.",
+              "Evolved grasps (hands named -evolved): grasps optimised on the objects of the "
+              "catalogue, which are therefore their training set (seen objects)."});
 }
 
 /** Numbers of the headline's measure with their rule. */
@@ -72,7 +82,7 @@ Html DrawNumbers(const ArgumentClaim& claim) {
   IntervalPlot plot;
   plot.text = {claim.question->question,
                "One row per number with its 95 % interval, deciding numbers first."};
-  plot.axis = measure.text + (*measure.unit ? std::string(" [") + measure.unit + "]" : "");
+  plot.axis = *measure.unit ? measure.unit : "ratio";
   plot.holds_zero = false;
   plot.labels_above = true;
   plot.marks = {{measure.null_value, "no effect"},
@@ -84,22 +94,31 @@ Html DrawNumbers(const ArgumentClaim& claim) {
       if (is_first) plot.AddHeading(decides ? "decide the claim" : "do not decide the claim");
       is_first = false;
       plot.rows.push_back({number.subject, number.value, number.interval.low, number.interval.high,
-                           std::string(NameOf(number.verdict)) + ", n " + std::to_string(number.n),
-                           "", decides ? 0 : 1});
+                           NameOf(number.verdict), "", decides ? 0 : 1});
     }
   }
-  return MakeFigure(Capitalise(measure.text) + ", with 95 % intervals.", DescribeRule(measure),
-                    MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
+  const bool has_ceiling =
+      std::any_of(claim.numbers.begin(), claim.numbers.end(),
+                  [](const ArgumentNumber& number) { return number.why.rfind("ceiling", 0) == 0; });
+  return MakeFigure(
+      Capitalise(measure.text) + ", with 95 % intervals.",
+      DescribeRule(measure) + (has_ceiling ? " At a ceiling nothing is refuted (see below)." : ""),
+      MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
 }
 
-/** What each number rests on: related figures, folders, command. */
+/** What each number rests on and what would decide it: related figures, folders, command. */
 Html DrawOrigins(const ArgumentClaim& claim) {
   std::vector<Html> items;
   for (const ArgumentNumber& number : claim.numbers) {
-    items.push_back(
-        MakeStrong(number.subject) +
-        Text(": " + number.detail + ". From the folder " + number.source + ", made by ") +
-        Element("code", {}, number.command) + Text("."));
+    std::string text = ": " + FormatVerdict(number) + ".";
+    if (!number.detail.empty()) text += " " + Capitalise(number.detail);
+    if (text.back() != '.') text += ".";
+    if (number.decides && !number.would_decide.empty()) {
+      text += " Would decide: " + number.would_decide + ".";
+    }
+    items.push_back(MakeStrong(number.subject) +
+                    Text(text + " From the folder " + number.source + ", made by ") +
+                    Element("code", {}, number.command) + Text("."));
   }
   return MakeParagraph("What the numbers rest on:") + MakeItems(items);
 }
@@ -145,8 +164,8 @@ Html DrawRules(const Claims&) {
          MakeItems(rules) +
          MakeParagraph(
              "A ceiling refutes nothing. If less than the smallest effect can be gained, because "
-             "nearly all trials before succeed, only a change in the opposite direction refutes; "
-             "else the number is not decided.") +
+             "nearly all trials before succeed, the number is not decided. The exception is an "
+             "interval that shows an opposite effect of the smallest size or more; it refutes.") +
          MakeParagraph(
              "A claim is shown if all deciding numbers show it, and refuted if one of them refutes "
              "it. Experiments that were not run decide nothing. Candidates of steps 1 and 2 are "

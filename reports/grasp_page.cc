@@ -42,9 +42,10 @@ Html DrawVerdict(const DrawnGrasp& drawn) {
 }
 
 Html DrawCourse(const DrawnGrasp& drawn) {
-  return MakeParagraph(
-             "Closure: the stages of the grasp and further closing. Hold: the decisive push, or "
-             "the push that moved the object most. Lift-off: the lift.") +
+  return MakeParagraph(std::string("Closure: the stages of the grasp and further closing. ") +
+                       (drawn.data.profile.test == "lift"
+                            ? "Lift-off: the lift."
+                            : "Hold: the decisive push, or the push that moved the object most.")) +
          drawn.course;
 }
 

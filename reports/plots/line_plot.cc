@@ -205,7 +205,7 @@ Html DrawSingles(const std::vector<double>& singles, double y, const PlaceX& pla
 Html DrawIntervalPlot(const IntervalPlot& plot) {
   constexpr double kRow = 24.0, kLabelRow = 16.0, kAxis = 38.0, kDot = 4.0, kCap = 4.0;
   constexpr double kNarrow = 332.0, kMargin = 28.0;  // a screen of 380 px, half a mark's label
-  constexpr double kSmall = 11.0 / 13.0;             // of the large letters of CalcLabelWidth
+  constexpr double kSmall = 11.0 / 13.0;             // CalcLabelWidth counts wide letters
   const bool is_above = plot.labels_above;
   Range range;
   std::vector<std::string> labels, texts;
@@ -215,7 +215,7 @@ Html DrawIntervalPlot(const IntervalPlot& plot) {
     labels.push_back(row.label);
     texts.push_back(row.text);
     above_width =
-        std::max(above_width, CalcLabelWidth({row.label}) + kSmall * CalcLabelWidth({row.text}));
+        std::max(above_width, kSmall * (CalcLabelWidth({row.label}) + CalcLabelWidth({row.text})));
     has_links = has_links || !row.anchor.empty();
     if (row.is_heading) continue;
     GRASPBENCH_DEMAND(row.series >= 0 && row.series < static_cast<int>(kMaxSeries), row.label);

@@ -17,7 +17,7 @@ const ArgumentMeasure kPeopleRatio = {
     -1.0,
     "Shown: the study's own verdict is \"more simultaneous\". All its clocks must agree on it, and "
     "the digits must share more variation than an error of the clock explains. Refuted: the whole "
-    "interval lies right of 0.90 (dashed line) and is not all left of 1. The value is that of the "
+    "interval lies right of 0.90 (marked) and is not all left of 1. The value is that of the "
     "clock with the smallest difference. The interval covers the intervals of all clocks."};
 const ArgumentMeasure kLateSuccess = {
     "change of success by 100 ms of delay of the last digit",
@@ -28,7 +28,7 @@ const ArgumentMeasure kLateSuccess = {
     -1.0,
     "Shown: the interval lies left of 0 and the test by random signs of the objects gives p of at "
     "most 0.05. This p is adjusted for all hands and both late digits of the map. Refuted: the "
-    "whole interval lies within 2 points of 0 (dashed line), or it lies right of 0 with such a p. "
+    "whole interval lies within 2 points of 0 (marked), or it lies right of 0 with such a p. "
     "An interval that meets both is shown. Where 97.5 % or more succeed without delay, an interval "
     "within 2 points is a ceiling and decides nothing."};
 const ArgumentMeasure kLateThreshold = {
@@ -122,7 +122,7 @@ void Judge(ArgumentNumber& number) {
   }
   const ArgumentMeasure& measure = *number.measure;
   const double best = measure.sign > 0.0 ? number.interval.high : -number.interval.low;
-  const bool is_opposite = best < measure.sign * measure.null_value;
+  const bool is_opposite = best < measure.sign * measure.null_value - measure.least;
   if (number.verdict == ArgumentVerdict::kRefuted && number.room < measure.least && !is_opposite) {
     number.verdict = ArgumentVerdict::kNotDecided;
     number.why = "ceiling: at most " + FormatFixed(number.room, measure.decimals) +
@@ -144,7 +144,7 @@ std::string DescribeRule(const ArgumentMeasure& measure) {
   const double line = measure.null_value + measure.sign * measure.least;
   return std::string("Shown: the whole interval lies ") + claimed + " of " +
          FormatFixed(measure.null_value, 0) + ". Refuted: the whole interval lies " + other +
-         " of " + FormatLeast(measure, line) + " (dashed line), so that an effect of " +
+         " of " + FormatLeast(measure, line) + " (marked), so that an effect of " +
          FormatLeast(measure, measure.least) +
          " is excluded. An interval that meets both is shown.";
 }
@@ -275,10 +275,9 @@ std::vector<CsvColumn<ArgumentNumber>> ListArgumentColumns() {
       C("verdict", "", "verdict by the rule of this number",
         [](const Row& row) {
           return std::string(NameOf(row.verdict));
-        }).Shown("verdict", [](const Row& row) { return FormatVerdict(row); }),
+        }).Shown("verdict"),
       C("why", "", "why it is not decided although the interval would", &Row::why),
-      C("would_decide", "", "what would decide an undecided number", &Row::would_decide)
-          .Shown("would decide"),
+      C("would_decide", "", "what would decide an undecided number", &Row::would_decide),
       C("detail", "", "related figures", &Row::detail),
       C("source", "", "folders", &Row::source),
       C("command", "", "that made it", &Row::command)};

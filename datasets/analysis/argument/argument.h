@@ -9,8 +9,8 @@ b. With its 95 % interval [l, h], shifted and signed so that the claim expects x
 
     shown         l > 0
     refuted       else, if h < b: the effect is smaller than what matters, or has the opposite sign
-    not decided   else; also ("ceiling") if h < b <= x_max is impossible, because the largest
-                  possible change x_max is smaller than b, unless h < 0: the effect is opposite
+    not decided   else; also ("ceiling") if h < b, but the largest possible change is smaller than
+                  b, unless h < -b: an opposite effect that matters
 
 A claim is shown if all numbers that decide it are shown, and refuted if one of them is refuted:
 what holds for only one of two hands is not true of hands in general. A claim without a number is

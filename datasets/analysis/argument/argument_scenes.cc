@@ -144,12 +144,10 @@ void AddPreGraspNumber(const Scenes& scenes, const std::string& hand, bool alone
   number.decides = alone;
   number.command = "graspbench optimise --hand " + hand + " --object OBJECT --step 1 --out DIR";
   if (!before.empty()) {
-    number.detail =
-        "the value is the median of the scenes' changes; medians before and after, "
-        "on this row's own fresh draws: GFT " +
-        FormatMedian(before["median_gft_s"], after["median_gft_s"]) + ", GOT " +
-        FormatMedian(before["median_got_s"], after["median_got_s"]) + ", GCT " +
-        FormatMedian(before["median_gct_s"], after["median_gct_s"]) + "; ";
+    number.detail = "medians before and after: GFT " +
+                    FormatMedian(before["median_gft_s"], after["median_gft_s"]) + ", GOT " +
+                    FormatMedian(before["median_got_s"], after["median_got_s"]) + ", GCT " +
+                    FormatMedian(before["median_gct_s"], after["median_gct_s"]) + "; ";
     if (!floors.empty()) {
       number.detail += "floor of GFT " + FormatFixed(MsFromS(CalcMedian(floors)), 0) +
                        " ms, GFT at most 1.2 times its floor in " + std::to_string(num_near) +
