@@ -30,8 +30,8 @@ enum class StatusLook {
 /** Size up to which kQuick checks every byte, which takes one processor about 0.5 s [bytes]. */
 inline constexpr uintmax_t kMostChecked = 30'000'000;
 
-/** Reads the status of a folder; of a developed hand that of its development. Apparent damage is checked again after 0.1 s, because another
-process may be writing the store.
+/** Reads the status of a folder; of a developed hand that of its development. Apparent damage is
+checked again after 0.1 s, because another process may be writing the store.
 @param stale_after  as in ReadProgress. @throws Error(kNotFound, kFormat, kIo) when the folder holds
 no such store or cannot be read. */
 FolderStatus ReadFolderStatus(const std::filesystem::path& folder, double stale_after,

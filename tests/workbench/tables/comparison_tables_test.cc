@@ -14,7 +14,9 @@ bool Contains(const std::string& text, const std::string& part) {
 TEST(ComparisonTables, NameBothHandsAndCompareNoGraspsOfTwoHands) {
   const Session tum = MakeSession({"tum"}, {"can", "cup"}, "g3", 3);
   Session mine = MakeSession({"mine"}, {"can", "cup"}, "g1", 3);
-  mine.plan[0].grasp = mine.records[0].plan.grasp = "g3";
+  for (size_t i = 0; i < 3; ++i) {  // the can
+    mine.plan[i].grasp = mine.records[i].plan.grasp = "g3";
+  }
   mine.records[0].result.outcome = Outcome::kNoContact;
   const ComparedSessions result = CompareAll(tum, mine);
   const std::string text = FormatComparison(result);
