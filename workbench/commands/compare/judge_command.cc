@@ -45,6 +45,8 @@ void PrintEvidence(const JudgeEvidence& evidence, const Session& session) {
                 FormatLoads(SummariseSession(session)) +
                 (evidence.ranks.empty() ? ""
                                         : "no rank correlation with other measures: " +
+                                              FormatCount(evidence.num_cells, "combination") +
+                                              " of hand, object and grasp; " +
                                               evidence.ranks.front().correlation.reason() + "\n"));
     return;
   }
