@@ -197,12 +197,14 @@ Html DrawReasons(const TransferFile& file, const std::vector<std::string>& hands
   Table table(
       "Grasps that a hand cannot take over, with the reason; numbers are those of the first.",
       {"Hand", "Reason", "Grasps"});
+  bool has_any = false;
   for (const std::string& hand : hands) {
     for (const auto& [reason, count] : CountTransferReasons(file, hand)) {
       table.AddRow({hand, reason, count});
+      has_any = true;
     }
   }
-  return table.ToHtml();
+  return has_any ? table.ToHtml() : MakeParagraph("Every grasp is transferable to every hand.");
 }
 
 /** Grasps along the person's course; or how to have them. */
