@@ -209,7 +209,7 @@ Html DrawIntervalPlot(const IntervalPlot& plot) {
   const bool is_above = plot.labels_above;
   Range range;
   std::vector<std::string> labels, texts;
-  double above_width = kNarrow;
+  double above_width = std::max(kNarrow, kSmall * CalcLabelWidth({plot.axis}));
   bool has_links = false;
   for (const IntervalPlot::Row& row : plot.rows) {
     labels.push_back(row.label);
@@ -267,7 +267,8 @@ Html DrawIntervalPlot(const IntervalPlot& plot) {
                              {"r", Px(kDot)}});
     }
   }
-  Html frame = DrawHorizontalAxis(axis, left, extent, top, bottom, plot.axis);
+  Html frame = DrawHorizontalAxis(axis, left, extent, top, bottom, is_above ? "" : plot.axis);
+  if (is_above) frame += Label("start small", 0.0, bottom + 28.0, plot.axis);  // may be as wide
   for (size_t m = 0; m < plot.marks.size(); ++m) {
     const double x = place_x(plot.marks[m].x), mark_top = top - kLabelRow * mark_rows[m];
     frame += Line("mark", x, mark_top, x, bottom);
