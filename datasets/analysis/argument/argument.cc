@@ -234,9 +234,15 @@ std::string ArgumentClaim::sentence() const {
 
 std::string ArgumentClaim::would_decide() const {
   if (verdict != ArgumentVerdict::kNotDecided) return "";
-  const ArgumentNumber* const number = headline();
-  if (number != nullptr) return number->would_decide;
-  return not_run.empty() ? "" : not_run.front().command;
+  const auto num_deciding =
+      std::count_if(numbers.begin(), numbers.end(), [](const auto& n) { return n.decides; });
+  std::string text;
+  for (const ArgumentNumber& number : numbers) {
+    if (!number.decides || number.would_decide.empty()) continue;
+    text += (text.empty() ? "" : "; ") + (num_deciding > 1 ? number.subject + ": " : "") +
+            number.would_decide;
+  }
+  return text.empty() && !not_run.empty() ? not_run.front().command : text;
 }
 
 ArgumentVerdict JudgeClaim(const std::vector<ArgumentNumber>& numbers) {

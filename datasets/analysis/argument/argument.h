@@ -125,7 +125,8 @@ struct ArgumentClaim {
   const ArgumentNumber* headline() const;
   /** The answer; if deciding numbers differ or one states why, also the verdict of each. */
   std::string sentence() const;
-  std::string would_decide() const;  ///< empty if it is decided
+  /** What would decide each deciding number that is not decided; empty if the claim is decided. */
+  std::string would_decide() const;
 };
 
 /** Judges a claim by its deciding numbers. */
