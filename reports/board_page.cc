@@ -112,6 +112,7 @@ Html DrawWinners(const BoardPageData& data) {
     for (const std::string& object : winner.objects) {
       names += (names.empty() ? "" : ", ") + data.models.NameOfObject(object);
     }
+    if (winner.group == "least friction") winner.group = "slippery (least friction)";
     if (winner.objects.size() == 1) {
       winner.group = names;
     } else if (winner.objects.size() < data.board.objects.size()) {
@@ -166,8 +167,9 @@ Html DrawFailures(const BoardPageData& data) {
   return bars +
          MakeParagraph(
              "These commands repeat a trial from its pack, compare it with the entry's record, and "
-             "make a page with the trial in 3-D. Run them where the pack lies. The table has the "
-             "pack and the name of each trial; this is the first row:") +
+             "make a page with the trial in 3-D. Run them in the folder that holds the pack. The "
+             "table has the pack and the name of each trial. This is the first row; a trial takes "
+             "up to a minute with its remedies:") +
          MakeScroll("Commands", Element("pre", {},
                                         "rm -rf entry && mkdir entry && tar xf " + pack +
                                             " -C entry\ngraspbench trial entry/session " +

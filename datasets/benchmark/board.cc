@@ -380,7 +380,7 @@ std::vector<CsvColumn<BoardLine>> ListBoardColumns() {
       C("successes", "", "of these", [](const Row& row) { return row.tally.successes(); }),
       C("behind", "", "success less that of the first line",
         [](const Row& row) { return row.behind.estimate; })
-          .Shown("To the first [points]",
+          .Shown("Less than the first [points]",
                  [](const Row& row) {
                    return row.behind.num_draws == 0 ? std::string() : FormatPoints(row.behind);
                  }),
@@ -487,7 +487,9 @@ std::vector<CsvColumn<GroupWinner>> ListWinnerColumns() {
             }).Shown("Lead [points]", [](const Row& row) { return FormatPoints(row.lead); }),
           C("is_sure", "", "the 95 % interval of the lead excludes 0", [](const Row& row) {
             return IsSure(row.lead);
-          }).Shown("Sure", [](const Row& row) { return IsSure(row.lead) ? "yes" : "no"; })};
+          }).Shown("Sure", [](const Row& row) {
+            return row.second == nullptr ? "n/a" : IsSure(row.lead) ? "yes" : "no";
+          })};
 }
 
 std::vector<CsvColumn<RefusedEntry>> ListRefusedColumns() {

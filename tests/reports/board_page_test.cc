@@ -23,7 +23,7 @@ TEST(BoardPageTest, ItSaysWhoIsBestWhereAndWhatHasNoRank) {
   ExpectParts(TextOfId(page, "ranks"),
               {"Best: 1. first, tum with 30 of 60 trials", "5.0", "the public draws"});
   ExpectParts(TextOfId(page, "winners"),
-              {"least friction: o0, o1", "first, tum", "18 of 20", "yes"});
+              {"slippery (least friction): o0, o1", "first, tum", "18 of 20", "yes"});
   ExpectParts(TextOfId(page, "failures"),
               {"tum-o0-g1:9", "slipped in lift-off", "tar xf first.tar -C entry",
                "trial entry/session tum-o0-g1:9 --page"});
