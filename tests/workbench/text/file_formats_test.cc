@@ -107,9 +107,9 @@ TEST(FileFormatsTest, ArmsAreReadByTheirRows) {
 TEST(FileFormatsTest, GraspsAreReadByTheirRows) {
   const Hand hand = LoadHand("tum");
   KeyRecorder recorder;
-  EXPECT_THROW(
-      ParseGraspFile("digits: [TH]\nclosing: {TH: {}}\nplacement: {}\n", "grasp.yaml", {&hand}),
-      Error);
+  EXPECT_THROW(ParseGraspFile("digits: [TH]\nclosing: {TH: {}}\nplacement: {}\ncourse: {}\n",
+                              "grasp.yaml", {&hand}),
+               Error);
   ExpectSameKeys(recorder.keys(), FindKeys("grasp.yaml"));
 }
 
