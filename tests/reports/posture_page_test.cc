@@ -55,7 +55,7 @@ TEST(PosturePage, ShowsThePosturesAndWhy) {
        {std::string("TUM <Hand>"), std::string("Seed 7, budget 1234 trials"),
         std::string("345 2 0.61 1.07 11 of 12 trials"),
         std::string("race 56 200 150 of 200 trials"),
-        "opening [mm] 87.3, met 8.0 " + FormatFixed(MmFromM(opening), 1)}) {
+        "opening [mm] pre-grasp 87.3, at contact 8.0 " + FormatFixed(MmFromM(opening), 1)}) {
     EXPECT_NE(text.find(expected), std::string::npos) << expected << "\n\n" << text;
   }
   // Of the grasp whose trials are not known nothing is made up.
