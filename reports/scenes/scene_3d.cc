@@ -167,8 +167,8 @@ Html TrialViews::DrawPoster(const TrialView& view, const TraceInstant& shown,
        {"alt", view.name + " at " + FormatFixed(shown.time, 3) + " s, " + NameOf(shown.phase)}});
 }
 
-/** Draws the first instant (not with an arm), the end of each phase, and the forces that the contacts
-of the shown instant can resist. */
+/** Draws the first instant (not with an arm), the end of each phase, and the forces that the
+contacts of the shown instant can resist. */
 Html TrialViews::DrawFilm(const TrialView& view, const std::vector<const TraceInstant*>& ends,
                           const TraceInstant& shown, const Camera& camera) {
   if (!film_renderer_) film_renderer_ = std::make_unique<Renderer>(kFilmWidth, kFilmHeight);
