@@ -40,8 +40,8 @@ to be significant at 5 %. nullopt: more than a million, or too few objects. @pre
 1. */
 std::optional<int> CalcPairsNeeded(const PairedPlan& plan, double power = 0.8);
 
-/** Estimates the share of discordant pairs from observed pairs, and the spread between objects by the
-method of moments (0 if chance explains it). */
+/** Estimates the share of discordant pairs from observed pairs, and the spread between objects by
+the method of moments (0 if chance explains it). */
 PairedPlan EstimatePairedPlan(const std::vector<PairedCounts>& clusters, double difference);
 
 }  // namespace graspbench

@@ -182,9 +182,9 @@ class Dealer {
     return dealt;
   }
 
-  /** Which share of each digit's spread is not the clock's error. These trials have one sample of
-  the errors, of which only the expected variance is known: so each permutation draws another, with its
-  chance correlation with the digit's own spread. */
+  /** Share of each digit's spread that is not the clock's error. These trials have one sample of
+  the errors, of which only the expected variance is known. Each permutation therefore draws
+  another sample, with its chance correlation with the digit's own spread. */
   std::vector<double> DrawKept(size_t s) {
     const size_t n = strata_[s].size();
     normals_.clear();
