@@ -117,7 +117,6 @@ ExitCode Run(const RunCommandOptions& options) {
   const int num_workers = CalcNumWorkers(options.run.num_workers, static_cast<size_t>(num_trials));
   PrintStart(work, num_trials, num_workers);
   if (num_trials == 0) return Finish(work, options);
-
   TerminalObserver observer;
   RunRecord record;
   try {
