@@ -225,7 +225,7 @@ TEST(ArgumentWorlds, ACeilingIsNotDecidedAndALossAtItIsRefuted) {
   }
 }
 
-// The map's rule asks for more than the interval; the reader is told which condition is not met.
+// The map's rule asks for more than the interval; the page states which condition is not met.
 TEST(Argument, AMapsIntervalLeftOfZeroWithoutItsTestNamesTheTest) {
   MapCell cell;
   cell.hand = "tum";

@@ -110,7 +110,7 @@ Question Draw(unsigned seed) {
       {"model.mass_scale", "3"},       {"model.drive_torque_scale", "0.5"},
       {"model.mass_scale", "0.5"},     {"model.pad_stiffness_scale", "0.5"}};
   const auto& level = levels[random() % levels.size()];
-  // The type by geometry is chosen anew under every condition and in every session. Types by
+  // The type by geometry is chosen again under every condition and in every session. Types by
   // rehearsal are not: a session takes the stored ones, whatever its settings are.
   return {{"--hand", pick({"tum", "shadow"}), "--object", named, "--grasp", "predicted", "--trials",
            "2", "--seed", std::to_string(seed)},

@@ -9,7 +9,7 @@
 namespace graspbench {
 namespace {
 
-/** Persons with the same number of trials each, made up. Persons' means are `spread` times as far
+/** Synthetic persons with equal numbers of trials. Persons' means are `spread` times as far
 apart as in the first layout; trials differ from their person's mean as there. */
 std::vector<RemlGroup> MakeBalanced(double spread = 1.0) {
   const double values[4][3] = {{5.1, 6.0, 5.4}, {8.2, 7.1, 7.7}, {3.0, 4.4, 3.9}, {6.6, 6.1, 7.5}};
