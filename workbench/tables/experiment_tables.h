@@ -8,6 +8,7 @@ in the file of their command. */
 
 #include "datasets/analysis/conditions/delay_summary.h"
 #include "datasets/analysis/conditions/numerics_summary.h"
+#include "datasets/analysis/conditions/sensitivity_summary.h"
 #include "datasets/analysis/conditions/sweep_summary.h"
 #include "datasets/analysis/map/map_result.h"
 #include "datasets/analysis/schedules/schedule_comparison.h"
