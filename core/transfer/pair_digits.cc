@@ -90,8 +90,12 @@ PadGoal MakeGoal(int digit, const std::vector<PersonDigit>& people, const GraspO
 
 }  // namespace
 
-std::vector<Vector3d> CalcOpening(const std::vector<Vector3d>& p_OTips,
-                                  const std::vector<Vector3d>& p_OContact) {
+Vector3d CalcOpeningAxis(const std::vector<Vector3d>& p_OTips) {
+  return CalcFingersMiddle(p_OTips) - p_OTips.front();
+}
+
+std::vector<Vector3d> CalcDigitOpenings(const std::vector<Vector3d>& p_OTips,
+                                        const std::vector<Vector3d>& p_OContact) {
   GRASPBENCH_DEMAND(p_OContact.size() >= 2 && p_OTips.size() == p_OContact.size(),
                     std::to_string(p_OTips.size()));
   const Vector3d met = CalcFingersMiddle(p_OContact), was = CalcFingersMiddle(p_OTips);
@@ -106,7 +110,7 @@ std::vector<Vector3d> CalcOpening(const std::vector<Vector3d>& p_OTips,
 }
 
 void SetOpening(const std::vector<Vector3d>& p_OOpen, PersonGrasp& person) {
-  const std::vector<Vector3d> openings = CalcOpening(p_OOpen, ListPlaces(person.digits));
+  const std::vector<Vector3d> openings = CalcDigitOpenings(p_OOpen, ListPlaces(person.digits));
   for (size_t d = 0; d < openings.size(); ++d) person.digits[d].opening_O = openings[d];
 }
 

@@ -17,13 +17,6 @@ using Eigen::VectorXd;
 constexpr double kLeastOpening = 0.005;  ///< of a digit, or of thumb and fingers [m]
 constexpr double kPlayedDepth = 0.003;   ///< of links on their way [m]
 
-/** From the first digit to the mean of the others. */
-Vector3d CalcOpeningAxis(const std::vector<Vector3d>& tips) {
-  Vector3d axis = -tips.front();
-  for (size_t d = 1; d < tips.size(); ++d) axis += tips[d] / static_cast<double>(tips.size() - 1);
-  return axis;
-}
-
 std::vector<Vector3d> ListOpenings(const PersonGrasp& person) {
   std::vector<Vector3d> openings;
   for (const PersonDigit& digit : person.digits) openings.push_back(digit.opening_O);
@@ -55,7 +48,7 @@ struct PersonInstant {
 PersonInstant FindInstant(const std::vector<Vector3d>& tips, const std::vector<Vector3d>& met) {
   const Vector3d axis = CalcOpeningAxis(tips);
   const Vector3d away = tips[0] + 0.5 * axis - met[0] - 0.5 * CalcOpeningAxis(met);
-  return {away, CalcOpening(tips, met), axis.norm()};
+  return {away, CalcDigitOpenings(tips, met), axis.norm()};
 }
 
 /** Posture at one instant of the course. */

@@ -5,7 +5,7 @@ Course of a person's reach on a robot hand that took the grasp over (core/grasp/
     hand    follows the midpoint of the opening axis (thumb to the mean of the fingers), relative to
             its position at contact, from the grasp's approach distance on; its orientation stays
     digits  s = s* (1 - e o / |o|^2): e is the digit's displacement from its contact in the person's
-            hand (CalcOpening), o the same at the widest opening, s* the closing at contact. A
+            hand (CalcDigitOpenings), o the same at the widest opening, s* the closing at contact. A
             virtual finger has the mean e and o of the digits that it represents. Of a digit that
             opens by less than 5 mm, the distance of thumb and fingers replaces e and o
 

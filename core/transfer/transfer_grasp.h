@@ -82,14 +82,17 @@ struct PersonGrasp {
   PersonReach reach = {};
 };
 
+/** From the thumb to the mean of the fingers. @param p_OTips  two or more, the thumb first. */
+Eigen::Vector3d CalcOpeningAxis(const std::vector<Eigen::Vector3d>& p_OTips);
+
 /** Displacements of the digits from their positions at contact, in the hand's own frame. Positions
 are moved as a rigid hand: the opening axis (thumb to the mean of the fingers) is rotated by the
 smallest rotation to that at contact, and its midpoint shifted to that at contact.
 @pre as many positions as at contact, two or more, the thumb first. */
-std::vector<Eigen::Vector3d> CalcOpening(const std::vector<Eigen::Vector3d>& p_OTips,
-                                         const std::vector<Eigen::Vector3d>& p_OContact);
+std::vector<Eigen::Vector3d> CalcDigitOpenings(const std::vector<Eigen::Vector3d>& p_OTips,
+                                               const std::vector<Eigen::Vector3d>& p_OContact);
 
-/** Sets opening_O by CalcOpening from the positions at the widest opening. */
+/** Sets opening_O by CalcDigitOpenings from the positions at the widest opening. */
 void SetOpening(const std::vector<Eigen::Vector3d>& p_OOpen, PersonGrasp& person);
 
 /** Derives pads from the landmarks of the joints. The pad is kPadShare of the last phalanx before

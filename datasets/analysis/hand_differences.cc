@@ -74,9 +74,8 @@ std::string DescribeHandDifference(const HandDifference& difference, const std::
                      (difference.num_planned == 1 ? " pair of " : " pairs of ") +
                      FormatCount(change.num_objects, "object") + ": ";
   if (!change.interval) return text + change.interval.reason();
-  text += FormatWithRange(100.0 * change.estimate, 100.0 * change.interval->low,
-                          100.0 * change.interval->high, 1);
-  text.insert(text.rfind(" ("), " points");
+  text += FormatFixed(100.0 * change.estimate, 1) + " points (" +
+          FormatRange(100.0 * change.interval->low, 100.0 * change.interval->high, 1) + ")";
   if (std::isnan(difference.p)) {
     return text + ", not testable with fewer than " + std::to_string(kFewestClusters) + " objects";
   }

@@ -398,7 +398,7 @@ void AppendNumbered(const std::string& body, std::string& numbered) {
         const int count = ++ids[body.substr(at, end - at)];
         if (count > 1) numbered += "-" + std::to_string(count);
       } else {
-        const bool is_folded = std::count(details.begin(), details.end(), true) > 0;
+        const bool is_folded = std::find(details.begin(), details.end(), true) != details.end();
         numbered += "\u00A0" + labels[mark].Next(is_folded) + ".";
       }
     }

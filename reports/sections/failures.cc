@@ -50,7 +50,8 @@ Html DescribeExplained(const Explanations& known, const std::vector<const TrialR
           Element("code", {}, "graspbench explain FOLDER") + Text(", with ") +
           Element("code", {}, "--all") +
           Text(" of every failure. Here " + std::to_string(num_explained) + " of " +
-               FormatCount(static_cast<int64_t>(failures.size()), "failure") + " are explained."));
+               FormatCount(static_cast<int64_t>(failures.size()), "failure is", "failures are") +
+               " explained."));
 }
 
 /** Formats how many fresh draws held with the trial's own settings: "3 of 10". */

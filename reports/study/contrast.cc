@@ -1,5 +1,7 @@
 #include "reports/study/contrast.h"
 
+#include <utility>
+
 #include "core/base/text/text.h"
 #include "human_study/study/inference/person_contrast.h"
 #include "reports/page/layout.h"
@@ -37,10 +39,22 @@ std::string DescribeContrast(const PersonContrast& contrast, const TrialMeasure&
          FormatPersons(contrast, test) + ".";
 }
 
-/** With two digits GOT is GFT. */
-bool IsRepeated(const StudyResult& result, const MeasureStatistics& statistics) {
-  return result.digits.size() == 2 &&
-         std::string(statistics.measure.id).rfind("grasp_opposing", 0) == 0;
+struct MeasureContrast {
+  const TrialMeasure* measure;
+  PersonContrast contrast;
+};
+
+/** Of the tested measures. With two digits GOT is GFT and is left out. */
+std::vector<MeasureContrast> ListContrasts(const StudyResult& result) {
+  std::vector<MeasureContrast> contrasts;
+  for (const MeasureStatistics& statistics : result.statistics.measures) {
+    const bool is_repeated = result.digits.size() == 2 &&
+                             std::string(statistics.measure.id).rfind("grasp_opposing", 0) == 0;
+    if (!statistics.cells || is_repeated) continue;
+    Answer<PersonContrast> contrast = CalcPersonContrast(*statistics.cells);
+    if (contrast) contrasts.push_back({&statistics.measure, std::move(*contrast)});
+  }
+  return contrasts;
 }
 
 Html DrawPersons(const PersonContrast& contrast, const TrialMeasure& measure) {
@@ -83,38 +97,30 @@ Html DrawContrast(const StudyResult& result) {
 }
 
 Html DrawContrastTable(const StudyResult& result) {
-  std::string difference;
-  std::vector<std::vector<std::string>> rows;
-  for (const MeasureStatistics& statistics : result.statistics.measures) {
-    if (!statistics.cells || IsRepeated(result, statistics)) continue;
-    const Answer<PersonContrast> contrast = CalcPersonContrast(*statistics.cells);
-    if (!contrast || !contrast->test) continue;
-    const ContrastTest& test = *contrast->test;
-    difference = NameDifference(*contrast);
-    rows.push_back({statistics.measure.name,
-                    FormatWithUnit(test.difference, statistics.measure.unit),
-                    FormatInterval(test, statistics.measure), FormatP(test.p),
-                    FormatPersons(*contrast, test)});
+  std::vector<MeasureContrast> tested;
+  for (MeasureContrast& one : ListContrasts(result)) {
+    if (one.contrast.test) tested.push_back(std::move(one));
   }
-  if (rows.empty()) return {};
-  Table table("All measures, " + difference + ". p is not adjusted over the measures.",
+  if (tested.empty()) return {};
+  Table table("All measures, " + NameDifference(tested.front().contrast) +
+                  ". p is not adjusted over the measures.",
               {"Measure",
                "Difference",
                {"95 % interval", "of the difference, over persons"},
                {"p", "paired t test of the persons' means; Welch's test between groups"},
                "n"});
-  for (const std::vector<std::string>& row : rows) {
-    table.AddRow({row[0], row[1], row[2], row[3], row[4]});
+  for (const auto& [measure, contrast] : tested) {
+    const ContrastTest& test = *contrast.test;
+    table.AddRow({measure->name, FormatWithUnit(test.difference, measure->unit),
+                  FormatInterval(test, *measure), FormatP(test.p), FormatPersons(contrast, test)});
   }
   return table.ToHtml();
 }
 
 std::vector<std::string> DescribeContrasts(const StudyResult& result) {
   std::vector<std::string> sentences;
-  for (const MeasureStatistics& statistics : result.statistics.measures) {
-    if (!statistics.cells || IsRepeated(result, statistics)) continue;
-    const Answer<PersonContrast> contrast = CalcPersonContrast(*statistics.cells);
-    if (contrast) sentences.push_back(DescribeContrast(*contrast, statistics.measure));
+  for (const auto& [measure, contrast] : ListContrasts(result)) {
+    sentences.push_back(DescribeContrast(contrast, *measure));
   }
   return sentences;
 }
